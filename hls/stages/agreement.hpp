@@ -717,7 +717,8 @@ class Agreement {
     const bool large = slot_.bit(2);
     l.best = best_left_.read(x_);
     const Shift shift = large ? l.best.shift : l.best.near_shift;
-    l.partner = Index(s<10>(x_) + shift);
+    const Index found(s<10>(x_) + shift);
+    l.partner = select(found > last_, Index(0), found);  // a spoilt shift makes no address beyond the memory
     const BestRight right = best_right_.read(l.partner);
     const bool enough_rows = row_ >= first_row;
     l.supervised = here.supervised && enough_rows;
@@ -765,12 +766,12 @@ class Agreement {
   }
 
   /// What is nearer is counted where there is a skin; around it, nearer than what it is compared with means nothing.
-  void count(const Looked& cell) {
-    change_.supervised = u<1>(cell.supervised);
-    change_.textured = u<1>(cell.textured);
-    change_.explained = u<1>(cell.explained);
-    change_.nearer = u<1>(cell.nearer && cell.of_skin);
-    change_.skin_supervised = u<1>(cell.supervised && cell.of_skin);
+  void count(const Looked& looked) {
+    change_.supervised = u<1>(looked.supervised);
+    change_.textured = u<1>(looked.textured);
+    change_.explained = u<1>(looked.explained);
+    change_.nearer = u<1>(looked.nearer && looked.of_skin);
+    change_.skin_supervised = u<1>(looked.supervised && looked.of_skin);
   }
 
   [[nodiscard]] u<3> region_column() const {

@@ -610,7 +610,7 @@ class Pipeline {
       const bool is_unproven = clear & !marks.seen[static_cast<std::size_t>(x)];
       to[x] = (is_hidden | is_unproven) ? std::uint8_t{stages::state::undecidable} : state;
       skin += state == stages::state::skin;
-      undecidable += state == stages::state::undecidable;
+      undecidable += to[x] == stages::state::undecidable;
       unsupervised += state == stages::state::unsupervised;
       hidden += is_hidden;
       unproven += is_unproven;
@@ -635,7 +635,7 @@ class Pipeline {
 
   void set_counts(FrameResult& result) const {
     result.skin_pixels = static_cast<int>(skin_);
-    result.undecidable_pixels = static_cast<int>(undecidable_) + result.hidden_pixels + result.unproven_pixels;
+    result.undecidable_pixels = static_cast<int>(undecidable_);
     result.unsupervised_pixels = static_cast<int>(unsupervised_);
     result.alarm |= skin_ > alarm_config_.alarm_limit.value();
     result.too_undecidable = undecidable_ > alarm_config_.undecidable_limit.value();

@@ -139,9 +139,6 @@ std::int64_t decided_pixels(const FrameResult& result) {
          result.unsupervised_pixels;
 }
 
-/// Of what the rule can judge of a skin: a safe frame of which less is decided says next to nothing.
-constexpr double kLittleDecided = 0.05;
-
 void print_frame(int frame, const FrameResult& result) {
   const auto pixels = static_cast<double>(result.states.pixels.size());
   std::string line = fmt::format(
@@ -279,8 +276,7 @@ ExitStatus run(const RunOptions& options) {
   Progress progress("supervising pair");
   ExitStatus status = ExitStatus::done;
   int frame = 0;
-  int hardly_decided = 0;  // safe, but hardly anything was seen
-  std::mutex results;      // what a signal must find in order: `output`, `summary` and this
+  std::mutex results;  // what a signal must find in order: `output`, `summary` and this
   bool complete = false;
   const BeforeEnding before_ending([&] {
     results.lock();
@@ -303,8 +299,6 @@ ExitStatus run(const RunOptions& options) {
               frame_json(frame, pair->left.name, pair->right.name, result, objects, device.counts_cycles()));
         }
         if (result.faults.without(Fault::teaching).any()) status = ExitStatus::fault;
-        const auto decided = static_cast<double>(decided_pixels(result));
-        if (result.safe && decided < kLittleDecided * static_cast<double>(session.judgeable_pixels)) ++hardly_decided;
         if (!options.json) {
           progress.clear();
           print_frame(frame, result);
@@ -320,14 +314,6 @@ ExitStatus run(const RunOptions& options) {
     const std::lock_guard lock(results);
     if (options.teach != 0 && !summary.contains("taught")) {
       report_taught(session.monitor().blind_watch(), options.teach, session.settings.blind, summary, options.json);
-    }
-    if (hardly_decided > 0) {
-      warn(fmt::format(
-          "{} of {} frames are safe, but less than {:g} % of what can be judged of this skin was decided in them: the rest "
-          "has no texture, is hidden behind something nearer, or is not shown to be seen by both cameras. Does the skin "
-          "lie where it should?",
-          hardly_decided, frame, 100 * kLittleDecided));
-      add_warnings(summary);
     }
     output.write("summary.json", json_text(summary) + "\n");
     output.commit();

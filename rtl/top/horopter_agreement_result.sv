@@ -15,7 +15,6 @@ module horopter_agreement_result #(
     input  logic                  hidden_i,
     input  logic                  unproven_pixel_i,
     input  logic                  counts_valid_i,
-    output logic [COUNT_BITS-1:0] unearned_o,  // with counts_valid_i: pixels that are not clear because of it
     // registers
     input  logic [           5:0] region_select_i,
     input  logic [          11:0] read_addr_i,
@@ -31,7 +30,6 @@ module horopter_agreement_result #(
   logic unused_addr;
   assign unused_addr = ^{read_addr_i[11:8], read_addr_i[6], read_addr_i[1:0]};
   logic [COUNT_BITS-1:0] hidden_q, unproven_q;
-  assign unearned_o = hidden_q + unproven_q;
   always_ff @(posedge clk_i) begin
     if (word_valid_i) words[index_i] <= prove_i ? word_i : '0;
     word_q <= words[index];

@@ -933,7 +933,7 @@ module horopter_top #(
   logic [COLUMN_BITS-1:0] run_start, run_end;
   logic [1:0] run_state;
   logic counts_valid, alarm, too_undecidable, too_unsupervised;
-  logic [COUNT_BITS-1:0] skin_pixels, undecidable_pixels, unsupervised_pixels, unearned_pixels;
+  logic [COUNT_BITS-1:0] skin_pixels, undecidable_pixels, unsupervised_pixels;
   logic verdict_valid, word_valid;
   logic disagree, unproven, moved, hidden, untextured;
   logic [1:0] unsharp;
@@ -1038,7 +1038,6 @@ module horopter_top #(
       .hidden_i(align_hidden),
       .unproven_pixel_i(align_unproven),
       .counts_valid_i(counts_valid),
-      .unearned_o(unearned_pixels),
       .region_select_i(region_select),
       .read_addr_i(read_addr),
       .word_o(frame_word),
@@ -1189,7 +1188,7 @@ module horopter_top #(
       .runs_end_i(out_runs_end),
       .counts_valid_i(counts_valid),
       .skin_i(24'(skin_pixels)),
-      .undecidable_i(24'(undecidable_pixels) + 24'(unearned_pixels)),
+      .undecidable_i(24'(undecidable_pixels)),
       .unsupervised_i(24'(unsupervised_pixels)),
       .alarm_i(alarm),
       .objects_ended_i(objects_ended),

@@ -118,14 +118,11 @@ class Bench {
     FAIL_CHECK("no frame has it, but " << others);
   }
 
-  /// The last bit of every word of the memory `name`: in those of the stages that is the parity itself, so that no address is
-  /// made of a spoilt word, which the model's assertions would take for a fault of the stage.
+  /// The first bit of every word of the memory `name`.
   void flip(const std::string& name) {
     for (const upset::Signal& signal : Build::signals(machine.model())) {
       if (!std::string_view(signal.name).starts_with(name + ".") && signal.name != name + "_mem") continue;
-      for (unsigned word = 0; word < signal.words; ++word) {
-        signal.flip(std::uint64_t{word} * signal.bits + signal.bits - 1);
-      }
+      for (unsigned word = 0; word < signal.words; ++word) signal.flip(std::uint64_t{word} * signal.bits);
     }
     Build::settle(machine.model());
   }

@@ -95,7 +95,7 @@ bool prepare(Sandbox& box, const std::string& skin = "whole") {
                 cv::imread((kImages / (side + "01.jpg")).string(), cv::IMREAD_GRAYSCALE));
   }
   box.write("skin.yaml", skin == "whole" ? "surface: {type: plane, point_mm: [0, 0, 300], normal: [0, 0, -1]}\n"
-                                         : "surface: {type: box, centre_mm: [0, 0, 900], size_mm: [400, 300, 200]}\n");
+                                         : "surface: {type: box, centre_mm: [0, 0, 400], size_mm: [180, 135, 60]}\n");
   return true;
 }
 
@@ -165,6 +165,20 @@ TEST_CASE("A camera that is spoiled is not safe") {
       }
     }
   }
+}
+
+TEST_CASE("A skin behind everything is not safe, from the first frame on") {
+  Sandbox box;
+  if (!prepare(box)) return;
+  box.write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 3000], normal: [0, 0, -1]}\n");
+  const std::string decision = GENERATE("thesis", "compete");
+  const auto frame = run(box, "left.png", "right.png", decision);
+  CAPTURE(decision, frame.dump());
+  CHECK(frame["safe"] == false);
+  CHECK(frame["faults"].dump().find("too_undecidable") != std::string::npos);
+  // By far most of it has texture, so it is not for this that nothing is decided.
+  CHECK(frame["hidden_pixels"].get<int>() + frame["unproven_pixels"].get<int>() >
+        frame["undecidable_pixels"].get<int>() / 3);
 }
 
 TEST_CASE("Tape over a small skin alone is not safe") {

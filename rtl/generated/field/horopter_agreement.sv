@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 1894 bits, pipeline 615 bits, memories 31188 bits.
+// State 1894 bits, pipeline 618 bits, memories 31188 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -68,18 +68,18 @@ module horopter_agreement (
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {2'h0, cfg_width_i[8:3]} + 8'hff;
-  logic [5:0] sum_1958;
-  assign sum_1958 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_2321;
-  assign difference_2321 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_2556;
-  assign less_2556 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_2557;
-  assign sum_2557 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic [7:0] select_2558;
-  assign select_2558 = less_2556 ? {sum_2557, cfg_height_i[5:3]} : 8'h0;
-  logic not_2593;
-  assign not_2593 = ~cfg_prove_i;
+  logic [5:0] sum_1960;
+  assign sum_1960 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_2323;
+  assign difference_2323 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_2558;
+  assign less_2558 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_2559;
+  assign sum_2559 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic [7:0] select_2560;
+  assign select_2560 = less_2558 ? {sum_2559, cfg_height_i[5:3]} : 8'h0;
+  logic not_2595;
+  assign not_2595 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic left_first_q;
@@ -223,124 +223,121 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:617
   logic [5:0] right;
   assign right = sum_393[5:0] + 6'h3d;
-  // hls/stages/agreement.hpp:746
-  logic [4:0] sum_1416;
-  assign sum_1416 = {1'b0, last_q[5:2]} + 5'h1;
   // hls/stages/agreement.hpp:123
-  logic and_1507;
-  assign and_1507 = right_q & (~marks_first_i);
+  logic and_1509;
+  assign and_1509 = right_q & (~marks_first_i);
   // hls/stages/agreement.hpp:215
-  logic [2:0] select_1608;
-  assign select_1608 = sample_pair_whole_q ? (sample_last_q ? (select_346 + 3'h1) : select_346) : raster_at_y_q;
-  logic [5:0] select_1610;
-  assign select_1610 = sample_pair_whole_q ? (select_330 + {5'h0, equal_363}) : raster_at_column_q;
-  logic [5:0] select_1613;
-  assign select_1613 = sample_pair_whole_q ? (sample_last_q ? (select_426 + {5'h0, equal_364}) : select_426) : raster_at_row_q;
-  logic select_1617;
-  assign select_1617 = sample_pair_whole_q ? (sample_last_q ? (or_335 & (~raster_final_row_q)) : or_335) : raster_at_live_q;
+  logic [2:0] select_1610;
+  assign select_1610 = sample_pair_whole_q ? (sample_last_q ? (select_346 + 3'h1) : select_346) : raster_at_y_q;
+  logic [5:0] select_1612;
+  assign select_1612 = sample_pair_whole_q ? (select_330 + {5'h0, equal_363}) : raster_at_column_q;
+  logic [5:0] select_1615;
+  assign select_1615 = sample_pair_whole_q ? (sample_last_q ? (select_426 + {5'h0, equal_364}) : select_426) : raster_at_row_q;
+  logic select_1619;
+  assign select_1619 = sample_pair_whole_q ? (sample_last_q ? (or_335 & (~raster_final_row_q)) : or_335) : raster_at_live_q;
   // hls/stages/census.hpp:44
-  logic [8:0] select_1619;
-  assign select_1619 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [8:0] select_1621;
+  assign select_1621 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:215
-  logic select_1623;
-  assign select_1623 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  logic select_1625;
+  assign select_1625 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:313
-  logic equal_1864;
-  assign equal_1864 = {last[7:6], column} == {2'h0, last[5:0]};
+  logic equal_1866;
+  assign equal_1866 = {last[7:6], column} == {2'h0, last[5:0]};
   // hls/stages/agreement.hpp:318
-  logic and_1865;
-  assign and_1865 = and_367 & equal_1864;
+  logic and_1867;
+  assign and_1867 = and_367 & equal_1866;
   // hls/stages/agreement.hpp:368
-  logic select_1868;
-  assign select_1868 = (and_1865 | (~ends_cell_q)) ? and_1865 : ends_q;
+  logic select_1870;
+  assign select_1870 = (and_1867 | (~ends_cell_q)) ? and_1867 : ends_q;
   // hls/stages/agreement.hpp:374
   logic [2:0] now;
-  assign now = select_1868 ? (and_1865 ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_1870 ? (and_1867 ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:379
-  logic [5:0] select_1872;
-  assign select_1872 = select_1868 ? (and_1865 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_1875;
-  assign select_1875 = select_1868 ? (following_last_shift_q & (~and_1865)) : run_last_shift_q;
+  logic [5:0] select_1874;
+  assign select_1874 = select_1870 ? (and_1867 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_1877;
+  assign select_1877 = select_1870 ? (following_last_shift_q & (~and_1867)) : run_last_shift_q;
   // hls/stages/agreement.hpp:146
-  logic and_1878;
-  assign and_1878 = run_last_shift_q & equal_390;
+  logic and_1880;
+  assign and_1880 = run_last_shift_q & equal_390;
   // hls/stages/agreement.hpp:399
-  logic select_1880;
-  assign select_1880 = equal_390 ? (~run_last_shift_q) : equal_392;
+  logic select_1882;
+  assign select_1882 = equal_390 ? (~run_last_shift_q) : equal_392;
   // hls/stages/agreement.hpp:403
-  logic equal_1881;
-  assign equal_1881 = run_phase_q == 3'h1;
-  logic not_1884;
-  assign not_1884 = ~select_1880;
+  logic equal_1883;
+  assign equal_1883 = run_phase_q == 3'h1;
+  logic not_1886;
+  assign not_1886 = ~select_1882;
   // hls/stages/agreement.hpp:406
-  logic equal_1886;
-  assign equal_1886 = run_phase_q == 3'h4;
+  logic equal_1888;
+  assign equal_1888 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:146
-  logic and_1887;
-  assign and_1887 = final_row_q & so;
+  logic and_1889;
+  assign and_1889 = final_row_q & so;
   // hls/stages/agreement.hpp:403
-  logic [1:0] select_1888;
-  assign select_1888 = equal_1886 ? 2'h1 : {2{and_1887}};
-  logic [2:0] select_1890;
-  assign select_1890 = (and_1878 | (select_1880 | equal_1881)) ? (equal_1881 ? 3'h2 : {not_1884, {2{select_1880}}}) : (equal_387 ? 3'h6 : {select_1888[0], select_1888});
+  logic [1:0] select_1890;
+  assign select_1890 = equal_1888 ? 2'h1 : {2{and_1889}};
+  logic [2:0] select_1892;
+  assign select_1892 = (and_1880 | (select_1882 | equal_1883)) ? (equal_1883 ? 3'h2 : {not_1886, {2{select_1882}}}) : (equal_387 ? 3'h6 : {select_1890[0], select_1890});
   // hls/stages/agreement.hpp:146
-  logic and_1893;
-  assign and_1893 = select_1880 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
+  logic and_1895;
+  assign and_1895 = select_1882 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:413
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_1896;
-  assign select_1896 = (plan_shift_q[5] & select_1880) ? value : 7'h0;
-  logic [1:0] or_1897;
-  assign or_1897 = {2{so}} | select_1896[5:4];
+  logic [6:0] select_1898;
+  assign select_1898 = (plan_shift_q[5] & select_1882) ? value : 7'h0;
+  logic [1:0] or_1899;
+  assign or_1899 = {2{so}} | select_1898[5:4];
   // hls/stages/agreement.hpp:416
-  logic [7:0] select_1898;
-  assign select_1898 = select_1880 ? plan_columns_q : 8'h0;
-  logic [6:0] or_1901;
-  assign or_1901 = select_1898[6:0] | ((equal_1881 | equal_1886) ? whole_q : 7'h0);
-  logic [1:0] or_1902;
-  assign or_1902 = {2{and_1878}} | or_1901[3:2];
+  logic [7:0] select_1900;
+  assign select_1900 = select_1882 ? plan_columns_q : 8'h0;
+  logic [6:0] or_1903;
+  assign or_1903 = select_1900[6:0] | ((equal_1883 | equal_1888) ? whole_q : 7'h0);
+  logic [1:0] or_1904;
+  assign or_1904 = {2{and_1880}} | or_1903[3:2];
   // hls/stages/agreement.hpp:417
-  logic [6:0] or_1904;
-  assign or_1904 = {or_1901[6:4], or_1902, or_1901[1:0]} | (equal_387 ? drawn_q : 7'h0);
-  logic [4:0] or_1905;
-  assign or_1905 = {5{so}} | {or_1904[6], or_1904[3:0]};
+  logic [6:0] or_1906;
+  assign or_1906 = {or_1903[6:4], or_1904, or_1903[1:0]} | (equal_387 ? drawn_q : 7'h0);
+  logic [4:0] or_1907;
+  assign or_1907 = {5{so}} | {or_1906[6], or_1906[3:0]};
   // hls/stages/agreement.hpp:423
-  logic not_1909;
-  assign not_1909 = ~run_shift_q[5];
-  logic [6:0] difference_1911;
-  assign difference_1911 = {1'b0, last_q} - {1'b0, least_q};
-  logic [7:0] select_1912;
-  assign select_1912 = equal_390 ? ({{7{not_1909}}, 1'b1} + run_span_q) : {difference_1911[6], difference_1911};
+  logic not_1911;
+  assign not_1911 = ~run_shift_q[5];
+  logic [6:0] difference_1913;
+  assign difference_1913 = {1'b0, last_q} - {1'b0, least_q};
+  logic [7:0] select_1914;
+  assign select_1914 = equal_390 ? ({{7{not_1911}}, 1'b1} + run_span_q) : {difference_1913[6], difference_1913};
   // hls/stages/agreement.hpp:368
-  logic [6:0] select_1916;
-  assign select_1916 = and_1865 ? 7'h0 : following_lowest_q;
+  logic [6:0] select_1918;
+  assign select_1918 = and_1867 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:371
-  logic [7:0] select_1918;
-  assign select_1918 = select_1868 ? {select_1916[6], select_1916} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_1921;
-  assign select_1921 = select_1868 ? (and_1865 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_1920;
+  assign select_1920 = select_1870 ? {select_1918[6], select_1918} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_1923;
+  assign select_1923 = select_1870 ? (and_1867 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:365
-  logic [5:0] select_1929;
-  assign select_1929 = and_367 ? (equal_1864 ? ((5'he < column[5:1]) ? 6'h1d : column) : least_q) : least_q;
-  logic [6:0] select_1932;
-  assign select_1932 = and_367 ? (equal_1864 ? ({1'b0, cfg_width_i[8:3]} + 7'hb) : whole_q) : whole_q;
-  logic [6:0] select_1935;
-  assign select_1935 = and_367 ? (equal_1864 ? ({1'b0, cfg_width_i[8:3]} + 7'h3) : drawn_q) : drawn_q;
+  logic [5:0] select_1931;
+  assign select_1931 = and_367 ? (equal_1866 ? ((5'he < column[5:1]) ? 6'h1d : column) : least_q) : least_q;
+  logic [6:0] select_1934;
+  assign select_1934 = and_367 ? (equal_1866 ? ({1'b0, cfg_width_i[8:3]} + 7'hb) : whole_q) : whole_q;
+  logic [6:0] select_1937;
+  assign select_1937 = and_367 ? (equal_1866 ? ({1'b0, cfg_width_i[8:3]} + 7'h3) : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:376
-  logic select_1949;
-  assign select_1949 = (ends_cell_q | select_1868) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_390 | (slot_q == 3'h6));
+  logic select_1951;
+  assign select_1951 = (ends_cell_q | select_1870) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_390 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:371
-  logic and_1953;
-  assign and_1953 = (~select_1868) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_1955;
+  assign and_1955 = (~select_1870) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:329
-  logic [6:0] sum_1954;
-  assign sum_1954 = {1'b0, row} + 7'h1;
+  logic [6:0] sum_1956;
+  assign sum_1956 = {1'b0, row} + 7'h1;
   // hls/stages/agreement.hpp:314
-  logic select_1956;
-  assign select_1956 = equal_1864 ? ({sum_1954[6], cfg_height_i[8:3]} == {1'b0, sum_1954[5:0]}) : final_row_q;
+  logic select_1958;
+  assign select_1958 = equal_1866 ? ({sum_1956[6], cfg_height_i[8:3]} == {1'b0, sum_1956[5:0]}) : final_row_q;
 
-  // Memory fresh, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1070; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory fresh, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1071; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:46];
@@ -356,7 +353,7 @@ module horopter_agreement (
     if (fresh_re) fresh_rdata_q <= fresh_mem[fresh_raddr];
   end
 
-  // Memory left, 47 x 77, DISTANCE 12, hls/stages/agreement.hpp:1071; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 47 x 77, DISTANCE 12, hls/stages/agreement.hpp:1072; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:46];
@@ -372,7 +369,7 @@ module horopter_agreement (
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 47 x 91, DISTANCE 12, hls/stages/agreement.hpp:1072; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 47 x 91, DISTANCE 12, hls/stages/agreement.hpp:1073; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:46];
@@ -388,7 +385,7 @@ module horopter_agreement (
     if (right_codes_re) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 47 x 46, DISTANCE 12, hls/stages/agreement.hpp:1073; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 47 x 46, DISTANCE 12, hls/stages/agreement.hpp:1074; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [45:0] best_left_mem [0:46];
@@ -447,46 +444,46 @@ module horopter_agreement (
       ends_q <= 1'b0;
       final_row_q <= 1'b0;
     end else if (s0_en) begin
-      left_first_q <= and_1507 ? left_first_q : marks_first_i;
-      right_q <= (~and_1507) & (~marks_last_i);
+      left_first_q <= and_1509 ? left_first_q : marks_first_i;
+      right_q <= (~and_1509) & (~marks_last_i);
       sample_pair_first_q <= left_first_q;
-      sample_pair_whole_q <= and_1507;
+      sample_pair_whole_q <= and_1509;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
       raster_at_x_q <= sample_pair_whole_q ? (select_328 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_1608;
-      raster_at_column_q <= select_1610;
-      raster_at_row_q <= select_1613;
-      raster_at_live_q <= select_1617;
-      raster_rows_left_q <= sample_pair_whole_q ? select_1619 : raster_rows_left_q;
+      raster_at_y_q <= select_1610;
+      raster_at_column_q <= select_1612;
+      raster_at_row_q <= select_1615;
+      raster_at_live_q <= select_1619;
+      raster_rows_left_q <= sample_pair_whole_q ? select_1621 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_1623;
+      raster_final_row_q <= select_1625;
       averager_place_q <= sample_pair_whole_q ? select_334 : averager_place_q;
       averager_running_mask_q <= sample_pair_whole_q ? whole : averager_running_mask_q;
       run_phase_q <= now;
-      run_shift_q <= select_1872;
-      run_last_shift_q <= select_1875;
-      run_span_q <= select_1868 ? (and_1865 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_1890;
-      following_shift_q <= select_1880 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_1893;
+      run_shift_q <= select_1874;
+      run_last_shift_q <= select_1877;
+      run_span_q <= select_1870 ? (and_1867 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_1892;
+      following_shift_q <= select_1882 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_1895;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_1896[6], or_1897, select_1896[3:0]};
-      following_columns_q <= {select_1898[7], or_1905[4], or_1904[5:4], or_1905[3:0]};
+      following_lowest_q <= {select_1898[6], or_1899, select_1898[3:0]};
+      following_columns_q <= {select_1900[7], or_1907[4], or_1906[5:4], or_1907[3:0]};
       plan_shift_q <= equal_390 ? (run_shift_q + 6'h1) : (6'h0 - least_q);
-      plan_span_q <= select_1912;
+      plan_span_q <= select_1914;
       plan_columns_q <= (plan_span_q < 8'h3) ? 8'h6 : (plan_span_q + 8'h3);
-      x_q <= select_1918;
-      columns_left_q <= select_1921;
-      last_q <= and_367 ? (equal_1864 ? column : last_q) : last_q;
-      least_q <= select_1929;
-      whole_q <= select_1932;
-      drawn_q <= select_1935;
-      age_q <= select_1868 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_1868 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_1949;
-      ends_q <= and_1953;
-      final_row_q <= and_367 ? select_1956 : final_row_q;
+      x_q <= select_1920;
+      columns_left_q <= select_1923;
+      last_q <= and_367 ? (equal_1866 ? column : last_q) : last_q;
+      least_q <= select_1931;
+      whole_q <= select_1934;
+      drawn_q <= select_1937;
+      age_q <= select_1870 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_1870 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_1951;
+      ends_q <= and_1955;
+      final_row_q <= and_367 ? select_1958 : final_row_q;
     end
   end
 
@@ -497,6 +494,7 @@ module horopter_agreement (
   logic sample_pair_whole_s1_q;
   logic [5:0] run_shift_s1_q;
   logic [7:0] x_s1_q;
+  logic [5:0] last_s1_q;
   logic [3:0] age_s1_q;
   logic [2:0] slot_s1_q;
   logic ends_cell_s1_q;
@@ -522,13 +520,10 @@ module horopter_agreement (
   logic select_516_s1_q;
   logic and_1318_s1_q;
   logic [5:0] right_s1_q;
-  logic select_1325_s1_q;
-  logic equal_1334_s1_q;
-  logic less_1417_s1_q;
-  logic equal_1457_s1_q;
-  logic not_1594_s1_q;
-  logic equal_1864_s1_q;
-  logic and_1865_s1_q;
+  logic select_1327_s1_q;
+  logic equal_1336_s1_q;
+  logic equal_1866_s1_q;
+  logic and_1867_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -538,6 +533,7 @@ module horopter_agreement (
       sample_pair_whole_s1_q <= sample_pair_whole_q;
       run_shift_s1_q <= run_shift_q;
       x_s1_q <= x_q;
+      last_s1_q <= last_q;
       age_s1_q <= {age_q[6], age_q[4:3], age_q[0]};
       slot_s1_q <= slot_q;
       ends_cell_s1_q <= ends_cell_q;
@@ -563,13 +559,10 @@ module horopter_agreement (
       select_516_s1_q <= or_514 ? equal_512 : (~age_q[3]);
       and_1318_s1_q <= not_389 & and_508;
       right_s1_q <= right;
-      select_1325_s1_q <= or_514 ? equal_512 : ({x[7:6], last_q} == {2'h0, x[5:0]});
-      equal_1334_s1_q <= run_phase_q == 3'h7;
-      less_1417_s1_q <= {2'h0, sum_1416, last_q[1]} < x_q;
-      equal_1457_s1_q <= x_q == {2'h0, last_q};
-      not_1594_s1_q <= ~({1'b0, sum_1416, last_q[1:0]} < x_q);
-      equal_1864_s1_q <= equal_1864;
-      and_1865_s1_q <= and_1865;
+      select_1327_s1_q <= or_514 ? equal_512 : ({x[7:6], last_q} == {2'h0, x[5:0]});
+      equal_1336_s1_q <= run_phase_q == 3'h7;
+      equal_1866_s1_q <= equal_1866;
+      and_1867_s1_q <= and_1867;
     end
   end
 
@@ -1173,25 +1166,32 @@ module horopter_agreement (
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
   // hls/stages/agreement.hpp:720
-  logic [5:0] sum_1320;
-  assign sum_1320 = x_s1_q[5:0] + shift;
-  // hls/stages/agreement.hpp:723
-  logic and_1340;
-  assign and_1340 = (or_388_s1_q & (left_rdata_q[61] & not_396_s1_q)) & (~(row_q[5:3] == 3'h0));
+  logic [7:0] found;
+  assign found = x_s1_q + {{2{shift[5]}}, shift};
+  // hls/stages/agreement.hpp:721
+  logic [5:0] select_1322;
+  assign select_1322 = ({2'h0, last_s1_q} < found) ? 6'h0 : found[5:0];
+  // hls/stages/agreement.hpp:724
+  logic and_1342;
+  assign and_1342 = (or_388_s1_q & (left_rdata_q[61] & not_396_s1_q)) & (~(row_q[5:3] == 3'h0));
   // hls/stages/agreement.hpp:182
-  logic or_1362;
-  assign or_1362 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  logic or_1364;
+  assign or_1364 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
   // hls/stages/agreement.hpp:211
-  logic [5:0] select_1373;
-  assign select_1373 = so_s1_q ? x_s1_q[5:0] : (or_388_s1_q ? (less_395_s1_q ? 6'h0 : sum_1320) : 6'h0);
-  logic and_1596;
-  assign and_1596 = ends_cell_s1_q & (((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & not_1594_s1_q);
+  logic [5:0] select_1375;
+  assign select_1375 = so_s1_q ? x_s1_q[5:0] : (or_388_s1_q ? (less_395_s1_q ? 6'h0 : select_1322) : 6'h0);
+  // hls/stages/agreement.hpp:747
+  logic [4:0] sum_1418;
+  assign sum_1418 = {1'b0, last_s1_q[5:2]} + 5'h1;
+  // hls/stages/agreement.hpp:211
+  logic and_1597;
+  assign and_1597 = ((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & (~({1'b0, sum_1418, last_s1_q[1:0]} < x_s1_q));
   // hls/stages/agreement.hpp:314
-  logic select_1961;
-  assign select_1961 = equal_1864_s1_q ? (~({row_s1_q, 1'b0} < {sum_1958, cfg_height_i[3]})) : lower_half_q;
+  logic select_1963;
+  assign select_1963 = equal_1866_s1_q ? (~({row_s1_q, 1'b0} < {sum_1960, cfg_height_i[3]})) : lower_half_q;
   // hls/stages/agreement.hpp:365
-  logic and_2189;
-  assign and_2189 = and_367_s1_q & (equal_1864_s1_q & (row_s1_q[5:2] == 4'h0));
+  logic and_2191;
+  assign and_2191 = and_367_s1_q & (equal_1866_s1_q & (row_s1_q[5:2] == 4'h0));
 
   // Memory averager_memory, 189 x 26, DISTANCE 16, hls/stages/census.hpp:146; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1209,7 +1209,7 @@ module horopter_agreement (
     if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
-  // Memory best_right, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1074; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory best_right, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1075; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] best_right_mem [0:46];
@@ -1217,7 +1217,7 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) best_right_mem[i] = 29'h0;
 `endif
   logic [5:0] best_right_raddr;
-  assign best_right_raddr = or_388_s1_q ? sum_1320 : right_s1_q;
+  assign best_right_raddr = or_388_s1_q ? select_1322 : right_s1_q;
   logic best_right_re;
   assign best_right_re = s1_en & select_509_s1_q;
   logic [28:0] best_right_rdata_q;
@@ -1270,8 +1270,8 @@ module horopter_agreement (
       row_q <= 6'h0;
       lower_half_q <= 1'b0;
     end else if (s1_en) begin
-      row_q <= and_367_s1_q ? (equal_1864_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_367_s1_q ? select_1961 : lower_half_q;
+      row_q <= and_367_s1_q ? (equal_1866_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_367_s1_q ? select_1963 : lower_half_q;
     end
   end
 
@@ -1378,24 +1378,24 @@ module horopter_agreement (
   logic [5:0] select_1266_s2_q;
   logic and_1318_s2_q;
   logic [5:0] right_s2_q;
-  logic select_1325_s2_q;
-  logic equal_1334_s2_q;
-  logic and_1341_s2_q;
-  logic and_1344_s2_q;
-  logic and_1348_s2_q;
-  logic or_1362_s2_q;
-  logic [5:0] select_1373_s2_q;
-  logic less_1417_s2_q;
-  logic equal_1457_s2_q;
-  logic and_1507_s2_q;
-  logic and_1597_s2_q;
-  logic equal_1743_s2_q;
-  logic equal_1864_s2_q;
-  logic less_2118_s2_q;
-  logic and_2190_s2_q;
+  logic select_1327_s2_q;
+  logic equal_1336_s2_q;
+  logic and_1343_s2_q;
+  logic and_1346_s2_q;
+  logic and_1350_s2_q;
+  logic or_1364_s2_q;
+  logic [5:0] select_1375_s2_q;
+  logic less_1419_s2_q;
+  logic equal_1459_s2_q;
+  logic and_1509_s2_q;
+  logic and_1599_s2_q;
+  logic equal_1745_s2_q;
+  logic equal_1866_s2_q;
+  logic less_2120_s2_q;
   logic and_2192_s2_q;
-  logic less_2299_s2_q;
-  logic equal_2506_s2_q;
+  logic and_2194_s2_q;
+  logic less_2301_s2_q;
+  logic equal_2508_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -1435,24 +1435,24 @@ module horopter_agreement (
       select_1266_s2_q <= age_s1_q[3] ? sums_1_columns_values_13_q : 6'h0;
       and_1318_s2_q <= and_1318_s1_q;
       right_s2_q <= right_s1_q;
-      select_1325_s2_q <= select_1325_s1_q;
-      equal_1334_s2_q <= equal_1334_s1_q;
-      and_1341_s2_q <= not_396_s1_q & and_1340;
-      and_1344_s2_q <= (or_388_s1_q & (left_rdata_q[62] & not_396_s1_q)) & and_1340;
-      and_1348_s2_q <= not_396_s1_q & (or_388_s1_q & (left_rdata_q[63] & not_396_s1_q));
-      or_1362_s2_q <= or_1362;
-      select_1373_s2_q <= select_1373;
-      less_1417_s2_q <= less_1417_s1_q;
-      equal_1457_s2_q <= equal_1457_s1_q;
-      and_1507_s2_q <= sample_pair_whole_q;
-      and_1597_s2_q <= so_s1_q & and_1596;
-      equal_1743_s2_q <= (column_s1_q | row_s1_q) == 6'h0;
-      equal_1864_s2_q <= equal_1864_s1_q;
-      less_2118_s2_q <= 5'h4 < row_q[5:1];
-      and_2190_s2_q <= and_1865_s1_q & and_2189;
-      and_2192_s2_q <= and_1865_s1_q & (~and_2189);
-      less_2299_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_2506_s2_q <= row_s1_q[5:3] == 3'h0;
+      select_1327_s2_q <= select_1327_s1_q;
+      equal_1336_s2_q <= equal_1336_s1_q;
+      and_1343_s2_q <= not_396_s1_q & and_1342;
+      and_1346_s2_q <= (or_388_s1_q & (left_rdata_q[62] & not_396_s1_q)) & and_1342;
+      and_1350_s2_q <= not_396_s1_q & (or_388_s1_q & (left_rdata_q[63] & not_396_s1_q));
+      or_1364_s2_q <= or_1364;
+      select_1375_s2_q <= select_1375;
+      less_1419_s2_q <= {2'h0, sum_1418, last_s1_q[1]} < x_s1_q;
+      equal_1459_s2_q <= x_s1_q == {2'h0, last_s1_q};
+      and_1509_s2_q <= sample_pair_whole_q;
+      and_1599_s2_q <= so_s1_q & (ends_cell_s1_q & and_1597);
+      equal_1745_s2_q <= (column_s1_q | row_s1_q) == 6'h0;
+      equal_1866_s2_q <= equal_1866_s1_q;
+      less_2120_s2_q <= 5'h4 < row_q[5:1];
+      and_2192_s2_q <= and_1867_s1_q & and_2191;
+      and_2194_s2_q <= and_1867_s1_q & (~and_2191);
+      less_2301_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_2508_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
@@ -1657,133 +1657,133 @@ module horopter_agreement (
   logic [5:0] select_1317;
   assign select_1317 = or_1315 ? run_shift_s2_q : best_left_rdata_s2_q[45:40];
   // hls/stages/agreement.hpp:620
-  logic or_1327;
-  assign or_1327 = select_1325_s2_q | (best_right_rdata_q[7:0] < of_best);
+  logic or_1329;
+  assign or_1329 = select_1327_s2_q | (best_right_rdata_q[7:0] < of_best);
   // hls/stages/agreement.hpp:624
-  logic [7:0] select_1328;
-  assign select_1328 = or_1327 ? of_best : best_right_rdata_q[7:0];
-  logic [6:0] select_1329;
-  assign select_1329 = or_1327 ? x_s2_2_q : best_right_rdata_q[14:8];
-  logic or_1331;
-  assign or_1331 = select_1325_s2_q | (best_right_rdata_q[21:15] < of_near);
+  logic [7:0] select_1330;
+  assign select_1330 = or_1329 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_1331;
+  assign select_1331 = or_1329 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_1333;
+  assign or_1333 = select_1327_s2_q | (best_right_rdata_q[21:15] < of_near);
   // hls/stages/agreement.hpp:628
-  logic [6:0] select_1332;
-  assign select_1332 = or_1331 ? of_near : best_right_rdata_q[21:15];
-  logic [6:0] select_1333;
-  assign select_1333 = or_1331 ? x_s2_2_q : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:746
-  logic not_1335;
-  assign not_1335 = ~equal_1334_s2_q;
+  logic [6:0] select_1334;
+  assign select_1334 = or_1333 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_1335;
+  assign select_1335 = or_1333 ? x_s2_2_q : best_right_rdata_q[28:22];
+  // hls/stages/agreement.hpp:747
+  logic not_1337;
+  assign not_1337 = ~equal_1336_s2_q;
   // hls/stages/agreement.hpp:182
-  logic and_1345;
-  assign and_1345 = not_396_s2_q & and_1344_s2_q;
-  // hls/stages/agreement.hpp:726
-  logic select_1351;
-  assign select_1351 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  logic and_1347;
+  assign and_1347 = not_396_s2_q & and_1346_s2_q;
   // hls/stages/agreement.hpp:727
+  logic select_1353;
+  assign select_1353 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  // hls/stages/agreement.hpp:728
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:733
-  logic [8:0] difference_1354;
-  assign difference_1354 = {2'h0, chosen} - {1'b0, x_s2_q};
   // hls/stages/agreement.hpp:734
-  logic [9:0] sum_1355;
-  assign sum_1355 = {difference_1354[8], difference_1354} + 10'h1;
+  logic [8:0] difference_1356;
+  assign difference_1356 = {2'h0, chosen} - {1'b0, x_s2_q};
+  // hls/stages/agreement.hpp:735
+  logic [9:0] sum_1357;
+  assign sum_1357 = {difference_1356[8], difference_1356} + 10'h1;
   // hls/stages/agreement.hpp:182
-  logic and_1357;
-  assign and_1357 = (and_1344_s2_q & select_1351) & ({{22{sum_1355[9]}}, sum_1355} < 32'h3);
-  logic and_1358;
-  assign and_1358 = not_396_s2_q & and_1357;
-  logic and_1364;
-  assign and_1364 = not_396_s2_q & (and_1357 & or_1362_s2_q);
+  logic and_1359;
+  assign and_1359 = (and_1346_s2_q & select_1353) & ({{22{sum_1357[9]}}, sum_1357} < 32'h3);
+  logic and_1360;
+  assign and_1360 = not_396_s2_q & and_1359;
+  logic and_1366;
+  assign and_1366 = not_396_s2_q & (and_1359 & or_1364_s2_q);
   // hls/stages/agreement.hpp:191
-  logic [8:0] select_1365;
-  assign select_1365 = less_395_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
+  logic [8:0] select_1367;
+  assign select_1367 = less_395_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
   logic [14:0] inside_v;
-  assign inside_v = or_388_s2_q ? {select_1365, and_1364, and_1358, and_1348_s2_q, and_1345, and_1341_s2_q, not_396_s2_q} : 15'h0;
+  assign inside_v = or_388_s2_q ? {select_1367, and_1366, and_1360, and_1350_s2_q, and_1347, and_1343_s2_q, not_396_s2_q} : 15'h0;
   // hls/stages/agreement.hpp:211
-  logic and_1367;
-  assign and_1367 = ends_cell_s2_q & inside_v[0];
   logic and_1369;
-  assign and_1369 = not_1335 & (so_s2_q & and_1367);
+  assign and_1369 = ends_cell_s2_q & inside_v[0];
+  logic and_1371;
+  assign and_1371 = not_1337 & (so_s2_q & and_1369);
   // hls/stages/agreement.hpp:197
   logic right_2;
-  assign right_2 = inside_v[0] & less_1417_s2_q;
+  assign right_2 = inside_v[0] & less_1419_s2_q;
   logic textured;
   assign textured = inside_v[0] & inside_v[2];
   // hls/stages/agreement.hpp:215
-  logic select_1656;
-  assign select_1656 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
   logic select_1658;
-  assign select_1658 = sample_pair_whole_s2_q ? (and_365_s2_q ? select_380 : averager_mask_q) : averager_mask_q;
+  assign select_1658 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
   logic select_1660;
-  assign select_1660 = sample_pair_whole_s2_q ? (and_365_s2_q ? select_384 : averager_of_skin_q) : averager_of_skin_q;
+  assign select_1660 = sample_pair_whole_s2_q ? (and_365_s2_q ? select_380 : averager_mask_q) : averager_mask_q;
+  logic select_1662;
+  assign select_1662 = sample_pair_whole_s2_q ? (and_365_s2_q ? select_384 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/agreement.hpp:174
-  logic [5:0] select_1964;
-  assign select_1964 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_1965;
-  assign select_1965 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
   logic [5:0] select_1966;
-  assign select_1966 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  assign select_1966 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
   logic [5:0] select_1967;
-  assign select_1967 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  assign select_1967 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
   logic [5:0] select_1968;
-  assign select_1968 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  assign select_1968 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
   logic [5:0] select_1969;
-  assign select_1969 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
-  logic [7:0] select_1973;
-  assign select_1973 = slot_s2_q[0] ? 8'h0 : sum_771;
+  assign select_1969 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_1970;
+  assign select_1970 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_1971;
+  assign select_1971 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  logic [7:0] select_1975;
+  assign select_1975 = slot_s2_q[0] ? 8'h0 : sum_771;
   // hls/stages/agreement.hpp:558
-  logic less_1974;
-  assign less_1974 = select_1973 < select_1271;
+  logic less_1976;
+  assign less_1976 = select_1975 < select_1271;
   // hls/stages/agreement.hpp:174
-  logic [6:0] select_1976;
-  assign select_1976 = slot_s2_q[0] ? 7'h0 : sum_1293;
+  logic [6:0] select_1978;
+  assign select_1978 = slot_s2_q[0] ? 7'h0 : sum_1293;
   // hls/stages/registration.hpp:76
-  logic less_2065;
-  assign less_2065 = slot_s2_q < 3'h3;
+  logic less_2067;
+  assign less_2067 = slot_s2_q < 3'h3;
   // hls/stages/agreement.hpp:191
-  logic [7:0] select_2067;
-  assign select_2067 = or_388_s2_q ? (less_395_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
   logic [7:0] select_2069;
-  assign select_2069 = or_388_s2_q ? (less_395_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  assign select_2069 = or_388_s2_q ? (less_395_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
   logic [7:0] select_2071;
-  assign select_2071 = or_388_s2_q ? (less_395_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  assign select_2071 = or_388_s2_q ? (less_395_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_2073;
+  assign select_2073 = or_388_s2_q ? (less_395_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise;
-  assign rise = {1'b0, select_2069} - {1'b0, select_2071};
+  assign rise = {1'b0, select_2071} - {1'b0, select_2073};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_2073;
-  assign select_2073 = rise[8] ? select_2069 : select_2071;
-  logic [8:0] difference_2074;
-  assign difference_2074 = {1'b0, select_2067} - {1'b0, select_2073};
+  logic [7:0] select_2075;
+  assign select_2075 = rise[8] ? select_2071 : select_2073;
+  logic [8:0] difference_2076;
+  assign difference_2076 = {1'b0, select_2069} - {1'b0, select_2075};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
-  assign wide = difference_2074[8] ? 8'h0 : difference_2074[7:0];
+  assign wide = difference_2076[8] ? 8'h0 : difference_2076[7:0];
   // hls/stages/registration.hpp:37
-  logic not_2076;
-  assign not_2076 = ~registration_displacement_over_q[9];
+  logic not_2078;
+  assign not_2078 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2065 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2076};
+  assign left = less_2067 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2078};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_2078;
-  assign xor_2078 = rise[7:0] ^ {8{rise[8]}};
+  logic [7:0] xor_2080;
+  assign xor_2080 = rise[7:0] ^ {8{rise[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise[8]} + {1'b0, xor_2078};
+  assign size_3 = {8'h0, rise[8]} + {1'b0, xor_2080};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_2084;
-  assign select_2084 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_2086;
+  assign select_2086 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_2065 ? {taken, 1'b1} : {not_2076, select_2084, not_2076};
+  assign taken_2 = less_2067 ? {taken, 1'b1} : {not_2078, select_2086, not_2078};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2086;
-  assign sum_2086 = {left, 1'b1} + {taken_2, less_2065};
+  logic [10:0] sum_2088;
+  assign sum_2088 = {left, 1'b1} + {taken_2, less_2067};
   // hls/stages/agreement.hpp:192
-  logic [4:0] select_2088;
-  assign select_2088 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  logic [4:0] select_2090;
+  assign select_2090 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
 
   // Memory census_memory, 47 x 78, DISTANCE 16, hls/stages/census.hpp:254; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1801,7 +1801,7 @@ module horopter_agreement (
     if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
   end
 
-  // Memory shown_right, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1075; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory shown_right, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1076; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] shown_right_mem [0:46];
@@ -1811,13 +1811,13 @@ module horopter_agreement (
   logic [5:0] shown_right_raddr;
   assign shown_right_raddr = x_s2_q[5:0];
   logic shown_right_re;
-  assign shown_right_re = s2_en & and_1369;
+  assign shown_right_re = s2_en & and_1371;
   logic [1:0] shown_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory seen_columns, 47 x 18, DISTANCE 12, hls/stages/agreement.hpp:1099; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory seen_columns, 47 x 18, DISTANCE 12, hls/stages/agreement.hpp:1100; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] seen_columns_mem [0:46];
@@ -1827,7 +1827,7 @@ module horopter_agreement (
   logic [5:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s2_q[5:0];
   logic seen_columns_re;
-  assign seen_columns_re = s2_en & and_1369;
+  assign seen_columns_re = s2_en & and_1371;
   logic [17:0] seen_columns_rdata_q;
   always_ff @(posedge clk_i) begin
     if (seen_columns_re) seen_columns_rdata_q <= seen_columns_mem[seen_columns_raddr];
@@ -1892,7 +1892,7 @@ module horopter_agreement (
   logic best_right_we;
   assign best_right_we = s2_en & and_1318_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1333, select_1332, select_1329, select_1328};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1335, select_1334, select_1331, select_1330};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -1926,17 +1926,17 @@ module horopter_agreement (
       sample_pair_pixel_0_q <= left_pixel_q;
       sample_pair_pixel_1_q <= pixel_0_s2_q;
       sample_of_skin_q <= mask_s2_q;
-      averager_running_of_skin_q <= select_1656;
-      averager_mask_q <= select_1658;
-      averager_of_skin_q <= select_1660;
-      chosen_score_q <= less_1974 ? select_1271 : select_1973;
-      chosen_near_q <= (select_1976 < select_1302) ? select_1302 : select_1976;
-      chosen_place_q <= less_1974 ? {select_1279, not_1278} : 3'h2;
-      before_0_q <= select_1973;
+      averager_running_of_skin_q <= select_1658;
+      averager_mask_q <= select_1660;
+      averager_of_skin_q <= select_1662;
+      chosen_score_q <= less_1976 ? select_1271 : select_1975;
+      chosen_near_q <= (select_1978 < select_1302) ? select_1302 : select_1978;
+      chosen_place_q <= less_1976 ? {select_1279, not_1278} : 3'h2;
+      before_0_q <= select_1975;
       before_1_q <= sum_1021;
       before_2_q <= sum_1269;
-      registration_displacement_over_q <= so_s2_q ? sum_2086[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2088;
+      registration_displacement_over_q <= so_s2_q ? sum_2088[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2090;
     end
   end
 
@@ -1962,16 +1962,16 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      left_pixel_q <= and_1507_s2_q ? left_pixel_q : pixel_0_s2_q;
+      left_pixel_q <= and_1509_s2_q ? left_pixel_q : pixel_0_s2_q;
       averager_running_0_q <= sample_pair_whole_s2_q ? select_345 : averager_running_0_q;
       averager_running_1_q <= sample_pair_whole_s2_q ? sum_351 : averager_running_1_q;
       middle_sum_columns_values_0_q <= slot_s2_q[0] ? middle_sum_columns_values_0_q : column_2_s2_q;
-      middle_sum_columns_values_1_q <= select_1964;
-      middle_sum_columns_values_2_q <= select_1965;
-      middle_sum_columns_values_3_q <= select_1966;
-      middle_sum_columns_values_4_q <= select_1967;
-      middle_sum_columns_values_5_q <= select_1968;
-      middle_sum_columns_values_6_q <= select_1969;
+      middle_sum_columns_values_1_q <= select_1966;
+      middle_sum_columns_values_2_q <= select_1967;
+      middle_sum_columns_values_3_q <= select_1968;
+      middle_sum_columns_values_4_q <= select_1969;
+      middle_sum_columns_values_5_q <= select_1970;
+      middle_sum_columns_values_6_q <= select_1971;
       middle_sum_sum_sums_values_0_q <= slot_s2_q[0] ? middle_sum_sum_sums_values_0_q : sum_771;
       sums_0_sum_sums_values_0_q <= sum_1021;
       sums_0_sum_sums_values_1_q <= equal_1019 ? 8'h0 : sums_0_sum_sums_values_0_q;
@@ -2000,25 +2000,25 @@ module horopter_agreement (
   logic and_385_s3_q;
   logic so_s3_q;
   logic equal_428_s3_q;
-  logic equal_1334_s3_q;
-  logic not_1335_s3_q;
+  logic equal_1336_s3_q;
+  logic not_1337_s3_q;
   logic [13:0] inside_v_s3_q;
-  logic and_1369_s3_q;
-  logic [5:0] select_1373_s3_q;
-  logic and_1378_s3_q;
+  logic and_1371_s3_q;
+  logic [5:0] select_1375_s3_q;
+  logic and_1380_s3_q;
   logic right_2_s3_q;
-  logic equal_1457_s3_q;
+  logic equal_1459_s3_q;
   logic textured_s3_q;
-  logic and_1507_s3_q;
-  logic and_1598_s3_q;
-  logic equal_1743_s3_q;
-  logic equal_1864_s3_q;
-  logic and_2119_s3_q;
-  logic less_2124_s3_q;
-  logic and_2190_s3_q;
+  logic and_1509_s3_q;
+  logic and_1600_s3_q;
+  logic equal_1745_s3_q;
+  logic equal_1866_s3_q;
+  logic and_2121_s3_q;
+  logic less_2126_s3_q;
   logic and_2192_s3_q;
-  logic less_2299_s3_q;
-  logic equal_2506_s3_q;
+  logic and_2194_s3_q;
+  logic less_2301_s3_q;
+  logic equal_2508_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       saturated_s3_q <= saturated_s2_q;
@@ -2041,25 +2041,25 @@ module horopter_agreement (
       and_385_s3_q <= sample_pair_whole_s2_q & select_384;
       so_s3_q <= so_s2_q;
       equal_428_s3_q <= equal_428_s2_q;
-      equal_1334_s3_q <= equal_1334_s2_q;
-      not_1335_s3_q <= not_1335;
+      equal_1336_s3_q <= equal_1336_s2_q;
+      not_1337_s3_q <= not_1337;
       inside_v_s3_q <= {inside_v[14:3], inside_v[1:0]};
-      and_1369_s3_q <= and_1369;
-      select_1373_s3_q <= select_1373_s2_q;
-      and_1378_s3_q <= not_1335 & (so_s2_q ? and_1367 : (equal_387_s2_q & inside_v[4]));
+      and_1371_s3_q <= and_1371;
+      select_1375_s3_q <= select_1375_s2_q;
+      and_1380_s3_q <= not_1337 & (so_s2_q ? and_1369 : (equal_387_s2_q & inside_v[4]));
       right_2_s3_q <= right_2;
-      equal_1457_s3_q <= equal_1457_s2_q;
+      equal_1459_s3_q <= equal_1459_s2_q;
       textured_s3_q <= textured;
-      and_1507_s3_q <= and_1507_s2_q;
-      and_1598_s3_q <= not_1335 & and_1597_s2_q;
-      equal_1743_s3_q <= equal_1743_s2_q;
-      equal_1864_s3_q <= equal_1864_s2_q;
-      and_2119_s3_q <= inside_v[4] & less_2118_s2_q;
-      less_2124_s3_q <= select_2069 < select_2071;
-      and_2190_s3_q <= and_2190_s2_q;
+      and_1509_s3_q <= and_1509_s2_q;
+      and_1600_s3_q <= not_1337 & and_1599_s2_q;
+      equal_1745_s3_q <= equal_1745_s2_q;
+      equal_1866_s3_q <= equal_1866_s2_q;
+      and_2121_s3_q <= inside_v[4] & less_2120_s2_q;
+      less_2126_s3_q <= select_2071 < select_2073;
       and_2192_s3_q <= and_2192_s2_q;
-      less_2299_s3_q <= less_2299_s2_q;
-      equal_2506_s3_q <= equal_2506_s2_q;
+      and_2194_s3_q <= and_2194_s2_q;
+      less_2301_s3_q <= less_2301_s2_q;
+      equal_2508_s3_q <= equal_2508_s2_q;
     end
   end
 
@@ -2352,789 +2352,789 @@ module horopter_agreement (
   logic [11:0] texture;
   assign texture = ({1'b0, sum_469} + {2'h0, sum_472}) + {2'h0, sum_476};
   // hls/stages/agreement.hpp:139
-  logic not_1374;
-  assign not_1374 = ~so_s3_q;
+  logic not_1376;
+  assign not_1376 = ~so_s3_q;
   // hls/stages/agreement.hpp:211
-  logic and_1375;
-  assign and_1375 = not_1374 & inside_v_s3_q[4];
-  // hls/stages/agreement.hpp:858
-  logic equal_1379;
-  assign equal_1379 = x_s3_q[6:4] == 3'h7;
-  // hls/stages/agreement.hpp:898
+  logic and_1377;
+  assign and_1377 = not_1376 & inside_v_s3_q[4];
+  // hls/stages/agreement.hpp:859
+  logic equal_1381;
+  assign equal_1381 = x_s3_q[6:4] == 3'h7;
+  // hls/stages/agreement.hpp:899
   logic [1:0] quarter;
   assign quarter = x_s3_q[1:0] + 2'h1;
   // hls/stages/registration.hpp:139
   logic all;
   assign all = x_s3_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:859
-  logic [1:0] select_1382;
-  assign select_1382 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
-  // hls/stages/agreement.hpp:871
-  logic [3:0] select_1384;
-  assign select_1384 = equal_1379 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1382});
-  // hls/stages/registration.hpp:106
-  logic [1:0] sum_1385;
-  assign sum_1385 = slot_s3_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:211
+  // hls/stages/agreement.hpp:860
+  logic [1:0] select_1384;
+  assign select_1384 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
+  // hls/stages/agreement.hpp:872
   logic [3:0] select_1386;
-  assign select_1386 = equal_1334_s3_q ? select_1384 : {sum_1385, lower_half_s3_q, registration_of_right_q};
-  // hls/stages/agreement.hpp:896
-  logic equal_1387;
-  assign equal_1387 = x_s3_q[5:0] == 6'h3e;
+  assign select_1386 = equal_1381 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1384});
+  // hls/stages/registration.hpp:106
+  logic [1:0] sum_1387;
+  assign sum_1387 = slot_s3_q[1:0] + 2'h3;
+  // hls/stages/agreement.hpp:211
+  logic [3:0] select_1388;
+  assign select_1388 = equal_1336_s3_q ? select_1386 : {sum_1387, lower_half_s3_q, registration_of_right_q};
+  // hls/stages/agreement.hpp:897
   logic equal_1389;
-  assign equal_1389 = x_s3_q[5:0] == 6'h3d;
+  assign equal_1389 = x_s3_q[5:0] == 6'h3e;
   logic equal_1391;
-  assign equal_1391 = x_s3_q[5:0] == 6'h3c;
+  assign equal_1391 = x_s3_q[5:0] == 6'h3d;
   logic equal_1393;
-  assign equal_1393 = x_s3_q[5:0] == 6'h3b;
+  assign equal_1393 = x_s3_q[5:0] == 6'h3c;
   logic equal_1395;
-  assign equal_1395 = x_s3_q[5:0] == 6'h36;
+  assign equal_1395 = x_s3_q[5:0] == 6'h3b;
   logic equal_1397;
-  assign equal_1397 = x_s3_q[5:0] == 6'h35;
+  assign equal_1397 = x_s3_q[5:0] == 6'h36;
   logic equal_1399;
-  assign equal_1399 = x_s3_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:898
-  logic and_1403;
-  assign and_1403 = (~equal_1393) & ((~equal_1395) & ((~equal_1397) & (~equal_1399)));
-  // hls/stages/agreement.hpp:859
-  logic less_1407;
-  assign less_1407 = x_s3_q[5:0] < 6'h29;
+  assign equal_1399 = x_s3_q[5:0] == 6'h35;
+  logic equal_1401;
+  assign equal_1401 = x_s3_q[5:0] == 6'h34;
+  // hls/stages/agreement.hpp:899
+  logic and_1405;
+  assign and_1405 = (~equal_1395) & ((~equal_1397) & ((~equal_1399) & (~equal_1401)));
+  // hls/stages/agreement.hpp:860
+  logic less_1409;
+  assign less_1409 = x_s3_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:140
   logic [1:0] kind;
   assign kind = all ? {1'b0, x_s3_q[2]} : x_s3_q[2:1];
   // hls/stages/registration.hpp:152
-  logic or_1411;
-  assign or_1411 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:871
-  logic select_1414;
-  assign select_1414 = equal_1379 ? ((~equal_1387) & ((~equal_1389) & ((~equal_1391) & and_1403))) : (less_1407 & (~or_1411));
+  logic or_1413;
+  assign or_1413 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
+  // hls/stages/agreement.hpp:872
+  logic select_1416;
+  assign select_1416 = equal_1381 ? ((~equal_1389) & ((~equal_1391) & ((~equal_1393) & and_1405))) : (less_1409 & (~or_1413));
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = inside_v_s3_q[0] ? (right_2_s3_q & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:106
-  logic [4:0] sum_1422;
-  assign sum_1422 = {2'h0, slot_s3_q} + 5'h1f;
-  logic and_1424;
-  assign and_1424 = half_ends & ({{3{sum_1422[4]}}, sum_1422} < 8'h3);
+  logic [4:0] sum_1424;
+  assign sum_1424 = {2'h0, slot_s3_q} + 5'h1f;
+  logic and_1426;
+  assign and_1426 = half_ends & ({{3{sum_1424[4]}}, sum_1424} < 8'h3);
   // hls/stages/agreement.hpp:211
-  logic and_1425;
-  assign and_1425 = so_s3_q & and_1424;
+  logic and_1427;
+  assign and_1427 = so_s3_q & and_1426;
   // hls/stages/registration.hpp:243
-  logic not_1428;
-  assign not_1428 = ~lower_half_s3_q;
-  logic [3:0] select_1429;
-  assign select_1429 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_1428, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_1428};
+  logic not_1430;
+  assign not_1430 = ~lower_half_s3_q;
+  logic [3:0] select_1431;
+  assign select_1431 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_1430, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_1430};
   // hls/stages/agreement.hpp:143
-  logic [7:0] select_1442;
-  assign select_1442 = so_s3_q ? region_columns_q : 8'h1;
+  logic [7:0] select_1444;
+  assign select_1444 = so_s3_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:781
+  logic or_1447;
+  assign or_1447 = select_1444[7] | (~({select_1444[5], select_1444[3], select_1444[1]} == 3'h0));
   // hls/stages/agreement.hpp:780
-  logic or_1445;
-  assign or_1445 = select_1442[7] | (~({select_1442[5], select_1442[3], select_1442[1]} == 3'h0));
+  logic or_1450;
+  assign or_1450 = select_1444[7] | (~({select_1444[6], select_1444[3:2]} == 3'h0));
   // hls/stages/agreement.hpp:779
-  logic or_1448;
-  assign or_1448 = select_1442[7] | (~({select_1442[6], select_1442[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:778
-  logic or_1451;
-  assign or_1451 = select_1442[7] | (~(select_1442[6:4] == 3'h0));
+  logic or_1453;
+  assign or_1453 = select_1444[7] | (~(select_1444[6:4] == 3'h0));
   // hls/stages/agreement.hpp:211
-  logic [5:0] select_1452;
-  assign select_1452 = equal_1334_s3_q ? x_s3_q[5:0] : {region_row_q, or_1451, or_1448, or_1445};
-  // hls/stages/agreement.hpp:858
-  logic not_1453;
-  assign not_1453 = ~equal_1379;
+  logic [5:0] select_1454;
+  assign select_1454 = equal_1336_s3_q ? x_s3_q[5:0] : {region_row_q, or_1453, or_1450, or_1447};
+  // hls/stages/agreement.hpp:859
+  logic not_1455;
+  assign not_1455 = ~equal_1381;
   // hls/stages/division.hpp:34
-  logic [5:0] sum_1455;
-  assign sum_1455 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:788
-  logic or_1458;
-  assign or_1458 = (~sum_1455[5]) | equal_1457_s3_q;
+  logic [5:0] sum_1457;
+  assign sum_1457 = region_across_rest_q[8:3] + 6'h1;
+  // hls/stages/agreement.hpp:789
+  logic or_1460;
+  assign or_1460 = (~sum_1457[5]) | equal_1459_s3_q;
   // hls/stages/agreement.hpp:211
-  logic and_1461;
-  assign and_1461 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & or_1458));
+  logic and_1463;
+  assign and_1463 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & or_1460));
   // hls/stages/agreement.hpp:197
   logic explained;
   assign explained = inside_v_s3_q[0] & inside_v_s3_q[3];
-  logic and_1475;
-  assign and_1475 = inside_v_s3_q[0] & ({inside_v_s3_q[4], inside_v_s3_q[2]} == 2'h3);
-  logic and_1482;
-  assign and_1482 = inside_v_s3_q[0] & inside_v_s3_q[2];
-  // hls/stages/agreement.hpp:751
-  logic select_1483;
-  assign select_1483 = slot_s3_q[2] ? shown_shown_q : inside_v_s3_q[3];
+  logic and_1477;
+  assign and_1477 = inside_v_s3_q[0] & ({inside_v_s3_q[4], inside_v_s3_q[2]} == 2'h3);
+  logic and_1484;
+  assign and_1484 = inside_v_s3_q[0] & inside_v_s3_q[2];
+  // hls/stages/agreement.hpp:752
+  logic select_1485;
+  assign select_1485 = slot_s3_q[2] ? shown_shown_q : inside_v_s3_q[3];
   // hls/stages/agreement.hpp:197
   logic shown;
-  assign shown = inside_v_s3_q[0] & (shown_right_rdata_q[0] | select_1483);
-  // hls/stages/agreement.hpp:751
-  logic select_1486;
-  assign select_1486 = slot_s3_q[2] ? shown_nearer_q : inside_v_s3_q[4];
+  assign shown = inside_v_s3_q[0] & (shown_right_rdata_q[0] | select_1485);
+  // hls/stages/agreement.hpp:752
+  logic select_1488;
+  assign select_1488 = slot_s3_q[2] ? shown_nearer_q : inside_v_s3_q[4];
   // hls/stages/agreement.hpp:197
   logic near;
-  assign near = inside_v_s3_q[0] & (select_1483 ? select_1486 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:979
-  logic select_1489;
-  assign select_1489 = done_q ? write_half_q : read_half_q;
-  // hls/stages/agreement.hpp:983
-  logic select_1490;
-  assign select_1490 = left_first_s3_q ? select_1489 : read_half_q;
-  logic or_1491;
-  assign or_1491 = left_first_s3_q | line_ended_q;
+  assign near = inside_v_s3_q[0] & (select_1485 ? select_1488 : shown_right_rdata_q[1]);
+  // hls/stages/agreement.hpp:980
+  logic select_1491;
+  assign select_1491 = done_q ? write_half_q : read_half_q;
   // hls/stages/agreement.hpp:984
-  logic [8:0] select_1492;
-  assign select_1492 = or_1491 ? 9'h0 : columns_passed_q;
+  logic select_1492;
+  assign select_1492 = left_first_s3_q ? select_1491 : read_half_q;
+  logic or_1493;
+  assign or_1493 = left_first_s3_q | line_ended_q;
   // hls/stages/agreement.hpp:985
-  logic [9:0] select_1494;
-  assign select_1494 = left_first_s3_q ? 10'h1 : (or_1491 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:988
-  logic and_1495;
-  assign and_1495 = select_1492[8] & select_1494[9];
+  logic [8:0] select_1494;
+  assign select_1494 = or_1493 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:986
+  logic [9:0] select_1496;
+  assign select_1496 = left_first_s3_q ? 10'h1 : (or_1493 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:989
+  logic and_1497;
+  assign and_1497 = select_1494[8] & select_1496[9];
   // hls/stages/agreement.hpp:218
   logic next_row;
-  assign next_row = and_1495 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:999
-  logic [5:0] select_1498;
-  assign select_1498 = next_row ? cfg_width_i[8:3] : 6'h0;
-  logic [10:0] select_1500;
-  assign select_1500 = left_first_s3_q ? 11'h0 : (seen_base_q + {5'h0, select_1498});
-  // hls/stages/agreement.hpp:1009
-  logic equal_1501;
-  assign equal_1501 = seen_x_q == 3'h7;
-  logic [7:0] select_1503;
-  assign select_1503 = and_1495 ? 8'h0 : (seen_column_q + {7'h0, equal_1501});
-  // hls/stages/agreement.hpp:1012
-  logic [10:0] index;
-  assign index = select_1500 + {3'h0, select_1503};
-  // hls/stages/agreement.hpp:969
-  logic [11:0] sum_1505;
-  assign sum_1505 = {1'b0, {2{select_1490}}, 2'h0, {2{select_1490}}, 1'b0, {2{select_1490}}, 1'b0, select_1490} + {1'b0, index};
-  // hls/stages/agreement.hpp:982
-  logic not_1508;
-  assign not_1508 = ~left_first_s3_q;
-  // hls/stages/agreement.hpp:218
-  logic and_1510;
-  assign and_1510 = not_1508 & (began_q | and_1495);
+  assign next_row = and_1497 & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1000
+  logic [5:0] select_1500;
+  assign select_1500 = next_row ? cfg_width_i[8:3] : 6'h0;
+  logic [10:0] select_1502;
+  assign select_1502 = left_first_s3_q ? 11'h0 : (seen_base_q + {5'h0, select_1500});
   // hls/stages/agreement.hpp:1010
-  logic [2:0] select_1512;
-  assign select_1512 = and_1495 ? 3'h0 : (seen_x_q + 3'h1);
+  logic equal_1503;
+  assign equal_1503 = seen_x_q == 3'h7;
+  logic [7:0] select_1505;
+  assign select_1505 = and_1497 ? 8'h0 : (seen_column_q + {7'h0, equal_1503});
+  // hls/stages/agreement.hpp:1013
+  logic [10:0] index;
+  assign index = select_1502 + {3'h0, select_1505};
+  // hls/stages/agreement.hpp:970
+  logic [11:0] sum_1507;
+  assign sum_1507 = {1'b0, {2{select_1492}}, 2'h0, {2{select_1492}}, 1'b0, {2{select_1492}}, 1'b0, select_1492} + {1'b0, index};
+  // hls/stages/agreement.hpp:983
+  logic not_1510;
+  assign not_1510 = ~left_first_s3_q;
+  // hls/stages/agreement.hpp:218
+  logic and_1512;
+  assign and_1512 = not_1510 & (began_q | and_1497);
   // hls/stages/agreement.hpp:1011
-  logic and_1514;
-  assign and_1514 = and_1510 & (select_1512 == 3'h0);
-  logic less_1515;
-  assign less_1515 = select_1503 < {2'h0, cfg_width_i[8:3]};
-  // hls/stages/agreement.hpp:220
+  logic [2:0] select_1514;
+  assign select_1514 = and_1497 ? 3'h0 : (seen_x_q + 3'h1);
+  // hls/stages/agreement.hpp:1012
   logic and_1516;
-  assign and_1516 = and_1514 & less_1515;
-  logic and_1517;
-  assign and_1517 = and_1507_s3_q & and_1516;
-  logic select_1519;
-  assign select_1519 = and_1507_s3_q ? (left_first_s3_q ? and_1516 : and_1517) : and_1517;
-  // hls/stages/agreement.hpp:841
-  logic [7:0] sum_1521;
-  assign sum_1521 = {2'h0, x_s3_q[7:2]} + 8'hff;
+  assign and_1516 = and_1512 & (select_1514 == 3'h0);
+  logic less_1517;
+  assign less_1517 = select_1505 < {2'h0, cfg_width_i[8:3]};
+  // hls/stages/agreement.hpp:220
+  logic and_1518;
+  assign and_1518 = and_1516 & less_1517;
+  logic and_1519;
+  assign and_1519 = and_1509_s3_q & and_1518;
+  logic select_1521;
+  assign select_1521 = and_1509_s3_q ? (left_first_s3_q ? and_1518 : and_1519) : and_1519;
+  // hls/stages/agreement.hpp:842
+  logic [7:0] sum_1523;
+  assign sum_1523 = {2'h0, x_s3_q[7:2]} + 8'hff;
   logic [10:0] index_2;
-  assign index_2 = {sum_1521[7], sum_1521, x_s3_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:969
-  logic [11:0] sum_1523;
-  assign sum_1523 = {1'b0, {2{write_half_q}}, 2'h0, {2{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2};
-  // hls/stages/agreement.hpp:764
-  logic and_1524;
-  assign and_1524 = seen_columns_rdata_q[14] & inside_v_s3_q[0];
-  logic and_1525;
-  assign and_1525 = seen_columns_rdata_q[10] & inside_v_s3_q[0];
+  assign index_2 = {sum_1523[7], sum_1523, x_s3_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:970
+  logic [11:0] sum_1525;
+  assign sum_1525 = {1'b0, {2{write_half_q}}, 2'h0, {2{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2};
+  // hls/stages/agreement.hpp:765
   logic and_1526;
-  assign and_1526 = seen_columns_rdata_q[5] & inside_v_s3_q[0];
+  assign and_1526 = seen_columns_rdata_q[14] & inside_v_s3_q[0];
   logic and_1527;
-  assign and_1527 = seen_columns_rdata_q[0] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:817
-  logic [1:0] sum_1529;
-  assign sum_1529 = {1'b0, and_1526} + ({1'b0, textured_s3_q} + {1'b0, and_1527});
-  logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_1524} + ({2'h0, and_1525} + {1'b0, sum_1529});
-  // hls/stages/agreement.hpp:824
-  logic [2:0] select_1532;
-  assign select_1532 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_1533;
-  assign difference_1533 = {1'b0, textured_2} - {1'b0, select_1532};
-  // hls/stages/agreement.hpp:822
-  logic equal_1534;
-  assign equal_1534 = x_s3_q == 8'h0;
-  // hls/stages/agreement.hpp:824
-  logic [4:0] t;
-  assign t = {difference_1533[3], difference_1533} + (equal_1534 ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:764
-  logic [7:0] select_1539;
-  assign select_1539 = inside_v_s3_q[0] ? (sum_1455[5] ? select_1442 : {select_1442[6:0], 1'b0}) : select_1442;
-  // hls/stages/agreement.hpp:780
-  logic or_1542;
-  assign or_1542 = select_1539[7] | (~({select_1539[5], select_1539[3], select_1539[1]} == 3'h0));
-  // hls/stages/agreement.hpp:764
-  logic and_1559;
-  assign and_1559 = seen_columns_rdata_q[16] & inside_v_s3_q[0];
-  logic and_1560;
-  assign and_1560 = seen_columns_rdata_q[12] & inside_v_s3_q[0];
-  logic and_1561;
-  assign and_1561 = seen_columns_rdata_q[8] & inside_v_s3_q[0];
-  logic and_1562;
-  assign and_1562 = seen_columns_rdata_q[3] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:819
-  logic [1:0] sum_1564;
-  assign sum_1564 = {1'b0, and_1561} + ({1'b0, shown} + {1'b0, and_1562});
-  logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_1559} + ({2'h0, and_1560} + {1'b0, sum_1564});
-  // hls/stages/agreement.hpp:826
-  logic [2:0] select_1567;
-  assign select_1567 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_1568;
-  assign difference_1568 = {1'b0, shown_2} - {1'b0, select_1567};
-  logic [4:0] around;
-  assign around = {difference_1568[3], difference_1568} + (equal_1534 ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:833
-  logic [5:0] sum_1571;
-  assign sum_1571 = {1'b0, around} + {2'h0, around[4:1]};
-  // hls/stages/agreement.hpp:764
-  logic and_1575;
-  assign and_1575 = seen_columns_rdata_q[17] & inside_v_s3_q[0];
-  logic and_1576;
-  assign and_1576 = seen_columns_rdata_q[13] & inside_v_s3_q[0];
-  logic and_1577;
-  assign and_1577 = seen_columns_rdata_q[9] & inside_v_s3_q[0];
-  logic and_1578;
-  assign and_1578 = seen_columns_rdata_q[4] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:820
-  logic [1:0] sum_1580;
-  assign sum_1580 = {1'b0, and_1577} + ({1'b0, near} + {1'b0, and_1578});
-  logic [2:0] near_2;
-  assign near_2 = {2'h0, and_1575} + ({2'h0, and_1576} + {1'b0, sum_1580});
-  // hls/stages/agreement.hpp:827
-  logic [2:0] select_1583;
-  assign select_1583 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_1584;
-  assign difference_1584 = {1'b0, near_2} - {1'b0, select_1583};
-  logic [4:0] n;
-  assign n = {difference_1584[3], difference_1584} + (equal_1534 ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:215
-  logic [10:0] select_1635;
-  assign select_1635 = sample_pair_whole_s3_q ? (and_365_s3_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_1637;
-  assign select_1637 = sample_pair_whole_s3_q ? (and_365_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  // hls/stages/agreement.hpp:365
-  logic [8:0] select_1661;
-  assign select_1661 = and_367_s3_q ? select_373 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_1662;
-  assign select_1662 = and_367_s3_q ? select_377 : census_columns_values_0_cell_0_right_q;
-  logic select_1663;
-  assign select_1663 = and_367_s3_q ? whole_2_s3_q : census_columns_values_0_cell_0_mask_q;
-  logic [8:0] select_1664;
-  assign select_1664 = and_367_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_1665;
-  assign select_1665 = and_367_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_1666;
-  assign select_1666 = and_367_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_1667;
-  assign select_1667 = and_367_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_1668;
-  assign select_1668 = and_367_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_1669;
-  assign select_1669 = and_367_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_1670;
-  assign select_1670 = and_367_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_1671;
-  assign select_1671 = and_367_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_1672;
-  assign select_1672 = and_367_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_1673;
-  assign select_1673 = and_367_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_1674;
-  assign select_1674 = and_367_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_1675;
-  assign select_1675 = and_367_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_1676;
-  assign select_1676 = and_367_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_1677;
-  assign select_1677 = and_367_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_1678;
-  assign select_1678 = and_367_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_1679;
-  assign select_1679 = and_367_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic [8:0] select_1680;
-  assign select_1680 = and_367_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_1681;
-  assign select_1681 = and_367_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_1682;
-  assign select_1682 = and_367_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
-  logic [8:0] select_1683;
-  assign select_1683 = and_367_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_1684;
-  assign select_1684 = and_367_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_1685;
-  assign select_1685 = and_367_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_1686;
-  assign select_1686 = and_367_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_1687;
-  assign select_1687 = and_367_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_1688;
-  assign select_1688 = and_367_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_1689;
-  assign select_1689 = and_367_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
-  logic [8:0] select_1690;
-  assign select_1690 = and_367_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_1691;
-  assign select_1691 = and_367_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_1692;
-  assign select_1692 = and_367_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
-  logic [8:0] select_1693;
-  assign select_1693 = and_367_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_1694;
-  assign select_1694 = and_367_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_1695;
-  assign select_1695 = and_367_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic [8:0] select_1696;
-  assign select_1696 = and_367_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_1697;
-  assign select_1697 = and_367_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_1698;
-  assign select_1698 = and_367_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  logic [8:0] select_1699;
-  assign select_1699 = and_367_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_1700;
-  assign select_1700 = and_367_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_1701;
-  assign select_1701 = and_367_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic [8:0] select_1702;
-  assign select_1702 = and_367_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_1703;
-  assign select_1703 = and_367_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_1704;
-  assign select_1704 = and_367_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
-  logic [8:0] select_1705;
-  assign select_1705 = and_367_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_1706;
-  assign select_1706 = and_367_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic select_1707;
-  assign select_1707 = and_367_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_1708;
-  assign select_1708 = and_367_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
-  logic [8:0] select_1709;
-  assign select_1709 = and_367_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_1710;
-  assign select_1710 = and_367_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_1711;
-  assign select_1711 = and_367_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_1712;
-  assign select_1712 = and_367_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_1713;
-  assign select_1713 = and_367_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_1714;
-  assign select_1714 = and_367_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_1715;
-  assign select_1715 = and_367_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_1716;
-  assign select_1716 = and_367_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
-  // hls/stages/census.hpp:192
-  logic [9:0] difference_1718;
-  assign difference_1718 = {1'b0, select_377} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_1719;
-  assign xor_1719 = difference_1718[8:0] ^ {9{difference_1718[9]}};
-  logic [9:0] sum_1720;
-  assign sum_1720 = {9'h0, difference_1718[9]} + {1'b0, xor_1719};
-  logic [9:0] difference_1721;
-  assign difference_1721 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_1722;
-  assign xor_1722 = difference_1721[8:0] ^ {9{difference_1721[9]}};
-  logic [9:0] sum_1723;
-  assign sum_1723 = {9'h0, difference_1721[9]} + {1'b0, xor_1722};
-  logic [9:0] difference_1725;
-  assign difference_1725 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_1726;
-  assign xor_1726 = difference_1725[8:0] ^ {9{difference_1725[9]}};
-  logic [9:0] sum_1727;
-  assign sum_1727 = {9'h0, difference_1725[9]} + {1'b0, xor_1726};
-  logic [10:0] sum_1728;
-  assign sum_1728 = ({1'b0, sum_1720} + {1'b0, sum_1723}) + {1'b0, sum_1727};
-  logic [9:0] difference_1729;
-  assign difference_1729 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_1730;
-  assign xor_1730 = difference_1729[8:0] ^ {9{difference_1729[9]}};
-  logic [9:0] sum_1731;
-  assign sum_1731 = {9'h0, difference_1729[9]} + {1'b0, xor_1730};
-  logic [9:0] difference_1733;
-  assign difference_1733 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_1734;
-  assign xor_1734 = difference_1733[8:0] ^ {9{difference_1733[9]}};
-  logic [9:0] sum_1735;
-  assign sum_1735 = {9'h0, difference_1733[9]} + {1'b0, xor_1734};
-  // hls/stages/census.hpp:273
-  logic [9:0] difference_1763;
-  assign difference_1763 = {1'b0, select_373} - {1'b0, sharpness_last_mean_0_q};
-  logic [8:0] contrast;
-  assign contrast = {8'h0, difference_1763[9]} + (difference_1763[8:0] ^ {9{difference_1763[9]}});
-  logic [9:0] difference_1774;
-  assign difference_1774 = {1'b0, select_377} - {1'b0, sharpness_last_mean_1_q};
-  logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_1774[9]} + (difference_1774[8:0] ^ {9{difference_1774[9]}});
-  // hls/stages/agreement.hpp:365
-  logic and_1981;
-  assign and_1981 = and_367_s3_q & (equal_428_s3_q & equal_1864_s3_q);
-  // hls/stages/agreement.hpp:211
-  logic and_1984;
-  assign and_1984 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & inside_v_s3_q[1]));
-  // hls/stages/agreement.hpp:764
-  logic and_2005;
-  assign and_2005 = seen_columns_rdata_q[15] & inside_v_s3_q[0];
-  logic and_2006;
-  assign and_2006 = seen_columns_rdata_q[11] & inside_v_s3_q[0];
-  logic and_2007;
-  assign and_2007 = seen_columns_rdata_q[7] & inside_v_s3_q[0];
-  logic and_2008;
-  assign and_2008 = seen_columns_rdata_q[2] & inside_v_s3_q[0];
+  assign and_1527 = seen_columns_rdata_q[10] & inside_v_s3_q[0];
+  logic and_1528;
+  assign and_1528 = seen_columns_rdata_q[5] & inside_v_s3_q[0];
+  logic and_1529;
+  assign and_1529 = seen_columns_rdata_q[0] & inside_v_s3_q[0];
   // hls/stages/agreement.hpp:818
-  logic [1:0] sum_2010;
-  assign sum_2010 = {1'b0, and_2007} + ({1'b0, explained} + {1'b0, and_2008});
-  logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2005} + ({2'h0, and_2006} + {1'b0, sum_2010});
+  logic [1:0] sum_1531;
+  assign sum_1531 = {1'b0, and_1528} + ({1'b0, textured_s3_q} + {1'b0, and_1529});
+  logic [2:0] textured_2;
+  assign textured_2 = {2'h0, and_1526} + ({2'h0, and_1527} + {1'b0, sum_1531});
   // hls/stages/agreement.hpp:825
-  logic [2:0] select_2013;
-  assign select_2013 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2014;
-  assign difference_2014 = {1'b0, explained_2} - {1'b0, select_2013};
-  logic [4:0] e;
-  assign e = {difference_2014[3], difference_2014} + (equal_1534 ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:832
-  logic [5:0] sum_2017;
-  assign sum_2017 = {1'b0, e} + {2'h0, e[4:1]};
+  logic [2:0] select_1534;
+  assign select_1534 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_1535;
+  assign difference_1535 = {1'b0, textured_2} - {1'b0, select_1534};
+  // hls/stages/agreement.hpp:823
+  logic equal_1536;
+  assign equal_1536 = x_s3_q == 8'h0;
+  // hls/stages/agreement.hpp:825
+  logic [4:0] t;
+  assign t = {difference_1535[3], difference_1535} + (equal_1536 ? 5'h0 : box_textured_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:765
+  logic [7:0] select_1541;
+  assign select_1541 = inside_v_s3_q[0] ? (sum_1457[5] ? select_1444 : {select_1444[6:0], 1'b0}) : select_1444;
+  // hls/stages/agreement.hpp:781
+  logic or_1544;
+  assign or_1544 = select_1541[7] | (~({select_1541[5], select_1541[3], select_1541[1]} == 3'h0));
+  // hls/stages/agreement.hpp:765
+  logic and_1561;
+  assign and_1561 = seen_columns_rdata_q[16] & inside_v_s3_q[0];
+  logic and_1562;
+  assign and_1562 = seen_columns_rdata_q[12] & inside_v_s3_q[0];
+  logic and_1563;
+  assign and_1563 = seen_columns_rdata_q[8] & inside_v_s3_q[0];
+  logic and_1564;
+  assign and_1564 = seen_columns_rdata_q[3] & inside_v_s3_q[0];
+  // hls/stages/agreement.hpp:820
+  logic [1:0] sum_1566;
+  assign sum_1566 = {1'b0, and_1563} + ({1'b0, shown} + {1'b0, and_1564});
+  logic [2:0] shown_2;
+  assign shown_2 = {2'h0, and_1561} + ({2'h0, and_1562} + {1'b0, sum_1566});
+  // hls/stages/agreement.hpp:827
+  logic [2:0] select_1569;
+  assign select_1569 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_1570;
+  assign difference_1570 = {1'b0, shown_2} - {1'b0, select_1569};
+  logic [4:0] around;
+  assign around = {difference_1570[3], difference_1570} + (equal_1536 ? 5'h0 : box_shown_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:834
+  logic [5:0] sum_1573;
+  assign sum_1573 = {1'b0, around} + {2'h0, around[4:1]};
+  // hls/stages/agreement.hpp:765
+  logic and_1577;
+  assign and_1577 = seen_columns_rdata_q[17] & inside_v_s3_q[0];
+  logic and_1578;
+  assign and_1578 = seen_columns_rdata_q[13] & inside_v_s3_q[0];
+  logic and_1579;
+  assign and_1579 = seen_columns_rdata_q[9] & inside_v_s3_q[0];
+  logic and_1580;
+  assign and_1580 = seen_columns_rdata_q[4] & inside_v_s3_q[0];
+  // hls/stages/agreement.hpp:821
+  logic [1:0] sum_1582;
+  assign sum_1582 = {1'b0, and_1579} + ({1'b0, near} + {1'b0, and_1580});
+  logic [2:0] near_2;
+  assign near_2 = {2'h0, and_1577} + ({2'h0, and_1578} + {1'b0, sum_1582});
+  // hls/stages/agreement.hpp:828
+  logic [2:0] select_1585;
+  assign select_1585 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_1586;
+  assign difference_1586 = {1'b0, near_2} - {1'b0, select_1585};
+  logic [4:0] n;
+  assign n = {difference_1586[3], difference_1586} + (equal_1536 ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:215
+  logic [10:0] select_1637;
+  assign select_1637 = sample_pair_whole_s3_q ? (and_365_s3_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_1639;
+  assign select_1639 = sample_pair_whole_s3_q ? (and_365_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  // hls/stages/agreement.hpp:365
+  logic [8:0] select_1663;
+  assign select_1663 = and_367_s3_q ? select_373 : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_1664;
+  assign select_1664 = and_367_s3_q ? select_377 : census_columns_values_0_cell_0_right_q;
+  logic select_1665;
+  assign select_1665 = and_367_s3_q ? whole_2_s3_q : census_columns_values_0_cell_0_mask_q;
+  logic [8:0] select_1666;
+  assign select_1666 = and_367_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_1667;
+  assign select_1667 = and_367_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_1668;
+  assign select_1668 = and_367_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_1669;
+  assign select_1669 = and_367_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_1670;
+  assign select_1670 = and_367_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_1671;
+  assign select_1671 = and_367_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_1672;
+  assign select_1672 = and_367_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_1673;
+  assign select_1673 = and_367_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_1674;
+  assign select_1674 = and_367_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_1675;
+  assign select_1675 = and_367_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_1676;
+  assign select_1676 = and_367_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_1677;
+  assign select_1677 = and_367_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_1678;
+  assign select_1678 = and_367_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_1679;
+  assign select_1679 = and_367_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_1680;
+  assign select_1680 = and_367_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_1681;
+  assign select_1681 = and_367_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_1682;
+  assign select_1682 = and_367_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_1683;
+  assign select_1683 = and_367_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_1684;
+  assign select_1684 = and_367_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_1685;
+  assign select_1685 = and_367_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_1686;
+  assign select_1686 = and_367_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_1687;
+  assign select_1687 = and_367_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_1688;
+  assign select_1688 = and_367_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_1689;
+  assign select_1689 = and_367_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_1690;
+  assign select_1690 = and_367_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_1691;
+  assign select_1691 = and_367_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_1692;
+  assign select_1692 = and_367_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_1693;
+  assign select_1693 = and_367_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_1694;
+  assign select_1694 = and_367_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  logic [8:0] select_1695;
+  assign select_1695 = and_367_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_1696;
+  assign select_1696 = and_367_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_1697;
+  assign select_1697 = and_367_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic [8:0] select_1698;
+  assign select_1698 = and_367_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_1699;
+  assign select_1699 = and_367_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_1700;
+  assign select_1700 = and_367_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_1701;
+  assign select_1701 = and_367_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_1702;
+  assign select_1702 = and_367_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_1703;
+  assign select_1703 = and_367_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_1704;
+  assign select_1704 = and_367_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_1705;
+  assign select_1705 = and_367_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_1706;
+  assign select_1706 = and_367_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_1707;
+  assign select_1707 = and_367_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_1708;
+  assign select_1708 = and_367_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_1709;
+  assign select_1709 = and_367_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_1710;
+  assign select_1710 = and_367_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_1711;
+  assign select_1711 = and_367_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_1712;
+  assign select_1712 = and_367_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_1713;
+  assign select_1713 = and_367_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_1714;
+  assign select_1714 = and_367_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_1715;
+  assign select_1715 = and_367_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_1716;
+  assign select_1716 = and_367_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_1717;
+  assign select_1717 = and_367_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_1718;
+  assign select_1718 = and_367_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  // hls/stages/census.hpp:192
+  logic [9:0] difference_1720;
+  assign difference_1720 = {1'b0, select_377} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_1721;
+  assign xor_1721 = difference_1720[8:0] ^ {9{difference_1720[9]}};
+  logic [9:0] sum_1722;
+  assign sum_1722 = {9'h0, difference_1720[9]} + {1'b0, xor_1721};
+  logic [9:0] difference_1723;
+  assign difference_1723 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_1724;
+  assign xor_1724 = difference_1723[8:0] ^ {9{difference_1723[9]}};
+  logic [9:0] sum_1725;
+  assign sum_1725 = {9'h0, difference_1723[9]} + {1'b0, xor_1724};
+  logic [9:0] difference_1727;
+  assign difference_1727 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_1728;
+  assign xor_1728 = difference_1727[8:0] ^ {9{difference_1727[9]}};
+  logic [9:0] sum_1729;
+  assign sum_1729 = {9'h0, difference_1727[9]} + {1'b0, xor_1728};
+  logic [10:0] sum_1730;
+  assign sum_1730 = ({1'b0, sum_1722} + {1'b0, sum_1725}) + {1'b0, sum_1729};
+  logic [9:0] difference_1731;
+  assign difference_1731 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_1732;
+  assign xor_1732 = difference_1731[8:0] ^ {9{difference_1731[9]}};
+  logic [9:0] sum_1733;
+  assign sum_1733 = {9'h0, difference_1731[9]} + {1'b0, xor_1732};
+  logic [9:0] difference_1735;
+  assign difference_1735 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_1736;
+  assign xor_1736 = difference_1735[8:0] ^ {9{difference_1735[9]}};
+  logic [9:0] sum_1737;
+  assign sum_1737 = {9'h0, difference_1735[9]} + {1'b0, xor_1736};
+  // hls/stages/census.hpp:273
+  logic [9:0] difference_1765;
+  assign difference_1765 = {1'b0, select_373} - {1'b0, sharpness_last_mean_0_q};
+  logic [8:0] contrast;
+  assign contrast = {8'h0, difference_1765[9]} + (difference_1765[8:0] ^ {9{difference_1765[9]}});
+  logic [9:0] difference_1776;
+  assign difference_1776 = {1'b0, select_377} - {1'b0, sharpness_last_mean_1_q};
+  logic [8:0] contrast_2;
+  assign contrast_2 = {8'h0, difference_1776[9]} + (difference_1776[8:0] ^ {9{difference_1776[9]}});
+  // hls/stages/agreement.hpp:365
+  logic and_1983;
+  assign and_1983 = and_367_s3_q & (equal_428_s3_q & equal_1866_s3_q);
   // hls/stages/agreement.hpp:211
-  logic and_2045;
-  assign and_2045 = ends_cell_s3_q & (inside_v_s3_q[0] & (inside_v_s3_q[2:1] == 2'h3));
+  logic and_1986;
+  assign and_1986 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & inside_v_s3_q[1]));
+  // hls/stages/agreement.hpp:765
+  logic and_2007;
+  assign and_2007 = seen_columns_rdata_q[15] & inside_v_s3_q[0];
+  logic and_2008;
+  assign and_2008 = seen_columns_rdata_q[11] & inside_v_s3_q[0];
+  logic and_2009;
+  assign and_2009 = seen_columns_rdata_q[7] & inside_v_s3_q[0];
+  logic and_2010;
+  assign and_2010 = seen_columns_rdata_q[2] & inside_v_s3_q[0];
+  // hls/stages/agreement.hpp:819
+  logic [1:0] sum_2012;
+  assign sum_2012 = {1'b0, and_2009} + ({1'b0, explained} + {1'b0, and_2010});
+  logic [2:0] explained_2;
+  assign explained_2 = {2'h0, and_2007} + ({2'h0, and_2008} + {1'b0, sum_2012});
+  // hls/stages/agreement.hpp:826
+  logic [2:0] select_2015;
+  assign select_2015 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2016;
+  assign difference_2016 = {1'b0, explained_2} - {1'b0, select_2015};
+  logic [4:0] e;
+  assign e = {difference_2016[3], difference_2016} + (equal_1536 ? 5'h0 : box_explained_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:833
+  logic [5:0] sum_2019;
+  assign sum_2019 = {1'b0, e} + {2'h0, e[4:1]};
+  // hls/stages/agreement.hpp:211
+  logic and_2047;
+  assign and_2047 = ends_cell_s3_q & (inside_v_s3_q[0] & (inside_v_s3_q[2:1] == 2'h3));
   // hls/stages/registration.hpp:83
-  logic equal_2089;
-  assign equal_2089 = slot_s3_q == 3'h7;
+  logic equal_2091;
+  assign equal_2091 = slot_s3_q == 3'h7;
   // hls/stages/registration.hpp:206
-  logic [16:0] select_2091;
-  assign select_2091 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_2093;
+  assign select_2093 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
-  assign change = ($signed(10'h0) < $signed(select_2091[16:7])) ? 8'h7f : select_2091[7:0];
+  assign change = ($signed(10'h0) < $signed(select_2093[16:7])) ? 8'h7f : select_2093[7:0];
   // hls/stages/registration.hpp:89
   logic [7:0] a;
-  assign a = equal_2089 ? registration_slope_here_q : change;
+  assign a = equal_2091 ? registration_slope_here_q : change;
   // hls/stages/registration.hpp:201
-  logic [7:0] select_2095;
-  assign select_2095 = inside_v_s3_q[9] ? a : 8'h0;
-  logic [7:0] select_2096;
-  assign select_2096 = inside_v_s3_q[10] ? a : 8'h0;
-  logic [8:0] difference_2097;
-  assign difference_2097 = {{2{select_2095[7]}}, select_2095[7:1]} - {select_2096[7], select_2096};
+  logic [7:0] select_2097;
+  assign select_2097 = inside_v_s3_q[9] ? a : 8'h0;
+  logic [7:0] select_2098;
+  assign select_2098 = inside_v_s3_q[10] ? a : 8'h0;
+  logic [8:0] difference_2099;
+  assign difference_2099 = {{2{select_2097[7]}}, select_2097[7:1]} - {select_2098[7], select_2098};
   // hls/stages/registration.hpp:199
-  logic [6:0] select_2098;
-  assign select_2098 = inside_v_s3_q[5] ? a[7:1] : 7'h0;
-  logic [7:0] select_2099;
-  assign select_2099 = inside_v_s3_q[6] ? a : 8'h0;
-  logic [8:0] sum_2100;
-  assign sum_2100 = {{2{select_2098[6]}}, select_2098} + {select_2099[7], select_2099};
-  // hls/stages/registration.hpp:200
+  logic [6:0] select_2100;
+  assign select_2100 = inside_v_s3_q[5] ? a[7:1] : 7'h0;
   logic [7:0] select_2101;
-  assign select_2101 = inside_v_s3_q[7] ? a : 8'h0;
-  logic [7:0] select_2102;
-  assign select_2102 = inside_v_s3_q[8] ? a : 8'h0;
-  logic [8:0] sum_2103;
-  assign sum_2103 = {{2{select_2101[7]}}, select_2101[7:1]} + {select_2102[7], select_2102};
+  assign select_2101 = inside_v_s3_q[6] ? a : 8'h0;
+  logic [8:0] sum_2102;
+  assign sum_2102 = {{2{select_2100[6]}}, select_2100} + {select_2101[7], select_2101};
+  // hls/stages/registration.hpp:200
+  logic [7:0] select_2103;
+  assign select_2103 = inside_v_s3_q[7] ? a : 8'h0;
+  logic [7:0] select_2104;
+  assign select_2104 = inside_v_s3_q[8] ? a : 8'h0;
+  logic [8:0] sum_2105;
+  assign sum_2105 = {{2{select_2103[7]}}, select_2103[7:1]} + {select_2104[7], select_2104};
   // hls/stages/registration.hpp:202
-  logic [10:0] sum_2104;
-  assign sum_2104 = {{3{sum_2100[8]}}, sum_2100[8:1]} + {sum_2103[8], sum_2103, select_2101[0]};
-  logic [9:0] sum_2105;
-  assign sum_2105 = {difference_2097, select_2095[0]} + {sum_2104[10], sum_2104[10:2]};
+  logic [10:0] sum_2106;
+  assign sum_2106 = {{3{sum_2102[8]}}, sum_2102[8:1]} + {sum_2105[8], sum_2105, select_2103[0]};
+  logic [9:0] sum_2107;
+  assign sum_2107 = {difference_2099, select_2097[0]} + {sum_2106[10], sum_2106[10:2]};
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_2106;
-  assign sum_2106 = {registration_slope_q[27], registration_slope_q[27:16]} + {{5{sum_2105[9]}}, sum_2105[9:2]};
+  logic [12:0] sum_2108;
+  assign sum_2108 = {registration_slope_q[27], registration_slope_q[27:16]} + {{5{sum_2107[9]}}, sum_2107[9:2]};
   // hls/stages/registration.hpp:206
-  logic [7:0] select_2109;
-  assign select_2109 = ($signed(sum_2106[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2106[7:0];
-  // hls/stages/registration.hpp:106
   logic [7:0] select_2111;
-  assign select_2111 = equal_2089 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2106[12:7])) ? 8'h7f : select_2109);
-  // hls/stages/agreement.hpp:211
+  assign select_2111 = ($signed(sum_2108[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2108[7:0];
+  // hls/stages/registration.hpp:106
   logic [7:0] select_2113;
-  assign select_2113 = equal_1334_s3_q ? registration_slope_here_q : (so_s3_q ? select_2111 : registration_slope_here_q);
+  assign select_2113 = equal_2091 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2108[12:7])) ? 8'h7f : select_2111);
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2115;
+  assign select_2115 = equal_1336_s3_q ? registration_slope_here_q : (so_s3_q ? select_2113 : registration_slope_here_q);
   // hls/stages/registration.hpp:107
-  logic equal_2114;
-  assign equal_2114 = slot_s3_q == 3'h4;
+  logic equal_2116;
+  assign equal_2116 = slot_s3_q == 3'h4;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_2123;
-  assign sum_2123 = inside_v_s3_q[13:12] + 2'h3;
+  logic [1:0] sum_2125;
+  assign sum_2125 = inside_v_s3_q[13:12] + 2'h3;
   // hls/stages/registration.hpp:47
-  logic [7:0] difference_2125;
-  assign difference_2125 = {sum_2123, inside_v_s3_q[11], 5'h0} - {3'h0, registration_displacement_fraction_q};
+  logic [7:0] difference_2127;
+  assign difference_2127 = {sum_2125, inside_v_s3_q[11], 5'h0} - {3'h0, registration_displacement_fraction_q};
   // hls/stages/registration.hpp:101
-  logic [7:0] select_2126;
-  assign select_2126 = less_2124_s3_q ? difference_2125 : {sum_2123, inside_v_s3_q[11], registration_displacement_fraction_q};
-  logic [7:0] select_2127;
-  assign select_2127 = ((inside_v_s3_q[13:11] == 3'h0) | (inside_v_s3_q[13:11] == 3'h4)) ? {sum_2123, inside_v_s3_q[11], 5'h0} : select_2126;
+  logic [7:0] select_2128;
+  assign select_2128 = less_2126_s3_q ? difference_2127 : {sum_2125, inside_v_s3_q[11], registration_displacement_fraction_q};
+  logic [7:0] select_2129;
+  assign select_2129 = ((inside_v_s3_q[13:11] == 3'h0) | (inside_v_s3_q[13:11] == 3'h4)) ? {sum_2125, inside_v_s3_q[11], 5'h0} : select_2128;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2127[7]}}, select_2127} - {sum_2105[9], sum_2105, sum_2104[1]};
+  assign value_2 = {{4{select_2129[7]}}, select_2129} - {sum_2107[9], sum_2107, sum_2106[1]};
   // hls/stages/registration.hpp:206
-  logic [11:0] select_2130;
-  assign select_2130 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_2132;
+  assign select_2132 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2130[11:7])) ? 12'h7f : select_2130;
+  assign residual = ($signed(5'h0) < $signed(select_2132[11:7])) ? 12'h7f : select_2132;
   // hls/stages/agreement.hpp:211
-  logic select_2174;
-  assign select_2174 = so_s3_q ? (equal_2114 ? right_2_s3_q : registration_of_right_q) : registration_of_right_q;
-  logic select_2177;
-  assign select_2177 = so_s3_q ? (equal_2089 ? inside_v_s3_q[0] : registration_was_inside_q) : registration_was_inside_q;
+  logic select_2176;
+  assign select_2176 = so_s3_q ? (equal_2116 ? right_2_s3_q : registration_of_right_q) : registration_of_right_q;
+  logic select_2179;
+  assign select_2179 = so_s3_q ? (equal_2091 ? inside_v_s3_q[0] : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:254
-  logic [3:0] select_2182;
-  assign select_2182 = (sum_1385 == 2'h2) ? (registration_fresh_q & (~select_1429)) : registration_fresh_q;
-  // hls/stages/agreement.hpp:211
   logic [3:0] select_2184;
-  assign select_2184 = so_s3_q ? (and_1424 ? select_2182 : registration_fresh_q) : registration_fresh_q;
-  // hls/stages/registration.hpp:227
+  assign select_2184 = (sum_1387 == 2'h2) ? (registration_fresh_q & (~select_1431)) : registration_fresh_q;
+  // hls/stages/agreement.hpp:211
   logic [3:0] select_2186;
-  assign select_2186 = and_1981 ? 4'hf : (equal_1334_s3_q ? registration_fresh_q : select_2184);
+  assign select_2186 = so_s3_q ? (and_1426 ? select_2184 : registration_fresh_q) : registration_fresh_q;
+  // hls/stages/registration.hpp:227
+  logic [3:0] select_2188;
+  assign select_2188 = and_1983 ? 4'hf : (equal_1336_s3_q ? registration_fresh_q : select_2186);
   // hls/stages/registration.hpp:121
-  logic [15:0] select_2193;
-  assign select_2193 = and_2192_s3_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_2195;
+  assign select_2195 = and_2194_s3_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:124
-  logic [23:0] select_2195;
-  assign select_2195 = and_2190_s3_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2193[15]}}, select_2193});
+  logic [23:0] select_2197;
+  assign select_2197 = and_2192_s3_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2195[15]}}, select_2195});
   // hls/stages/registration.hpp:122
-  logic [15:0] select_2196;
-  assign select_2196 = and_2192_s3_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_2198;
+  assign select_2198 = and_2194_s3_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2196[15]}}, select_2196};
+  assign both = registration_slope_change_q + {{12{select_2198[15]}}, select_2198};
   // hls/stages/registration.hpp:124
-  logic [27:0] select_2198;
-  assign select_2198 = and_2190_s3_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2200;
+  assign select_2200 = and_2192_s3_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:135
-  logic and_2199;
-  assign and_2199 = ends_cell_s3_q & so_s3_q;
+  logic and_2201;
+  assign and_2201 = ends_cell_s3_q & so_s3_q;
   // hls/stages/registration.hpp:117
   logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2199 ? registration_slope_change_q : 28'h0);
-  // hls/stages/agreement.hpp:859
+  assign column_5 = registration_slope_q + (and_2201 ? registration_slope_change_q : 28'h0);
+  // hls/stages/agreement.hpp:860
   logic [1:0] quarter_2;
-  assign quarter_2 = all ? x_s3_q[1:0] : select_1382;
+  assign quarter_2 = all ? x_s3_q[1:0] : select_1384;
   // hls/stages/registration.hpp:243
-  logic not_2207;
-  assign not_2207 = ~quarter_2[1];
-  logic [3:0] select_2208;
-  assign select_2208 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2207, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2207};
+  logic not_2209;
+  assign not_2209 = ~quarter_2[1];
+  logic [3:0] select_2210;
+  assign select_2210 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2209, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2209};
   // hls/stages/agreement.hpp:211
-  logic select_2296;
-  assign select_2296 = equal_1334_s3_q ? shown_shown_q : (so_s3_q ? select_1483 : shown_shown_q);
   logic select_2298;
-  assign select_2298 = equal_1334_s3_q ? shown_nearer_q : (so_s3_q ? select_1486 : shown_nearer_q);
+  assign select_2298 = equal_1336_s3_q ? shown_shown_q : (so_s3_q ? select_1485 : shown_shown_q);
+  logic select_2300;
+  assign select_2300 = equal_1336_s3_q ? shown_nearer_q : (so_s3_q ? select_1488 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_2300;
-  assign sum_2300 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_2302;
+  assign sum_2302 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:314
-  logic [2:0] select_2302;
-  assign select_2302 = less_2299_s3_q ? (sum_2300[7] ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_2304;
-  assign select_2304 = equal_1864_s3_q ? (equal_428_s3_q ? 3'h0 : select_2302) : region_row_q;
+  assign select_2304 = less_2301_s3_q ? (sum_2302[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_2306;
+  assign select_2306 = equal_1866_s3_q ? (equal_428_s3_q ? 3'h0 : select_2304) : region_row_q;
   // hls/stages/agreement.hpp:211
-  logic [7:0] select_2309;
-  assign select_2309 = equal_1334_s3_q ? select_1442 : (so_s3_q ? (ends_cell_s3_q ? select_1539 : select_1442) : 8'h1);
+  logic [7:0] select_2311;
+  assign select_2311 = equal_1336_s3_q ? select_1444 : (so_s3_q ? (ends_cell_s3_q ? select_1541 : select_1444) : 8'h1);
   // hls/stages/agreement.hpp:143
-  logic [8:0] select_2311;
-  assign select_2311 = so_s3_q ? (and_2199 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
+  logic [8:0] select_2313;
+  assign select_2313 = so_s3_q ? (and_2201 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
   // hls/stages/division.hpp:35
-  logic [8:0] sum_2313;
-  assign sum_2313 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
+  logic [8:0] sum_2315;
+  assign sum_2315 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_2314;
-  assign select_2314 = sum_1455[5] ? {1'b1, sum_1455[4:0], region_across_rest_q[2:0]} : sum_2313;
+  logic [8:0] select_2316;
+  assign select_2316 = sum_1457[5] ? {1'b1, sum_1457[4:0], region_across_rest_q[2:0]} : sum_2315;
   // hls/stages/agreement.hpp:314
-  logic [7:0] select_2316;
-  assign select_2316 = equal_1864_s3_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
-  logic [6:0] select_2319;
-  assign select_2319 = equal_1864_s3_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
-  logic [8:0] select_2323;
-  assign select_2323 = equal_428_s3_q ? {{2{difference_2321[6]}}, difference_2321} : (less_2299_s3_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:365
+  logic [7:0] select_2318;
+  assign select_2318 = equal_1866_s3_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
+  logic [6:0] select_2321;
+  assign select_2321 = equal_1866_s3_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
   logic [8:0] select_2325;
-  assign select_2325 = and_367_s3_q ? (equal_1864_s3_q ? select_2323 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:314
-  logic [6:0] select_2327;
-  assign select_2327 = equal_428_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  assign select_2325 = equal_428_s3_q ? {{2{difference_2323[6]}}, difference_2323} : (less_2301_s3_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:365
+  logic [8:0] select_2327;
+  assign select_2327 = and_367_s3_q ? (equal_1866_s3_q ? select_2325 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:314
   logic [6:0] select_2329;
-  assign select_2329 = and_367_s3_q ? (equal_1864_s3_q ? select_2327 : region_down_back_q) : region_down_back_q;
+  assign select_2329 = equal_428_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:365
+  logic [6:0] select_2331;
+  assign select_2331 = and_367_s3_q ? (equal_1866_s3_q ? select_2329 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_2330;
-  assign sum_2330 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_2332;
+  assign sum_2332 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_2331;
-  assign select_2331 = sum_2300[7] ? {1'b1, sum_2300[6:0], region_down_rest_q[0]} : sum_2330;
+  logic [8:0] select_2333;
+  assign select_2333 = sum_2302[7] ? {1'b1, sum_2302[6:0], region_down_rest_q[0]} : sum_2332;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_2300[7];
+  assign next = ~sum_2302[7];
   // hls/stages/agreement.hpp:314
-  logic select_2335;
-  assign select_2335 = equal_1864_s3_q ? (equal_428_s3_q | (less_2299_s3_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_2337;
+  assign select_2337 = equal_1866_s3_q ? (equal_428_s3_q | (less_2301_s3_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:143
-  logic or_2340;
-  assign or_2340 = segment_starts_q | not_1374;
-  // hls/stages/agreement.hpp:764
-  logic select_2343;
-  assign select_2343 = inside_v_s3_q[0] ? (sum_1455[5] ? (equal_1457_s3_q & or_1458) : or_1458) : or_2340;
+  logic or_2342;
+  assign or_2342 = segment_starts_q | not_1376;
+  // hls/stages/agreement.hpp:765
+  logic select_2345;
+  assign select_2345 = inside_v_s3_q[0] ? (sum_1457[5] ? (equal_1459_s3_q & or_1460) : or_1460) : or_2342;
   // hls/stages/agreement.hpp:211
-  logic select_2346;
-  assign select_2346 = equal_1334_s3_q ? or_2340 : (so_s3_q ? (ends_cell_s3_q ? select_2343 : or_2340) : or_2340);
-  // hls/stages/agreement.hpp:871
-  logic equal_2371;
-  assign equal_2371 = x_s3_q[6:0] == 7'h7f;
+  logic select_2348;
+  assign select_2348 = equal_1336_s3_q ? or_2342 : (so_s3_q ? (ends_cell_s3_q ? select_2345 : or_2342) : or_2342);
+  // hls/stages/agreement.hpp:872
+  logic equal_2373;
+  assign equal_2373 = x_s3_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:211
-  logic [2:0] select_2422;
-  assign select_2422 = so_s3_q ? (ends_cell_s3_q ? textured_2 : box_textured_columns_values_0_q) : box_textured_columns_values_0_q;
   logic [2:0] select_2424;
-  assign select_2424 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  assign select_2424 = so_s3_q ? (ends_cell_s3_q ? textured_2 : box_textured_columns_values_0_q) : box_textured_columns_values_0_q;
   logic [2:0] select_2426;
-  assign select_2426 = equal_1334_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_2424 : box_textured_columns_values_1_q);
-  logic [2:0] select_2427;
-  assign select_2427 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  assign select_2426 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_2428;
+  assign select_2428 = equal_1336_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_2426 : box_textured_columns_values_1_q);
   logic [2:0] select_2429;
-  assign select_2429 = equal_1334_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_2427 : box_textured_columns_values_2_q);
-  logic [2:0] select_2430;
-  assign select_2430 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  assign select_2429 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_2431;
+  assign select_2431 = equal_1336_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_2429 : box_textured_columns_values_2_q);
   logic [2:0] select_2432;
-  assign select_2432 = equal_1334_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_2430 : box_textured_columns_values_3_q);
-  logic [2:0] select_2433;
-  assign select_2433 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  assign select_2432 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_2434;
+  assign select_2434 = equal_1336_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_2432 : box_textured_columns_values_3_q);
   logic [2:0] select_2435;
-  assign select_2435 = equal_1334_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_2433 : box_textured_columns_values_4_q);
-  logic [4:0] select_2437;
-  assign select_2437 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_2440;
-  assign select_2440 = so_s3_q ? (ends_cell_s3_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
+  assign select_2435 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_2437;
+  assign select_2437 = equal_1336_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_2435 : box_textured_columns_values_4_q);
+  logic [4:0] select_2439;
+  assign select_2439 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   logic [2:0] select_2442;
-  assign select_2442 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_2442 = so_s3_q ? (ends_cell_s3_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
   logic [2:0] select_2444;
-  assign select_2444 = equal_1334_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_2442 : box_explained_columns_values_1_q);
-  logic [2:0] select_2445;
-  assign select_2445 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_2444 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_2446;
+  assign select_2446 = equal_1336_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_2444 : box_explained_columns_values_1_q);
   logic [2:0] select_2447;
-  assign select_2447 = equal_1334_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_2445 : box_explained_columns_values_2_q);
-  logic [2:0] select_2448;
-  assign select_2448 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  assign select_2447 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_2449;
+  assign select_2449 = equal_1336_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_2447 : box_explained_columns_values_2_q);
   logic [2:0] select_2450;
-  assign select_2450 = equal_1334_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_2448 : box_explained_columns_values_3_q);
-  logic [2:0] select_2451;
-  assign select_2451 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  assign select_2450 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_2452;
+  assign select_2452 = equal_1336_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_2450 : box_explained_columns_values_3_q);
   logic [2:0] select_2453;
-  assign select_2453 = equal_1334_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_2451 : box_explained_columns_values_4_q);
-  logic [4:0] select_2455;
-  assign select_2455 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_2456;
-  assign select_2456 = equal_1334_s3_q ? box_explained_sum_sums_values_0_q : select_2455;
-  logic [2:0] select_2458;
-  assign select_2458 = so_s3_q ? (ends_cell_s3_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  assign select_2453 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_2455;
+  assign select_2455 = equal_1336_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_2453 : box_explained_columns_values_4_q);
+  logic [4:0] select_2457;
+  assign select_2457 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_2458;
+  assign select_2458 = equal_1336_s3_q ? box_explained_sum_sums_values_0_q : select_2457;
   logic [2:0] select_2460;
-  assign select_2460 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_2460 = so_s3_q ? (ends_cell_s3_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
   logic [2:0] select_2462;
-  assign select_2462 = equal_1334_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_2460 : box_shown_columns_values_1_q);
-  logic [2:0] select_2463;
-  assign select_2463 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_2462 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_2464;
+  assign select_2464 = equal_1336_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_2462 : box_shown_columns_values_1_q);
   logic [2:0] select_2465;
-  assign select_2465 = equal_1334_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_2463 : box_shown_columns_values_2_q);
-  logic [2:0] select_2466;
-  assign select_2466 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  assign select_2465 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_2467;
+  assign select_2467 = equal_1336_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_2465 : box_shown_columns_values_2_q);
   logic [2:0] select_2468;
-  assign select_2468 = equal_1334_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_2466 : box_shown_columns_values_3_q);
-  logic [2:0] select_2469;
-  assign select_2469 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  assign select_2468 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_2470;
+  assign select_2470 = equal_1336_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_2468 : box_shown_columns_values_3_q);
   logic [2:0] select_2471;
-  assign select_2471 = equal_1334_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_2469 : box_shown_columns_values_4_q);
-  logic [4:0] select_2473;
-  assign select_2473 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_2476;
-  assign select_2476 = so_s3_q ? (ends_cell_s3_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  assign select_2471 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_2473;
+  assign select_2473 = equal_1336_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_2471 : box_shown_columns_values_4_q);
+  logic [4:0] select_2475;
+  assign select_2475 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
   logic [2:0] select_2478;
-  assign select_2478 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_2478 = so_s3_q ? (ends_cell_s3_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
   logic [2:0] select_2480;
-  assign select_2480 = equal_1334_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_2478 : box_nearer_columns_values_1_q);
-  logic [2:0] select_2481;
-  assign select_2481 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_2480 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_2482;
+  assign select_2482 = equal_1336_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_2480 : box_nearer_columns_values_1_q);
   logic [2:0] select_2483;
-  assign select_2483 = equal_1334_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_2481 : box_nearer_columns_values_2_q);
-  logic [2:0] select_2484;
-  assign select_2484 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  assign select_2483 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_2485;
+  assign select_2485 = equal_1336_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_2483 : box_nearer_columns_values_2_q);
   logic [2:0] select_2486;
-  assign select_2486 = equal_1334_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_2484 : box_nearer_columns_values_3_q);
-  logic [2:0] select_2487;
-  assign select_2487 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  assign select_2486 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_2488;
+  assign select_2488 = equal_1336_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_2486 : box_nearer_columns_values_3_q);
   logic [2:0] select_2489;
-  assign select_2489 = equal_1334_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_2487 : box_nearer_columns_values_4_q);
-  logic [4:0] select_2491;
-  assign select_2491 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  logic select_2494;
-  assign select_2494 = so_s3_q ? (ends_cell_s3_q ? and_1526 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_2497;
-  assign select_2497 = ends_cell_s3_q ? (seen_columns_rdata_q[6] & inside_v_s3_q[0]) : centres_values_0_of_skin_q;
+  assign select_2489 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_2491;
+  assign select_2491 = equal_1336_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_2489 : box_nearer_columns_values_4_q);
+  logic [4:0] select_2493;
+  assign select_2493 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  logic select_2496;
+  assign select_2496 = so_s3_q ? (ends_cell_s3_q ? and_1528 : centres_values_0_textured_q) : centres_values_0_textured_q;
   logic select_2499;
-  assign select_2499 = equal_1334_s3_q ? centres_values_0_of_skin_q : (so_s3_q ? select_2497 : centres_values_0_of_skin_q);
-  logic select_2500;
-  assign select_2500 = ends_cell_s3_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  assign select_2499 = ends_cell_s3_q ? (seen_columns_rdata_q[6] & inside_v_s3_q[0]) : centres_values_0_of_skin_q;
+  logic select_2501;
+  assign select_2501 = equal_1336_s3_q ? centres_values_0_of_skin_q : (so_s3_q ? select_2499 : centres_values_0_of_skin_q);
   logic select_2502;
-  assign select_2502 = equal_1334_s3_q ? centres_values_1_textured_q : (so_s3_q ? select_2500 : centres_values_1_textured_q);
-  logic select_2503;
-  assign select_2503 = ends_cell_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  assign select_2502 = ends_cell_s3_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_2504;
+  assign select_2504 = equal_1336_s3_q ? centres_values_1_textured_q : (so_s3_q ? select_2502 : centres_values_1_textured_q);
   logic select_2505;
-  assign select_2505 = equal_1334_s3_q ? centres_values_1_of_skin_q : (so_s3_q ? select_2503 : centres_values_1_of_skin_q);
+  assign select_2505 = ends_cell_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_2507;
+  assign select_2507 = equal_1336_s3_q ? centres_values_1_of_skin_q : (so_s3_q ? select_2505 : centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:314
-  logic [10:0] select_2509;
-  assign select_2509 = equal_1864_s3_q ? (equal_2506_s3_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
+  logic [10:0] select_2511;
+  assign select_2511 = equal_1866_s3_q ? (equal_2508_s3_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:365
-  logic [5:0] select_2512;
-  assign select_2512 = and_367_s3_q ? (equal_1864_s3_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:979
-  logic xor_2513;
-  assign xor_2513 = write_half_q ^ done_q;
+  logic [5:0] select_2514;
+  assign select_2514 = and_367_s3_q ? (equal_1866_s3_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
+  // hls/stages/agreement.hpp:980
+  logic xor_2515;
+  assign xor_2515 = write_half_q ^ done_q;
   // hls/stages/agreement.hpp:220
-  logic select_2515;
-  assign select_2515 = and_1507_s3_q ? (left_first_s3_q ? xor_2513 : write_half_q) : write_half_q;
   logic select_2517;
-  assign select_2517 = and_1507_s3_q ? (left_first_s3_q ? xor_2513 : select_2515) : write_half_q;
+  assign select_2517 = and_1509_s3_q ? (left_first_s3_q ? xor_2515 : write_half_q) : write_half_q;
   logic select_2519;
-  assign select_2519 = left_first_s3_q ? select_1489 : (and_1507_s3_q ? select_1490 : read_half_q);
-  logic and_2523;
-  assign and_2523 = (~drew_q) & (done_q | said_q);
-  logic [9:0] select_2532;
-  assign select_2532 = left_first_s3_q ? 10'h1 : (and_1507_s3_q ? select_1494 : rows_passed_q);
-  logic [8:0] select_2535;
-  assign select_2535 = left_first_s3_q ? {select_1492[7:0], or_1491} : (and_1507_s3_q ? {select_1492[7:0], or_1491} : columns_passed_q);
-  logic select_2538;
-  assign select_2538 = left_first_s3_q ? marks_last_s3_q : (and_1507_s3_q ? marks_last_s3_q : line_ended_q);
-  logic select_2541;
-  assign select_2541 = left_first_s3_q ? and_1510 : (and_1507_s3_q ? and_1510 : began_q);
-  logic [2:0] select_2544;
-  assign select_2544 = left_first_s3_q ? select_1512 : (and_1507_s3_q ? select_1512 : seen_x_q);
-  // hls/stages/agreement.hpp:1008
-  logic [2:0] select_2549;
-  assign select_2549 = left_first_s3_q ? 3'h0 : (and_1495 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
-  // hls/stages/agreement.hpp:220
+  assign select_2519 = and_1509_s3_q ? (left_first_s3_q ? xor_2515 : select_2517) : write_half_q;
+  logic select_2521;
+  assign select_2521 = left_first_s3_q ? select_1491 : (and_1509_s3_q ? select_1492 : read_half_q);
+  logic and_2525;
+  assign and_2525 = (~drew_q) & (done_q | said_q);
+  logic [9:0] select_2534;
+  assign select_2534 = left_first_s3_q ? 10'h1 : (and_1509_s3_q ? select_1496 : rows_passed_q);
+  logic [8:0] select_2537;
+  assign select_2537 = left_first_s3_q ? {select_1494[7:0], or_1493} : (and_1509_s3_q ? {select_1494[7:0], or_1493} : columns_passed_q);
+  logic select_2540;
+  assign select_2540 = left_first_s3_q ? marks_last_s3_q : (and_1509_s3_q ? marks_last_s3_q : line_ended_q);
+  logic select_2543;
+  assign select_2543 = left_first_s3_q ? and_1512 : (and_1509_s3_q ? and_1512 : began_q);
+  logic [2:0] select_2546;
+  assign select_2546 = left_first_s3_q ? select_1514 : (and_1509_s3_q ? select_1514 : seen_x_q);
+  // hls/stages/agreement.hpp:1009
   logic [2:0] select_2551;
-  assign select_2551 = left_first_s3_q ? 3'h0 : (and_1507_s3_q ? select_2549 : seen_y_q);
-  logic [7:0] select_2554;
-  assign select_2554 = left_first_s3_q ? select_1503 : (and_1507_s3_q ? select_1503 : seen_column_q);
-  // hls/stages/agreement.hpp:218
-  logic [7:0] select_2560;
-  assign select_2560 = left_first_s3_q ? select_2558 : (seen_rows_left_q - {7'h0, was_next_row_q});
+  assign select_2551 = left_first_s3_q ? 3'h0 : (and_1497 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
   // hls/stages/agreement.hpp:220
+  logic [2:0] select_2553;
+  assign select_2553 = left_first_s3_q ? 3'h0 : (and_1509_s3_q ? select_2551 : seen_y_q);
+  logic [7:0] select_2556;
+  assign select_2556 = left_first_s3_q ? select_1505 : (and_1509_s3_q ? select_1505 : seen_column_q);
+  // hls/stages/agreement.hpp:218
   logic [7:0] select_2562;
-  assign select_2562 = left_first_s3_q ? select_2558 : (and_1507_s3_q ? select_2560 : seen_rows_left_q);
-  // hls/stages/agreement.hpp:218
-  logic and_2567;
-  assign and_2567 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
+  assign select_2562 = left_first_s3_q ? select_2560 : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/agreement.hpp:220
-  logic select_2569;
-  assign select_2569 = left_first_s3_q ? and_2567 : (and_1507_s3_q ? and_2567 : at_cell_end_q);
-  logic select_2572;
-  assign select_2572 = left_first_s3_q ? next_row : (and_1507_s3_q ? next_row : was_next_row_q);
-  logic [10:0] select_2575;
-  assign select_2575 = left_first_s3_q ? 11'h0 : (and_1507_s3_q ? select_1500 : seen_base_q);
+  logic [7:0] select_2564;
+  assign select_2564 = left_first_s3_q ? select_2560 : (and_1509_s3_q ? select_2562 : seen_rows_left_q);
+  // hls/stages/agreement.hpp:218
+  logic and_2569;
+  assign and_2569 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
+  // hls/stages/agreement.hpp:220
+  logic select_2571;
+  assign select_2571 = left_first_s3_q ? and_2569 : (and_1509_s3_q ? and_2569 : at_cell_end_q);
+  logic select_2574;
+  assign select_2574 = left_first_s3_q ? next_row : (and_1509_s3_q ? next_row : was_next_row_q);
+  logic [10:0] select_2577;
+  assign select_2577 = left_first_s3_q ? 11'h0 : (and_1509_s3_q ? select_1502 : seen_base_q);
   // hls/stages/registration.hpp:243
-  logic not_2636;
-  assign not_2636 = ~quarter[1];
-  logic [3:0] select_2637;
-  assign select_2637 = quarter[0] ? {quarter[1], 1'b0, not_2636, 1'b0} : {1'b0, quarter[1], 1'b0, not_2636};
+  logic not_2638;
+  assign not_2638 = ~quarter[1];
+  logic [3:0] select_2639;
+  assign select_2639 = quarter[0] ? {quarter[1], 1'b0, not_2638, 1'b0} : {1'b0, quarter[1], 1'b0, not_2638};
 
   // Memory registration_sums, 12 x 32, DISTANCE 12, hls/stages/registration.hpp:261; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -3144,15 +3144,15 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1386;
+  assign registration_sums_raddr = select_1388;
   logic registration_sums_re;
-  assign registration_sums_re = s3_en & (equal_1334_s3_q ? (x_s3_q[6] & select_1414) : and_1425);
+  assign registration_sums_re = s3_en & (equal_1336_s3_q ? (x_s3_q[6] & select_1416) : and_1427);
   logic [31:0] registration_sums_rdata_q;
   always_ff @(posedge clk_i) begin
     if (registration_sums_re) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
   end
 
-  // Memory regions, 64 x 30, DISTANCE 12, hls/stages/agreement.hpp:1092; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 12, hls/stages/agreement.hpp:1093; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] regions_mem [0:63];
@@ -3160,15 +3160,15 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 30'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1452;
+  assign regions_raddr = select_1454;
   logic regions_re;
-  assign regions_re = s3_en & (equal_1334_s3_q ? (x_s3_q[6] & not_1453) : and_1461);
+  assign regions_re = s3_en & (equal_1336_s3_q ? (x_s3_q[6] & not_1455) : and_1463);
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_rdata_q <= regions_mem[regions_raddr];
   end
 
-  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:1103; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:1104; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:3289];
@@ -3176,9 +3176,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 3290; i++) map_mem[i] = 2'h0;
 `endif
   logic [11:0] map_raddr;
-  assign map_raddr = sum_1505;
+  assign map_raddr = sum_1507;
   logic map_re;
-  assign map_re = s3_en & select_1519;
+  assign map_re = s3_en & select_1521;
   logic [1:0] map_rdata_q;
   always_ff @(posedge clk_i) begin
     if (map_re) map_rdata_q <= map_mem[map_raddr];
@@ -3206,11 +3206,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [5:0] shown_right_waddr;
-  assign shown_right_waddr = select_1373_s3_q;
+  assign shown_right_waddr = select_1375_s3_q;
   logic shown_right_we;
-  assign shown_right_we = s3_en & and_1378_s3_q;
+  assign shown_right_we = s3_en & and_1380_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1375, not_1374};
+    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1377, not_1376};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -3228,9 +3228,9 @@ module horopter_agreement (
   logic [5:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s3_q[5:0];
   logic seen_columns_we;
-  assign seen_columns_we = s3_en & and_1369_s3_q;
+  assign seen_columns_we = s3_en & and_1371_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_1482, textured_s3_q};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_1484, textured_s3_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -3295,50 +3295,50 @@ module horopter_agreement (
     end else if (s3_en) begin
       census_filled_q <= and_367_s3_q ? {select_431[2:0], 1'b1} : census_filled_q;
       rows_passed_above_q <= and_367_s3_q ? select_430 : rows_passed_above_q;
-      registration_slope_here_q <= select_2113;
-      registration_of_right_q <= equal_1334_s3_q ? registration_of_right_q : select_2174;
-      registration_was_inside_q <= equal_1334_s3_q ? registration_was_inside_q : select_2177;
-      registration_fresh_q <= select_2186;
-      registration_slope_row_q <= select_2195;
-      registration_slope_change_q <= select_2198;
+      registration_slope_here_q <= select_2115;
+      registration_of_right_q <= equal_1336_s3_q ? registration_of_right_q : select_2176;
+      registration_was_inside_q <= equal_1336_s3_q ? registration_was_inside_q : select_2179;
+      registration_fresh_q <= select_2188;
+      registration_slope_row_q <= select_2197;
+      registration_slope_change_q <= select_2200;
       registration_slope_q <= so_s3_q ? column_5 : {registration_slope_row_q, 4'h0};
-      shown_shown_q <= select_2296;
-      shown_nearer_q <= select_2298;
-      region_row_q <= and_367_s3_q ? select_2304 : region_row_q;
+      shown_shown_q <= select_2298;
+      shown_nearer_q <= select_2300;
+      region_row_q <= and_367_s3_q ? select_2306 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_2309;
-      region_across_rest_q <= select_2311;
+      region_columns_q <= select_2311;
+      region_across_rest_q <= select_2313;
       region_across_back_q <= so_s3_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_2314;
-      columns_begin_rest_q <= and_367_s3_q ? select_2316 : columns_begin_rest_q;
-      columns_begin_back_q <= and_367_s3_q ? select_2319 : columns_begin_back_q;
-      region_down_rest_q <= select_2325;
-      region_down_back_q <= select_2329;
-      region_down_next_q <= select_2331;
-      region_fresh_q <= and_367_s3_q ? select_2335 : region_fresh_q;
-      segment_starts_q <= select_2346;
-      centres_values_0_textured_q <= equal_1334_s3_q ? centres_values_0_textured_q : select_2494;
-      centres_values_0_of_skin_q <= select_2499;
-      centres_values_1_textured_q <= select_2502;
-      centres_values_1_of_skin_q <= select_2505;
-      map_row_q <= and_367_s3_q ? select_2509 : map_row_q;
-      map_width_q <= select_2512;
-      write_half_q <= select_2517;
-      read_half_q <= and_1507_s3_q ? select_2519 : read_half_q;
-      done_q <= and_1507_s3_q ? (not_1508 & and_2523) : and_2523;
+      region_across_next_q <= select_2316;
+      columns_begin_rest_q <= and_367_s3_q ? select_2318 : columns_begin_rest_q;
+      columns_begin_back_q <= and_367_s3_q ? select_2321 : columns_begin_back_q;
+      region_down_rest_q <= select_2327;
+      region_down_back_q <= select_2331;
+      region_down_next_q <= select_2333;
+      region_fresh_q <= and_367_s3_q ? select_2337 : region_fresh_q;
+      segment_starts_q <= select_2348;
+      centres_values_0_textured_q <= equal_1336_s3_q ? centres_values_0_textured_q : select_2496;
+      centres_values_0_of_skin_q <= select_2501;
+      centres_values_1_textured_q <= select_2504;
+      centres_values_1_of_skin_q <= select_2507;
+      map_row_q <= and_367_s3_q ? select_2511 : map_row_q;
+      map_width_q <= select_2514;
+      write_half_q <= select_2519;
+      read_half_q <= and_1509_s3_q ? select_2521 : read_half_q;
+      done_q <= and_1509_s3_q ? (not_1510 & and_2525) : and_2525;
       drew_q <= so_s3_q;
-      said_q <= equal_1334_s3_q & equal_2371;
-      rows_passed_q <= and_1507_s3_q ? select_2532 : rows_passed_q;
-      columns_passed_q <= and_1507_s3_q ? select_2535 : columns_passed_q;
-      line_ended_q <= and_1507_s3_q ? select_2538 : line_ended_q;
-      began_q <= and_1507_s3_q ? select_2541 : began_q;
-      seen_x_q <= and_1507_s3_q ? select_2544 : seen_x_q;
-      seen_y_q <= and_1507_s3_q ? select_2551 : seen_y_q;
-      seen_column_q <= and_1507_s3_q ? select_2554 : seen_column_q;
-      seen_rows_left_q <= and_1507_s3_q ? select_2562 : seen_rows_left_q;
-      at_cell_end_q <= and_1507_s3_q ? select_2569 : at_cell_end_q;
-      was_next_row_q <= and_1507_s3_q ? select_2572 : was_next_row_q;
-      seen_base_q <= and_1507_s3_q ? select_2575 : seen_base_q;
+      said_q <= equal_1336_s3_q & equal_2373;
+      rows_passed_q <= and_1509_s3_q ? select_2534 : rows_passed_q;
+      columns_passed_q <= and_1509_s3_q ? select_2537 : columns_passed_q;
+      line_ended_q <= and_1509_s3_q ? select_2540 : line_ended_q;
+      began_q <= and_1509_s3_q ? select_2543 : began_q;
+      seen_x_q <= and_1509_s3_q ? select_2546 : seen_x_q;
+      seen_y_q <= and_1509_s3_q ? select_2553 : seen_y_q;
+      seen_column_q <= and_1509_s3_q ? select_2556 : seen_column_q;
+      seen_rows_left_q <= and_1509_s3_q ? select_2564 : seen_rows_left_q;
+      at_cell_end_q <= and_1509_s3_q ? select_2571 : at_cell_end_q;
+      was_next_row_q <= and_1509_s3_q ? select_2574 : was_next_row_q;
+      seen_base_q <= and_1509_s3_q ? select_2577 : seen_base_q;
     end
   end
 
@@ -3433,90 +3433,90 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
-      averager_total_0_q <= select_1635;
-      averager_total_1_q <= select_1637;
-      census_columns_values_0_cell_0_left_q <= select_1661;
-      census_columns_values_0_cell_0_right_q <= select_1662;
-      census_columns_values_0_cell_0_mask_q <= select_1663;
-      census_columns_values_0_cell_1_left_q <= select_1664;
-      census_columns_values_0_cell_1_right_q <= select_1665;
-      census_columns_values_0_cell_1_mask_q <= select_1666;
-      census_columns_values_0_cell_2_left_q <= select_1667;
-      census_columns_values_0_cell_2_right_q <= select_1668;
-      census_columns_values_0_cell_2_mask_q <= select_1669;
-      census_columns_values_0_cell_2_of_skin_q <= select_1670;
-      census_columns_values_0_cell_3_left_q <= select_1671;
-      census_columns_values_0_cell_3_right_q <= select_1672;
-      census_columns_values_0_cell_3_mask_q <= select_1673;
-      census_columns_values_0_cell_4_left_q <= select_1674;
-      census_columns_values_0_cell_4_right_q <= select_1675;
-      census_columns_values_0_cell_4_mask_q <= select_1676;
-      census_columns_values_1_cell_0_left_q <= select_1677;
-      census_columns_values_1_cell_0_right_q <= select_1678;
-      census_columns_values_1_cell_0_mask_q <= select_1679;
-      census_columns_values_1_cell_1_left_q <= select_1680;
-      census_columns_values_1_cell_1_right_q <= select_1681;
-      census_columns_values_1_cell_1_mask_q <= select_1682;
-      census_columns_values_1_cell_2_left_q <= select_1683;
-      census_columns_values_1_cell_2_right_q <= select_1684;
-      census_columns_values_1_cell_2_mask_q <= select_1685;
-      census_columns_values_1_cell_2_of_skin_q <= select_1686;
-      census_columns_values_1_cell_3_left_q <= select_1687;
-      census_columns_values_1_cell_3_right_q <= select_1688;
-      census_columns_values_1_cell_3_mask_q <= select_1689;
-      census_columns_values_1_cell_4_left_q <= select_1690;
-      census_columns_values_1_cell_4_right_q <= select_1691;
-      census_columns_values_1_cell_4_mask_q <= select_1692;
-      census_columns_values_2_cell_0_left_q <= select_1693;
-      census_columns_values_2_cell_0_right_q <= select_1694;
-      census_columns_values_2_cell_0_mask_q <= select_1695;
-      census_columns_values_2_cell_1_left_q <= select_1696;
-      census_columns_values_2_cell_1_right_q <= select_1697;
-      census_columns_values_2_cell_1_mask_q <= select_1698;
-      census_columns_values_2_cell_2_left_q <= select_1699;
-      census_columns_values_2_cell_2_right_q <= select_1700;
-      census_columns_values_2_cell_2_mask_q <= select_1701;
-      census_columns_values_2_cell_3_left_q <= select_1702;
-      census_columns_values_2_cell_3_right_q <= select_1703;
-      census_columns_values_2_cell_3_mask_q <= select_1704;
-      census_columns_values_2_cell_4_left_q <= select_1705;
-      census_columns_values_2_cell_4_right_q <= select_1706;
-      census_columns_values_2_cell_4_mask_q <= select_1707;
-      census_columns_values_3_cell_0_mask_q <= select_1708;
-      census_columns_values_3_cell_1_left_q <= select_1709;
-      census_columns_values_3_cell_1_right_q <= select_1710;
-      census_columns_values_3_cell_1_mask_q <= select_1711;
-      census_columns_values_3_cell_2_mask_q <= select_1712;
-      census_columns_values_3_cell_3_left_q <= select_1713;
-      census_columns_values_3_cell_3_right_q <= select_1714;
-      census_columns_values_3_cell_3_mask_q <= select_1715;
-      census_columns_values_3_cell_4_mask_q <= select_1716;
+      averager_total_0_q <= select_1637;
+      averager_total_1_q <= select_1639;
+      census_columns_values_0_cell_0_left_q <= select_1663;
+      census_columns_values_0_cell_0_right_q <= select_1664;
+      census_columns_values_0_cell_0_mask_q <= select_1665;
+      census_columns_values_0_cell_1_left_q <= select_1666;
+      census_columns_values_0_cell_1_right_q <= select_1667;
+      census_columns_values_0_cell_1_mask_q <= select_1668;
+      census_columns_values_0_cell_2_left_q <= select_1669;
+      census_columns_values_0_cell_2_right_q <= select_1670;
+      census_columns_values_0_cell_2_mask_q <= select_1671;
+      census_columns_values_0_cell_2_of_skin_q <= select_1672;
+      census_columns_values_0_cell_3_left_q <= select_1673;
+      census_columns_values_0_cell_3_right_q <= select_1674;
+      census_columns_values_0_cell_3_mask_q <= select_1675;
+      census_columns_values_0_cell_4_left_q <= select_1676;
+      census_columns_values_0_cell_4_right_q <= select_1677;
+      census_columns_values_0_cell_4_mask_q <= select_1678;
+      census_columns_values_1_cell_0_left_q <= select_1679;
+      census_columns_values_1_cell_0_right_q <= select_1680;
+      census_columns_values_1_cell_0_mask_q <= select_1681;
+      census_columns_values_1_cell_1_left_q <= select_1682;
+      census_columns_values_1_cell_1_right_q <= select_1683;
+      census_columns_values_1_cell_1_mask_q <= select_1684;
+      census_columns_values_1_cell_2_left_q <= select_1685;
+      census_columns_values_1_cell_2_right_q <= select_1686;
+      census_columns_values_1_cell_2_mask_q <= select_1687;
+      census_columns_values_1_cell_2_of_skin_q <= select_1688;
+      census_columns_values_1_cell_3_left_q <= select_1689;
+      census_columns_values_1_cell_3_right_q <= select_1690;
+      census_columns_values_1_cell_3_mask_q <= select_1691;
+      census_columns_values_1_cell_4_left_q <= select_1692;
+      census_columns_values_1_cell_4_right_q <= select_1693;
+      census_columns_values_1_cell_4_mask_q <= select_1694;
+      census_columns_values_2_cell_0_left_q <= select_1695;
+      census_columns_values_2_cell_0_right_q <= select_1696;
+      census_columns_values_2_cell_0_mask_q <= select_1697;
+      census_columns_values_2_cell_1_left_q <= select_1698;
+      census_columns_values_2_cell_1_right_q <= select_1699;
+      census_columns_values_2_cell_1_mask_q <= select_1700;
+      census_columns_values_2_cell_2_left_q <= select_1701;
+      census_columns_values_2_cell_2_right_q <= select_1702;
+      census_columns_values_2_cell_2_mask_q <= select_1703;
+      census_columns_values_2_cell_3_left_q <= select_1704;
+      census_columns_values_2_cell_3_right_q <= select_1705;
+      census_columns_values_2_cell_3_mask_q <= select_1706;
+      census_columns_values_2_cell_4_left_q <= select_1707;
+      census_columns_values_2_cell_4_right_q <= select_1708;
+      census_columns_values_2_cell_4_mask_q <= select_1709;
+      census_columns_values_3_cell_0_mask_q <= select_1710;
+      census_columns_values_3_cell_1_left_q <= select_1711;
+      census_columns_values_3_cell_1_right_q <= select_1712;
+      census_columns_values_3_cell_1_mask_q <= select_1713;
+      census_columns_values_3_cell_2_mask_q <= select_1714;
+      census_columns_values_3_cell_3_left_q <= select_1715;
+      census_columns_values_3_cell_3_right_q <= select_1716;
+      census_columns_values_3_cell_3_mask_q <= select_1717;
+      census_columns_values_3_cell_4_mask_q <= select_1718;
       sharpness_last_mean_0_q <= and_367_s3_q ? select_373 : sharpness_last_mean_0_q;
       sharpness_last_mean_1_q <= and_367_s3_q ? select_377 : sharpness_last_mean_1_q;
-      box_textured_columns_values_0_q <= equal_1334_s3_q ? box_textured_columns_values_0_q : select_2422;
-      box_textured_columns_values_1_q <= select_2426;
-      box_textured_columns_values_2_q <= select_2429;
-      box_textured_columns_values_3_q <= select_2432;
-      box_textured_columns_values_4_q <= select_2435;
-      box_textured_sum_sums_values_0_q <= equal_1334_s3_q ? box_textured_sum_sums_values_0_q : select_2437;
-      box_explained_columns_values_0_q <= equal_1334_s3_q ? box_explained_columns_values_0_q : select_2440;
-      box_explained_columns_values_1_q <= select_2444;
-      box_explained_columns_values_2_q <= select_2447;
-      box_explained_columns_values_3_q <= select_2450;
-      box_explained_columns_values_4_q <= select_2453;
-      box_explained_sum_sums_values_0_q <= select_2456;
-      box_shown_columns_values_0_q <= equal_1334_s3_q ? box_shown_columns_values_0_q : select_2458;
-      box_shown_columns_values_1_q <= select_2462;
-      box_shown_columns_values_2_q <= select_2465;
-      box_shown_columns_values_3_q <= select_2468;
-      box_shown_columns_values_4_q <= select_2471;
-      box_shown_sum_sums_values_0_q <= equal_1334_s3_q ? box_shown_sum_sums_values_0_q : select_2473;
-      box_nearer_columns_values_0_q <= equal_1334_s3_q ? box_nearer_columns_values_0_q : select_2476;
-      box_nearer_columns_values_1_q <= select_2480;
-      box_nearer_columns_values_2_q <= select_2483;
-      box_nearer_columns_values_3_q <= select_2486;
-      box_nearer_columns_values_4_q <= select_2489;
-      box_nearer_sum_sums_values_0_q <= equal_1334_s3_q ? box_nearer_sum_sums_values_0_q : select_2491;
+      box_textured_columns_values_0_q <= equal_1336_s3_q ? box_textured_columns_values_0_q : select_2424;
+      box_textured_columns_values_1_q <= select_2428;
+      box_textured_columns_values_2_q <= select_2431;
+      box_textured_columns_values_3_q <= select_2434;
+      box_textured_columns_values_4_q <= select_2437;
+      box_textured_sum_sums_values_0_q <= equal_1336_s3_q ? box_textured_sum_sums_values_0_q : select_2439;
+      box_explained_columns_values_0_q <= equal_1336_s3_q ? box_explained_columns_values_0_q : select_2442;
+      box_explained_columns_values_1_q <= select_2446;
+      box_explained_columns_values_2_q <= select_2449;
+      box_explained_columns_values_3_q <= select_2452;
+      box_explained_columns_values_4_q <= select_2455;
+      box_explained_sum_sums_values_0_q <= select_2458;
+      box_shown_columns_values_0_q <= equal_1336_s3_q ? box_shown_columns_values_0_q : select_2460;
+      box_shown_columns_values_1_q <= select_2464;
+      box_shown_columns_values_2_q <= select_2467;
+      box_shown_columns_values_3_q <= select_2470;
+      box_shown_columns_values_4_q <= select_2473;
+      box_shown_sum_sums_values_0_q <= equal_1336_s3_q ? box_shown_sum_sums_values_0_q : select_2475;
+      box_nearer_columns_values_0_q <= equal_1336_s3_q ? box_nearer_columns_values_0_q : select_2478;
+      box_nearer_columns_values_1_q <= select_2482;
+      box_nearer_columns_values_2_q <= select_2485;
+      box_nearer_columns_values_3_q <= select_2488;
+      box_nearer_columns_values_4_q <= select_2491;
+      box_nearer_sum_sums_values_0_q <= equal_1336_s3_q ? box_nearer_sum_sums_values_0_q : select_2493;
     end
   end
 
@@ -3573,57 +3573,57 @@ module horopter_agreement (
   logic and_457_s4_q;
   logic and_458_s4_q;
   logic [11:0] texture_s4_q;
-  logic equal_1334_s4_q;
-  logic not_1335_s4_q;
-  logic equal_1379_s4_q;
+  logic equal_1336_s4_q;
+  logic not_1337_s4_q;
+  logic equal_1381_s4_q;
   logic all_s4_q;
-  logic [1:0] sum_1385_s4_q;
-  logic equal_1387_s4_q;
+  logic [1:0] sum_1387_s4_q;
   logic equal_1389_s4_q;
   logic equal_1391_s4_q;
   logic equal_1393_s4_q;
   logic equal_1395_s4_q;
   logic equal_1397_s4_q;
   logic equal_1399_s4_q;
-  logic less_1407_s4_q;
-  logic or_1411_s4_q;
-  logic equal_1431_s4_q;
-  logic and_1441_s4_q;
-  logic or_1445_s4_q;
-  logic or_1448_s4_q;
-  logic or_1451_s4_q;
-  logic not_1453_s4_q;
+  logic equal_1401_s4_q;
+  logic less_1409_s4_q;
+  logic or_1413_s4_q;
+  logic equal_1433_s4_q;
+  logic and_1443_s4_q;
+  logic or_1447_s4_q;
+  logic or_1450_s4_q;
+  logic or_1453_s4_q;
+  logic not_1455_s4_q;
   logic textured_s4_q;
   logic explained_s4_q;
-  logic and_1475_s4_q;
-  logic and_1480_s4_q;
-  logic and_1507_s4_q;
-  logic and_1514_s4_q;
-  logic less_1515_s4_q;
-  logic [11:0] sum_1523_s4_q;
-  logic equal_1537_s4_q;
-  logic or_1542_s4_q;
-  logic or_1545_s4_q;
-  logic or_1548_s4_q;
-  logic not_1573_s4_q;
-  logic less_1587_s4_q;
-  logic and_1598_s4_q;
-  logic [11:0] sum_1736_s4_q;
-  logic equal_1743_s4_q;
+  logic and_1477_s4_q;
+  logic and_1482_s4_q;
+  logic and_1509_s4_q;
+  logic and_1516_s4_q;
+  logic less_1517_s4_q;
+  logic [11:0] sum_1525_s4_q;
+  logic equal_1539_s4_q;
+  logic or_1544_s4_q;
+  logic or_1547_s4_q;
+  logic or_1550_s4_q;
+  logic not_1575_s4_q;
+  logic less_1589_s4_q;
+  logic and_1600_s4_q;
+  logic [11:0] sum_1738_s4_q;
+  logic equal_1745_s4_q;
   logic [8:0] contrast_s4_q;
   logic [8:0] contrast_2_s4_q;
-  logic and_1981_s4_q;
-  logic and_1985_s4_q;
-  logic not_2019_s4_q;
-  logic and_2047_s4_q;
-  logic equal_2089_s4_q;
-  logic and_2117_s4_q;
+  logic and_1983_s4_q;
+  logic and_1987_s4_q;
+  logic not_2021_s4_q;
+  logic and_2049_s4_q;
+  logic equal_2091_s4_q;
   logic and_2119_s4_q;
+  logic and_2121_s4_q;
   logic [11:0] residual_s4_q;
-  logic equal_2210_s4_q;
-  logic equal_2371_s4_q;
-  logic and_2578_s4_q;
-  logic equal_2639_s4_q;
+  logic equal_2212_s4_q;
+  logic equal_2373_s4_q;
+  logic and_2580_s4_q;
+  logic equal_2641_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_1_q;
@@ -3679,57 +3679,57 @@ module horopter_agreement (
       and_457_s4_q <= whole_22 & and_432;
       and_458_s4_q <= census_columns_values_1_cell_2_mask_q & and_432;
       texture_s4_q <= texture;
-      equal_1334_s4_q <= equal_1334_s3_q;
-      not_1335_s4_q <= not_1335_s3_q;
-      equal_1379_s4_q <= equal_1379;
+      equal_1336_s4_q <= equal_1336_s3_q;
+      not_1337_s4_q <= not_1337_s3_q;
+      equal_1381_s4_q <= equal_1381;
       all_s4_q <= all;
-      sum_1385_s4_q <= sum_1385;
-      equal_1387_s4_q <= equal_1387;
+      sum_1387_s4_q <= sum_1387;
       equal_1389_s4_q <= equal_1389;
       equal_1391_s4_q <= equal_1391;
       equal_1393_s4_q <= equal_1393;
       equal_1395_s4_q <= equal_1395;
       equal_1397_s4_q <= equal_1397;
       equal_1399_s4_q <= equal_1399;
-      less_1407_s4_q <= less_1407;
-      or_1411_s4_q <= or_1411;
-      equal_1431_s4_q <= (registration_fresh_q & select_1429) == 4'h0;
-      and_1441_s4_q <= not_1335_s3_q & and_1425;
-      or_1445_s4_q <= or_1445;
-      or_1448_s4_q <= or_1448;
-      or_1451_s4_q <= or_1451;
-      not_1453_s4_q <= not_1453;
+      equal_1401_s4_q <= equal_1401;
+      less_1409_s4_q <= less_1409;
+      or_1413_s4_q <= or_1413;
+      equal_1433_s4_q <= (registration_fresh_q & select_1431) == 4'h0;
+      and_1443_s4_q <= not_1337_s3_q & and_1427;
+      or_1447_s4_q <= or_1447;
+      or_1450_s4_q <= or_1450;
+      or_1453_s4_q <= or_1453;
+      not_1455_s4_q <= not_1455;
       textured_s4_q <= textured_s3_q;
       explained_s4_q <= explained;
-      and_1475_s4_q <= and_1475;
-      and_1480_s4_q <= not_1335_s3_q & and_1461;
-      and_1507_s4_q <= and_1507_s3_q;
-      and_1514_s4_q <= and_1514;
-      less_1515_s4_q <= less_1515;
-      sum_1523_s4_q <= sum_1523;
-      equal_1537_s4_q <= t[4:1] == 4'h0;
-      or_1542_s4_q <= or_1542;
-      or_1545_s4_q <= select_1539[7] | (~({select_1539[6], select_1539[3:2]} == 3'h0));
-      or_1548_s4_q <= select_1539[7] | (~(select_1539[6:4] == 3'h0));
-      not_1573_s4_q <= ~({sum_1571, around[0]} < {2'h0, t});
-      less_1587_s4_q <= {1'b0, around[4:1]} < n;
-      and_1598_s4_q <= and_1598_s3_q;
-      sum_1736_s4_q <= ({1'b0, sum_1728} + {2'h0, sum_1731}) + {2'h0, sum_1735};
-      equal_1743_s4_q <= equal_1743_s3_q;
+      and_1477_s4_q <= and_1477;
+      and_1482_s4_q <= not_1337_s3_q & and_1463;
+      and_1509_s4_q <= and_1509_s3_q;
+      and_1516_s4_q <= and_1516;
+      less_1517_s4_q <= less_1517;
+      sum_1525_s4_q <= sum_1525;
+      equal_1539_s4_q <= t[4:1] == 4'h0;
+      or_1544_s4_q <= or_1544;
+      or_1547_s4_q <= select_1541[7] | (~({select_1541[6], select_1541[3:2]} == 3'h0));
+      or_1550_s4_q <= select_1541[7] | (~(select_1541[6:4] == 3'h0));
+      not_1575_s4_q <= ~({sum_1573, around[0]} < {2'h0, t});
+      less_1589_s4_q <= {1'b0, around[4:1]} < n;
+      and_1600_s4_q <= and_1600_s3_q;
+      sum_1738_s4_q <= ({1'b0, sum_1730} + {2'h0, sum_1733}) + {2'h0, sum_1737};
+      equal_1745_s4_q <= equal_1745_s3_q;
       contrast_s4_q <= contrast;
       contrast_2_s4_q <= contrast_2;
-      and_1981_s4_q <= and_1981;
-      and_1985_s4_q <= not_1335_s3_q & and_1984;
-      not_2019_s4_q <= ~({sum_2017, e[0]} < {2'h0, t});
-      and_2047_s4_q <= not_1335_s3_q & (so_s3_q & and_2045);
-      equal_2089_s4_q <= equal_2089;
-      and_2117_s4_q <= not_1335_s3_q & (so_s3_q & (half_ends & equal_2114));
-      and_2119_s4_q <= and_2119_s3_q;
+      and_1983_s4_q <= and_1983;
+      and_1987_s4_q <= not_1337_s3_q & and_1986;
+      not_2021_s4_q <= ~({sum_2019, e[0]} < {2'h0, t});
+      and_2049_s4_q <= not_1337_s3_q & (so_s3_q & and_2047);
+      equal_2091_s4_q <= equal_2091;
+      and_2119_s4_q <= not_1337_s3_q & (so_s3_q & (half_ends & equal_2116));
+      and_2121_s4_q <= and_2121_s3_q;
       residual_s4_q <= residual;
-      equal_2210_s4_q <= (registration_fresh_q & select_2208) == 4'h0;
-      equal_2371_s4_q <= equal_2371;
-      and_2578_s4_q <= and_1598_s3_q & (sum_1523 == sum_1505);
-      equal_2639_s4_q <= (registration_fresh_q & select_2637) == 4'h0;
+      equal_2212_s4_q <= (registration_fresh_q & select_2210) == 4'h0;
+      equal_2373_s4_q <= equal_2373;
+      and_2580_s4_q <= and_1600_s3_q & (sum_1525 == sum_1507);
+      equal_2641_s4_q <= (registration_fresh_q & select_2639) == 4'h0;
     end
   end
 
@@ -3816,656 +3816,656 @@ module horopter_agreement (
   logic and_482;
   assign and_482 = and_432_s4_q & less_481;
   // hls/stages/registration.hpp:250
-  logic equal_1433;
-  assign equal_1433 = sum_1385_s4_q == 2'h0;
+  logic equal_1435;
+  assign equal_1435 = sum_1387_s4_q == 2'h0;
   // hls/stages/registration.hpp:248
   logic [6:0] down;
-  assign down = sum_1385_s4_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_1387_s4_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:250
-  logic [13:0] select_1435;
-  assign select_1435 = equal_1433 ? registration_half_across_q : {{7{down[6]}}, down};
-  logic [19:0] sum_1436;
-  assign sum_1436 = (equal_1431_s4_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1435[13]}}, select_1435};
+  logic [13:0] select_1437;
+  assign select_1437 = equal_1435 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_1438;
+  assign sum_1438 = (equal_1433_s4_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1437[13]}}, select_1437};
   // hls/stages/registration.hpp:249
   logic [6:0] up;
-  assign up = sum_1385_s4_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_1387_s4_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:251
-  logic [6:0] select_1439;
-  assign select_1439 = equal_1433 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_1440;
-  assign sum_1440 = (equal_1431_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1439[6]}}, select_1439};
+  logic [6:0] select_1441;
+  assign select_1441 = equal_1435 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_1442;
+  assign sum_1442 = (equal_1433_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1441[6]}}, select_1441};
   // hls/stages/agreement.hpp:658
-  logic [5:0] select_1465;
-  assign select_1465 = segment_started_q ? segment_textured_q : 6'h0;
+  logic [5:0] select_1467;
+  assign select_1467 = segment_started_q ? segment_textured_q : 6'h0;
   // hls/stages/agreement.hpp:659
-  logic [5:0] sum_1466;
-  assign sum_1466 = {5'h0, textured_s4_q} + select_1465;
-  // hls/stages/agreement.hpp:791
-  logic [9:0] sum_1468;
-  assign sum_1468 = {4'h0, sum_1466} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
-  // hls/stages/agreement.hpp:658
-  logic [5:0] select_1470;
-  assign select_1470 = segment_started_q ? segment_explained_q : 6'h0;
-  // hls/stages/agreement.hpp:659
-  logic [5:0] sum_1471;
-  assign sum_1471 = {5'h0, explained_s4_q} + select_1470;
+  logic [5:0] sum_1468;
+  assign sum_1468 = {5'h0, textured_s4_q} + select_1467;
   // hls/stages/agreement.hpp:792
-  logic [9:0] sum_1473;
-  assign sum_1473 = {4'h0, sum_1471} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
+  logic [9:0] sum_1470;
+  assign sum_1470 = {4'h0, sum_1468} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
   // hls/stages/agreement.hpp:658
-  logic [5:0] select_1476;
-  assign select_1476 = segment_started_q ? segment_nearer_q : 6'h0;
-  // hls/stages/agreement.hpp:660
-  logic [5:0] sum_1477;
-  assign sum_1477 = {5'h0, and_1475_s4_q} + select_1476;
+  logic [5:0] select_1472;
+  assign select_1472 = segment_started_q ? segment_explained_q : 6'h0;
+  // hls/stages/agreement.hpp:659
+  logic [5:0] sum_1473;
+  assign sum_1473 = {5'h0, explained_s4_q} + select_1472;
   // hls/stages/agreement.hpp:793
-  logic [9:0] sum_1479;
-  assign sum_1479 = {4'h0, sum_1477} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
-  // hls/stages/agreement.hpp:831
-  logic not_1549;
-  assign not_1549 = ~region_row_s4_q[2];
-  logic [2:0] select_1550;
-  assign select_1550 = region_row_s4_q[1] ? {1'b0, not_1549, 1'b0} : {region_row_s4_q[2], 1'b0, not_1549};
-  logic [5:0] select_1551;
-  assign select_1551 = region_row_s4_q[0] ? {select_1550[2], 1'b0, select_1550[1], 1'b0, select_1550[0], 1'b0} : {1'b0, select_1550[2], 1'b0, select_1550[1], 1'b0, select_1550[0]};
-  logic [11:0] select_1552;
-  assign select_1552 = or_1548_s4_q ? {select_1551[5], 1'b0, select_1551[4], 1'b0, select_1551[3], 1'b0, select_1551[2], 1'b0, select_1551[1], 1'b0, select_1551[0], 1'b0} : {1'b0, select_1551[5], 1'b0, select_1551[4], 1'b0, select_1551[3], 1'b0, select_1551[2], 1'b0, select_1551[1], 1'b0, select_1551[0]};
-  logic [23:0] select_1553;
-  assign select_1553 = or_1545_s4_q ? {select_1552[11], 1'b0, select_1552[10], 1'b0, select_1552[9], 1'b0, select_1552[8], 1'b0, select_1552[7], 1'b0, select_1552[6], 1'b0, select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0], 1'b0} : {1'b0, select_1552[11], 1'b0, select_1552[10], 1'b0, select_1552[9], 1'b0, select_1552[8], 1'b0, select_1552[7], 1'b0, select_1552[6], 1'b0, select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0]};
-  logic [47:0] select_1554;
-  assign select_1554 = or_1542_s4_q ? {select_1553[23], 1'b0, select_1553[22], 1'b0, select_1553[21], 1'b0, select_1553[20], 1'b0, select_1553[19], 1'b0, select_1553[18], 1'b0, select_1553[17], 1'b0, select_1553[16], 1'b0, select_1553[15], 1'b0, select_1553[14], 1'b0, select_1553[13], 1'b0, select_1553[12], 1'b0, select_1553[11], 1'b0, select_1553[10], 1'b0, select_1553[9], 1'b0, select_1553[8], 1'b0, select_1553[7], 1'b0, select_1553[6], 1'b0, select_1553[5], 1'b0, select_1553[4], 1'b0, select_1553[3], 1'b0, select_1553[2], 1'b0, select_1553[1], 1'b0, select_1553[0], 1'b0} : {1'b0, select_1553[23], 1'b0, select_1553[22], 1'b0, select_1553[21], 1'b0, select_1553[20], 1'b0, select_1553[19], 1'b0, select_1553[18], 1'b0, select_1553[17], 1'b0, select_1553[16], 1'b0, select_1553[15], 1'b0, select_1553[14], 1'b0, select_1553[13], 1'b0, select_1553[12], 1'b0, select_1553[11], 1'b0, select_1553[10], 1'b0, select_1553[9], 1'b0, select_1553[8], 1'b0, select_1553[7], 1'b0, select_1553[6], 1'b0, select_1553[5], 1'b0, select_1553[4], 1'b0, select_1553[3], 1'b0, select_1553[2], 1'b0, select_1553[1], 1'b0, select_1553[0]};
-  // hls/stages/agreement.hpp:764
-  logic and_1558;
-  assign and_1558 = good_known_q & (~((good_q & select_1554) == 48'h0));
-  // hls/stages/agreement.hpp:833
+  logic [9:0] sum_1475;
+  assign sum_1475 = {4'h0, sum_1473} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
+  // hls/stages/agreement.hpp:658
+  logic [5:0] select_1478;
+  assign select_1478 = segment_started_q ? segment_nearer_q : 6'h0;
+  // hls/stages/agreement.hpp:660
+  logic [5:0] sum_1479;
+  assign sum_1479 = {5'h0, and_1477_s4_q} + select_1478;
+  // hls/stages/agreement.hpp:794
+  logic [9:0] sum_1481;
+  assign sum_1481 = {4'h0, sum_1479} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
+  // hls/stages/agreement.hpp:832
+  logic not_1551;
+  assign not_1551 = ~region_row_s4_q[2];
+  logic [2:0] select_1552;
+  assign select_1552 = region_row_s4_q[1] ? {1'b0, not_1551, 1'b0} : {region_row_s4_q[2], 1'b0, not_1551};
+  logic [5:0] select_1553;
+  assign select_1553 = region_row_s4_q[0] ? {select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0], 1'b0} : {1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0]};
+  logic [11:0] select_1554;
+  assign select_1554 = or_1550_s4_q ? {select_1553[5], 1'b0, select_1553[4], 1'b0, select_1553[3], 1'b0, select_1553[2], 1'b0, select_1553[1], 1'b0, select_1553[0], 1'b0} : {1'b0, select_1553[5], 1'b0, select_1553[4], 1'b0, select_1553[3], 1'b0, select_1553[2], 1'b0, select_1553[1], 1'b0, select_1553[0]};
+  logic [23:0] select_1555;
+  assign select_1555 = or_1547_s4_q ? {select_1554[11], 1'b0, select_1554[10], 1'b0, select_1554[9], 1'b0, select_1554[8], 1'b0, select_1554[7], 1'b0, select_1554[6], 1'b0, select_1554[5], 1'b0, select_1554[4], 1'b0, select_1554[3], 1'b0, select_1554[2], 1'b0, select_1554[1], 1'b0, select_1554[0], 1'b0} : {1'b0, select_1554[11], 1'b0, select_1554[10], 1'b0, select_1554[9], 1'b0, select_1554[8], 1'b0, select_1554[7], 1'b0, select_1554[6], 1'b0, select_1554[5], 1'b0, select_1554[4], 1'b0, select_1554[3], 1'b0, select_1554[2], 1'b0, select_1554[1], 1'b0, select_1554[0]};
+  logic [47:0] select_1556;
+  assign select_1556 = or_1544_s4_q ? {select_1555[23], 1'b0, select_1555[22], 1'b0, select_1555[21], 1'b0, select_1555[20], 1'b0, select_1555[19], 1'b0, select_1555[18], 1'b0, select_1555[17], 1'b0, select_1555[16], 1'b0, select_1555[15], 1'b0, select_1555[14], 1'b0, select_1555[13], 1'b0, select_1555[12], 1'b0, select_1555[11], 1'b0, select_1555[10], 1'b0, select_1555[9], 1'b0, select_1555[8], 1'b0, select_1555[7], 1'b0, select_1555[6], 1'b0, select_1555[5], 1'b0, select_1555[4], 1'b0, select_1555[3], 1'b0, select_1555[2], 1'b0, select_1555[1], 1'b0, select_1555[0], 1'b0} : {1'b0, select_1555[23], 1'b0, select_1555[22], 1'b0, select_1555[21], 1'b0, select_1555[20], 1'b0, select_1555[19], 1'b0, select_1555[18], 1'b0, select_1555[17], 1'b0, select_1555[16], 1'b0, select_1555[15], 1'b0, select_1555[14], 1'b0, select_1555[13], 1'b0, select_1555[12], 1'b0, select_1555[11], 1'b0, select_1555[10], 1'b0, select_1555[9], 1'b0, select_1555[8], 1'b0, select_1555[7], 1'b0, select_1555[6], 1'b0, select_1555[5], 1'b0, select_1555[4], 1'b0, select_1555[3], 1'b0, select_1555[2], 1'b0, select_1555[1], 1'b0, select_1555[0]};
+  // hls/stages/agreement.hpp:765
+  logic and_1560;
+  assign and_1560 = good_known_q & (~((good_q & select_1556) == 48'h0));
+  // hls/stages/agreement.hpp:834
   logic is_seen;
-  assign is_seen = equal_1537_s4_q ? and_1558 : not_1573_s4_q;
-  // hls/stages/agreement.hpp:842
-  logic and_1588;
-  assign and_1588 = is_seen & less_1587_s4_q;
+  assign is_seen = equal_1539_s4_q ? and_1560 : not_1575_s4_q;
+  // hls/stages/agreement.hpp:843
+  logic and_1590;
+  assign and_1590 = is_seen & less_1589_s4_q;
   // hls/stages/agreement.hpp:215
-  logic [8:0] select_1627;
-  assign select_1627 = sample_pair_whole_s4_q ? (and_365_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_1629;
-  assign select_1629 = sample_pair_whole_s4_q ? (and_365_s4_q ? grey_2_s4_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  assign select_1629 = sample_pair_whole_s4_q ? (and_365_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_1631;
-  assign select_1631 = sample_pair_whole_s4_q ? (and_365_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  assign select_1631 = sample_pair_whole_s4_q ? (and_365_s4_q ? grey_2_s4_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
   logic [8:0] select_1633;
-  assign select_1633 = sample_pair_whole_s4_q ? (and_365_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  assign select_1633 = sample_pair_whole_s4_q ? (and_365_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_1635;
+  assign select_1635 = sample_pair_whole_s4_q ? (and_365_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:128
-  logic [9:0] sum_1638;
-  assign sum_1638 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
-  logic [9:0] difference_1639;
-  assign difference_1639 = {1'b0, sum_1638[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_1640;
+  assign sum_1640 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
+  logic [9:0] difference_1641;
+  assign difference_1641 = {1'b0, sum_1640[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:129
-  logic [9:0] xor_1640;
-  assign xor_1640 = {difference_1639[8:0], sum_1638[0]} ^ {10{difference_1639[9]}};
+  logic [9:0] xor_1642;
+  assign xor_1642 = {difference_1641[8:0], sum_1640[0]} ^ {10{difference_1641[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_1639[9]} + {1'b0, xor_1640};
+  assign size = {10'h0, difference_1641[9]} + {1'b0, xor_1642};
   // hls/stages/census.hpp:130
   logic [13:0] detail;
   assign detail = {3'h0, size} + (equal_370_s4_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:215
-  logic [13:0] select_1645;
-  assign select_1645 = sample_pair_whole_s4_q ? (and_365_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_1647;
+  assign select_1647 = sample_pair_whole_s4_q ? (and_365_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:128
-  logic [9:0] sum_1646;
-  assign sum_1646 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
-  logic [9:0] difference_1647;
-  assign difference_1647 = {1'b0, sum_1646[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_1648;
+  assign sum_1648 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
+  logic [9:0] difference_1649;
+  assign difference_1649 = {1'b0, sum_1648[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:129
-  logic [9:0] xor_1648;
-  assign xor_1648 = {difference_1647[8:0], sum_1646[0]} ^ {10{difference_1647[9]}};
+  logic [9:0] xor_1650;
+  assign xor_1650 = {difference_1649[8:0], sum_1648[0]} ^ {10{difference_1649[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_1647[9]} + {1'b0, xor_1648};
+  assign size_2 = {10'h0, difference_1649[9]} + {1'b0, xor_1650};
   // hls/stages/census.hpp:130
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_2} + (equal_370_s4_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:215
-  logic [13:0] select_1653;
-  assign select_1653 = sample_pair_whole_s4_q ? (and_365_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_1655;
+  assign select_1655 = sample_pair_whole_s4_q ? (and_365_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/agreement.hpp:365
-  logic [11:0] select_1738;
-  assign select_1738 = and_367_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_1739;
-  assign select_1739 = and_367_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
   logic [11:0] select_1740;
-  assign select_1740 = and_367_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  assign select_1740 = and_367_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_1741;
-  assign select_1741 = and_367_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  assign select_1741 = and_367_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_1742;
+  assign select_1742 = and_367_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_1743;
+  assign select_1743 = and_367_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:202
-  logic [12:0] sum_1744;
-  assign sum_1744 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_1736_s4_q};
-  logic [13:0] sum_1746;
-  assign sum_1746 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_1744});
+  logic [12:0] sum_1746;
+  assign sum_1746 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_1738_s4_q};
+  logic [13:0] sum_1748;
+  assign sum_1748 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_1746});
   // hls/stages/census.hpp:225
-  logic and_1748;
-  assign and_1748 = and_457_s4_q & (9'h4 < sum_1746[13:5]);
+  logic and_1750;
+  assign and_1750 = and_457_s4_q & (9'h4 < sum_1748[13:5]);
   // hls/stages/census.hpp:226
-  logic and_1749;
-  assign and_1749 = and_457_s4_q & less_481;
+  logic and_1751;
+  assign and_1751 = and_457_s4_q & less_481;
   // hls/stages/census.hpp:227
-  logic [19:0] sum_1750;
-  assign sum_1750 = census_left_misses_q + {{17{and_1749}}, and_1748, 1'b0, and_1748};
+  logic [19:0] sum_1752;
+  assign sum_1752 = census_left_misses_q + {{17{and_1751}}, and_1750, 1'b0, and_1750};
   // hls/stages/agreement.hpp:365
-  logic [19:0] select_1752;
-  assign select_1752 = and_367_s4_q ? (equal_1743_s4_q ? 20'h0 : sum_1750) : census_left_misses_q;
+  logic [19:0] select_1754;
+  assign select_1754 = and_367_s4_q ? (equal_1745_s4_q ? 20'h0 : sum_1752) : census_left_misses_q;
   // hls/stages/agreement.hpp:215
-  logic [27:0] select_1757;
-  assign select_1757 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
+  logic [27:0] select_1759;
+  assign select_1759 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
   // hls/stages/census.hpp:275
-  logic and_1762;
-  assign and_1762 = whole_2_s4_q & (~(column_s4_q[5:1] == 5'h0));
+  logic and_1764;
+  assign and_1764 = whole_2_s4_q & (~(column_s4_q[5:1] == 5'h0));
   // hls/stages/agreement.hpp:311
-  logic and_1768;
-  assign and_1768 = and_1762 & (sharpness_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
+  logic and_1770;
+  assign and_1770 = and_1764 & (sharpness_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_1757[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_1759[13:0]};
   // hls/stages/census.hpp:276
-  logic [12:0] select_1770;
-  assign select_1770 = and_1768 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_1772;
+  assign select_1772 = and_1770 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:277
-  logic [23:0] select_1772;
-  assign select_1772 = equal_1743_s4_q ? {11'h0, select_1770} : (sharpness_sums_detail_0_q + {11'h0, select_1770});
+  logic [23:0] select_1774;
+  assign select_1774 = equal_1745_s4_q ? {11'h0, select_1772} : (sharpness_sums_detail_0_q + {11'h0, select_1772});
   // hls/stages/agreement.hpp:311
-  logic and_1779;
-  assign and_1779 = and_1762 & (sharpness_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
+  logic and_1781;
+  assign and_1781 = and_1764 & (sharpness_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_1757[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_1759[27:14]};
   // hls/stages/census.hpp:276
-  logic [12:0] select_1781;
-  assign select_1781 = and_1779 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_1783;
+  assign select_1783 = and_1781 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:277
-  logic [23:0] select_1783;
-  assign select_1783 = equal_1743_s4_q ? {11'h0, select_1781} : (sharpness_sums_detail_1_q + {11'h0, select_1781});
-  logic [8:0] select_1786;
-  assign select_1786 = and_1768 ? contrast_s4_q : 9'h0;
-  logic [23:0] sum_1787;
-  assign sum_1787 = (equal_1743_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1786};
-  logic [8:0] select_1790;
-  assign select_1790 = and_1779 ? contrast_2_s4_q : 9'h0;
-  logic [23:0] sum_1791;
-  assign sum_1791 = (equal_1743_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1790};
+  logic [23:0] select_1785;
+  assign select_1785 = equal_1745_s4_q ? {11'h0, select_1783} : (sharpness_sums_detail_1_q + {11'h0, select_1783});
+  logic [8:0] select_1788;
+  assign select_1788 = and_1770 ? contrast_s4_q : 9'h0;
+  logic [23:0] sum_1789;
+  assign sum_1789 = (equal_1745_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1788};
+  logic [8:0] select_1792;
+  assign select_1792 = and_1781 ? contrast_2_s4_q : 9'h0;
+  logic [23:0] sum_1793;
+  assign sum_1793 = (equal_1745_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1792};
   // hls/stages/agreement.hpp:150
-  logic equal_1793;
-  assign equal_1793 = x_s4_q[7:3] == 5'h0;
+  logic equal_1795;
+  assign equal_1795 = x_s4_q[7:3] == 5'h0;
   // hls/stages/census.hpp:289
-  logic less_1794;
-  assign less_1794 = 7'h2 < {x_s4_q[4:0], slot_s4_q[2:1]};
+  logic less_1796;
+  assign less_1796 = 7'h2 < {x_s4_q[4:0], slot_s4_q[2:1]};
   // hls/stages/census.hpp:328
-  logic less_1795;
-  assign less_1795 = x_s4_q[4:0] < 5'h3;
-  logic not_1796;
-  assign not_1796 = ~x_s4_q[1];
-  logic [2:0] select_1797;
-  assign select_1797 = x_s4_q[0] ? {1'b0, not_1796, 1'b0} : {x_s4_q[1], 1'b0, not_1796};
-  logic [5:0] select_1798;
-  assign select_1798 = slot_s4_q[2] ? {select_1797[2], 1'b0, select_1797[1], 1'b0, select_1797[0], 1'b0} : {1'b0, select_1797[2], 1'b0, select_1797[1], 1'b0, select_1797[0]};
-  logic [11:0] select_1799;
-  assign select_1799 = slot_s4_q[1] ? {select_1798[5], 1'b0, select_1798[4], 1'b0, select_1798[3], 1'b0, select_1798[2], 1'b0, select_1798[1], 1'b0, select_1798[0], 1'b0} : {1'b0, select_1798[5], 1'b0, select_1798[4], 1'b0, select_1798[3], 1'b0, select_1798[2], 1'b0, select_1798[1], 1'b0, select_1798[0]};
-  logic [23:0] select_1800;
-  assign select_1800 = slot_s4_q[0] ? {select_1799[11], 1'b0, select_1799[10], 1'b0, select_1799[9], 1'b0, select_1799[8], 1'b0, select_1799[7], 1'b0, select_1799[6], 1'b0, select_1799[5], 1'b0, select_1799[4], 1'b0, select_1799[3], 1'b0, select_1799[2], 1'b0, select_1799[1], 1'b0, select_1799[0], 1'b0} : {1'b0, select_1799[11], 1'b0, select_1799[10], 1'b0, select_1799[9], 1'b0, select_1799[8], 1'b0, select_1799[7], 1'b0, select_1799[6], 1'b0, select_1799[5], 1'b0, select_1799[4], 1'b0, select_1799[3], 1'b0, select_1799[2], 1'b0, select_1799[1], 1'b0, select_1799[0]};
+  logic less_1797;
+  assign less_1797 = x_s4_q[4:0] < 5'h3;
+  logic not_1798;
+  assign not_1798 = ~x_s4_q[1];
+  logic [2:0] select_1799;
+  assign select_1799 = x_s4_q[0] ? {1'b0, not_1798, 1'b0} : {x_s4_q[1], 1'b0, not_1798};
+  logic [5:0] select_1800;
+  assign select_1800 = slot_s4_q[2] ? {select_1799[2], 1'b0, select_1799[1], 1'b0, select_1799[0], 1'b0} : {1'b0, select_1799[2], 1'b0, select_1799[1], 1'b0, select_1799[0]};
+  logic [11:0] select_1801;
+  assign select_1801 = slot_s4_q[1] ? {select_1800[5], 1'b0, select_1800[4], 1'b0, select_1800[3], 1'b0, select_1800[2], 1'b0, select_1800[1], 1'b0, select_1800[0], 1'b0} : {1'b0, select_1800[5], 1'b0, select_1800[4], 1'b0, select_1800[3], 1'b0, select_1800[2], 1'b0, select_1800[1], 1'b0, select_1800[0]};
+  logic [23:0] select_1802;
+  assign select_1802 = slot_s4_q[0] ? {select_1801[11], 1'b0, select_1801[10], 1'b0, select_1801[9], 1'b0, select_1801[8], 1'b0, select_1801[7], 1'b0, select_1801[6], 1'b0, select_1801[5], 1'b0, select_1801[4], 1'b0, select_1801[3], 1'b0, select_1801[2], 1'b0, select_1801[1], 1'b0, select_1801[0], 1'b0} : {1'b0, select_1801[11], 1'b0, select_1801[10], 1'b0, select_1801[9], 1'b0, select_1801[8], 1'b0, select_1801[7], 1'b0, select_1801[6], 1'b0, select_1801[5], 1'b0, select_1801[4], 1'b0, select_1801[3], 1'b0, select_1801[2], 1'b0, select_1801[1], 1'b0, select_1801[0]};
   // hls/stages/census.hpp:291
-  logic and_1804;
-  assign and_1804 = less_1795 & (~((sharpness_sums_contrast_1_q & select_1800) == 24'h0));
+  logic and_1806;
+  assign and_1806 = less_1797 & (~((sharpness_sums_contrast_1_q & select_1802) == 24'h0));
   // hls/stages/census.hpp:296
-  logic [17:0] select_1806;
-  assign select_1806 = (less_1794 & and_1804) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_1808;
+  assign select_1808 = (less_1796 & and_1806) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_1806};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_1808};
   // hls/stages/agreement.hpp:154
-  logic [17:0] select_1809;
-  assign select_1809 = equal_1793 ? (less_1794 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_1811;
+  assign select_1811 = equal_1795 ? (less_1796 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:291
-  logic and_1814;
-  assign and_1814 = less_1795 & (~((sharpness_sums_contrast_0_q & select_1800) == 24'h0));
+  logic and_1816;
+  assign and_1816 = less_1797 & (~((sharpness_sums_contrast_0_q & select_1802) == 24'h0));
   // hls/stages/census.hpp:296
-  logic [17:0] select_1816;
-  assign select_1816 = (less_1794 & and_1814) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_1818;
+  assign select_1818 = (less_1796 & and_1816) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_1816};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_1818};
   // hls/stages/agreement.hpp:154
-  logic [17:0] select_1819;
-  assign select_1819 = equal_1793 ? (less_1794 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_1821;
-  assign select_1821 = equal_1793 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [17:0] select_1821;
+  assign select_1821 = equal_1795 ? (less_1796 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
   logic [2:0] select_1823;
-  assign select_1823 = equal_1793 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_1825;
-  assign select_1825 = equal_1793 ? {sharpness_comparing_contrast_0_q[0], and_1814} : sharpness_comparing_contrast_0_q;
+  assign select_1823 = equal_1795 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_1825;
+  assign select_1825 = equal_1795 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
   logic [1:0] select_1827;
-  assign select_1827 = equal_1793 ? {sharpness_comparing_contrast_1_q[0], and_1804} : sharpness_comparing_contrast_1_q;
+  assign select_1827 = equal_1795 ? {sharpness_comparing_contrast_0_q[0], and_1816} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_1829;
+  assign select_1829 = equal_1795 ? {sharpness_comparing_contrast_1_q[0], and_1806} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:302
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:154
-  logic select_1832;
-  assign select_1832 = drew_q ? (equal_1793 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_1834;
+  assign select_1834 = drew_q ? (equal_1795 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:302
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:154
-  logic select_1836;
-  assign select_1836 = drew_q ? (equal_1793 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  logic select_1838;
+  assign select_1838 = drew_q ? (equal_1795 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:288
-  logic equal_1837;
-  assign equal_1837 = {x_s4_q[4:0], slot_s4_q} == 8'h0;
+  logic equal_1839;
+  assign equal_1839 = {x_s4_q[4:0], slot_s4_q} == 8'h0;
   // hls/stages/census.hpp:304
-  logic xor_1838;
-  assign xor_1838 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_1841;
-  assign select_1841 = (equal_1837 | xor_1838) ? (five_times[0] & xor_1838) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:154
+  logic xor_1840;
+  assign xor_1840 = sharpness_comparing_product_0_q[2] ^ five_times[0];
   logic select_1843;
-  assign select_1843 = drew_q ? (equal_1793 ? select_1841 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  assign select_1843 = (equal_1839 | xor_1840) ? (five_times[0] & xor_1840) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/agreement.hpp:154
+  logic select_1845;
+  assign select_1845 = drew_q ? (equal_1795 ? select_1843 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
   // hls/stages/census.hpp:304
-  logic xor_1844;
-  assign xor_1844 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_1847;
-  assign select_1847 = (equal_1837 | xor_1844) ? (five_times_2[0] & xor_1844) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:154
+  logic xor_1846;
+  assign xor_1846 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
   logic select_1849;
-  assign select_1849 = drew_q ? (equal_1793 ? select_1847 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/census.hpp:305
-  logic xor_1850;
-  assign xor_1850 = sharpness_comparing_contrast_0_q[1] ^ and_1804;
-  logic select_1853;
-  assign select_1853 = (equal_1837 | xor_1850) ? (and_1804 & xor_1850) : sharpness_comparing_less_contrast_0_q;
+  assign select_1849 = (equal_1839 | xor_1846) ? (five_times_2[0] & xor_1846) : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:154
+  logic select_1851;
+  assign select_1851 = drew_q ? (equal_1795 ? select_1849 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/census.hpp:305
+  logic xor_1852;
+  assign xor_1852 = sharpness_comparing_contrast_0_q[1] ^ and_1806;
   logic select_1855;
-  assign select_1855 = drew_q ? (equal_1793 ? select_1853 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:305
-  logic xor_1856;
-  assign xor_1856 = sharpness_comparing_contrast_1_q[1] ^ and_1814;
-  logic select_1859;
-  assign select_1859 = (equal_1837 | xor_1856) ? (and_1814 & xor_1856) : sharpness_comparing_less_contrast_1_q;
+  assign select_1855 = (equal_1839 | xor_1852) ? (and_1806 & xor_1852) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:154
+  logic select_1857;
+  assign select_1857 = drew_q ? (equal_1795 ? select_1855 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:305
+  logic xor_1858;
+  assign xor_1858 = sharpness_comparing_contrast_1_q[1] ^ and_1816;
   logic select_1861;
-  assign select_1861 = drew_q ? (equal_1793 ? select_1859 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  assign select_1861 = (equal_1839 | xor_1858) ? (and_1816 & xor_1858) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:154
+  logic select_1863;
+  assign select_1863 = drew_q ? (equal_1795 ? select_1861 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:681
-  logic [13:0] select_1987;
-  assign select_1987 = and_1981_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1985_s4_q});
+  logic [13:0] select_1989;
+  assign select_1989 = and_1983_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1987_s4_q});
   // hls/stages/agreement.hpp:211
-  logic and_1990;
-  assign and_1990 = not_1335_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
-  logic and_1995;
-  assign and_1995 = not_1335_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
-  logic and_2000;
-  assign and_2000 = not_1335_s4_q & (drew_q & (ends_cell_s4_q & and_1475_s4_q));
-  // hls/stages/agreement.hpp:835
-  logic not_2004;
-  assign not_2004 = ~(x_s4_q[7:1] == 7'h0);
+  logic and_1992;
+  assign and_1992 = not_1337_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
+  logic and_1997;
+  assign and_1997 = not_1337_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
+  logic and_2002;
+  assign and_2002 = not_1337_s4_q & (drew_q & (ends_cell_s4_q & and_1477_s4_q));
   // hls/stages/agreement.hpp:836
-  logic not_2021;
-  assign not_2021 = ~(equal_1537_s4_q ? and_1558 : not_2019_s4_q);
+  logic not_2006;
+  assign not_2006 = ~(x_s4_q[7:1] == 7'h0);
+  // hls/stages/agreement.hpp:837
+  logic not_2023;
+  assign not_2023 = ~(equal_1539_s4_q ? and_1560 : not_2021_s4_q);
   // hls/stages/agreement.hpp:211
-  logic and_2024;
-  assign and_2024 = ends_cell_s4_q & (not_2004 & (centres_values_1_textured_s4_q & not_2021));
   logic and_2026;
-  assign and_2026 = not_1335_s4_q & (drew_q & and_2024);
-  // hls/stages/agreement.hpp:861
-  logic less_2029;
-  assign less_2029 = region_row_s4_q < x_s4_q[5:3];
-  logic [9:0] select_2030;
-  assign select_2030 = less_2029 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_2033;
-  assign select_2033 = less_2029 ? 10'h0 : regions_rdata_q[19:10];
+  assign and_2026 = ends_cell_s4_q & (not_2006 & (centres_values_1_textured_s4_q & not_2023));
+  logic and_2028;
+  assign and_2028 = not_1337_s4_q & (drew_q & and_2026);
   // hls/stages/agreement.hpp:862
-  logic [10:0] sum_2034;
-  assign sum_2034 = {1'b0, select_2033} + {3'h0, select_2033[9:2]};
-  logic and_2036;
-  assign and_2036 = (~(select_2030[9:4] == 6'h0)) & ({sum_2034, select_2033[1:0]} < {3'h0, select_2030});
-  // hls/stages/agreement.hpp:871
-  logic [9:0] select_2039;
-  assign select_2039 = x_s4_q[6] ? (equal_1379_s4_q ? 10'h0 : (and_2036 ? select_2030 : 10'h0)) : 10'h0;
+  logic less_2031;
+  assign less_2031 = region_row_s4_q < x_s4_q[5:3];
+  logic [9:0] select_2032;
+  assign select_2032 = less_2031 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_2035;
+  assign select_2035 = less_2031 ? 10'h0 : regions_rdata_q[19:10];
+  // hls/stages/agreement.hpp:863
+  logic [10:0] sum_2036;
+  assign sum_2036 = {1'b0, select_2035} + {3'h0, select_2035[9:2]};
+  logic and_2038;
+  assign and_2038 = (~(select_2032[9:4] == 6'h0)) & ({sum_2036, select_2035[1:0]} < {3'h0, select_2032});
+  // hls/stages/agreement.hpp:872
+  logic [9:0] select_2041;
+  assign select_2041 = x_s4_q[6] ? (equal_1381_s4_q ? 10'h0 : (and_2038 ? select_2032 : 10'h0)) : 10'h0;
   // hls/stages/agreement.hpp:211
-  logic [9:0] select_2040;
-  assign select_2040 = equal_1334_s4_q ? select_2039 : 10'h0;
+  logic [9:0] select_2042;
+  assign select_2042 = equal_1336_s4_q ? select_2041 : 10'h0;
   // hls/stages/agreement.hpp:681
-  logic [13:0] select_2042;
-  assign select_2042 = and_1981_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2040});
-  logic [13:0] select_2049;
-  assign select_2049 = and_1981_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2047_s4_q});
-  // hls/stages/agreement.hpp:840
-  logic and_2051;
-  assign and_2051 = not_2004 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
+  logic [13:0] select_2044;
+  assign select_2044 = and_1983_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2042});
+  logic [13:0] select_2051;
+  assign select_2051 = and_1983_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2049_s4_q});
+  // hls/stages/agreement.hpp:841
+  logic and_2053;
+  assign and_2053 = not_2006 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
   // hls/stages/agreement.hpp:211
-  logic and_2054;
-  assign and_2054 = not_1335_s4_q & (drew_q & (ends_cell_s4_q & and_2051));
+  logic and_2056;
+  assign and_2056 = not_1337_s4_q & (drew_q & (ends_cell_s4_q & and_2053));
   // hls/stages/agreement.hpp:681
-  logic [13:0] select_2056;
-  assign select_2056 = and_1981_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2054});
-  // hls/stages/agreement.hpp:840
-  logic and_2058;
-  assign and_2058 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2021);
+  logic [13:0] select_2058;
+  assign select_2058 = and_1983_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2056});
+  // hls/stages/agreement.hpp:841
+  logic and_2060;
+  assign and_2060 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2023);
   // hls/stages/agreement.hpp:211
-  logic and_2062;
-  assign and_2062 = not_1335_s4_q & (drew_q & (ends_cell_s4_q & (not_2004 & and_2058)));
+  logic and_2064;
+  assign and_2064 = not_1337_s4_q & (drew_q & (ends_cell_s4_q & (not_2006 & and_2060)));
   // hls/stages/agreement.hpp:681
-  logic [13:0] select_2064;
-  assign select_2064 = and_1981_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2062});
+  logic [13:0] select_2066;
+  assign select_2066 = and_1983_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2064});
   // hls/stages/registration.hpp:106
-  logic [7:0] select_2134;
-  assign select_2134 = equal_2089_s4_q ? (and_2119_s4_q ? residual_s4_q[7:0] : 8'h0) : 8'h0;
-  // hls/stages/agreement.hpp:211
   logic [7:0] select_2136;
-  assign select_2136 = equal_1334_s4_q ? 8'h0 : (drew_q ? select_2134 : 8'h0);
+  assign select_2136 = equal_2091_s4_q ? (and_2121_s4_q ? residual_s4_q[7:0] : 8'h0) : 8'h0;
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2138;
+  assign select_2138 = equal_1336_s4_q ? 8'h0 : (drew_q ? select_2136 : 8'h0);
   // hls/stages/registration.hpp:126
-  logic [13:0] select_2138;
-  assign select_2138 = and_2117_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2136[7]}}, select_2136});
+  logic [13:0] select_2140;
+  assign select_2140 = and_2119_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2138[7]}}, select_2138});
   // hls/stages/agreement.hpp:211
-  logic and_2141;
-  assign and_2141 = not_1335_s4_q & (drew_q & (and_2119_s4_q & equal_2089_s4_q));
+  logic and_2143;
+  assign and_2143 = not_1337_s4_q & (drew_q & (and_2121_s4_q & equal_2091_s4_q));
   // hls/stages/registration.hpp:126
-  logic [5:0] select_2143;
-  assign select_2143 = and_2117_s4_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2141});
+  logic [5:0] select_2145;
+  assign select_2145 = and_2119_s4_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2143});
   // hls/stages/registration.hpp:106
-  logic and_2145;
-  assign and_2145 = and_2119_s4_q & ($signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_limit_i}));
+  logic and_2147;
+  assign and_2147 = and_2121_s4_q & ($signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_2147;
-  assign select_2147 = drew_q ? (equal_2089_s4_q ? {and_2145, and_2119_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2148;
-  assign select_2148 = equal_1334_s4_q ? 2'h0 : select_2147;
+  logic [1:0] select_2149;
+  assign select_2149 = drew_q ? (equal_2091_s4_q ? {and_2147, and_2121_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2150;
+  assign select_2150 = equal_1336_s4_q ? 2'h0 : select_2149;
   // hls/stages/registration.hpp:172
-  logic [6:0] sum_2149;
-  assign sum_2149 = registration_half_votes_down_q + {{5{select_2148[1]}}, select_2148};
+  logic [6:0] sum_2151;
+  assign sum_2151 = registration_half_votes_down_q + {{5{select_2150[1]}}, select_2150};
   // hls/stages/registration.hpp:193
-  logic [12:0] difference_2151;
-  assign difference_2151 = 13'h0 - {residual_s4_q[11], residual_s4_q};
+  logic [12:0] difference_2153;
+  assign difference_2153 = 13'h0 - {residual_s4_q[11], residual_s4_q};
   // hls/stages/registration.hpp:106
-  logic and_2153;
-  assign and_2153 = and_2119_s4_q & ($signed(difference_2151) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_2155;
+  assign and_2155 = and_2121_s4_q & ($signed(difference_2153) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_2155;
-  assign select_2155 = drew_q ? (equal_2089_s4_q ? {and_2153, and_2119_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2156;
-  assign select_2156 = equal_1334_s4_q ? 2'h0 : select_2155;
+  logic [1:0] select_2157;
+  assign select_2157 = drew_q ? (equal_2091_s4_q ? {and_2155, and_2121_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2158;
+  assign select_2158 = equal_1336_s4_q ? 2'h0 : select_2157;
   // hls/stages/registration.hpp:173
-  logic [6:0] sum_2157;
-  assign sum_2157 = registration_half_votes_up_q + {{5{select_2156[1]}}, select_2156};
+  logic [6:0] sum_2159;
+  assign sum_2159 = registration_half_votes_up_q + {{5{select_2158[1]}}, select_2158};
   // hls/stages/registration.hpp:193
-  logic less_2159;
-  assign less_2159 = $signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_half_limit_i});
+  logic less_2161;
+  assign less_2161 = $signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_half_limit_i});
   // hls/stages/registration.hpp:106
-  logic and_2160;
-  assign and_2160 = and_2119_s4_q & less_2159;
+  logic and_2162;
+  assign and_2162 = and_2121_s4_q & less_2161;
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_2162;
-  assign select_2162 = drew_q ? (equal_2089_s4_q ? {and_2160, and_2119_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2163;
-  assign select_2163 = equal_1334_s4_q ? 2'h0 : select_2162;
+  logic [1:0] select_2164;
+  assign select_2164 = drew_q ? (equal_2091_s4_q ? {and_2162, and_2121_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2165;
+  assign select_2165 = equal_1336_s4_q ? 2'h0 : select_2164;
   // hls/stages/registration.hpp:172
-  logic [6:0] sum_2164;
-  assign sum_2164 = registration_half_half_votes_down_q + {{5{select_2163[1]}}, select_2163};
+  logic [6:0] sum_2166;
+  assign sum_2166 = registration_half_half_votes_down_q + {{5{select_2165[1]}}, select_2165};
   // hls/stages/registration.hpp:193
-  logic less_2166;
-  assign less_2166 = $signed(difference_2151) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic less_2168;
+  assign less_2168 = $signed(difference_2153) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/registration.hpp:106
-  logic and_2167;
-  assign and_2167 = and_2119_s4_q & less_2166;
+  logic and_2169;
+  assign and_2169 = and_2121_s4_q & less_2168;
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_2169;
-  assign select_2169 = drew_q ? (equal_2089_s4_q ? {and_2167, and_2119_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2170;
-  assign select_2170 = equal_1334_s4_q ? 2'h0 : select_2169;
+  logic [1:0] select_2171;
+  assign select_2171 = drew_q ? (equal_2091_s4_q ? {and_2169, and_2121_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2172;
+  assign select_2172 = equal_1336_s4_q ? 2'h0 : select_2171;
   // hls/stages/registration.hpp:173
-  logic [6:0] sum_2171;
-  assign sum_2171 = registration_half_half_votes_up_q + {{5{select_2170[1]}}, select_2170};
+  logic [6:0] sum_2173;
+  assign sum_2173 = registration_half_half_votes_up_q + {{5{select_2172[1]}}, select_2172};
   // hls/stages/agreement.hpp:211
-  logic and_2205;
-  assign and_2205 = equal_1334_s4_q & (x_s4_q[6] & (not_1453_s4_q & less_1407_s4_q));
-  // hls/stages/agreement.hpp:861
-  logic [11:0] select_2212;
-  assign select_2212 = or_1411_s4_q ? 12'h0 : (equal_2210_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:871
-  logic [11:0] select_2215;
-  assign select_2215 = x_s4_q[6] ? (equal_1379_s4_q ? 12'h0 : (less_1407_s4_q ? select_2212 : 12'h0)) : 12'h0;
+  logic and_2207;
+  assign and_2207 = equal_1336_s4_q & (x_s4_q[6] & (not_1455_s4_q & less_1409_s4_q));
+  // hls/stages/agreement.hpp:862
+  logic [11:0] select_2214;
+  assign select_2214 = or_1413_s4_q ? 12'h0 : (equal_2212_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:872
+  logic [11:0] select_2217;
+  assign select_2217 = x_s4_q[6] ? (equal_1381_s4_q ? 12'h0 : (less_1409_s4_q ? select_2214 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:211
-  logic [11:0] select_2216;
-  assign select_2216 = equal_1334_s4_q ? select_2215 : 12'h0;
+  logic [11:0] select_2218;
+  assign select_2218 = equal_1336_s4_q ? select_2217 : 12'h0;
   // hls/stages/registration.hpp:145
-  logic and_2217;
-  assign and_2217 = x_s4_q[1] & all_s4_q;
-  // hls/stages/agreement.hpp:871
-  logic and_2220;
-  assign and_2220 = not_1453_s4_q & (less_1407_s4_q & ({and_2217, x_s4_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:211
+  logic and_2219;
+  assign and_2219 = x_s4_q[1] & all_s4_q;
+  // hls/stages/agreement.hpp:872
   logic and_2222;
-  assign and_2222 = equal_1334_s4_q & (x_s4_q[6] & and_2220);
+  assign and_2222 = not_1455_s4_q & (less_1409_s4_q & ({and_2219, x_s4_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:211
+  logic and_2224;
+  assign and_2224 = equal_1336_s4_q & (x_s4_q[6] & and_2222);
   // hls/stages/registration.hpp:237
-  logic [13:0] sum_2224;
-  assign sum_2224 = {{2{select_2216[11]}}, select_2216} + (and_2222 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:861
-  logic [11:0] select_2227;
-  assign select_2227 = or_1411_s4_q ? 12'h0 : (equal_2210_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:871
-  logic [11:0] select_2230;
-  assign select_2230 = x_s4_q[6] ? (equal_1379_s4_q ? 12'h0 : (less_1407_s4_q ? select_2227 : 12'h0)) : 12'h0;
+  logic [13:0] sum_2226;
+  assign sum_2226 = {{2{select_2218[11]}}, select_2218} + (and_2224 ? 14'h0 : registration_down_q);
+  // hls/stages/agreement.hpp:862
+  logic [11:0] select_2229;
+  assign select_2229 = or_1413_s4_q ? 12'h0 : (equal_2212_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:872
+  logic [11:0] select_2232;
+  assign select_2232 = x_s4_q[6] ? (equal_1381_s4_q ? 12'h0 : (less_1409_s4_q ? select_2229 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:211
-  logic [11:0] select_2231;
-  assign select_2231 = equal_1334_s4_q ? select_2230 : 12'h0;
+  logic [11:0] select_2233;
+  assign select_2233 = equal_1336_s4_q ? select_2232 : 12'h0;
   // hls/stages/registration.hpp:238
-  logic [13:0] sum_2233;
-  assign sum_2233 = {{2{select_2231[11]}}, select_2231} + (and_2222 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2235;
+  assign sum_2235 = {{2{select_2233[11]}}, select_2233} + (and_2224 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:142
-  logic not_2235;
-  assign not_2235 = ~all_s4_q;
-  // hls/stages/agreement.hpp:871
-  logic and_2238;
-  assign and_2238 = not_1453_s4_q & (less_1407_s4_q & (x_s4_q[2:0] == {all_s4_q, not_2235, 1'b0}));
+  logic not_2237;
+  assign not_2237 = ~all_s4_q;
+  // hls/stages/agreement.hpp:872
+  logic and_2240;
+  assign and_2240 = not_1455_s4_q & (less_1409_s4_q & (x_s4_q[2:0] == {all_s4_q, not_2237, 1'b0}));
   // hls/stages/agreement.hpp:211
-  logic and_2244;
-  assign and_2244 = equal_1334_s4_q & (x_s4_q[6] & (not_1453_s4_q & (less_1407_s4_q & all_s4_q)));
+  logic and_2246;
+  assign and_2246 = equal_1336_s4_q & (x_s4_q[6] & (not_1455_s4_q & (less_1409_s4_q & all_s4_q)));
   // hls/stages/registration.hpp:231
-  logic not_2245;
-  assign not_2245 = ~and_2244;
-  logic less_2246;
-  assign less_2246 = $signed({9'h1, {2{not_2245}}, and_2244}) < $signed(registration_up_q[13:2]);
-  logic select_2247;
-  assign select_2247 = (equal_1334_s4_q & (x_s4_q[6] & and_2238)) ? less_2246 : registration_enough_q;
-  // hls/stages/agreement.hpp:871
-  logic and_2251;
-  assign and_2251 = x_s4_q[6] & (not_1453_s4_q & (less_1407_s4_q & (x_s4_q[2:0] == 3'h4)));
+  logic not_2247;
+  assign not_2247 = ~and_2246;
+  logic less_2248;
+  assign less_2248 = $signed({9'h1, {2{not_2247}}, and_2246}) < $signed(registration_up_q[13:2]);
+  logic select_2249;
+  assign select_2249 = (equal_1336_s4_q & (x_s4_q[6] & and_2240)) ? less_2248 : registration_enough_q;
+  // hls/stages/agreement.hpp:872
+  logic and_2253;
+  assign and_2253 = x_s4_q[6] & (not_1455_s4_q & (less_1409_s4_q & (x_s4_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:211
-  logic and_2252;
-  assign and_2252 = equal_1334_s4_q & and_2251;
+  logic and_2254;
+  assign and_2254 = equal_1336_s4_q & and_2253;
   // hls/stages/registration.hpp:227
-  logic less_2253;
-  assign less_2253 = $signed(14'h0) < $signed(registration_down_q);
   logic less_2255;
-  assign less_2255 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/agreement.hpp:871
-  logic and_2260;
-  assign and_2260 = x_s4_q[6] & (not_1453_s4_q & (less_1407_s4_q & (x_s4_q[2:0] == 3'h7)));
+  assign less_2255 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2257;
+  assign less_2257 = $signed(14'h0) < $signed(registration_up_q);
+  // hls/stages/agreement.hpp:872
+  logic and_2262;
+  assign and_2262 = x_s4_q[6] & (not_1455_s4_q & (less_1409_s4_q & (x_s4_q[2:0] == 3'h7)));
   // hls/stages/agreement.hpp:211
-  logic and_2261;
-  assign and_2261 = equal_1334_s4_q & and_2260;
-  // hls/stages/agreement.hpp:871
-  logic and_2268;
-  assign and_2268 = x_s4_q[6] & (not_1453_s4_q & (less_1407_s4_q & (x_s4_q[5:0] == 6'h0)));
+  logic and_2263;
+  assign and_2263 = equal_1336_s4_q & and_2262;
+  // hls/stages/agreement.hpp:872
+  logic and_2270;
+  assign and_2270 = x_s4_q[6] & (not_1455_s4_q & (less_1409_s4_q & (x_s4_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:149
-  logic equal_2271;
-  assign equal_2271 = x_s4_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:871
-  logic and_2274;
-  assign and_2274 = not_1453_s4_q & (less_1407_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_2271));
+  logic equal_2273;
+  assign equal_2273 = x_s4_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:872
+  logic and_2276;
+  assign and_2276 = not_1455_s4_q & (less_1409_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_2273));
   // hls/stages/registration.hpp:229
-  logic and_2278;
-  assign and_2278 = (equal_1334_s4_q & (x_s4_q[6] & and_2274)) & (less_2255 | less_2253);
-  // hls/stages/agreement.hpp:871
-  logic and_2283;
-  assign and_2283 = not_1453_s4_q & (less_1407_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_2271)));
+  logic and_2280;
+  assign and_2280 = (equal_1336_s4_q & (x_s4_q[6] & and_2276)) & (less_2257 | less_2255);
+  // hls/stages/agreement.hpp:872
+  logic and_2285;
+  assign and_2285 = not_1455_s4_q & (less_1409_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_2273)));
   // hls/stages/registration.hpp:229
-  logic and_2286;
-  assign and_2286 = registration_votes_up_q & registration_other_down_q;
-  logic select_2288;
-  assign select_2288 = registration_votes_down_q ? (registration_other_up_q | and_2286) : and_2286;
+  logic and_2288;
+  assign and_2288 = registration_votes_up_q & registration_other_down_q;
+  logic select_2290;
+  assign select_2290 = registration_votes_down_q ? (registration_other_up_q | and_2288) : and_2288;
   // hls/stages/registration.hpp:130
-  logic and_2290;
-  assign and_2290 = (equal_1334_s4_q & (x_s4_q[6] & and_2283)) & (registration_other_enough_q & select_2288);
+  logic and_2292;
+  assign and_2292 = (equal_1336_s4_q & (x_s4_q[6] & and_2285)) & (registration_other_enough_q & select_2290);
   // hls/stages/registration.hpp:230
-  logic or_2293;
-  assign or_2293 = registration_moved_q | (registration_enough_q & (and_2278 | and_2290));
-  // hls/stages/agreement.hpp:908
-  logic or_2351;
-  assign or_2351 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:930
-  logic equal_2353;
-  assign equal_2353 = x_s4_q[6:3] == 4'h7;
-  // hls/stages/agreement.hpp:936
-  logic equal_2354;
-  assign equal_2354 = x_s4_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:939
+  logic or_2295;
+  assign or_2295 = registration_moved_q | (registration_enough_q & (and_2280 | and_2292));
+  // hls/stages/agreement.hpp:909
+  logic or_2353;
+  assign or_2353 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  // hls/stages/agreement.hpp:931
+  logic equal_2355;
+  assign equal_2355 = x_s4_q[6:3] == 4'h7;
+  // hls/stages/agreement.hpp:937
+  logic equal_2356;
+  assign equal_2356 = x_s4_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:940
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
-  // hls/stages/agreement.hpp:940
-  logic select_2360;
-  assign select_2360 = (equal_2353 & equal_2354) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:864
-  logic [10:0] sum_2363;
-  assign sum_2363 = {1'b0, select_2033} + {2'h0, select_2033[9:1]};
-  logic select_2366;
-  assign select_2366 = (select_2030[9:3] == 7'h0) ? ((~or_2351) & (~select_2360)) : (~({sum_2363, select_2033[0]} < {2'h0, select_2030}));
-  // hls/stages/agreement.hpp:871
-  logic [47:0] select_2368;
-  assign select_2368 = x_s4_q[6] ? (equal_1379_s4_q ? good_q : {select_2366, good_q[47:1]}) : good_q;
+  // hls/stages/agreement.hpp:941
+  logic select_2362;
+  assign select_2362 = (equal_2355 & equal_2356) ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:865
+  logic [10:0] sum_2365;
+  assign sum_2365 = {1'b0, select_2035} + {2'h0, select_2035[9:1]};
+  logic select_2368;
+  assign select_2368 = (select_2032[9:3] == 7'h0) ? ((~or_2353) & (~select_2362)) : (~({sum_2365, select_2035[0]} < {2'h0, select_2032}));
+  // hls/stages/agreement.hpp:872
+  logic [47:0] select_2370;
+  assign select_2370 = x_s4_q[6] ? (equal_1381_s4_q ? good_q : {select_2368, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:211
-  logic select_2373;
-  assign select_2373 = equal_1334_s4_q ? ((x_s4_q[6] & good_known_q) | equal_2371_s4_q) : good_known_q;
-  // hls/stages/agreement.hpp:930
-  logic equal_2374;
-  assign equal_2374 = x_s4_q[6:3] == 4'ha;
+  logic select_2375;
+  assign select_2375 = equal_1336_s4_q ? ((x_s4_q[6] & good_known_q) | equal_2373_s4_q) : good_known_q;
+  // hls/stages/agreement.hpp:931
   logic equal_2376;
-  assign equal_2376 = x_s4_q[6:3] == 4'h9;
-  logic equal_2377;
-  assign equal_2377 = x_s4_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:855
-  logic [13:0] select_2379;
-  assign select_2379 = equal_2376 ? counts_skin_unproven_q : (equal_2377 ? counts_unproven_q : counts_regions_bad_q);
+  assign equal_2376 = x_s4_q[6:3] == 4'ha;
+  logic equal_2378;
+  assign equal_2378 = x_s4_q[6:3] == 4'h9;
+  logic equal_2379;
+  assign equal_2379 = x_s4_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:856
+  logic [13:0] select_2381;
+  assign select_2381 = equal_2378 ? counts_skin_unproven_q : (equal_2379 ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_2374 ? counts_nearer_q : select_2379;
-  // hls/stages/agreement.hpp:935
+  assign before_v_4 = equal_2376 ? counts_nearer_q : select_2381;
+  // hls/stages/agreement.hpp:936
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_4};
-  // hls/stages/agreement.hpp:943
-  logic select_2382;
-  assign select_2382 = (equal_2374 & equal_2354) ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:872
-  logic not_2383;
-  assign not_2383 = ~hidden_for_q[7];
-  logic [7:0] select_2385;
-  assign select_2385 = select_2382 ? (hidden_for_q + {7'h0, not_2383}) : 8'h0;
-  // hls/stages/agreement.hpp:211
+  // hls/stages/agreement.hpp:944
+  logic select_2384;
+  assign select_2384 = (equal_2376 & equal_2356) ? over[14] : hides_q;
+  // hls/stages/agreement.hpp:873
+  logic not_2385;
+  assign not_2385 = ~hidden_for_q[7];
   logic [7:0] select_2387;
-  assign select_2387 = equal_1334_s4_q ? (equal_2371_s4_q ? select_2385 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:943
-  logic [13:0] select_2388;
-  assign select_2388 = equal_2354 ? 14'h0 : product_q;
-  // hls/stages/agreement.hpp:855
-  logic [7:0] select_2390;
-  assign select_2390 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  assign select_2387 = select_2384 ? (hidden_for_q + {7'h0, not_2385}) : 8'h0;
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2389;
+  assign select_2389 = equal_1336_s4_q ? (equal_2373_s4_q ? select_2387 : hidden_for_q) : hidden_for_q;
+  // hls/stages/agreement.hpp:944
+  logic [13:0] select_2390;
+  assign select_2390 = equal_2356 ? 14'h0 : product_q;
+  // hls/stages/agreement.hpp:856
   logic [7:0] select_2392;
-  assign select_2392 = equal_2377 ? cfg_unproven_skin_limit_i : (equal_2353 ? cfg_unproven_limit_i : select_2390);
+  assign select_2392 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_2394;
+  assign select_2394 = equal_2379 ? cfg_unproven_skin_limit_i : (equal_2355 ? cfg_unproven_limit_i : select_2392);
   logic [7:0] limit;
-  assign limit = equal_2374 ? cfg_regions_limit_i : (equal_2376 ? cfg_hidden_limit_i : select_2392);
-  // hls/stages/agreement.hpp:943
-  logic not_2395;
-  assign not_2395 = ~x_s4_q[2];
-  logic [3:0] select_2396;
-  assign select_2396 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_2395, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_2395};
-  logic [7:0] select_2397;
-  assign select_2397 = x_s4_q[0] ? {select_2396[3], 1'b0, select_2396[2], 1'b0, select_2396[1], 1'b0, select_2396[0], 1'b0} : {1'b0, select_2396[3], 1'b0, select_2396[2], 1'b0, select_2396[1], 1'b0, select_2396[0]};
-  // hls/stages/agreement.hpp:855
-  logic [13:0] select_2401;
-  assign select_2401 = equal_2376 ? counts_skin_supervised_q : (equal_2377 ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] of;
-  assign of = equal_2374 ? counts_textured_q : select_2401;
-  // hls/stages/agreement.hpp:943
+  assign limit = equal_2376 ? cfg_regions_limit_i : (equal_2378 ? cfg_hidden_limit_i : select_2394);
+  // hls/stages/agreement.hpp:944
+  logic not_2397;
+  assign not_2397 = ~x_s4_q[2];
+  logic [3:0] select_2398;
+  assign select_2398 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_2397, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_2397};
+  logic [7:0] select_2399;
+  assign select_2399 = x_s4_q[0] ? {select_2398[3], 1'b0, select_2398[2], 1'b0, select_2398[1], 1'b0, select_2398[0], 1'b0} : {1'b0, select_2398[3], 1'b0, select_2398[2], 1'b0, select_2398[1], 1'b0, select_2398[0]};
+  // hls/stages/agreement.hpp:856
   logic [13:0] select_2403;
-  assign select_2403 = ((limit & select_2397) == 8'h0) ? 14'h0 : of;
+  assign select_2403 = equal_2378 ? counts_skin_supervised_q : (equal_2379 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] of;
+  assign of = equal_2376 ? counts_textured_q : select_2403;
+  // hls/stages/agreement.hpp:944
+  logic [13:0] select_2405;
+  assign select_2405 = ((limit & select_2399) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_3;
-  assign sum_3 = {1'b0, select_2388} + {1'b0, select_2403};
+  assign sum_3 = {1'b0, select_2390} + {1'b0, select_2405};
   // hls/stages/agreement.hpp:211
-  logic select_2408;
-  assign select_2408 = equal_1334_s4_q ? (equal_2354 ? sum_3[0] : (product_rest_q | sum_3[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:941
-  logic and_2413;
-  assign and_2413 = too_much_q & (~(equal_2377 & equal_2354));
+  logic select_2410;
+  assign select_2410 = equal_1336_s4_q ? (equal_2356 ? sum_3[0] : (product_rest_q | sum_3[0])) : product_rest_q;
   // hls/stages/agreement.hpp:942
-  logic select_2418;
-  assign select_2418 = (over[14] & equal_2354) ? (and_2413 | ((equal_2377 | equal_2376) | (x_s4_q[6:3] == 4'hf))) : and_2413;
-  // hls/stages/agreement.hpp:983
-  logic select_2526;
-  assign select_2526 = left_first_s4_q ? done_s4_q : proven_q;
-  // hls/stages/agreement.hpp:220
+  logic and_2415;
+  assign and_2415 = too_much_q & (~(equal_2379 & equal_2356));
+  // hls/stages/agreement.hpp:943
+  logic select_2420;
+  assign select_2420 = (over[14] & equal_2356) ? (and_2415 | ((equal_2379 | equal_2378) | (x_s4_q[6:3] == 4'hf))) : and_2415;
+  // hls/stages/agreement.hpp:984
   logic select_2528;
-  assign select_2528 = left_first_s4_q ? done_s4_q : (and_1507_s4_q ? select_2526 : proven_q);
-  // hls/stages/agreement.hpp:1012
-  logic [1:0] select_2579;
-  assign select_2579 = and_2578_s4_q ? {and_1588, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:1013
-  logic and_2580;
-  assign and_2580 = select_2526 & less_2556;
+  assign select_2528 = left_first_s4_q ? done_s4_q : proven_q;
   // hls/stages/agreement.hpp:220
-  logic select_2583;
-  assign select_2583 = and_1514_s4_q ? (less_1515_s4_q ? (select_2579[0] & and_2580) : seen_q) : seen_q;
+  logic select_2530;
+  assign select_2530 = left_first_s4_q ? done_s4_q : (and_1509_s4_q ? select_2528 : proven_q);
+  // hls/stages/agreement.hpp:1013
+  logic [1:0] select_2581;
+  assign select_2581 = and_2580_s4_q ? {and_1590, is_seen} : map_rdata_q;
+  // hls/stages/agreement.hpp:1014
+  logic and_2582;
+  assign and_2582 = select_2528 & less_2558;
+  // hls/stages/agreement.hpp:220
   logic select_2585;
-  assign select_2585 = left_first_s4_q ? select_2583 : (and_1507_s4_q ? select_2583 : seen_q);
-  logic select_2586;
-  assign select_2586 = and_1507_s4_q ? select_2585 : seen_q;
-  logic select_2589;
-  assign select_2589 = and_1514_s4_q ? (less_1515_s4_q ? (select_2579[1] & and_2580) : nearer_q) : nearer_q;
+  assign select_2585 = and_1516_s4_q ? (less_1517_s4_q ? (select_2581[0] & and_2582) : seen_q) : seen_q;
+  logic select_2587;
+  assign select_2587 = left_first_s4_q ? select_2585 : (and_1509_s4_q ? select_2585 : seen_q);
+  logic select_2588;
+  assign select_2588 = and_1509_s4_q ? select_2587 : seen_q;
   logic select_2591;
-  assign select_2591 = left_first_s4_q ? select_2589 : (and_1507_s4_q ? select_2589 : nearer_q);
-  logic select_2592;
-  assign select_2592 = and_1507_s4_q ? select_2591 : nearer_q;
+  assign select_2591 = and_1516_s4_q ? (less_1517_s4_q ? (select_2581[1] & and_2582) : nearer_q) : nearer_q;
+  logic select_2593;
+  assign select_2593 = left_first_s4_q ? select_2591 : (and_1509_s4_q ? select_2591 : nearer_q);
+  logic select_2594;
+  assign select_2594 = and_1509_s4_q ? select_2593 : nearer_q;
   // hls/stages/agreement.hpp:211
-  logic and_2599;
-  assign and_2599 = equal_1334_s4_q & (equal_2371_s4_q & (cfg_prove_i & (~proven_q)));
-  // hls/stages/agreement.hpp:952
-  logic not_2604;
-  assign not_2604 = ~(or_2351 | not_2593);
+  logic and_2601;
+  assign and_2601 = equal_1336_s4_q & (equal_2373_s4_q & (cfg_prove_i & (~proven_q)));
+  // hls/stages/agreement.hpp:953
+  logic not_2606;
+  assign not_2606 = ~(or_2353 | not_2595);
   // hls/stages/agreement.hpp:211
-  logic and_2608;
-  assign and_2608 = equal_1334_s4_q & (equal_2371_s4_q & (not_2604 & (select_2360 | select_2418)));
-  logic and_2611;
-  assign and_2611 = equal_1334_s4_q & (equal_2371_s4_q & (cfg_prove_i & registration_moved_q));
-  // hls/stages/agreement.hpp:874
-  logic or_2614;
-  assign or_2614 = select_1843 | (select_1855 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  logic and_2610;
+  assign and_2610 = equal_1336_s4_q & (equal_2373_s4_q & (not_2606 & (select_2362 | select_2420)));
+  logic and_2613;
+  assign and_2613 = equal_1336_s4_q & (equal_2373_s4_q & (cfg_prove_i & registration_moved_q));
+  // hls/stages/agreement.hpp:875
+  logic or_2616;
+  assign or_2616 = select_1845 | (select_1857 | ($signed(20'h0) < $signed(census_left_misses_q)));
   // hls/stages/agreement.hpp:211
-  logic and_2621;
-  assign and_2621 = equal_1334_s4_q & (equal_2371_s4_q & (not_2604 & (select_1849 | select_1861)));
-  // hls/stages/agreement.hpp:874
-  logic and_2626;
-  assign and_2626 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_2385 < cfg_hidden_frames_i));
+  logic and_2623;
+  assign and_2623 = equal_1336_s4_q & (equal_2373_s4_q & (not_2606 & (select_1851 | select_1863)));
+  // hls/stages/agreement.hpp:875
+  logic and_2628;
+  assign and_2628 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_2387 < cfg_hidden_frames_i));
   // hls/stages/agreement.hpp:211
-  logic and_2633;
-  assign and_2633 = equal_1334_s4_q & (x_s4_q[6] & (not_1453_s4_q | (4'hc < x_s4_q[5:2])));
-  // hls/stages/agreement.hpp:869
-  logic [31:0] select_2641;
-  assign select_2641 = equal_1399_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_2639_s4_q ? registration_sums_rdata_q : 32'h0);
-  logic [31:0] select_2642;
-  assign select_2642 = equal_1397_s4_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_2641;
+  logic and_2635;
+  assign and_2635 = equal_1336_s4_q & (x_s4_q[6] & (not_1455_s4_q | (4'hc < x_s4_q[5:2])));
+  // hls/stages/agreement.hpp:870
   logic [31:0] select_2643;
-  assign select_2643 = equal_1395_s4_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_2642;
+  assign select_2643 = equal_1401_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_2641_s4_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_2644;
-  assign select_2644 = equal_1393_s4_q ? {8'h0, sharpness_sums_detail_0_q} : select_2643;
+  assign select_2644 = equal_1399_s4_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_2643;
   logic [31:0] select_2645;
-  assign select_2645 = equal_1391_s4_q ? {8'h0, sharpness_sums_detail_1_q} : select_2644;
+  assign select_2645 = equal_1397_s4_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_2644;
   logic [31:0] select_2646;
-  assign select_2646 = equal_1389_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_2645;
+  assign select_2646 = equal_1395_s4_q ? {8'h0, sharpness_sums_detail_0_q} : select_2645;
   logic [31:0] select_2647;
-  assign select_2647 = equal_1387_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_2646;
-  // hls/stages/agreement.hpp:867
-  logic [9:0] select_2648;
-  assign select_2648 = less_2029 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:871
+  assign select_2647 = equal_1393_s4_q ? {8'h0, sharpness_sums_detail_1_q} : select_2646;
+  logic [31:0] select_2648;
+  assign select_2648 = equal_1391_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_2647;
   logic [31:0] select_2649;
-  assign select_2649 = equal_1379_s4_q ? select_2647 : {2'h0, select_2648, select_2033, select_2030};
+  assign select_2649 = equal_1389_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_2648;
+  // hls/stages/agreement.hpp:868
+  logic [9:0] select_2650;
+  assign select_2650 = less_2031 ? 10'h0 : regions_rdata_q[29:20];
+  // hls/stages/agreement.hpp:872
+  logic [31:0] select_2651;
+  assign select_2651 = equal_1381_s4_q ? select_2649 : {2'h0, select_2650, select_2035, select_2032};
 
   // Memory fresh, write
   logic [5:0] fresh_waddr;
@@ -4518,11 +4518,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1385_s4_q, lower_half_s4_q, registration_of_right_s4_q};
+  assign registration_sums_waddr = {sum_1387_s4_q, lower_half_s4_q, registration_of_right_s4_q};
   logic registration_sums_we;
-  assign registration_sums_we = s4_en & and_1441_s4_q;
+  assign registration_sums_we = s4_en & and_1443_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1440, sum_1436};
+    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1442, sum_1438};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4538,11 +4538,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s4_q, or_1451_s4_q, or_1448_s4_q, or_1445_s4_q};
+  assign regions_waddr = {region_row_s4_q, or_1453_s4_q, or_1450_s4_q, or_1447_s4_q};
   logic regions_we;
-  assign regions_we = s4_en & and_1480_s4_q;
+  assign regions_we = s4_en & and_1482_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_1479, sum_1473, sum_1468};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_1481, sum_1475, sum_1470};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4556,11 +4556,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [11:0] map_waddr;
-  assign map_waddr = sum_1523_s4_q;
+  assign map_waddr = sum_1525_s4_q;
   logic map_we;
-  assign map_we = s4_en & and_1598_s4_q;
+  assign map_we = s4_en & and_1600_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_1588, is_seen};
+    if (map_we) map_mem[map_waddr] <= {and_1590, is_seen};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4633,62 +4633,62 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s4_en) begin
-      census_left_misses_q <= select_1752;
-      sharpness_sums_detail_0_q <= and_367_s4_q ? select_1772 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_367_s4_q ? select_1783 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_367_s4_q ? sum_1787 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_367_s4_q ? sum_1791 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_1809 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_1819 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_1821 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_1823 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_1825 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_1827 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_1832;
-      sharpness_comparing_carry_1_q <= select_1836;
-      sharpness_comparing_less_detail_0_q <= select_1843;
-      sharpness_comparing_less_detail_1_q <= select_1849;
-      sharpness_comparing_less_contrast_0_q <= select_1855;
-      sharpness_comparing_less_contrast_1_q <= select_1861;
-      counts_supervised_q <= select_1987;
-      counts_textured_q <= and_1981_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_1990});
-      counts_explained_q <= and_1981_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_1995});
-      counts_nearer_q <= and_1981_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2000});
-      counts_unproven_q <= and_1981_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2026});
-      counts_regions_bad_q <= select_2042;
-      counts_skin_supervised_q <= select_2049;
-      counts_skin_textured_q <= select_2056;
-      counts_skin_unproven_q <= select_2064;
-      registration_half_across_q <= select_2138;
-      registration_half_measured_q <= select_2143;
-      registration_half_votes_down_q <= and_2117_s4_q ? 7'h0 : sum_2149;
-      registration_half_votes_up_q <= and_2117_s4_q ? 7'h0 : sum_2157;
-      registration_half_half_votes_down_q <= and_2117_s4_q ? 7'h0 : sum_2164;
-      registration_half_half_votes_up_q <= and_2117_s4_q ? 7'h0 : sum_2171;
-      registration_down_q <= and_2205 ? sum_2224 : registration_down_q;
-      registration_up_q <= and_2205 ? sum_2233 : registration_up_q;
-      registration_enough_q <= select_2247;
-      registration_votes_down_q <= and_2252 ? less_2253 : registration_votes_down_q;
-      registration_votes_up_q <= and_2252 ? less_2255 : registration_votes_up_q;
-      registration_other_enough_q <= and_2261 ? select_2247 : registration_other_enough_q;
-      registration_other_down_q <= and_2261 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2261 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_1334_s4_q & and_2268)) & or_2293;
-      segment_textured_q <= select_1465 + {5'h0, and_1990};
-      segment_explained_q <= select_1470 + {5'h0, and_1995};
-      segment_nearer_q <= select_1476 + {5'h0, and_2000};
+      census_left_misses_q <= select_1754;
+      sharpness_sums_detail_0_q <= and_367_s4_q ? select_1774 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_367_s4_q ? select_1785 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_367_s4_q ? sum_1789 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_367_s4_q ? sum_1793 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_1811 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_1821 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_1823 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_1825 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_1827 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_1829 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_1834;
+      sharpness_comparing_carry_1_q <= select_1838;
+      sharpness_comparing_less_detail_0_q <= select_1845;
+      sharpness_comparing_less_detail_1_q <= select_1851;
+      sharpness_comparing_less_contrast_0_q <= select_1857;
+      sharpness_comparing_less_contrast_1_q <= select_1863;
+      counts_supervised_q <= select_1989;
+      counts_textured_q <= and_1983_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_1992});
+      counts_explained_q <= and_1983_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_1997});
+      counts_nearer_q <= and_1983_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2002});
+      counts_unproven_q <= and_1983_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2028});
+      counts_regions_bad_q <= select_2044;
+      counts_skin_supervised_q <= select_2051;
+      counts_skin_textured_q <= select_2058;
+      counts_skin_unproven_q <= select_2066;
+      registration_half_across_q <= select_2140;
+      registration_half_measured_q <= select_2145;
+      registration_half_votes_down_q <= and_2119_s4_q ? 7'h0 : sum_2151;
+      registration_half_votes_up_q <= and_2119_s4_q ? 7'h0 : sum_2159;
+      registration_half_half_votes_down_q <= and_2119_s4_q ? 7'h0 : sum_2166;
+      registration_half_half_votes_up_q <= and_2119_s4_q ? 7'h0 : sum_2173;
+      registration_down_q <= and_2207 ? sum_2226 : registration_down_q;
+      registration_up_q <= and_2207 ? sum_2235 : registration_up_q;
+      registration_enough_q <= select_2249;
+      registration_votes_down_q <= and_2254 ? less_2255 : registration_votes_down_q;
+      registration_votes_up_q <= and_2254 ? less_2257 : registration_votes_up_q;
+      registration_other_enough_q <= and_2263 ? select_2249 : registration_other_enough_q;
+      registration_other_down_q <= and_2263 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2263 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_1336_s4_q & and_2270)) & or_2295;
+      segment_textured_q <= select_1467 + {5'h0, and_1992};
+      segment_explained_q <= select_1472 + {5'h0, and_1997};
+      segment_nearer_q <= select_1478 + {5'h0, and_2002};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_1334_s4_q ? select_2368 : good_q;
-      good_known_q <= select_2373;
-      hidden_for_q <= select_2387;
-      product_q <= equal_1334_s4_q ? sum_3[14:1] : product_q;
-      product_rest_q <= select_2408;
-      disagree_q <= equal_1334_s4_q ? select_2360 : disagree_q;
-      too_much_q <= equal_1334_s4_q ? select_2418 : too_much_q;
-      hides_q <= equal_1334_s4_q ? select_2382 : hides_q;
-      proven_q <= and_1507_s4_q ? select_2528 : proven_q;
-      seen_q <= select_2586;
-      nearer_q <= select_2592;
+      good_q <= equal_1336_s4_q ? select_2370 : good_q;
+      good_known_q <= select_2375;
+      hidden_for_q <= select_2389;
+      product_q <= equal_1336_s4_q ? sum_3[14:1] : product_q;
+      product_rest_q <= select_2410;
+      disagree_q <= equal_1336_s4_q ? select_2362 : disagree_q;
+      too_much_q <= equal_1336_s4_q ? select_2420 : too_much_q;
+      hides_q <= equal_1336_s4_q ? select_2384 : hides_q;
+      proven_q <= and_1509_s4_q ? select_2530 : proven_q;
+      seen_q <= select_2588;
+      nearer_q <= select_2594;
     end
   end
 
@@ -4714,21 +4714,21 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s4_en) begin
-      averager_quarter_1_0_q <= select_1627;
-      averager_quarter_1_1_q <= select_1629;
-      averager_quarter_2_0_q <= select_1631;
-      averager_quarter_2_1_q <= select_1633;
-      averager_detail_0_q <= select_1645;
-      averager_detail_1_q <= select_1653;
+      averager_quarter_1_0_q <= select_1629;
+      averager_quarter_1_1_q <= select_1631;
+      averager_quarter_2_0_q <= select_1633;
+      averager_quarter_2_1_q <= select_1635;
+      averager_detail_0_q <= select_1647;
+      averager_detail_1_q <= select_1655;
       census_changes_values_0_left_q <= and_367_s4_q ? texture_s4_q : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_367_s4_q ? sum_1736_s4_q : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_1738;
-      census_changes_values_1_right_q <= select_1739;
-      census_changes_values_2_left_q <= select_1740;
-      census_changes_values_2_right_q <= select_1741;
+      census_changes_values_0_right_q <= and_367_s4_q ? sum_1738_s4_q : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_1740;
+      census_changes_values_1_right_q <= select_1741;
+      census_changes_values_2_left_q <= select_1742;
+      census_changes_values_2_right_q <= select_1743;
       sharpness_last_mask_q <= and_367_s4_q ? whole_2_s4_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_367_s4_q ? select_1757[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_367_s4_q ? select_1757[27:14] : sharpness_last_detail_1_q;
+      sharpness_last_detail_0_q <= and_367_s4_q ? select_1759[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_367_s4_q ? select_1759[27:14] : sharpness_last_detail_1_q;
     end
   end
 
@@ -4737,19 +4737,19 @@ module horopter_agreement (
   logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic and_2530_s5_q;
-  logic or_2594_s5_q;
-  logic and_2595_s5_q;
-  logic and_2599_s5_q;
-  logic and_2602_s5_q;
-  logic and_2608_s5_q;
-  logic and_2611_s5_q;
-  logic and_2617_s5_q;
-  logic and_2621_s5_q;
-  logic and_2629_s5_q;
-  logic and_2633_s5_q;
-  logic [5:0] select_2635_s5_q;
-  logic [31:0] select_2651_s5_q;
+  logic and_2532_s5_q;
+  logic or_2596_s5_q;
+  logic and_2597_s5_q;
+  logic and_2601_s5_q;
+  logic and_2604_s5_q;
+  logic and_2610_s5_q;
+  logic and_2613_s5_q;
+  logic and_2619_s5_q;
+  logic and_2623_s5_q;
+  logic and_2631_s5_q;
+  logic and_2635_s5_q;
+  logic [5:0] select_2637_s5_q;
+  logic [31:0] select_2653_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       pixel_0_s5_q <= pixel_0_s4_q;
@@ -4757,19 +4757,19 @@ module horopter_agreement (
       mask_s5_q <= mask_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
-      and_2530_s5_q <= said_q;
-      or_2594_s5_q <= not_2593 | select_2586;
-      and_2595_s5_q <= cfg_prove_i & select_2592;
-      and_2599_s5_q <= and_2599;
-      and_2602_s5_q <= equal_1334_s4_q & (equal_2371_s4_q & (cfg_prove_i & or_2351));
-      and_2608_s5_q <= and_2608;
-      and_2611_s5_q <= and_2611;
-      and_2617_s5_q <= equal_1334_s4_q & (equal_2371_s4_q & (not_2604 & or_2614));
-      and_2621_s5_q <= and_2621;
-      and_2629_s5_q <= equal_1334_s4_q & (equal_2371_s4_q & (cfg_prove_i & and_2626));
-      and_2633_s5_q <= and_2633;
-      select_2635_s5_q <= equal_1334_s4_q ? (x_s4_q[6] ? x_s4_q[5:0] : 6'h0) : 6'h0;
-      select_2651_s5_q <= equal_1334_s4_q ? (x_s4_q[6] ? select_2649 : 32'h0) : 32'h0;
+      and_2532_s5_q <= said_q;
+      or_2596_s5_q <= not_2595 | select_2588;
+      and_2597_s5_q <= cfg_prove_i & select_2594;
+      and_2601_s5_q <= and_2601;
+      and_2604_s5_q <= equal_1336_s4_q & (equal_2373_s4_q & (cfg_prove_i & or_2353));
+      and_2610_s5_q <= and_2610;
+      and_2613_s5_q <= and_2613;
+      and_2619_s5_q <= equal_1336_s4_q & (equal_2373_s4_q & (not_2606 & or_2616));
+      and_2623_s5_q <= and_2623;
+      and_2631_s5_q <= equal_1336_s4_q & (equal_2373_s4_q & (cfg_prove_i & and_2628));
+      and_2635_s5_q <= and_2635;
+      select_2637_s5_q <= equal_1336_s4_q ? (x_s4_q[6] ? x_s4_q[5:0] : 6'h0) : 6'h0;
+      select_2653_s5_q <= equal_1336_s4_q ? (x_s4_q[6] ? select_2651 : 32'h0) : 32'h0;
     end
   end
 
@@ -4779,19 +4779,19 @@ module horopter_agreement (
   assign mask_o = mask_s5_q;
   assign marks_first_o = marks_first_s5_q;
   assign marks_last_o = marks_last_s5_q;
-  assign marks_seen_o = or_2594_s5_q;
-  assign marks_nearer_o = and_2595_s5_q;
-  assign verdict_valid_o = and_2530_s5_q;
-  assign verdict_unproven_yet_o = and_2599_s5_q;
-  assign verdict_untextured_o = and_2602_s5_q;
-  assign verdict_disagree_o = and_2608_s5_q;
-  assign verdict_moved_o = and_2611_s5_q;
-  assign verdict_unsharp_left_o = and_2617_s5_q;
-  assign verdict_unsharp_right_o = and_2621_s5_q;
-  assign verdict_hidden_o = and_2629_s5_q;
-  assign frame_valid_o = and_2633_s5_q;
-  assign frame_index_o = select_2635_s5_q;
-  assign frame_word_o = select_2651_s5_q;
+  assign marks_seen_o = or_2596_s5_q;
+  assign marks_nearer_o = and_2597_s5_q;
+  assign verdict_valid_o = and_2532_s5_q;
+  assign verdict_unproven_yet_o = and_2601_s5_q;
+  assign verdict_untextured_o = and_2604_s5_q;
+  assign verdict_disagree_o = and_2610_s5_q;
+  assign verdict_moved_o = and_2613_s5_q;
+  assign verdict_unsharp_left_o = and_2619_s5_q;
+  assign verdict_unsharp_right_o = and_2623_s5_q;
+  assign verdict_hidden_o = and_2631_s5_q;
+  assign frame_valid_o = and_2635_s5_q;
+  assign frame_index_o = select_2637_s5_q;
+  assign frame_word_o = select_2653_s5_q;
   assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin
@@ -4812,6 +4812,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], sum_2104[0], sum_2100[0], sum_2086[0], detail_4[1:0], detail_3[1:0], sum_1746[4:0], sum_480[4:0], cfg_compete_i, cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], sum_2106[0], sum_2102[0], sum_2088[0], detail_4[1:0], detail_3[1:0], sum_1748[4:0], sum_480[4:0], cfg_compete_i, cfg_width_i[2:0]};
 
 endmodule

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Agreement<horopter::hls::profiles::hd>, hls/stages/agreement.hpp. Do not edit.
 //
-// Latency 28 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 29 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 1918 bits, pipeline 6067 bits, memories 93264 bits.
+// State 1918 bits, pipeline 6140 bits, memories 93264 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -59,8 +59,8 @@ module horopter_agreement (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q, valid_s11_q, valid_s12_q, valid_s13_q, valid_s14_q, valid_s15_q, valid_s16_q, valid_s17_q, valid_s18_q, valid_s19_q, valid_s20_q, valid_s21_q, valid_s22_q, valid_s23_q, valid_s24_q, valid_s25_q, valid_s26_q, valid_s27_q, valid_s28_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en, s10_en, s11_en, s12_en, s13_en, s14_en, s15_en, s16_en, s17_en, s18_en, s19_en, s20_en, s21_en, s22_en, s23_en, s24_en, s25_en, s26_en, s27_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q, valid_s11_q, valid_s12_q, valid_s13_q, valid_s14_q, valid_s15_q, valid_s16_q, valid_s17_q, valid_s18_q, valid_s19_q, valid_s20_q, valid_s21_q, valid_s22_q, valid_s23_q, valid_s24_q, valid_s25_q, valid_s26_q, valid_s27_q, valid_s28_q, valid_s29_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en, s10_en, s11_en, s12_en, s13_en, s14_en, s15_en, s16_en, s17_en, s18_en, s19_en, s20_en, s21_en, s22_en, s23_en, s24_en, s25_en, s26_en, s27_en, s28_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
@@ -89,20 +89,21 @@ module horopter_agreement (
   assign s25_en = en_i & valid_s25_q;
   assign s26_en = en_i & valid_s26_q;
   assign s27_en = en_i & valid_s27_q;
+  assign s28_en = en_i & valid_s28_q;
 
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {1'b0, cfg_width_i[10:4]} + 8'hff;
-  logic [6:0] sum_1951;
-  assign sum_1951 = {1'b0, cfg_height_i[10:5]} + 7'h5;
-  logic [7:0] difference_2324;
-  assign difference_2324 = 8'h0 - {1'b0, cfg_height_i[10:4]};
-  logic less_2528;
-  assign less_2528 = 7'h8 < cfg_height_i[10:4];
-  logic [4:0] sum_2529;
-  assign sum_2529 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
-  logic not_2547;
-  assign not_2547 = ~cfg_prove_i;
+  logic [6:0] sum_1953;
+  assign sum_1953 = {1'b0, cfg_height_i[10:5]} + 7'h5;
+  logic [7:0] difference_2326;
+  assign difference_2326 = 8'h0 - {1'b0, cfg_height_i[10:4]};
+  logic less_2530;
+  assign less_2530 = 7'h8 < cfg_height_i[10:4];
+  logic [4:0] sum_2531;
+  assign sum_2531 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
+  logic not_2549;
+  assign not_2549 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -186,18 +187,18 @@ module horopter_agreement (
   logic equal_364;
   assign equal_364 = select_326_s1_q == 4'hf;
   // hls/stages/agreement.hpp:215
-  logic [3:0] select_1601;
-  assign select_1601 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (select_347 + 4'h1) : select_347) : raster_at_y_q;
-  logic [6:0] select_1603;
-  assign select_1603 = sample_pair_whole_s1_q ? (select_329 + {6'h0, equal_364}) : raster_at_column_q;
-  logic select_1610;
-  assign select_1610 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_334 & (~raster_final_row_q)) : or_334) : raster_at_live_q;
+  logic [3:0] select_1603;
+  assign select_1603 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (select_347 + 4'h1) : select_347) : raster_at_y_q;
+  logic [6:0] select_1605;
+  assign select_1605 = sample_pair_whole_s1_q ? (select_329 + {6'h0, equal_364}) : raster_at_column_q;
+  logic select_1612;
+  assign select_1612 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_334 & (~raster_final_row_q)) : or_334) : raster_at_live_q;
   // hls/stages/census.hpp:44
-  logic [10:0] select_1612;
-  assign select_1612 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
+  logic [10:0] select_1614;
+  assign select_1614 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
   // hls/stages/agreement.hpp:215
-  logic select_1616;
-  assign select_1616 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
+  logic select_1618;
+  assign select_1618 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -208,11 +209,11 @@ module horopter_agreement (
       raster_final_row_q <= 1'b0;
       averager_running_mask_q <= 1'b0;
     end else if (s1_en) begin
-      raster_at_y_q <= select_1601;
-      raster_at_column_q <= select_1603;
-      raster_at_live_q <= select_1610;
-      raster_rows_left_q <= sample_pair_whole_s1_q ? select_1612 : raster_rows_left_q;
-      raster_final_row_q <= select_1616;
+      raster_at_y_q <= select_1603;
+      raster_at_column_q <= select_1605;
+      raster_at_live_q <= select_1612;
+      raster_rows_left_q <= sample_pair_whole_s1_q ? select_1614 : raster_rows_left_q;
+      raster_final_row_q <= select_1618;
       averager_running_mask_q <= sample_pair_whole_s1_q ? whole : averager_running_mask_q;
     end
   end
@@ -271,15 +272,15 @@ module horopter_agreement (
   logic [6:0] row;
   assign row = sample_pair_whole_s2_q ? select_427 : 7'h0;
   // hls/stages/census.hpp:52
-  logic [6:0] select_1605;
-  assign select_1605 = sample_last_s2_q ? (select_427 + {6'h0, equal_365_s2_q}) : select_427;
+  logic [6:0] select_1607;
+  assign select_1607 = sample_last_s2_q ? (select_427 + {6'h0, equal_365_s2_q}) : select_427;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_at_row_q <= 7'h0;
       averager_place_q <= 9'h0;
     end else if (s2_en) begin
-      raster_at_row_q <= sample_pair_whole_s2_q ? select_1605 : raster_at_row_q;
+      raster_at_row_q <= sample_pair_whole_s2_q ? select_1607 : raster_at_row_q;
       averager_place_q <= sample_pair_whole_s2_q ? select_333 : averager_place_q;
     end
   end
@@ -334,11 +335,11 @@ module horopter_agreement (
   logic and_368;
   assign and_368 = sample_pair_whole_s3_q & (equal_364_s3_q & and_366);
   // hls/stages/agreement.hpp:313
-  logic equal_1857;
-  assign equal_1857 = {last[7], column_s3_q} == {1'b0, last[6:0]};
+  logic equal_1859;
+  assign equal_1859 = {last[7], column_s3_q} == {1'b0, last[6:0]};
   // hls/stages/agreement.hpp:329
-  logic [7:0] sum_1947;
-  assign sum_1947 = {1'b0, row_s3_q} + 8'h1;
+  logic [7:0] sum_1949;
+  assign sum_1949 = {1'b0, row_s3_q} + 8'h1;
 
   logic [7:0] pixel_0_s4_q;
   logic [7:0] pixel_1_s4_q;
@@ -357,9 +358,9 @@ module horopter_agreement (
   logic and_368_s4_q;
   logic equal_371_s4_q;
   logic [6:0] row_s4_q;
-  logic equal_1857_s4_q;
-  logic and_1858_s4_q;
-  logic equal_1948_s4_q;
+  logic equal_1859_s4_q;
+  logic and_1860_s4_q;
+  logic equal_1950_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= pixel_0_s3_q;
@@ -379,9 +380,9 @@ module horopter_agreement (
       and_368_s4_q <= and_368;
       equal_371_s4_q <= equal_371_s3_q;
       row_s4_q <= row_s3_q;
-      equal_1857_s4_q <= equal_1857;
-      and_1858_s4_q <= and_368 & equal_1857;
-      equal_1948_s4_q <= {sum_1947[7], cfg_height_i[10:4]} == {1'b0, sum_1947[6:0]};
+      equal_1859_s4_q <= equal_1859;
+      and_1860_s4_q <= and_368 & equal_1859;
+      equal_1950_s4_q <= {sum_1949[7], cfg_height_i[10:4]} == {1'b0, sum_1949[6:0]};
     end
   end
 
@@ -422,91 +423,91 @@ module horopter_agreement (
   logic equal_393;
   assign equal_393 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:368
-  logic select_1861;
-  assign select_1861 = (and_1858_s4_q | (~ends_cell_q)) ? and_1858_s4_q : ends_q;
+  logic select_1863;
+  assign select_1863 = (and_1860_s4_q | (~ends_cell_q)) ? and_1860_s4_q : ends_q;
   // hls/stages/agreement.hpp:374
   logic [2:0] now;
-  assign now = select_1861 ? (and_1858_s4_q ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_1863 ? (and_1860_s4_q ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:379
-  logic [5:0] select_1865;
-  assign select_1865 = select_1861 ? (and_1858_s4_q ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_1868;
-  assign select_1868 = select_1861 ? (following_last_shift_q & (~and_1858_s4_q)) : run_last_shift_q;
+  logic [5:0] select_1867;
+  assign select_1867 = select_1863 ? (and_1860_s4_q ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_1870;
+  assign select_1870 = select_1863 ? (following_last_shift_q & (~and_1860_s4_q)) : run_last_shift_q;
   // hls/stages/agreement.hpp:380
-  logic [7:0] select_1870;
-  assign select_1870 = select_1861 ? (and_1858_s4_q ? 8'h0 : following_span_q) : run_span_q;
+  logic [7:0] select_1872;
+  assign select_1872 = select_1863 ? (and_1860_s4_q ? 8'h0 : following_span_q) : run_span_q;
   // hls/stages/agreement.hpp:146
-  logic and_1871;
-  assign and_1871 = run_last_shift_q & equal_391;
+  logic and_1873;
+  assign and_1873 = run_last_shift_q & equal_391;
   // hls/stages/agreement.hpp:399
-  logic select_1873;
-  assign select_1873 = equal_391 ? (~run_last_shift_q) : equal_393;
+  logic select_1875;
+  assign select_1875 = equal_391 ? (~run_last_shift_q) : equal_393;
   // hls/stages/agreement.hpp:403
-  logic equal_1874;
-  assign equal_1874 = run_phase_q == 3'h1;
-  logic not_1877;
-  assign not_1877 = ~select_1873;
+  logic equal_1876;
+  assign equal_1876 = run_phase_q == 3'h1;
+  logic not_1879;
+  assign not_1879 = ~select_1875;
   // hls/stages/agreement.hpp:406
-  logic equal_1879;
-  assign equal_1879 = run_phase_q == 3'h4;
+  logic equal_1881;
+  assign equal_1881 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:146
-  logic and_1880;
-  assign and_1880 = final_row_q & so;
+  logic and_1882;
+  assign and_1882 = final_row_q & so;
   // hls/stages/agreement.hpp:403
-  logic [1:0] select_1881;
-  assign select_1881 = equal_1879 ? 2'h1 : {2{and_1880}};
-  logic [2:0] select_1883;
-  assign select_1883 = (and_1871 | (select_1873 | equal_1874)) ? (equal_1874 ? 3'h2 : {not_1877, {2{select_1873}}}) : (equal_388 ? 3'h6 : {select_1881[0], select_1881});
+  logic [1:0] select_1883;
+  assign select_1883 = equal_1881 ? 2'h1 : {2{and_1882}};
+  logic [2:0] select_1885;
+  assign select_1885 = (and_1873 | (select_1875 | equal_1876)) ? (equal_1876 ? 3'h2 : {not_1879, {2{select_1875}}}) : (equal_388 ? 3'h6 : {select_1883[0], select_1883});
   // hls/stages/agreement.hpp:146
-  logic and_1886;
-  assign and_1886 = select_1873 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  logic and_1888;
+  assign and_1888 = select_1875 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:413
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_1889;
-  assign select_1889 = (plan_shift_q[5] & select_1873) ? value : 7'h0;
-  logic [1:0] or_1890;
-  assign or_1890 = {2{so}} | select_1889[5:4];
+  logic [6:0] select_1891;
+  assign select_1891 = (plan_shift_q[5] & select_1875) ? value : 7'h0;
+  logic [1:0] or_1892;
+  assign or_1892 = {2{so}} | select_1891[5:4];
   // hls/stages/agreement.hpp:416
-  logic [7:0] or_1894;
-  assign or_1894 = (select_1873 ? plan_columns_q : 8'h0) | ((equal_1874 | equal_1879) ? whole_q : 8'h0);
-  logic [1:0] or_1895;
-  assign or_1895 = {2{and_1871}} | or_1894[4:3];
+  logic [7:0] or_1896;
+  assign or_1896 = (select_1875 ? plan_columns_q : 8'h0) | ((equal_1876 | equal_1881) ? whole_q : 8'h0);
+  logic [1:0] or_1897;
+  assign or_1897 = {2{and_1873}} | or_1896[4:3];
   // hls/stages/agreement.hpp:417
-  logic [7:0] or_1897;
-  assign or_1897 = {or_1894[7:5], or_1895, or_1894[2:0]} | (equal_388 ? drawn_q : 8'h0);
-  logic [4:0] or_1898;
-  assign or_1898 = {5{so}} | {or_1897[6], or_1897[3:0]};
+  logic [7:0] or_1899;
+  assign or_1899 = {or_1896[7:5], or_1897, or_1896[2:0]} | (equal_388 ? drawn_q : 8'h0);
+  logic [4:0] or_1900;
+  assign or_1900 = {5{so}} | {or_1899[6], or_1899[3:0]};
   // hls/stages/agreement.hpp:423
-  logic not_1902;
-  assign not_1902 = ~run_shift_q[5];
-  logic [7:0] select_1905;
-  assign select_1905 = equal_391 ? ({{7{not_1902}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  logic not_1904;
+  assign not_1904 = ~run_shift_q[5];
+  logic [7:0] select_1907;
+  assign select_1907 = equal_391 ? ({{7{not_1904}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:368
-  logic [6:0] select_1909;
-  assign select_1909 = and_1858_s4_q ? 7'h0 : following_lowest_q;
+  logic [6:0] select_1911;
+  assign select_1911 = and_1860_s4_q ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:371
-  logic [7:0] select_1911;
-  assign select_1911 = select_1861 ? {select_1909[6], select_1909} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_1914;
-  assign select_1914 = select_1861 ? (and_1858_s4_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_1913;
+  assign select_1913 = select_1863 ? {select_1911[6], select_1911} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_1916;
+  assign select_1916 = select_1863 ? (and_1860_s4_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:314
-  logic [6:0] select_1921;
-  assign select_1921 = equal_1857_s4_q ? ((6'he < column_s4_q[6:1]) ? 7'h1d : column_s4_q) : least_q;
+  logic [6:0] select_1923;
+  assign select_1923 = equal_1859_s4_q ? ((6'he < column_s4_q[6:1]) ? 7'h1d : column_s4_q) : least_q;
   // hls/stages/agreement.hpp:365
-  logic [7:0] select_1925;
-  assign select_1925 = and_368_s4_q ? (equal_1857_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h17) : whole_q) : whole_q;
-  logic [7:0] select_1928;
-  assign select_1928 = and_368_s4_q ? (equal_1857_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h3) : drawn_q) : drawn_q;
+  logic [7:0] select_1927;
+  assign select_1927 = and_368_s4_q ? (equal_1859_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h17) : whole_q) : whole_q;
+  logic [7:0] select_1930;
+  assign select_1930 = and_368_s4_q ? (equal_1859_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h3) : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:376
-  logic select_1942;
-  assign select_1942 = (ends_cell_q | select_1861) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_391 | (slot_q == 3'h6));
+  logic select_1944;
+  assign select_1944 = (ends_cell_q | select_1863) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_391 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:371
-  logic and_1946;
-  assign and_1946 = (~select_1861) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_1948;
+  assign and_1948 = (~select_1863) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:365
-  logic select_1950;
-  assign select_1950 = and_368_s4_q ? (equal_1857_s4_q ? equal_1948_s4_q : final_row_q) : final_row_q;
+  logic select_1952;
+  assign select_1952 = and_368_s4_q ? (equal_1859_s4_q ? equal_1950_s4_q : final_row_q) : final_row_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -535,28 +536,28 @@ module horopter_agreement (
       final_row_q <= 1'b0;
     end else if (s4_en) begin
       run_phase_q <= now;
-      run_shift_q <= select_1865;
-      run_last_shift_q <= select_1868;
-      run_span_q <= select_1870;
-      following_phase_q <= select_1883;
-      following_shift_q <= select_1873 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_1886;
+      run_shift_q <= select_1867;
+      run_last_shift_q <= select_1870;
+      run_span_q <= select_1872;
+      following_phase_q <= select_1885;
+      following_shift_q <= select_1875 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_1888;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_1889[6], or_1890, select_1889[3:0]};
-      following_columns_q <= {or_1897[7], or_1898[4], or_1897[5:4], or_1898[3:0]};
+      following_lowest_q <= {select_1891[6], or_1892, select_1891[3:0]};
+      following_columns_q <= {or_1899[7], or_1900[4], or_1899[5:4], or_1900[3:0]};
       plan_shift_q <= equal_391 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_1905;
+      plan_span_q <= select_1907;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_1911;
-      columns_left_q <= select_1914;
-      last_q <= and_368_s4_q ? (equal_1857_s4_q ? column_s4_q : last_q) : last_q;
-      least_q <= and_368_s4_q ? select_1921 : least_q;
-      whole_q <= select_1925;
-      drawn_q <= select_1928;
-      slot_q <= select_1861 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_1942;
-      ends_q <= and_1946;
-      final_row_q <= select_1950;
+      x_q <= select_1913;
+      columns_left_q <= select_1916;
+      last_q <= and_368_s4_q ? (equal_1859_s4_q ? column_s4_q : last_q) : last_q;
+      least_q <= and_368_s4_q ? select_1923 : least_q;
+      whole_q <= select_1927;
+      drawn_q <= select_1930;
+      slot_q <= select_1863 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_1944;
+      ends_q <= and_1948;
+      final_row_q <= select_1952;
     end
   end
 
@@ -589,10 +590,10 @@ module horopter_agreement (
   logic [6:0] row_s5_q;
   logic [7:0] sum_504_s5_q;
   logic equal_513_s5_q;
-  logic equal_1335_s5_q;
-  logic equal_1857_s5_q;
-  logic and_1858_s5_q;
-  logic select_1861_s5_q;
+  logic equal_1337_s5_q;
+  logic equal_1859_s5_q;
+  logic and_1860_s5_q;
+  logic select_1863_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       pixel_0_s5_q <= pixel_0_s4_q;
@@ -624,10 +625,10 @@ module horopter_agreement (
       row_s5_q <= row_s4_q;
       sum_504_s5_q <= {1'b0, last_q} + 8'h3;
       equal_513_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      equal_1335_s5_q <= run_phase_q == 3'h7;
-      equal_1857_s5_q <= equal_1857_s4_q;
-      and_1858_s5_q <= and_1858_s4_q;
-      select_1861_s5_q <= select_1861;
+      equal_1337_s5_q <= run_phase_q == 3'h7;
+      equal_1859_s5_q <= equal_1859_s4_q;
+      and_1860_s5_q <= and_1860_s4_q;
+      select_1863_s5_q <= select_1863;
     end
   end
 
@@ -644,18 +645,15 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:596
   logic [7:0] x;
   assign x = x_s5_q + 8'hfd;
-  // hls/stages/agreement.hpp:746
-  logic [5:0] sum_1417;
-  assign sum_1417 = {1'b0, last_s5_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:373
-  logic [6:0] select_1930;
-  assign select_1930 = select_1861_s5_q ? 7'h0 : (ends_cell_s5_q ? {age_q[5:0], 1'b1} : age_q);
+  logic [6:0] select_1932;
+  assign select_1932 = select_1863_s5_q ? 7'h0 : (ends_cell_s5_q ? {age_q[5:0], 1'b1} : age_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       age_q <= 7'h0;
     end else if (s5_en) begin
-      age_q <= select_1930;
+      age_q <= select_1932;
     end
   end
 
@@ -668,6 +666,7 @@ module horopter_agreement (
   logic sample_pair_whole_s6_q;
   logic [5:0] run_shift_s6_q;
   logic [7:0] x_s6_q;
+  logic [6:0] last_s6_q;
   logic [3:0] age_s6_q;
   logic [2:0] slot_s6_q;
   logic ends_cell_s6_q;
@@ -691,13 +690,10 @@ module horopter_agreement (
   logic [6:0] x_s6_2_q;
   logic and_508_s6_q;
   logic equal_513_s6_q;
-  logic equal_1325_s6_q;
-  logic equal_1335_s6_q;
-  logic less_1418_s6_q;
-  logic equal_1458_s6_q;
-  logic not_1592_s6_q;
-  logic equal_1857_s6_q;
-  logic and_1858_s6_q;
+  logic equal_1327_s6_q;
+  logic equal_1337_s6_q;
+  logic equal_1859_s6_q;
+  logic and_1860_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       pixel_0_s6_q <= pixel_0_s5_q;
@@ -709,6 +705,7 @@ module horopter_agreement (
       sample_pair_whole_s6_q <= sample_pair_whole_s5_q;
       run_shift_s6_q <= run_shift_s5_q;
       x_s6_q <= x_s5_q;
+      last_s6_q <= last_s5_q;
       age_s6_q <= {age_q[6], age_q[4:3], age_q[0]};
       slot_s6_q <= slot_s5_q;
       ends_cell_s6_q <= ends_cell_s5_q;
@@ -732,13 +729,10 @@ module horopter_agreement (
       x_s6_2_q <= x[6:0];
       and_508_s6_q <= age_q[2] & (ends_cell_s5_q & (~(sum_504_s5_q < select_395)));
       equal_513_s6_q <= equal_513_s5_q;
-      equal_1325_s6_q <= {x[7], last_s5_q} == {1'b0, x[6:0]};
-      equal_1335_s6_q <= equal_1335_s5_q;
-      less_1418_s6_q <= {1'b0, sum_1417, last_s5_q[1]} < x_s5_q;
-      equal_1458_s6_q <= x_s5_q == {1'b0, last_s5_q};
-      not_1592_s6_q <= ~({sum_1417, last_s5_q[1:0]} < x_s5_q);
-      equal_1857_s6_q <= equal_1857_s5_q;
-      and_1858_s6_q <= and_1858_s5_q;
+      equal_1327_s6_q <= {x[7], last_s5_q} == {1'b0, x[6:0]};
+      equal_1337_s6_q <= equal_1337_s5_q;
+      equal_1859_s6_q <= equal_1859_s5_q;
+      and_1860_s6_q <= and_1860_s5_q;
     end
   end
 
@@ -764,7 +758,7 @@ module horopter_agreement (
   logic [6:0] right;
   assign right = sum_394_s6_q + 7'h7d;
 
-  // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1071; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
+  // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1072; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:119];
@@ -780,7 +774,7 @@ module horopter_agreement (
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 120 x 91, DISTANCE 24, hls/stages/agreement.hpp:1072; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
+  // Memory right_codes, 120 x 91, DISTANCE 24, hls/stages/agreement.hpp:1073; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:119];
@@ -796,7 +790,7 @@ module horopter_agreement (
     if (right_codes_re) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 120 x 46, DISTANCE 24, hls/stages/agreement.hpp:1073; read in stage 6, written in stage 17: 6 < 17 < 6 + DISTANCE.
+  // Memory best_left, 120 x 46, DISTANCE 24, hls/stages/agreement.hpp:1074; read in stage 6, written in stage 17: 6 < 17 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [45:0] best_left_mem [0:119];
@@ -821,6 +815,7 @@ module horopter_agreement (
   logic sample_pair_whole_s7_q;
   logic [5:0] run_shift_s7_q;
   logic [7:0] x_s7_q;
+  logic [6:0] last_s7_q;
   logic [3:0] age_s7_q;
   logic [2:0] slot_s7_q;
   logic ends_cell_s7_q;
@@ -846,13 +841,10 @@ module horopter_agreement (
   logic select_517_s7_q;
   logic and_1319_s7_q;
   logic [6:0] right_s7_q;
-  logic select_1326_s7_q;
-  logic equal_1335_s7_q;
-  logic less_1418_s7_q;
-  logic equal_1458_s7_q;
-  logic not_1592_s7_q;
-  logic equal_1857_s7_q;
-  logic and_1858_s7_q;
+  logic select_1328_s7_q;
+  logic equal_1337_s7_q;
+  logic equal_1859_s7_q;
+  logic and_1860_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
       pixel_0_s7_q <= pixel_0_s6_q;
@@ -864,6 +856,7 @@ module horopter_agreement (
       sample_pair_whole_s7_q <= sample_pair_whole_s6_q;
       run_shift_s7_q <= run_shift_s6_q;
       x_s7_q <= x_s6_q;
+      last_s7_q <= last_s6_q;
       age_s7_q <= age_s6_q;
       slot_s7_q <= slot_s6_q;
       ends_cell_s7_q <= ends_cell_s6_q;
@@ -889,19 +882,16 @@ module horopter_agreement (
       select_517_s7_q <= or_515 ? equal_513_s6_q : (~age_s6_q[1]);
       and_1319_s7_q <= not_390 & and_509;
       right_s7_q <= right;
-      select_1326_s7_q <= or_515 ? equal_513_s6_q : equal_1325_s6_q;
-      equal_1335_s7_q <= equal_1335_s6_q;
-      less_1418_s7_q <= less_1418_s6_q;
-      equal_1458_s7_q <= equal_1458_s6_q;
-      not_1592_s7_q <= not_1592_s6_q;
-      equal_1857_s7_q <= equal_1857_s6_q;
-      and_1858_s7_q <= and_1858_s6_q;
+      select_1328_s7_q <= or_515 ? equal_513_s6_q : equal_1327_s6_q;
+      equal_1337_s7_q <= equal_1337_s6_q;
+      equal_1859_s7_q <= equal_1859_s6_q;
+      and_1860_s7_q <= and_1860_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
 
-  // Memory fresh, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1070; read in stage 7, written in stage 25: 7 < 25 < 7 + DISTANCE.
+  // Memory fresh, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1071; read in stage 7, written in stage 26: 7 < 26 < 7 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:119];
@@ -926,6 +916,7 @@ module horopter_agreement (
   logic sample_pair_whole_s8_q;
   logic [5:0] run_shift_s8_q;
   logic [7:0] x_s8_q;
+  logic [6:0] last_s8_q;
   logic [3:0] age_s8_q;
   logic [2:0] slot_s8_q;
   logic ends_cell_s8_q;
@@ -954,13 +945,10 @@ module horopter_agreement (
   logic select_517_s8_q;
   logic and_1319_s8_q;
   logic [6:0] right_s8_q;
-  logic select_1326_s8_q;
-  logic equal_1335_s8_q;
-  logic less_1418_s8_q;
-  logic equal_1458_s8_q;
-  logic not_1592_s8_q;
-  logic equal_1857_s8_q;
-  logic and_1858_s8_q;
+  logic select_1328_s8_q;
+  logic equal_1337_s8_q;
+  logic equal_1859_s8_q;
+  logic and_1860_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
       pixel_0_s8_q <= pixel_0_s7_q;
@@ -972,6 +960,7 @@ module horopter_agreement (
       sample_pair_whole_s8_q <= sample_pair_whole_s7_q;
       run_shift_s8_q <= run_shift_s7_q;
       x_s8_q <= x_s7_q;
+      last_s8_q <= last_s7_q;
       age_s8_q <= age_s7_q;
       slot_s8_q <= slot_s7_q;
       ends_cell_s8_q <= ends_cell_s7_q;
@@ -1000,13 +989,10 @@ module horopter_agreement (
       select_517_s8_q <= select_517_s7_q;
       and_1319_s8_q <= and_1319_s7_q;
       right_s8_q <= right_s7_q;
-      select_1326_s8_q <= select_1326_s7_q;
-      equal_1335_s8_q <= equal_1335_s7_q;
-      less_1418_s8_q <= less_1418_s7_q;
-      equal_1458_s8_q <= equal_1458_s7_q;
-      not_1592_s8_q <= not_1592_s7_q;
-      equal_1857_s8_q <= equal_1857_s7_q;
-      and_1858_s8_q <= and_1858_s7_q;
+      select_1328_s8_q <= select_1328_s7_q;
+      equal_1337_s8_q <= equal_1337_s7_q;
+      equal_1859_s8_q <= equal_1859_s7_q;
+      and_1860_s8_q <= and_1860_s7_q;
     end
   end
 
@@ -1087,29 +1073,26 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:719
   logic [5:0] shift;
   assign shift = slot_s8_q[2] ? best_left_rdata_s8_q[5:0] : best_left_rdata_s8_q[45:40];
-  // hls/stages/agreement.hpp:723
-  logic and_1341;
-  assign and_1341 = (or_389_s8_q & (left_rdata_s8_q[61] & not_397_s8_q)) & (~(row_q[6:3] == 4'h0));
+  // hls/stages/agreement.hpp:724
+  logic and_1343;
+  assign and_1343 = (or_389_s8_q & (left_rdata_s8_q[61] & not_397_s8_q)) & (~(row_q[6:3] == 4'h0));
   // hls/stages/agreement.hpp:182
-  logic and_1349;
-  assign and_1349 = not_397_s8_q & (or_389_s8_q & (left_rdata_s8_q[63] & not_397_s8_q));
-  // hls/stages/agreement.hpp:211
-  logic and_1594;
-  assign and_1594 = ends_cell_s8_q & (((7'h6 < row_q) & (~(x_s8_q[7:2] == 6'h0))) & not_1592_s8_q);
+  logic and_1351;
+  assign and_1351 = not_397_s8_q & (or_389_s8_q & (left_rdata_s8_q[63] & not_397_s8_q));
   // hls/stages/agreement.hpp:314
-  logic select_1954;
-  assign select_1954 = equal_1857_s8_q ? (~({row_s8_q, 1'b0} < {sum_1951, cfg_height_i[4]})) : lower_half_q;
+  logic select_1956;
+  assign select_1956 = equal_1859_s8_q ? (~({row_s8_q, 1'b0} < {sum_1953, cfg_height_i[4]})) : lower_half_q;
   // hls/stages/agreement.hpp:365
-  logic and_2192;
-  assign and_2192 = and_368_s8_q & (equal_1857_s8_q & (row_s8_q[6:2] == 5'h0));
+  logic and_2194;
+  assign and_2194 = and_368_s8_q & (equal_1859_s8_q & (row_s8_q[6:2] == 5'h0));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       row_q <= 7'h0;
       lower_half_q <= 1'b0;
     end else if (s8_en) begin
-      row_q <= and_368_s8_q ? (equal_1857_s8_q ? row_s8_q : row_q) : row_q;
-      lower_half_q <= and_368_s8_q ? select_1954 : lower_half_q;
+      row_q <= and_368_s8_q ? (equal_1859_s8_q ? row_s8_q : row_q) : row_q;
+      lower_half_q <= and_368_s8_q ? select_1956 : lower_half_q;
     end
   end
 
@@ -1122,6 +1105,7 @@ module horopter_agreement (
   logic sample_pair_whole_s9_q;
   logic [5:0] run_shift_s9_q;
   logic [7:0] x_s9_q;
+  logic [6:0] last_s9_q;
   logic [3:0] age_s9_q;
   logic [2:0] slot_s9_q;
   logic ends_cell_s9_q;
@@ -1173,25 +1157,21 @@ module horopter_agreement (
   logic [11:0] select_1052_s9_q;
   logic [11:0] select_1067_s9_q;
   logic and_1319_s9_q;
-  logic [6:0] sum_1321_s9_q;
+  logic [5:0] shift_s9_q;
   logic [6:0] right_s9_q;
-  logic select_1326_s9_q;
-  logic equal_1335_s9_q;
-  logic and_1342_s9_q;
-  logic and_1345_s9_q;
-  logic and_1349_s9_q;
-  logic and_1360_s9_q;
-  logic less_1361_s9_q;
-  logic less_1418_s9_q;
-  logic equal_1458_s9_q;
-  logic and_1595_s9_q;
-  logic equal_1736_s9_q;
-  logic equal_1857_s9_q;
-  logic less_2110_s9_q;
-  logic and_2193_s9_q;
+  logic select_1328_s9_q;
+  logic equal_1337_s9_q;
+  logic and_1344_s9_q;
+  logic and_1347_s9_q;
+  logic and_1351_s9_q;
+  logic and_1592_s9_q;
+  logic equal_1738_s9_q;
+  logic equal_1859_s9_q;
+  logic less_2112_s9_q;
   logic and_2195_s9_q;
-  logic less_2302_s9_q;
-  logic equal_2509_s9_q;
+  logic and_2197_s9_q;
+  logic less_2304_s9_q;
+  logic equal_2511_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
       pixel_0_s9_q <= pixel_0_s8_q;
@@ -1203,6 +1183,7 @@ module horopter_agreement (
       sample_pair_whole_s9_q <= sample_pair_whole_s8_q;
       run_shift_s9_q <= run_shift_s8_q;
       x_s9_q <= x_s8_q;
+      last_s9_q <= last_s8_q;
       age_s9_q <= age_s8_q;
       slot_s9_q <= slot_s8_q;
       ends_cell_s9_q <= ends_cell_s8_q;
@@ -1254,25 +1235,21 @@ module horopter_agreement (
       select_1052_s9_q <= select_1052;
       select_1067_s9_q <= select_1067;
       and_1319_s9_q <= and_1319_s8_q;
-      sum_1321_s9_q <= x_s8_q[6:0] + {shift[5], shift};
+      shift_s9_q <= shift;
       right_s9_q <= right_s8_q;
-      select_1326_s9_q <= select_1326_s8_q;
-      equal_1335_s9_q <= equal_1335_s8_q;
-      and_1342_s9_q <= not_397_s8_q & and_1341;
-      and_1345_s9_q <= (or_389_s8_q & (left_rdata_s8_q[62] & not_397_s8_q)) & and_1341;
-      and_1349_s9_q <= and_1349;
-      and_1360_s9_q <= cfg_nearer_below_i & shift[5];
-      less_1361_s9_q <= $signed(6'h0) < $signed(shift);
-      less_1418_s9_q <= less_1418_s8_q;
-      equal_1458_s9_q <= equal_1458_s8_q;
-      and_1595_s9_q <= so_s8_q & and_1594;
-      equal_1736_s9_q <= (column_s8_q | row_s8_q) == 7'h0;
-      equal_1857_s9_q <= equal_1857_s8_q;
-      less_2110_s9_q <= 6'h4 < row_q[6:1];
-      and_2193_s9_q <= and_1858_s8_q & and_2192;
-      and_2195_s9_q <= and_1858_s8_q & (~and_2192);
-      less_2302_s9_q <= 6'h2 < row_s8_q[6:1];
-      equal_2509_s9_q <= row_s8_q[6:3] == 4'h0;
+      select_1328_s9_q <= select_1328_s8_q;
+      equal_1337_s9_q <= equal_1337_s8_q;
+      and_1344_s9_q <= not_397_s8_q & and_1343;
+      and_1347_s9_q <= (or_389_s8_q & (left_rdata_s8_q[62] & not_397_s8_q)) & and_1343;
+      and_1351_s9_q <= and_1351;
+      and_1592_s9_q <= (7'h6 < row_q) & (~(x_s8_q[7:2] == 6'h0));
+      equal_1738_s9_q <= (column_s8_q | row_s8_q) == 7'h0;
+      equal_1859_s9_q <= equal_1859_s8_q;
+      less_2112_s9_q <= 6'h4 < row_q[6:1];
+      and_2195_s9_q <= and_1860_s8_q & and_2194;
+      and_2197_s9_q <= and_1860_s8_q & (~and_2194);
+      less_2304_s9_q <= 6'h2 < row_s8_q[6:1];
+      equal_2511_s9_q <= row_s8_q[6:3] == 4'h0;
     end
   end
 
@@ -1527,25 +1504,15 @@ module horopter_agreement (
   assign or_1180 = (parity_1074 & parity_1077) | ((^select_1068[8:6]) & (parity_1074 | parity_1077));
   logic or_1184;
   assign or_1184 = (parity_1086 & parity_1089) | ((^select_1053[5:3]) & (parity_1086 | parity_1089));
-  // hls/stages/agreement.hpp:211
-  logic [6:0] select_1374;
-  assign select_1374 = so_s9_q ? x_s9_q[6:0] : (or_389_s9_q ? (less_396_s9_q ? 7'h0 : sum_1321_s9_q) : 7'h0);
-
-  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1074; read in stage 9, written in stage 17: 9 < 17 < 9 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [28:0] best_right_mem [0:119];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 120; i++) best_right_mem[i] = 29'h0;
-`endif
-  logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_389_s9_q ? sum_1321_s9_q : right_s9_q;
-  logic best_right_re;
-  assign best_right_re = s9_en & select_510_s9_q;
-  logic [28:0] best_right_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (best_right_re) best_right_rdata_q <= best_right_mem[best_right_raddr];
-  end
+  // hls/stages/agreement.hpp:720
+  logic [7:0] found;
+  assign found = x_s9_q + {{2{shift_s9_q[5]}}, shift_s9_q};
+  // hls/stages/agreement.hpp:182
+  logic or_1365;
+  assign or_1365 = (cfg_nearer_below_i & shift_s9_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s9_q)));
+  // hls/stages/agreement.hpp:747
+  logic [5:0] sum_1419;
+  assign sum_1419 = {1'b0, last_s9_q[6:2]} + 6'h1;
 
   // Memory left, write
   logic [6:0] left_waddr;
@@ -1659,6 +1626,7 @@ module horopter_agreement (
   logic not_397_s10_q;
   logic equal_429_s10_q;
   logic [6:0] x_s10_2_q;
+  logic select_510_s10_q;
   logic [45:0] best_left_rdata_s10_q;
   logic select_517_s10_q;
   logic xor_598_s10_q;
@@ -1712,24 +1680,24 @@ module horopter_agreement (
   logic or_1211_s10_q;
   logic or_1215_s10_q;
   logic and_1319_s10_q;
+  logic [6:0] select_1323_s10_q;
   logic [6:0] right_s10_q;
-  logic select_1326_s10_q;
-  logic equal_1335_s10_q;
-  logic and_1342_s10_q;
-  logic and_1345_s10_q;
-  logic and_1349_s10_q;
-  logic or_1363_s10_q;
-  logic [6:0] select_1374_s10_q;
-  logic less_1418_s10_q;
-  logic equal_1458_s10_q;
+  logic select_1328_s10_q;
+  logic equal_1337_s10_q;
+  logic and_1344_s10_q;
+  logic and_1347_s10_q;
+  logic and_1351_s10_q;
+  logic or_1365_s10_q;
+  logic less_1420_s10_q;
+  logic equal_1460_s10_q;
   logic and_1595_s10_q;
-  logic equal_1736_s10_q;
-  logic equal_1857_s10_q;
-  logic less_2110_s10_q;
-  logic and_2193_s10_q;
+  logic equal_1738_s10_q;
+  logic equal_1859_s10_q;
+  logic less_2112_s10_q;
   logic and_2195_s10_q;
-  logic less_2302_s10_q;
-  logic equal_2509_s10_q;
+  logic and_2197_s10_q;
+  logic less_2304_s10_q;
+  logic equal_2511_s10_q;
   always_ff @(posedge clk_i) begin
     if (s9_en) begin
       pixel_0_s10_q <= pixel_0_s9_q;
@@ -1762,6 +1730,7 @@ module horopter_agreement (
       not_397_s10_q <= not_397_s9_q;
       equal_429_s10_q <= equal_429_s9_q;
       x_s10_2_q <= x_s9_2_q;
+      select_510_s10_q <= select_510_s9_q;
       best_left_rdata_s10_q <= best_left_rdata_s9_q;
       select_517_s10_q <= select_517_s9_q;
       xor_598_s10_q <= parity_542 ^ parity_597;
@@ -1815,24 +1784,24 @@ module horopter_agreement (
       or_1211_s10_q <= (or_1120 & or_1124) | (or_1116 & (or_1120 | or_1124));
       or_1215_s10_q <= (or_1135 & or_1139) | (or_1131 & (or_1135 | or_1139));
       and_1319_s10_q <= and_1319_s9_q;
+      select_1323_s10_q <= ({1'b0, last_s9_q} < found) ? 7'h0 : found[6:0];
       right_s10_q <= right_s9_q;
-      select_1326_s10_q <= select_1326_s9_q;
-      equal_1335_s10_q <= equal_1335_s9_q;
-      and_1342_s10_q <= and_1342_s9_q;
-      and_1345_s10_q <= and_1345_s9_q;
-      and_1349_s10_q <= and_1349_s9_q;
-      or_1363_s10_q <= and_1360_s9_q | (cfg_nearer_above_i & less_1361_s9_q);
-      select_1374_s10_q <= select_1374;
-      less_1418_s10_q <= less_1418_s9_q;
-      equal_1458_s10_q <= equal_1458_s9_q;
-      and_1595_s10_q <= and_1595_s9_q;
-      equal_1736_s10_q <= equal_1736_s9_q;
-      equal_1857_s10_q <= equal_1857_s9_q;
-      less_2110_s10_q <= less_2110_s9_q;
-      and_2193_s10_q <= and_2193_s9_q;
+      select_1328_s10_q <= select_1328_s9_q;
+      equal_1337_s10_q <= equal_1337_s9_q;
+      and_1344_s10_q <= and_1344_s9_q;
+      and_1347_s10_q <= and_1347_s9_q;
+      and_1351_s10_q <= and_1351_s9_q;
+      or_1365_s10_q <= or_1365;
+      less_1420_s10_q <= {1'b0, sum_1419, last_s9_q[1]} < x_s9_q;
+      equal_1460_s10_q <= x_s9_q == {1'b0, last_s9_q};
+      and_1595_s10_q <= and_1592_s9_q & (~({sum_1419, last_s9_q[1:0]} < x_s9_q));
+      equal_1738_s10_q <= equal_1738_s9_q;
+      equal_1859_s10_q <= equal_1859_s9_q;
+      less_2112_s10_q <= less_2112_s9_q;
       and_2195_s10_q <= and_2195_s9_q;
-      less_2302_s10_q <= less_2302_s9_q;
-      equal_2509_s10_q <= equal_2509_s9_q;
+      and_2197_s10_q <= and_2197_s9_q;
+      less_2304_s10_q <= less_2304_s9_q;
+      equal_2511_s10_q <= equal_2511_s9_q;
     end
   end
 
@@ -1939,6 +1908,25 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:481
   logic or_1248;
   assign or_1248 = (or_1211_s10_q & or_1215_s10_q) | (or_1207_s10_q & (or_1211_s10_q | or_1215_s10_q));
+  // hls/stages/agreement.hpp:191
+  logic [6:0] select_1375;
+  assign select_1375 = or_389_s10_q ? (less_396_s10_q ? 7'h0 : select_1323_s10_q) : 7'h0;
+
+  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1075; read in stage 10, written in stage 17: 10 < 17 < 10 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [28:0] best_right_mem [0:119];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 120; i++) best_right_mem[i] = 29'h0;
+`endif
+  logic [6:0] best_right_raddr;
+  assign best_right_raddr = or_389_s10_q ? select_1323_s10_q : right_s10_q;
+  logic best_right_re;
+  assign best_right_re = s10_en & select_510_s10_q;
+  logic [28:0] best_right_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (best_right_re) best_right_rdata_q <= best_right_mem[best_right_raddr];
+  end
 
   logic [7:0] pixel_0_s11_q;
   logic [7:0] pixel_1_s11_q;
@@ -2001,24 +1989,23 @@ module horopter_agreement (
   logic or_1252_s11_q;
   logic and_1319_s11_q;
   logic [6:0] right_s11_q;
-  logic [28:0] best_right_rdata_s11_q;
-  logic select_1326_s11_q;
-  logic equal_1335_s11_q;
-  logic and_1342_s11_q;
-  logic and_1345_s11_q;
-  logic and_1349_s11_q;
-  logic or_1363_s11_q;
-  logic [6:0] select_1374_s11_q;
-  logic less_1418_s11_q;
-  logic equal_1458_s11_q;
-  logic and_1595_s11_q;
-  logic equal_1736_s11_q;
-  logic equal_1857_s11_q;
-  logic less_2110_s11_q;
-  logic and_2193_s11_q;
+  logic select_1328_s11_q;
+  logic equal_1337_s11_q;
+  logic and_1344_s11_q;
+  logic and_1347_s11_q;
+  logic and_1351_s11_q;
+  logic or_1365_s11_q;
+  logic [6:0] select_1376_s11_q;
+  logic less_1420_s11_q;
+  logic equal_1460_s11_q;
+  logic and_1597_s11_q;
+  logic equal_1738_s11_q;
+  logic equal_1859_s11_q;
+  logic less_2112_s11_q;
   logic and_2195_s11_q;
-  logic less_2302_s11_q;
-  logic equal_2509_s11_q;
+  logic and_2197_s11_q;
+  logic less_2304_s11_q;
+  logic equal_2511_s11_q;
   always_ff @(posedge clk_i) begin
     if (s10_en) begin
       pixel_0_s11_q <= pixel_0_s10_q;
@@ -2082,24 +2069,23 @@ module horopter_agreement (
       or_1252_s11_q <= (or_1226 & or_1230) | (or_1222 & (or_1226 | or_1230));
       and_1319_s11_q <= and_1319_s10_q;
       right_s11_q <= right_s10_q;
-      best_right_rdata_s11_q <= best_right_rdata_q;
-      select_1326_s11_q <= select_1326_s10_q;
-      equal_1335_s11_q <= equal_1335_s10_q;
-      and_1342_s11_q <= and_1342_s10_q;
-      and_1345_s11_q <= and_1345_s10_q;
-      and_1349_s11_q <= and_1349_s10_q;
-      or_1363_s11_q <= or_1363_s10_q;
-      select_1374_s11_q <= select_1374_s10_q;
-      less_1418_s11_q <= less_1418_s10_q;
-      equal_1458_s11_q <= equal_1458_s10_q;
-      and_1595_s11_q <= and_1595_s10_q;
-      equal_1736_s11_q <= equal_1736_s10_q;
-      equal_1857_s11_q <= equal_1857_s10_q;
-      less_2110_s11_q <= less_2110_s10_q;
-      and_2193_s11_q <= and_2193_s10_q;
+      select_1328_s11_q <= select_1328_s10_q;
+      equal_1337_s11_q <= equal_1337_s10_q;
+      and_1344_s11_q <= and_1344_s10_q;
+      and_1347_s11_q <= and_1347_s10_q;
+      and_1351_s11_q <= and_1351_s10_q;
+      or_1365_s11_q <= or_1365_s10_q;
+      select_1376_s11_q <= so_s10_q ? x_s10_q[6:0] : select_1375;
+      less_1420_s11_q <= less_1420_s10_q;
+      equal_1460_s11_q <= equal_1460_s10_q;
+      and_1597_s11_q <= so_s10_q & (ends_cell_s10_q & and_1595_s10_q);
+      equal_1738_s11_q <= equal_1738_s10_q;
+      equal_1859_s11_q <= equal_1859_s10_q;
+      less_2112_s11_q <= less_2112_s10_q;
       and_2195_s11_q <= and_2195_s10_q;
-      less_2302_s11_q <= less_2302_s10_q;
-      equal_2509_s11_q <= equal_2509_s10_q;
+      and_2197_s11_q <= and_2197_s10_q;
+      less_2304_s11_q <= less_2304_s10_q;
+      equal_2511_s11_q <= equal_2511_s10_q;
     end
   end
 
@@ -2216,9 +2202,6 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:587
   logic [6:0] sum_1300;
   assign sum_1300 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
-  // hls/stages/agreement.hpp:727
-  logic [6:0] chosen;
-  assign chosen = slot_s11_q[2] ? best_right_rdata_s11_q[14:8] : best_right_rdata_s11_q[28:22];
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -2325,25 +2308,23 @@ module horopter_agreement (
   logic and_1319_s12_q;
   logic [6:0] right_s12_q;
   logic [28:0] best_right_rdata_s12_q;
-  logic select_1326_s12_q;
-  logic equal_1335_s12_q;
-  logic and_1342_s12_q;
-  logic and_1345_s12_q;
-  logic and_1349_s12_q;
-  logic less_1350_s12_q;
-  logic [6:0] chosen_s12_q;
-  logic or_1363_s12_q;
-  logic [6:0] select_1374_s12_q;
-  logic less_1418_s12_q;
-  logic equal_1458_s12_q;
-  logic and_1595_s12_q;
-  logic equal_1736_s12_q;
-  logic equal_1857_s12_q;
-  logic less_2110_s12_q;
-  logic and_2193_s12_q;
+  logic select_1328_s12_q;
+  logic equal_1337_s12_q;
+  logic and_1344_s12_q;
+  logic and_1347_s12_q;
+  logic and_1351_s12_q;
+  logic or_1365_s12_q;
+  logic [6:0] select_1376_s12_q;
+  logic less_1420_s12_q;
+  logic equal_1460_s12_q;
+  logic and_1597_s12_q;
+  logic equal_1738_s12_q;
+  logic equal_1859_s12_q;
+  logic less_2112_s12_q;
   logic and_2195_s12_q;
-  logic less_2302_s12_q;
-  logic equal_2509_s12_q;
+  logic and_2197_s12_q;
+  logic less_2304_s12_q;
+  logic equal_2511_s12_q;
   always_ff @(posedge clk_i) begin
     if (s11_en) begin
       pixel_0_s12_q <= pixel_0_s11_q;
@@ -2384,26 +2365,24 @@ module horopter_agreement (
       sum_1301_s12_q <= {1'b0, before_v_3} + sum_1300;
       and_1319_s12_q <= and_1319_s11_q;
       right_s12_q <= right_s11_q;
-      best_right_rdata_s12_q <= best_right_rdata_s11_q;
-      select_1326_s12_q <= select_1326_s11_q;
-      equal_1335_s12_q <= equal_1335_s11_q;
-      and_1342_s12_q <= and_1342_s11_q;
-      and_1345_s12_q <= and_1345_s11_q;
-      and_1349_s12_q <= and_1349_s11_q;
-      less_1350_s12_q <= 8'hb6 < best_left_rdata_s11_q[16:9];
-      chosen_s12_q <= chosen;
-      or_1363_s12_q <= or_1363_s11_q;
-      select_1374_s12_q <= select_1374_s11_q;
-      less_1418_s12_q <= less_1418_s11_q;
-      equal_1458_s12_q <= equal_1458_s11_q;
-      and_1595_s12_q <= and_1595_s11_q;
-      equal_1736_s12_q <= equal_1736_s11_q;
-      equal_1857_s12_q <= equal_1857_s11_q;
-      less_2110_s12_q <= less_2110_s11_q;
-      and_2193_s12_q <= and_2193_s11_q;
+      best_right_rdata_s12_q <= best_right_rdata_q;
+      select_1328_s12_q <= select_1328_s11_q;
+      equal_1337_s12_q <= equal_1337_s11_q;
+      and_1344_s12_q <= and_1344_s11_q;
+      and_1347_s12_q <= and_1347_s11_q;
+      and_1351_s12_q <= and_1351_s11_q;
+      or_1365_s12_q <= or_1365_s11_q;
+      select_1376_s12_q <= select_1376_s11_q;
+      less_1420_s12_q <= less_1420_s11_q;
+      equal_1460_s12_q <= equal_1460_s11_q;
+      and_1597_s12_q <= and_1597_s11_q;
+      equal_1738_s12_q <= equal_1738_s11_q;
+      equal_1859_s12_q <= equal_1859_s11_q;
+      less_2112_s12_q <= less_2112_s11_q;
       and_2195_s12_q <= and_2195_s11_q;
-      less_2302_s12_q <= less_2302_s11_q;
-      equal_2509_s12_q <= equal_2509_s11_q;
+      and_2197_s12_q <= and_2197_s11_q;
+      less_2304_s12_q <= less_2304_s11_q;
+      equal_2511_s12_q <= equal_2511_s11_q;
     end
   end
 
@@ -2427,25 +2406,22 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:558
   logic [6:0] select_1303;
   assign select_1303 = (sum_1298_s12_q < sum_1301_s12_q) ? sum_1301_s12_q : sum_1298_s12_q;
-  // hls/stages/agreement.hpp:726
-  logic select_1352;
-  assign select_1352 = slot_s12_q[2] ? less_1350_s12_q : (6'h2a < best_left_rdata_s12_q[39:34]);
-  // hls/stages/agreement.hpp:733
-  logic [8:0] difference_1355;
-  assign difference_1355 = {2'h0, chosen_s12_q} - {1'b0, x_s12_q};
+  // hls/stages/agreement.hpp:728
+  logic [6:0] chosen;
+  assign chosen = slot_s12_q[2] ? best_right_rdata_s12_q[14:8] : best_right_rdata_s12_q[28:22];
   // hls/stages/agreement.hpp:174
-  logic [5:0] select_1957;
-  assign select_1957 = slot_s12_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_1958;
-  assign select_1958 = slot_s12_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
   logic [5:0] select_1959;
-  assign select_1959 = slot_s12_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  assign select_1959 = slot_s12_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
   logic [5:0] select_1960;
-  assign select_1960 = slot_s12_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  assign select_1960 = slot_s12_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
   logic [5:0] select_1961;
-  assign select_1961 = slot_s12_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  assign select_1961 = slot_s12_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
   logic [5:0] select_1962;
-  assign select_1962 = slot_s12_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  assign select_1962 = slot_s12_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_1963;
+  assign select_1963 = slot_s12_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_1964;
+  assign select_1964 = slot_s12_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -2462,12 +2438,12 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s12_en) begin
       middle_sum_columns_values_0_q <= slot_s12_q[0] ? middle_sum_columns_values_0_q : column_2_s12_q;
-      middle_sum_columns_values_1_q <= select_1957;
-      middle_sum_columns_values_2_q <= select_1958;
-      middle_sum_columns_values_3_q <= select_1959;
-      middle_sum_columns_values_4_q <= select_1960;
-      middle_sum_columns_values_5_q <= select_1961;
-      middle_sum_columns_values_6_q <= select_1962;
+      middle_sum_columns_values_1_q <= select_1959;
+      middle_sum_columns_values_2_q <= select_1960;
+      middle_sum_columns_values_3_q <= select_1961;
+      middle_sum_columns_values_4_q <= select_1962;
+      middle_sum_columns_values_5_q <= select_1963;
+      middle_sum_columns_values_6_q <= select_1964;
     end
   end
 
@@ -2511,26 +2487,25 @@ module horopter_agreement (
   logic and_1319_s13_q;
   logic [6:0] right_s13_q;
   logic [28:0] best_right_rdata_s13_q;
-  logic select_1326_s13_q;
-  logic equal_1335_s13_q;
-  logic and_1342_s13_q;
-  logic and_1345_s13_q;
-  logic and_1349_s13_q;
-  logic select_1352_s13_q;
-  logic [9:0] sum_1356_s13_q;
-  logic or_1363_s13_q;
-  logic [6:0] select_1374_s13_q;
-  logic less_1418_s13_q;
-  logic equal_1458_s13_q;
-  logic and_1595_s13_q;
-  logic equal_1736_s13_q;
-  logic equal_1857_s13_q;
-  logic less_2110_s13_q;
-  logic and_2193_s13_q;
+  logic select_1328_s13_q;
+  logic equal_1337_s13_q;
+  logic and_1344_s13_q;
+  logic and_1347_s13_q;
+  logic and_1351_s13_q;
+  logic less_1352_s13_q;
+  logic [6:0] chosen_s13_q;
+  logic or_1365_s13_q;
+  logic [6:0] select_1376_s13_q;
+  logic less_1420_s13_q;
+  logic equal_1460_s13_q;
+  logic and_1597_s13_q;
+  logic equal_1738_s13_q;
+  logic equal_1859_s13_q;
+  logic less_2112_s13_q;
   logic and_2195_s13_q;
-  logic and_2202_s13_q;
-  logic less_2302_s13_q;
-  logic equal_2509_s13_q;
+  logic and_2197_s13_q;
+  logic less_2304_s13_q;
+  logic equal_2511_s13_q;
   always_ff @(posedge clk_i) begin
     if (s12_en) begin
       pixel_0_s13_q <= pixel_0_s12_q;
@@ -2573,26 +2548,25 @@ module horopter_agreement (
       and_1319_s13_q <= and_1319_s12_q;
       right_s13_q <= right_s12_q;
       best_right_rdata_s13_q <= best_right_rdata_s12_q;
-      select_1326_s13_q <= select_1326_s12_q;
-      equal_1335_s13_q <= equal_1335_s12_q;
-      and_1342_s13_q <= and_1342_s12_q;
-      and_1345_s13_q <= and_1345_s12_q;
-      and_1349_s13_q <= and_1349_s12_q;
-      select_1352_s13_q <= select_1352;
-      sum_1356_s13_q <= {difference_1355[8], difference_1355} + 10'h1;
-      or_1363_s13_q <= or_1363_s12_q;
-      select_1374_s13_q <= select_1374_s12_q;
-      less_1418_s13_q <= less_1418_s12_q;
-      equal_1458_s13_q <= equal_1458_s12_q;
-      and_1595_s13_q <= and_1595_s12_q;
-      equal_1736_s13_q <= equal_1736_s12_q;
-      equal_1857_s13_q <= equal_1857_s12_q;
-      less_2110_s13_q <= less_2110_s12_q;
-      and_2193_s13_q <= and_2193_s12_q;
+      select_1328_s13_q <= select_1328_s12_q;
+      equal_1337_s13_q <= equal_1337_s12_q;
+      and_1344_s13_q <= and_1344_s12_q;
+      and_1347_s13_q <= and_1347_s12_q;
+      and_1351_s13_q <= and_1351_s12_q;
+      less_1352_s13_q <= 8'hb6 < best_left_rdata_s12_q[16:9];
+      chosen_s13_q <= chosen;
+      or_1365_s13_q <= or_1365_s12_q;
+      select_1376_s13_q <= select_1376_s12_q;
+      less_1420_s13_q <= less_1420_s12_q;
+      equal_1460_s13_q <= equal_1460_s12_q;
+      and_1597_s13_q <= and_1597_s12_q;
+      equal_1738_s13_q <= equal_1738_s12_q;
+      equal_1859_s13_q <= equal_1859_s12_q;
+      less_2112_s13_q <= less_2112_s12_q;
       and_2195_s13_q <= and_2195_s12_q;
-      and_2202_s13_q <= ends_cell_s12_q & so_s12_q;
-      less_2302_s13_q <= less_2302_s12_q;
-      equal_2509_s13_q <= equal_2509_s12_q;
+      and_2197_s13_q <= and_2197_s12_q;
+      less_2304_s13_q <= less_2304_s12_q;
+      equal_2511_s13_q <= equal_2511_s12_q;
     end
   end
 
@@ -2603,14 +2577,6 @@ module horopter_agreement (
   logic [7:0] sums_1_sum_sums_values_0_q;
   logic [7:0] sums_1_sum_sums_values_1_q;
   logic [6:0] chosen_near_q;
-  logic [23:0] registration_slope_row_q;
-  logic [27:0] registration_slope_change_q;
-  logic [27:0] registration_slope_q;
-  logic [8:0] region_across_rest_q;
-  logic [7:0] region_across_back_q;
-  logic [8:0] region_across_next_q;
-  logic [8:0] columns_begin_rest_q;
-  logic [7:0] columns_begin_back_q;
   // hls/stages/agreement.hpp:595
   logic less_518;
   assign less_518 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
@@ -2629,79 +2595,24 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:558
   logic [6:0] select_1305;
   assign select_1305 = (select_1295 < select_1303_s13_q) ? select_1303_s13_q : select_1295;
-  // hls/stages/agreement.hpp:182
-  logic and_1358;
-  assign and_1358 = (and_1345_s13_q & select_1352_s13_q) & ({{22{sum_1356_s13_q[9]}}, sum_1356_s13_q} < 32'h3);
-  // hls/stages/division.hpp:34
-  logic [5:0] sum_1456;
-  assign sum_1456 = region_across_rest_q[8:3] + 6'h1;
+  // hls/stages/agreement.hpp:727
+  logic select_1354;
+  assign select_1354 = slot_s13_q[2] ? less_1352_s13_q : (6'h2a < best_left_rdata_s13_q[39:34]);
+  // hls/stages/agreement.hpp:734
+  logic [8:0] difference_1357;
+  assign difference_1357 = {2'h0, chosen_s13_q} - {1'b0, x_s13_q};
   // hls/stages/agreement.hpp:174
-  logic [6:0] select_1969;
-  assign select_1969 = slot_s13_q[0] ? 7'h0 : sum_1294_s13_q;
-  // hls/stages/agreement.hpp:558
   logic [6:0] select_1971;
-  assign select_1971 = (select_1969 < select_1303_s13_q) ? select_1303_s13_q : select_1969;
-  // hls/stages/agreement.hpp:191
-  logic [7:0] select_2062;
-  assign select_2062 = or_389_s13_q ? (less_396_s13_q ? 8'h0 : best_left_rdata_s13_q[32:25]) : 8'h0;
-  logic [7:0] select_2064;
-  assign select_2064 = or_389_s13_q ? (less_396_s13_q ? 8'h0 : best_left_rdata_s13_q[24:17]) : 8'h0;
-  // hls/stages/registration.hpp:206
-  logic [16:0] select_2084;
-  assign select_2084 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
-  // hls/stages/registration.hpp:121
-  logic [15:0] select_2196;
-  assign select_2196 = and_2195_s13_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
-  // hls/stages/registration.hpp:124
-  logic [23:0] select_2198;
-  assign select_2198 = and_2193_s13_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2196[15]}}, select_2196});
-  // hls/stages/registration.hpp:122
-  logic [15:0] select_2199;
-  assign select_2199 = and_2195_s13_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
-  logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2199[15]}}, select_2199};
-  // hls/stages/registration.hpp:124
-  logic [27:0] select_2201;
-  assign select_2201 = and_2193_s13_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
-  // hls/stages/registration.hpp:117
-  logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2202_s13_q ? registration_slope_change_q : 28'h0);
-  // hls/stages/agreement.hpp:143
-  logic [8:0] select_2314;
-  assign select_2314 = so_s13_q ? (and_2202_s13_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
-  // hls/stages/division.hpp:35
-  logic [8:0] sum_2316;
-  assign sum_2316 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
-  // hls/stages/division.hpp:36
-  logic [8:0] select_2317;
-  assign select_2317 = sum_1456[5] ? {1'b1, sum_1456[4:0], region_across_rest_q[2:0]} : sum_2316;
-  // hls/stages/agreement.hpp:314
-  logic [8:0] select_2319;
-  assign select_2319 = equal_1857_s13_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
-  logic [7:0] select_2322;
-  assign select_2322 = equal_1857_s13_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
+  assign select_1971 = slot_s13_q[0] ? 7'h0 : sum_1294_s13_q;
+  // hls/stages/agreement.hpp:558
+  logic [6:0] select_1973;
+  assign select_1973 = (select_1971 < select_1303_s13_q) ? select_1303_s13_q : select_1971;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       chosen_near_q <= 7'h0;
-      registration_slope_row_q <= 24'h0;
-      registration_slope_change_q <= 28'h0;
-      registration_slope_q <= 28'h0;
-      region_across_rest_q <= 9'h0;
-      region_across_back_q <= 8'h0;
-      region_across_next_q <= 9'h0;
-      columns_begin_rest_q <= 9'h0;
-      columns_begin_back_q <= 8'h0;
     end else if (s13_en) begin
-      chosen_near_q <= select_1971;
-      registration_slope_row_q <= select_2198;
-      registration_slope_change_q <= select_2201;
-      registration_slope_q <= so_s13_q ? column_5 : {registration_slope_row_q, 4'h0};
-      region_across_rest_q <= select_2314;
-      region_across_back_q <= so_s13_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_2317;
-      columns_begin_rest_q <= and_368_s13_q ? select_2319 : columns_begin_rest_q;
-      columns_begin_back_q <= and_368_s13_q ? select_2322 : columns_begin_back_q;
+      chosen_near_q <= select_1973;
     end
   end
 
@@ -2738,7 +2649,6 @@ module horopter_agreement (
   logic [2:0] slot_s14_q;
   logic ends_cell_s14_q;
   logic lower_half_s14_q;
-  logic [11:0] registration_slope_s14_q;
   logic equal_327_s14_q;
   logic [8:0] select_333_s14_q;
   logic and_342_s14_q;
@@ -2764,26 +2674,26 @@ module horopter_agreement (
   logic and_1319_s14_q;
   logic [6:0] right_s14_q;
   logic [28:0] best_right_rdata_s14_q;
-  logic select_1326_s14_q;
-  logic equal_1335_s14_q;
-  logic and_1342_s14_q;
-  logic and_1346_s14_q;
-  logic and_1349_s14_q;
-  logic and_1359_s14_q;
-  logic and_1364_s14_q;
-  logic [6:0] select_1374_s14_q;
-  logic less_1418_s14_q;
-  logic sum_1456_s14_q;
-  logic equal_1458_s14_q;
-  logic and_1595_s14_q;
-  logic equal_1736_s14_q;
-  logic equal_1857_s14_q;
-  logic [7:0] select_2062_s14_q;
-  logic [7:0] select_2064_s14_q;
-  logic [16:0] select_2084_s14_q;
-  logic less_2110_s14_q;
-  logic less_2302_s14_q;
-  logic equal_2509_s14_q;
+  logic select_1328_s14_q;
+  logic equal_1337_s14_q;
+  logic and_1344_s14_q;
+  logic and_1347_s14_q;
+  logic and_1351_s14_q;
+  logic select_1354_s14_q;
+  logic [9:0] sum_1358_s14_q;
+  logic or_1365_s14_q;
+  logic [6:0] select_1376_s14_q;
+  logic less_1420_s14_q;
+  logic equal_1460_s14_q;
+  logic and_1597_s14_q;
+  logic equal_1738_s14_q;
+  logic equal_1859_s14_q;
+  logic less_2112_s14_q;
+  logic and_2195_s14_q;
+  logic and_2197_s14_q;
+  logic and_2204_s14_q;
+  logic less_2304_s14_q;
+  logic equal_2511_s14_q;
   always_ff @(posedge clk_i) begin
     if (s13_en) begin
       pixel_0_s14_q <= pixel_0_s13_q;
@@ -2799,7 +2709,6 @@ module horopter_agreement (
       slot_s14_q <= slot_s13_q;
       ends_cell_s14_q <= ends_cell_s13_q;
       lower_half_s14_q <= lower_half_s13_q;
-      registration_slope_s14_q <= registration_slope_q[27:16];
       equal_327_s14_q <= equal_327_s13_q;
       select_333_s14_q <= select_333_s13_q;
       and_342_s14_q <= and_342_s13_q;
@@ -2825,26 +2734,26 @@ module horopter_agreement (
       and_1319_s14_q <= and_1319_s13_q;
       right_s14_q <= right_s13_q;
       best_right_rdata_s14_q <= best_right_rdata_s13_q;
-      select_1326_s14_q <= select_1326_s13_q;
-      equal_1335_s14_q <= equal_1335_s13_q;
-      and_1342_s14_q <= and_1342_s13_q;
-      and_1346_s14_q <= not_397_s13_q & and_1345_s13_q;
-      and_1349_s14_q <= and_1349_s13_q;
-      and_1359_s14_q <= not_397_s13_q & and_1358;
-      and_1364_s14_q <= and_1358 & or_1363_s13_q;
-      select_1374_s14_q <= select_1374_s13_q;
-      less_1418_s14_q <= less_1418_s13_q;
-      sum_1456_s14_q <= sum_1456[5];
-      equal_1458_s14_q <= equal_1458_s13_q;
-      and_1595_s14_q <= and_1595_s13_q;
-      equal_1736_s14_q <= equal_1736_s13_q;
-      equal_1857_s14_q <= equal_1857_s13_q;
-      select_2062_s14_q <= select_2062;
-      select_2064_s14_q <= select_2064;
-      select_2084_s14_q <= select_2084;
-      less_2110_s14_q <= less_2110_s13_q;
-      less_2302_s14_q <= less_2302_s13_q;
-      equal_2509_s14_q <= equal_2509_s13_q;
+      select_1328_s14_q <= select_1328_s13_q;
+      equal_1337_s14_q <= equal_1337_s13_q;
+      and_1344_s14_q <= and_1344_s13_q;
+      and_1347_s14_q <= and_1347_s13_q;
+      and_1351_s14_q <= and_1351_s13_q;
+      select_1354_s14_q <= select_1354;
+      sum_1358_s14_q <= {difference_1357[8], difference_1357} + 10'h1;
+      or_1365_s14_q <= or_1365_s13_q;
+      select_1376_s14_q <= select_1376_s13_q;
+      less_1420_s14_q <= less_1420_s13_q;
+      equal_1460_s14_q <= equal_1460_s13_q;
+      and_1597_s14_q <= and_1597_s13_q;
+      equal_1738_s14_q <= equal_1738_s13_q;
+      equal_1859_s14_q <= equal_1859_s13_q;
+      less_2112_s14_q <= less_2112_s13_q;
+      and_2195_s14_q <= and_2195_s13_q;
+      and_2197_s14_q <= and_2197_s13_q;
+      and_2204_s14_q <= ends_cell_s13_q & so_s13_q;
+      less_2304_s14_q <= less_2304_s13_q;
+      equal_2511_s14_q <= equal_2511_s13_q;
     end
   end
 
@@ -2854,6 +2763,14 @@ module horopter_agreement (
   logic [7:0] before_0_q;
   logic [7:0] before_1_q;
   logic [7:0] before_2_q;
+  logic [23:0] registration_slope_row_q;
+  logic [27:0] registration_slope_change_q;
+  logic [27:0] registration_slope_q;
+  logic [8:0] region_across_rest_q;
+  logic [7:0] region_across_back_q;
+  logic [8:0] region_across_next_q;
+  logic [8:0] columns_begin_rest_q;
+  logic [7:0] columns_begin_back_q;
   // hls/stages/agreement.hpp:562
   logic [7:0] select_773;
   assign select_773 = slot_s14_q[0] ? chosen_score_q : sum_772_s14_q;
@@ -2877,33 +2794,56 @@ module horopter_agreement (
   logic [6:0] of_near;
   assign of_near = and_522_s14_q ? select_1305_s14_q : 7'h0;
   // hls/stages/agreement.hpp:182
-  logic and_1365;
-  assign and_1365 = not_397_s14_q & and_1364_s14_q;
-  // hls/stages/agreement.hpp:191
-  logic [8:0] select_1366;
-  assign select_1366 = less_396_s14_q ? 9'h0 : best_left_rdata_s14_q[8:0];
-  logic [14:0] inside_v;
-  assign inside_v = or_389_s14_q ? {select_1366, and_1365, and_1359_s14_q, and_1349_s14_q, and_1346_s14_q, and_1342_s14_q, not_397_s14_q} : 15'h0;
-  // hls/stages/agreement.hpp:197
-  logic right_2;
-  assign right_2 = inside_v[0] & less_1418_s14_q;
-  logic textured;
-  assign textured = inside_v[0] & inside_v[2];
+  logic and_1360;
+  assign and_1360 = (and_1347_s14_q & select_1354_s14_q) & ({{22{sum_1358_s14_q[9]}}, sum_1358_s14_q} < 32'h3);
+  // hls/stages/division.hpp:34
+  logic [5:0] sum_1458;
+  assign sum_1458 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:174
-  logic [7:0] select_1966;
-  assign select_1966 = slot_s14_q[0] ? 8'h0 : sum_772_s14_q;
+  logic [7:0] select_1968;
+  assign select_1968 = slot_s14_q[0] ? 8'h0 : sum_772_s14_q;
   // hls/stages/agreement.hpp:558
-  logic less_1967;
-  assign less_1967 = select_1966 < select_1272;
+  logic less_1969;
+  assign less_1969 = select_1968 < select_1272;
   // hls/stages/agreement.hpp:191
-  logic [7:0] select_2060;
-  assign select_2060 = or_389_s14_q ? (less_396_s14_q ? 8'h0 : best_left_rdata_s14_q[16:9]) : 8'h0;
-  // hls/stages/registration.hpp:33
-  logic [8:0] rise;
-  assign rise = {1'b0, select_2062_s14_q} - {1'b0, select_2064_s14_q};
+  logic [7:0] select_2064;
+  assign select_2064 = or_389_s14_q ? (less_396_s14_q ? 8'h0 : best_left_rdata_s14_q[32:25]) : 8'h0;
+  logic [7:0] select_2066;
+  assign select_2066 = or_389_s14_q ? (less_396_s14_q ? 8'h0 : best_left_rdata_s14_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:206
-  logic [13:0] select_2086;
-  assign select_2086 = ($signed(10'h0) < $signed(select_2084_s14_q[16:7])) ? 14'h7f : select_2084_s14_q[13:0];
+  logic [16:0] select_2086;
+  assign select_2086 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  // hls/stages/registration.hpp:121
+  logic [15:0] select_2198;
+  assign select_2198 = and_2197_s14_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  // hls/stages/registration.hpp:124
+  logic [23:0] select_2200;
+  assign select_2200 = and_2195_s14_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2198[15]}}, select_2198});
+  // hls/stages/registration.hpp:122
+  logic [15:0] select_2201;
+  assign select_2201 = and_2197_s14_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [27:0] both;
+  assign both = registration_slope_change_q + {{12{select_2201[15]}}, select_2201};
+  // hls/stages/registration.hpp:124
+  logic [27:0] select_2203;
+  assign select_2203 = and_2195_s14_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  // hls/stages/registration.hpp:117
+  logic [27:0] column_5;
+  assign column_5 = registration_slope_q + (and_2204_s14_q ? registration_slope_change_q : 28'h0);
+  // hls/stages/agreement.hpp:143
+  logic [8:0] select_2316;
+  assign select_2316 = so_s14_q ? (and_2204_s14_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_2318;
+  assign sum_2318 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_2319;
+  assign select_2319 = sum_1458[5] ? {1'b1, sum_1458[4:0], region_across_rest_q[2:0]} : sum_2318;
+  // hls/stages/agreement.hpp:314
+  logic [8:0] select_2321;
+  assign select_2321 = equal_1859_s14_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
+  logic [7:0] select_2324;
+  assign select_2324 = equal_1859_s14_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -2912,12 +2852,28 @@ module horopter_agreement (
       before_0_q <= 8'h0;
       before_1_q <= 8'h0;
       before_2_q <= 8'h0;
+      registration_slope_row_q <= 24'h0;
+      registration_slope_change_q <= 28'h0;
+      registration_slope_q <= 28'h0;
+      region_across_rest_q <= 9'h0;
+      region_across_back_q <= 8'h0;
+      region_across_next_q <= 9'h0;
+      columns_begin_rest_q <= 9'h0;
+      columns_begin_back_q <= 8'h0;
     end else if (s14_en) begin
-      chosen_score_q <= less_1967 ? select_1272 : select_1966;
-      chosen_place_q <= less_1967 ? {select_1280, not_1279} : 3'h2;
-      before_0_q <= select_1966;
+      chosen_score_q <= less_1969 ? select_1272 : select_1968;
+      chosen_place_q <= less_1969 ? {select_1280, not_1279} : 3'h2;
+      before_0_q <= select_1968;
       before_1_q <= sums_0_sum_sums_values_0_q;
       before_2_q <= sums_1_sum_sums_values_0_q;
+      registration_slope_row_q <= select_2200;
+      registration_slope_change_q <= select_2203;
+      registration_slope_q <= so_s14_q ? column_5 : {registration_slope_row_q, 4'h0};
+      region_across_rest_q <= select_2316;
+      region_across_back_q <= so_s14_q ? region_across_back_q : columns_begin_back_q;
+      region_across_next_q <= select_2319;
+      columns_begin_rest_q <= and_368_s14_q ? select_2321 : columns_begin_rest_q;
+      columns_begin_back_q <= and_368_s14_q ? select_2324 : columns_begin_back_q;
     end
   end
 
@@ -2948,6 +2904,10 @@ module horopter_agreement (
   logic and_368_s15_q;
   logic equal_371_s15_q;
   logic so_s15_q;
+  logic equal_388_s15_q;
+  logic or_389_s15_q;
+  logic less_396_s15_q;
+  logic not_397_s15_q;
   logic equal_429_s15_q;
   logic [6:0] x_s15_2_q;
   logic [45:0] best_left_rdata_s15_q;
@@ -2960,28 +2920,27 @@ module horopter_agreement (
   logic and_1319_s15_q;
   logic [6:0] right_s15_q;
   logic [28:0] best_right_rdata_s15_q;
-  logic select_1326_s15_q;
-  logic or_1332_s15_q;
-  logic equal_1335_s15_q;
-  logic [13:0] inside_v_s15_q;
-  logic [6:0] select_1374_s15_q;
-  logic and_1377_s15_q;
-  logic right_2_s15_q;
-  logic sum_1456_s15_q;
-  logic equal_1458_s15_q;
-  logic textured_s15_q;
-  logic and_1595_s15_q;
-  logic equal_1736_s15_q;
-  logic equal_1857_s15_q;
-  logic [7:0] select_2060_s15_q;
-  logic rise_s15_q;
+  logic select_1328_s15_q;
+  logic or_1334_s15_q;
+  logic equal_1337_s15_q;
+  logic and_1344_s15_q;
+  logic and_1348_s15_q;
+  logic and_1351_s15_q;
+  logic and_1361_s15_q;
+  logic and_1366_s15_q;
+  logic [6:0] select_1376_s15_q;
+  logic less_1420_s15_q;
+  logic sum_1458_s15_q;
+  logic equal_1460_s15_q;
+  logic and_1597_s15_q;
+  logic equal_1738_s15_q;
+  logic equal_1859_s15_q;
+  logic [7:0] select_2064_s15_q;
   logic [7:0] select_2066_s15_q;
-  logic [7:0] xor_2071_s15_q;
-  logic [13:0] select_2086_s15_q;
-  logic and_2111_s15_q;
-  logic less_2116_s15_q;
-  logic less_2302_s15_q;
-  logic equal_2509_s15_q;
+  logic [16:0] select_2086_s15_q;
+  logic less_2112_s15_q;
+  logic less_2304_s15_q;
+  logic equal_2511_s15_q;
   always_ff @(posedge clk_i) begin
     if (s14_en) begin
       pixel_0_s15_q <= pixel_0_s14_q;
@@ -3000,7 +2959,7 @@ module horopter_agreement (
       before_0_s15_q <= before_0_q;
       before_1_s15_q <= before_1_q;
       before_2_s15_q <= before_2_q;
-      registration_slope_s15_q <= registration_slope_s14_q;
+      registration_slope_s15_q <= registration_slope_q[27:16];
       equal_327_s15_q <= equal_327_s14_q;
       select_333_s15_q <= select_333_s14_q;
       and_342_s15_q <= and_342_s14_q;
@@ -3011,6 +2970,10 @@ module horopter_agreement (
       and_368_s15_q <= and_368_s14_q;
       equal_371_s15_q <= equal_371_s14_q;
       so_s15_q <= so_s14_q;
+      equal_388_s15_q <= equal_388_s14_q;
+      or_389_s15_q <= or_389_s14_q;
+      less_396_s15_q <= less_396_s14_q;
+      not_397_s15_q <= not_397_s14_q;
       equal_429_s15_q <= equal_429_s14_q;
       x_s15_2_q <= x_s14_2_q;
       best_left_rdata_s15_q <= best_left_rdata_s14_q;
@@ -3023,35 +2986,31 @@ module horopter_agreement (
       and_1319_s15_q <= and_1319_s14_q;
       right_s15_q <= right_s14_q;
       best_right_rdata_s15_q <= best_right_rdata_s14_q;
-      select_1326_s15_q <= select_1326_s14_q;
-      or_1332_s15_q <= select_1326_s14_q | (best_right_rdata_s14_q[21:15] < of_near);
-      equal_1335_s15_q <= equal_1335_s14_q;
-      inside_v_s15_q <= {inside_v[14:3], inside_v[1:0]};
-      select_1374_s15_q <= select_1374_s14_q;
-      and_1377_s15_q <= equal_388_s14_q & inside_v[4];
-      right_2_s15_q <= right_2;
-      sum_1456_s15_q <= sum_1456_s14_q;
-      equal_1458_s15_q <= equal_1458_s14_q;
-      textured_s15_q <= textured;
-      and_1595_s15_q <= and_1595_s14_q;
-      equal_1736_s15_q <= equal_1736_s14_q;
-      equal_1857_s15_q <= equal_1857_s14_q;
-      select_2060_s15_q <= select_2060;
-      rise_s15_q <= rise[8];
-      select_2066_s15_q <= rise[8] ? select_2062_s14_q : select_2064_s14_q;
-      xor_2071_s15_q <= rise[7:0] ^ {8{rise[8]}};
+      select_1328_s15_q <= select_1328_s14_q;
+      or_1334_s15_q <= select_1328_s14_q | (best_right_rdata_s14_q[21:15] < of_near);
+      equal_1337_s15_q <= equal_1337_s14_q;
+      and_1344_s15_q <= and_1344_s14_q;
+      and_1348_s15_q <= not_397_s14_q & and_1347_s14_q;
+      and_1351_s15_q <= and_1351_s14_q;
+      and_1361_s15_q <= not_397_s14_q & and_1360;
+      and_1366_s15_q <= and_1360 & or_1365_s14_q;
+      select_1376_s15_q <= select_1376_s14_q;
+      less_1420_s15_q <= less_1420_s14_q;
+      sum_1458_s15_q <= sum_1458[5];
+      equal_1460_s15_q <= equal_1460_s14_q;
+      and_1597_s15_q <= and_1597_s14_q;
+      equal_1738_s15_q <= equal_1738_s14_q;
+      equal_1859_s15_q <= equal_1859_s14_q;
+      select_2064_s15_q <= select_2064;
+      select_2066_s15_q <= select_2066;
       select_2086_s15_q <= select_2086;
-      and_2111_s15_q <= inside_v[4] & less_2110_s14_q;
-      less_2116_s15_q <= select_2062_s14_q < select_2064_s14_q;
-      less_2302_s15_q <= less_2302_s14_q;
-      equal_2509_s15_q <= equal_2509_s14_q;
+      less_2112_s15_q <= less_2112_s14_q;
+      less_2304_s15_q <= less_2304_s14_q;
+      equal_2511_s15_q <= equal_2511_s14_q;
     end
   end
 
   // Stage 15 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/census.hpp:98
-  logic and_343;
-  assign and_343 = sample_pair_whole_s15_q & and_342_s15_q;
   // hls/stages/agreement.hpp:608
   logic equal_1285;
   assign equal_1285 = select_1282_s15_q == 3'h1;
@@ -3073,89 +3032,30 @@ module horopter_agreement (
   logic [7:0] select_1312;
   assign select_1312 = select_1310[1] ? before_2_q : (select_1310[0] ? before_2_s15_q : before_0_s15_q);
   // hls/stages/agreement.hpp:620
-  logic or_1328;
-  assign or_1328 = select_1326_s15_q | (best_right_rdata_s15_q[7:0] < of_best_s15_q);
-  // hls/stages/agreement.hpp:746
-  logic not_1336;
-  assign not_1336 = ~equal_1335_s15_q;
-  // hls/stages/agreement.hpp:211
-  logic and_1368;
-  assign and_1368 = ends_cell_s15_q & inside_v_s15_q[0];
-  logic and_1370;
-  assign and_1370 = not_1336 & (so_s15_q & and_1368);
-  // hls/stages/agreement.hpp:788
-  logic or_1459;
-  assign or_1459 = (~sum_1456_s15_q) | equal_1458_s15_q;
-  // hls/stages/registration.hpp:35
-  logic [8:0] difference_2067;
-  assign difference_2067 = {1'b0, select_2060_s15_q} - {1'b0, select_2066_s15_q};
-  // hls/stages/registration.hpp:36
-  logic [7:0] wide;
-  assign wide = difference_2067[8] ? 8'h0 : difference_2067[7:0];
-  // hls/stages/registration.hpp:34
-  logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_s15_q} + {1'b0, xor_2071_s15_q};
-  // hls/stages/registration.hpp:201
-  logic [9:0] select_2087;
-  assign select_2087 = inside_v_s15_q[9] ? select_2086_s15_q[9:0] : 10'h0;
-  logic [8:0] difference_2089;
-  assign difference_2089 = select_2087[9:1] - (inside_v_s15_q[10] ? select_2086_s15_q[8:0] : 9'h0);
-  // hls/stages/registration.hpp:199
-  logic [12:0] sum_2092;
-  assign sum_2092 = (inside_v_s15_q[5] ? select_2086_s15_q[13:1] : 13'h0) + (inside_v_s15_q[6] ? select_2086_s15_q[12:0] : 13'h0);
-  // hls/stages/registration.hpp:200
-  logic [11:0] select_2093;
-  assign select_2093 = inside_v_s15_q[7] ? select_2086_s15_q[11:0] : 12'h0;
-  logic [10:0] sum_2095;
-  assign sum_2095 = select_2093[11:1] + (inside_v_s15_q[8] ? select_2086_s15_q[10:0] : 11'h0);
-
-  // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:146; read in stage 15, written in stage 18: 15 < 18 < 15 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [29:0] averager_memory_mem [0:479];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 480; i++) averager_memory_mem[i] = 30'h0;
-`endif
-  logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_333_s15_q;
-  logic averager_memory_re;
-  assign averager_memory_re = s15_en & and_343;
-  logic [29:0] averager_memory_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
-  end
-
-  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1075; read in stage 15, written in stage 16: 15 < 16 < 15 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [1:0] shown_right_mem [0:119];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 120; i++) shown_right_mem[i] = 2'h0;
-`endif
-  logic [6:0] shown_right_raddr;
-  assign shown_right_raddr = x_s15_q[6:0];
-  logic shown_right_re;
-  assign shown_right_re = s15_en & and_1370;
-  logic [1:0] shown_right_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
-  end
-
-  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1099; read in stage 15, written in stage 18: 15 < 18 < 15 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [17:0] seen_columns_mem [0:119];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 120; i++) seen_columns_mem[i] = 18'h0;
-`endif
-  logic [6:0] seen_columns_raddr;
-  assign seen_columns_raddr = x_s15_q[6:0];
-  logic seen_columns_re;
-  assign seen_columns_re = s15_en & and_1370;
-  logic [17:0] seen_columns_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (seen_columns_re) seen_columns_rdata_q <= seen_columns_mem[seen_columns_raddr];
-  end
+  logic or_1330;
+  assign or_1330 = select_1328_s15_q | (best_right_rdata_s15_q[7:0] < of_best_s15_q);
+  // hls/stages/agreement.hpp:182
+  logic and_1367;
+  assign and_1367 = not_397_s15_q & and_1366_s15_q;
+  // hls/stages/agreement.hpp:191
+  logic [8:0] select_1368;
+  assign select_1368 = less_396_s15_q ? 9'h0 : best_left_rdata_s15_q[8:0];
+  logic [14:0] inside_v;
+  assign inside_v = or_389_s15_q ? {select_1368, and_1367, and_1361_s15_q, and_1351_s15_q, and_1348_s15_q, and_1344_s15_q, not_397_s15_q} : 15'h0;
+  // hls/stages/agreement.hpp:197
+  logic right_2;
+  assign right_2 = inside_v[0] & less_1420_s15_q;
+  logic textured;
+  assign textured = inside_v[0] & inside_v[2];
+  // hls/stages/agreement.hpp:191
+  logic [7:0] select_2062;
+  assign select_2062 = or_389_s15_q ? (less_396_s15_q ? 8'h0 : best_left_rdata_s15_q[16:9]) : 8'h0;
+  // hls/stages/registration.hpp:33
+  logic [8:0] rise;
+  assign rise = {1'b0, select_2064_s15_q} - {1'b0, select_2066_s15_q};
+  // hls/stages/registration.hpp:206
+  logic [13:0] select_2088;
+  assign select_2088 = ($signed(10'h0) < $signed(select_2086_s15_q[16:7])) ? 14'h7f : select_2086_s15_q[13:0];
 
   logic [7:0] pixel_0_s16_q;
   logic [7:0] pixel_1_s16_q;
@@ -3174,7 +3074,6 @@ module horopter_agreement (
   logic equal_327_s16_q;
   logic [8:0] select_333_s16_q;
   logic and_342_s16_q;
-  logic and_343_s16_q;
   logic equal_348_s16_q;
   logic whole_s16_q;
   logic [6:0] column_s16_q;
@@ -3195,34 +3094,29 @@ module horopter_agreement (
   logic and_1319_s16_q;
   logic [6:0] right_s16_q;
   logic [14:0] best_right_rdata_s16_q;
-  logic or_1328_s16_q;
-  logic [6:0] select_1333_s16_q;
-  logic [6:0] select_1334_s16_q;
-  logic equal_1335_s16_q;
-  logic not_1336_s16_q;
+  logic or_1330_s16_q;
+  logic [6:0] select_1335_s16_q;
+  logic [6:0] select_1336_s16_q;
+  logic equal_1337_s16_q;
   logic [13:0] inside_v_s16_q;
-  logic and_1370_s16_q;
-  logic [6:0] select_1374_s16_q;
+  logic [6:0] select_1376_s16_q;
   logic and_1379_s16_q;
   logic right_2_s16_q;
-  logic sum_1456_s16_q;
-  logic and_1462_s16_q;
+  logic sum_1458_s16_q;
+  logic equal_1460_s16_q;
   logic textured_s16_q;
-  logic and_1596_s16_q;
-  logic equal_1736_s16_q;
-  logic equal_1857_s16_q;
-  logic [7:0] wide_s16_q;
-  logic [8:0] size_3_s16_q;
-  logic select_2087_s16_q;
-  logic [8:0] difference_2089_s16_q;
-  logic [11:0] sum_2092_s16_q;
-  logic select_2093_s16_q;
-  logic [10:0] sum_2095_s16_q;
-  logic and_2111_s16_q;
-  logic less_2116_s16_q;
-  logic less_2302_s16_q;
-  logic select_2345_s16_q;
-  logic equal_2509_s16_q;
+  logic and_1597_s16_q;
+  logic equal_1738_s16_q;
+  logic equal_1859_s16_q;
+  logic [7:0] select_2062_s16_q;
+  logic rise_s16_q;
+  logic [7:0] select_2068_s16_q;
+  logic [7:0] xor_2073_s16_q;
+  logic [13:0] select_2088_s16_q;
+  logic and_2113_s16_q;
+  logic less_2118_s16_q;
+  logic less_2304_s16_q;
+  logic equal_2511_s16_q;
   always_ff @(posedge clk_i) begin
     if (s15_en) begin
       pixel_0_s16_q <= pixel_0_s15_q;
@@ -3242,7 +3136,6 @@ module horopter_agreement (
       equal_327_s16_q <= equal_327_s15_q;
       select_333_s16_q <= select_333_s15_q;
       and_342_s16_q <= and_342_s15_q;
-      and_343_s16_q <= and_343;
       equal_348_s16_q <= equal_348_s15_q;
       whole_s16_q <= whole_s15_q;
       column_s16_q <= column_s15_q;
@@ -3263,130 +3156,122 @@ module horopter_agreement (
       and_1319_s16_q <= and_1319_s15_q;
       right_s16_q <= right_s15_q;
       best_right_rdata_s16_q <= best_right_rdata_s15_q[14:0];
-      or_1328_s16_q <= or_1328;
-      select_1333_s16_q <= or_1332_s15_q ? of_near_s15_q : best_right_rdata_s15_q[21:15];
-      select_1334_s16_q <= or_1332_s15_q ? x_s15_2_q : best_right_rdata_s15_q[28:22];
-      equal_1335_s16_q <= equal_1335_s15_q;
-      not_1336_s16_q <= not_1336;
-      inside_v_s16_q <= inside_v_s15_q;
-      and_1370_s16_q <= and_1370;
-      select_1374_s16_q <= select_1374_s15_q;
-      and_1379_s16_q <= not_1336 & (so_s15_q ? and_1368 : and_1377_s15_q);
-      right_2_s16_q <= right_2_s15_q;
-      sum_1456_s16_q <= sum_1456_s15_q;
-      and_1462_s16_q <= so_s15_q & (ends_cell_s15_q & (inside_v_s15_q[0] & or_1459));
-      textured_s16_q <= textured_s15_q;
-      and_1596_s16_q <= not_1336 & and_1595_s15_q;
-      equal_1736_s16_q <= equal_1736_s15_q;
-      equal_1857_s16_q <= equal_1857_s15_q;
-      wide_s16_q <= wide;
-      size_3_s16_q <= size_3;
-      select_2087_s16_q <= select_2087[0];
-      difference_2089_s16_q <= difference_2089;
-      sum_2092_s16_q <= sum_2092[12:1];
-      select_2093_s16_q <= select_2093[0];
-      sum_2095_s16_q <= sum_2095;
-      and_2111_s16_q <= and_2111_s15_q;
-      less_2116_s16_q <= less_2116_s15_q;
-      less_2302_s16_q <= less_2302_s15_q;
-      select_2345_s16_q <= sum_1456_s15_q ? (equal_1458_s15_q & or_1459) : or_1459;
-      equal_2509_s16_q <= equal_2509_s15_q;
+      or_1330_s16_q <= or_1330;
+      select_1335_s16_q <= or_1334_s15_q ? of_near_s15_q : best_right_rdata_s15_q[21:15];
+      select_1336_s16_q <= or_1334_s15_q ? x_s15_2_q : best_right_rdata_s15_q[28:22];
+      equal_1337_s16_q <= equal_1337_s15_q;
+      inside_v_s16_q <= {inside_v[14:3], inside_v[1:0]};
+      select_1376_s16_q <= select_1376_s15_q;
+      and_1379_s16_q <= equal_388_s15_q & inside_v[4];
+      right_2_s16_q <= right_2;
+      sum_1458_s16_q <= sum_1458_s15_q;
+      equal_1460_s16_q <= equal_1460_s15_q;
+      textured_s16_q <= textured;
+      and_1597_s16_q <= and_1597_s15_q;
+      equal_1738_s16_q <= equal_1738_s15_q;
+      equal_1859_s16_q <= equal_1859_s15_q;
+      select_2062_s16_q <= select_2062;
+      rise_s16_q <= rise[8];
+      select_2068_s16_q <= rise[8] ? select_2064_s15_q : select_2066_s15_q;
+      xor_2073_s16_q <= rise[7:0] ^ {8{rise[8]}};
+      select_2088_s16_q <= select_2088;
+      and_2113_s16_q <= inside_v[4] & less_2112_s15_q;
+      less_2118_s16_q <= select_2064_s15_q < select_2066_s15_q;
+      less_2304_s16_q <= less_2304_s15_q;
+      equal_2511_s16_q <= equal_2511_s15_q;
     end
   end
 
   // Stage 16 ----------------------------------------------------------------------------------------------------------
-  logic [7:0] sample_pair_pixel_0_q;
-  logic [7:0] sample_pair_pixel_1_q;
-  logic sample_of_skin_q;
-  logic [13:0] averager_running_0_q;
-  logic [13:0] averager_running_1_q;
-  logic averager_running_of_skin_q;
-  logic segment_starts_q;
-  // hls/stages/census.hpp:91
-  logic [13:0] select_346;
-  assign select_346 = equal_327_s16_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
-  logic [13:0] sum_352;
-  assign sum_352 = {6'h0, sample_pair_pixel_1_q} + (equal_327_s16_q ? 14'h0 : averager_running_1_q);
-  // hls/stages/agreement.hpp:213
-  logic all_of_skin;
-  assign all_of_skin = equal_327_s16_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
-  // hls/stages/agreement.hpp:139
-  logic not_1375;
-  assign not_1375 = ~so_s16_q;
+  // hls/stages/census.hpp:98
+  logic and_343;
+  assign and_343 = sample_pair_whole_s16_q & and_342_s16_q;
+  // hls/stages/agreement.hpp:747
+  logic not_1338;
+  assign not_1338 = ~equal_1337_s16_q;
   // hls/stages/agreement.hpp:211
-  logic and_1376;
-  assign and_1376 = not_1375 & inside_v_s16_q[4];
-  // hls/stages/agreement.hpp:215
-  logic select_1649;
-  assign select_1649 = sample_pair_whole_s16_q ? all_of_skin : averager_running_of_skin_q;
-  // hls/stages/registration.hpp:40
-  logic [8:0] select_2074;
-  assign select_2074 = ({wide_s16_q, 1'b0} < size_3_s16_q) ? {wide_s16_q, 1'b0} : size_3_s16_q;
-  logic [8:0] taken;
-  assign taken = ~select_2074;
-  // hls/stages/registration.hpp:202
-  logic [11:0] sum_2096;
-  assign sum_2096 = sum_2092_s16_q + {sum_2095_s16_q, select_2093_s16_q};
-  logic [9:0] sum_2097;
-  assign sum_2097 = {difference_2089_s16_q, select_2087_s16_q} + sum_2096[11:2];
-  // hls/stages/agreement.hpp:143
-  logic or_2343;
-  assign or_2343 = segment_starts_q | not_1375;
-  // hls/stages/agreement.hpp:211
-  logic select_2347;
-  assign select_2347 = ends_cell_s16_q ? (inside_v_s16_q[0] ? select_2345_s16_q : or_2343) : or_2343;
+  logic and_1370;
+  assign and_1370 = ends_cell_s16_q & inside_v_s16_q[0];
+  logic and_1372;
+  assign and_1372 = not_1338 & (so_s16_q & and_1370);
+  // hls/stages/agreement.hpp:789
+  logic or_1461;
+  assign or_1461 = (~sum_1458_s16_q) | equal_1460_s16_q;
+  // hls/stages/registration.hpp:35
+  logic [8:0] difference_2069;
+  assign difference_2069 = {1'b0, select_2062_s16_q} - {1'b0, select_2068_s16_q};
+  // hls/stages/registration.hpp:36
+  logic [7:0] wide;
+  assign wide = difference_2069[8] ? 8'h0 : difference_2069[7:0];
+  // hls/stages/registration.hpp:34
+  logic [8:0] size_3;
+  assign size_3 = {8'h0, rise_s16_q} + {1'b0, xor_2073_s16_q};
+  // hls/stages/registration.hpp:201
+  logic [9:0] select_2089;
+  assign select_2089 = inside_v_s16_q[9] ? select_2088_s16_q[9:0] : 10'h0;
+  logic [8:0] difference_2091;
+  assign difference_2091 = select_2089[9:1] - (inside_v_s16_q[10] ? select_2088_s16_q[8:0] : 9'h0);
+  // hls/stages/registration.hpp:199
+  logic [12:0] sum_2094;
+  assign sum_2094 = (inside_v_s16_q[5] ? select_2088_s16_q[13:1] : 13'h0) + (inside_v_s16_q[6] ? select_2088_s16_q[12:0] : 13'h0);
+  // hls/stages/registration.hpp:200
+  logic [11:0] select_2095;
+  assign select_2095 = inside_v_s16_q[7] ? select_2088_s16_q[11:0] : 12'h0;
+  logic [10:0] sum_2097;
+  assign sum_2097 = select_2095[11:1] + (inside_v_s16_q[8] ? select_2088_s16_q[10:0] : 11'h0);
 
-  // Memory shown_right, write
-  logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_1374_s16_q;
-  logic shown_right_we;
-  assign shown_right_we = s16_en & and_1379_s16_q;
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1376, not_1375};
-  end
-`ifndef SYNTHESIS
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && shown_right_we) begin
-      if (shown_right_re && shown_right_raddr == shown_right_waddr) begin
-        $error("shown_right: address %0d is read less than DISTANCE steps after its write", shown_right_waddr);
-      end
-      if (shown_right_waddr >= 7'd120) $error("shown_right: write outside, address %0d", shown_right_waddr);
-    end
-    if (rst_ni && shown_right_re && shown_right_raddr >= 7'd120) $error("shown_right: read outside, address %0d", shown_right_raddr);
-  end
+  // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:146; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [29:0] averager_memory_mem [0:479];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 480; i++) averager_memory_mem[i] = 30'h0;
 `endif
-
+  logic [8:0] averager_memory_raddr;
+  assign averager_memory_raddr = select_333_s16_q;
+  logic averager_memory_re;
+  assign averager_memory_re = s16_en & and_343;
+  logic [29:0] averager_memory_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      sample_pair_pixel_0_q <= 8'h0;
-      sample_pair_pixel_1_q <= 8'h0;
-      sample_of_skin_q <= 1'b0;
-      averager_running_of_skin_q <= 1'b0;
-      segment_starts_q <= 1'b1;
-    end else if (s16_en) begin
-      sample_pair_pixel_0_q <= pixel_0_s16_q;
-      sample_pair_pixel_1_q <= pixel_1_s16_q;
-      sample_of_skin_q <= mask_s16_q;
-      averager_running_of_skin_q <= select_1649;
-      segment_starts_q <= equal_1335_s16_q ? or_2343 : (so_s16_q ? select_2347 : or_2343);
-    end
+    if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
-  // Not reset: nothing of it counts before it is written anew.
-`ifndef SYNTHESIS
-  initial begin
-    averager_running_0_q = 14'h0;
-    averager_running_1_q = 14'h0;
-  end
+  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1076; read in stage 16, written in stage 17: 16 < 17 < 16 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [1:0] shown_right_mem [0:119];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 120; i++) shown_right_mem[i] = 2'h0;
 `endif
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s16_en) begin
-      averager_running_0_q <= sample_pair_whole_s16_q ? select_346 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s16_q ? sum_352 : averager_running_1_q;
-    end
+  logic [6:0] shown_right_raddr;
+  assign shown_right_raddr = x_s16_q[6:0];
+  logic shown_right_re;
+  assign shown_right_re = s16_en & and_1372;
+  logic [1:0] shown_right_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
+  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1100; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [17:0] seen_columns_mem [0:119];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 120; i++) seen_columns_mem[i] = 18'h0;
+`endif
+  logic [6:0] seen_columns_raddr;
+  assign seen_columns_raddr = x_s16_q[6:0];
+  logic seen_columns_re;
+  assign seen_columns_re = s16_en & and_1372;
+  logic [17:0] seen_columns_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (seen_columns_re) seen_columns_rdata_q <= seen_columns_mem[seen_columns_raddr];
+  end
+
+  logic [7:0] pixel_0_s17_q;
+  logic [7:0] pixel_1_s17_q;
   logic saturated_s17_q;
+  logic mask_s17_q;
   logic marks_first_s17_q;
   logic marks_last_s17_q;
   logic sample_pair_whole_s17_q;
@@ -3396,15 +3281,12 @@ module horopter_agreement (
   logic ends_cell_s17_q;
   logic lower_half_s17_q;
   logic [11:0] registration_slope_s17_q;
+  logic equal_327_s17_q;
   logic [8:0] select_333_s17_q;
   logic and_342_s17_q;
   logic and_343_s17_q;
-  logic [29:0] averager_memory_rdata_s17_q;
-  logic [13:0] select_346_s17_q;
   logic equal_348_s17_q;
-  logic [13:0] sum_352_s17_q;
   logic whole_s17_q;
-  logic all_of_skin_s17_q;
   logic [6:0] column_s17_q;
   logic and_366_s17_q;
   logic and_368_s17_q;
@@ -3421,35 +3303,41 @@ module horopter_agreement (
   logic [5:0] select_1318_s17_q;
   logic and_1319_s17_q;
   logic [6:0] right_s17_q;
-  logic [7:0] select_1329_s17_q;
-  logic [6:0] select_1330_s17_q;
-  logic [6:0] select_1333_s17_q;
-  logic [6:0] select_1334_s17_q;
-  logic equal_1335_s17_q;
-  logic not_1336_s17_q;
+  logic [7:0] select_1331_s17_q;
+  logic [6:0] select_1332_s17_q;
+  logic [6:0] select_1335_s17_q;
+  logic [6:0] select_1336_s17_q;
+  logic equal_1337_s17_q;
+  logic not_1338_s17_q;
   logic [13:0] inside_v_s17_q;
-  logic and_1370_s17_q;
-  logic [1:0] shown_right_rdata_s17_q;
+  logic and_1372_s17_q;
+  logic [6:0] select_1376_s17_q;
+  logic and_1381_s17_q;
   logic right_2_s17_q;
-  logic sum_1456_s17_q;
-  logic and_1462_s17_q;
+  logic sum_1458_s17_q;
+  logic and_1464_s17_q;
   logic textured_s17_q;
-  logic [17:0] seen_columns_rdata_s17_q;
-  logic and_1596_s17_q;
-  logic equal_1736_s17_q;
-  logic equal_1857_s17_q;
-  logic less_2058_s17_q;
+  logic and_1598_s17_q;
+  logic equal_1738_s17_q;
+  logic equal_1859_s17_q;
   logic [7:0] wide_s17_q;
-  logic [8:0] taken_s17_q;
-  logic [7:0] not_2076_s17_q;
-  logic [7:0] sum_2097_s17_q;
-  logic and_2111_s17_q;
-  logic less_2116_s17_q;
-  logic less_2302_s17_q;
-  logic equal_2509_s17_q;
+  logic [8:0] size_3_s17_q;
+  logic select_2089_s17_q;
+  logic [8:0] difference_2091_s17_q;
+  logic [11:0] sum_2094_s17_q;
+  logic select_2095_s17_q;
+  logic [10:0] sum_2097_s17_q;
+  logic and_2113_s17_q;
+  logic less_2118_s17_q;
+  logic less_2304_s17_q;
+  logic select_2347_s17_q;
+  logic equal_2511_s17_q;
   always_ff @(posedge clk_i) begin
     if (s16_en) begin
+      pixel_0_s17_q <= pixel_0_s16_q;
+      pixel_1_s17_q <= pixel_1_s16_q;
       saturated_s17_q <= saturated_s16_q;
+      mask_s17_q <= mask_s16_q;
       marks_first_s17_q <= marks_first_s16_q;
       marks_last_s17_q <= marks_last_s16_q;
       sample_pair_whole_s17_q <= sample_pair_whole_s16_q;
@@ -3459,15 +3347,12 @@ module horopter_agreement (
       ends_cell_s17_q <= ends_cell_s16_q;
       lower_half_s17_q <= lower_half_s16_q;
       registration_slope_s17_q <= registration_slope_s16_q;
+      equal_327_s17_q <= equal_327_s16_q;
       select_333_s17_q <= select_333_s16_q;
       and_342_s17_q <= and_342_s16_q;
-      and_343_s17_q <= and_343_s16_q;
-      averager_memory_rdata_s17_q <= averager_memory_rdata_q;
-      select_346_s17_q <= select_346;
+      and_343_s17_q <= and_343;
       equal_348_s17_q <= equal_348_s16_q;
-      sum_352_s17_q <= sum_352;
       whole_s17_q <= whole_s16_q;
-      all_of_skin_s17_q <= all_of_skin;
       column_s17_q <= column_s16_q;
       and_366_s17_q <= and_366_s16_q;
       and_368_s17_q <= and_368_s16_q;
@@ -3484,148 +3369,79 @@ module horopter_agreement (
       select_1318_s17_q <= select_1318_s16_q;
       and_1319_s17_q <= and_1319_s16_q;
       right_s17_q <= right_s16_q;
-      select_1329_s17_q <= or_1328_s16_q ? of_best_s16_q : best_right_rdata_s16_q[7:0];
-      select_1330_s17_q <= or_1328_s16_q ? x_s16_2_q : best_right_rdata_s16_q[14:8];
-      select_1333_s17_q <= select_1333_s16_q;
-      select_1334_s17_q <= select_1334_s16_q;
-      equal_1335_s17_q <= equal_1335_s16_q;
-      not_1336_s17_q <= not_1336_s16_q;
+      select_1331_s17_q <= or_1330_s16_q ? of_best_s16_q : best_right_rdata_s16_q[7:0];
+      select_1332_s17_q <= or_1330_s16_q ? x_s16_2_q : best_right_rdata_s16_q[14:8];
+      select_1335_s17_q <= select_1335_s16_q;
+      select_1336_s17_q <= select_1336_s16_q;
+      equal_1337_s17_q <= equal_1337_s16_q;
+      not_1338_s17_q <= not_1338;
       inside_v_s17_q <= inside_v_s16_q;
-      and_1370_s17_q <= and_1370_s16_q;
-      shown_right_rdata_s17_q <= shown_right_rdata_q;
+      and_1372_s17_q <= and_1372;
+      select_1376_s17_q <= select_1376_s16_q;
+      and_1381_s17_q <= not_1338 & (so_s16_q ? and_1370 : and_1379_s16_q);
       right_2_s17_q <= right_2_s16_q;
-      sum_1456_s17_q <= sum_1456_s16_q;
-      and_1462_s17_q <= and_1462_s16_q;
+      sum_1458_s17_q <= sum_1458_s16_q;
+      and_1464_s17_q <= so_s16_q & (ends_cell_s16_q & (inside_v_s16_q[0] & or_1461));
       textured_s17_q <= textured_s16_q;
-      seen_columns_rdata_s17_q <= seen_columns_rdata_q;
-      and_1596_s17_q <= and_1596_s16_q;
-      equal_1736_s17_q <= equal_1736_s16_q;
-      equal_1857_s17_q <= equal_1857_s16_q;
-      less_2058_s17_q <= slot_s16_q < 3'h3;
-      wide_s17_q <= wide_s16_q;
-      taken_s17_q <= taken;
-      not_2076_s17_q <= ~wide_s16_q;
-      sum_2097_s17_q <= sum_2097[9:2];
-      and_2111_s17_q <= and_2111_s16_q;
-      less_2116_s17_q <= less_2116_s16_q;
-      less_2302_s17_q <= less_2302_s16_q;
-      equal_2509_s17_q <= equal_2509_s16_q;
+      and_1598_s17_q <= not_1338 & and_1597_s16_q;
+      equal_1738_s17_q <= equal_1738_s16_q;
+      equal_1859_s17_q <= equal_1859_s16_q;
+      wide_s17_q <= wide;
+      size_3_s17_q <= size_3;
+      select_2089_s17_q <= select_2089[0];
+      difference_2091_s17_q <= difference_2091;
+      sum_2094_s17_q <= sum_2094[12:1];
+      select_2095_s17_q <= select_2095[0];
+      sum_2097_s17_q <= sum_2097;
+      and_2113_s17_q <= and_2113_s16_q;
+      less_2118_s17_q <= less_2118_s16_q;
+      less_2304_s17_q <= less_2304_s16_q;
+      select_2347_s17_q <= sum_1458_s16_q ? (equal_1460_s16_q & or_1461) : or_1461;
+      equal_2511_s17_q <= equal_2511_s16_q;
     end
   end
 
   // Stage 17 ----------------------------------------------------------------------------------------------------------
-  logic [9:0] registration_displacement_over_q;
-  logic shown_shown_q;
-  logic shown_nearer_q;
-  logic [7:0] region_columns_q;
-  logic [8:0] region_down_rest_q;
-  logic [7:0] region_down_back_q;
-  logic [8:0] region_down_next_q;
-  logic segment_started_q;
-  // hls/stages/census.hpp:100
-  logic [13:0] sum_350;
-  assign sum_350 = select_346_s17_q + (equal_348_s17_q ? 14'h0 : averager_memory_rdata_s17_q[13:0]);
-  logic [13:0] sum_354;
-  assign sum_354 = sum_352_s17_q + (equal_348_s17_q ? 14'h0 : averager_memory_rdata_s17_q[27:14]);
-  // hls/stages/census.hpp:101
-  logic and_358;
-  assign and_358 = whole_s17_q & (averager_memory_rdata_s17_q[28] | equal_348_s17_q);
-  // hls/stages/census.hpp:102
-  logic and_362;
-  assign and_362 = all_of_skin_s17_q & (averager_memory_rdata_s17_q[29] | equal_348_s17_q);
-  // hls/stages/agreement.hpp:143
-  logic [7:0] select_1443;
-  assign select_1443 = so_s17_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:780
-  logic or_1446;
-  assign or_1446 = select_1443[7] | (~({select_1443[5], select_1443[3], select_1443[1]} == 3'h0));
-  // hls/stages/agreement.hpp:197
-  logic explained;
-  assign explained = inside_v_s17_q[0] & inside_v_s17_q[3];
-  logic and_1476;
-  assign and_1476 = inside_v_s17_q[0] & ({inside_v_s17_q[4], inside_v_s17_q[2]} == 2'h3);
-  // hls/stages/agreement.hpp:751
-  logic select_1484;
-  assign select_1484 = slot_s17_q[2] ? shown_shown_q : inside_v_s17_q[3];
-  // hls/stages/agreement.hpp:197
-  logic shown;
-  assign shown = inside_v_s17_q[0] & (shown_right_rdata_s17_q[0] | select_1484);
-  // hls/stages/agreement.hpp:751
-  logic select_1487;
-  assign select_1487 = slot_s17_q[2] ? shown_nearer_q : inside_v_s17_q[4];
-  // hls/stages/agreement.hpp:197
-  logic near;
-  assign near = inside_v_s17_q[0] & (select_1484 ? select_1487 : shown_right_rdata_s17_q[1]);
-  // hls/stages/agreement.hpp:764
-  logic [7:0] select_1537;
-  assign select_1537 = inside_v_s17_q[0] ? (sum_1456_s17_q ? select_1443 : {select_1443[6:0], 1'b0}) : select_1443;
-  // hls/stages/agreement.hpp:780
-  logic or_1540;
-  assign or_1540 = select_1537[7] | (~({select_1537[5], select_1537[3], select_1537[1]} == 3'h0));
-  // hls/stages/agreement.hpp:764
-  logic and_2000;
-  assign and_2000 = seen_columns_rdata_s17_q[7] & inside_v_s17_q[0];
-  logic and_2001;
-  assign and_2001 = seen_columns_rdata_s17_q[2] & inside_v_s17_q[0];
-  // hls/stages/registration.hpp:37
-  logic not_2069;
-  assign not_2069 = ~registration_displacement_over_q[9];
-  // hls/stages/registration.hpp:39
-  logic [9:0] left;
-  assign left = less_2058_s17_q ? {1'b0, wide_s17_q, 1'b0} : {registration_displacement_over_q[8:0], not_2069};
+  logic [7:0] sample_pair_pixel_0_q;
+  logic [7:0] sample_pair_pixel_1_q;
+  logic sample_of_skin_q;
+  logic [13:0] averager_running_0_q;
+  logic [13:0] averager_running_1_q;
+  logic averager_running_of_skin_q;
+  logic segment_starts_q;
+  // hls/stages/census.hpp:91
+  logic [13:0] select_346;
+  assign select_346 = equal_327_s17_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
+  logic [13:0] sum_352;
+  assign sum_352 = {6'h0, sample_pair_pixel_1_q} + (equal_327_s17_q ? 14'h0 : averager_running_1_q);
+  // hls/stages/agreement.hpp:213
+  logic all_of_skin;
+  assign all_of_skin = equal_327_s17_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
+  // hls/stages/agreement.hpp:139
+  logic not_1377;
+  assign not_1377 = ~so_s17_q;
+  // hls/stages/agreement.hpp:211
+  logic and_1378;
+  assign and_1378 = not_1377 & inside_v_s17_q[4];
+  // hls/stages/agreement.hpp:215
+  logic select_1651;
+  assign select_1651 = sample_pair_whole_s17_q ? all_of_skin : averager_running_of_skin_q;
   // hls/stages/registration.hpp:40
-  logic [7:0] select_2077;
-  assign select_2077 = registration_displacement_over_q[9] ? wide_s17_q : not_2076_s17_q;
-  logic [9:0] taken_2;
-  assign taken_2 = less_2058_s17_q ? {taken_s17_q, 1'b1} : {not_2069, select_2077, not_2069};
-  // hls/stages/registration.hpp:42
-  logic [10:0] sum_2079;
-  assign sum_2079 = {left, 1'b1} + {taken_2, less_2058_s17_q};
-  // hls/stages/registration.hpp:96
-  logic [12:0] sum_2098;
-  assign sum_2098 = {registration_slope_s17_q[11], registration_slope_s17_q} + {{5{sum_2097_s17_q[7]}}, sum_2097_s17_q};
+  logic [8:0] select_2076;
+  assign select_2076 = ({wide_s17_q, 1'b0} < size_3_s17_q) ? {wide_s17_q, 1'b0} : size_3_s17_q;
+  logic [8:0] taken;
+  assign taken = ~select_2076;
+  // hls/stages/registration.hpp:202
+  logic [11:0] sum_2098;
+  assign sum_2098 = sum_2094_s17_q + {sum_2097_s17_q, select_2095_s17_q};
+  logic [9:0] sum_2099;
+  assign sum_2099 = {difference_2091_s17_q, select_2089_s17_q} + sum_2098[11:2];
+  // hls/stages/agreement.hpp:143
+  logic or_2345;
+  assign or_2345 = segment_starts_q | not_1377;
   // hls/stages/agreement.hpp:211
-  logic select_2299;
-  assign select_2299 = equal_1335_s17_q ? shown_shown_q : (so_s17_q ? select_1484 : shown_shown_q);
-  logic select_2301;
-  assign select_2301 = equal_1335_s17_q ? shown_nearer_q : (so_s17_q ? select_1487 : shown_nearer_q);
-  // hls/stages/division.hpp:34
-  logic [7:0] sum_2303;
-  assign sum_2303 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:211
-  logic [7:0] select_2312;
-  assign select_2312 = equal_1335_s17_q ? select_1443 : (so_s17_q ? (ends_cell_s17_q ? select_1537 : select_1443) : 8'h1);
-  // hls/stages/agreement.hpp:314
-  logic [8:0] select_2326;
-  assign select_2326 = equal_429_s17_q ? {difference_2324[7], difference_2324} : (less_2302_s17_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:365
-  logic [8:0] select_2328;
-  assign select_2328 = and_368_s17_q ? (equal_1857_s17_q ? select_2326 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:314
-  logic [7:0] select_2330;
-  assign select_2330 = equal_429_s17_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:365
-  logic [7:0] select_2332;
-  assign select_2332 = and_368_s17_q ? (equal_1857_s17_q ? select_2330 : region_down_back_q) : region_down_back_q;
-  // hls/stages/division.hpp:36
-  logic [8:0] select_2334;
-  assign select_2334 = sum_2303[7] ? {1'b1, sum_2303[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
-
-  // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:254; read in stage 17, written in stage 19: 17 < 19 < 17 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [77:0] census_memory_mem [0:119];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 120; i++) census_memory_mem[i] = 78'h0;
-`endif
-  logic [6:0] census_memory_raddr;
-  assign census_memory_raddr = column_s17_q;
-  logic census_memory_re;
-  assign census_memory_re = s17_en & and_368_s17_q;
-  logic [77:0] census_memory_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
-  end
+  logic select_2349;
+  assign select_2349 = ends_cell_s17_q ? (inside_v_s17_q[0] ? select_2347_s17_q : or_2345) : or_2345;
 
   // Memory best_left, write
   logic [6:0] best_left_waddr;
@@ -3738,11 +3554,9 @@ module horopter_agreement (
   logic best_right_we;
   assign best_right_we = s17_en & and_1319_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1334_s17_q, select_1333_s17_q, select_1330_s17_q, select_1329_s17_q};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1336_s17_q, select_1335_s17_q, select_1332_s17_q, select_1331_s17_q};
   end
 `ifndef SYNTHESIS
-  logic [6:0] best_right_raddr_s10_sim;
-  logic best_right_re_s10_sim;
   logic [6:0] best_right_raddr_s11_sim;
   logic best_right_re_s11_sim;
   logic [6:0] best_right_raddr_s12_sim;
@@ -3757,7 +3571,6 @@ module horopter_agreement (
   logic best_right_re_s16_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      best_right_re_s10_sim <= 1'b0;
       best_right_re_s11_sim <= 1'b0;
       best_right_re_s12_sim <= 1'b0;
       best_right_re_s13_sim <= 1'b0;
@@ -3765,10 +3578,8 @@ module horopter_agreement (
       best_right_re_s15_sim <= 1'b0;
       best_right_re_s16_sim <= 1'b0;
     end else if (en_i) begin
-      best_right_re_s10_sim <= best_right_re;
-      best_right_raddr_s10_sim <= best_right_raddr;
-      best_right_re_s11_sim <= best_right_re_s10_sim;
-      best_right_raddr_s11_sim <= best_right_raddr_s10_sim;
+      best_right_re_s11_sim <= best_right_re;
+      best_right_raddr_s11_sim <= best_right_raddr;
       best_right_re_s12_sim <= best_right_re_s11_sim;
       best_right_raddr_s12_sim <= best_right_raddr_s11_sim;
       best_right_re_s13_sim <= best_right_re_s12_sim;
@@ -3784,9 +3595,6 @@ module horopter_agreement (
   always_ff @(posedge clk_i) begin
     if (rst_ni && best_right_we) begin
       if (best_right_re && best_right_raddr == best_right_waddr) begin
-        $error("best_right: address %0d is read less than DISTANCE steps after its write", best_right_waddr);
-      end
-      if (best_right_re_s10_sim && best_right_raddr_s10_sim == best_right_waddr) begin
         $error("best_right: address %0d is read less than DISTANCE steps after its write", best_right_waddr);
       end
       if (best_right_re_s11_sim && best_right_raddr_s11_sim == best_right_waddr) begin
@@ -3813,6 +3621,269 @@ module horopter_agreement (
   end
 `endif
 
+  // Memory shown_right, write
+  logic [6:0] shown_right_waddr;
+  assign shown_right_waddr = select_1376_s17_q;
+  logic shown_right_we;
+  assign shown_right_we = s17_en & and_1381_s17_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1378, not_1377};
+  end
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && shown_right_we) begin
+      if (shown_right_re && shown_right_raddr == shown_right_waddr) begin
+        $error("shown_right: address %0d is read less than DISTANCE steps after its write", shown_right_waddr);
+      end
+      if (shown_right_waddr >= 7'd120) $error("shown_right: write outside, address %0d", shown_right_waddr);
+    end
+    if (rst_ni && shown_right_re && shown_right_raddr >= 7'd120) $error("shown_right: read outside, address %0d", shown_right_raddr);
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      sample_pair_pixel_0_q <= 8'h0;
+      sample_pair_pixel_1_q <= 8'h0;
+      sample_of_skin_q <= 1'b0;
+      averager_running_of_skin_q <= 1'b0;
+      segment_starts_q <= 1'b1;
+    end else if (s17_en) begin
+      sample_pair_pixel_0_q <= pixel_0_s17_q;
+      sample_pair_pixel_1_q <= pixel_1_s17_q;
+      sample_of_skin_q <= mask_s17_q;
+      averager_running_of_skin_q <= select_1651;
+      segment_starts_q <= equal_1337_s17_q ? or_2345 : (so_s17_q ? select_2349 : or_2345);
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    averager_running_0_q = 14'h0;
+    averager_running_1_q = 14'h0;
+  end
+`endif
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (s17_en) begin
+      averager_running_0_q <= sample_pair_whole_s17_q ? select_346 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s17_q ? sum_352 : averager_running_1_q;
+    end
+  end
+
+  logic saturated_s18_q;
+  logic marks_first_s18_q;
+  logic marks_last_s18_q;
+  logic sample_pair_whole_s18_q;
+  logic [7:0] x_s18_q;
+  logic age_s18_q;
+  logic [2:0] slot_s18_q;
+  logic ends_cell_s18_q;
+  logic lower_half_s18_q;
+  logic [11:0] registration_slope_s18_q;
+  logic [8:0] select_333_s18_q;
+  logic and_342_s18_q;
+  logic and_343_s18_q;
+  logic [29:0] averager_memory_rdata_s18_q;
+  logic [13:0] select_346_s18_q;
+  logic equal_348_s18_q;
+  logic [13:0] sum_352_s18_q;
+  logic whole_s18_q;
+  logic all_of_skin_s18_q;
+  logic [6:0] column_s18_q;
+  logic and_366_s18_q;
+  logic and_368_s18_q;
+  logic equal_371_s18_q;
+  logic so_s18_q;
+  logic equal_429_s18_q;
+  logic equal_1337_s18_q;
+  logic not_1338_s18_q;
+  logic [13:0] inside_v_s18_q;
+  logic and_1372_s18_q;
+  logic [1:0] shown_right_rdata_s18_q;
+  logic right_2_s18_q;
+  logic sum_1458_s18_q;
+  logic and_1464_s18_q;
+  logic textured_s18_q;
+  logic [17:0] seen_columns_rdata_s18_q;
+  logic and_1598_s18_q;
+  logic equal_1738_s18_q;
+  logic equal_1859_s18_q;
+  logic less_2060_s18_q;
+  logic [7:0] wide_s18_q;
+  logic [8:0] taken_s18_q;
+  logic [7:0] not_2078_s18_q;
+  logic [7:0] sum_2099_s18_q;
+  logic and_2113_s18_q;
+  logic less_2118_s18_q;
+  logic less_2304_s18_q;
+  logic equal_2511_s18_q;
+  always_ff @(posedge clk_i) begin
+    if (s17_en) begin
+      saturated_s18_q <= saturated_s17_q;
+      marks_first_s18_q <= marks_first_s17_q;
+      marks_last_s18_q <= marks_last_s17_q;
+      sample_pair_whole_s18_q <= sample_pair_whole_s17_q;
+      x_s18_q <= x_s17_q;
+      age_s18_q <= age_s17_q;
+      slot_s18_q <= slot_s17_q;
+      ends_cell_s18_q <= ends_cell_s17_q;
+      lower_half_s18_q <= lower_half_s17_q;
+      registration_slope_s18_q <= registration_slope_s17_q;
+      select_333_s18_q <= select_333_s17_q;
+      and_342_s18_q <= and_342_s17_q;
+      and_343_s18_q <= and_343_s17_q;
+      averager_memory_rdata_s18_q <= averager_memory_rdata_q;
+      select_346_s18_q <= select_346;
+      equal_348_s18_q <= equal_348_s17_q;
+      sum_352_s18_q <= sum_352;
+      whole_s18_q <= whole_s17_q;
+      all_of_skin_s18_q <= all_of_skin;
+      column_s18_q <= column_s17_q;
+      and_366_s18_q <= and_366_s17_q;
+      and_368_s18_q <= and_368_s17_q;
+      equal_371_s18_q <= equal_371_s17_q;
+      so_s18_q <= so_s17_q;
+      equal_429_s18_q <= equal_429_s17_q;
+      equal_1337_s18_q <= equal_1337_s17_q;
+      not_1338_s18_q <= not_1338_s17_q;
+      inside_v_s18_q <= inside_v_s17_q;
+      and_1372_s18_q <= and_1372_s17_q;
+      shown_right_rdata_s18_q <= shown_right_rdata_q;
+      right_2_s18_q <= right_2_s17_q;
+      sum_1458_s18_q <= sum_1458_s17_q;
+      and_1464_s18_q <= and_1464_s17_q;
+      textured_s18_q <= textured_s17_q;
+      seen_columns_rdata_s18_q <= seen_columns_rdata_q;
+      and_1598_s18_q <= and_1598_s17_q;
+      equal_1738_s18_q <= equal_1738_s17_q;
+      equal_1859_s18_q <= equal_1859_s17_q;
+      less_2060_s18_q <= slot_s17_q < 3'h3;
+      wide_s18_q <= wide_s17_q;
+      taken_s18_q <= taken;
+      not_2078_s18_q <= ~wide_s17_q;
+      sum_2099_s18_q <= sum_2099[9:2];
+      and_2113_s18_q <= and_2113_s17_q;
+      less_2118_s18_q <= less_2118_s17_q;
+      less_2304_s18_q <= less_2304_s17_q;
+      equal_2511_s18_q <= equal_2511_s17_q;
+    end
+  end
+
+  // Stage 18 ----------------------------------------------------------------------------------------------------------
+  logic [9:0] registration_displacement_over_q;
+  logic shown_shown_q;
+  logic shown_nearer_q;
+  logic [7:0] region_columns_q;
+  logic [8:0] region_down_rest_q;
+  logic [7:0] region_down_back_q;
+  logic [8:0] region_down_next_q;
+  logic segment_started_q;
+  // hls/stages/census.hpp:100
+  logic [13:0] sum_350;
+  assign sum_350 = select_346_s18_q + (equal_348_s18_q ? 14'h0 : averager_memory_rdata_s18_q[13:0]);
+  logic [13:0] sum_354;
+  assign sum_354 = sum_352_s18_q + (equal_348_s18_q ? 14'h0 : averager_memory_rdata_s18_q[27:14]);
+  // hls/stages/census.hpp:101
+  logic and_358;
+  assign and_358 = whole_s18_q & (averager_memory_rdata_s18_q[28] | equal_348_s18_q);
+  // hls/stages/census.hpp:102
+  logic and_362;
+  assign and_362 = all_of_skin_s18_q & (averager_memory_rdata_s18_q[29] | equal_348_s18_q);
+  // hls/stages/agreement.hpp:143
+  logic [7:0] select_1445;
+  assign select_1445 = so_s18_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:781
+  logic or_1448;
+  assign or_1448 = select_1445[7] | (~({select_1445[5], select_1445[3], select_1445[1]} == 3'h0));
+  // hls/stages/agreement.hpp:197
+  logic explained;
+  assign explained = inside_v_s18_q[0] & inside_v_s18_q[3];
+  logic and_1478;
+  assign and_1478 = inside_v_s18_q[0] & ({inside_v_s18_q[4], inside_v_s18_q[2]} == 2'h3);
+  // hls/stages/agreement.hpp:752
+  logic select_1486;
+  assign select_1486 = slot_s18_q[2] ? shown_shown_q : inside_v_s18_q[3];
+  // hls/stages/agreement.hpp:197
+  logic shown;
+  assign shown = inside_v_s18_q[0] & (shown_right_rdata_s18_q[0] | select_1486);
+  // hls/stages/agreement.hpp:752
+  logic select_1489;
+  assign select_1489 = slot_s18_q[2] ? shown_nearer_q : inside_v_s18_q[4];
+  // hls/stages/agreement.hpp:197
+  logic near;
+  assign near = inside_v_s18_q[0] & (select_1486 ? select_1489 : shown_right_rdata_s18_q[1]);
+  // hls/stages/agreement.hpp:765
+  logic [7:0] select_1539;
+  assign select_1539 = inside_v_s18_q[0] ? (sum_1458_s18_q ? select_1445 : {select_1445[6:0], 1'b0}) : select_1445;
+  // hls/stages/agreement.hpp:781
+  logic or_1542;
+  assign or_1542 = select_1539[7] | (~({select_1539[5], select_1539[3], select_1539[1]} == 3'h0));
+  // hls/stages/agreement.hpp:765
+  logic and_2002;
+  assign and_2002 = seen_columns_rdata_s18_q[7] & inside_v_s18_q[0];
+  logic and_2003;
+  assign and_2003 = seen_columns_rdata_s18_q[2] & inside_v_s18_q[0];
+  // hls/stages/registration.hpp:37
+  logic not_2071;
+  assign not_2071 = ~registration_displacement_over_q[9];
+  // hls/stages/registration.hpp:39
+  logic [9:0] left;
+  assign left = less_2060_s18_q ? {1'b0, wide_s18_q, 1'b0} : {registration_displacement_over_q[8:0], not_2071};
+  // hls/stages/registration.hpp:40
+  logic [7:0] select_2079;
+  assign select_2079 = registration_displacement_over_q[9] ? wide_s18_q : not_2078_s18_q;
+  logic [9:0] taken_2;
+  assign taken_2 = less_2060_s18_q ? {taken_s18_q, 1'b1} : {not_2071, select_2079, not_2071};
+  // hls/stages/registration.hpp:42
+  logic [10:0] sum_2081;
+  assign sum_2081 = {left, 1'b1} + {taken_2, less_2060_s18_q};
+  // hls/stages/registration.hpp:96
+  logic [12:0] sum_2100;
+  assign sum_2100 = {registration_slope_s18_q[11], registration_slope_s18_q} + {{5{sum_2099_s18_q[7]}}, sum_2099_s18_q};
+  // hls/stages/agreement.hpp:211
+  logic select_2301;
+  assign select_2301 = equal_1337_s18_q ? shown_shown_q : (so_s18_q ? select_1486 : shown_shown_q);
+  logic select_2303;
+  assign select_2303 = equal_1337_s18_q ? shown_nearer_q : (so_s18_q ? select_1489 : shown_nearer_q);
+  // hls/stages/division.hpp:34
+  logic [7:0] sum_2305;
+  assign sum_2305 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2314;
+  assign select_2314 = equal_1337_s18_q ? select_1445 : (so_s18_q ? (ends_cell_s18_q ? select_1539 : select_1445) : 8'h1);
+  // hls/stages/agreement.hpp:314
+  logic [8:0] select_2328;
+  assign select_2328 = equal_429_s18_q ? {difference_2326[7], difference_2326} : (less_2304_s18_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:365
+  logic [8:0] select_2330;
+  assign select_2330 = and_368_s18_q ? (equal_1859_s18_q ? select_2328 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:314
+  logic [7:0] select_2332;
+  assign select_2332 = equal_429_s18_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:365
+  logic [7:0] select_2334;
+  assign select_2334 = and_368_s18_q ? (equal_1859_s18_q ? select_2332 : region_down_back_q) : region_down_back_q;
+  // hls/stages/division.hpp:36
+  logic [8:0] select_2336;
+  assign select_2336 = sum_2305[7] ? {1'b1, sum_2305[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
+
+  // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:254; read in stage 18, written in stage 20: 18 < 20 < 18 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [77:0] census_memory_mem [0:119];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 120; i++) census_memory_mem[i] = 78'h0;
+`endif
+  logic [6:0] census_memory_raddr;
+  assign census_memory_raddr = column_s18_q;
+  logic census_memory_re;
+  assign census_memory_re = s18_en & and_368_s18_q;
+  logic [77:0] census_memory_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
+  end
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       registration_displacement_over_q <= 10'h0;
@@ -3823,162 +3894,162 @@ module horopter_agreement (
       region_down_back_q <= 8'h0;
       region_down_next_q <= 9'h0;
       segment_started_q <= 1'b0;
-    end else if (s17_en) begin
-      registration_displacement_over_q <= so_s17_q ? sum_2079[10:1] : registration_displacement_over_q;
-      shown_shown_q <= select_2299;
-      shown_nearer_q <= select_2301;
-      region_columns_q <= select_2312;
-      region_down_rest_q <= select_2328;
-      region_down_back_q <= select_2332;
-      region_down_next_q <= select_2334;
+    end else if (s18_en) begin
+      registration_displacement_over_q <= so_s18_q ? sum_2081[10:1] : registration_displacement_over_q;
+      shown_shown_q <= select_2301;
+      shown_nearer_q <= select_2303;
+      region_columns_q <= select_2314;
+      region_down_rest_q <= select_2330;
+      region_down_back_q <= select_2334;
+      region_down_next_q <= select_2336;
       segment_started_q <= ~segment_starts_q;
     end
   end
 
-  logic [7:0] pixel_0_s18_q;
-  logic [7:0] pixel_1_s18_q;
-  logic saturated_s18_q;
-  logic mask_s18_q;
-  logic marks_first_s18_q;
-  logic marks_last_s18_q;
-  logic sample_pair_whole_s18_q;
-  logic [7:0] x_s18_q;
-  logic age_s18_q;
-  logic [2:0] slot_s18_q;
-  logic ends_cell_s18_q;
-  logic lower_half_s18_q;
-  logic registration_displacement_over_s18_q;
-  logic segment_started_s18_q;
-  logic [8:0] select_333_s18_q;
-  logic and_342_s18_q;
-  logic and_343_s18_q;
-  logic [13:0] sum_350_s18_q;
-  logic [13:0] sum_354_s18_q;
-  logic and_358_s18_q;
-  logic and_362_s18_q;
-  logic [6:0] column_s18_q;
-  logic and_366_s18_q;
-  logic and_368_s18_q;
-  logic equal_371_s18_q;
-  logic so_s18_q;
-  logic equal_429_s18_q;
-  logic equal_1335_s18_q;
-  logic not_1336_s18_q;
-  logic [11:0] inside_v_s18_q;
-  logic and_1370_s18_q;
-  logic equal_1380_s18_q;
-  logic right_2_s18_q;
-  logic or_1446_s18_q;
-  logic or_1449_s18_q;
-  logic or_1452_s18_q;
-  logic and_1462_s18_q;
-  logic textured_s18_q;
-  logic explained_s18_q;
-  logic and_1476_s18_q;
-  logic [12:0] seen_columns_rdata_s18_q;
-  logic shown_s18_q;
-  logic near_s18_q;
-  logic and_1522_s18_q;
-  logic and_1524_s18_q;
-  logic or_1540_s18_q;
-  logic or_1543_s18_q;
-  logic or_1546_s18_q;
-  logic and_1557_s18_q;
-  logic and_1559_s18_q;
-  logic and_1560_s18_q;
-  logic and_1573_s18_q;
-  logic and_1575_s18_q;
-  logic and_1576_s18_q;
-  logic and_1596_s18_q;
-  logic equal_1736_s18_q;
-  logic equal_1857_s18_q;
-  logic and_1998_s18_q;
-  logic and_1999_s18_q;
-  logic [1:0] sum_2003_s18_q;
-  logic [7:0] sum_2098_s18_q;
-  logic less_2099_s18_q;
-  logic less_2100_s18_q;
-  logic and_2111_s18_q;
-  logic less_2116_s18_q;
-  logic less_2302_s18_q;
-  logic sum_2303_s18_q;
-  logic and_2499_s18_q;
-  logic equal_2509_s18_q;
+  logic [7:0] pixel_0_s19_q;
+  logic [7:0] pixel_1_s19_q;
+  logic saturated_s19_q;
+  logic mask_s19_q;
+  logic marks_first_s19_q;
+  logic marks_last_s19_q;
+  logic sample_pair_whole_s19_q;
+  logic [7:0] x_s19_q;
+  logic age_s19_q;
+  logic [2:0] slot_s19_q;
+  logic ends_cell_s19_q;
+  logic lower_half_s19_q;
+  logic registration_displacement_over_s19_q;
+  logic segment_started_s19_q;
+  logic [8:0] select_333_s19_q;
+  logic and_342_s19_q;
+  logic and_343_s19_q;
+  logic [13:0] sum_350_s19_q;
+  logic [13:0] sum_354_s19_q;
+  logic and_358_s19_q;
+  logic and_362_s19_q;
+  logic [6:0] column_s19_q;
+  logic and_366_s19_q;
+  logic and_368_s19_q;
+  logic equal_371_s19_q;
+  logic so_s19_q;
+  logic equal_429_s19_q;
+  logic equal_1337_s19_q;
+  logic not_1338_s19_q;
+  logic [11:0] inside_v_s19_q;
+  logic and_1372_s19_q;
+  logic equal_1382_s19_q;
+  logic right_2_s19_q;
+  logic or_1448_s19_q;
+  logic or_1451_s19_q;
+  logic or_1454_s19_q;
+  logic and_1464_s19_q;
+  logic textured_s19_q;
+  logic explained_s19_q;
+  logic and_1478_s19_q;
+  logic [12:0] seen_columns_rdata_s19_q;
+  logic shown_s19_q;
+  logic near_s19_q;
+  logic and_1524_s19_q;
+  logic and_1526_s19_q;
+  logic or_1542_s19_q;
+  logic or_1545_s19_q;
+  logic or_1548_s19_q;
+  logic and_1559_s19_q;
+  logic and_1561_s19_q;
+  logic and_1562_s19_q;
+  logic and_1575_s19_q;
+  logic and_1577_s19_q;
+  logic and_1578_s19_q;
+  logic and_1598_s19_q;
+  logic equal_1738_s19_q;
+  logic equal_1859_s19_q;
+  logic and_2000_s19_q;
+  logic and_2001_s19_q;
+  logic [1:0] sum_2005_s19_q;
+  logic [7:0] sum_2100_s19_q;
+  logic less_2101_s19_q;
+  logic less_2102_s19_q;
+  logic and_2113_s19_q;
+  logic less_2118_s19_q;
+  logic less_2304_s19_q;
+  logic sum_2305_s19_q;
+  logic and_2501_s19_q;
+  logic equal_2511_s19_q;
   always_ff @(posedge clk_i) begin
-    if (s17_en) begin
-      pixel_0_s18_q <= sample_pair_pixel_0_q;
-      pixel_1_s18_q <= sample_pair_pixel_1_q;
-      saturated_s18_q <= saturated_s17_q;
-      mask_s18_q <= sample_of_skin_q;
-      marks_first_s18_q <= marks_first_s17_q;
-      marks_last_s18_q <= marks_last_s17_q;
-      sample_pair_whole_s18_q <= sample_pair_whole_s17_q;
-      x_s18_q <= x_s17_q;
-      age_s18_q <= age_s17_q;
-      slot_s18_q <= slot_s17_q;
-      ends_cell_s18_q <= ends_cell_s17_q;
-      lower_half_s18_q <= lower_half_s17_q;
-      registration_displacement_over_s18_q <= registration_displacement_over_q[9];
-      segment_started_s18_q <= segment_started_q;
-      select_333_s18_q <= select_333_s17_q;
-      and_342_s18_q <= and_342_s17_q;
-      and_343_s18_q <= and_343_s17_q;
-      sum_350_s18_q <= sum_350;
-      sum_354_s18_q <= sum_354;
-      and_358_s18_q <= and_358;
-      and_362_s18_q <= and_362;
-      column_s18_q <= column_s17_q;
-      and_366_s18_q <= and_366_s17_q;
-      and_368_s18_q <= and_368_s17_q;
-      equal_371_s18_q <= equal_371_s17_q;
-      so_s18_q <= so_s17_q;
-      equal_429_s18_q <= equal_429_s17_q;
-      equal_1335_s18_q <= equal_1335_s17_q;
-      not_1336_s18_q <= not_1336_s17_q;
-      inside_v_s18_q <= {inside_v_s17_q[13:5], inside_v_s17_q[2:0]};
-      and_1370_s18_q <= and_1370_s17_q;
-      equal_1380_s18_q <= x_s17_q[6:4] == 3'h7;
-      right_2_s18_q <= right_2_s17_q;
-      or_1446_s18_q <= or_1446;
-      or_1449_s18_q <= select_1443[7] | (~({select_1443[6], select_1443[3:2]} == 3'h0));
-      or_1452_s18_q <= select_1443[7] | (~(select_1443[6:4] == 3'h0));
-      and_1462_s18_q <= and_1462_s17_q;
-      textured_s18_q <= textured_s17_q;
-      explained_s18_q <= explained;
-      and_1476_s18_q <= and_1476;
-      seen_columns_rdata_s18_q <= {seen_columns_rdata_s17_q[13:7], seen_columns_rdata_s17_q[5:0]};
-      shown_s18_q <= shown;
-      near_s18_q <= near;
-      and_1522_s18_q <= seen_columns_rdata_s17_q[14] & inside_v_s17_q[0];
-      and_1524_s18_q <= seen_columns_rdata_s17_q[5] & inside_v_s17_q[0];
-      or_1540_s18_q <= or_1540;
-      or_1543_s18_q <= select_1537[7] | (~({select_1537[6], select_1537[3:2]} == 3'h0));
-      or_1546_s18_q <= select_1537[7] | (~(select_1537[6:4] == 3'h0));
-      and_1557_s18_q <= seen_columns_rdata_s17_q[16] & inside_v_s17_q[0];
-      and_1559_s18_q <= seen_columns_rdata_s17_q[8] & inside_v_s17_q[0];
-      and_1560_s18_q <= seen_columns_rdata_s17_q[3] & inside_v_s17_q[0];
-      and_1573_s18_q <= seen_columns_rdata_s17_q[17] & inside_v_s17_q[0];
-      and_1575_s18_q <= seen_columns_rdata_s17_q[9] & inside_v_s17_q[0];
-      and_1576_s18_q <= seen_columns_rdata_s17_q[4] & inside_v_s17_q[0];
-      and_1596_s18_q <= and_1596_s17_q;
-      equal_1736_s18_q <= equal_1736_s17_q;
-      equal_1857_s18_q <= equal_1857_s17_q;
-      and_1998_s18_q <= seen_columns_rdata_s17_q[15] & inside_v_s17_q[0];
-      and_1999_s18_q <= seen_columns_rdata_s17_q[11] & inside_v_s17_q[0];
-      sum_2003_s18_q <= {1'b0, and_2000} + ({1'b0, explained} + {1'b0, and_2001});
-      sum_2098_s18_q <= sum_2098[7:0];
-      less_2099_s18_q <= $signed(6'h0) < $signed(sum_2098[12:7]);
-      less_2100_s18_q <= $signed(sum_2098[12:7]) < $signed(6'h3f);
-      and_2111_s18_q <= and_2111_s17_q;
-      less_2116_s18_q <= less_2116_s17_q;
-      less_2302_s18_q <= less_2302_s17_q;
-      sum_2303_s18_q <= sum_2303[7];
-      and_2499_s18_q <= seen_columns_rdata_s17_q[6] & inside_v_s17_q[0];
-      equal_2509_s18_q <= equal_2509_s17_q;
+    if (s18_en) begin
+      pixel_0_s19_q <= sample_pair_pixel_0_q;
+      pixel_1_s19_q <= sample_pair_pixel_1_q;
+      saturated_s19_q <= saturated_s18_q;
+      mask_s19_q <= sample_of_skin_q;
+      marks_first_s19_q <= marks_first_s18_q;
+      marks_last_s19_q <= marks_last_s18_q;
+      sample_pair_whole_s19_q <= sample_pair_whole_s18_q;
+      x_s19_q <= x_s18_q;
+      age_s19_q <= age_s18_q;
+      slot_s19_q <= slot_s18_q;
+      ends_cell_s19_q <= ends_cell_s18_q;
+      lower_half_s19_q <= lower_half_s18_q;
+      registration_displacement_over_s19_q <= registration_displacement_over_q[9];
+      segment_started_s19_q <= segment_started_q;
+      select_333_s19_q <= select_333_s18_q;
+      and_342_s19_q <= and_342_s18_q;
+      and_343_s19_q <= and_343_s18_q;
+      sum_350_s19_q <= sum_350;
+      sum_354_s19_q <= sum_354;
+      and_358_s19_q <= and_358;
+      and_362_s19_q <= and_362;
+      column_s19_q <= column_s18_q;
+      and_366_s19_q <= and_366_s18_q;
+      and_368_s19_q <= and_368_s18_q;
+      equal_371_s19_q <= equal_371_s18_q;
+      so_s19_q <= so_s18_q;
+      equal_429_s19_q <= equal_429_s18_q;
+      equal_1337_s19_q <= equal_1337_s18_q;
+      not_1338_s19_q <= not_1338_s18_q;
+      inside_v_s19_q <= {inside_v_s18_q[13:5], inside_v_s18_q[2:0]};
+      and_1372_s19_q <= and_1372_s18_q;
+      equal_1382_s19_q <= x_s18_q[6:4] == 3'h7;
+      right_2_s19_q <= right_2_s18_q;
+      or_1448_s19_q <= or_1448;
+      or_1451_s19_q <= select_1445[7] | (~({select_1445[6], select_1445[3:2]} == 3'h0));
+      or_1454_s19_q <= select_1445[7] | (~(select_1445[6:4] == 3'h0));
+      and_1464_s19_q <= and_1464_s18_q;
+      textured_s19_q <= textured_s18_q;
+      explained_s19_q <= explained;
+      and_1478_s19_q <= and_1478;
+      seen_columns_rdata_s19_q <= {seen_columns_rdata_s18_q[13:7], seen_columns_rdata_s18_q[5:0]};
+      shown_s19_q <= shown;
+      near_s19_q <= near;
+      and_1524_s19_q <= seen_columns_rdata_s18_q[14] & inside_v_s18_q[0];
+      and_1526_s19_q <= seen_columns_rdata_s18_q[5] & inside_v_s18_q[0];
+      or_1542_s19_q <= or_1542;
+      or_1545_s19_q <= select_1539[7] | (~({select_1539[6], select_1539[3:2]} == 3'h0));
+      or_1548_s19_q <= select_1539[7] | (~(select_1539[6:4] == 3'h0));
+      and_1559_s19_q <= seen_columns_rdata_s18_q[16] & inside_v_s18_q[0];
+      and_1561_s19_q <= seen_columns_rdata_s18_q[8] & inside_v_s18_q[0];
+      and_1562_s19_q <= seen_columns_rdata_s18_q[3] & inside_v_s18_q[0];
+      and_1575_s19_q <= seen_columns_rdata_s18_q[17] & inside_v_s18_q[0];
+      and_1577_s19_q <= seen_columns_rdata_s18_q[9] & inside_v_s18_q[0];
+      and_1578_s19_q <= seen_columns_rdata_s18_q[4] & inside_v_s18_q[0];
+      and_1598_s19_q <= and_1598_s18_q;
+      equal_1738_s19_q <= equal_1738_s18_q;
+      equal_1859_s19_q <= equal_1859_s18_q;
+      and_2000_s19_q <= seen_columns_rdata_s18_q[15] & inside_v_s18_q[0];
+      and_2001_s19_q <= seen_columns_rdata_s18_q[11] & inside_v_s18_q[0];
+      sum_2005_s19_q <= {1'b0, and_2002} + ({1'b0, explained} + {1'b0, and_2003});
+      sum_2100_s19_q <= sum_2100[7:0];
+      less_2101_s19_q <= $signed(6'h0) < $signed(sum_2100[12:7]);
+      less_2102_s19_q <= $signed(sum_2100[12:7]) < $signed(6'h3f);
+      and_2113_s19_q <= and_2113_s18_q;
+      less_2118_s19_q <= less_2118_s18_q;
+      less_2304_s19_q <= less_2304_s18_q;
+      sum_2305_s19_q <= sum_2305[7];
+      and_2501_s19_q <= seen_columns_rdata_s18_q[6] & inside_v_s18_q[0];
+      equal_2511_s19_q <= equal_2511_s18_q;
     end
   end
 
-  // Stage 18 ----------------------------------------------------------------------------------------------------------
+  // Stage 19 ----------------------------------------------------------------------------------------------------------
   logic [10:0] averager_total_0_q;
   logic [10:0] averager_total_1_q;
   logic averager_mask_q;
@@ -3994,151 +4065,151 @@ module horopter_agreement (
   logic centres_values_1_of_skin_q;
   // hls/stages/census.hpp:126
   logic [8:0] grey;
-  assign grey = and_342_s18_q ? sum_350_s18_q[13:5] : 9'h0;
+  assign grey = and_342_s19_q ? sum_350_s19_q[13:5] : 9'h0;
   // hls/stages/census.hpp:127
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_371_s18_q ? 11'h0 : averager_total_0_q);
+  assign total = {2'h0, grey} + (equal_371_s19_q ? 11'h0 : averager_total_0_q);
   // hls/stages/census.hpp:126
   logic [8:0] grey_2;
-  assign grey_2 = and_342_s18_q ? sum_354_s18_q[13:5] : 9'h0;
+  assign grey_2 = and_342_s19_q ? sum_354_s19_q[13:5] : 9'h0;
   // hls/stages/census.hpp:127
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_371_s18_q ? 11'h0 : averager_total_1_q);
+  assign total_2 = {2'h0, grey_2} + (equal_371_s19_q ? 11'h0 : averager_total_1_q);
   // hls/stages/census.hpp:126
   logic and_379;
-  assign and_379 = and_342_s18_q & and_358_s18_q;
+  assign and_379 = and_342_s19_q & and_358_s19_q;
   // hls/stages/census.hpp:105
   logic select_381;
-  assign select_381 = equal_371_s18_q ? and_379 : (averager_mask_q & and_379);
+  assign select_381 = equal_371_s19_q ? and_379 : (averager_mask_q & and_379);
   // hls/stages/agreement.hpp:215
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s18_q & select_381;
+  assign whole_2 = sample_pair_whole_s19_q & select_381;
   // hls/stages/census.hpp:126
   logic and_383;
-  assign and_383 = and_342_s18_q & and_362_s18_q;
+  assign and_383 = and_342_s19_q & and_362_s19_q;
   // hls/stages/census.hpp:105
   logic select_385;
-  assign select_385 = equal_371_s18_q ? and_383 : (averager_of_skin_q & and_383);
+  assign select_385 = equal_371_s19_q ? and_383 : (averager_of_skin_q & and_383);
   // hls/stages/agreement.hpp:211
-  logic [5:0] select_1453;
-  assign select_1453 = equal_1335_s18_q ? x_s18_q[5:0] : {region_row_q, or_1452_s18_q, or_1449_s18_q, or_1446_s18_q};
-  // hls/stages/agreement.hpp:858
-  logic not_1454;
-  assign not_1454 = ~equal_1380_s18_q;
+  logic [5:0] select_1455;
+  assign select_1455 = equal_1337_s19_q ? x_s19_q[5:0] : {region_row_q, or_1454_s19_q, or_1451_s19_q, or_1448_s19_q};
+  // hls/stages/agreement.hpp:859
+  logic not_1456;
+  assign not_1456 = ~equal_1382_s19_q;
   // hls/stages/agreement.hpp:197
-  logic and_1483;
-  assign and_1483 = inside_v_s18_q[0] & inside_v_s18_q[2];
-  // hls/stages/agreement.hpp:764
-  logic and_1525;
-  assign and_1525 = seen_columns_rdata_s18_q[0] & inside_v_s18_q[0];
-  // hls/stages/agreement.hpp:817
-  logic [1:0] sum_1527;
-  assign sum_1527 = {1'b0, and_1524_s18_q} + ({1'b0, textured_s18_q} + {1'b0, and_1525});
-  // hls/stages/agreement.hpp:764
-  logic and_1558;
-  assign and_1558 = seen_columns_rdata_s18_q[11] & inside_v_s18_q[0];
-  // hls/stages/agreement.hpp:819
-  logic [1:0] sum_1562;
-  assign sum_1562 = {1'b0, and_1559_s18_q} + ({1'b0, shown_s18_q} + {1'b0, and_1560_s18_q});
-  // hls/stages/agreement.hpp:764
-  logic and_1574;
-  assign and_1574 = seen_columns_rdata_s18_q[12] & inside_v_s18_q[0];
-  // hls/stages/agreement.hpp:820
-  logic [1:0] sum_1578;
-  assign sum_1578 = {1'b0, and_1575_s18_q} + ({1'b0, near_s18_q} + {1'b0, and_1576_s18_q});
-  // hls/stages/agreement.hpp:215
-  logic [10:0] select_1628;
-  assign select_1628 = sample_pair_whole_s18_q ? (and_366_s18_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_1630;
-  assign select_1630 = sample_pair_whole_s18_q ? (and_366_s18_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_1651;
-  assign select_1651 = sample_pair_whole_s18_q ? (and_366_s18_q ? select_381 : averager_mask_q) : averager_mask_q;
-  logic select_1653;
-  assign select_1653 = sample_pair_whole_s18_q ? (and_366_s18_q ? select_385 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:211
-  logic and_1977;
-  assign and_1977 = so_s18_q & (ends_cell_s18_q & (inside_v_s18_q[0] & inside_v_s18_q[1]));
-  // hls/stages/agreement.hpp:835
-  logic not_1997;
-  assign not_1997 = ~(x_s18_q[7:1] == 7'h0);
+  logic and_1485;
+  assign and_1485 = inside_v_s19_q[0] & inside_v_s19_q[2];
+  // hls/stages/agreement.hpp:765
+  logic and_1527;
+  assign and_1527 = seen_columns_rdata_s19_q[0] & inside_v_s19_q[0];
   // hls/stages/agreement.hpp:818
+  logic [1:0] sum_1529;
+  assign sum_1529 = {1'b0, and_1526_s19_q} + ({1'b0, textured_s19_q} + {1'b0, and_1527});
+  // hls/stages/agreement.hpp:765
+  logic and_1560;
+  assign and_1560 = seen_columns_rdata_s19_q[11] & inside_v_s19_q[0];
+  // hls/stages/agreement.hpp:820
+  logic [1:0] sum_1564;
+  assign sum_1564 = {1'b0, and_1561_s19_q} + ({1'b0, shown_s19_q} + {1'b0, and_1562_s19_q});
+  // hls/stages/agreement.hpp:765
+  logic and_1576;
+  assign and_1576 = seen_columns_rdata_s19_q[12] & inside_v_s19_q[0];
+  // hls/stages/agreement.hpp:821
+  logic [1:0] sum_1580;
+  assign sum_1580 = {1'b0, and_1577_s19_q} + ({1'b0, near_s19_q} + {1'b0, and_1578_s19_q});
+  // hls/stages/agreement.hpp:215
+  logic [10:0] select_1630;
+  assign select_1630 = sample_pair_whole_s19_q ? (and_366_s19_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_1632;
+  assign select_1632 = sample_pair_whole_s19_q ? (and_366_s19_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_1653;
+  assign select_1653 = sample_pair_whole_s19_q ? (and_366_s19_q ? select_381 : averager_mask_q) : averager_mask_q;
+  logic select_1655;
+  assign select_1655 = sample_pair_whole_s19_q ? (and_366_s19_q ? select_385 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/agreement.hpp:211
+  logic and_1979;
+  assign and_1979 = so_s19_q & (ends_cell_s19_q & (inside_v_s19_q[0] & inside_v_s19_q[1]));
+  // hls/stages/agreement.hpp:836
+  logic not_1999;
+  assign not_1999 = ~(x_s19_q[7:1] == 7'h0);
+  // hls/stages/agreement.hpp:819
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_1998_s18_q} + ({2'h0, and_1999_s18_q} + {1'b0, sum_2003_s18_q});
+  assign explained_2 = {2'h0, and_2000_s19_q} + ({2'h0, and_2001_s19_q} + {1'b0, sum_2005_s19_q});
   // hls/stages/agreement.hpp:211
-  logic and_2038;
-  assign and_2038 = ends_cell_s18_q & (inside_v_s18_q[0] & (inside_v_s18_q[2:1] == 2'h3));
-  // hls/stages/agreement.hpp:840
-  logic and_2044;
-  assign and_2044 = not_1997 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
+  logic and_2040;
+  assign and_2040 = ends_cell_s19_q & (inside_v_s19_q[0] & (inside_v_s19_q[2:1] == 2'h3));
+  // hls/stages/agreement.hpp:841
+  logic and_2046;
+  assign and_2046 = not_1999 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:192
-  logic [4:0] select_2081;
-  assign select_2081 = so_s18_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_s18_q} : registration_displacement_fraction_q;
+  logic [4:0] select_2083;
+  assign select_2083 = so_s19_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_s19_q} : registration_displacement_fraction_q;
   // hls/stages/registration.hpp:83
-  logic equal_2082;
-  assign equal_2082 = slot_s18_q == 3'h7;
+  logic equal_2084;
+  assign equal_2084 = slot_s19_q == 3'h7;
   // hls/stages/registration.hpp:206
-  logic [7:0] select_2102;
-  assign select_2102 = less_2099_s18_q ? 8'h7f : (less_2100_s18_q ? 8'h80 : sum_2098_s18_q);
-  // hls/stages/agreement.hpp:211
   logic [7:0] select_2104;
-  assign select_2104 = so_s18_q ? (equal_2082 ? registration_slope_here_q : select_2102) : registration_slope_here_q;
+  assign select_2104 = less_2101_s19_q ? 8'h7f : (less_2102_s19_q ? 8'h80 : sum_2100_s19_q);
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2106;
+  assign select_2106 = so_s19_q ? (equal_2084 ? registration_slope_here_q : select_2104) : registration_slope_here_q;
   // hls/stages/registration.hpp:199
-  logic [6:0] select_2120;
-  assign select_2120 = inside_v_s18_q[3] ? registration_slope_here_q[7:1] : 7'h0;
-  logic [7:0] select_2121;
-  assign select_2121 = inside_v_s18_q[4] ? registration_slope_here_q : 8'h0;
-  logic [8:0] sum_2122;
-  assign sum_2122 = {{2{select_2120[6]}}, select_2120} + {select_2121[7], select_2121};
-  // hls/stages/registration.hpp:200
+  logic [6:0] select_2122;
+  assign select_2122 = inside_v_s19_q[3] ? registration_slope_here_q[7:1] : 7'h0;
   logic [7:0] select_2123;
-  assign select_2123 = inside_v_s18_q[5] ? registration_slope_here_q : 8'h0;
-  logic [7:0] select_2124;
-  assign select_2124 = inside_v_s18_q[6] ? registration_slope_here_q : 8'h0;
-  logic [8:0] sum_2125;
-  assign sum_2125 = {{2{select_2123[7]}}, select_2123[7:1]} + {select_2124[7], select_2124};
+  assign select_2123 = inside_v_s19_q[4] ? registration_slope_here_q : 8'h0;
+  logic [8:0] sum_2124;
+  assign sum_2124 = {{2{select_2122[6]}}, select_2122} + {select_2123[7], select_2123};
+  // hls/stages/registration.hpp:200
+  logic [7:0] select_2125;
+  assign select_2125 = inside_v_s19_q[5] ? registration_slope_here_q : 8'h0;
+  logic [7:0] select_2126;
+  assign select_2126 = inside_v_s19_q[6] ? registration_slope_here_q : 8'h0;
+  logic [8:0] sum_2127;
+  assign sum_2127 = {{2{select_2125[7]}}, select_2125[7:1]} + {select_2126[7], select_2126};
   // hls/stages/registration.hpp:201
-  logic [7:0] select_2127;
-  assign select_2127 = inside_v_s18_q[7] ? registration_slope_here_q : 8'h0;
-  logic [7:0] select_2128;
-  assign select_2128 = inside_v_s18_q[8] ? registration_slope_here_q : 8'h0;
-  logic [8:0] difference_2129;
-  assign difference_2129 = {{2{select_2127[7]}}, select_2127[7:1]} - {select_2128[7], select_2128};
+  logic [7:0] select_2129;
+  assign select_2129 = inside_v_s19_q[7] ? registration_slope_here_q : 8'h0;
+  logic [7:0] select_2130;
+  assign select_2130 = inside_v_s19_q[8] ? registration_slope_here_q : 8'h0;
+  logic [8:0] difference_2131;
+  assign difference_2131 = {{2{select_2129[7]}}, select_2129[7:1]} - {select_2130[7], select_2130};
   // hls/stages/agreement.hpp:314
-  logic [2:0] select_2305;
-  assign select_2305 = less_2302_s18_q ? (sum_2303_s18_q ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_2307;
-  assign select_2307 = equal_1857_s18_q ? (equal_429_s18_q ? 3'h0 : select_2305) : region_row_q;
+  assign select_2307 = less_2304_s19_q ? (sum_2305_s19_q ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_2309;
+  assign select_2309 = equal_1859_s19_q ? (equal_429_s19_q ? 3'h0 : select_2307) : region_row_q;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_2303_s18_q;
+  assign next = ~sum_2305_s19_q;
   // hls/stages/agreement.hpp:314
-  logic select_2338;
-  assign select_2338 = equal_1857_s18_q ? (equal_429_s18_q | (less_2302_s18_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:930
-  logic equal_2356;
-  assign equal_2356 = x_s18_q[6:3] == 4'h7;
-  logic equal_2380;
-  assign equal_2380 = x_s18_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:855
-  logic [7:0] select_2393;
-  assign select_2393 = (x_s18_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic select_2340;
+  assign select_2340 = equal_1859_s19_q ? (equal_429_s19_q | (less_2304_s19_q ? next : region_fresh_q)) : region_fresh_q;
+  // hls/stages/agreement.hpp:931
+  logic equal_2358;
+  assign equal_2358 = x_s19_q[6:3] == 4'h7;
+  logic equal_2382;
+  assign equal_2382 = x_s19_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:856
   logic [7:0] select_2395;
-  assign select_2395 = equal_2380 ? cfg_unproven_skin_limit_i : (equal_2356 ? cfg_unproven_limit_i : select_2393);
+  assign select_2395 = (x_s19_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_2397;
+  assign select_2397 = equal_2382 ? cfg_unproven_skin_limit_i : (equal_2358 ? cfg_unproven_limit_i : select_2395);
   // hls/stages/agreement.hpp:211
-  logic select_2497;
-  assign select_2497 = so_s18_q ? (ends_cell_s18_q ? and_1524_s18_q : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_2501;
-  assign select_2501 = so_s18_q ? (ends_cell_s18_q ? and_2499_s18_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
+  logic select_2499;
+  assign select_2499 = so_s19_q ? (ends_cell_s19_q ? and_1526_s19_q : centres_values_0_textured_q) : centres_values_0_textured_q;
   logic select_2503;
-  assign select_2503 = ends_cell_s18_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  assign select_2503 = so_s19_q ? (ends_cell_s19_q ? and_2501_s19_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
   logic select_2505;
-  assign select_2505 = equal_1335_s18_q ? centres_values_1_textured_q : (so_s18_q ? select_2503 : centres_values_1_textured_q);
-  logic select_2506;
-  assign select_2506 = ends_cell_s18_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  assign select_2505 = ends_cell_s19_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_2507;
+  assign select_2507 = equal_1337_s19_q ? centres_values_1_textured_q : (so_s19_q ? select_2505 : centres_values_1_textured_q);
   logic select_2508;
-  assign select_2508 = equal_1335_s18_q ? centres_values_1_of_skin_q : (so_s18_q ? select_2506 : centres_values_1_of_skin_q);
+  assign select_2508 = ends_cell_s19_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_2510;
+  assign select_2510 = equal_1337_s19_q ? centres_values_1_of_skin_q : (so_s19_q ? select_2508 : centres_values_1_of_skin_q);
 
-  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1092; read in stage 18, written in stage 21: 18 < 21 < 18 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1093; read in stage 19, written in stage 22: 19 < 22 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] regions_mem [0:63];
@@ -4146,9 +4217,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 30'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1453;
+  assign regions_raddr = select_1455;
   logic regions_re;
-  assign regions_re = s18_en & (equal_1335_s18_q ? (x_s18_q[6] & not_1454) : and_1462_s18_q);
+  assign regions_re = s19_en & (equal_1337_s19_q ? (x_s19_q[6] & not_1456) : and_1464_s19_q);
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_rdata_q <= regions_mem[regions_raddr];
@@ -4156,26 +4227,26 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_333_s18_q;
+  assign averager_memory_waddr = select_333_s19_q;
   logic averager_memory_we;
-  assign averager_memory_we = s18_en & and_343_s18_q;
+  assign averager_memory_we = s19_en & and_343_s19_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_362_s18_q, and_358_s18_q, sum_354_s18_q, sum_350_s18_q};
+    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_362_s19_q, and_358_s19_q, sum_354_s19_q, sum_350_s19_q};
   end
 `ifndef SYNTHESIS
-  logic [8:0] averager_memory_raddr_s16_sim;
-  logic averager_memory_re_s16_sim;
   logic [8:0] averager_memory_raddr_s17_sim;
   logic averager_memory_re_s17_sim;
+  logic [8:0] averager_memory_raddr_s18_sim;
+  logic averager_memory_re_s18_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      averager_memory_re_s16_sim <= 1'b0;
       averager_memory_re_s17_sim <= 1'b0;
+      averager_memory_re_s18_sim <= 1'b0;
     end else if (en_i) begin
-      averager_memory_re_s16_sim <= averager_memory_re;
-      averager_memory_raddr_s16_sim <= averager_memory_raddr;
-      averager_memory_re_s17_sim <= averager_memory_re_s16_sim;
-      averager_memory_raddr_s17_sim <= averager_memory_raddr_s16_sim;
+      averager_memory_re_s17_sim <= averager_memory_re;
+      averager_memory_raddr_s17_sim <= averager_memory_raddr;
+      averager_memory_re_s18_sim <= averager_memory_re_s17_sim;
+      averager_memory_raddr_s18_sim <= averager_memory_raddr_s17_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -4183,10 +4254,10 @@ module horopter_agreement (
       if (averager_memory_re && averager_memory_raddr == averager_memory_waddr) begin
         $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
       end
-      if (averager_memory_re_s16_sim && averager_memory_raddr_s16_sim == averager_memory_waddr) begin
+      if (averager_memory_re_s17_sim && averager_memory_raddr_s17_sim == averager_memory_waddr) begin
         $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
       end
-      if (averager_memory_re_s17_sim && averager_memory_raddr_s17_sim == averager_memory_waddr) begin
+      if (averager_memory_re_s18_sim && averager_memory_raddr_s18_sim == averager_memory_waddr) begin
         $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
       end
       if (averager_memory_waddr >= 9'd480) $error("averager_memory: write outside, address %0d", averager_memory_waddr);
@@ -4197,26 +4268,26 @@ module horopter_agreement (
 
   // Memory seen_columns, write
   logic [6:0] seen_columns_waddr;
-  assign seen_columns_waddr = x_s18_q[6:0];
+  assign seen_columns_waddr = x_s19_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s18_en & and_1370_s18_q;
+  assign seen_columns_we = s19_en & and_1372_s19_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s18_q, near_s18_q, shown_s18_q, explained_s18_q, and_1483, textured_s18_q};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s19_q, near_s19_q, shown_s19_q, explained_s19_q, and_1485, textured_s19_q};
   end
 `ifndef SYNTHESIS
-  logic [6:0] seen_columns_raddr_s16_sim;
-  logic seen_columns_re_s16_sim;
   logic [6:0] seen_columns_raddr_s17_sim;
   logic seen_columns_re_s17_sim;
+  logic [6:0] seen_columns_raddr_s18_sim;
+  logic seen_columns_re_s18_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      seen_columns_re_s16_sim <= 1'b0;
       seen_columns_re_s17_sim <= 1'b0;
+      seen_columns_re_s18_sim <= 1'b0;
     end else if (en_i) begin
-      seen_columns_re_s16_sim <= seen_columns_re;
-      seen_columns_raddr_s16_sim <= seen_columns_raddr;
-      seen_columns_re_s17_sim <= seen_columns_re_s16_sim;
-      seen_columns_raddr_s17_sim <= seen_columns_raddr_s16_sim;
+      seen_columns_re_s17_sim <= seen_columns_re;
+      seen_columns_raddr_s17_sim <= seen_columns_raddr;
+      seen_columns_re_s18_sim <= seen_columns_re_s17_sim;
+      seen_columns_raddr_s18_sim <= seen_columns_raddr_s17_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -4224,10 +4295,10 @@ module horopter_agreement (
       if (seen_columns_re && seen_columns_raddr == seen_columns_waddr) begin
         $error("seen_columns: address %0d is read less than DISTANCE steps after its write", seen_columns_waddr);
       end
-      if (seen_columns_re_s16_sim && seen_columns_raddr_s16_sim == seen_columns_waddr) begin
+      if (seen_columns_re_s17_sim && seen_columns_raddr_s17_sim == seen_columns_waddr) begin
         $error("seen_columns: address %0d is read less than DISTANCE steps after its write", seen_columns_waddr);
       end
-      if (seen_columns_re_s17_sim && seen_columns_raddr_s17_sim == seen_columns_waddr) begin
+      if (seen_columns_re_s18_sim && seen_columns_raddr_s18_sim == seen_columns_waddr) begin
         $error("seen_columns: address %0d is read less than DISTANCE steps after its write", seen_columns_waddr);
       end
       if (seen_columns_waddr >= 7'd120) $error("seen_columns: write outside, address %0d", seen_columns_waddr);
@@ -4249,18 +4320,18 @@ module horopter_agreement (
       centres_values_0_of_skin_q <= 1'b0;
       centres_values_1_textured_q <= 1'b0;
       centres_values_1_of_skin_q <= 1'b0;
-    end else if (s18_en) begin
-      averager_mask_q <= select_1651;
-      averager_of_skin_q <= select_1653;
-      registration_displacement_fraction_q <= select_2081;
-      registration_slope_here_q <= equal_1335_s18_q ? registration_slope_here_q : select_2104;
-      region_row_q <= and_368_s18_q ? select_2307 : region_row_q;
+    end else if (s19_en) begin
+      averager_mask_q <= select_1653;
+      averager_of_skin_q <= select_1655;
+      registration_displacement_fraction_q <= select_2083;
+      registration_slope_here_q <= equal_1337_s19_q ? registration_slope_here_q : select_2106;
+      region_row_q <= and_368_s19_q ? select_2309 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_fresh_q <= and_368_s18_q ? select_2338 : region_fresh_q;
-      centres_values_0_textured_q <= equal_1335_s18_q ? centres_values_0_textured_q : select_2497;
-      centres_values_0_of_skin_q <= equal_1335_s18_q ? centres_values_0_of_skin_q : select_2501;
-      centres_values_1_textured_q <= select_2505;
-      centres_values_1_of_skin_q <= select_2508;
+      region_fresh_q <= and_368_s19_q ? select_2340 : region_fresh_q;
+      centres_values_0_textured_q <= equal_1337_s19_q ? centres_values_0_textured_q : select_2499;
+      centres_values_0_of_skin_q <= equal_1337_s19_q ? centres_values_0_of_skin_q : select_2503;
+      centres_values_1_textured_q <= select_2507;
+      centres_values_1_of_skin_q <= select_2510;
     end
   end
 
@@ -4272,170 +4343,170 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s18_en) begin
-      averager_total_0_q <= select_1628;
-      averager_total_1_q <= select_1630;
+    if (s19_en) begin
+      averager_total_0_q <= select_1630;
+      averager_total_1_q <= select_1632;
     end
   end
 
-  logic [7:0] pixel_0_s19_q;
-  logic [7:0] pixel_1_s19_q;
-  logic saturated_s19_q;
-  logic mask_s19_q;
-  logic marks_first_s19_q;
-  logic marks_last_s19_q;
-  logic sample_pair_whole_s19_q;
-  logic [7:0] x_s19_q;
-  logic age_s19_q;
-  logic [2:0] slot_s19_q;
-  logic ends_cell_s19_q;
-  logic lower_half_s19_q;
-  logic [2:0] region_row_s19_q;
-  logic region_fresh_s19_q;
-  logic segment_started_s19_q;
-  logic centres_values_1_textured_s19_q;
-  logic centres_values_1_of_skin_s19_q;
-  logic [6:0] column_s19_q;
-  logic and_366_s19_q;
-  logic and_368_s19_q;
-  logic [77:0] census_memory_rdata_s19_q;
-  logic [8:0] grey_s19_q;
-  logic equal_371_s19_q;
-  logic [8:0] select_374_s19_q;
-  logic [8:0] grey_2_s19_q;
-  logic [8:0] select_378_s19_q;
-  logic whole_2_s19_q;
-  logic and_386_s19_q;
-  logic so_s19_q;
-  logic equal_429_s19_q;
-  logic equal_1335_s19_q;
-  logic not_1336_s19_q;
-  logic [1:0] inside_v_s19_q;
-  logic equal_1380_s19_q;
-  logic right_2_s19_q;
-  logic or_1446_s19_q;
-  logic or_1449_s19_q;
-  logic or_1452_s19_q;
-  logic not_1454_s19_q;
-  logic textured_s19_q;
-  logic explained_s19_q;
-  logic and_1476_s19_q;
-  logic and_1481_s19_q;
-  logic and_1522_s19_q;
-  logic and_1523_s19_q;
-  logic [1:0] sum_1527_s19_q;
-  logic or_1540_s19_q;
-  logic or_1543_s19_q;
-  logic or_1546_s19_q;
-  logic and_1557_s19_q;
-  logic [2:0] sum_1563_s19_q;
-  logic and_1573_s19_q;
-  logic [2:0] sum_1579_s19_q;
-  logic and_1596_s19_q;
-  logic equal_1736_s19_q;
-  logic equal_1857_s19_q;
-  logic and_1978_s19_q;
-  logic not_1997_s19_q;
-  logic [2:0] explained_2_s19_q;
-  logic and_2040_s19_q;
-  logic and_2047_s19_q;
-  logic equal_2082_s19_q;
-  logic and_2111_s19_q;
-  logic or_2114_s19_q;
-  logic [1:0] sum_2115_s19_q;
-  logic less_2116_s19_q;
-  logic [7:0] sum_2122_s19_q;
-  logic select_2123_s19_q;
-  logic [8:0] sum_2125_s19_q;
-  logic select_2127_s19_q;
-  logic [8:0] difference_2129_s19_q;
-  logic equal_2356_s19_q;
-  logic equal_2379_s19_q;
-  logic equal_2380_s19_q;
-  logic [7:0] select_2395_s19_q;
-  logic equal_2509_s19_q;
+  logic [7:0] pixel_0_s20_q;
+  logic [7:0] pixel_1_s20_q;
+  logic saturated_s20_q;
+  logic mask_s20_q;
+  logic marks_first_s20_q;
+  logic marks_last_s20_q;
+  logic sample_pair_whole_s20_q;
+  logic [7:0] x_s20_q;
+  logic age_s20_q;
+  logic [2:0] slot_s20_q;
+  logic ends_cell_s20_q;
+  logic lower_half_s20_q;
+  logic [2:0] region_row_s20_q;
+  logic region_fresh_s20_q;
+  logic segment_started_s20_q;
+  logic centres_values_1_textured_s20_q;
+  logic centres_values_1_of_skin_s20_q;
+  logic [6:0] column_s20_q;
+  logic and_366_s20_q;
+  logic and_368_s20_q;
+  logic [77:0] census_memory_rdata_s20_q;
+  logic [8:0] grey_s20_q;
+  logic equal_371_s20_q;
+  logic [8:0] select_374_s20_q;
+  logic [8:0] grey_2_s20_q;
+  logic [8:0] select_378_s20_q;
+  logic whole_2_s20_q;
+  logic and_386_s20_q;
+  logic so_s20_q;
+  logic equal_429_s20_q;
+  logic equal_1337_s20_q;
+  logic not_1338_s20_q;
+  logic [1:0] inside_v_s20_q;
+  logic equal_1382_s20_q;
+  logic right_2_s20_q;
+  logic or_1448_s20_q;
+  logic or_1451_s20_q;
+  logic or_1454_s20_q;
+  logic not_1456_s20_q;
+  logic textured_s20_q;
+  logic explained_s20_q;
+  logic and_1478_s20_q;
+  logic and_1483_s20_q;
+  logic and_1524_s20_q;
+  logic and_1525_s20_q;
+  logic [1:0] sum_1529_s20_q;
+  logic or_1542_s20_q;
+  logic or_1545_s20_q;
+  logic or_1548_s20_q;
+  logic and_1559_s20_q;
+  logic [2:0] sum_1565_s20_q;
+  logic and_1575_s20_q;
+  logic [2:0] sum_1581_s20_q;
+  logic and_1598_s20_q;
+  logic equal_1738_s20_q;
+  logic equal_1859_s20_q;
+  logic and_1980_s20_q;
+  logic not_1999_s20_q;
+  logic [2:0] explained_2_s20_q;
+  logic and_2042_s20_q;
+  logic and_2049_s20_q;
+  logic equal_2084_s20_q;
+  logic and_2113_s20_q;
+  logic or_2116_s20_q;
+  logic [1:0] sum_2117_s20_q;
+  logic less_2118_s20_q;
+  logic [7:0] sum_2124_s20_q;
+  logic select_2125_s20_q;
+  logic [8:0] sum_2127_s20_q;
+  logic select_2129_s20_q;
+  logic [8:0] difference_2131_s20_q;
+  logic equal_2358_s20_q;
+  logic equal_2381_s20_q;
+  logic equal_2382_s20_q;
+  logic [7:0] select_2397_s20_q;
+  logic equal_2511_s20_q;
   always_ff @(posedge clk_i) begin
-    if (s18_en) begin
-      pixel_0_s19_q <= pixel_0_s18_q;
-      pixel_1_s19_q <= pixel_1_s18_q;
-      saturated_s19_q <= saturated_s18_q;
-      mask_s19_q <= mask_s18_q;
-      marks_first_s19_q <= marks_first_s18_q;
-      marks_last_s19_q <= marks_last_s18_q;
-      sample_pair_whole_s19_q <= sample_pair_whole_s18_q;
-      x_s19_q <= x_s18_q;
-      age_s19_q <= age_s18_q;
-      slot_s19_q <= slot_s18_q;
-      ends_cell_s19_q <= ends_cell_s18_q;
-      lower_half_s19_q <= lower_half_s18_q;
-      region_row_s19_q <= region_row_q;
-      region_fresh_s19_q <= region_fresh_q;
-      segment_started_s19_q <= segment_started_s18_q;
-      centres_values_1_textured_s19_q <= centres_values_1_textured_q;
-      centres_values_1_of_skin_s19_q <= centres_values_1_of_skin_q;
-      column_s19_q <= column_s18_q;
-      and_366_s19_q <= and_366_s18_q;
-      and_368_s19_q <= and_368_s18_q;
-      census_memory_rdata_s19_q <= census_memory_rdata_q;
-      grey_s19_q <= grey;
-      equal_371_s19_q <= equal_371_s18_q;
-      select_374_s19_q <= sample_pair_whole_s18_q ? total[10:2] : 9'h0;
-      grey_2_s19_q <= grey_2;
-      select_378_s19_q <= sample_pair_whole_s18_q ? total_2[10:2] : 9'h0;
-      whole_2_s19_q <= whole_2;
-      and_386_s19_q <= sample_pair_whole_s18_q & select_385;
-      so_s19_q <= so_s18_q;
-      equal_429_s19_q <= equal_429_s18_q;
-      equal_1335_s19_q <= equal_1335_s18_q;
-      not_1336_s19_q <= not_1336_s18_q;
-      inside_v_s19_q <= {inside_v_s18_q[9], inside_v_s18_q[0]};
-      equal_1380_s19_q <= equal_1380_s18_q;
-      right_2_s19_q <= right_2_s18_q;
-      or_1446_s19_q <= or_1446_s18_q;
-      or_1449_s19_q <= or_1449_s18_q;
-      or_1452_s19_q <= or_1452_s18_q;
-      not_1454_s19_q <= not_1454;
-      textured_s19_q <= textured_s18_q;
-      explained_s19_q <= explained_s18_q;
-      and_1476_s19_q <= and_1476_s18_q;
-      and_1481_s19_q <= not_1336_s18_q & and_1462_s18_q;
-      and_1522_s19_q <= and_1522_s18_q;
-      and_1523_s19_q <= seen_columns_rdata_s18_q[9] & inside_v_s18_q[0];
-      sum_1527_s19_q <= sum_1527;
-      or_1540_s19_q <= or_1540_s18_q;
-      or_1543_s19_q <= or_1543_s18_q;
-      or_1546_s19_q <= or_1546_s18_q;
-      and_1557_s19_q <= and_1557_s18_q;
-      sum_1563_s19_q <= {2'h0, and_1558} + {1'b0, sum_1562};
-      and_1573_s19_q <= and_1573_s18_q;
-      sum_1579_s19_q <= {2'h0, and_1574} + {1'b0, sum_1578};
-      and_1596_s19_q <= and_1596_s18_q;
-      equal_1736_s19_q <= equal_1736_s18_q;
-      equal_1857_s19_q <= equal_1857_s18_q;
-      and_1978_s19_q <= not_1336_s18_q & and_1977;
-      not_1997_s19_q <= not_1997;
-      explained_2_s19_q <= explained_2;
-      and_2040_s19_q <= not_1336_s18_q & (so_s18_q & and_2038);
-      and_2047_s19_q <= not_1336_s18_q & (so_s18_q & (ends_cell_s18_q & and_2044));
-      equal_2082_s19_q <= equal_2082;
-      and_2111_s19_q <= and_2111_s18_q;
-      or_2114_s19_q <= (inside_v_s18_q[11:9] == 3'h0) | (inside_v_s18_q[11:9] == 3'h4);
-      sum_2115_s19_q <= inside_v_s18_q[11:10] + 2'h3;
-      less_2116_s19_q <= less_2116_s18_q;
-      sum_2122_s19_q <= sum_2122[8:1];
-      select_2123_s19_q <= select_2123[0];
-      sum_2125_s19_q <= sum_2125;
-      select_2127_s19_q <= select_2127[0];
-      difference_2129_s19_q <= difference_2129;
-      equal_2356_s19_q <= equal_2356;
-      equal_2379_s19_q <= x_s18_q[6:3] == 4'h9;
-      equal_2380_s19_q <= equal_2380;
-      select_2395_s19_q <= select_2395;
-      equal_2509_s19_q <= equal_2509_s18_q;
+    if (s19_en) begin
+      pixel_0_s20_q <= pixel_0_s19_q;
+      pixel_1_s20_q <= pixel_1_s19_q;
+      saturated_s20_q <= saturated_s19_q;
+      mask_s20_q <= mask_s19_q;
+      marks_first_s20_q <= marks_first_s19_q;
+      marks_last_s20_q <= marks_last_s19_q;
+      sample_pair_whole_s20_q <= sample_pair_whole_s19_q;
+      x_s20_q <= x_s19_q;
+      age_s20_q <= age_s19_q;
+      slot_s20_q <= slot_s19_q;
+      ends_cell_s20_q <= ends_cell_s19_q;
+      lower_half_s20_q <= lower_half_s19_q;
+      region_row_s20_q <= region_row_q;
+      region_fresh_s20_q <= region_fresh_q;
+      segment_started_s20_q <= segment_started_s19_q;
+      centres_values_1_textured_s20_q <= centres_values_1_textured_q;
+      centres_values_1_of_skin_s20_q <= centres_values_1_of_skin_q;
+      column_s20_q <= column_s19_q;
+      and_366_s20_q <= and_366_s19_q;
+      and_368_s20_q <= and_368_s19_q;
+      census_memory_rdata_s20_q <= census_memory_rdata_q;
+      grey_s20_q <= grey;
+      equal_371_s20_q <= equal_371_s19_q;
+      select_374_s20_q <= sample_pair_whole_s19_q ? total[10:2] : 9'h0;
+      grey_2_s20_q <= grey_2;
+      select_378_s20_q <= sample_pair_whole_s19_q ? total_2[10:2] : 9'h0;
+      whole_2_s20_q <= whole_2;
+      and_386_s20_q <= sample_pair_whole_s19_q & select_385;
+      so_s20_q <= so_s19_q;
+      equal_429_s20_q <= equal_429_s19_q;
+      equal_1337_s20_q <= equal_1337_s19_q;
+      not_1338_s20_q <= not_1338_s19_q;
+      inside_v_s20_q <= {inside_v_s19_q[9], inside_v_s19_q[0]};
+      equal_1382_s20_q <= equal_1382_s19_q;
+      right_2_s20_q <= right_2_s19_q;
+      or_1448_s20_q <= or_1448_s19_q;
+      or_1451_s20_q <= or_1451_s19_q;
+      or_1454_s20_q <= or_1454_s19_q;
+      not_1456_s20_q <= not_1456;
+      textured_s20_q <= textured_s19_q;
+      explained_s20_q <= explained_s19_q;
+      and_1478_s20_q <= and_1478_s19_q;
+      and_1483_s20_q <= not_1338_s19_q & and_1464_s19_q;
+      and_1524_s20_q <= and_1524_s19_q;
+      and_1525_s20_q <= seen_columns_rdata_s19_q[9] & inside_v_s19_q[0];
+      sum_1529_s20_q <= sum_1529;
+      or_1542_s20_q <= or_1542_s19_q;
+      or_1545_s20_q <= or_1545_s19_q;
+      or_1548_s20_q <= or_1548_s19_q;
+      and_1559_s20_q <= and_1559_s19_q;
+      sum_1565_s20_q <= {2'h0, and_1560} + {1'b0, sum_1564};
+      and_1575_s20_q <= and_1575_s19_q;
+      sum_1581_s20_q <= {2'h0, and_1576} + {1'b0, sum_1580};
+      and_1598_s20_q <= and_1598_s19_q;
+      equal_1738_s20_q <= equal_1738_s19_q;
+      equal_1859_s20_q <= equal_1859_s19_q;
+      and_1980_s20_q <= not_1338_s19_q & and_1979;
+      not_1999_s20_q <= not_1999;
+      explained_2_s20_q <= explained_2;
+      and_2042_s20_q <= not_1338_s19_q & (so_s19_q & and_2040);
+      and_2049_s20_q <= not_1338_s19_q & (so_s19_q & (ends_cell_s19_q & and_2046));
+      equal_2084_s20_q <= equal_2084;
+      and_2113_s20_q <= and_2113_s19_q;
+      or_2116_s20_q <= (inside_v_s19_q[11:9] == 3'h0) | (inside_v_s19_q[11:9] == 3'h4);
+      sum_2117_s20_q <= inside_v_s19_q[11:10] + 2'h3;
+      less_2118_s20_q <= less_2118_s19_q;
+      sum_2124_s20_q <= sum_2124[8:1];
+      select_2125_s20_q <= select_2125[0];
+      sum_2127_s20_q <= sum_2127;
+      select_2129_s20_q <= select_2129[0];
+      difference_2131_s20_q <= difference_2131;
+      equal_2358_s20_q <= equal_2358;
+      equal_2381_s20_q <= x_s19_q[6:3] == 4'h9;
+      equal_2382_s20_q <= equal_2382;
+      select_2397_s20_q <= select_2397;
+      equal_2511_s20_q <= equal_2511_s19_q;
     end
   end
 
-  // Stage 19 ----------------------------------------------------------------------------------------------------------
+  // Stage 20 ----------------------------------------------------------------------------------------------------------
   logic [8:0] averager_quarter_1_0_q;
   logic [8:0] averager_quarter_1_1_q;
   logic [8:0] averager_quarter_2_0_q;
@@ -4504,9 +4575,9 @@ module horopter_agreement (
   logic [2:0] box_nearer_columns_values_4_q;
   // hls/stages/census.hpp:214
   logic less_402;
-  assign less_402 = census_memory_rdata_s19_q[8:0] < census_columns_values_1_cell_2_left_q;
+  assign less_402 = census_memory_rdata_s20_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_403;
-  assign less_403 = census_memory_rdata_s19_q[48:40] < census_columns_values_1_cell_2_left_q;
+  assign less_403 = census_memory_rdata_s20_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_404;
   assign less_404 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_405;
@@ -4529,9 +4600,9 @@ module horopter_agreement (
   assign less_413 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   // hls/stages/census.hpp:215
   logic less_414;
-  assign less_414 = census_memory_rdata_s19_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_414 = census_memory_rdata_s20_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_415;
-  assign less_415 = census_memory_rdata_s19_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_415 = census_memory_rdata_s20_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_416;
   assign less_416 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_417;
@@ -4554,9 +4625,9 @@ module horopter_agreement (
   assign less_425 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   // hls/stages/agreement.hpp:309
   logic equal_426;
-  assign equal_426 = column_s19_q == 7'h0;
+  assign equal_426 = column_s20_q == 7'h0;
   logic [3:0] select_430;
-  assign select_430 = equal_429_s19_q ? 4'h0 : rows_passed_above_q[3:0];
+  assign select_430 = equal_429_s20_q ? 4'h0 : rows_passed_above_q[3:0];
   // hls/stages/agreement.hpp:310
   logic [4:0] select_431;
   assign select_431 = equal_426 ? {select_430, 1'b1} : rows_passed_above_q;
@@ -4565,272 +4636,272 @@ module horopter_agreement (
   assign select_432 = equal_426 ? 4'h0 : census_filled_q;
   // hls/stages/census.hpp:206
   logic and_435;
-  assign and_435 = census_memory_rdata_s19_q[38] & (census_memory_rdata_s19_q[18] & whole_2_s19_q);
+  assign and_435 = census_memory_rdata_s20_q[38] & (census_memory_rdata_s20_q[18] & whole_2_s20_q);
   logic and_437;
-  assign and_437 = census_memory_rdata_s19_q[77] & (census_memory_rdata_s19_q[58] & and_435);
+  assign and_437 = census_memory_rdata_s20_q[77] & (census_memory_rdata_s20_q[58] & and_435);
   // hls/stages/census.hpp:190
   logic [9:0] difference_460;
-  assign difference_460 = {1'b0, select_374_s19_q} - {1'b0, census_columns_values_0_cell_0_left_q};
+  assign difference_460 = {1'b0, select_374_s20_q} - {1'b0, census_columns_values_0_cell_0_left_q};
   logic [9:0] difference_463;
-  assign difference_463 = {1'b0, census_memory_rdata_s19_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  assign difference_463 = {1'b0, census_memory_rdata_s20_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
   logic [9:0] difference_467;
-  assign difference_467 = {1'b0, census_memory_rdata_s19_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  assign difference_467 = {1'b0, census_memory_rdata_s20_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
   logic [9:0] difference_471;
-  assign difference_471 = {1'b0, census_memory_rdata_s19_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  assign difference_471 = {1'b0, census_memory_rdata_s20_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
   logic [9:0] difference_475;
-  assign difference_475 = {1'b0, census_memory_rdata_s19_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  assign difference_475 = {1'b0, census_memory_rdata_s20_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
   // hls/stages/registration.hpp:139
   logic all;
-  assign all = x_s19_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:817
+  assign all = x_s20_q[5:3] == 3'h4;
+  // hls/stages/agreement.hpp:818
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_1522_s19_q} + ({2'h0, and_1523_s19_q} + {1'b0, sum_1527_s19_q});
-  // hls/stages/agreement.hpp:819
-  logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_1557_s19_q} + sum_1563_s19_q;
-  // hls/stages/agreement.hpp:826
-  logic [2:0] select_1565;
-  assign select_1565 = age_s19_q ? box_shown_columns_values_4_q : 3'h0;
+  assign textured_2 = {2'h0, and_1524_s20_q} + ({2'h0, and_1525_s20_q} + {1'b0, sum_1529_s20_q});
   // hls/stages/agreement.hpp:820
-  logic [2:0] near_2;
-  assign near_2 = {2'h0, and_1573_s19_q} + sum_1579_s19_q;
+  logic [2:0] shown_2;
+  assign shown_2 = {2'h0, and_1559_s20_q} + sum_1565_s20_q;
   // hls/stages/agreement.hpp:827
-  logic [2:0] select_1581;
-  assign select_1581 = age_s19_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [2:0] select_1567;
+  assign select_1567 = age_s20_q ? box_shown_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:821
+  logic [2:0] near_2;
+  assign near_2 = {2'h0, and_1575_s20_q} + sum_1581_s20_q;
+  // hls/stages/agreement.hpp:828
+  logic [2:0] select_1583;
+  assign select_1583 = age_s20_q ? box_nearer_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:215
-  logic [8:0] select_1620;
-  assign select_1620 = sample_pair_whole_s19_q ? (and_366_s19_q ? grey_s19_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_1622;
-  assign select_1622 = sample_pair_whole_s19_q ? (and_366_s19_q ? grey_2_s19_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  assign select_1622 = sample_pair_whole_s20_q ? (and_366_s20_q ? grey_s20_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_1624;
-  assign select_1624 = sample_pair_whole_s19_q ? (and_366_s19_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  assign select_1624 = sample_pair_whole_s20_q ? (and_366_s20_q ? grey_2_s20_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
   logic [8:0] select_1626;
-  assign select_1626 = sample_pair_whole_s19_q ? (and_366_s19_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  assign select_1626 = sample_pair_whole_s20_q ? (and_366_s20_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_1628;
+  assign select_1628 = sample_pair_whole_s20_q ? (and_366_s20_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:128
-  logic [9:0] sum_1631;
-  assign sum_1631 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s19_q};
-  logic [9:0] sum_1639;
-  assign sum_1639 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s19_q};
+  logic [9:0] sum_1633;
+  assign sum_1633 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s20_q};
+  logic [9:0] sum_1641;
+  assign sum_1641 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s20_q};
   // hls/stages/agreement.hpp:365
-  logic [8:0] select_1654;
-  assign select_1654 = and_368_s19_q ? select_374_s19_q : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_1655;
-  assign select_1655 = and_368_s19_q ? select_378_s19_q : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_1656;
+  assign select_1656 = and_368_s20_q ? select_374_s20_q : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_1657;
-  assign select_1657 = and_368_s19_q ? census_memory_rdata_s19_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_1658;
-  assign select_1658 = and_368_s19_q ? census_memory_rdata_s19_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_1659;
-  assign select_1659 = and_368_s19_q ? census_memory_rdata_s19_q[18] : census_columns_values_0_cell_1_mask_q;
+  assign select_1657 = and_368_s20_q ? select_378_s20_q : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_1659;
+  assign select_1659 = and_368_s20_q ? census_memory_rdata_s20_q[8:0] : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_1660;
-  assign select_1660 = and_368_s19_q ? census_memory_rdata_s19_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_1661;
-  assign select_1661 = and_368_s19_q ? census_memory_rdata_s19_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_1662;
-  assign select_1662 = and_368_s19_q ? census_memory_rdata_s19_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_1663;
-  assign select_1663 = and_368_s19_q ? census_memory_rdata_s19_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_1664;
-  assign select_1664 = and_368_s19_q ? census_memory_rdata_s19_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_1665;
-  assign select_1665 = and_368_s19_q ? census_memory_rdata_s19_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_1666;
-  assign select_1666 = and_368_s19_q ? census_memory_rdata_s19_q[58] : census_columns_values_0_cell_3_mask_q;
+  assign select_1660 = and_368_s20_q ? census_memory_rdata_s20_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_1661;
+  assign select_1661 = and_368_s20_q ? census_memory_rdata_s20_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_1662;
+  assign select_1662 = and_368_s20_q ? census_memory_rdata_s20_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_1663;
+  assign select_1663 = and_368_s20_q ? census_memory_rdata_s20_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_1664;
+  assign select_1664 = and_368_s20_q ? census_memory_rdata_s20_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_1665;
+  assign select_1665 = and_368_s20_q ? census_memory_rdata_s20_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_1666;
+  assign select_1666 = and_368_s20_q ? census_memory_rdata_s20_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_1667;
-  assign select_1667 = and_368_s19_q ? census_memory_rdata_s19_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_1668;
-  assign select_1668 = and_368_s19_q ? census_memory_rdata_s19_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_1669;
-  assign select_1669 = and_368_s19_q ? census_memory_rdata_s19_q[77] : census_columns_values_0_cell_4_mask_q;
+  assign select_1667 = and_368_s20_q ? census_memory_rdata_s20_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_1668;
+  assign select_1668 = and_368_s20_q ? census_memory_rdata_s20_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_1669;
+  assign select_1669 = and_368_s20_q ? census_memory_rdata_s20_q[67:59] : census_columns_values_0_cell_4_left_q;
   logic [8:0] select_1670;
-  assign select_1670 = and_368_s19_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_1671;
-  assign select_1671 = and_368_s19_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  assign select_1670 = and_368_s20_q ? census_memory_rdata_s20_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_1671;
+  assign select_1671 = and_368_s20_q ? census_memory_rdata_s20_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_1672;
+  assign select_1672 = and_368_s20_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
   logic [8:0] select_1673;
-  assign select_1673 = and_368_s19_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_1674;
-  assign select_1674 = and_368_s19_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  assign select_1673 = and_368_s20_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic [8:0] select_1675;
+  assign select_1675 = and_368_s20_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
   logic [8:0] select_1676;
-  assign select_1676 = and_368_s19_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_1677;
-  assign select_1677 = and_368_s19_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_1679;
-  assign select_1679 = and_368_s19_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_1680;
-  assign select_1680 = and_368_s19_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_1681;
-  assign select_1681 = and_368_s19_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  assign select_1676 = and_368_s20_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic [8:0] select_1678;
+  assign select_1678 = and_368_s20_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_1679;
+  assign select_1679 = and_368_s20_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_1681;
+  assign select_1681 = and_368_s20_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_1682;
+  assign select_1682 = and_368_s20_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_1683;
-  assign select_1683 = and_368_s19_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_1684;
-  assign select_1684 = and_368_s19_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  assign select_1683 = and_368_s20_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic [8:0] select_1685;
+  assign select_1685 = and_368_s20_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
   logic [8:0] select_1686;
-  assign select_1686 = and_368_s19_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_1687;
-  assign select_1687 = and_368_s19_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  assign select_1686 = and_368_s20_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic [8:0] select_1688;
+  assign select_1688 = and_368_s20_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
   logic [8:0] select_1689;
-  assign select_1689 = and_368_s19_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_1690;
-  assign select_1690 = and_368_s19_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  assign select_1689 = and_368_s20_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic [8:0] select_1691;
+  assign select_1691 = and_368_s20_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
   logic [8:0] select_1692;
-  assign select_1692 = and_368_s19_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_1693;
-  assign select_1693 = and_368_s19_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  assign select_1692 = and_368_s20_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic [8:0] select_1694;
+  assign select_1694 = and_368_s20_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
   logic [8:0] select_1695;
-  assign select_1695 = and_368_s19_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_1696;
-  assign select_1696 = and_368_s19_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  assign select_1695 = and_368_s20_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic [8:0] select_1697;
+  assign select_1697 = and_368_s20_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
   logic [8:0] select_1698;
-  assign select_1698 = and_368_s19_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_1699;
-  assign select_1699 = and_368_s19_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic [8:0] select_1702;
-  assign select_1702 = and_368_s19_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_1703;
-  assign select_1703 = and_368_s19_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic [8:0] select_1706;
-  assign select_1706 = and_368_s19_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_1707;
-  assign select_1707 = and_368_s19_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  assign select_1698 = and_368_s20_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic [8:0] select_1700;
+  assign select_1700 = and_368_s20_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_1701;
+  assign select_1701 = and_368_s20_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic [8:0] select_1704;
+  assign select_1704 = and_368_s20_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_1705;
+  assign select_1705 = and_368_s20_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic [8:0] select_1708;
+  assign select_1708 = and_368_s20_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_1709;
+  assign select_1709 = and_368_s20_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
   // hls/stages/census.hpp:192
-  logic [9:0] difference_1711;
-  assign difference_1711 = {1'b0, select_378_s19_q} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [9:0] difference_1714;
-  assign difference_1714 = {1'b0, census_memory_rdata_s19_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [9:0] difference_1718;
-  assign difference_1718 = {1'b0, census_memory_rdata_s19_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [9:0] difference_1722;
-  assign difference_1722 = {1'b0, census_memory_rdata_s19_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [9:0] difference_1726;
-  assign difference_1726 = {1'b0, census_memory_rdata_s19_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [9:0] difference_1713;
+  assign difference_1713 = {1'b0, select_378_s20_q} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [9:0] difference_1716;
+  assign difference_1716 = {1'b0, census_memory_rdata_s20_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [9:0] difference_1720;
+  assign difference_1720 = {1'b0, census_memory_rdata_s20_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [9:0] difference_1724;
+  assign difference_1724 = {1'b0, census_memory_rdata_s20_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [9:0] difference_1728;
+  assign difference_1728 = {1'b0, census_memory_rdata_s20_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
   // hls/stages/census.hpp:273
-  logic [9:0] difference_1756;
-  assign difference_1756 = {1'b0, select_374_s19_q} - {1'b0, sharpness_last_mean_0_q};
-  logic [9:0] difference_1767;
-  assign difference_1767 = {1'b0, select_378_s19_q} - {1'b0, sharpness_last_mean_1_q};
+  logic [9:0] difference_1758;
+  assign difference_1758 = {1'b0, select_374_s20_q} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_1769;
+  assign difference_1769 = {1'b0, select_378_s20_q} - {1'b0, sharpness_last_mean_1_q};
   // hls/stages/agreement.hpp:365
-  logic and_1974;
-  assign and_1974 = and_368_s19_q & (equal_429_s19_q & equal_1857_s19_q);
+  logic and_1976;
+  assign and_1976 = and_368_s20_q & (equal_429_s20_q & equal_1859_s20_q);
   // hls/stages/agreement.hpp:211
-  logic and_1983;
-  assign and_1983 = not_1336_s19_q & (so_s19_q & (ends_cell_s19_q & textured_s19_q));
-  // hls/stages/agreement.hpp:825
-  logic [2:0] select_2006;
-  assign select_2006 = age_s19_q ? box_explained_columns_values_4_q : 3'h0;
+  logic and_1985;
+  assign and_1985 = not_1338_s20_q & (so_s20_q & (ends_cell_s20_q & textured_s20_q));
+  // hls/stages/agreement.hpp:826
+  logic [2:0] select_2008;
+  assign select_2008 = age_s20_q ? box_explained_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:681
-  logic [13:0] select_2042;
-  assign select_2042 = and_1974 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2040_s19_q});
-  logic [13:0] select_2049;
-  assign select_2049 = and_1974 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2047_s19_q});
+  logic [13:0] select_2044;
+  assign select_2044 = and_1976 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2042_s20_q});
+  logic [13:0] select_2051;
+  assign select_2051 = and_1976 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2049_s20_q});
   // hls/stages/registration.hpp:47
-  logic [7:0] difference_2117;
-  assign difference_2117 = {sum_2115_s19_q, inside_v_s19_q[1], 5'h0} - {3'h0, registration_displacement_fraction_q};
+  logic [7:0] difference_2119;
+  assign difference_2119 = {sum_2117_s20_q, inside_v_s20_q[1], 5'h0} - {3'h0, registration_displacement_fraction_q};
   // hls/stages/registration.hpp:101
-  logic [7:0] select_2118;
-  assign select_2118 = less_2116_s19_q ? difference_2117 : {sum_2115_s19_q, inside_v_s19_q[1], registration_displacement_fraction_q};
-  logic [7:0] select_2119;
-  assign select_2119 = or_2114_s19_q ? {sum_2115_s19_q, inside_v_s19_q[1], 5'h0} : select_2118;
+  logic [7:0] select_2120;
+  assign select_2120 = less_2118_s20_q ? difference_2119 : {sum_2117_s20_q, inside_v_s20_q[1], registration_displacement_fraction_q};
+  logic [7:0] select_2121;
+  assign select_2121 = or_2116_s20_q ? {sum_2117_s20_q, inside_v_s20_q[1], 5'h0} : select_2120;
   // hls/stages/registration.hpp:202
-  logic [10:0] sum_2126;
-  assign sum_2126 = {{3{sum_2122_s19_q[7]}}, sum_2122_s19_q} + {sum_2125_s19_q[8], sum_2125_s19_q, select_2123_s19_q};
-  logic [9:0] sum_2130;
-  assign sum_2130 = {difference_2129_s19_q, select_2127_s19_q} + {sum_2126[10], sum_2126[10:2]};
-  // hls/stages/agreement.hpp:936
-  logic equal_2357;
-  assign equal_2357 = x_s19_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:930
-  logic equal_2377;
-  assign equal_2377 = x_s19_q[6:3] == 4'ha;
-  // hls/stages/agreement.hpp:855
+  logic [10:0] sum_2128;
+  assign sum_2128 = {{3{sum_2124_s20_q[7]}}, sum_2124_s20_q} + {sum_2127_s20_q[8], sum_2127_s20_q, select_2125_s20_q};
+  logic [9:0] sum_2132;
+  assign sum_2132 = {difference_2131_s20_q, select_2129_s20_q} + {sum_2128[10], sum_2128[10:2]};
+  // hls/stages/agreement.hpp:937
+  logic equal_2359;
+  assign equal_2359 = x_s20_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:931
+  logic equal_2379;
+  assign equal_2379 = x_s20_q[6:3] == 4'ha;
+  // hls/stages/agreement.hpp:856
   logic [7:0] limit;
-  assign limit = equal_2377 ? cfg_regions_limit_i : (equal_2379_s19_q ? cfg_hidden_limit_i : select_2395_s19_q);
-  // hls/stages/agreement.hpp:943
-  logic not_2398;
-  assign not_2398 = ~x_s19_q[2];
-  logic [3:0] select_2399;
-  assign select_2399 = x_s19_q[1] ? {x_s19_q[2], 1'b0, not_2398, 1'b0} : {1'b0, x_s19_q[2], 1'b0, not_2398};
-  logic [7:0] select_2400;
-  assign select_2400 = x_s19_q[0] ? {select_2399[3], 1'b0, select_2399[2], 1'b0, select_2399[1], 1'b0, select_2399[0], 1'b0} : {1'b0, select_2399[3], 1'b0, select_2399[2], 1'b0, select_2399[1], 1'b0, select_2399[0]};
-  // hls/stages/agreement.hpp:855
-  logic [13:0] select_2404;
-  assign select_2404 = equal_2379_s19_q ? counts_skin_supervised_q : (equal_2380_s19_q ? counts_skin_textured_q : counts_textured_q);
+  assign limit = equal_2379 ? cfg_regions_limit_i : (equal_2381_s20_q ? cfg_hidden_limit_i : select_2397_s20_q);
+  // hls/stages/agreement.hpp:944
+  logic not_2400;
+  assign not_2400 = ~x_s20_q[2];
+  logic [3:0] select_2401;
+  assign select_2401 = x_s20_q[1] ? {x_s20_q[2], 1'b0, not_2400, 1'b0} : {1'b0, x_s20_q[2], 1'b0, not_2400};
+  logic [7:0] select_2402;
+  assign select_2402 = x_s20_q[0] ? {select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0], 1'b0} : {1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0]};
+  // hls/stages/agreement.hpp:856
+  logic [13:0] select_2406;
+  assign select_2406 = equal_2381_s20_q ? counts_skin_supervised_q : (equal_2382_s20_q ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] of;
-  assign of = equal_2377 ? counts_textured_q : select_2404;
+  assign of = equal_2379 ? counts_textured_q : select_2406;
   // hls/stages/agreement.hpp:211
-  logic [2:0] select_2442;
-  assign select_2442 = ends_cell_s19_q ? explained_2_s19_q : box_explained_columns_values_0_q;
   logic [2:0] select_2444;
-  assign select_2444 = equal_1335_s19_q ? box_explained_columns_values_0_q : (so_s19_q ? select_2442 : box_explained_columns_values_0_q);
-  logic [2:0] select_2445;
-  assign select_2445 = ends_cell_s19_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_2444 = ends_cell_s20_q ? explained_2_s20_q : box_explained_columns_values_0_q;
+  logic [2:0] select_2446;
+  assign select_2446 = equal_1337_s20_q ? box_explained_columns_values_0_q : (so_s20_q ? select_2444 : box_explained_columns_values_0_q);
   logic [2:0] select_2447;
-  assign select_2447 = equal_1335_s19_q ? box_explained_columns_values_1_q : (so_s19_q ? select_2445 : box_explained_columns_values_1_q);
-  logic [2:0] select_2448;
-  assign select_2448 = ends_cell_s19_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_2447 = ends_cell_s20_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_2449;
+  assign select_2449 = equal_1337_s20_q ? box_explained_columns_values_1_q : (so_s20_q ? select_2447 : box_explained_columns_values_1_q);
   logic [2:0] select_2450;
-  assign select_2450 = equal_1335_s19_q ? box_explained_columns_values_2_q : (so_s19_q ? select_2448 : box_explained_columns_values_2_q);
-  logic [2:0] select_2451;
-  assign select_2451 = ends_cell_s19_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  assign select_2450 = ends_cell_s20_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_2452;
+  assign select_2452 = equal_1337_s20_q ? box_explained_columns_values_2_q : (so_s20_q ? select_2450 : box_explained_columns_values_2_q);
   logic [2:0] select_2453;
-  assign select_2453 = equal_1335_s19_q ? box_explained_columns_values_3_q : (so_s19_q ? select_2451 : box_explained_columns_values_3_q);
-  logic [2:0] select_2454;
-  assign select_2454 = ends_cell_s19_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  assign select_2453 = ends_cell_s20_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_2455;
+  assign select_2455 = equal_1337_s20_q ? box_explained_columns_values_3_q : (so_s20_q ? select_2453 : box_explained_columns_values_3_q);
   logic [2:0] select_2456;
-  assign select_2456 = equal_1335_s19_q ? box_explained_columns_values_4_q : (so_s19_q ? select_2454 : box_explained_columns_values_4_q);
-  logic [2:0] select_2461;
-  assign select_2461 = so_s19_q ? (ends_cell_s19_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  assign select_2456 = ends_cell_s20_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_2458;
+  assign select_2458 = equal_1337_s20_q ? box_explained_columns_values_4_q : (so_s20_q ? select_2456 : box_explained_columns_values_4_q);
   logic [2:0] select_2463;
-  assign select_2463 = ends_cell_s19_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_2463 = so_s20_q ? (ends_cell_s20_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
   logic [2:0] select_2465;
-  assign select_2465 = equal_1335_s19_q ? box_shown_columns_values_1_q : (so_s19_q ? select_2463 : box_shown_columns_values_1_q);
-  logic [2:0] select_2466;
-  assign select_2466 = ends_cell_s19_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_2465 = ends_cell_s20_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_2467;
+  assign select_2467 = equal_1337_s20_q ? box_shown_columns_values_1_q : (so_s20_q ? select_2465 : box_shown_columns_values_1_q);
   logic [2:0] select_2468;
-  assign select_2468 = equal_1335_s19_q ? box_shown_columns_values_2_q : (so_s19_q ? select_2466 : box_shown_columns_values_2_q);
-  logic [2:0] select_2469;
-  assign select_2469 = ends_cell_s19_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  assign select_2468 = ends_cell_s20_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_2470;
+  assign select_2470 = equal_1337_s20_q ? box_shown_columns_values_2_q : (so_s20_q ? select_2468 : box_shown_columns_values_2_q);
   logic [2:0] select_2471;
-  assign select_2471 = equal_1335_s19_q ? box_shown_columns_values_3_q : (so_s19_q ? select_2469 : box_shown_columns_values_3_q);
-  logic [2:0] select_2472;
-  assign select_2472 = ends_cell_s19_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  assign select_2471 = ends_cell_s20_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_2473;
+  assign select_2473 = equal_1337_s20_q ? box_shown_columns_values_3_q : (so_s20_q ? select_2471 : box_shown_columns_values_3_q);
   logic [2:0] select_2474;
-  assign select_2474 = equal_1335_s19_q ? box_shown_columns_values_4_q : (so_s19_q ? select_2472 : box_shown_columns_values_4_q);
-  logic [2:0] select_2479;
-  assign select_2479 = so_s19_q ? (ends_cell_s19_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  assign select_2474 = ends_cell_s20_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_2476;
+  assign select_2476 = equal_1337_s20_q ? box_shown_columns_values_4_q : (so_s20_q ? select_2474 : box_shown_columns_values_4_q);
   logic [2:0] select_2481;
-  assign select_2481 = ends_cell_s19_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_2481 = so_s20_q ? (ends_cell_s20_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
   logic [2:0] select_2483;
-  assign select_2483 = equal_1335_s19_q ? box_nearer_columns_values_1_q : (so_s19_q ? select_2481 : box_nearer_columns_values_1_q);
-  logic [2:0] select_2484;
-  assign select_2484 = ends_cell_s19_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_2483 = ends_cell_s20_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_2485;
+  assign select_2485 = equal_1337_s20_q ? box_nearer_columns_values_1_q : (so_s20_q ? select_2483 : box_nearer_columns_values_1_q);
   logic [2:0] select_2486;
-  assign select_2486 = equal_1335_s19_q ? box_nearer_columns_values_2_q : (so_s19_q ? select_2484 : box_nearer_columns_values_2_q);
-  logic [2:0] select_2487;
-  assign select_2487 = ends_cell_s19_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  assign select_2486 = ends_cell_s20_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_2488;
+  assign select_2488 = equal_1337_s20_q ? box_nearer_columns_values_2_q : (so_s20_q ? select_2486 : box_nearer_columns_values_2_q);
   logic [2:0] select_2489;
-  assign select_2489 = equal_1335_s19_q ? box_nearer_columns_values_3_q : (so_s19_q ? select_2487 : box_nearer_columns_values_3_q);
-  logic [2:0] select_2490;
-  assign select_2490 = ends_cell_s19_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  assign select_2489 = ends_cell_s20_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_2491;
+  assign select_2491 = equal_1337_s20_q ? box_nearer_columns_values_3_q : (so_s20_q ? select_2489 : box_nearer_columns_values_3_q);
   logic [2:0] select_2492;
-  assign select_2492 = equal_1335_s19_q ? box_nearer_columns_values_4_q : (so_s19_q ? select_2490 : box_nearer_columns_values_4_q);
+  assign select_2492 = ends_cell_s20_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_2494;
+  assign select_2494 = equal_1337_s20_q ? box_nearer_columns_values_4_q : (so_s20_q ? select_2492 : box_nearer_columns_values_4_q);
 
   // Memory census_memory, write
   logic [6:0] census_memory_waddr;
-  assign census_memory_waddr = column_s19_q;
+  assign census_memory_waddr = column_s20_q;
   logic census_memory_we;
-  assign census_memory_we = s19_en & and_368_s19_q;
+  assign census_memory_we = s20_en & and_368_s20_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_s19_q[58:40], census_memory_rdata_s19_q[38:0], and_386_s19_q, whole_2_s19_q, select_378_s19_q, select_374_s19_q};
+    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_s20_q[58:40], census_memory_rdata_s20_q[38:0], and_386_s20_q, whole_2_s20_q, select_378_s20_q, select_374_s20_q};
   end
 `ifndef SYNTHESIS
-  logic [6:0] census_memory_raddr_s18_sim;
-  logic census_memory_re_s18_sim;
+  logic [6:0] census_memory_raddr_s19_sim;
+  logic census_memory_re_s19_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      census_memory_re_s18_sim <= 1'b0;
+      census_memory_re_s19_sim <= 1'b0;
     end else if (en_i) begin
-      census_memory_re_s18_sim <= census_memory_re;
-      census_memory_raddr_s18_sim <= census_memory_raddr;
+      census_memory_re_s19_sim <= census_memory_re;
+      census_memory_raddr_s19_sim <= census_memory_raddr;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -4838,7 +4909,7 @@ module horopter_agreement (
       if (census_memory_re && census_memory_raddr == census_memory_waddr) begin
         $error("census_memory: address %0d is read less than DISTANCE steps after its write", census_memory_waddr);
       end
-      if (census_memory_re_s18_sim && census_memory_raddr_s18_sim == census_memory_waddr) begin
+      if (census_memory_re_s19_sim && census_memory_raddr_s19_sim == census_memory_waddr) begin
         $error("census_memory: address %0d is read less than DISTANCE steps after its write", census_memory_waddr);
       end
       if (census_memory_waddr >= 7'd120) $error("census_memory: write outside, address %0d", census_memory_waddr);
@@ -4854,12 +4925,12 @@ module horopter_agreement (
       counts_textured_q <= 14'h0;
       counts_skin_supervised_q <= 14'h0;
       counts_skin_textured_q <= 14'h0;
-    end else if (s19_en) begin
-      census_filled_q <= and_368_s19_q ? {select_432[2:0], 1'b1} : census_filled_q;
-      rows_passed_above_q <= and_368_s19_q ? select_431 : rows_passed_above_q;
-      counts_textured_q <= and_1974 ? 14'h0 : (counts_textured_q + {13'h0, and_1983});
-      counts_skin_supervised_q <= select_2042;
-      counts_skin_textured_q <= select_2049;
+    end else if (s20_en) begin
+      census_filled_q <= and_368_s20_q ? {select_432[2:0], 1'b1} : census_filled_q;
+      rows_passed_above_q <= and_368_s20_q ? select_431 : rows_passed_above_q;
+      counts_textured_q <= and_1976 ? 14'h0 : (counts_textured_q + {13'h0, and_1985});
+      counts_skin_supervised_q <= select_2044;
+      counts_skin_textured_q <= select_2051;
     end
   end
 
@@ -4930,648 +5001,68 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s19_en) begin
-      averager_quarter_1_0_q <= select_1620;
-      averager_quarter_1_1_q <= select_1622;
-      averager_quarter_2_0_q <= select_1624;
-      averager_quarter_2_1_q <= select_1626;
-      census_columns_values_0_cell_0_left_q <= select_1654;
-      census_columns_values_0_cell_0_right_q <= select_1655;
-      census_columns_values_0_cell_1_left_q <= select_1657;
-      census_columns_values_0_cell_1_right_q <= select_1658;
-      census_columns_values_0_cell_1_mask_q <= select_1659;
-      census_columns_values_0_cell_2_left_q <= select_1660;
-      census_columns_values_0_cell_2_right_q <= select_1661;
-      census_columns_values_0_cell_2_mask_q <= select_1662;
-      census_columns_values_0_cell_2_of_skin_q <= select_1663;
-      census_columns_values_0_cell_3_left_q <= select_1664;
-      census_columns_values_0_cell_3_right_q <= select_1665;
-      census_columns_values_0_cell_3_mask_q <= select_1666;
-      census_columns_values_0_cell_4_left_q <= select_1667;
-      census_columns_values_0_cell_4_right_q <= select_1668;
-      census_columns_values_0_cell_4_mask_q <= select_1669;
-      census_columns_values_1_cell_0_left_q <= select_1670;
-      census_columns_values_1_cell_0_right_q <= select_1671;
-      census_columns_values_1_cell_1_left_q <= select_1673;
-      census_columns_values_1_cell_1_right_q <= select_1674;
-      census_columns_values_1_cell_2_left_q <= select_1676;
-      census_columns_values_1_cell_2_right_q <= select_1677;
-      census_columns_values_1_cell_2_of_skin_q <= select_1679;
-      census_columns_values_1_cell_3_left_q <= select_1680;
-      census_columns_values_1_cell_3_right_q <= select_1681;
-      census_columns_values_1_cell_4_left_q <= select_1683;
-      census_columns_values_1_cell_4_right_q <= select_1684;
-      census_columns_values_2_cell_0_left_q <= select_1686;
-      census_columns_values_2_cell_0_right_q <= select_1687;
-      census_columns_values_2_cell_1_left_q <= select_1689;
-      census_columns_values_2_cell_1_right_q <= select_1690;
-      census_columns_values_2_cell_2_left_q <= select_1692;
-      census_columns_values_2_cell_2_right_q <= select_1693;
-      census_columns_values_2_cell_3_left_q <= select_1695;
-      census_columns_values_2_cell_3_right_q <= select_1696;
-      census_columns_values_2_cell_4_left_q <= select_1698;
-      census_columns_values_2_cell_4_right_q <= select_1699;
-      census_columns_values_3_cell_1_left_q <= select_1702;
-      census_columns_values_3_cell_1_right_q <= select_1703;
-      census_columns_values_3_cell_3_left_q <= select_1706;
-      census_columns_values_3_cell_3_right_q <= select_1707;
-      sharpness_last_mean_0_q <= and_368_s19_q ? select_374_s19_q : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_368_s19_q ? select_378_s19_q : sharpness_last_mean_1_q;
-      box_explained_columns_values_0_q <= select_2444;
-      box_explained_columns_values_1_q <= select_2447;
-      box_explained_columns_values_2_q <= select_2450;
-      box_explained_columns_values_3_q <= select_2453;
-      box_explained_columns_values_4_q <= select_2456;
-      box_shown_columns_values_0_q <= equal_1335_s19_q ? box_shown_columns_values_0_q : select_2461;
-      box_shown_columns_values_1_q <= select_2465;
-      box_shown_columns_values_2_q <= select_2468;
-      box_shown_columns_values_3_q <= select_2471;
-      box_shown_columns_values_4_q <= select_2474;
-      box_nearer_columns_values_0_q <= equal_1335_s19_q ? box_nearer_columns_values_0_q : select_2479;
-      box_nearer_columns_values_1_q <= select_2483;
-      box_nearer_columns_values_2_q <= select_2486;
-      box_nearer_columns_values_3_q <= select_2489;
-      box_nearer_columns_values_4_q <= select_2492;
-    end
-  end
-
-  logic [7:0] pixel_0_s20_q;
-  logic [7:0] pixel_1_s20_q;
-  logic saturated_s20_q;
-  logic mask_s20_q;
-  logic marks_first_s20_q;
-  logic marks_last_s20_q;
-  logic sample_pair_whole_s20_q;
-  logic census_columns_values_0_cell_1_mask_s20_q;
-  logic census_columns_values_0_cell_2_mask_s20_q;
-  logic census_columns_values_0_cell_3_mask_s20_q;
-  logic census_columns_values_0_cell_4_mask_s20_q;
-  logic census_columns_values_1_cell_2_of_skin_s20_q;
-  logic [7:0] x_s20_q;
-  logic age_s20_q;
-  logic [2:0] slot_s20_q;
-  logic ends_cell_s20_q;
-  logic lower_half_s20_q;
-  logic [13:0] counts_textured_s20_q;
-  logic [2:0] region_row_s20_q;
-  logic region_fresh_s20_q;
-  logic segment_started_s20_q;
-  logic centres_values_1_textured_s20_q;
-  logic centres_values_1_of_skin_s20_q;
-  logic [6:0] column_s20_q;
-  logic and_366_s20_q;
-  logic and_368_s20_q;
-  logic equal_371_s20_q;
-  logic whole_2_s20_q;
-  logic so_s20_q;
-  logic less_402_s20_q;
-  logic less_403_s20_q;
-  logic less_404_s20_q;
-  logic less_405_s20_q;
-  logic less_406_s20_q;
-  logic less_407_s20_q;
-  logic less_408_s20_q;
-  logic less_409_s20_q;
-  logic less_410_s20_q;
-  logic less_411_s20_q;
-  logic less_412_s20_q;
-  logic less_413_s20_q;
-  logic less_414_s20_q;
-  logic less_415_s20_q;
-  logic less_416_s20_q;
-  logic less_417_s20_q;
-  logic less_418_s20_q;
-  logic less_419_s20_q;
-  logic less_420_s20_q;
-  logic less_421_s20_q;
-  logic less_422_s20_q;
-  logic less_423_s20_q;
-  logic less_424_s20_q;
-  logic less_425_s20_q;
-  logic and_433_s20_q;
-  logic and_437_s20_q;
-  logic difference_460_s20_q;
-  logic [8:0] xor_461_s20_q;
-  logic difference_463_s20_q;
-  logic [8:0] xor_464_s20_q;
-  logic difference_467_s20_q;
-  logic [8:0] xor_468_s20_q;
-  logic difference_471_s20_q;
-  logic [8:0] xor_472_s20_q;
-  logic difference_475_s20_q;
-  logic [8:0] xor_476_s20_q;
-  logic equal_1335_s20_q;
-  logic not_1336_s20_q;
-  logic inside_v_s20_q;
-  logic equal_1380_s20_q;
-  logic all_s20_q;
-  logic equal_1394_s20_q;
-  logic equal_1396_s20_q;
-  logic equal_1398_s20_q;
-  logic equal_1400_s20_q;
-  logic right_2_s20_q;
-  logic or_1446_s20_q;
-  logic or_1449_s20_q;
-  logic or_1452_s20_q;
-  logic not_1454_s20_q;
-  logic [29:0] regions_rdata_s20_q;
-  logic textured_s20_q;
-  logic explained_s20_q;
-  logic and_1476_s20_q;
-  logic and_1481_s20_q;
-  logic [2:0] textured_2_s20_q;
-  logic equal_1532_s20_q;
-  logic or_1540_s20_q;
-  logic or_1543_s20_q;
-  logic or_1546_s20_q;
-  logic [3:0] difference_1566_s20_q;
-  logic [3:0] difference_1582_s20_q;
-  logic and_1596_s20_q;
-  logic sum_1631_s20_q;
-  logic [9:0] difference_1632_s20_q;
-  logic sum_1639_s20_q;
-  logic [9:0] difference_1640_s20_q;
-  logic difference_1711_s20_q;
-  logic [8:0] xor_1712_s20_q;
-  logic difference_1714_s20_q;
-  logic [8:0] xor_1715_s20_q;
-  logic difference_1718_s20_q;
-  logic [8:0] xor_1719_s20_q;
-  logic difference_1722_s20_q;
-  logic [8:0] xor_1723_s20_q;
-  logic difference_1726_s20_q;
-  logic [8:0] xor_1727_s20_q;
-  logic equal_1736_s20_q;
-  logic difference_1756_s20_q;
-  logic [8:0] xor_1757_s20_q;
-  logic difference_1767_s20_q;
-  logic [8:0] xor_1768_s20_q;
-  logic equal_1857_s20_q;
-  logic and_1974_s20_q;
-  logic and_1978_s20_q;
-  logic and_1983_s20_q;
-  logic not_1997_s20_q;
-  logic [3:0] difference_2007_s20_q;
-  logic equal_2082_s20_q;
-  logic and_2111_s20_q;
-  logic [7:0] select_2119_s20_q;
-  logic sum_2126_s20_q;
-  logic [9:0] sum_2130_s20_q;
-  logic equal_2357_s20_q;
-  logic and_2358_s20_q;
-  logic equal_2377_s20_q;
-  logic equal_2379_s20_q;
-  logic equal_2380_s20_q;
-  logic equal_2402_s20_q;
-  logic [13:0] of_s20_q;
-  logic equal_2509_s20_q;
-  always_ff @(posedge clk_i) begin
-    if (s19_en) begin
-      pixel_0_s20_q <= pixel_0_s19_q;
-      pixel_1_s20_q <= pixel_1_s19_q;
-      saturated_s20_q <= saturated_s19_q;
-      mask_s20_q <= mask_s19_q;
-      marks_first_s20_q <= marks_first_s19_q;
-      marks_last_s20_q <= marks_last_s19_q;
-      sample_pair_whole_s20_q <= sample_pair_whole_s19_q;
-      census_columns_values_0_cell_1_mask_s20_q <= census_columns_values_0_cell_1_mask_q;
-      census_columns_values_0_cell_2_mask_s20_q <= census_columns_values_0_cell_2_mask_q;
-      census_columns_values_0_cell_3_mask_s20_q <= census_columns_values_0_cell_3_mask_q;
-      census_columns_values_0_cell_4_mask_s20_q <= census_columns_values_0_cell_4_mask_q;
-      census_columns_values_1_cell_2_of_skin_s20_q <= census_columns_values_1_cell_2_of_skin_q;
-      x_s20_q <= x_s19_q;
-      age_s20_q <= age_s19_q;
-      slot_s20_q <= slot_s19_q;
-      ends_cell_s20_q <= ends_cell_s19_q;
-      lower_half_s20_q <= lower_half_s19_q;
-      counts_textured_s20_q <= counts_textured_q;
-      region_row_s20_q <= region_row_s19_q;
-      region_fresh_s20_q <= region_fresh_s19_q;
-      segment_started_s20_q <= segment_started_s19_q;
-      centres_values_1_textured_s20_q <= centres_values_1_textured_s19_q;
-      centres_values_1_of_skin_s20_q <= centres_values_1_of_skin_s19_q;
-      column_s20_q <= column_s19_q;
-      and_366_s20_q <= and_366_s19_q;
-      and_368_s20_q <= and_368_s19_q;
-      equal_371_s20_q <= equal_371_s19_q;
-      whole_2_s20_q <= whole_2_s19_q;
-      so_s20_q <= so_s19_q;
-      less_402_s20_q <= less_402;
-      less_403_s20_q <= less_403;
-      less_404_s20_q <= less_404;
-      less_405_s20_q <= less_405;
-      less_406_s20_q <= less_406;
-      less_407_s20_q <= less_407;
-      less_408_s20_q <= less_408;
-      less_409_s20_q <= less_409;
-      less_410_s20_q <= less_410;
-      less_411_s20_q <= less_411;
-      less_412_s20_q <= less_412;
-      less_413_s20_q <= less_413;
-      less_414_s20_q <= less_414;
-      less_415_s20_q <= less_415;
-      less_416_s20_q <= less_416;
-      less_417_s20_q <= less_417;
-      less_418_s20_q <= less_418;
-      less_419_s20_q <= less_419;
-      less_420_s20_q <= less_420;
-      less_421_s20_q <= less_421;
-      less_422_s20_q <= less_422;
-      less_423_s20_q <= less_423;
-      less_424_s20_q <= less_424;
-      less_425_s20_q <= less_425;
-      and_433_s20_q <= select_431[4] & select_432[3];
-      and_437_s20_q <= and_437;
-      difference_460_s20_q <= difference_460[9];
-      xor_461_s20_q <= difference_460[8:0] ^ {9{difference_460[9]}};
-      difference_463_s20_q <= difference_463[9];
-      xor_464_s20_q <= difference_463[8:0] ^ {9{difference_463[9]}};
-      difference_467_s20_q <= difference_467[9];
-      xor_468_s20_q <= difference_467[8:0] ^ {9{difference_467[9]}};
-      difference_471_s20_q <= difference_471[9];
-      xor_472_s20_q <= difference_471[8:0] ^ {9{difference_471[9]}};
-      difference_475_s20_q <= difference_475[9];
-      xor_476_s20_q <= difference_475[8:0] ^ {9{difference_475[9]}};
-      equal_1335_s20_q <= equal_1335_s19_q;
-      not_1336_s20_q <= not_1336_s19_q;
-      inside_v_s20_q <= inside_v_s19_q[0];
-      equal_1380_s20_q <= equal_1380_s19_q;
-      all_s20_q <= all;
-      equal_1394_s20_q <= x_s19_q[5:0] == 6'h3b;
-      equal_1396_s20_q <= x_s19_q[5:0] == 6'h36;
-      equal_1398_s20_q <= x_s19_q[5:0] == 6'h35;
-      equal_1400_s20_q <= x_s19_q[5:0] == 6'h34;
-      right_2_s20_q <= right_2_s19_q;
-      or_1446_s20_q <= or_1446_s19_q;
-      or_1449_s20_q <= or_1449_s19_q;
-      or_1452_s20_q <= or_1452_s19_q;
-      not_1454_s20_q <= not_1454_s19_q;
-      regions_rdata_s20_q <= regions_rdata_q;
-      textured_s20_q <= textured_s19_q;
-      explained_s20_q <= explained_s19_q;
-      and_1476_s20_q <= and_1476_s19_q;
-      and_1481_s20_q <= and_1481_s19_q;
-      textured_2_s20_q <= textured_2;
-      equal_1532_s20_q <= x_s19_q == 8'h0;
-      or_1540_s20_q <= or_1540_s19_q;
-      or_1543_s20_q <= or_1543_s19_q;
-      or_1546_s20_q <= or_1546_s19_q;
-      difference_1566_s20_q <= {1'b0, shown_2} - {1'b0, select_1565};
-      difference_1582_s20_q <= {1'b0, near_2} - {1'b0, select_1581};
-      and_1596_s20_q <= and_1596_s19_q;
-      sum_1631_s20_q <= sum_1631[0];
-      difference_1632_s20_q <= {1'b0, sum_1631[9:1]} - {1'b0, averager_quarter_1_0_q};
-      sum_1639_s20_q <= sum_1639[0];
-      difference_1640_s20_q <= {1'b0, sum_1639[9:1]} - {1'b0, averager_quarter_1_1_q};
-      difference_1711_s20_q <= difference_1711[9];
-      xor_1712_s20_q <= difference_1711[8:0] ^ {9{difference_1711[9]}};
-      difference_1714_s20_q <= difference_1714[9];
-      xor_1715_s20_q <= difference_1714[8:0] ^ {9{difference_1714[9]}};
-      difference_1718_s20_q <= difference_1718[9];
-      xor_1719_s20_q <= difference_1718[8:0] ^ {9{difference_1718[9]}};
-      difference_1722_s20_q <= difference_1722[9];
-      xor_1723_s20_q <= difference_1722[8:0] ^ {9{difference_1722[9]}};
-      difference_1726_s20_q <= difference_1726[9];
-      xor_1727_s20_q <= difference_1726[8:0] ^ {9{difference_1726[9]}};
-      equal_1736_s20_q <= equal_1736_s19_q;
-      difference_1756_s20_q <= difference_1756[9];
-      xor_1757_s20_q <= difference_1756[8:0] ^ {9{difference_1756[9]}};
-      difference_1767_s20_q <= difference_1767[9];
-      xor_1768_s20_q <= difference_1767[8:0] ^ {9{difference_1767[9]}};
-      equal_1857_s20_q <= equal_1857_s19_q;
-      and_1974_s20_q <= and_1974;
-      and_1978_s20_q <= and_1978_s19_q;
-      and_1983_s20_q <= and_1983;
-      not_1997_s20_q <= not_1997_s19_q;
-      difference_2007_s20_q <= {1'b0, explained_2_s19_q} - {1'b0, select_2006};
-      equal_2082_s20_q <= equal_2082_s19_q;
-      and_2111_s20_q <= and_2111_s19_q;
-      select_2119_s20_q <= select_2119;
-      sum_2126_s20_q <= sum_2126[1];
-      sum_2130_s20_q <= sum_2130;
-      equal_2357_s20_q <= equal_2357;
-      and_2358_s20_q <= equal_2356_s19_q & equal_2357;
-      equal_2377_s20_q <= equal_2377;
-      equal_2379_s20_q <= equal_2379_s19_q;
-      equal_2380_s20_q <= equal_2380_s19_q;
-      equal_2402_s20_q <= (limit & select_2400) == 8'h0;
-      of_s20_q <= of;
-      equal_2509_s20_q <= equal_2509_s19_q;
-    end
-  end
-
-  // Stage 20 ----------------------------------------------------------------------------------------------------------
-  logic census_columns_values_0_cell_0_mask_q;
-  logic census_columns_values_1_cell_0_mask_q;
-  logic census_columns_values_1_cell_1_mask_q;
-  logic census_columns_values_1_cell_2_mask_q;
-  logic census_columns_values_1_cell_3_mask_q;
-  logic census_columns_values_1_cell_4_mask_q;
-  logic census_columns_values_2_cell_0_mask_q;
-  logic census_columns_values_2_cell_1_mask_q;
-  logic [13:0] counts_explained_q;
-  logic registration_of_right_q;
-  logic registration_was_inside_q;
-  logic [6:0] segment_textured_q;
-  logic [6:0] segment_explained_q;
-  logic [6:0] segment_nearer_q;
-  logic [13:0] product_q;
-  logic [2:0] box_textured_columns_values_0_q;
-  logic [2:0] box_textured_columns_values_1_q;
-  logic [2:0] box_textured_columns_values_2_q;
-  logic [2:0] box_textured_columns_values_3_q;
-  logic [2:0] box_textured_columns_values_4_q;
-  logic [4:0] box_explained_sum_sums_values_0_q;
-  logic [4:0] box_shown_sum_sums_values_0_q;
-  logic [4:0] box_nearer_sum_sums_values_0_q;
-  logic [13:0] rows_passed_q;
-  logic [8:0] columns_passed_q;
-  logic line_ended_q;
-  // hls/stages/agreement.hpp:310
-  logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_437_s20_q;
-  logic whole_4;
-  assign whole_4 = census_columns_values_0_cell_1_mask_s20_q & whole_3;
-  logic whole_5;
-  assign whole_5 = census_columns_values_0_cell_2_mask_s20_q & whole_4;
-  logic whole_6;
-  assign whole_6 = census_columns_values_0_cell_3_mask_s20_q & whole_5;
-  logic whole_7;
-  assign whole_7 = census_columns_values_0_cell_4_mask_s20_q & whole_6;
-  logic whole_8;
-  assign whole_8 = census_columns_values_1_cell_0_mask_q & whole_7;
-  logic whole_9;
-  assign whole_9 = census_columns_values_1_cell_1_mask_q & whole_8;
-  // hls/stages/census.hpp:190
-  logic [9:0] sum_462;
-  assign sum_462 = {9'h0, difference_460_s20_q} + {1'b0, xor_461_s20_q};
-  logic [9:0] sum_465;
-  assign sum_465 = {9'h0, difference_463_s20_q} + {1'b0, xor_464_s20_q};
-  // hls/stages/agreement.hpp:898
-  logic [1:0] quarter;
-  assign quarter = x_s20_q[1:0] + 2'h1;
-  // hls/stages/agreement.hpp:859
-  logic [1:0] select_1383;
-  assign select_1383 = x_s20_q[4] ? {x_s20_q[3], x_s20_q[0]} : {x_s20_q[0], x_s20_q[3]};
-  // hls/stages/agreement.hpp:871
-  logic [3:0] select_1385;
-  assign select_1385 = equal_1380_s20_q ? {2'h0, quarter} : (all_s20_q ? {1'b0, x_s20_q[2:0]} : {x_s20_q[2:1], select_1383});
-  // hls/stages/registration.hpp:106
-  logic [1:0] sum_1386;
-  assign sum_1386 = slot_s20_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:211
-  logic [3:0] select_1387;
-  assign select_1387 = equal_1335_s20_q ? select_1385 : {sum_1386, lower_half_s20_q, registration_of_right_q};
-  // hls/stages/agreement.hpp:896
-  logic equal_1388;
-  assign equal_1388 = x_s20_q[5:0] == 6'h3e;
-  logic equal_1390;
-  assign equal_1390 = x_s20_q[5:0] == 6'h3d;
-  logic equal_1392;
-  assign equal_1392 = x_s20_q[5:0] == 6'h3c;
-  // hls/stages/agreement.hpp:898
-  logic and_1403;
-  assign and_1403 = (~equal_1396_s20_q) & ((~equal_1398_s20_q) & (~equal_1400_s20_q));
-  logic and_1406;
-  assign and_1406 = (~equal_1390) & ((~equal_1392) & ((~equal_1394_s20_q) & and_1403));
-  // hls/stages/agreement.hpp:859
-  logic less_1408;
-  assign less_1408 = x_s20_q[5:0] < 6'h29;
-  // hls/stages/registration.hpp:140
-  logic [1:0] kind;
-  assign kind = all_s20_q ? {1'b0, x_s20_q[2]} : x_s20_q[2:1];
-  // hls/stages/registration.hpp:152
-  logic or_1412;
-  assign or_1412 = (kind == 2'h3) | (x_s20_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:871
-  logic select_1415;
-  assign select_1415 = equal_1380_s20_q ? ((~equal_1388) & and_1406) : (less_1408 & (~or_1412));
-  // hls/stages/registration.hpp:94
-  logic half_ends;
-  assign half_ends = inside_v_s20_q ? (right_2_s20_q & (~registration_of_right_q)) : registration_was_inside_q;
-  // hls/stages/registration.hpp:106
-  logic [4:0] sum_1423;
-  assign sum_1423 = {2'h0, slot_s20_q} + 5'h1f;
-  // hls/stages/registration.hpp:243
-  logic not_1429;
-  assign not_1429 = ~lower_half_s20_q;
-  logic [3:0] select_1430;
-  assign select_1430 = registration_of_right_q ? {lower_half_s20_q, 1'b0, not_1429, 1'b0} : {1'b0, lower_half_s20_q, 1'b0, not_1429};
-  // hls/stages/agreement.hpp:658
-  logic [6:0] select_1466;
-  assign select_1466 = segment_started_s20_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:659
-  logic [6:0] sum_1467;
-  assign sum_1467 = {6'h0, textured_s20_q} + select_1466;
-  // hls/stages/agreement.hpp:791
-  logic [9:0] sum_1469;
-  assign sum_1469 = {3'h0, sum_1467} + (region_fresh_s20_q ? 10'h0 : regions_rdata_s20_q[9:0]);
-  // hls/stages/agreement.hpp:658
-  logic [6:0] select_1471;
-  assign select_1471 = segment_started_s20_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:659
-  logic [6:0] sum_1472;
-  assign sum_1472 = {6'h0, explained_s20_q} + select_1471;
-  // hls/stages/agreement.hpp:792
-  logic [9:0] sum_1474;
-  assign sum_1474 = {3'h0, sum_1472} + (region_fresh_s20_q ? 10'h0 : regions_rdata_s20_q[19:10]);
-  // hls/stages/agreement.hpp:658
-  logic [6:0] select_1477;
-  assign select_1477 = segment_started_s20_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:660
-  logic [6:0] sum_1478;
-  assign sum_1478 = {6'h0, and_1476_s20_q} + select_1477;
-  // hls/stages/agreement.hpp:793
-  logic [9:0] sum_1480;
-  assign sum_1480 = {3'h0, sum_1478} + (region_fresh_s20_q ? 10'h0 : regions_rdata_s20_q[29:20]);
-  // hls/stages/agreement.hpp:983
-  logic or_1490;
-  assign or_1490 = marks_first_s20_q | line_ended_q;
-  // hls/stages/agreement.hpp:985
-  logic [13:0] select_1492;
-  assign select_1492 = marks_first_s20_q ? 14'h1 : (or_1490 ? {rows_passed_q[12:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:984
-  logic [8:0] select_1494;
-  assign select_1494 = or_1490 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:992
-  logic select_1496;
-  assign select_1496 = cfg_compete_i ? (or_1490 & select_1492[13]) : (select_1494[8] & select_1492[9]);
-  // hls/stages/agreement.hpp:824
-  logic [2:0] select_1530;
-  assign select_1530 = age_s20_q ? box_textured_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:826
-  logic [4:0] around;
-  assign around = {difference_1566_s20_q[3], difference_1566_s20_q} + (equal_1532_s20_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:827
-  logic [4:0] n;
-  assign n = {difference_1582_s20_q[3], difference_1582_s20_q} + (equal_1532_s20_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/census.hpp:129
-  logic [9:0] xor_1633;
-  assign xor_1633 = {difference_1632_s20_q[8:0], sum_1631_s20_q} ^ {10{difference_1632_s20_q[9]}};
-  logic [10:0] size;
-  assign size = {10'h0, difference_1632_s20_q[9]} + {1'b0, xor_1633};
-  logic [9:0] xor_1641;
-  assign xor_1641 = {difference_1640_s20_q[8:0], sum_1639_s20_q} ^ {10{difference_1640_s20_q[9]}};
-  logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_1640_s20_q[9]} + {1'b0, xor_1641};
-  // hls/stages/agreement.hpp:365
-  logic select_1656;
-  assign select_1656 = and_368_s20_q ? whole_2_s20_q : census_columns_values_0_cell_0_mask_q;
-  logic select_1672;
-  assign select_1672 = and_368_s20_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic select_1675;
-  assign select_1675 = and_368_s20_q ? census_columns_values_0_cell_1_mask_s20_q : census_columns_values_1_cell_1_mask_q;
-  logic select_1678;
-  assign select_1678 = and_368_s20_q ? census_columns_values_0_cell_2_mask_s20_q : census_columns_values_1_cell_2_mask_q;
-  logic select_1682;
-  assign select_1682 = and_368_s20_q ? census_columns_values_0_cell_3_mask_s20_q : census_columns_values_1_cell_3_mask_q;
-  logic select_1685;
-  assign select_1685 = and_368_s20_q ? census_columns_values_0_cell_4_mask_s20_q : census_columns_values_1_cell_4_mask_q;
-  logic select_1688;
-  assign select_1688 = and_368_s20_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic select_1691;
-  assign select_1691 = and_368_s20_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  // hls/stages/census.hpp:192
-  logic [9:0] sum_1713;
-  assign sum_1713 = {9'h0, difference_1711_s20_q} + {1'b0, xor_1712_s20_q};
-  logic [9:0] sum_1716;
-  assign sum_1716 = {9'h0, difference_1714_s20_q} + {1'b0, xor_1715_s20_q};
-  // hls/stages/census.hpp:273
-  logic [8:0] contrast;
-  assign contrast = {8'h0, difference_1756_s20_q} + xor_1757_s20_q;
-  logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_1767_s20_q} + xor_1768_s20_q;
-  // hls/stages/agreement.hpp:211
-  logic and_1988;
-  assign and_1988 = not_1336_s20_q & (so_s20_q & (ends_cell_s20_q & explained_s20_q));
-  // hls/stages/agreement.hpp:681
-  logic [13:0] select_1990;
-  assign select_1990 = and_1974_s20_q ? 14'h0 : (counts_explained_q + {13'h0, and_1988});
-  // hls/stages/agreement.hpp:211
-  logic and_1993;
-  assign and_1993 = not_1336_s20_q & (so_s20_q & (ends_cell_s20_q & and_1476_s20_q));
-  // hls/stages/agreement.hpp:825
-  logic [4:0] e;
-  assign e = {difference_2007_s20_q[3], difference_2007_s20_q} + (equal_1532_s20_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:861
-  logic less_2022;
-  assign less_2022 = region_row_s20_q < x_s20_q[5:3];
-  // hls/stages/registration.hpp:107
-  logic equal_2106;
-  assign equal_2106 = slot_s20_q == 3'h4;
-  // hls/stages/registration.hpp:101
-  logic [11:0] value_2;
-  assign value_2 = {{4{select_2119_s20_q[7]}}, select_2119_s20_q} - {sum_2130_s20_q[9], sum_2130_s20_q, sum_2126_s20_q};
-  // hls/stages/agreement.hpp:211
-  logic select_2177;
-  assign select_2177 = so_s20_q ? (equal_2106 ? right_2_s20_q : registration_of_right_q) : registration_of_right_q;
-  logic select_2180;
-  assign select_2180 = so_s20_q ? (equal_2082_s20_q ? inside_v_s20_q : registration_was_inside_q) : registration_was_inside_q;
-  // hls/stages/agreement.hpp:859
-  logic [1:0] quarter_2;
-  assign quarter_2 = all_s20_q ? x_s20_q[1:0] : select_1383;
-  // hls/stages/agreement.hpp:943
-  logic [13:0] select_2391;
-  assign select_2391 = equal_2357_s20_q ? 14'h0 : product_q;
-  logic [13:0] select_2406;
-  assign select_2406 = equal_2402_s20_q ? 14'h0 : of_s20_q;
-  logic [14:0] sum_3;
-  assign sum_3 = {1'b0, select_2391} + {1'b0, select_2406};
-  // hls/stages/agreement.hpp:211
-  logic [2:0] select_2424;
-  assign select_2424 = ends_cell_s20_q ? textured_2_s20_q : box_textured_columns_values_0_q;
-  logic [2:0] select_2426;
-  assign select_2426 = equal_1335_s20_q ? box_textured_columns_values_0_q : (so_s20_q ? select_2424 : box_textured_columns_values_0_q);
-  logic [2:0] select_2427;
-  assign select_2427 = ends_cell_s20_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_2429;
-  assign select_2429 = equal_1335_s20_q ? box_textured_columns_values_1_q : (so_s20_q ? select_2427 : box_textured_columns_values_1_q);
-  logic [2:0] select_2430;
-  assign select_2430 = ends_cell_s20_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [2:0] select_2432;
-  assign select_2432 = equal_1335_s20_q ? box_textured_columns_values_2_q : (so_s20_q ? select_2430 : box_textured_columns_values_2_q);
-  logic [2:0] select_2433;
-  assign select_2433 = ends_cell_s20_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_2435;
-  assign select_2435 = equal_1335_s20_q ? box_textured_columns_values_3_q : (so_s20_q ? select_2433 : box_textured_columns_values_3_q);
-  logic [2:0] select_2436;
-  assign select_2436 = ends_cell_s20_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_2438;
-  assign select_2438 = equal_1335_s20_q ? box_textured_columns_values_4_q : (so_s20_q ? select_2436 : box_textured_columns_values_4_q);
-  logic [4:0] select_2458;
-  assign select_2458 = so_s20_q ? (ends_cell_s20_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_2459;
-  assign select_2459 = equal_1335_s20_q ? box_explained_sum_sums_values_0_q : select_2458;
-  logic [4:0] select_2476;
-  assign select_2476 = so_s20_q ? (ends_cell_s20_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [4:0] select_2494;
-  assign select_2494 = so_s20_q ? (ends_cell_s20_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      counts_explained_q <= 14'h0;
-      registration_of_right_q <= 1'b0;
-      registration_was_inside_q <= 1'b0;
-      segment_textured_q <= 7'h0;
-      segment_explained_q <= 7'h0;
-      segment_nearer_q <= 7'h0;
-      product_q <= 14'h0;
-      rows_passed_q <= 14'h0;
-      columns_passed_q <= 9'h0;
-      line_ended_q <= 1'b1;
-    end else if (s20_en) begin
-      counts_explained_q <= select_1990;
-      registration_of_right_q <= equal_1335_s20_q ? registration_of_right_q : select_2177;
-      registration_was_inside_q <= equal_1335_s20_q ? registration_was_inside_q : select_2180;
-      segment_textured_q <= select_1466 + {6'h0, and_1983_s20_q};
-      segment_explained_q <= select_1471 + {6'h0, and_1988};
-      segment_nearer_q <= select_1477 + {6'h0, and_1993};
-      product_q <= equal_1335_s20_q ? sum_3[14:1] : product_q;
-      rows_passed_q <= select_1492;
-      columns_passed_q <= {select_1494[7:0], or_1490};
-      line_ended_q <= marks_last_s20_q;
-    end
-  end
-
-  // Not reset: nothing of it counts before it is written anew.
-`ifndef SYNTHESIS
-  initial begin
-    census_columns_values_0_cell_0_mask_q = 1'b0;
-    census_columns_values_1_cell_0_mask_q = 1'b0;
-    census_columns_values_1_cell_1_mask_q = 1'b0;
-    census_columns_values_1_cell_2_mask_q = 1'b0;
-    census_columns_values_1_cell_3_mask_q = 1'b0;
-    census_columns_values_1_cell_4_mask_q = 1'b0;
-    census_columns_values_2_cell_0_mask_q = 1'b0;
-    census_columns_values_2_cell_1_mask_q = 1'b0;
-    box_textured_columns_values_0_q = 3'h0;
-    box_textured_columns_values_1_q = 3'h0;
-    box_textured_columns_values_2_q = 3'h0;
-    box_textured_columns_values_3_q = 3'h0;
-    box_textured_columns_values_4_q = 3'h0;
-    box_explained_sum_sums_values_0_q = 5'h0;
-    box_shown_sum_sums_values_0_q = 5'h0;
-    box_nearer_sum_sums_values_0_q = 5'h0;
-  end
-`endif
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s20_en) begin
-      census_columns_values_0_cell_0_mask_q <= select_1656;
-      census_columns_values_1_cell_0_mask_q <= select_1672;
-      census_columns_values_1_cell_1_mask_q <= select_1675;
-      census_columns_values_1_cell_2_mask_q <= select_1678;
-      census_columns_values_1_cell_3_mask_q <= select_1682;
-      census_columns_values_1_cell_4_mask_q <= select_1685;
-      census_columns_values_2_cell_0_mask_q <= select_1688;
-      census_columns_values_2_cell_1_mask_q <= select_1691;
-      box_textured_columns_values_0_q <= select_2426;
-      box_textured_columns_values_1_q <= select_2429;
-      box_textured_columns_values_2_q <= select_2432;
-      box_textured_columns_values_3_q <= select_2435;
-      box_textured_columns_values_4_q <= select_2438;
-      box_explained_sum_sums_values_0_q <= select_2459;
-      box_shown_sum_sums_values_0_q <= equal_1335_s20_q ? box_shown_sum_sums_values_0_q : select_2476;
-      box_nearer_sum_sums_values_0_q <= equal_1335_s20_q ? box_nearer_sum_sums_values_0_q : select_2494;
+      averager_quarter_1_0_q <= select_1622;
+      averager_quarter_1_1_q <= select_1624;
+      averager_quarter_2_0_q <= select_1626;
+      averager_quarter_2_1_q <= select_1628;
+      census_columns_values_0_cell_0_left_q <= select_1656;
+      census_columns_values_0_cell_0_right_q <= select_1657;
+      census_columns_values_0_cell_1_left_q <= select_1659;
+      census_columns_values_0_cell_1_right_q <= select_1660;
+      census_columns_values_0_cell_1_mask_q <= select_1661;
+      census_columns_values_0_cell_2_left_q <= select_1662;
+      census_columns_values_0_cell_2_right_q <= select_1663;
+      census_columns_values_0_cell_2_mask_q <= select_1664;
+      census_columns_values_0_cell_2_of_skin_q <= select_1665;
+      census_columns_values_0_cell_3_left_q <= select_1666;
+      census_columns_values_0_cell_3_right_q <= select_1667;
+      census_columns_values_0_cell_3_mask_q <= select_1668;
+      census_columns_values_0_cell_4_left_q <= select_1669;
+      census_columns_values_0_cell_4_right_q <= select_1670;
+      census_columns_values_0_cell_4_mask_q <= select_1671;
+      census_columns_values_1_cell_0_left_q <= select_1672;
+      census_columns_values_1_cell_0_right_q <= select_1673;
+      census_columns_values_1_cell_1_left_q <= select_1675;
+      census_columns_values_1_cell_1_right_q <= select_1676;
+      census_columns_values_1_cell_2_left_q <= select_1678;
+      census_columns_values_1_cell_2_right_q <= select_1679;
+      census_columns_values_1_cell_2_of_skin_q <= select_1681;
+      census_columns_values_1_cell_3_left_q <= select_1682;
+      census_columns_values_1_cell_3_right_q <= select_1683;
+      census_columns_values_1_cell_4_left_q <= select_1685;
+      census_columns_values_1_cell_4_right_q <= select_1686;
+      census_columns_values_2_cell_0_left_q <= select_1688;
+      census_columns_values_2_cell_0_right_q <= select_1689;
+      census_columns_values_2_cell_1_left_q <= select_1691;
+      census_columns_values_2_cell_1_right_q <= select_1692;
+      census_columns_values_2_cell_2_left_q <= select_1694;
+      census_columns_values_2_cell_2_right_q <= select_1695;
+      census_columns_values_2_cell_3_left_q <= select_1697;
+      census_columns_values_2_cell_3_right_q <= select_1698;
+      census_columns_values_2_cell_4_left_q <= select_1700;
+      census_columns_values_2_cell_4_right_q <= select_1701;
+      census_columns_values_3_cell_1_left_q <= select_1704;
+      census_columns_values_3_cell_1_right_q <= select_1705;
+      census_columns_values_3_cell_3_left_q <= select_1708;
+      census_columns_values_3_cell_3_right_q <= select_1709;
+      sharpness_last_mean_0_q <= and_368_s20_q ? select_374_s20_q : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_368_s20_q ? select_378_s20_q : sharpness_last_mean_1_q;
+      box_explained_columns_values_0_q <= select_2446;
+      box_explained_columns_values_1_q <= select_2449;
+      box_explained_columns_values_2_q <= select_2452;
+      box_explained_columns_values_3_q <= select_2455;
+      box_explained_columns_values_4_q <= select_2458;
+      box_shown_columns_values_0_q <= equal_1337_s20_q ? box_shown_columns_values_0_q : select_2463;
+      box_shown_columns_values_1_q <= select_2467;
+      box_shown_columns_values_2_q <= select_2470;
+      box_shown_columns_values_3_q <= select_2473;
+      box_shown_columns_values_4_q <= select_2476;
+      box_nearer_columns_values_0_q <= equal_1337_s20_q ? box_nearer_columns_values_0_q : select_2481;
+      box_nearer_columns_values_1_q <= select_2485;
+      box_nearer_columns_values_2_q <= select_2488;
+      box_nearer_columns_values_3_q <= select_2491;
+      box_nearer_columns_values_4_q <= select_2494;
     end
   end
 
@@ -5580,22 +5071,22 @@ module horopter_agreement (
   logic saturated_s21_q;
   logic mask_s21_q;
   logic marks_first_s21_q;
+  logic marks_last_s21_q;
   logic sample_pair_whole_s21_q;
-  logic census_columns_values_1_cell_2_mask_s21_q;
+  logic census_columns_values_0_cell_1_mask_s21_q;
+  logic census_columns_values_0_cell_2_mask_s21_q;
+  logic census_columns_values_0_cell_3_mask_s21_q;
+  logic census_columns_values_0_cell_4_mask_s21_q;
   logic census_columns_values_1_cell_2_of_skin_s21_q;
-  logic census_columns_values_1_cell_3_mask_s21_q;
-  logic census_columns_values_1_cell_4_mask_s21_q;
-  logic census_columns_values_2_cell_0_mask_s21_q;
-  logic census_columns_values_2_cell_1_mask_s21_q;
   logic [7:0] x_s21_q;
+  logic age_s21_q;
   logic [2:0] slot_s21_q;
   logic ends_cell_s21_q;
   logic lower_half_s21_q;
   logic [13:0] counts_textured_s21_q;
-  logic [13:0] counts_explained_s21_q;
-  logic registration_of_right_s21_q;
   logic [2:0] region_row_s21_q;
-  logic [13:0] product_s21_q;
+  logic region_fresh_s21_q;
+  logic segment_started_s21_q;
   logic centres_values_1_textured_s21_q;
   logic centres_values_1_of_skin_s21_q;
   logic [6:0] column_s21_q;
@@ -5629,81 +5120,82 @@ module horopter_agreement (
   logic less_424_s21_q;
   logic less_425_s21_q;
   logic and_433_s21_q;
-  logic whole_9_s21_q;
-  logic [10:0] sum_466_s21_q;
-  logic [9:0] sum_469_s21_q;
-  logic [9:0] sum_473_s21_q;
-  logic [9:0] sum_477_s21_q;
-  logic equal_1335_s21_q;
-  logic not_1336_s21_q;
-  logic equal_1380_s21_q;
-  logic [1:0] quarter_s21_q;
+  logic and_437_s21_q;
+  logic difference_460_s21_q;
+  logic [8:0] xor_461_s21_q;
+  logic difference_463_s21_q;
+  logic [8:0] xor_464_s21_q;
+  logic difference_467_s21_q;
+  logic [8:0] xor_468_s21_q;
+  logic difference_471_s21_q;
+  logic [8:0] xor_472_s21_q;
+  logic difference_475_s21_q;
+  logic [8:0] xor_476_s21_q;
+  logic equal_1337_s21_q;
+  logic not_1338_s21_q;
+  logic inside_v_s21_q;
+  logic equal_1382_s21_q;
   logic all_s21_q;
-  logic [1:0] sum_1386_s21_q;
-  logic [3:0] select_1387_s21_q;
-  logic equal_1388_s21_q;
-  logic equal_1390_s21_q;
-  logic equal_1392_s21_q;
-  logic equal_1394_s21_q;
   logic equal_1396_s21_q;
   logic equal_1398_s21_q;
   logic equal_1400_s21_q;
-  logic less_1408_s21_q;
-  logic or_1412_s21_q;
-  logic select_1415_s21_q;
-  logic and_1425_s21_q;
-  logic [3:0] select_1430_s21_q;
-  logic or_1446_s21_q;
-  logic or_1449_s21_q;
-  logic or_1452_s21_q;
-  logic not_1454_s21_q;
-  logic [9:0] sum_1469_s21_q;
-  logic [9:0] sum_1474_s21_q;
-  logic [9:0] sum_1480_s21_q;
-  logic and_1481_s21_q;
-  logic select_1496_s21_q;
-  logic [3:0] difference_1531_s21_q;
-  logic equal_1532_s21_q;
-  logic or_1540_s21_q;
-  logic or_1543_s21_q;
-  logic or_1546_s21_q;
-  logic [4:0] around_s21_q;
-  logic less_1585_s21_q;
-  logic and_1596_s21_q;
-  logic [10:0] size_s21_q;
-  logic [10:0] size_2_s21_q;
-  logic [10:0] sum_1717_s21_q;
-  logic [9:0] sum_1720_s21_q;
-  logic [9:0] sum_1724_s21_q;
-  logic [9:0] sum_1728_s21_q;
-  logic equal_1736_s21_q;
-  logic [8:0] contrast_s21_q;
-  logic [8:0] contrast_2_s21_q;
-  logic equal_1857_s21_q;
-  logic and_1974_s21_q;
-  logic and_1978_s21_q;
-  logic and_1993_s21_q;
-  logic not_1997_s21_q;
-  logic [4:0] e_s21_q;
-  logic [9:0] select_2023_s21_q;
-  logic [9:0] select_2026_s21_q;
-  logic equal_2082_s21_q;
-  logic and_2109_s21_q;
-  logic and_2111_s21_q;
-  logic [11:0] select_2133_s21_q;
-  logic equal_2182_s21_q;
-  logic [3:0] not_2183_s21_q;
-  logic [1:0] quarter_2_s21_q;
-  logic equal_2357_s21_q;
-  logic and_2358_s21_q;
-  logic less_2359_s21_q;
-  logic equal_2360_s21_q;
-  logic equal_2377_s21_q;
+  logic equal_1402_s21_q;
+  logic right_2_s21_q;
+  logic or_1448_s21_q;
+  logic or_1451_s21_q;
+  logic or_1454_s21_q;
+  logic not_1456_s21_q;
+  logic [29:0] regions_rdata_s21_q;
+  logic textured_s21_q;
+  logic explained_s21_q;
+  logic and_1478_s21_q;
+  logic and_1483_s21_q;
+  logic [2:0] textured_2_s21_q;
+  logic equal_1534_s21_q;
+  logic or_1542_s21_q;
+  logic or_1545_s21_q;
+  logic or_1548_s21_q;
+  logic [3:0] difference_1568_s21_q;
+  logic [3:0] difference_1584_s21_q;
+  logic and_1598_s21_q;
+  logic sum_1633_s21_q;
+  logic [9:0] difference_1634_s21_q;
+  logic sum_1641_s21_q;
+  logic [9:0] difference_1642_s21_q;
+  logic difference_1713_s21_q;
+  logic [8:0] xor_1714_s21_q;
+  logic difference_1716_s21_q;
+  logic [8:0] xor_1717_s21_q;
+  logic difference_1720_s21_q;
+  logic [8:0] xor_1721_s21_q;
+  logic difference_1724_s21_q;
+  logic [8:0] xor_1725_s21_q;
+  logic difference_1728_s21_q;
+  logic [8:0] xor_1729_s21_q;
+  logic equal_1738_s21_q;
+  logic difference_1758_s21_q;
+  logic [8:0] xor_1759_s21_q;
+  logic difference_1769_s21_q;
+  logic [8:0] xor_1770_s21_q;
+  logic equal_1859_s21_q;
+  logic and_1976_s21_q;
+  logic and_1980_s21_q;
+  logic and_1985_s21_q;
+  logic not_1999_s21_q;
+  logic [3:0] difference_2009_s21_q;
+  logic equal_2084_s21_q;
+  logic and_2113_s21_q;
+  logic [7:0] select_2121_s21_q;
+  logic sum_2128_s21_q;
+  logic [9:0] sum_2132_s21_q;
+  logic equal_2359_s21_q;
+  logic and_2360_s21_q;
   logic equal_2379_s21_q;
-  logic equal_2380_s21_q;
-  logic sum_3_s21_q;
-  logic equal_2509_s21_q;
-  logic [9:0] select_2602_s21_q;
+  logic equal_2381_s21_q;
+  logic equal_2382_s21_q;
+  logic equal_2404_s21_q;
+  logic [13:0] of_s21_q;
+  logic equal_2511_s21_q;
   always_ff @(posedge clk_i) begin
     if (s20_en) begin
       pixel_0_s21_q <= pixel_0_s20_q;
@@ -5711,22 +5203,22 @@ module horopter_agreement (
       saturated_s21_q <= saturated_s20_q;
       mask_s21_q <= mask_s20_q;
       marks_first_s21_q <= marks_first_s20_q;
+      marks_last_s21_q <= marks_last_s20_q;
       sample_pair_whole_s21_q <= sample_pair_whole_s20_q;
-      census_columns_values_1_cell_2_mask_s21_q <= census_columns_values_1_cell_2_mask_q;
-      census_columns_values_1_cell_2_of_skin_s21_q <= census_columns_values_1_cell_2_of_skin_s20_q;
-      census_columns_values_1_cell_3_mask_s21_q <= census_columns_values_1_cell_3_mask_q;
-      census_columns_values_1_cell_4_mask_s21_q <= census_columns_values_1_cell_4_mask_q;
-      census_columns_values_2_cell_0_mask_s21_q <= census_columns_values_2_cell_0_mask_q;
-      census_columns_values_2_cell_1_mask_s21_q <= census_columns_values_2_cell_1_mask_q;
+      census_columns_values_0_cell_1_mask_s21_q <= census_columns_values_0_cell_1_mask_q;
+      census_columns_values_0_cell_2_mask_s21_q <= census_columns_values_0_cell_2_mask_q;
+      census_columns_values_0_cell_3_mask_s21_q <= census_columns_values_0_cell_3_mask_q;
+      census_columns_values_0_cell_4_mask_s21_q <= census_columns_values_0_cell_4_mask_q;
+      census_columns_values_1_cell_2_of_skin_s21_q <= census_columns_values_1_cell_2_of_skin_q;
       x_s21_q <= x_s20_q;
+      age_s21_q <= age_s20_q;
       slot_s21_q <= slot_s20_q;
       ends_cell_s21_q <= ends_cell_s20_q;
       lower_half_s21_q <= lower_half_s20_q;
-      counts_textured_s21_q <= counts_textured_s20_q;
-      counts_explained_s21_q <= counts_explained_q;
-      registration_of_right_s21_q <= registration_of_right_q;
+      counts_textured_s21_q <= counts_textured_q;
       region_row_s21_q <= region_row_s20_q;
-      product_s21_q <= product_q;
+      region_fresh_s21_q <= region_fresh_s20_q;
+      segment_started_s21_q <= segment_started_s20_q;
       centres_values_1_textured_s21_q <= centres_values_1_textured_s20_q;
       centres_values_1_of_skin_s21_q <= centres_values_1_of_skin_s20_q;
       column_s21_q <= column_s20_q;
@@ -5735,398 +5227,422 @@ module horopter_agreement (
       equal_371_s21_q <= equal_371_s20_q;
       whole_2_s21_q <= whole_2_s20_q;
       so_s21_q <= so_s20_q;
-      less_402_s21_q <= less_402_s20_q;
-      less_403_s21_q <= less_403_s20_q;
-      less_404_s21_q <= less_404_s20_q;
-      less_405_s21_q <= less_405_s20_q;
-      less_406_s21_q <= less_406_s20_q;
-      less_407_s21_q <= less_407_s20_q;
-      less_408_s21_q <= less_408_s20_q;
-      less_409_s21_q <= less_409_s20_q;
-      less_410_s21_q <= less_410_s20_q;
-      less_411_s21_q <= less_411_s20_q;
-      less_412_s21_q <= less_412_s20_q;
-      less_413_s21_q <= less_413_s20_q;
-      less_414_s21_q <= less_414_s20_q;
-      less_415_s21_q <= less_415_s20_q;
-      less_416_s21_q <= less_416_s20_q;
-      less_417_s21_q <= less_417_s20_q;
-      less_418_s21_q <= less_418_s20_q;
-      less_419_s21_q <= less_419_s20_q;
-      less_420_s21_q <= less_420_s20_q;
-      less_421_s21_q <= less_421_s20_q;
-      less_422_s21_q <= less_422_s20_q;
-      less_423_s21_q <= less_423_s20_q;
-      less_424_s21_q <= less_424_s20_q;
-      less_425_s21_q <= less_425_s20_q;
-      and_433_s21_q <= and_433_s20_q;
-      whole_9_s21_q <= whole_9;
-      sum_466_s21_q <= {1'b0, sum_462} + {1'b0, sum_465};
-      sum_469_s21_q <= {9'h0, difference_467_s20_q} + {1'b0, xor_468_s20_q};
-      sum_473_s21_q <= {9'h0, difference_471_s20_q} + {1'b0, xor_472_s20_q};
-      sum_477_s21_q <= {9'h0, difference_475_s20_q} + {1'b0, xor_476_s20_q};
-      equal_1335_s21_q <= equal_1335_s20_q;
-      not_1336_s21_q <= not_1336_s20_q;
-      equal_1380_s21_q <= equal_1380_s20_q;
-      quarter_s21_q <= quarter;
-      all_s21_q <= all_s20_q;
-      sum_1386_s21_q <= sum_1386;
-      select_1387_s21_q <= select_1387;
-      equal_1388_s21_q <= equal_1388;
-      equal_1390_s21_q <= equal_1390;
-      equal_1392_s21_q <= equal_1392;
-      equal_1394_s21_q <= equal_1394_s20_q;
-      equal_1396_s21_q <= equal_1396_s20_q;
-      equal_1398_s21_q <= equal_1398_s20_q;
-      equal_1400_s21_q <= equal_1400_s20_q;
-      less_1408_s21_q <= less_1408;
-      or_1412_s21_q <= or_1412;
-      select_1415_s21_q <= select_1415;
-      and_1425_s21_q <= half_ends & ({{3{sum_1423[4]}}, sum_1423} < 8'h3);
-      select_1430_s21_q <= select_1430;
-      or_1446_s21_q <= or_1446_s20_q;
-      or_1449_s21_q <= or_1449_s20_q;
-      or_1452_s21_q <= or_1452_s20_q;
-      not_1454_s21_q <= not_1454_s20_q;
-      sum_1469_s21_q <= sum_1469;
-      sum_1474_s21_q <= sum_1474;
-      sum_1480_s21_q <= sum_1480;
-      and_1481_s21_q <= and_1481_s20_q;
-      select_1496_s21_q <= select_1496;
-      difference_1531_s21_q <= {1'b0, textured_2_s20_q} - {1'b0, select_1530};
-      equal_1532_s21_q <= equal_1532_s20_q;
-      or_1540_s21_q <= or_1540_s20_q;
-      or_1543_s21_q <= or_1543_s20_q;
-      or_1546_s21_q <= or_1546_s20_q;
-      around_s21_q <= around;
-      less_1585_s21_q <= {1'b0, around[4:1]} < n;
-      and_1596_s21_q <= and_1596_s20_q;
-      size_s21_q <= size;
-      size_2_s21_q <= size_2;
-      sum_1717_s21_q <= {1'b0, sum_1713} + {1'b0, sum_1716};
-      sum_1720_s21_q <= {9'h0, difference_1718_s20_q} + {1'b0, xor_1719_s20_q};
-      sum_1724_s21_q <= {9'h0, difference_1722_s20_q} + {1'b0, xor_1723_s20_q};
-      sum_1728_s21_q <= {9'h0, difference_1726_s20_q} + {1'b0, xor_1727_s20_q};
-      equal_1736_s21_q <= equal_1736_s20_q;
-      contrast_s21_q <= contrast;
-      contrast_2_s21_q <= contrast_2;
-      equal_1857_s21_q <= equal_1857_s20_q;
-      and_1974_s21_q <= and_1974_s20_q;
-      and_1978_s21_q <= and_1978_s20_q;
-      and_1993_s21_q <= and_1993;
-      not_1997_s21_q <= not_1997_s20_q;
-      e_s21_q <= e;
-      select_2023_s21_q <= less_2022 ? 10'h0 : regions_rdata_s20_q[9:0];
-      select_2026_s21_q <= less_2022 ? 10'h0 : regions_rdata_s20_q[19:10];
-      equal_2082_s21_q <= equal_2082_s20_q;
-      and_2109_s21_q <= not_1336_s20_q & (so_s20_q & (half_ends & equal_2106));
-      and_2111_s21_q <= and_2111_s20_q;
-      select_2133_s21_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
-      equal_2182_s21_q <= sum_1386 == 2'h2;
-      not_2183_s21_q <= ~select_1430;
-      quarter_2_s21_q <= quarter_2;
-      equal_2357_s21_q <= equal_2357_s20_q;
-      and_2358_s21_q <= and_2358_s20_q;
-      less_2359_s21_q <= counts_explained_q < product_q;
-      equal_2360_s21_q <= counts_explained_q == product_q;
-      equal_2377_s21_q <= equal_2377_s20_q;
-      equal_2379_s21_q <= equal_2379_s20_q;
-      equal_2380_s21_q <= equal_2380_s20_q;
-      sum_3_s21_q <= sum_3[0];
-      equal_2509_s21_q <= equal_2509_s20_q;
-      select_2602_s21_q <= less_2022 ? 10'h0 : regions_rdata_s20_q[29:20];
+      less_402_s21_q <= less_402;
+      less_403_s21_q <= less_403;
+      less_404_s21_q <= less_404;
+      less_405_s21_q <= less_405;
+      less_406_s21_q <= less_406;
+      less_407_s21_q <= less_407;
+      less_408_s21_q <= less_408;
+      less_409_s21_q <= less_409;
+      less_410_s21_q <= less_410;
+      less_411_s21_q <= less_411;
+      less_412_s21_q <= less_412;
+      less_413_s21_q <= less_413;
+      less_414_s21_q <= less_414;
+      less_415_s21_q <= less_415;
+      less_416_s21_q <= less_416;
+      less_417_s21_q <= less_417;
+      less_418_s21_q <= less_418;
+      less_419_s21_q <= less_419;
+      less_420_s21_q <= less_420;
+      less_421_s21_q <= less_421;
+      less_422_s21_q <= less_422;
+      less_423_s21_q <= less_423;
+      less_424_s21_q <= less_424;
+      less_425_s21_q <= less_425;
+      and_433_s21_q <= select_431[4] & select_432[3];
+      and_437_s21_q <= and_437;
+      difference_460_s21_q <= difference_460[9];
+      xor_461_s21_q <= difference_460[8:0] ^ {9{difference_460[9]}};
+      difference_463_s21_q <= difference_463[9];
+      xor_464_s21_q <= difference_463[8:0] ^ {9{difference_463[9]}};
+      difference_467_s21_q <= difference_467[9];
+      xor_468_s21_q <= difference_467[8:0] ^ {9{difference_467[9]}};
+      difference_471_s21_q <= difference_471[9];
+      xor_472_s21_q <= difference_471[8:0] ^ {9{difference_471[9]}};
+      difference_475_s21_q <= difference_475[9];
+      xor_476_s21_q <= difference_475[8:0] ^ {9{difference_475[9]}};
+      equal_1337_s21_q <= equal_1337_s20_q;
+      not_1338_s21_q <= not_1338_s20_q;
+      inside_v_s21_q <= inside_v_s20_q[0];
+      equal_1382_s21_q <= equal_1382_s20_q;
+      all_s21_q <= all;
+      equal_1396_s21_q <= x_s20_q[5:0] == 6'h3b;
+      equal_1398_s21_q <= x_s20_q[5:0] == 6'h36;
+      equal_1400_s21_q <= x_s20_q[5:0] == 6'h35;
+      equal_1402_s21_q <= x_s20_q[5:0] == 6'h34;
+      right_2_s21_q <= right_2_s20_q;
+      or_1448_s21_q <= or_1448_s20_q;
+      or_1451_s21_q <= or_1451_s20_q;
+      or_1454_s21_q <= or_1454_s20_q;
+      not_1456_s21_q <= not_1456_s20_q;
+      regions_rdata_s21_q <= regions_rdata_q;
+      textured_s21_q <= textured_s20_q;
+      explained_s21_q <= explained_s20_q;
+      and_1478_s21_q <= and_1478_s20_q;
+      and_1483_s21_q <= and_1483_s20_q;
+      textured_2_s21_q <= textured_2;
+      equal_1534_s21_q <= x_s20_q == 8'h0;
+      or_1542_s21_q <= or_1542_s20_q;
+      or_1545_s21_q <= or_1545_s20_q;
+      or_1548_s21_q <= or_1548_s20_q;
+      difference_1568_s21_q <= {1'b0, shown_2} - {1'b0, select_1567};
+      difference_1584_s21_q <= {1'b0, near_2} - {1'b0, select_1583};
+      and_1598_s21_q <= and_1598_s20_q;
+      sum_1633_s21_q <= sum_1633[0];
+      difference_1634_s21_q <= {1'b0, sum_1633[9:1]} - {1'b0, averager_quarter_1_0_q};
+      sum_1641_s21_q <= sum_1641[0];
+      difference_1642_s21_q <= {1'b0, sum_1641[9:1]} - {1'b0, averager_quarter_1_1_q};
+      difference_1713_s21_q <= difference_1713[9];
+      xor_1714_s21_q <= difference_1713[8:0] ^ {9{difference_1713[9]}};
+      difference_1716_s21_q <= difference_1716[9];
+      xor_1717_s21_q <= difference_1716[8:0] ^ {9{difference_1716[9]}};
+      difference_1720_s21_q <= difference_1720[9];
+      xor_1721_s21_q <= difference_1720[8:0] ^ {9{difference_1720[9]}};
+      difference_1724_s21_q <= difference_1724[9];
+      xor_1725_s21_q <= difference_1724[8:0] ^ {9{difference_1724[9]}};
+      difference_1728_s21_q <= difference_1728[9];
+      xor_1729_s21_q <= difference_1728[8:0] ^ {9{difference_1728[9]}};
+      equal_1738_s21_q <= equal_1738_s20_q;
+      difference_1758_s21_q <= difference_1758[9];
+      xor_1759_s21_q <= difference_1758[8:0] ^ {9{difference_1758[9]}};
+      difference_1769_s21_q <= difference_1769[9];
+      xor_1770_s21_q <= difference_1769[8:0] ^ {9{difference_1769[9]}};
+      equal_1859_s21_q <= equal_1859_s20_q;
+      and_1976_s21_q <= and_1976;
+      and_1980_s21_q <= and_1980_s20_q;
+      and_1985_s21_q <= and_1985;
+      not_1999_s21_q <= not_1999_s20_q;
+      difference_2009_s21_q <= {1'b0, explained_2_s20_q} - {1'b0, select_2008};
+      equal_2084_s21_q <= equal_2084_s20_q;
+      and_2113_s21_q <= and_2113_s20_q;
+      select_2121_s21_q <= select_2121;
+      sum_2128_s21_q <= sum_2128[1];
+      sum_2132_s21_q <= sum_2132;
+      equal_2359_s21_q <= equal_2359;
+      and_2360_s21_q <= equal_2358_s20_q & equal_2359;
+      equal_2379_s21_q <= equal_2379;
+      equal_2381_s21_q <= equal_2381_s20_q;
+      equal_2382_s21_q <= equal_2382_s20_q;
+      equal_2404_s21_q <= (limit & select_2402) == 8'h0;
+      of_s21_q <= of;
+      equal_2511_s21_q <= equal_2511_s20_q;
     end
   end
 
   // Stage 21 ----------------------------------------------------------------------------------------------------------
-  logic [13:0] averager_detail_0_q;
-  logic [13:0] averager_detail_1_q;
-  logic census_columns_values_2_cell_2_mask_q;
-  logic census_columns_values_2_cell_3_mask_q;
-  logic census_columns_values_2_cell_4_mask_q;
-  logic census_columns_values_3_cell_0_mask_q;
-  logic census_columns_values_3_cell_1_mask_q;
-  logic census_columns_values_3_cell_2_mask_q;
-  logic census_columns_values_3_cell_3_mask_q;
-  logic sharpness_last_mask_q;
-  logic [13:0] counts_supervised_q;
-  logic [3:0] registration_fresh_q;
-  logic product_rest_q;
-  logic disagree_q;
-  logic [4:0] box_textured_sum_sums_values_0_q;
-  logic began_q;
-  logic [3:0] seen_x_q;
-  logic [3:0] seen_y_q;
-  logic [7:0] seen_column_q;
-  logic [7:0] seen_rows_left_q;
-  logic at_cell_end_q;
-  logic was_next_row_q;
-  logic [12:0] seen_base_q;
+  logic census_columns_values_0_cell_0_mask_q;
+  logic census_columns_values_1_cell_0_mask_q;
+  logic census_columns_values_1_cell_1_mask_q;
+  logic census_columns_values_1_cell_2_mask_q;
+  logic census_columns_values_1_cell_3_mask_q;
+  logic census_columns_values_1_cell_4_mask_q;
+  logic census_columns_values_2_cell_0_mask_q;
+  logic census_columns_values_2_cell_1_mask_q;
+  logic [13:0] counts_explained_q;
+  logic registration_of_right_q;
+  logic registration_was_inside_q;
+  logic [6:0] segment_textured_q;
+  logic [6:0] segment_explained_q;
+  logic [6:0] segment_nearer_q;
+  logic [13:0] product_q;
+  logic [2:0] box_textured_columns_values_0_q;
+  logic [2:0] box_textured_columns_values_1_q;
+  logic [2:0] box_textured_columns_values_2_q;
+  logic [2:0] box_textured_columns_values_3_q;
+  logic [2:0] box_textured_columns_values_4_q;
+  logic [4:0] box_explained_sum_sums_values_0_q;
+  logic [4:0] box_shown_sum_sums_values_0_q;
+  logic [4:0] box_nearer_sum_sums_values_0_q;
+  logic [13:0] rows_passed_q;
+  logic [8:0] columns_passed_q;
+  logic line_ended_q;
   // hls/stages/agreement.hpp:310
-  logic whole_10;
-  assign whole_10 = census_columns_values_1_cell_2_mask_s21_q & whole_9_s21_q;
-  logic whole_11;
-  assign whole_11 = census_columns_values_1_cell_3_mask_s21_q & whole_10;
-  logic whole_12;
-  assign whole_12 = census_columns_values_1_cell_4_mask_s21_q & whole_11;
-  logic whole_13;
-  assign whole_13 = census_columns_values_2_cell_0_mask_s21_q & whole_12;
-  logic whole_14;
-  assign whole_14 = census_columns_values_2_cell_1_mask_s21_q & whole_13;
-  logic whole_15;
-  assign whole_15 = census_columns_values_2_cell_2_mask_q & whole_14;
-  logic whole_16;
-  assign whole_16 = census_columns_values_2_cell_3_mask_q & whole_15;
+  logic whole_3;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_437_s21_q;
+  logic whole_4;
+  assign whole_4 = census_columns_values_0_cell_1_mask_s21_q & whole_3;
+  logic whole_5;
+  assign whole_5 = census_columns_values_0_cell_2_mask_s21_q & whole_4;
+  logic whole_6;
+  assign whole_6 = census_columns_values_0_cell_3_mask_s21_q & whole_5;
+  logic whole_7;
+  assign whole_7 = census_columns_values_0_cell_4_mask_s21_q & whole_6;
+  logic whole_8;
+  assign whole_8 = census_columns_values_1_cell_0_mask_q & whole_7;
+  logic whole_9;
+  assign whole_9 = census_columns_values_1_cell_1_mask_q & whole_8;
   // hls/stages/census.hpp:190
-  logic [10:0] sum_470;
-  assign sum_470 = sum_466_s21_q + {1'b0, sum_469_s21_q};
+  logic [9:0] sum_462;
+  assign sum_462 = {9'h0, difference_460_s21_q} + {1'b0, xor_461_s21_q};
+  logic [9:0] sum_465;
+  assign sum_465 = {9'h0, difference_463_s21_q} + {1'b0, xor_464_s21_q};
+  // hls/stages/agreement.hpp:899
+  logic [1:0] quarter;
+  assign quarter = x_s21_q[1:0] + 2'h1;
+  // hls/stages/agreement.hpp:860
+  logic [1:0] select_1385;
+  assign select_1385 = x_s21_q[4] ? {x_s21_q[3], x_s21_q[0]} : {x_s21_q[0], x_s21_q[3]};
+  // hls/stages/agreement.hpp:872
+  logic [3:0] select_1387;
+  assign select_1387 = equal_1382_s21_q ? {2'h0, quarter} : (all_s21_q ? {1'b0, x_s21_q[2:0]} : {x_s21_q[2:1], select_1385});
+  // hls/stages/registration.hpp:106
+  logic [1:0] sum_1388;
+  assign sum_1388 = slot_s21_q[1:0] + 2'h3;
   // hls/stages/agreement.hpp:211
-  logic and_1426;
-  assign and_1426 = so_s21_q & and_1425_s21_q;
-  // hls/stages/agreement.hpp:218
-  logic next_row;
-  assign next_row = select_1496_s21_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:999
-  logic [6:0] select_1499;
-  assign select_1499 = next_row ? cfg_width_i[10:4] : 7'h0;
-  // hls/stages/agreement.hpp:1009
-  logic equal_1502;
-  assign equal_1502 = seen_x_q == 4'hf;
-  // hls/stages/agreement.hpp:982
-  logic not_1509;
-  assign not_1509 = ~marks_first_s21_q;
-  // hls/stages/agreement.hpp:824
-  logic [4:0] t;
-  assign t = {difference_1531_s21_q[3], difference_1531_s21_q} + (equal_1532_s21_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:831
-  logic not_1547;
-  assign not_1547 = ~region_row_s21_q[2];
-  logic [2:0] select_1548;
-  assign select_1548 = region_row_s21_q[1] ? {1'b0, not_1547, 1'b0} : {region_row_s21_q[2], 1'b0, not_1547};
-  logic [5:0] select_1549;
-  assign select_1549 = region_row_s21_q[0] ? {select_1548[2], 1'b0, select_1548[1], 1'b0, select_1548[0], 1'b0} : {1'b0, select_1548[2], 1'b0, select_1548[1], 1'b0, select_1548[0]};
-  logic [11:0] select_1550;
-  assign select_1550 = or_1546_s21_q ? {select_1549[5], 1'b0, select_1549[4], 1'b0, select_1549[3], 1'b0, select_1549[2], 1'b0, select_1549[1], 1'b0, select_1549[0], 1'b0} : {1'b0, select_1549[5], 1'b0, select_1549[4], 1'b0, select_1549[3], 1'b0, select_1549[2], 1'b0, select_1549[1], 1'b0, select_1549[0]};
-  logic [23:0] select_1551;
-  assign select_1551 = or_1543_s21_q ? {select_1550[11], 1'b0, select_1550[10], 1'b0, select_1550[9], 1'b0, select_1550[8], 1'b0, select_1550[7], 1'b0, select_1550[6], 1'b0, select_1550[5], 1'b0, select_1550[4], 1'b0, select_1550[3], 1'b0, select_1550[2], 1'b0, select_1550[1], 1'b0, select_1550[0], 1'b0} : {1'b0, select_1550[11], 1'b0, select_1550[10], 1'b0, select_1550[9], 1'b0, select_1550[8], 1'b0, select_1550[7], 1'b0, select_1550[6], 1'b0, select_1550[5], 1'b0, select_1550[4], 1'b0, select_1550[3], 1'b0, select_1550[2], 1'b0, select_1550[1], 1'b0, select_1550[0]};
-  // hls/stages/agreement.hpp:833
-  logic [5:0] sum_1569;
-  assign sum_1569 = {1'b0, around_s21_q} + {2'h0, around_s21_q[4:1]};
-  // hls/stages/census.hpp:130
-  logic [13:0] detail;
-  assign detail = {3'h0, size_s21_q} + (equal_371_s21_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:215
-  logic [13:0] select_1638;
-  assign select_1638 = sample_pair_whole_s21_q ? (and_366_s21_q ? detail : averager_detail_0_q) : averager_detail_0_q;
-  // hls/stages/census.hpp:130
-  logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2_s21_q} + (equal_371_s21_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:215
-  logic [13:0] select_1646;
-  assign select_1646 = sample_pair_whole_s21_q ? (and_366_s21_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [3:0] select_1389;
+  assign select_1389 = equal_1337_s21_q ? select_1387 : {sum_1388, lower_half_s21_q, registration_of_right_q};
+  // hls/stages/agreement.hpp:897
+  logic equal_1390;
+  assign equal_1390 = x_s21_q[5:0] == 6'h3e;
+  logic equal_1392;
+  assign equal_1392 = x_s21_q[5:0] == 6'h3d;
+  logic equal_1394;
+  assign equal_1394 = x_s21_q[5:0] == 6'h3c;
+  // hls/stages/agreement.hpp:899
+  logic and_1405;
+  assign and_1405 = (~equal_1398_s21_q) & ((~equal_1400_s21_q) & (~equal_1402_s21_q));
+  logic and_1408;
+  assign and_1408 = (~equal_1392) & ((~equal_1394) & ((~equal_1396_s21_q) & and_1405));
+  // hls/stages/agreement.hpp:860
+  logic less_1410;
+  assign less_1410 = x_s21_q[5:0] < 6'h29;
+  // hls/stages/registration.hpp:140
+  logic [1:0] kind;
+  assign kind = all_s21_q ? {1'b0, x_s21_q[2]} : x_s21_q[2:1];
+  // hls/stages/registration.hpp:152
+  logic or_1414;
+  assign or_1414 = (kind == 2'h3) | (x_s21_q[5:3] == 3'h5);
+  // hls/stages/agreement.hpp:872
+  logic select_1417;
+  assign select_1417 = equal_1382_s21_q ? ((~equal_1390) & and_1408) : (less_1410 & (~or_1414));
+  // hls/stages/registration.hpp:94
+  logic half_ends;
+  assign half_ends = inside_v_s21_q ? (right_2_s21_q & (~registration_of_right_q)) : registration_was_inside_q;
+  // hls/stages/registration.hpp:106
+  logic [4:0] sum_1425;
+  assign sum_1425 = {2'h0, slot_s21_q} + 5'h1f;
+  // hls/stages/registration.hpp:243
+  logic not_1431;
+  assign not_1431 = ~lower_half_s21_q;
+  logic [3:0] select_1432;
+  assign select_1432 = registration_of_right_q ? {lower_half_s21_q, 1'b0, not_1431, 1'b0} : {1'b0, lower_half_s21_q, 1'b0, not_1431};
+  // hls/stages/agreement.hpp:658
+  logic [6:0] select_1468;
+  assign select_1468 = segment_started_s21_q ? segment_textured_q : 7'h0;
+  // hls/stages/agreement.hpp:659
+  logic [6:0] sum_1469;
+  assign sum_1469 = {6'h0, textured_s21_q} + select_1468;
+  // hls/stages/agreement.hpp:792
+  logic [9:0] sum_1471;
+  assign sum_1471 = {3'h0, sum_1469} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[9:0]);
+  // hls/stages/agreement.hpp:658
+  logic [6:0] select_1473;
+  assign select_1473 = segment_started_s21_q ? segment_explained_q : 7'h0;
+  // hls/stages/agreement.hpp:659
+  logic [6:0] sum_1474;
+  assign sum_1474 = {6'h0, explained_s21_q} + select_1473;
+  // hls/stages/agreement.hpp:793
+  logic [9:0] sum_1476;
+  assign sum_1476 = {3'h0, sum_1474} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[19:10]);
+  // hls/stages/agreement.hpp:658
+  logic [6:0] select_1479;
+  assign select_1479 = segment_started_s21_q ? segment_nearer_q : 7'h0;
+  // hls/stages/agreement.hpp:660
+  logic [6:0] sum_1480;
+  assign sum_1480 = {6'h0, and_1478_s21_q} + select_1479;
+  // hls/stages/agreement.hpp:794
+  logic [9:0] sum_1482;
+  assign sum_1482 = {3'h0, sum_1480} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[29:20]);
+  // hls/stages/agreement.hpp:984
+  logic or_1492;
+  assign or_1492 = marks_first_s21_q | line_ended_q;
+  // hls/stages/agreement.hpp:986
+  logic [13:0] select_1494;
+  assign select_1494 = marks_first_s21_q ? 14'h1 : (or_1492 ? {rows_passed_q[12:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:985
+  logic [8:0] select_1496;
+  assign select_1496 = or_1492 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:993
+  logic select_1498;
+  assign select_1498 = cfg_compete_i ? (or_1492 & select_1494[13]) : (select_1496[8] & select_1494[9]);
+  // hls/stages/agreement.hpp:825
+  logic [2:0] select_1532;
+  assign select_1532 = age_s21_q ? box_textured_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:827
+  logic [4:0] around;
+  assign around = {difference_1568_s21_q[3], difference_1568_s21_q} + (equal_1534_s21_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:828
+  logic [4:0] n;
+  assign n = {difference_1584_s21_q[3], difference_1584_s21_q} + (equal_1534_s21_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  // hls/stages/census.hpp:129
+  logic [9:0] xor_1635;
+  assign xor_1635 = {difference_1634_s21_q[8:0], sum_1633_s21_q} ^ {10{difference_1634_s21_q[9]}};
+  logic [10:0] size;
+  assign size = {10'h0, difference_1634_s21_q[9]} + {1'b0, xor_1635};
+  logic [9:0] xor_1643;
+  assign xor_1643 = {difference_1642_s21_q[8:0], sum_1641_s21_q} ^ {10{difference_1642_s21_q[9]}};
+  logic [10:0] size_2;
+  assign size_2 = {10'h0, difference_1642_s21_q[9]} + {1'b0, xor_1643};
   // hls/stages/agreement.hpp:365
-  logic select_1694;
-  assign select_1694 = and_368_s21_q ? census_columns_values_1_cell_2_mask_s21_q : census_columns_values_2_cell_2_mask_q;
-  logic select_1697;
-  assign select_1697 = and_368_s21_q ? census_columns_values_1_cell_3_mask_s21_q : census_columns_values_2_cell_3_mask_q;
-  logic select_1700;
-  assign select_1700 = and_368_s21_q ? census_columns_values_1_cell_4_mask_s21_q : census_columns_values_2_cell_4_mask_q;
-  logic select_1701;
-  assign select_1701 = and_368_s21_q ? census_columns_values_2_cell_0_mask_s21_q : census_columns_values_3_cell_0_mask_q;
-  logic select_1704;
-  assign select_1704 = and_368_s21_q ? census_columns_values_2_cell_1_mask_s21_q : census_columns_values_3_cell_1_mask_q;
-  logic select_1705;
-  assign select_1705 = and_368_s21_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic select_1708;
-  assign select_1708 = and_368_s21_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_1658;
+  assign select_1658 = and_368_s21_q ? whole_2_s21_q : census_columns_values_0_cell_0_mask_q;
+  logic select_1674;
+  assign select_1674 = and_368_s21_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic select_1677;
+  assign select_1677 = and_368_s21_q ? census_columns_values_0_cell_1_mask_s21_q : census_columns_values_1_cell_1_mask_q;
+  logic select_1680;
+  assign select_1680 = and_368_s21_q ? census_columns_values_0_cell_2_mask_s21_q : census_columns_values_1_cell_2_mask_q;
+  logic select_1684;
+  assign select_1684 = and_368_s21_q ? census_columns_values_0_cell_3_mask_s21_q : census_columns_values_1_cell_3_mask_q;
+  logic select_1687;
+  assign select_1687 = and_368_s21_q ? census_columns_values_0_cell_4_mask_s21_q : census_columns_values_1_cell_4_mask_q;
+  logic select_1690;
+  assign select_1690 = and_368_s21_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic select_1693;
+  assign select_1693 = and_368_s21_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
   // hls/stages/census.hpp:192
-  logic [10:0] sum_1721;
-  assign sum_1721 = sum_1717_s21_q + {1'b0, sum_1720_s21_q};
-  // hls/stages/census.hpp:275
-  logic and_1755;
-  assign and_1755 = whole_2_s21_q & (~(column_s21_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:311
-  logic and_1761;
-  assign and_1761 = and_1755 & (sharpness_last_mask_q & (7'h2 < contrast_s21_q[8:2]));
-  logic and_1772;
-  assign and_1772 = and_1755 & (sharpness_last_mask_q & (7'h2 < contrast_2_s21_q[8:2]));
-  // hls/stages/census.hpp:328
-  logic not_1789;
-  assign not_1789 = ~x_s21_q[1];
-  logic [2:0] select_1790;
-  assign select_1790 = x_s21_q[0] ? {1'b0, not_1789, 1'b0} : {x_s21_q[1], 1'b0, not_1789};
-  logic [5:0] select_1791;
-  assign select_1791 = slot_s21_q[2] ? {select_1790[2], 1'b0, select_1790[1], 1'b0, select_1790[0], 1'b0} : {1'b0, select_1790[2], 1'b0, select_1790[1], 1'b0, select_1790[0]};
-  logic [11:0] select_1792;
-  assign select_1792 = slot_s21_q[1] ? {select_1791[5], 1'b0, select_1791[4], 1'b0, select_1791[3], 1'b0, select_1791[2], 1'b0, select_1791[1], 1'b0, select_1791[0], 1'b0} : {1'b0, select_1791[5], 1'b0, select_1791[4], 1'b0, select_1791[3], 1'b0, select_1791[2], 1'b0, select_1791[1], 1'b0, select_1791[0]};
+  logic [9:0] sum_1715;
+  assign sum_1715 = {9'h0, difference_1713_s21_q} + {1'b0, xor_1714_s21_q};
+  logic [9:0] sum_1718;
+  assign sum_1718 = {9'h0, difference_1716_s21_q} + {1'b0, xor_1717_s21_q};
+  // hls/stages/census.hpp:273
+  logic [8:0] contrast;
+  assign contrast = {8'h0, difference_1758_s21_q} + xor_1759_s21_q;
+  logic [8:0] contrast_2;
+  assign contrast_2 = {8'h0, difference_1769_s21_q} + xor_1770_s21_q;
+  // hls/stages/agreement.hpp:211
+  logic and_1990;
+  assign and_1990 = not_1338_s21_q & (so_s21_q & (ends_cell_s21_q & explained_s21_q));
   // hls/stages/agreement.hpp:681
-  logic [13:0] select_1980;
-  assign select_1980 = and_1974_s21_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1978_s21_q});
-  // hls/stages/agreement.hpp:832
-  logic [5:0] sum_2010;
-  assign sum_2010 = {1'b0, e_s21_q} + {2'h0, e_s21_q[4:1]};
-  // hls/stages/registration.hpp:206
-  logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2133_s21_q[11:7])) ? 12'h7f : select_2133_s21_q;
-  // hls/stages/registration.hpp:254
-  logic [3:0] select_2185;
-  assign select_2185 = equal_2182_s21_q ? (registration_fresh_q & not_2183_s21_q) : registration_fresh_q;
+  logic [13:0] select_1992;
+  assign select_1992 = and_1976_s21_q ? 14'h0 : (counts_explained_q + {13'h0, and_1990});
   // hls/stages/agreement.hpp:211
-  logic [3:0] select_2187;
-  assign select_2187 = so_s21_q ? (and_1425_s21_q ? select_2185 : registration_fresh_q) : registration_fresh_q;
-  // hls/stages/registration.hpp:227
-  logic [3:0] select_2189;
-  assign select_2189 = and_1974_s21_q ? 4'hf : (equal_1335_s21_q ? registration_fresh_q : select_2187);
-  // hls/stages/registration.hpp:243
-  logic not_2210;
-  assign not_2210 = ~quarter_2_s21_q[1];
-  logic [3:0] select_2211;
-  assign select_2211 = quarter_2_s21_q[0] ? {quarter_2_s21_q[1], 1'b0, not_2210, 1'b0} : {1'b0, quarter_2_s21_q[1], 1'b0, not_2210};
-  // hls/stages/agreement.hpp:908
-  logic or_2354;
-  assign or_2354 = ({counts_textured_s21_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s21_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:939
-  logic too_little;
-  assign too_little = less_2359_s21_q | (product_rest_q & equal_2360_s21_q);
-  // hls/stages/agreement.hpp:940
-  logic select_2363;
-  assign select_2363 = and_2358_s21_q ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:864
-  logic [10:0] sum_2366;
-  assign sum_2366 = {1'b0, select_2026_s21_q} + {2'h0, select_2026_s21_q[9:1]};
+  logic and_1995;
+  assign and_1995 = not_1338_s21_q & (so_s21_q & (ends_cell_s21_q & and_1478_s21_q));
+  // hls/stages/agreement.hpp:826
+  logic [4:0] e;
+  assign e = {difference_2009_s21_q[3], difference_2009_s21_q} + (equal_1534_s21_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:862
+  logic less_2024;
+  assign less_2024 = region_row_s21_q < x_s21_q[5:3];
+  // hls/stages/registration.hpp:107
+  logic equal_2108;
+  assign equal_2108 = slot_s21_q == 3'h4;
+  // hls/stages/registration.hpp:101
+  logic [11:0] value_2;
+  assign value_2 = {{4{select_2121_s21_q[7]}}, select_2121_s21_q} - {sum_2132_s21_q[9], sum_2132_s21_q, sum_2128_s21_q};
   // hls/stages/agreement.hpp:211
-  logic select_2411;
-  assign select_2411 = equal_1335_s21_q ? (equal_2357_s21_q ? sum_3_s21_q : (product_rest_q | sum_3_s21_q)) : product_rest_q;
-  logic [4:0] select_2440;
-  assign select_2440 = so_s21_q ? (ends_cell_s21_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [4:0] select_2441;
-  assign select_2441 = equal_1335_s21_q ? box_textured_sum_sums_values_0_q : select_2440;
-  // hls/stages/agreement.hpp:1008
-  logic [3:0] select_2526;
-  assign select_2526 = select_1496_s21_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:218
-  logic [7:0] select_2532;
-  assign select_2532 = marks_first_s21_q ? (less_2528 ? {sum_2529, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/registration.hpp:243
-  logic not_2590;
-  assign not_2590 = ~quarter_s21_q[1];
-  logic [3:0] select_2591;
-  assign select_2591 = quarter_s21_q[0] ? {quarter_s21_q[1], 1'b0, not_2590, 1'b0} : {1'b0, quarter_s21_q[1], 1'b0, not_2590};
-
-  // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:261; read in stage 21, written in stage 25: 21 < 25 < 21 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [31:0] registration_sums_mem [0:11];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
-`endif
-  logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1387_s21_q;
-  logic registration_sums_re;
-  assign registration_sums_re = s21_en & (equal_1335_s21_q ? (x_s21_q[6] & select_1415_s21_q) : and_1426);
-  logic [31:0] registration_sums_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (registration_sums_re) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
-  end
-
-  // Memory regions, write
-  logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s21_q, or_1452_s21_q, or_1449_s21_q, or_1446_s21_q};
-  logic regions_we;
-  assign regions_we = s21_en & and_1481_s21_q;
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_1480_s21_q, sum_1474_s21_q, sum_1469_s21_q};
-  end
-`ifndef SYNTHESIS
-  logic [5:0] regions_raddr_s19_sim;
-  logic regions_re_s19_sim;
-  logic [5:0] regions_raddr_s20_sim;
-  logic regions_re_s20_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      regions_re_s19_sim <= 1'b0;
-      regions_re_s20_sim <= 1'b0;
-    end else if (en_i) begin
-      regions_re_s19_sim <= regions_re;
-      regions_raddr_s19_sim <= regions_raddr;
-      regions_re_s20_sim <= regions_re_s19_sim;
-      regions_raddr_s20_sim <= regions_raddr_s19_sim;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && regions_we) begin
-      if (regions_re && regions_raddr == regions_waddr) begin
-        $error("regions: address %0d is read less than DISTANCE steps after its write", regions_waddr);
-      end
-      if (regions_re_s19_sim && regions_raddr_s19_sim == regions_waddr) begin
-        $error("regions: address %0d is read less than DISTANCE steps after its write", regions_waddr);
-      end
-      if (regions_re_s20_sim && regions_raddr_s20_sim == regions_waddr) begin
-        $error("regions: address %0d is read less than DISTANCE steps after its write", regions_waddr);
-      end
-    end
-  end
-`endif
+  logic select_2179;
+  assign select_2179 = so_s21_q ? (equal_2108 ? right_2_s21_q : registration_of_right_q) : registration_of_right_q;
+  logic select_2182;
+  assign select_2182 = so_s21_q ? (equal_2084_s21_q ? inside_v_s21_q : registration_was_inside_q) : registration_was_inside_q;
+  // hls/stages/agreement.hpp:860
+  logic [1:0] quarter_2;
+  assign quarter_2 = all_s21_q ? x_s21_q[1:0] : select_1385;
+  // hls/stages/agreement.hpp:944
+  logic [13:0] select_2393;
+  assign select_2393 = equal_2359_s21_q ? 14'h0 : product_q;
+  logic [13:0] select_2408;
+  assign select_2408 = equal_2404_s21_q ? 14'h0 : of_s21_q;
+  logic [14:0] sum_3;
+  assign sum_3 = {1'b0, select_2393} + {1'b0, select_2408};
+  // hls/stages/agreement.hpp:211
+  logic [2:0] select_2426;
+  assign select_2426 = ends_cell_s21_q ? textured_2_s21_q : box_textured_columns_values_0_q;
+  logic [2:0] select_2428;
+  assign select_2428 = equal_1337_s21_q ? box_textured_columns_values_0_q : (so_s21_q ? select_2426 : box_textured_columns_values_0_q);
+  logic [2:0] select_2429;
+  assign select_2429 = ends_cell_s21_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_2431;
+  assign select_2431 = equal_1337_s21_q ? box_textured_columns_values_1_q : (so_s21_q ? select_2429 : box_textured_columns_values_1_q);
+  logic [2:0] select_2432;
+  assign select_2432 = ends_cell_s21_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_2434;
+  assign select_2434 = equal_1337_s21_q ? box_textured_columns_values_2_q : (so_s21_q ? select_2432 : box_textured_columns_values_2_q);
+  logic [2:0] select_2435;
+  assign select_2435 = ends_cell_s21_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_2437;
+  assign select_2437 = equal_1337_s21_q ? box_textured_columns_values_3_q : (so_s21_q ? select_2435 : box_textured_columns_values_3_q);
+  logic [2:0] select_2438;
+  assign select_2438 = ends_cell_s21_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_2440;
+  assign select_2440 = equal_1337_s21_q ? box_textured_columns_values_4_q : (so_s21_q ? select_2438 : box_textured_columns_values_4_q);
+  logic [4:0] select_2460;
+  assign select_2460 = so_s21_q ? (ends_cell_s21_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_2461;
+  assign select_2461 = equal_1337_s21_q ? box_explained_sum_sums_values_0_q : select_2460;
+  logic [4:0] select_2478;
+  assign select_2478 = so_s21_q ? (ends_cell_s21_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [4:0] select_2496;
+  assign select_2496 = so_s21_q ? (ends_cell_s21_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      counts_supervised_q <= 14'h0;
-      registration_fresh_q <= 4'hf;
-      product_rest_q <= 1'b0;
-      disagree_q <= 1'b0;
-      began_q <= 1'b0;
-      seen_x_q <= 4'h0;
-      seen_y_q <= 4'h0;
-      seen_column_q <= 8'h0;
-      seen_rows_left_q <= 8'h0;
-      at_cell_end_q <= 1'b0;
-      was_next_row_q <= 1'b0;
-      seen_base_q <= 13'h0;
+      counts_explained_q <= 14'h0;
+      registration_of_right_q <= 1'b0;
+      registration_was_inside_q <= 1'b0;
+      segment_textured_q <= 7'h0;
+      segment_explained_q <= 7'h0;
+      segment_nearer_q <= 7'h0;
+      product_q <= 14'h0;
+      rows_passed_q <= 14'h0;
+      columns_passed_q <= 9'h0;
+      line_ended_q <= 1'b1;
     end else if (s21_en) begin
-      counts_supervised_q <= select_1980;
-      registration_fresh_q <= select_2189;
-      product_rest_q <= select_2411;
-      disagree_q <= equal_1335_s21_q ? select_2363 : disagree_q;
-      began_q <= not_1509 & (began_q | select_1496_s21_q);
-      seen_x_q <= select_1496_s21_q ? 4'h0 : (seen_x_q + 4'h1);
-      seen_y_q <= marks_first_s21_q ? 4'h0 : select_2526;
-      seen_column_q <= select_1496_s21_q ? 8'h0 : (seen_column_q + {7'h0, equal_1502});
-      seen_rows_left_q <= select_2532;
-      at_cell_end_q <= (seen_y_q == 4'hf) & (~(seen_rows_left_q == 8'h0));
-      was_next_row_q <= next_row;
-      seen_base_q <= marks_first_s21_q ? 13'h0 : (seen_base_q + {6'h0, select_1499});
+      counts_explained_q <= select_1992;
+      registration_of_right_q <= equal_1337_s21_q ? registration_of_right_q : select_2179;
+      registration_was_inside_q <= equal_1337_s21_q ? registration_was_inside_q : select_2182;
+      segment_textured_q <= select_1468 + {6'h0, and_1985_s21_q};
+      segment_explained_q <= select_1473 + {6'h0, and_1990};
+      segment_nearer_q <= select_1479 + {6'h0, and_1995};
+      product_q <= equal_1337_s21_q ? sum_3[14:1] : product_q;
+      rows_passed_q <= select_1494;
+      columns_passed_q <= {select_1496[7:0], or_1492};
+      line_ended_q <= marks_last_s21_q;
     end
   end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
   initial begin
-    averager_detail_0_q = 14'h0;
-    averager_detail_1_q = 14'h0;
-    census_columns_values_2_cell_2_mask_q = 1'b0;
-    census_columns_values_2_cell_3_mask_q = 1'b0;
-    census_columns_values_2_cell_4_mask_q = 1'b0;
-    census_columns_values_3_cell_0_mask_q = 1'b0;
-    census_columns_values_3_cell_1_mask_q = 1'b0;
-    census_columns_values_3_cell_2_mask_q = 1'b0;
-    census_columns_values_3_cell_3_mask_q = 1'b0;
-    sharpness_last_mask_q = 1'b0;
-    box_textured_sum_sums_values_0_q = 5'h0;
+    census_columns_values_0_cell_0_mask_q = 1'b0;
+    census_columns_values_1_cell_0_mask_q = 1'b0;
+    census_columns_values_1_cell_1_mask_q = 1'b0;
+    census_columns_values_1_cell_2_mask_q = 1'b0;
+    census_columns_values_1_cell_3_mask_q = 1'b0;
+    census_columns_values_1_cell_4_mask_q = 1'b0;
+    census_columns_values_2_cell_0_mask_q = 1'b0;
+    census_columns_values_2_cell_1_mask_q = 1'b0;
+    box_textured_columns_values_0_q = 3'h0;
+    box_textured_columns_values_1_q = 3'h0;
+    box_textured_columns_values_2_q = 3'h0;
+    box_textured_columns_values_3_q = 3'h0;
+    box_textured_columns_values_4_q = 3'h0;
+    box_explained_sum_sums_values_0_q = 5'h0;
+    box_shown_sum_sums_values_0_q = 5'h0;
+    box_nearer_sum_sums_values_0_q = 5'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s21_en) begin
-      averager_detail_0_q <= select_1638;
-      averager_detail_1_q <= select_1646;
-      census_columns_values_2_cell_2_mask_q <= select_1694;
-      census_columns_values_2_cell_3_mask_q <= select_1697;
-      census_columns_values_2_cell_4_mask_q <= select_1700;
-      census_columns_values_3_cell_0_mask_q <= select_1701;
-      census_columns_values_3_cell_1_mask_q <= select_1704;
-      census_columns_values_3_cell_2_mask_q <= select_1705;
-      census_columns_values_3_cell_3_mask_q <= select_1708;
-      sharpness_last_mask_q <= and_368_s21_q ? whole_2_s21_q : sharpness_last_mask_q;
-      box_textured_sum_sums_values_0_q <= select_2441;
+      census_columns_values_0_cell_0_mask_q <= select_1658;
+      census_columns_values_1_cell_0_mask_q <= select_1674;
+      census_columns_values_1_cell_1_mask_q <= select_1677;
+      census_columns_values_1_cell_2_mask_q <= select_1680;
+      census_columns_values_1_cell_3_mask_q <= select_1684;
+      census_columns_values_1_cell_4_mask_q <= select_1687;
+      census_columns_values_2_cell_0_mask_q <= select_1690;
+      census_columns_values_2_cell_1_mask_q <= select_1693;
+      box_textured_columns_values_0_q <= select_2428;
+      box_textured_columns_values_1_q <= select_2431;
+      box_textured_columns_values_2_q <= select_2434;
+      box_textured_columns_values_3_q <= select_2437;
+      box_textured_columns_values_4_q <= select_2440;
+      box_explained_sum_sums_values_0_q <= select_2461;
+      box_shown_sum_sums_values_0_q <= equal_1337_s21_q ? box_shown_sum_sums_values_0_q : select_2478;
+      box_nearer_sum_sums_values_0_q <= equal_1337_s21_q ? box_nearer_sum_sums_values_0_q : select_2496;
     end
   end
 
@@ -6135,26 +5651,29 @@ module horopter_agreement (
   logic saturated_s22_q;
   logic mask_s22_q;
   logic marks_first_s22_q;
-  logic marks_last_s22_q;
+  logic sample_pair_whole_s22_q;
+  logic census_columns_values_1_cell_2_mask_s22_q;
   logic census_columns_values_1_cell_2_of_skin_s22_q;
-  logic census_columns_values_2_cell_4_mask_s22_q;
-  logic census_columns_values_3_cell_0_mask_s22_q;
-  logic census_columns_values_3_cell_1_mask_s22_q;
-  logic census_columns_values_3_cell_2_mask_s22_q;
-  logic census_columns_values_3_cell_3_mask_s22_q;
-  logic [6:0] x_s22_q;
-  logic slot_s22_q;
+  logic census_columns_values_1_cell_3_mask_s22_q;
+  logic census_columns_values_1_cell_4_mask_s22_q;
+  logic census_columns_values_2_cell_0_mask_s22_q;
+  logic census_columns_values_2_cell_1_mask_s22_q;
+  logic [7:0] x_s22_q;
+  logic [2:0] slot_s22_q;
   logic ends_cell_s22_q;
   logic lower_half_s22_q;
-  logic [13:0] counts_supervised_s22_q;
   logic [13:0] counts_textured_s22_q;
   logic [13:0] counts_explained_s22_q;
   logic registration_of_right_s22_q;
+  logic [2:0] region_row_s22_q;
   logic [13:0] product_s22_q;
   logic centres_values_1_textured_s22_q;
   logic centres_values_1_of_skin_s22_q;
   logic [6:0] column_s22_q;
+  logic and_366_s22_q;
   logic and_368_s22_q;
+  logic equal_371_s22_q;
+  logic whole_2_s22_q;
   logic so_s22_q;
   logic less_402_s22_q;
   logic less_403_s22_q;
@@ -6181,70 +5700,81 @@ module horopter_agreement (
   logic less_424_s22_q;
   logic less_425_s22_q;
   logic and_433_s22_q;
-  logic whole_16_s22_q;
-  logic and_459_s22_q;
-  logic [11:0] sum_474_s22_q;
+  logic whole_9_s22_q;
+  logic [10:0] sum_466_s22_q;
+  logic [9:0] sum_469_s22_q;
+  logic [9:0] sum_473_s22_q;
   logic [9:0] sum_477_s22_q;
-  logic equal_1335_s22_q;
-  logic not_1336_s22_q;
-  logic equal_1380_s22_q;
+  logic equal_1337_s22_q;
+  logic not_1338_s22_q;
+  logic equal_1382_s22_q;
+  logic [1:0] quarter_s22_q;
   logic all_s22_q;
-  logic [1:0] sum_1386_s22_q;
-  logic equal_1388_s22_q;
+  logic [1:0] sum_1388_s22_q;
+  logic [3:0] select_1389_s22_q;
   logic equal_1390_s22_q;
   logic equal_1392_s22_q;
   logic equal_1394_s22_q;
   logic equal_1396_s22_q;
   logic equal_1398_s22_q;
   logic equal_1400_s22_q;
-  logic less_1408_s22_q;
-  logic or_1412_s22_q;
-  logic equal_1432_s22_q;
-  logic and_1442_s22_q;
-  logic not_1454_s22_q;
-  logic not_1509_s22_q;
-  logic [7:0] sum_1519_s22_q;
-  logic equal_1535_s22_q;
-  logic or_1540_s22_q;
-  logic [23:0] select_1551_s22_q;
-  logic not_1571_s22_q;
-  logic less_1585_s22_q;
-  logic and_1596_s22_q;
-  logic [11:0] sum_1725_s22_q;
-  logic [9:0] sum_1728_s22_q;
-  logic equal_1736_s22_q;
-  logic [27:0] select_1750_s22_q;
-  logic and_1761_s22_q;
-  logic and_1772_s22_q;
-  logic [8:0] select_1779_s22_q;
-  logic [8:0] select_1783_s22_q;
-  logic equal_1786_s22_q;
-  logic less_1787_s22_q;
-  logic [11:0] select_1792_s22_q;
-  logic equal_1830_s22_q;
-  logic equal_1857_s22_q;
-  logic and_1974_s22_q;
-  logic and_1993_s22_q;
-  logic not_1997_s22_q;
-  logic not_2012_s22_q;
-  logic [9:0] select_2023_s22_q;
-  logic [9:0] select_2026_s22_q;
-  logic equal_2082_s22_q;
-  logic and_2109_s22_q;
+  logic equal_1402_s22_q;
+  logic less_1410_s22_q;
+  logic or_1414_s22_q;
+  logic select_1417_s22_q;
+  logic and_1427_s22_q;
+  logic [3:0] select_1432_s22_q;
+  logic or_1448_s22_q;
+  logic or_1451_s22_q;
+  logic or_1454_s22_q;
+  logic not_1456_s22_q;
+  logic [9:0] sum_1471_s22_q;
+  logic [9:0] sum_1476_s22_q;
+  logic [9:0] sum_1482_s22_q;
+  logic and_1483_s22_q;
+  logic select_1498_s22_q;
+  logic [3:0] difference_1533_s22_q;
+  logic equal_1534_s22_q;
+  logic or_1542_s22_q;
+  logic or_1545_s22_q;
+  logic or_1548_s22_q;
+  logic [4:0] around_s22_q;
+  logic less_1587_s22_q;
+  logic and_1598_s22_q;
+  logic [10:0] size_s22_q;
+  logic [10:0] size_2_s22_q;
+  logic [10:0] sum_1719_s22_q;
+  logic [9:0] sum_1722_s22_q;
+  logic [9:0] sum_1726_s22_q;
+  logic [9:0] sum_1730_s22_q;
+  logic equal_1738_s22_q;
+  logic [8:0] contrast_s22_q;
+  logic [8:0] contrast_2_s22_q;
+  logic equal_1859_s22_q;
+  logic and_1976_s22_q;
+  logic and_1980_s22_q;
+  logic and_1995_s22_q;
+  logic not_1999_s22_q;
+  logic [4:0] e_s22_q;
+  logic [9:0] select_2025_s22_q;
+  logic [9:0] select_2028_s22_q;
+  logic equal_2084_s22_q;
   logic and_2111_s22_q;
-  logic [11:0] residual_s22_q;
-  logic equal_2213_s22_q;
-  logic equal_2351_s22_q;
-  logic or_2354_s22_q;
-  logic equal_2357_s22_q;
-  logic select_2363_s22_q;
-  logic not_2368_s22_q;
-  logic equal_2377_s22_q;
+  logic and_2113_s22_q;
+  logic [11:0] select_2135_s22_q;
+  logic equal_2184_s22_q;
+  logic [3:0] not_2185_s22_q;
+  logic [1:0] quarter_2_s22_q;
+  logic equal_2359_s22_q;
+  logic and_2360_s22_q;
+  logic less_2361_s22_q;
+  logic equal_2362_s22_q;
   logic equal_2379_s22_q;
-  logic equal_2380_s22_q;
-  logic equal_2509_s22_q;
-  logic equal_2593_s22_q;
-  logic [9:0] select_2602_s22_q;
+  logic equal_2381_s22_q;
+  logic equal_2382_s22_q;
+  logic sum_3_s22_q;
+  logic equal_2511_s22_q;
+  logic [9:0] select_2604_s22_q;
   always_ff @(posedge clk_i) begin
     if (s21_en) begin
       pixel_0_s22_q <= pixel_0_s21_q;
@@ -6252,26 +5782,29 @@ module horopter_agreement (
       saturated_s22_q <= saturated_s21_q;
       mask_s22_q <= mask_s21_q;
       marks_first_s22_q <= marks_first_s21_q;
-      marks_last_s22_q <= line_ended_q;
+      sample_pair_whole_s22_q <= sample_pair_whole_s21_q;
+      census_columns_values_1_cell_2_mask_s22_q <= census_columns_values_1_cell_2_mask_q;
       census_columns_values_1_cell_2_of_skin_s22_q <= census_columns_values_1_cell_2_of_skin_s21_q;
-      census_columns_values_2_cell_4_mask_s22_q <= census_columns_values_2_cell_4_mask_q;
-      census_columns_values_3_cell_0_mask_s22_q <= census_columns_values_3_cell_0_mask_q;
-      census_columns_values_3_cell_1_mask_s22_q <= census_columns_values_3_cell_1_mask_q;
-      census_columns_values_3_cell_2_mask_s22_q <= census_columns_values_3_cell_2_mask_q;
-      census_columns_values_3_cell_3_mask_s22_q <= census_columns_values_3_cell_3_mask_q;
-      x_s22_q <= x_s21_q[6:0];
-      slot_s22_q <= slot_s21_q[0];
+      census_columns_values_1_cell_3_mask_s22_q <= census_columns_values_1_cell_3_mask_q;
+      census_columns_values_1_cell_4_mask_s22_q <= census_columns_values_1_cell_4_mask_q;
+      census_columns_values_2_cell_0_mask_s22_q <= census_columns_values_2_cell_0_mask_q;
+      census_columns_values_2_cell_1_mask_s22_q <= census_columns_values_2_cell_1_mask_q;
+      x_s22_q <= x_s21_q;
+      slot_s22_q <= slot_s21_q;
       ends_cell_s22_q <= ends_cell_s21_q;
       lower_half_s22_q <= lower_half_s21_q;
-      counts_supervised_s22_q <= counts_supervised_q;
       counts_textured_s22_q <= counts_textured_s21_q;
-      counts_explained_s22_q <= counts_explained_s21_q;
-      registration_of_right_s22_q <= registration_of_right_s21_q;
-      product_s22_q <= product_s21_q;
+      counts_explained_s22_q <= counts_explained_q;
+      registration_of_right_s22_q <= registration_of_right_q;
+      region_row_s22_q <= region_row_s21_q;
+      product_s22_q <= product_q;
       centres_values_1_textured_s22_q <= centres_values_1_textured_s21_q;
       centres_values_1_of_skin_s22_q <= centres_values_1_of_skin_s21_q;
       column_s22_q <= column_s21_q;
+      and_366_s22_q <= and_366_s21_q;
       and_368_s22_q <= and_368_s21_q;
+      equal_371_s22_q <= equal_371_s21_q;
+      whole_2_s22_q <= whole_2_s21_q;
       so_s22_q <= so_s21_q;
       less_402_s22_q <= less_402_s21_q;
       less_403_s22_q <= less_403_s21_q;
@@ -6298,230 +5831,373 @@ module horopter_agreement (
       less_424_s22_q <= less_424_s21_q;
       less_425_s22_q <= less_425_s21_q;
       and_433_s22_q <= and_433_s21_q;
-      whole_16_s22_q <= whole_16;
-      and_459_s22_q <= census_columns_values_1_cell_2_mask_s21_q & and_433_s21_q;
-      sum_474_s22_q <= {1'b0, sum_470} + {2'h0, sum_473_s21_q};
-      sum_477_s22_q <= sum_477_s21_q;
-      equal_1335_s22_q <= equal_1335_s21_q;
-      not_1336_s22_q <= not_1336_s21_q;
-      equal_1380_s22_q <= equal_1380_s21_q;
+      whole_9_s22_q <= whole_9;
+      sum_466_s22_q <= {1'b0, sum_462} + {1'b0, sum_465};
+      sum_469_s22_q <= {9'h0, difference_467_s21_q} + {1'b0, xor_468_s21_q};
+      sum_473_s22_q <= {9'h0, difference_471_s21_q} + {1'b0, xor_472_s21_q};
+      sum_477_s22_q <= {9'h0, difference_475_s21_q} + {1'b0, xor_476_s21_q};
+      equal_1337_s22_q <= equal_1337_s21_q;
+      not_1338_s22_q <= not_1338_s21_q;
+      equal_1382_s22_q <= equal_1382_s21_q;
+      quarter_s22_q <= quarter;
       all_s22_q <= all_s21_q;
-      sum_1386_s22_q <= sum_1386_s21_q;
-      equal_1388_s22_q <= equal_1388_s21_q;
-      equal_1390_s22_q <= equal_1390_s21_q;
-      equal_1392_s22_q <= equal_1392_s21_q;
-      equal_1394_s22_q <= equal_1394_s21_q;
+      sum_1388_s22_q <= sum_1388;
+      select_1389_s22_q <= select_1389;
+      equal_1390_s22_q <= equal_1390;
+      equal_1392_s22_q <= equal_1392;
+      equal_1394_s22_q <= equal_1394;
       equal_1396_s22_q <= equal_1396_s21_q;
       equal_1398_s22_q <= equal_1398_s21_q;
       equal_1400_s22_q <= equal_1400_s21_q;
-      less_1408_s22_q <= less_1408_s21_q;
-      or_1412_s22_q <= or_1412_s21_q;
-      equal_1432_s22_q <= (registration_fresh_q & select_1430_s21_q) == 4'h0;
-      and_1442_s22_q <= not_1336_s21_q & and_1426;
-      not_1454_s22_q <= not_1454_s21_q;
-      not_1509_s22_q <= not_1509;
-      sum_1519_s22_q <= {2'h0, x_s21_q[7:2]} + 8'hff;
-      equal_1535_s22_q <= t[4:1] == 4'h0;
-      or_1540_s22_q <= or_1540_s21_q;
-      select_1551_s22_q <= select_1551;
-      not_1571_s22_q <= ~({sum_1569, around_s21_q[0]} < {2'h0, t});
-      less_1585_s22_q <= less_1585_s21_q;
-      and_1596_s22_q <= and_1596_s21_q;
-      sum_1725_s22_q <= {1'b0, sum_1721} + {2'h0, sum_1724_s21_q};
-      sum_1728_s22_q <= sum_1728_s21_q;
-      equal_1736_s22_q <= equal_1736_s21_q;
-      select_1750_s22_q <= sample_pair_whole_s21_q ? {detail_2, detail} : 28'h0;
-      and_1761_s22_q <= and_1761;
-      and_1772_s22_q <= and_1772;
-      select_1779_s22_q <= and_1761 ? contrast_s21_q : 9'h0;
-      select_1783_s22_q <= and_1772 ? contrast_2_s21_q : 9'h0;
-      equal_1786_s22_q <= x_s21_q[7:3] == 5'h0;
-      less_1787_s22_q <= 7'h2 < {x_s21_q[4:0], slot_s21_q[2:1]};
-      select_1792_s22_q <= select_1792;
-      equal_1830_s22_q <= {x_s21_q[4:0], slot_s21_q} == 8'h0;
-      equal_1857_s22_q <= equal_1857_s21_q;
-      and_1974_s22_q <= and_1974_s21_q;
-      and_1993_s22_q <= and_1993_s21_q;
-      not_1997_s22_q <= not_1997_s21_q;
-      not_2012_s22_q <= ~({sum_2010, e_s21_q[0]} < {2'h0, t});
-      select_2023_s22_q <= select_2023_s21_q;
-      select_2026_s22_q <= select_2026_s21_q;
-      equal_2082_s22_q <= equal_2082_s21_q;
-      and_2109_s22_q <= and_2109_s21_q;
-      and_2111_s22_q <= and_2111_s21_q;
-      residual_s22_q <= residual;
-      equal_2213_s22_q <= (registration_fresh_q & select_2211) == 4'h0;
-      equal_2351_s22_q <= select_2023_s21_q[9:3] == 7'h0;
-      or_2354_s22_q <= or_2354;
-      equal_2357_s22_q <= equal_2357_s21_q;
-      select_2363_s22_q <= select_2363;
-      not_2368_s22_q <= ~({sum_2366, select_2026_s21_q[0]} < {2'h0, select_2023_s21_q});
-      equal_2377_s22_q <= equal_2377_s21_q;
+      equal_1402_s22_q <= equal_1402_s21_q;
+      less_1410_s22_q <= less_1410;
+      or_1414_s22_q <= or_1414;
+      select_1417_s22_q <= select_1417;
+      and_1427_s22_q <= half_ends & ({{3{sum_1425[4]}}, sum_1425} < 8'h3);
+      select_1432_s22_q <= select_1432;
+      or_1448_s22_q <= or_1448_s21_q;
+      or_1451_s22_q <= or_1451_s21_q;
+      or_1454_s22_q <= or_1454_s21_q;
+      not_1456_s22_q <= not_1456_s21_q;
+      sum_1471_s22_q <= sum_1471;
+      sum_1476_s22_q <= sum_1476;
+      sum_1482_s22_q <= sum_1482;
+      and_1483_s22_q <= and_1483_s21_q;
+      select_1498_s22_q <= select_1498;
+      difference_1533_s22_q <= {1'b0, textured_2_s21_q} - {1'b0, select_1532};
+      equal_1534_s22_q <= equal_1534_s21_q;
+      or_1542_s22_q <= or_1542_s21_q;
+      or_1545_s22_q <= or_1545_s21_q;
+      or_1548_s22_q <= or_1548_s21_q;
+      around_s22_q <= around;
+      less_1587_s22_q <= {1'b0, around[4:1]} < n;
+      and_1598_s22_q <= and_1598_s21_q;
+      size_s22_q <= size;
+      size_2_s22_q <= size_2;
+      sum_1719_s22_q <= {1'b0, sum_1715} + {1'b0, sum_1718};
+      sum_1722_s22_q <= {9'h0, difference_1720_s21_q} + {1'b0, xor_1721_s21_q};
+      sum_1726_s22_q <= {9'h0, difference_1724_s21_q} + {1'b0, xor_1725_s21_q};
+      sum_1730_s22_q <= {9'h0, difference_1728_s21_q} + {1'b0, xor_1729_s21_q};
+      equal_1738_s22_q <= equal_1738_s21_q;
+      contrast_s22_q <= contrast;
+      contrast_2_s22_q <= contrast_2;
+      equal_1859_s22_q <= equal_1859_s21_q;
+      and_1976_s22_q <= and_1976_s21_q;
+      and_1980_s22_q <= and_1980_s21_q;
+      and_1995_s22_q <= and_1995;
+      not_1999_s22_q <= not_1999_s21_q;
+      e_s22_q <= e;
+      select_2025_s22_q <= less_2024 ? 10'h0 : regions_rdata_s21_q[9:0];
+      select_2028_s22_q <= less_2024 ? 10'h0 : regions_rdata_s21_q[19:10];
+      equal_2084_s22_q <= equal_2084_s21_q;
+      and_2111_s22_q <= not_1338_s21_q & (so_s21_q & (half_ends & equal_2108));
+      and_2113_s22_q <= and_2113_s21_q;
+      select_2135_s22_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+      equal_2184_s22_q <= sum_1388 == 2'h2;
+      not_2185_s22_q <= ~select_1432;
+      quarter_2_s22_q <= quarter_2;
+      equal_2359_s22_q <= equal_2359_s21_q;
+      and_2360_s22_q <= and_2360_s21_q;
+      less_2361_s22_q <= counts_explained_q < product_q;
+      equal_2362_s22_q <= counts_explained_q == product_q;
       equal_2379_s22_q <= equal_2379_s21_q;
-      equal_2380_s22_q <= equal_2380_s21_q;
-      equal_2509_s22_q <= equal_2509_s21_q;
-      equal_2593_s22_q <= (registration_fresh_q & select_2591) == 4'h0;
-      select_2602_s22_q <= select_2602_s21_q;
+      equal_2381_s22_q <= equal_2381_s21_q;
+      equal_2382_s22_q <= equal_2382_s21_q;
+      sum_3_s22_q <= sum_3[0];
+      equal_2511_s22_q <= equal_2511_s21_q;
+      select_2604_s22_q <= less_2024 ? 10'h0 : regions_rdata_s21_q[29:20];
     end
   end
 
   // Stage 22 ----------------------------------------------------------------------------------------------------------
-  logic census_columns_values_3_cell_4_mask_q;
-  logic [11:0] census_changes_values_0_left_q;
-  logic [11:0] census_changes_values_0_right_q;
-  logic [11:0] census_changes_values_1_left_q;
-  logic [11:0] census_changes_values_1_right_q;
-  logic [13:0] sharpness_last_detail_0_q;
-  logic [13:0] sharpness_last_detail_1_q;
-  logic [23:0] sharpness_sums_contrast_0_q;
-  logic [23:0] sharpness_sums_contrast_1_q;
-  logic [47:0] good_q;
-  logic [12:0] map_row_q;
-  logic [6:0] map_width_q;
-  logic write_half_q;
-  logic read_half_q;
-  logic done_q;
-  logic drew_q;
-  logic said_q;
+  logic [13:0] averager_detail_0_q;
+  logic [13:0] averager_detail_1_q;
+  logic census_columns_values_2_cell_2_mask_q;
+  logic census_columns_values_2_cell_3_mask_q;
+  logic census_columns_values_2_cell_4_mask_q;
+  logic census_columns_values_3_cell_0_mask_q;
+  logic census_columns_values_3_cell_1_mask_q;
+  logic census_columns_values_3_cell_2_mask_q;
+  logic census_columns_values_3_cell_3_mask_q;
+  logic sharpness_last_mask_q;
+  logic [13:0] counts_supervised_q;
+  logic [3:0] registration_fresh_q;
+  logic product_rest_q;
+  logic disagree_q;
+  logic [4:0] box_textured_sum_sums_values_0_q;
+  logic began_q;
+  logic [3:0] seen_x_q;
+  logic [3:0] seen_y_q;
+  logic [7:0] seen_column_q;
+  logic [7:0] seen_rows_left_q;
+  logic at_cell_end_q;
+  logic was_next_row_q;
+  logic [12:0] seen_base_q;
   // hls/stages/agreement.hpp:310
-  logic whole_17;
-  assign whole_17 = census_columns_values_2_cell_4_mask_s22_q & whole_16_s22_q;
-  logic whole_18;
-  assign whole_18 = census_columns_values_3_cell_0_mask_s22_q & whole_17;
-  logic whole_19;
-  assign whole_19 = census_columns_values_3_cell_1_mask_s22_q & whole_18;
-  logic whole_20;
-  assign whole_20 = census_columns_values_3_cell_2_mask_s22_q & whole_19;
-  logic whole_21;
-  assign whole_21 = census_columns_values_3_cell_3_mask_s22_q & whole_20;
-  logic whole_22;
-  assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
+  logic whole_10;
+  assign whole_10 = census_columns_values_1_cell_2_mask_s22_q & whole_9_s22_q;
+  logic whole_11;
+  assign whole_11 = census_columns_values_1_cell_3_mask_s22_q & whole_10;
+  logic whole_12;
+  assign whole_12 = census_columns_values_1_cell_4_mask_s22_q & whole_11;
+  logic whole_13;
+  assign whole_13 = census_columns_values_2_cell_0_mask_s22_q & whole_12;
+  logic whole_14;
+  assign whole_14 = census_columns_values_2_cell_1_mask_s22_q & whole_13;
+  logic whole_15;
+  assign whole_15 = census_columns_values_2_cell_2_mask_q & whole_14;
+  logic whole_16;
+  assign whole_16 = census_columns_values_2_cell_3_mask_q & whole_15;
   // hls/stages/census.hpp:190
-  logic [11:0] texture;
-  assign texture = sum_474_s22_q + {2'h0, sum_477_s22_q};
-  // hls/stages/agreement.hpp:1012
-  logic [12:0] index;
-  assign index = seen_base_q + {5'h0, seen_column_q};
+  logic [10:0] sum_470;
+  assign sum_470 = sum_466_s22_q + {1'b0, sum_469_s22_q};
+  // hls/stages/agreement.hpp:211
+  logic and_1428;
+  assign and_1428 = so_s22_q & and_1427_s22_q;
+  // hls/stages/agreement.hpp:218
+  logic next_row;
+  assign next_row = select_1498_s22_q & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1000
+  logic [6:0] select_1501;
+  assign select_1501 = next_row ? cfg_width_i[10:4] : 7'h0;
+  // hls/stages/agreement.hpp:1010
+  logic equal_1504;
+  assign equal_1504 = seen_x_q == 4'hf;
   // hls/stages/agreement.hpp:983
-  logic select_1507;
-  assign select_1507 = marks_first_s22_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:969
-  logic [10:0] sum_1508;
-  assign sum_1508 = {1'b0, {5{select_1507}}, 1'b0, {2{select_1507}}, 1'b0, select_1507} + {1'b0, index[12:3]};
-  // hls/stages/agreement.hpp:841
-  logic [12:0] index_2;
-  assign index_2 = {{3{sum_1519_s22_q[7]}}, sum_1519_s22_q, x_s22_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:969
-  logic [10:0] sum_1521;
-  assign sum_1521 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
-  // hls/stages/agreement.hpp:831
-  logic [47:0] select_1552;
-  assign select_1552 = or_1540_s22_q ? {select_1551_s22_q[23], 1'b0, select_1551_s22_q[22], 1'b0, select_1551_s22_q[21], 1'b0, select_1551_s22_q[20], 1'b0, select_1551_s22_q[19], 1'b0, select_1551_s22_q[18], 1'b0, select_1551_s22_q[17], 1'b0, select_1551_s22_q[16], 1'b0, select_1551_s22_q[15], 1'b0, select_1551_s22_q[14], 1'b0, select_1551_s22_q[13], 1'b0, select_1551_s22_q[12], 1'b0, select_1551_s22_q[11], 1'b0, select_1551_s22_q[10], 1'b0, select_1551_s22_q[9], 1'b0, select_1551_s22_q[8], 1'b0, select_1551_s22_q[7], 1'b0, select_1551_s22_q[6], 1'b0, select_1551_s22_q[5], 1'b0, select_1551_s22_q[4], 1'b0, select_1551_s22_q[3], 1'b0, select_1551_s22_q[2], 1'b0, select_1551_s22_q[1], 1'b0, select_1551_s22_q[0], 1'b0} : {1'b0, select_1551_s22_q[23], 1'b0, select_1551_s22_q[22], 1'b0, select_1551_s22_q[21], 1'b0, select_1551_s22_q[20], 1'b0, select_1551_s22_q[19], 1'b0, select_1551_s22_q[18], 1'b0, select_1551_s22_q[17], 1'b0, select_1551_s22_q[16], 1'b0, select_1551_s22_q[15], 1'b0, select_1551_s22_q[14], 1'b0, select_1551_s22_q[13], 1'b0, select_1551_s22_q[12], 1'b0, select_1551_s22_q[11], 1'b0, select_1551_s22_q[10], 1'b0, select_1551_s22_q[9], 1'b0, select_1551_s22_q[8], 1'b0, select_1551_s22_q[7], 1'b0, select_1551_s22_q[6], 1'b0, select_1551_s22_q[5], 1'b0, select_1551_s22_q[4], 1'b0, select_1551_s22_q[3], 1'b0, select_1551_s22_q[2], 1'b0, select_1551_s22_q[1], 1'b0, select_1551_s22_q[0]};
+  logic not_1511;
+  assign not_1511 = ~marks_first_s22_q;
+  // hls/stages/agreement.hpp:825
+  logic [4:0] t;
+  assign t = {difference_1533_s22_q[3], difference_1533_s22_q} + (equal_1534_s22_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:832
+  logic not_1549;
+  assign not_1549 = ~region_row_s22_q[2];
+  logic [2:0] select_1550;
+  assign select_1550 = region_row_s22_q[1] ? {1'b0, not_1549, 1'b0} : {region_row_s22_q[2], 1'b0, not_1549};
+  logic [5:0] select_1551;
+  assign select_1551 = region_row_s22_q[0] ? {select_1550[2], 1'b0, select_1550[1], 1'b0, select_1550[0], 1'b0} : {1'b0, select_1550[2], 1'b0, select_1550[1], 1'b0, select_1550[0]};
+  logic [11:0] select_1552;
+  assign select_1552 = or_1548_s22_q ? {select_1551[5], 1'b0, select_1551[4], 1'b0, select_1551[3], 1'b0, select_1551[2], 1'b0, select_1551[1], 1'b0, select_1551[0], 1'b0} : {1'b0, select_1551[5], 1'b0, select_1551[4], 1'b0, select_1551[3], 1'b0, select_1551[2], 1'b0, select_1551[1], 1'b0, select_1551[0]};
+  logic [23:0] select_1553;
+  assign select_1553 = or_1545_s22_q ? {select_1552[11], 1'b0, select_1552[10], 1'b0, select_1552[9], 1'b0, select_1552[8], 1'b0, select_1552[7], 1'b0, select_1552[6], 1'b0, select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0], 1'b0} : {1'b0, select_1552[11], 1'b0, select_1552[10], 1'b0, select_1552[9], 1'b0, select_1552[8], 1'b0, select_1552[7], 1'b0, select_1552[6], 1'b0, select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0]};
+  // hls/stages/agreement.hpp:834
+  logic [5:0] sum_1571;
+  assign sum_1571 = {1'b0, around_s22_q} + {2'h0, around_s22_q[4:1]};
+  // hls/stages/census.hpp:130
+  logic [13:0] detail;
+  assign detail = {3'h0, size_s22_q} + (equal_371_s22_q ? 14'h0 : averager_detail_0_q);
+  // hls/stages/agreement.hpp:215
+  logic [13:0] select_1640;
+  assign select_1640 = sample_pair_whole_s22_q ? (and_366_s22_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  // hls/stages/census.hpp:130
+  logic [13:0] detail_2;
+  assign detail_2 = {3'h0, size_2_s22_q} + (equal_371_s22_q ? 14'h0 : averager_detail_1_q);
+  // hls/stages/agreement.hpp:215
+  logic [13:0] select_1648;
+  assign select_1648 = sample_pair_whole_s22_q ? (and_366_s22_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/agreement.hpp:365
-  logic select_1709;
-  assign select_1709 = and_368_s22_q ? census_columns_values_2_cell_4_mask_s22_q : census_columns_values_3_cell_4_mask_q;
+  logic select_1696;
+  assign select_1696 = and_368_s22_q ? census_columns_values_1_cell_2_mask_s22_q : census_columns_values_2_cell_2_mask_q;
+  logic select_1699;
+  assign select_1699 = and_368_s22_q ? census_columns_values_1_cell_3_mask_s22_q : census_columns_values_2_cell_3_mask_q;
+  logic select_1702;
+  assign select_1702 = and_368_s22_q ? census_columns_values_1_cell_4_mask_s22_q : census_columns_values_2_cell_4_mask_q;
+  logic select_1703;
+  assign select_1703 = and_368_s22_q ? census_columns_values_2_cell_0_mask_s22_q : census_columns_values_3_cell_0_mask_q;
+  logic select_1706;
+  assign select_1706 = and_368_s22_q ? census_columns_values_2_cell_1_mask_s22_q : census_columns_values_3_cell_1_mask_q;
+  logic select_1707;
+  assign select_1707 = and_368_s22_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic select_1710;
+  assign select_1710 = and_368_s22_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
   // hls/stages/census.hpp:192
-  logic [11:0] sum_1729;
-  assign sum_1729 = sum_1725_s22_q + {2'h0, sum_1728_s22_q};
-  // hls/stages/agreement.hpp:365
-  logic [11:0] select_1731;
-  assign select_1731 = and_368_s22_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_1732;
-  assign select_1732 = and_368_s22_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [13:0] select_1751;
-  assign select_1751 = and_368_s22_q ? select_1750_s22_q[13:0] : sharpness_last_detail_0_q;
-  logic [13:0] select_1752;
-  assign select_1752 = and_368_s22_q ? select_1750_s22_q[27:14] : sharpness_last_detail_1_q;
-  // hls/stages/census.hpp:274
-  logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_1750_s22_q[13:0]};
-  logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_1750_s22_q[27:14]};
-  // hls/stages/census.hpp:277
-  logic [23:0] sum_1780;
-  assign sum_1780 = (equal_1736_s22_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1779_s22_q};
-  logic [23:0] sum_1784;
-  assign sum_1784 = (equal_1736_s22_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1783_s22_q};
+  logic [10:0] sum_1723;
+  assign sum_1723 = sum_1719_s22_q + {1'b0, sum_1722_s22_q};
+  // hls/stages/census.hpp:275
+  logic and_1757;
+  assign and_1757 = whole_2_s22_q & (~(column_s22_q[6:1] == 6'h0));
+  // hls/stages/agreement.hpp:311
+  logic and_1763;
+  assign and_1763 = and_1757 & (sharpness_last_mask_q & (7'h2 < contrast_s22_q[8:2]));
+  logic and_1774;
+  assign and_1774 = and_1757 & (sharpness_last_mask_q & (7'h2 < contrast_2_s22_q[8:2]));
   // hls/stages/census.hpp:328
-  logic less_1788;
-  assign less_1788 = x_s22_q[4:0] < 5'h3;
-  logic [23:0] select_1793;
-  assign select_1793 = slot_s22_q ? {select_1792_s22_q[11], 1'b0, select_1792_s22_q[10], 1'b0, select_1792_s22_q[9], 1'b0, select_1792_s22_q[8], 1'b0, select_1792_s22_q[7], 1'b0, select_1792_s22_q[6], 1'b0, select_1792_s22_q[5], 1'b0, select_1792_s22_q[4], 1'b0, select_1792_s22_q[3], 1'b0, select_1792_s22_q[2], 1'b0, select_1792_s22_q[1], 1'b0, select_1792_s22_q[0], 1'b0} : {1'b0, select_1792_s22_q[11], 1'b0, select_1792_s22_q[10], 1'b0, select_1792_s22_q[9], 1'b0, select_1792_s22_q[8], 1'b0, select_1792_s22_q[7], 1'b0, select_1792_s22_q[6], 1'b0, select_1792_s22_q[5], 1'b0, select_1792_s22_q[4], 1'b0, select_1792_s22_q[3], 1'b0, select_1792_s22_q[2], 1'b0, select_1792_s22_q[1], 1'b0, select_1792_s22_q[0]};
-  // hls/stages/census.hpp:291
-  logic and_1797;
-  assign and_1797 = less_1788 & (~((sharpness_sums_contrast_1_q & select_1793) == 24'h0));
-  logic and_1807;
-  assign and_1807 = less_1788 & (~((sharpness_sums_contrast_0_q & select_1793) == 24'h0));
-  // hls/stages/agreement.hpp:862
-  logic [10:0] sum_2027;
-  assign sum_2027 = {1'b0, select_2026_s22_q} + {3'h0, select_2026_s22_q[9:2]};
-  // hls/stages/registration.hpp:193
-  logic [12:0] difference_2154;
-  assign difference_2154 = 13'h0 - {residual_s22_q[11], residual_s22_q};
-  logic less_2169;
-  assign less_2169 = $signed(difference_2154) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:864
-  logic select_2369;
-  assign select_2369 = equal_2351_s22_q ? ((~or_2354_s22_q) & (~select_2363_s22_q)) : not_2368_s22_q;
-  // hls/stages/agreement.hpp:871
-  logic [47:0] select_2371;
-  assign select_2371 = x_s22_q[6] ? (equal_1380_s22_q ? good_q : {select_2369, good_q[47:1]}) : good_q;
-  logic equal_2374;
-  assign equal_2374 = x_s22_q == 7'h7f;
-  // hls/stages/agreement.hpp:314
-  logic [12:0] select_2512;
-  assign select_2512 = equal_1857_s22_q ? (equal_2509_s22_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:365
-  logic [6:0] select_2515;
-  assign select_2515 = and_368_s22_q ? (equal_1857_s22_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
+  logic not_1791;
+  assign not_1791 = ~x_s22_q[1];
+  logic [2:0] select_1792;
+  assign select_1792 = x_s22_q[0] ? {1'b0, not_1791, 1'b0} : {x_s22_q[1], 1'b0, not_1791};
+  logic [5:0] select_1793;
+  assign select_1793 = slot_s22_q[2] ? {select_1792[2], 1'b0, select_1792[1], 1'b0, select_1792[0], 1'b0} : {1'b0, select_1792[2], 1'b0, select_1792[1], 1'b0, select_1792[0]};
+  logic [11:0] select_1794;
+  assign select_1794 = slot_s22_q[1] ? {select_1793[5], 1'b0, select_1793[4], 1'b0, select_1793[3], 1'b0, select_1793[2], 1'b0, select_1793[1], 1'b0, select_1793[0], 1'b0} : {1'b0, select_1793[5], 1'b0, select_1793[4], 1'b0, select_1793[3], 1'b0, select_1793[2], 1'b0, select_1793[1], 1'b0, select_1793[0]};
+  // hls/stages/agreement.hpp:681
+  logic [13:0] select_1982;
+  assign select_1982 = and_1976_s22_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1980_s22_q});
+  // hls/stages/agreement.hpp:833
+  logic [5:0] sum_2012;
+  assign sum_2012 = {1'b0, e_s22_q} + {2'h0, e_s22_q[4:1]};
+  // hls/stages/registration.hpp:206
+  logic [11:0] residual;
+  assign residual = ($signed(5'h0) < $signed(select_2135_s22_q[11:7])) ? 12'h7f : select_2135_s22_q;
+  // hls/stages/registration.hpp:254
+  logic [3:0] select_2187;
+  assign select_2187 = equal_2184_s22_q ? (registration_fresh_q & not_2185_s22_q) : registration_fresh_q;
+  // hls/stages/agreement.hpp:211
+  logic [3:0] select_2189;
+  assign select_2189 = so_s22_q ? (and_1427_s22_q ? select_2187 : registration_fresh_q) : registration_fresh_q;
+  // hls/stages/registration.hpp:227
+  logic [3:0] select_2191;
+  assign select_2191 = and_1976_s22_q ? 4'hf : (equal_1337_s22_q ? registration_fresh_q : select_2189);
+  // hls/stages/registration.hpp:243
+  logic not_2212;
+  assign not_2212 = ~quarter_2_s22_q[1];
+  logic [3:0] select_2213;
+  assign select_2213 = quarter_2_s22_q[0] ? {quarter_2_s22_q[1], 1'b0, not_2212, 1'b0} : {1'b0, quarter_2_s22_q[1], 1'b0, not_2212};
+  // hls/stages/agreement.hpp:909
+  logic or_2356;
+  assign or_2356 = ({counts_textured_s22_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s22_q[13:3] < 11'h5);
+  // hls/stages/agreement.hpp:940
+  logic too_little;
+  assign too_little = less_2361_s22_q | (product_rest_q & equal_2362_s22_q);
+  // hls/stages/agreement.hpp:941
+  logic select_2365;
+  assign select_2365 = and_2360_s22_q ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:865
+  logic [10:0] sum_2368;
+  assign sum_2368 = {1'b0, select_2028_s22_q} + {2'h0, select_2028_s22_q[9:1]};
+  // hls/stages/agreement.hpp:211
+  logic select_2413;
+  assign select_2413 = equal_1337_s22_q ? (equal_2359_s22_q ? sum_3_s22_q : (product_rest_q | sum_3_s22_q)) : product_rest_q;
+  logic [4:0] select_2442;
+  assign select_2442 = so_s22_q ? (ends_cell_s22_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [4:0] select_2443;
+  assign select_2443 = equal_1337_s22_q ? box_textured_sum_sums_values_0_q : select_2442;
+  // hls/stages/agreement.hpp:1009
+  logic [3:0] select_2528;
+  assign select_2528 = select_1498_s22_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
+  // hls/stages/agreement.hpp:218
+  logic [7:0] select_2534;
+  assign select_2534 = marks_first_s22_q ? (less_2530 ? {sum_2531, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  // hls/stages/registration.hpp:243
+  logic not_2592;
+  assign not_2592 = ~quarter_s22_q[1];
+  logic [3:0] select_2593;
+  assign select_2593 = quarter_s22_q[0] ? {quarter_s22_q[1], 1'b0, not_2592, 1'b0} : {1'b0, quarter_s22_q[1], 1'b0, not_2592};
+
+  // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:261; read in stage 22, written in stage 26: 22 < 26 < 22 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [31:0] registration_sums_mem [0:11];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
+`endif
+  logic [3:0] registration_sums_raddr;
+  assign registration_sums_raddr = select_1389_s22_q;
+  logic registration_sums_re;
+  assign registration_sums_re = s22_en & (equal_1337_s22_q ? (x_s22_q[6] & select_1417_s22_q) : and_1428);
+  logic [31:0] registration_sums_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (registration_sums_re) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
+  end
+
+  // Memory regions, write
+  logic [5:0] regions_waddr;
+  assign regions_waddr = {region_row_s22_q, or_1454_s22_q, or_1451_s22_q, or_1448_s22_q};
+  logic regions_we;
+  assign regions_we = s22_en & and_1483_s22_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (regions_we) regions_mem[regions_waddr] <= {sum_1482_s22_q, sum_1476_s22_q, sum_1471_s22_q};
+  end
+`ifndef SYNTHESIS
+  logic [5:0] regions_raddr_s20_sim;
+  logic regions_re_s20_sim;
+  logic [5:0] regions_raddr_s21_sim;
+  logic regions_re_s21_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      regions_re_s20_sim <= 1'b0;
+      regions_re_s21_sim <= 1'b0;
+    end else if (en_i) begin
+      regions_re_s20_sim <= regions_re;
+      regions_raddr_s20_sim <= regions_raddr;
+      regions_re_s21_sim <= regions_re_s20_sim;
+      regions_raddr_s21_sim <= regions_raddr_s20_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && regions_we) begin
+      if (regions_re && regions_raddr == regions_waddr) begin
+        $error("regions: address %0d is read less than DISTANCE steps after its write", regions_waddr);
+      end
+      if (regions_re_s20_sim && regions_raddr_s20_sim == regions_waddr) begin
+        $error("regions: address %0d is read less than DISTANCE steps after its write", regions_waddr);
+      end
+      if (regions_re_s21_sim && regions_raddr_s21_sim == regions_waddr) begin
+        $error("regions: address %0d is read less than DISTANCE steps after its write", regions_waddr);
+      end
+    end
+  end
+`endif
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      sharpness_sums_contrast_0_q <= 24'h0;
-      sharpness_sums_contrast_1_q <= 24'h0;
-      good_q <= 48'h0;
-      map_row_q <= 13'h0;
-      map_width_q <= 7'h0;
-      write_half_q <= 1'b0;
-      read_half_q <= 1'b1;
-      done_q <= 1'b0;
-      drew_q <= 1'b0;
-      said_q <= 1'b0;
+      counts_supervised_q <= 14'h0;
+      registration_fresh_q <= 4'hf;
+      product_rest_q <= 1'b0;
+      disagree_q <= 1'b0;
+      began_q <= 1'b0;
+      seen_x_q <= 4'h0;
+      seen_y_q <= 4'h0;
+      seen_column_q <= 8'h0;
+      seen_rows_left_q <= 8'h0;
+      at_cell_end_q <= 1'b0;
+      was_next_row_q <= 1'b0;
+      seen_base_q <= 13'h0;
     end else if (s22_en) begin
-      sharpness_sums_contrast_0_q <= and_368_s22_q ? sum_1780 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_368_s22_q ? sum_1784 : sharpness_sums_contrast_1_q;
-      good_q <= equal_1335_s22_q ? select_2371 : good_q;
-      map_row_q <= and_368_s22_q ? select_2512 : map_row_q;
-      map_width_q <= select_2515;
-      write_half_q <= marks_first_s22_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_1507;
-      done_q <= not_1509_s22_q & ((~drew_q) & (done_q | said_q));
-      drew_q <= so_s22_q;
-      said_q <= equal_1335_s22_q & equal_2374;
+      counts_supervised_q <= select_1982;
+      registration_fresh_q <= select_2191;
+      product_rest_q <= select_2413;
+      disagree_q <= equal_1337_s22_q ? select_2365 : disagree_q;
+      began_q <= not_1511 & (began_q | select_1498_s22_q);
+      seen_x_q <= select_1498_s22_q ? 4'h0 : (seen_x_q + 4'h1);
+      seen_y_q <= marks_first_s22_q ? 4'h0 : select_2528;
+      seen_column_q <= select_1498_s22_q ? 8'h0 : (seen_column_q + {7'h0, equal_1504});
+      seen_rows_left_q <= select_2534;
+      at_cell_end_q <= (seen_y_q == 4'hf) & (~(seen_rows_left_q == 8'h0));
+      was_next_row_q <= next_row;
+      seen_base_q <= marks_first_s22_q ? 13'h0 : (seen_base_q + {6'h0, select_1501});
     end
   end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
   initial begin
-    census_columns_values_3_cell_4_mask_q = 1'b0;
-    census_changes_values_0_left_q = 12'h0;
-    census_changes_values_0_right_q = 12'h0;
-    census_changes_values_1_left_q = 12'h0;
-    census_changes_values_1_right_q = 12'h0;
-    sharpness_last_detail_0_q = 14'h0;
-    sharpness_last_detail_1_q = 14'h0;
+    averager_detail_0_q = 14'h0;
+    averager_detail_1_q = 14'h0;
+    census_columns_values_2_cell_2_mask_q = 1'b0;
+    census_columns_values_2_cell_3_mask_q = 1'b0;
+    census_columns_values_2_cell_4_mask_q = 1'b0;
+    census_columns_values_3_cell_0_mask_q = 1'b0;
+    census_columns_values_3_cell_1_mask_q = 1'b0;
+    census_columns_values_3_cell_2_mask_q = 1'b0;
+    census_columns_values_3_cell_3_mask_q = 1'b0;
+    sharpness_last_mask_q = 1'b0;
+    box_textured_sum_sums_values_0_q = 5'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s22_en) begin
-      census_columns_values_3_cell_4_mask_q <= select_1709;
-      census_changes_values_0_left_q <= and_368_s22_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_368_s22_q ? sum_1729 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_1731;
-      census_changes_values_1_right_q <= select_1732;
-      sharpness_last_detail_0_q <= select_1751;
-      sharpness_last_detail_1_q <= select_1752;
+      averager_detail_0_q <= select_1640;
+      averager_detail_1_q <= select_1648;
+      census_columns_values_2_cell_2_mask_q <= select_1696;
+      census_columns_values_2_cell_3_mask_q <= select_1699;
+      census_columns_values_2_cell_4_mask_q <= select_1702;
+      census_columns_values_3_cell_0_mask_q <= select_1703;
+      census_columns_values_3_cell_1_mask_q <= select_1706;
+      census_columns_values_3_cell_2_mask_q <= select_1707;
+      census_columns_values_3_cell_3_mask_q <= select_1710;
+      sharpness_last_mask_q <= and_368_s22_q ? whole_2_s22_q : sharpness_last_mask_q;
+      box_textured_sum_sums_values_0_q <= select_2443;
     end
   end
 
@@ -6532,11 +6208,13 @@ module horopter_agreement (
   logic marks_first_s23_q;
   logic marks_last_s23_q;
   logic census_columns_values_1_cell_2_of_skin_s23_q;
-  logic [11:0] census_changes_values_1_left_s23_q;
-  logic [11:0] census_changes_values_1_right_s23_q;
-  logic [23:0] sharpness_sums_contrast_0_s23_q;
-  logic [23:0] sharpness_sums_contrast_1_s23_q;
+  logic census_columns_values_2_cell_4_mask_s23_q;
+  logic census_columns_values_3_cell_0_mask_s23_q;
+  logic census_columns_values_3_cell_1_mask_s23_q;
+  logic census_columns_values_3_cell_2_mask_s23_q;
+  logic census_columns_values_3_cell_3_mask_s23_q;
   logic [6:0] x_s23_q;
+  logic slot_s23_q;
   logic ends_cell_s23_q;
   logic lower_half_s23_q;
   logic [13:0] counts_supervised_s23_q;
@@ -6546,9 +6224,9 @@ module horopter_agreement (
   logic [13:0] product_s23_q;
   logic centres_values_1_textured_s23_q;
   logic centres_values_1_of_skin_s23_q;
-  logic done_s23_q;
   logic [6:0] column_s23_q;
   logic and_368_s23_q;
+  logic so_s23_q;
   logic less_402_s23_q;
   logic less_403_s23_q;
   logic less_404_s23_q;
@@ -6574,70 +6252,70 @@ module horopter_agreement (
   logic less_424_s23_q;
   logic less_425_s23_q;
   logic and_433_s23_q;
-  logic and_458_s23_q;
+  logic whole_16_s23_q;
   logic and_459_s23_q;
-  logic [12:0] sum_479_s23_q;
-  logic equal_1335_s23_q;
-  logic not_1336_s23_q;
-  logic equal_1380_s23_q;
+  logic [11:0] sum_474_s23_q;
+  logic [9:0] sum_477_s23_q;
+  logic equal_1337_s23_q;
+  logic not_1338_s23_q;
+  logic equal_1382_s23_q;
   logic all_s23_q;
-  logic [1:0] sum_1386_s23_q;
-  logic equal_1388_s23_q;
+  logic [1:0] sum_1388_s23_q;
   logic equal_1390_s23_q;
   logic equal_1392_s23_q;
   logic equal_1394_s23_q;
   logic equal_1396_s23_q;
   logic equal_1398_s23_q;
   logic equal_1400_s23_q;
-  logic less_1408_s23_q;
-  logic or_1412_s23_q;
-  logic [31:0] registration_sums_rdata_s23_q;
-  logic equal_1432_s23_q;
-  logic and_1442_s23_q;
-  logic not_1454_s23_q;
-  logic [2:0] index_s23_q;
-  logic [10:0] sum_1508_s23_q;
-  logic and_1515_s23_q;
-  logic less_1516_s23_q;
-  logic [2:0] index_2_s23_q;
-  logic [10:0] sum_1521_s23_q;
-  logic equal_1535_s23_q;
-  logic not_1555_s23_q;
-  logic not_1571_s23_q;
-  logic less_1585_s23_q;
-  logic and_1596_s23_q;
-  logic equal_1736_s23_q;
-  logic [12:0] sum_1737_s23_q;
-  logic [12:0] select_1763_s23_q;
-  logic [12:0] select_1774_s23_q;
-  logic equal_1786_s23_q;
-  logic less_1787_s23_q;
-  logic and_1797_s23_q;
-  logic and_1807_s23_q;
-  logic equal_1830_s23_q;
-  logic and_1974_s23_q;
-  logic and_1993_s23_q;
-  logic not_1997_s23_q;
-  logic not_2012_s23_q;
-  logic [9:0] select_2023_s23_q;
-  logic [9:0] select_2026_s23_q;
-  logic less_2028_s23_q;
-  logic equal_2082_s23_q;
-  logic and_2109_s23_q;
+  logic equal_1402_s23_q;
+  logic less_1410_s23_q;
+  logic or_1414_s23_q;
+  logic equal_1434_s23_q;
+  logic and_1444_s23_q;
+  logic not_1456_s23_q;
+  logic not_1511_s23_q;
+  logic [7:0] sum_1521_s23_q;
+  logic equal_1537_s23_q;
+  logic or_1542_s23_q;
+  logic [23:0] select_1553_s23_q;
+  logic not_1573_s23_q;
+  logic less_1587_s23_q;
+  logic and_1598_s23_q;
+  logic [11:0] sum_1727_s23_q;
+  logic [9:0] sum_1730_s23_q;
+  logic equal_1738_s23_q;
+  logic [27:0] select_1752_s23_q;
+  logic and_1763_s23_q;
+  logic and_1774_s23_q;
+  logic [8:0] select_1781_s23_q;
+  logic [8:0] select_1785_s23_q;
+  logic equal_1788_s23_q;
+  logic less_1789_s23_q;
+  logic [11:0] select_1794_s23_q;
+  logic equal_1832_s23_q;
+  logic equal_1859_s23_q;
+  logic and_1976_s23_q;
+  logic and_1995_s23_q;
+  logic not_1999_s23_q;
+  logic not_2014_s23_q;
+  logic [9:0] select_2025_s23_q;
+  logic [9:0] select_2028_s23_q;
+  logic equal_2084_s23_q;
   logic and_2111_s23_q;
-  logic [7:0] residual_s23_q;
-  logic less_2155_s23_q;
-  logic less_2169_s23_q;
-  logic equal_2213_s23_q;
-  logic or_2354_s23_q;
-  logic equal_2357_s23_q;
-  logic select_2363_s23_q;
-  logic equal_2374_s23_q;
-  logic equal_2377_s23_q;
+  logic and_2113_s23_q;
+  logic [11:0] residual_s23_q;
+  logic equal_2215_s23_q;
+  logic equal_2353_s23_q;
+  logic or_2356_s23_q;
+  logic equal_2359_s23_q;
+  logic select_2365_s23_q;
+  logic not_2370_s23_q;
   logic equal_2379_s23_q;
-  logic equal_2380_s23_q;
-  logic equal_2593_s23_q;
-  logic [9:0] select_2602_s23_q;
+  logic equal_2381_s23_q;
+  logic equal_2382_s23_q;
+  logic equal_2511_s23_q;
+  logic equal_2595_s23_q;
+  logic [9:0] select_2604_s23_q;
   always_ff @(posedge clk_i) begin
     if (s22_en) begin
       pixel_0_s23_q <= pixel_0_s22_q;
@@ -6645,25 +6323,27 @@ module horopter_agreement (
       saturated_s23_q <= saturated_s22_q;
       mask_s23_q <= mask_s22_q;
       marks_first_s23_q <= marks_first_s22_q;
-      marks_last_s23_q <= marks_last_s22_q;
+      marks_last_s23_q <= line_ended_q;
       census_columns_values_1_cell_2_of_skin_s23_q <= census_columns_values_1_cell_2_of_skin_s22_q;
-      census_changes_values_1_left_s23_q <= census_changes_values_1_left_q;
-      census_changes_values_1_right_s23_q <= census_changes_values_1_right_q;
-      sharpness_sums_contrast_0_s23_q <= sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_s23_q <= sharpness_sums_contrast_1_q;
-      x_s23_q <= x_s22_q;
+      census_columns_values_2_cell_4_mask_s23_q <= census_columns_values_2_cell_4_mask_q;
+      census_columns_values_3_cell_0_mask_s23_q <= census_columns_values_3_cell_0_mask_q;
+      census_columns_values_3_cell_1_mask_s23_q <= census_columns_values_3_cell_1_mask_q;
+      census_columns_values_3_cell_2_mask_s23_q <= census_columns_values_3_cell_2_mask_q;
+      census_columns_values_3_cell_3_mask_s23_q <= census_columns_values_3_cell_3_mask_q;
+      x_s23_q <= x_s22_q[6:0];
+      slot_s23_q <= slot_s22_q[0];
       ends_cell_s23_q <= ends_cell_s22_q;
       lower_half_s23_q <= lower_half_s22_q;
-      counts_supervised_s23_q <= counts_supervised_s22_q;
+      counts_supervised_s23_q <= counts_supervised_q;
       counts_textured_s23_q <= counts_textured_s22_q;
       counts_explained_s23_q <= counts_explained_s22_q;
       registration_of_right_s23_q <= registration_of_right_s22_q;
       product_s23_q <= product_s22_q;
       centres_values_1_textured_s23_q <= centres_values_1_textured_s22_q;
       centres_values_1_of_skin_s23_q <= centres_values_1_of_skin_s22_q;
-      done_s23_q <= done_q;
       column_s23_q <= column_s22_q;
       and_368_s23_q <= and_368_s22_q;
+      so_s23_q <= so_s22_q;
       less_402_s23_q <= less_402_s22_q;
       less_403_s23_q <= less_403_s22_q;
       less_404_s23_q <= less_404_s22_q;
@@ -6689,258 +6369,230 @@ module horopter_agreement (
       less_424_s23_q <= less_424_s22_q;
       less_425_s23_q <= less_425_s22_q;
       and_433_s23_q <= and_433_s22_q;
-      and_458_s23_q <= whole_22 & and_433_s22_q;
-      and_459_s23_q <= and_459_s22_q;
-      sum_479_s23_q <= {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-      equal_1335_s23_q <= equal_1335_s22_q;
-      not_1336_s23_q <= not_1336_s22_q;
-      equal_1380_s23_q <= equal_1380_s22_q;
+      whole_16_s23_q <= whole_16;
+      and_459_s23_q <= census_columns_values_1_cell_2_mask_s22_q & and_433_s22_q;
+      sum_474_s23_q <= {1'b0, sum_470} + {2'h0, sum_473_s22_q};
+      sum_477_s23_q <= sum_477_s22_q;
+      equal_1337_s23_q <= equal_1337_s22_q;
+      not_1338_s23_q <= not_1338_s22_q;
+      equal_1382_s23_q <= equal_1382_s22_q;
       all_s23_q <= all_s22_q;
-      sum_1386_s23_q <= sum_1386_s22_q;
-      equal_1388_s23_q <= equal_1388_s22_q;
+      sum_1388_s23_q <= sum_1388_s22_q;
       equal_1390_s23_q <= equal_1390_s22_q;
       equal_1392_s23_q <= equal_1392_s22_q;
       equal_1394_s23_q <= equal_1394_s22_q;
       equal_1396_s23_q <= equal_1396_s22_q;
       equal_1398_s23_q <= equal_1398_s22_q;
       equal_1400_s23_q <= equal_1400_s22_q;
-      less_1408_s23_q <= less_1408_s22_q;
-      or_1412_s23_q <= or_1412_s22_q;
-      registration_sums_rdata_s23_q <= registration_sums_rdata_q;
-      equal_1432_s23_q <= equal_1432_s22_q;
-      and_1442_s23_q <= and_1442_s22_q;
-      not_1454_s23_q <= not_1454_s22_q;
-      index_s23_q <= index[2:0];
-      sum_1508_s23_q <= sum_1508;
-      and_1515_s23_q <= began_q & (seen_x_q == 4'h0);
-      less_1516_s23_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
-      index_2_s23_q <= index_2[2:0];
-      sum_1521_s23_q <= sum_1521;
-      equal_1535_s23_q <= equal_1535_s22_q;
-      not_1555_s23_q <= ~((good_q & select_1552) == 48'h0);
-      not_1571_s23_q <= not_1571_s22_q;
-      less_1585_s23_q <= less_1585_s22_q;
-      and_1596_s23_q <= and_1596_s22_q;
-      equal_1736_s23_q <= equal_1736_s22_q;
-      sum_1737_s23_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_1729};
-      select_1763_s23_q <= and_1761_s22_q ? detail_3[14:2] : 13'h0;
-      select_1774_s23_q <= and_1772_s22_q ? detail_4[14:2] : 13'h0;
-      equal_1786_s23_q <= equal_1786_s22_q;
-      less_1787_s23_q <= less_1787_s22_q;
-      and_1797_s23_q <= and_1797;
-      and_1807_s23_q <= and_1807;
-      equal_1830_s23_q <= equal_1830_s22_q;
-      and_1974_s23_q <= and_1974_s22_q;
-      and_1993_s23_q <= and_1993_s22_q;
-      not_1997_s23_q <= not_1997_s22_q;
-      not_2012_s23_q <= not_2012_s22_q;
-      select_2023_s23_q <= select_2023_s22_q;
-      select_2026_s23_q <= select_2026_s22_q;
-      less_2028_s23_q <= {sum_2027, select_2026_s22_q[1:0]} < {3'h0, select_2023_s22_q};
-      equal_2082_s23_q <= equal_2082_s22_q;
-      and_2109_s23_q <= and_2109_s22_q;
+      equal_1402_s23_q <= equal_1402_s22_q;
+      less_1410_s23_q <= less_1410_s22_q;
+      or_1414_s23_q <= or_1414_s22_q;
+      equal_1434_s23_q <= (registration_fresh_q & select_1432_s22_q) == 4'h0;
+      and_1444_s23_q <= not_1338_s22_q & and_1428;
+      not_1456_s23_q <= not_1456_s22_q;
+      not_1511_s23_q <= not_1511;
+      sum_1521_s23_q <= {2'h0, x_s22_q[7:2]} + 8'hff;
+      equal_1537_s23_q <= t[4:1] == 4'h0;
+      or_1542_s23_q <= or_1542_s22_q;
+      select_1553_s23_q <= select_1553;
+      not_1573_s23_q <= ~({sum_1571, around_s22_q[0]} < {2'h0, t});
+      less_1587_s23_q <= less_1587_s22_q;
+      and_1598_s23_q <= and_1598_s22_q;
+      sum_1727_s23_q <= {1'b0, sum_1723} + {2'h0, sum_1726_s22_q};
+      sum_1730_s23_q <= sum_1730_s22_q;
+      equal_1738_s23_q <= equal_1738_s22_q;
+      select_1752_s23_q <= sample_pair_whole_s22_q ? {detail_2, detail} : 28'h0;
+      and_1763_s23_q <= and_1763;
+      and_1774_s23_q <= and_1774;
+      select_1781_s23_q <= and_1763 ? contrast_s22_q : 9'h0;
+      select_1785_s23_q <= and_1774 ? contrast_2_s22_q : 9'h0;
+      equal_1788_s23_q <= x_s22_q[7:3] == 5'h0;
+      less_1789_s23_q <= 7'h2 < {x_s22_q[4:0], slot_s22_q[2:1]};
+      select_1794_s23_q <= select_1794;
+      equal_1832_s23_q <= {x_s22_q[4:0], slot_s22_q} == 8'h0;
+      equal_1859_s23_q <= equal_1859_s22_q;
+      and_1976_s23_q <= and_1976_s22_q;
+      and_1995_s23_q <= and_1995_s22_q;
+      not_1999_s23_q <= not_1999_s22_q;
+      not_2014_s23_q <= ~({sum_2012, e_s22_q[0]} < {2'h0, t});
+      select_2025_s23_q <= select_2025_s22_q;
+      select_2028_s23_q <= select_2028_s22_q;
+      equal_2084_s23_q <= equal_2084_s22_q;
       and_2111_s23_q <= and_2111_s22_q;
-      residual_s23_q <= residual_s22_q[7:0];
-      less_2155_s23_q <= $signed(difference_2154) < $signed({7'h0, cfg_moved_limit_i});
-      less_2169_s23_q <= less_2169;
-      equal_2213_s23_q <= equal_2213_s22_q;
-      or_2354_s23_q <= or_2354_s22_q;
-      equal_2357_s23_q <= equal_2357_s22_q;
-      select_2363_s23_q <= select_2363_s22_q;
-      equal_2374_s23_q <= equal_2374;
-      equal_2377_s23_q <= equal_2377_s22_q;
+      and_2113_s23_q <= and_2113_s22_q;
+      residual_s23_q <= residual;
+      equal_2215_s23_q <= (registration_fresh_q & select_2213) == 4'h0;
+      equal_2353_s23_q <= select_2025_s22_q[9:3] == 7'h0;
+      or_2356_s23_q <= or_2356;
+      equal_2359_s23_q <= equal_2359_s22_q;
+      select_2365_s23_q <= select_2365;
+      not_2370_s23_q <= ~({sum_2368, select_2028_s22_q[0]} < {2'h0, select_2025_s22_q});
       equal_2379_s23_q <= equal_2379_s22_q;
-      equal_2380_s23_q <= equal_2380_s22_q;
-      equal_2593_s23_q <= equal_2593_s22_q;
-      select_2602_s23_q <= select_2602_s22_q;
+      equal_2381_s23_q <= equal_2381_s22_q;
+      equal_2382_s23_q <= equal_2382_s22_q;
+      equal_2511_s23_q <= equal_2511_s22_q;
+      equal_2595_s23_q <= (registration_fresh_q & select_2593) == 4'h0;
+      select_2604_s23_q <= select_2604_s22_q;
     end
   end
 
   // Stage 23 ----------------------------------------------------------------------------------------------------------
-  logic [11:0] census_changes_values_2_left_q;
-  logic [11:0] census_changes_values_2_right_q;
-  logic [23:0] sharpness_sums_detail_0_q;
-  logic [23:0] sharpness_sums_detail_1_q;
-  logic [1:0] sharpness_comparing_contrast_0_q;
-  logic [1:0] sharpness_comparing_contrast_1_q;
-  logic sharpness_comparing_less_contrast_0_q;
-  logic sharpness_comparing_less_contrast_1_q;
-  logic [13:0] counts_nearer_q;
-  logic good_known_q;
-  // hls/stages/census.hpp:201
-  logic [13:0] sum_480;
-  assign sum_480 = {2'h0, census_changes_values_1_left_s23_q} + {1'b0, sum_479_s23_q};
-  logic [13:0] sum_481;
-  assign sum_481 = {2'h0, census_changes_values_2_left_q} + sum_480;
-  // hls/stages/agreement.hpp:764
-  logic and_1556;
-  assign and_1556 = good_known_q & not_1555_s23_q;
-  // hls/stages/agreement.hpp:833
-  logic is_seen;
-  assign is_seen = equal_1535_s23_q ? and_1556 : not_1571_s23_q;
+  logic census_columns_values_3_cell_4_mask_q;
+  logic [11:0] census_changes_values_0_left_q;
+  logic [11:0] census_changes_values_0_right_q;
+  logic [11:0] census_changes_values_1_left_q;
+  logic [11:0] census_changes_values_1_right_q;
+  logic [13:0] sharpness_last_detail_0_q;
+  logic [13:0] sharpness_last_detail_1_q;
+  logic [23:0] sharpness_sums_contrast_0_q;
+  logic [23:0] sharpness_sums_contrast_1_q;
+  logic [47:0] good_q;
+  logic [12:0] map_row_q;
+  logic [6:0] map_width_q;
+  logic write_half_q;
+  logic read_half_q;
+  logic done_q;
+  logic drew_q;
+  logic said_q;
+  // hls/stages/agreement.hpp:310
+  logic whole_17;
+  assign whole_17 = census_columns_values_2_cell_4_mask_s23_q & whole_16_s23_q;
+  logic whole_18;
+  assign whole_18 = census_columns_values_3_cell_0_mask_s23_q & whole_17;
+  logic whole_19;
+  assign whole_19 = census_columns_values_3_cell_1_mask_s23_q & whole_18;
+  logic whole_20;
+  assign whole_20 = census_columns_values_3_cell_2_mask_s23_q & whole_19;
+  logic whole_21;
+  assign whole_21 = census_columns_values_3_cell_3_mask_s23_q & whole_20;
+  logic whole_22;
+  assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
+  // hls/stages/census.hpp:190
+  logic [11:0] texture;
+  assign texture = sum_474_s23_q + {2'h0, sum_477_s23_q};
+  // hls/stages/agreement.hpp:1013
+  logic [12:0] index;
+  assign index = seen_base_q + {5'h0, seen_column_q};
+  // hls/stages/agreement.hpp:984
+  logic select_1509;
+  assign select_1509 = marks_first_s23_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  // hls/stages/agreement.hpp:970
+  logic [10:0] sum_1510;
+  assign sum_1510 = {1'b0, {5{select_1509}}, 1'b0, {2{select_1509}}, 1'b0, select_1509} + {1'b0, index[12:3]};
+  // hls/stages/agreement.hpp:842
+  logic [12:0] index_2;
+  assign index_2 = {{3{sum_1521_s23_q[7]}}, sum_1521_s23_q, x_s23_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:970
+  logic [10:0] sum_1523;
+  assign sum_1523 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
+  // hls/stages/agreement.hpp:832
+  logic [47:0] select_1554;
+  assign select_1554 = or_1542_s23_q ? {select_1553_s23_q[23], 1'b0, select_1553_s23_q[22], 1'b0, select_1553_s23_q[21], 1'b0, select_1553_s23_q[20], 1'b0, select_1553_s23_q[19], 1'b0, select_1553_s23_q[18], 1'b0, select_1553_s23_q[17], 1'b0, select_1553_s23_q[16], 1'b0, select_1553_s23_q[15], 1'b0, select_1553_s23_q[14], 1'b0, select_1553_s23_q[13], 1'b0, select_1553_s23_q[12], 1'b0, select_1553_s23_q[11], 1'b0, select_1553_s23_q[10], 1'b0, select_1553_s23_q[9], 1'b0, select_1553_s23_q[8], 1'b0, select_1553_s23_q[7], 1'b0, select_1553_s23_q[6], 1'b0, select_1553_s23_q[5], 1'b0, select_1553_s23_q[4], 1'b0, select_1553_s23_q[3], 1'b0, select_1553_s23_q[2], 1'b0, select_1553_s23_q[1], 1'b0, select_1553_s23_q[0], 1'b0} : {1'b0, select_1553_s23_q[23], 1'b0, select_1553_s23_q[22], 1'b0, select_1553_s23_q[21], 1'b0, select_1553_s23_q[20], 1'b0, select_1553_s23_q[19], 1'b0, select_1553_s23_q[18], 1'b0, select_1553_s23_q[17], 1'b0, select_1553_s23_q[16], 1'b0, select_1553_s23_q[15], 1'b0, select_1553_s23_q[14], 1'b0, select_1553_s23_q[13], 1'b0, select_1553_s23_q[12], 1'b0, select_1553_s23_q[11], 1'b0, select_1553_s23_q[10], 1'b0, select_1553_s23_q[9], 1'b0, select_1553_s23_q[8], 1'b0, select_1553_s23_q[7], 1'b0, select_1553_s23_q[6], 1'b0, select_1553_s23_q[5], 1'b0, select_1553_s23_q[4], 1'b0, select_1553_s23_q[3], 1'b0, select_1553_s23_q[2], 1'b0, select_1553_s23_q[1], 1'b0, select_1553_s23_q[0]};
+  // hls/stages/agreement.hpp:365
+  logic select_1711;
+  assign select_1711 = and_368_s23_q ? census_columns_values_2_cell_4_mask_s23_q : census_columns_values_3_cell_4_mask_q;
+  // hls/stages/census.hpp:192
+  logic [11:0] sum_1731;
+  assign sum_1731 = sum_1727_s23_q + {2'h0, sum_1730_s23_q};
   // hls/stages/agreement.hpp:365
   logic [11:0] select_1733;
-  assign select_1733 = and_368_s23_q ? census_changes_values_1_left_s23_q : census_changes_values_2_left_q;
+  assign select_1733 = and_368_s23_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_1734;
-  assign select_1734 = and_368_s23_q ? census_changes_values_1_right_s23_q : census_changes_values_2_right_q;
-  // hls/stages/census.hpp:202
-  logic [13:0] sum_1738;
-  assign sum_1738 = {2'h0, census_changes_values_1_right_s23_q} + {1'b0, sum_1737_s23_q};
-  logic [13:0] sum_1739;
-  assign sum_1739 = {2'h0, census_changes_values_2_right_q} + sum_1738;
+  assign select_1734 = and_368_s23_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [13:0] select_1753;
+  assign select_1753 = and_368_s23_q ? select_1752_s23_q[13:0] : sharpness_last_detail_0_q;
+  logic [13:0] select_1754;
+  assign select_1754 = and_368_s23_q ? select_1752_s23_q[27:14] : sharpness_last_detail_1_q;
+  // hls/stages/census.hpp:274
+  logic [14:0] detail_3;
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_1752_s23_q[13:0]};
+  logic [14:0] detail_4;
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_1752_s23_q[27:14]};
   // hls/stages/census.hpp:277
-  logic [23:0] select_1765;
-  assign select_1765 = equal_1736_s23_q ? {11'h0, select_1763_s23_q} : (sharpness_sums_detail_0_q + {11'h0, select_1763_s23_q});
-  logic [23:0] select_1776;
-  assign select_1776 = equal_1736_s23_q ? {11'h0, select_1774_s23_q} : (sharpness_sums_detail_1_q + {11'h0, select_1774_s23_q});
-  // hls/stages/census.hpp:296
-  logic [17:0] select_1799;
-  assign select_1799 = (less_1787_s23_q & and_1797_s23_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
-  logic [17:0] select_1809;
-  assign select_1809 = (less_1787_s23_q & and_1807_s23_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
-  // hls/stages/agreement.hpp:154
-  logic [1:0] select_1818;
-  assign select_1818 = equal_1786_s23_q ? {sharpness_comparing_contrast_0_q[0], and_1807_s23_q} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_1820;
-  assign select_1820 = equal_1786_s23_q ? {sharpness_comparing_contrast_1_q[0], and_1797_s23_q} : sharpness_comparing_contrast_1_q;
-  // hls/stages/census.hpp:305
-  logic xor_1843;
-  assign xor_1843 = sharpness_comparing_contrast_0_q[1] ^ and_1797_s23_q;
-  logic select_1846;
-  assign select_1846 = (equal_1830_s23_q | xor_1843) ? (and_1797_s23_q & xor_1843) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/agreement.hpp:154
-  logic select_1847;
-  assign select_1847 = equal_1786_s23_q ? select_1846 : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:305
-  logic xor_1849;
-  assign xor_1849 = sharpness_comparing_contrast_1_q[1] ^ and_1807_s23_q;
-  logic select_1852;
-  assign select_1852 = (equal_1830_s23_q | xor_1849) ? (and_1807_s23_q & xor_1849) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:154
-  logic select_1853;
-  assign select_1853 = equal_1786_s23_q ? select_1852 : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:681
-  logic [13:0] select_1995;
-  assign select_1995 = and_1974_s23_q ? 14'h0 : (counts_nearer_q + {13'h0, and_1993_s23_q});
-  // hls/stages/agreement.hpp:836
-  logic not_2014;
-  assign not_2014 = ~(equal_1535_s23_q ? and_1556 : not_2012_s23_q);
-  // hls/stages/agreement.hpp:211
-  logic and_2017;
-  assign and_2017 = ends_cell_s23_q & (not_1997_s23_q & (centres_values_1_textured_s23_q & not_2014));
-  // hls/stages/agreement.hpp:867
-  logic [9:0] select_2030;
-  assign select_2030 = ((~(select_2023_s23_q[9:4] == 6'h0)) & less_2028_s23_q) ? select_2023_s23_q : 10'h0;
-  // hls/stages/agreement.hpp:211
-  logic [9:0] select_2033;
-  assign select_2033 = equal_1335_s23_q ? (x_s23_q[6] ? (equal_1380_s23_q ? 10'h0 : select_2030) : 10'h0) : 10'h0;
-  // hls/stages/agreement.hpp:840
-  logic and_2051;
-  assign and_2051 = centres_values_1_textured_s23_q & (centres_values_1_of_skin_s23_q & not_2014);
-  // hls/stages/registration.hpp:106
-  logic [7:0] select_2137;
-  assign select_2137 = equal_2082_s23_q ? (and_2111_s23_q ? residual_s23_q : 8'h0) : 8'h0;
-  logic and_2148;
-  assign and_2148 = and_2111_s23_q & ($signed(residual_s23_q) < $signed({2'h0, cfg_moved_limit_i}));
+  logic [23:0] sum_1782;
+  assign sum_1782 = (equal_1738_s23_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1781_s23_q};
+  logic [23:0] sum_1786;
+  assign sum_1786 = (equal_1738_s23_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1785_s23_q};
+  // hls/stages/census.hpp:328
+  logic less_1790;
+  assign less_1790 = x_s23_q[4:0] < 5'h3;
+  logic [23:0] select_1795;
+  assign select_1795 = slot_s23_q ? {select_1794_s23_q[11], 1'b0, select_1794_s23_q[10], 1'b0, select_1794_s23_q[9], 1'b0, select_1794_s23_q[8], 1'b0, select_1794_s23_q[7], 1'b0, select_1794_s23_q[6], 1'b0, select_1794_s23_q[5], 1'b0, select_1794_s23_q[4], 1'b0, select_1794_s23_q[3], 1'b0, select_1794_s23_q[2], 1'b0, select_1794_s23_q[1], 1'b0, select_1794_s23_q[0], 1'b0} : {1'b0, select_1794_s23_q[11], 1'b0, select_1794_s23_q[10], 1'b0, select_1794_s23_q[9], 1'b0, select_1794_s23_q[8], 1'b0, select_1794_s23_q[7], 1'b0, select_1794_s23_q[6], 1'b0, select_1794_s23_q[5], 1'b0, select_1794_s23_q[4], 1'b0, select_1794_s23_q[3], 1'b0, select_1794_s23_q[2], 1'b0, select_1794_s23_q[1], 1'b0, select_1794_s23_q[0]};
+  // hls/stages/census.hpp:291
+  logic and_1799;
+  assign and_1799 = less_1790 & (~((sharpness_sums_contrast_1_q & select_1795) == 24'h0));
+  logic and_1809;
+  assign and_1809 = less_1790 & (~((sharpness_sums_contrast_0_q & select_1795) == 24'h0));
+  // hls/stages/agreement.hpp:863
+  logic [10:0] sum_2029;
+  assign sum_2029 = {1'b0, select_2028_s23_q} + {3'h0, select_2028_s23_q[9:2]};
   // hls/stages/registration.hpp:193
-  logic less_2162;
-  assign less_2162 = $signed(residual_s23_q) < $signed({2'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:861
-  logic [11:0] select_2215;
-  assign select_2215 = or_1412_s23_q ? 12'h0 : (equal_2213_s23_q ? registration_sums_rdata_s23_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:871
-  logic [11:0] select_2217;
-  assign select_2217 = equal_1380_s23_q ? 12'h0 : (less_1408_s23_q ? select_2215 : 12'h0);
-  // hls/stages/registration.hpp:145
-  logic and_2220;
-  assign and_2220 = x_s23_q[1] & all_s23_q;
-  // hls/stages/agreement.hpp:871
-  logic and_2223;
-  assign and_2223 = not_1454_s23_q & (less_1408_s23_q & ({and_2220, x_s23_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:861
-  logic [11:0] select_2230;
-  assign select_2230 = or_1412_s23_q ? 12'h0 : (equal_2213_s23_q ? registration_sums_rdata_s23_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:871
-  logic [11:0] select_2232;
-  assign select_2232 = equal_1380_s23_q ? 12'h0 : (less_1408_s23_q ? select_2230 : 12'h0);
-  // hls/stages/registration.hpp:142
-  logic not_2238;
-  assign not_2238 = ~all_s23_q;
-  // hls/stages/agreement.hpp:871
-  logic and_2241;
-  assign and_2241 = not_1454_s23_q & (less_1408_s23_q & (x_s23_q[2:0] == {all_s23_q, not_2238, 1'b0}));
-  // hls/stages/agreement.hpp:211
-  logic and_2247;
-  assign and_2247 = equal_1335_s23_q & (x_s23_q[6] & (not_1454_s23_q & (less_1408_s23_q & all_s23_q)));
-  // hls/stages/registration.hpp:149
-  logic equal_2274;
-  assign equal_2274 = x_s23_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:871
-  logic and_2277;
-  assign and_2277 = not_1454_s23_q & (less_1408_s23_q & (x_s23_q[5] ? x_s23_q[3] : equal_2274));
-  logic and_2286;
-  assign and_2286 = not_1454_s23_q & (less_1408_s23_q & ((~x_s23_q[5]) & (x_s23_q[3] & equal_2274)));
-  // hls/stages/agreement.hpp:211
-  logic select_2376;
-  assign select_2376 = equal_1335_s23_q ? ((x_s23_q[6] & good_known_q) | equal_2374_s23_q) : good_known_q;
-  // hls/stages/agreement.hpp:1012
-  logic and_2538;
-  assign and_2538 = and_1596_s23_q & ({sum_1521_s23_q, index_2_s23_q} == {sum_1508_s23_q, index_s23_q});
-  // hls/stages/agreement.hpp:869
-  logic [31:0] select_2595;
-  assign select_2595 = equal_1400_s23_q ? {2'h0, counts_explained_s23_q, 2'h0, counts_textured_s23_q} : (equal_2593_s23_q ? registration_sums_rdata_s23_q : 32'h0);
-  logic [31:0] select_2596;
-  assign select_2596 = equal_1398_s23_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_s23_q} : select_2595;
-
-  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1103; read in stage 23, written in stage 24: 23 < 24 < 23 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [1:0] map_mem [0:16079];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 16080; i++) map_mem[i] = 2'h0;
-`endif
-  logic [13:0] map_raddr;
-  assign map_raddr = {sum_1508_s23_q, index_s23_q};
-  logic map_re;
-  assign map_re = s23_en & (and_1515_s23_q & less_1516_s23_q);
-  logic [1:0] map_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (map_re) map_rdata_q <= map_mem[map_raddr];
-  end
+  logic [12:0] difference_2156;
+  assign difference_2156 = 13'h0 - {residual_s23_q[11], residual_s23_q};
+  logic less_2171;
+  assign less_2171 = $signed(difference_2156) < $signed({7'h0, cfg_moved_half_limit_i});
+  // hls/stages/agreement.hpp:865
+  logic select_2371;
+  assign select_2371 = equal_2353_s23_q ? ((~or_2356_s23_q) & (~select_2365_s23_q)) : not_2370_s23_q;
+  // hls/stages/agreement.hpp:872
+  logic [47:0] select_2373;
+  assign select_2373 = x_s23_q[6] ? (equal_1382_s23_q ? good_q : {select_2371, good_q[47:1]}) : good_q;
+  logic equal_2376;
+  assign equal_2376 = x_s23_q == 7'h7f;
+  // hls/stages/agreement.hpp:314
+  logic [12:0] select_2514;
+  assign select_2514 = equal_1859_s23_q ? (equal_2511_s23_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  // hls/stages/agreement.hpp:365
+  logic [6:0] select_2517;
+  assign select_2517 = and_368_s23_q ? (equal_1859_s23_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      sharpness_sums_detail_0_q <= 24'h0;
-      sharpness_sums_detail_1_q <= 24'h0;
-      sharpness_comparing_contrast_0_q <= 2'h0;
-      sharpness_comparing_contrast_1_q <= 2'h0;
-      sharpness_comparing_less_contrast_0_q <= 1'b0;
-      sharpness_comparing_less_contrast_1_q <= 1'b0;
-      counts_nearer_q <= 14'h0;
-      good_known_q <= 1'b0;
+      sharpness_sums_contrast_0_q <= 24'h0;
+      sharpness_sums_contrast_1_q <= 24'h0;
+      good_q <= 48'h0;
+      map_row_q <= 13'h0;
+      map_width_q <= 7'h0;
+      write_half_q <= 1'b0;
+      read_half_q <= 1'b1;
+      done_q <= 1'b0;
+      drew_q <= 1'b0;
+      said_q <= 1'b0;
     end else if (s23_en) begin
-      sharpness_sums_detail_0_q <= and_368_s23_q ? select_1765 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_368_s23_q ? select_1776 : sharpness_sums_detail_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_1818 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_1820 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_less_contrast_0_q <= drew_q ? select_1847 : sharpness_comparing_less_contrast_0_q;
-      sharpness_comparing_less_contrast_1_q <= drew_q ? select_1853 : sharpness_comparing_less_contrast_1_q;
-      counts_nearer_q <= select_1995;
-      good_known_q <= select_2376;
+      sharpness_sums_contrast_0_q <= and_368_s23_q ? sum_1782 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_368_s23_q ? sum_1786 : sharpness_sums_contrast_1_q;
+      good_q <= equal_1337_s23_q ? select_2373 : good_q;
+      map_row_q <= and_368_s23_q ? select_2514 : map_row_q;
+      map_width_q <= select_2517;
+      write_half_q <= marks_first_s23_q ? (write_half_q ^ done_q) : write_half_q;
+      read_half_q <= select_1509;
+      done_q <= not_1511_s23_q & ((~drew_q) & (done_q | said_q));
+      drew_q <= so_s23_q;
+      said_q <= equal_1337_s23_q & equal_2376;
     end
   end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
   initial begin
-    census_changes_values_2_left_q = 12'h0;
-    census_changes_values_2_right_q = 12'h0;
+    census_columns_values_3_cell_4_mask_q = 1'b0;
+    census_changes_values_0_left_q = 12'h0;
+    census_changes_values_0_right_q = 12'h0;
+    census_changes_values_1_left_q = 12'h0;
+    census_changes_values_1_right_q = 12'h0;
+    sharpness_last_detail_0_q = 14'h0;
+    sharpness_last_detail_1_q = 14'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s23_en) begin
-      census_changes_values_2_left_q <= select_1733;
-      census_changes_values_2_right_q <= select_1734;
+      census_columns_values_3_cell_4_mask_q <= select_1711;
+      census_changes_values_0_left_q <= and_368_s23_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_368_s23_q ? sum_1731 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_1733;
+      census_changes_values_1_right_q <= select_1734;
+      sharpness_last_detail_0_q <= select_1753;
+      sharpness_last_detail_1_q <= select_1754;
     end
   end
 
@@ -6951,19 +6603,23 @@ module horopter_agreement (
   logic marks_first_s24_q;
   logic marks_last_s24_q;
   logic census_columns_values_1_cell_2_of_skin_s24_q;
-  logic [23:0] sharpness_sums_detail_0_s24_q;
-  logic [23:0] sharpness_sums_detail_1_s24_q;
+  logic [11:0] census_changes_values_1_left_s24_q;
+  logic [11:0] census_changes_values_1_right_s24_q;
   logic [23:0] sharpness_sums_contrast_0_s24_q;
   logic [23:0] sharpness_sums_contrast_1_s24_q;
   logic [6:0] x_s24_q;
+  logic ends_cell_s24_q;
   logic lower_half_s24_q;
-  logic [13:0] counts_nearer_s24_q;
+  logic [13:0] counts_supervised_s24_q;
+  logic [13:0] counts_textured_s24_q;
+  logic [13:0] counts_explained_s24_q;
   logic registration_of_right_s24_q;
   logic [13:0] product_s24_q;
+  logic centres_values_1_textured_s24_q;
+  logic centres_values_1_of_skin_s24_q;
   logic done_s24_q;
   logic [6:0] column_s24_q;
   logic and_368_s24_q;
-  logic so_s24_q;
   logic less_402_s24_q;
   logic less_403_s24_q;
   logic less_404_s24_q;
@@ -6991,67 +6647,68 @@ module horopter_agreement (
   logic and_433_s24_q;
   logic and_458_s24_q;
   logic and_459_s24_q;
-  logic [8:0] sum_481_s24_q;
-  logic equal_1335_s24_q;
-  logic not_1336_s24_q;
-  logic equal_1380_s24_q;
-  logic [1:0] sum_1386_s24_q;
-  logic equal_1388_s24_q;
+  logic [12:0] sum_479_s24_q;
+  logic equal_1337_s24_q;
+  logic not_1338_s24_q;
+  logic equal_1382_s24_q;
+  logic all_s24_q;
+  logic [1:0] sum_1388_s24_q;
   logic equal_1390_s24_q;
   logic equal_1392_s24_q;
   logic equal_1394_s24_q;
   logic equal_1396_s24_q;
-  logic less_1408_s24_q;
-  logic [19:0] select_1433_s24_q;
-  logic [11:0] select_1438_s24_q;
-  logic and_1442_s24_q;
-  logic not_1454_s24_q;
-  logic and_1515_s24_q;
-  logic less_1516_s24_q;
+  logic equal_1398_s24_q;
+  logic equal_1400_s24_q;
+  logic equal_1402_s24_q;
+  logic less_1410_s24_q;
+  logic or_1414_s24_q;
+  logic [31:0] registration_sums_rdata_s24_q;
+  logic equal_1434_s24_q;
+  logic and_1444_s24_q;
+  logic not_1456_s24_q;
+  logic [2:0] index_s24_q;
+  logic [10:0] sum_1510_s24_q;
+  logic and_1517_s24_q;
+  logic less_1518_s24_q;
   logic [2:0] index_2_s24_q;
-  logic [10:0] sum_1521_s24_q;
-  logic is_seen_s24_q;
-  logic and_1586_s24_q;
-  logic and_1596_s24_q;
-  logic equal_1736_s24_q;
-  logic [8:0] sum_1739_s24_q;
-  logic equal_1786_s24_q;
-  logic less_1787_s24_q;
-  logic [17:0] select_1799_s24_q;
-  logic [17:0] select_1809_s24_q;
-  logic equal_1830_s24_q;
-  logic and_1974_s24_q;
-  logic and_2019_s24_q;
-  logic [9:0] select_2023_s24_q;
-  logic [9:0] select_2026_s24_q;
-  logic [9:0] select_2033_s24_q;
-  logic and_2054_s24_q;
-  logic equal_2082_s24_q;
-  logic and_2109_s24_q;
+  logic [10:0] sum_1523_s24_q;
+  logic equal_1537_s24_q;
+  logic not_1557_s24_q;
+  logic not_1573_s24_q;
+  logic less_1587_s24_q;
+  logic and_1598_s24_q;
+  logic equal_1738_s24_q;
+  logic [12:0] sum_1739_s24_q;
+  logic [12:0] select_1765_s24_q;
+  logic [12:0] select_1776_s24_q;
+  logic equal_1788_s24_q;
+  logic less_1789_s24_q;
+  logic and_1799_s24_q;
+  logic and_1809_s24_q;
+  logic equal_1832_s24_q;
+  logic and_1976_s24_q;
+  logic and_1995_s24_q;
+  logic not_1999_s24_q;
+  logic not_2014_s24_q;
+  logic [9:0] select_2025_s24_q;
+  logic [9:0] select_2028_s24_q;
+  logic less_2030_s24_q;
+  logic equal_2084_s24_q;
   logic and_2111_s24_q;
-  logic [7:0] select_2139_s24_q;
-  logic and_2148_s24_q;
-  logic and_2156_s24_q;
-  logic and_2163_s24_q;
-  logic and_2170_s24_q;
-  logic [11:0] select_2217_s24_q;
-  logic and_2225_s24_q;
-  logic [11:0] select_2232_s24_q;
-  logic and_2243_s24_q;
-  logic and_2247_s24_q;
-  logic and_2279_s24_q;
-  logic and_2287_s24_q;
-  logic or_2354_s24_q;
-  logic equal_2357_s24_q;
-  logic select_2363_s24_q;
-  logic equal_2374_s24_q;
-  logic equal_2377_s24_q;
+  logic and_2113_s24_q;
+  logic [7:0] residual_s24_q;
+  logic less_2157_s24_q;
+  logic less_2171_s24_q;
+  logic equal_2215_s24_q;
+  logic or_2356_s24_q;
+  logic equal_2359_s24_q;
+  logic select_2365_s24_q;
+  logic equal_2376_s24_q;
   logic equal_2379_s24_q;
-  logic equal_2380_s24_q;
-  logic and_2523_s24_q;
-  logic and_2538_s24_q;
-  logic [31:0] select_2596_s24_q;
-  logic [9:0] select_2602_s24_q;
+  logic equal_2381_s24_q;
+  logic equal_2382_s24_q;
+  logic equal_2595_s24_q;
+  logic [9:0] select_2604_s24_q;
   always_ff @(posedge clk_i) begin
     if (s23_en) begin
       pixel_0_s24_q <= pixel_0_s23_q;
@@ -7061,19 +6718,23 @@ module horopter_agreement (
       marks_first_s24_q <= marks_first_s23_q;
       marks_last_s24_q <= marks_last_s23_q;
       census_columns_values_1_cell_2_of_skin_s24_q <= census_columns_values_1_cell_2_of_skin_s23_q;
-      sharpness_sums_detail_0_s24_q <= sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_s24_q <= sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_s24_q <= sharpness_sums_contrast_0_s23_q;
-      sharpness_sums_contrast_1_s24_q <= sharpness_sums_contrast_1_s23_q;
+      census_changes_values_1_left_s24_q <= census_changes_values_1_left_q;
+      census_changes_values_1_right_s24_q <= census_changes_values_1_right_q;
+      sharpness_sums_contrast_0_s24_q <= sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_s24_q <= sharpness_sums_contrast_1_q;
       x_s24_q <= x_s23_q;
+      ends_cell_s24_q <= ends_cell_s23_q;
       lower_half_s24_q <= lower_half_s23_q;
-      counts_nearer_s24_q <= counts_nearer_q;
+      counts_supervised_s24_q <= counts_supervised_s23_q;
+      counts_textured_s24_q <= counts_textured_s23_q;
+      counts_explained_s24_q <= counts_explained_s23_q;
       registration_of_right_s24_q <= registration_of_right_s23_q;
       product_s24_q <= product_s23_q;
-      done_s24_q <= done_s23_q;
+      centres_values_1_textured_s24_q <= centres_values_1_textured_s23_q;
+      centres_values_1_of_skin_s24_q <= centres_values_1_of_skin_s23_q;
+      done_s24_q <= done_q;
       column_s24_q <= column_s23_q;
       and_368_s24_q <= and_368_s23_q;
-      so_s24_q <= drew_q;
       less_402_s24_q <= less_402_s23_q;
       less_403_s24_q <= less_403_s23_q;
       less_404_s24_q <= less_404_s23_q;
@@ -7099,73 +6760,483 @@ module horopter_agreement (
       less_424_s24_q <= less_424_s23_q;
       less_425_s24_q <= less_425_s23_q;
       and_433_s24_q <= and_433_s23_q;
-      and_458_s24_q <= and_458_s23_q;
+      and_458_s24_q <= whole_22 & and_433_s23_q;
       and_459_s24_q <= and_459_s23_q;
-      sum_481_s24_q <= sum_481[13:5];
-      equal_1335_s24_q <= equal_1335_s23_q;
-      not_1336_s24_q <= not_1336_s23_q;
-      equal_1380_s24_q <= equal_1380_s23_q;
-      sum_1386_s24_q <= sum_1386_s23_q;
-      equal_1388_s24_q <= equal_1388_s23_q;
+      sum_479_s24_q <= {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+      equal_1337_s24_q <= equal_1337_s23_q;
+      not_1338_s24_q <= not_1338_s23_q;
+      equal_1382_s24_q <= equal_1382_s23_q;
+      all_s24_q <= all_s23_q;
+      sum_1388_s24_q <= sum_1388_s23_q;
       equal_1390_s24_q <= equal_1390_s23_q;
       equal_1392_s24_q <= equal_1392_s23_q;
       equal_1394_s24_q <= equal_1394_s23_q;
       equal_1396_s24_q <= equal_1396_s23_q;
-      less_1408_s24_q <= less_1408_s23_q;
-      select_1433_s24_q <= equal_1432_s23_q ? registration_sums_rdata_s23_q[19:0] : 20'h0;
-      select_1438_s24_q <= equal_1432_s23_q ? registration_sums_rdata_s23_q[31:20] : 12'h0;
-      and_1442_s24_q <= and_1442_s23_q;
-      not_1454_s24_q <= not_1454_s23_q;
-      and_1515_s24_q <= and_1515_s23_q;
-      less_1516_s24_q <= less_1516_s23_q;
-      index_2_s24_q <= index_2_s23_q;
-      sum_1521_s24_q <= sum_1521_s23_q;
-      is_seen_s24_q <= is_seen;
-      and_1586_s24_q <= is_seen & less_1585_s23_q;
-      and_1596_s24_q <= and_1596_s23_q;
-      equal_1736_s24_q <= equal_1736_s23_q;
-      sum_1739_s24_q <= sum_1739[13:5];
-      equal_1786_s24_q <= equal_1786_s23_q;
-      less_1787_s24_q <= less_1787_s23_q;
-      select_1799_s24_q <= select_1799;
-      select_1809_s24_q <= select_1809;
-      equal_1830_s24_q <= equal_1830_s23_q;
-      and_1974_s24_q <= and_1974_s23_q;
-      and_2019_s24_q <= not_1336_s23_q & (drew_q & and_2017);
-      select_2023_s24_q <= select_2023_s23_q;
-      select_2026_s24_q <= select_2026_s23_q;
-      select_2033_s24_q <= select_2033;
-      and_2054_s24_q <= drew_q & (ends_cell_s23_q & (not_1997_s23_q & and_2051));
-      equal_2082_s24_q <= equal_2082_s23_q;
-      and_2109_s24_q <= and_2109_s23_q;
+      equal_1398_s24_q <= equal_1398_s23_q;
+      equal_1400_s24_q <= equal_1400_s23_q;
+      equal_1402_s24_q <= equal_1402_s23_q;
+      less_1410_s24_q <= less_1410_s23_q;
+      or_1414_s24_q <= or_1414_s23_q;
+      registration_sums_rdata_s24_q <= registration_sums_rdata_q;
+      equal_1434_s24_q <= equal_1434_s23_q;
+      and_1444_s24_q <= and_1444_s23_q;
+      not_1456_s24_q <= not_1456_s23_q;
+      index_s24_q <= index[2:0];
+      sum_1510_s24_q <= sum_1510;
+      and_1517_s24_q <= began_q & (seen_x_q == 4'h0);
+      less_1518_s24_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
+      index_2_s24_q <= index_2[2:0];
+      sum_1523_s24_q <= sum_1523;
+      equal_1537_s24_q <= equal_1537_s23_q;
+      not_1557_s24_q <= ~((good_q & select_1554) == 48'h0);
+      not_1573_s24_q <= not_1573_s23_q;
+      less_1587_s24_q <= less_1587_s23_q;
+      and_1598_s24_q <= and_1598_s23_q;
+      equal_1738_s24_q <= equal_1738_s23_q;
+      sum_1739_s24_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_1731};
+      select_1765_s24_q <= and_1763_s23_q ? detail_3[14:2] : 13'h0;
+      select_1776_s24_q <= and_1774_s23_q ? detail_4[14:2] : 13'h0;
+      equal_1788_s24_q <= equal_1788_s23_q;
+      less_1789_s24_q <= less_1789_s23_q;
+      and_1799_s24_q <= and_1799;
+      and_1809_s24_q <= and_1809;
+      equal_1832_s24_q <= equal_1832_s23_q;
+      and_1976_s24_q <= and_1976_s23_q;
+      and_1995_s24_q <= and_1995_s23_q;
+      not_1999_s24_q <= not_1999_s23_q;
+      not_2014_s24_q <= not_2014_s23_q;
+      select_2025_s24_q <= select_2025_s23_q;
+      select_2028_s24_q <= select_2028_s23_q;
+      less_2030_s24_q <= {sum_2029, select_2028_s23_q[1:0]} < {3'h0, select_2025_s23_q};
+      equal_2084_s24_q <= equal_2084_s23_q;
       and_2111_s24_q <= and_2111_s23_q;
-      select_2139_s24_q <= equal_1335_s23_q ? 8'h0 : (drew_q ? select_2137 : 8'h0);
-      and_2148_s24_q <= and_2148;
-      and_2156_s24_q <= and_2111_s23_q & less_2155_s23_q;
-      and_2163_s24_q <= and_2111_s23_q & less_2162;
-      and_2170_s24_q <= and_2111_s23_q & less_2169_s23_q;
-      select_2217_s24_q <= select_2217;
-      and_2225_s24_q <= equal_1335_s23_q & (x_s23_q[6] & and_2223);
-      select_2232_s24_q <= select_2232;
-      and_2243_s24_q <= equal_1335_s23_q & (x_s23_q[6] & and_2241);
-      and_2247_s24_q <= and_2247;
-      and_2279_s24_q <= equal_1335_s23_q & (x_s23_q[6] & and_2277);
-      and_2287_s24_q <= x_s23_q[6] & and_2286;
-      or_2354_s24_q <= or_2354_s23_q;
-      equal_2357_s24_q <= equal_2357_s23_q;
-      select_2363_s24_q <= select_2363_s23_q;
-      equal_2374_s24_q <= equal_2374_s23_q;
-      equal_2377_s24_q <= equal_2377_s23_q;
+      and_2113_s24_q <= and_2113_s23_q;
+      residual_s24_q <= residual_s23_q[7:0];
+      less_2157_s24_q <= $signed(difference_2156) < $signed({7'h0, cfg_moved_limit_i});
+      less_2171_s24_q <= less_2171;
+      equal_2215_s24_q <= equal_2215_s23_q;
+      or_2356_s24_q <= or_2356_s23_q;
+      equal_2359_s24_q <= equal_2359_s23_q;
+      select_2365_s24_q <= select_2365_s23_q;
+      equal_2376_s24_q <= equal_2376;
       equal_2379_s24_q <= equal_2379_s23_q;
-      equal_2380_s24_q <= equal_2380_s23_q;
-      and_2523_s24_q <= said_q;
-      and_2538_s24_q <= and_2538;
-      select_2596_s24_q <= select_2596;
-      select_2602_s24_q <= select_2602_s23_q;
+      equal_2381_s24_q <= equal_2381_s23_q;
+      equal_2382_s24_q <= equal_2382_s23_q;
+      equal_2595_s24_q <= equal_2595_s23_q;
+      select_2604_s24_q <= select_2604_s23_q;
     end
   end
 
   // Stage 24 ----------------------------------------------------------------------------------------------------------
+  logic [11:0] census_changes_values_2_left_q;
+  logic [11:0] census_changes_values_2_right_q;
+  logic [23:0] sharpness_sums_detail_0_q;
+  logic [23:0] sharpness_sums_detail_1_q;
+  logic [1:0] sharpness_comparing_contrast_0_q;
+  logic [1:0] sharpness_comparing_contrast_1_q;
+  logic sharpness_comparing_less_contrast_0_q;
+  logic sharpness_comparing_less_contrast_1_q;
+  logic [13:0] counts_nearer_q;
+  logic good_known_q;
+  // hls/stages/census.hpp:201
+  logic [13:0] sum_480;
+  assign sum_480 = {2'h0, census_changes_values_1_left_s24_q} + {1'b0, sum_479_s24_q};
+  logic [13:0] sum_481;
+  assign sum_481 = {2'h0, census_changes_values_2_left_q} + sum_480;
+  // hls/stages/agreement.hpp:765
+  logic and_1558;
+  assign and_1558 = good_known_q & not_1557_s24_q;
+  // hls/stages/agreement.hpp:834
+  logic is_seen;
+  assign is_seen = equal_1537_s24_q ? and_1558 : not_1573_s24_q;
+  // hls/stages/agreement.hpp:365
+  logic [11:0] select_1735;
+  assign select_1735 = and_368_s24_q ? census_changes_values_1_left_s24_q : census_changes_values_2_left_q;
+  logic [11:0] select_1736;
+  assign select_1736 = and_368_s24_q ? census_changes_values_1_right_s24_q : census_changes_values_2_right_q;
+  // hls/stages/census.hpp:202
+  logic [13:0] sum_1740;
+  assign sum_1740 = {2'h0, census_changes_values_1_right_s24_q} + {1'b0, sum_1739_s24_q};
+  logic [13:0] sum_1741;
+  assign sum_1741 = {2'h0, census_changes_values_2_right_q} + sum_1740;
+  // hls/stages/census.hpp:277
+  logic [23:0] select_1767;
+  assign select_1767 = equal_1738_s24_q ? {11'h0, select_1765_s24_q} : (sharpness_sums_detail_0_q + {11'h0, select_1765_s24_q});
+  logic [23:0] select_1778;
+  assign select_1778 = equal_1738_s24_q ? {11'h0, select_1776_s24_q} : (sharpness_sums_detail_1_q + {11'h0, select_1776_s24_q});
+  // hls/stages/census.hpp:296
+  logic [17:0] select_1801;
+  assign select_1801 = (less_1789_s24_q & and_1799_s24_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_1811;
+  assign select_1811 = (less_1789_s24_q & and_1809_s24_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  // hls/stages/agreement.hpp:154
+  logic [1:0] select_1820;
+  assign select_1820 = equal_1788_s24_q ? {sharpness_comparing_contrast_0_q[0], and_1809_s24_q} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_1822;
+  assign select_1822 = equal_1788_s24_q ? {sharpness_comparing_contrast_1_q[0], and_1799_s24_q} : sharpness_comparing_contrast_1_q;
+  // hls/stages/census.hpp:305
+  logic xor_1845;
+  assign xor_1845 = sharpness_comparing_contrast_0_q[1] ^ and_1799_s24_q;
+  logic select_1848;
+  assign select_1848 = (equal_1832_s24_q | xor_1845) ? (and_1799_s24_q & xor_1845) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/agreement.hpp:154
+  logic select_1849;
+  assign select_1849 = equal_1788_s24_q ? select_1848 : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:305
+  logic xor_1851;
+  assign xor_1851 = sharpness_comparing_contrast_1_q[1] ^ and_1809_s24_q;
+  logic select_1854;
+  assign select_1854 = (equal_1832_s24_q | xor_1851) ? (and_1809_s24_q & xor_1851) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:154
+  logic select_1855;
+  assign select_1855 = equal_1788_s24_q ? select_1854 : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:681
+  logic [13:0] select_1997;
+  assign select_1997 = and_1976_s24_q ? 14'h0 : (counts_nearer_q + {13'h0, and_1995_s24_q});
+  // hls/stages/agreement.hpp:837
+  logic not_2016;
+  assign not_2016 = ~(equal_1537_s24_q ? and_1558 : not_2014_s24_q);
+  // hls/stages/agreement.hpp:211
+  logic and_2019;
+  assign and_2019 = ends_cell_s24_q & (not_1999_s24_q & (centres_values_1_textured_s24_q & not_2016));
+  // hls/stages/agreement.hpp:868
+  logic [9:0] select_2032;
+  assign select_2032 = ((~(select_2025_s24_q[9:4] == 6'h0)) & less_2030_s24_q) ? select_2025_s24_q : 10'h0;
+  // hls/stages/agreement.hpp:211
+  logic [9:0] select_2035;
+  assign select_2035 = equal_1337_s24_q ? (x_s24_q[6] ? (equal_1382_s24_q ? 10'h0 : select_2032) : 10'h0) : 10'h0;
+  // hls/stages/agreement.hpp:841
+  logic and_2053;
+  assign and_2053 = centres_values_1_textured_s24_q & (centres_values_1_of_skin_s24_q & not_2016);
+  // hls/stages/registration.hpp:106
+  logic [7:0] select_2139;
+  assign select_2139 = equal_2084_s24_q ? (and_2113_s24_q ? residual_s24_q : 8'h0) : 8'h0;
+  logic and_2150;
+  assign and_2150 = and_2113_s24_q & ($signed(residual_s24_q) < $signed({2'h0, cfg_moved_limit_i}));
+  // hls/stages/registration.hpp:193
+  logic less_2164;
+  assign less_2164 = $signed(residual_s24_q) < $signed({2'h0, cfg_moved_half_limit_i});
+  // hls/stages/agreement.hpp:862
+  logic [11:0] select_2217;
+  assign select_2217 = or_1414_s24_q ? 12'h0 : (equal_2215_s24_q ? registration_sums_rdata_s24_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:872
+  logic [11:0] select_2219;
+  assign select_2219 = equal_1382_s24_q ? 12'h0 : (less_1410_s24_q ? select_2217 : 12'h0);
+  // hls/stages/registration.hpp:145
+  logic and_2222;
+  assign and_2222 = x_s24_q[1] & all_s24_q;
+  // hls/stages/agreement.hpp:872
+  logic and_2225;
+  assign and_2225 = not_1456_s24_q & (less_1410_s24_q & ({and_2222, x_s24_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:862
+  logic [11:0] select_2232;
+  assign select_2232 = or_1414_s24_q ? 12'h0 : (equal_2215_s24_q ? registration_sums_rdata_s24_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:872
+  logic [11:0] select_2234;
+  assign select_2234 = equal_1382_s24_q ? 12'h0 : (less_1410_s24_q ? select_2232 : 12'h0);
+  // hls/stages/registration.hpp:142
+  logic not_2240;
+  assign not_2240 = ~all_s24_q;
+  // hls/stages/agreement.hpp:872
+  logic and_2243;
+  assign and_2243 = not_1456_s24_q & (less_1410_s24_q & (x_s24_q[2:0] == {all_s24_q, not_2240, 1'b0}));
+  // hls/stages/agreement.hpp:211
+  logic and_2249;
+  assign and_2249 = equal_1337_s24_q & (x_s24_q[6] & (not_1456_s24_q & (less_1410_s24_q & all_s24_q)));
+  // hls/stages/registration.hpp:149
+  logic equal_2276;
+  assign equal_2276 = x_s24_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:872
+  logic and_2279;
+  assign and_2279 = not_1456_s24_q & (less_1410_s24_q & (x_s24_q[5] ? x_s24_q[3] : equal_2276));
+  logic and_2288;
+  assign and_2288 = not_1456_s24_q & (less_1410_s24_q & ((~x_s24_q[5]) & (x_s24_q[3] & equal_2276)));
+  // hls/stages/agreement.hpp:211
+  logic select_2378;
+  assign select_2378 = equal_1337_s24_q ? ((x_s24_q[6] & good_known_q) | equal_2376_s24_q) : good_known_q;
+  // hls/stages/agreement.hpp:1013
+  logic and_2540;
+  assign and_2540 = and_1598_s24_q & ({sum_1523_s24_q, index_2_s24_q} == {sum_1510_s24_q, index_s24_q});
+  // hls/stages/agreement.hpp:870
+  logic [31:0] select_2597;
+  assign select_2597 = equal_1402_s24_q ? {2'h0, counts_explained_s24_q, 2'h0, counts_textured_s24_q} : (equal_2595_s24_q ? registration_sums_rdata_s24_q : 32'h0);
+  logic [31:0] select_2598;
+  assign select_2598 = equal_1400_s24_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_s24_q} : select_2597;
+
+  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1104; read in stage 24, written in stage 25: 24 < 25 < 24 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [1:0] map_mem [0:16079];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 16080; i++) map_mem[i] = 2'h0;
+`endif
+  logic [13:0] map_raddr;
+  assign map_raddr = {sum_1510_s24_q, index_s24_q};
+  logic map_re;
+  assign map_re = s24_en & (and_1517_s24_q & less_1518_s24_q);
+  logic [1:0] map_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (map_re) map_rdata_q <= map_mem[map_raddr];
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      sharpness_sums_detail_0_q <= 24'h0;
+      sharpness_sums_detail_1_q <= 24'h0;
+      sharpness_comparing_contrast_0_q <= 2'h0;
+      sharpness_comparing_contrast_1_q <= 2'h0;
+      sharpness_comparing_less_contrast_0_q <= 1'b0;
+      sharpness_comparing_less_contrast_1_q <= 1'b0;
+      counts_nearer_q <= 14'h0;
+      good_known_q <= 1'b0;
+    end else if (s24_en) begin
+      sharpness_sums_detail_0_q <= and_368_s24_q ? select_1767 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_368_s24_q ? select_1778 : sharpness_sums_detail_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_1820 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_1822 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_less_contrast_0_q <= drew_q ? select_1849 : sharpness_comparing_less_contrast_0_q;
+      sharpness_comparing_less_contrast_1_q <= drew_q ? select_1855 : sharpness_comparing_less_contrast_1_q;
+      counts_nearer_q <= select_1997;
+      good_known_q <= select_2378;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    census_changes_values_2_left_q = 12'h0;
+    census_changes_values_2_right_q = 12'h0;
+  end
+`endif
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (s24_en) begin
+      census_changes_values_2_left_q <= select_1735;
+      census_changes_values_2_right_q <= select_1736;
+    end
+  end
+
+  logic [7:0] pixel_0_s25_q;
+  logic [7:0] pixel_1_s25_q;
+  logic saturated_s25_q;
+  logic mask_s25_q;
+  logic marks_first_s25_q;
+  logic marks_last_s25_q;
+  logic census_columns_values_1_cell_2_of_skin_s25_q;
+  logic [23:0] sharpness_sums_detail_0_s25_q;
+  logic [23:0] sharpness_sums_detail_1_s25_q;
+  logic [23:0] sharpness_sums_contrast_0_s25_q;
+  logic [23:0] sharpness_sums_contrast_1_s25_q;
+  logic [6:0] x_s25_q;
+  logic lower_half_s25_q;
+  logic [13:0] counts_nearer_s25_q;
+  logic registration_of_right_s25_q;
+  logic [13:0] product_s25_q;
+  logic done_s25_q;
+  logic [6:0] column_s25_q;
+  logic and_368_s25_q;
+  logic so_s25_q;
+  logic less_402_s25_q;
+  logic less_403_s25_q;
+  logic less_404_s25_q;
+  logic less_405_s25_q;
+  logic less_406_s25_q;
+  logic less_407_s25_q;
+  logic less_408_s25_q;
+  logic less_409_s25_q;
+  logic less_410_s25_q;
+  logic less_411_s25_q;
+  logic less_412_s25_q;
+  logic less_413_s25_q;
+  logic less_414_s25_q;
+  logic less_415_s25_q;
+  logic less_416_s25_q;
+  logic less_417_s25_q;
+  logic less_418_s25_q;
+  logic less_419_s25_q;
+  logic less_420_s25_q;
+  logic less_421_s25_q;
+  logic less_422_s25_q;
+  logic less_423_s25_q;
+  logic less_424_s25_q;
+  logic less_425_s25_q;
+  logic and_433_s25_q;
+  logic and_458_s25_q;
+  logic and_459_s25_q;
+  logic [8:0] sum_481_s25_q;
+  logic equal_1337_s25_q;
+  logic not_1338_s25_q;
+  logic equal_1382_s25_q;
+  logic [1:0] sum_1388_s25_q;
+  logic equal_1390_s25_q;
+  logic equal_1392_s25_q;
+  logic equal_1394_s25_q;
+  logic equal_1396_s25_q;
+  logic equal_1398_s25_q;
+  logic less_1410_s25_q;
+  logic [19:0] select_1435_s25_q;
+  logic [11:0] select_1440_s25_q;
+  logic and_1444_s25_q;
+  logic not_1456_s25_q;
+  logic and_1517_s25_q;
+  logic less_1518_s25_q;
+  logic [2:0] index_2_s25_q;
+  logic [10:0] sum_1523_s25_q;
+  logic is_seen_s25_q;
+  logic and_1588_s25_q;
+  logic and_1598_s25_q;
+  logic equal_1738_s25_q;
+  logic [8:0] sum_1741_s25_q;
+  logic equal_1788_s25_q;
+  logic less_1789_s25_q;
+  logic [17:0] select_1801_s25_q;
+  logic [17:0] select_1811_s25_q;
+  logic equal_1832_s25_q;
+  logic and_1976_s25_q;
+  logic and_2021_s25_q;
+  logic [9:0] select_2025_s25_q;
+  logic [9:0] select_2028_s25_q;
+  logic [9:0] select_2035_s25_q;
+  logic and_2056_s25_q;
+  logic equal_2084_s25_q;
+  logic and_2111_s25_q;
+  logic and_2113_s25_q;
+  logic [7:0] select_2141_s25_q;
+  logic and_2150_s25_q;
+  logic and_2158_s25_q;
+  logic and_2165_s25_q;
+  logic and_2172_s25_q;
+  logic [11:0] select_2219_s25_q;
+  logic and_2227_s25_q;
+  logic [11:0] select_2234_s25_q;
+  logic and_2245_s25_q;
+  logic and_2249_s25_q;
+  logic and_2281_s25_q;
+  logic and_2289_s25_q;
+  logic or_2356_s25_q;
+  logic equal_2359_s25_q;
+  logic select_2365_s25_q;
+  logic equal_2376_s25_q;
+  logic equal_2379_s25_q;
+  logic equal_2381_s25_q;
+  logic equal_2382_s25_q;
+  logic and_2525_s25_q;
+  logic and_2540_s25_q;
+  logic [31:0] select_2598_s25_q;
+  logic [9:0] select_2604_s25_q;
+  always_ff @(posedge clk_i) begin
+    if (s24_en) begin
+      pixel_0_s25_q <= pixel_0_s24_q;
+      pixel_1_s25_q <= pixel_1_s24_q;
+      saturated_s25_q <= saturated_s24_q;
+      mask_s25_q <= mask_s24_q;
+      marks_first_s25_q <= marks_first_s24_q;
+      marks_last_s25_q <= marks_last_s24_q;
+      census_columns_values_1_cell_2_of_skin_s25_q <= census_columns_values_1_cell_2_of_skin_s24_q;
+      sharpness_sums_detail_0_s25_q <= sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_s25_q <= sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_s25_q <= sharpness_sums_contrast_0_s24_q;
+      sharpness_sums_contrast_1_s25_q <= sharpness_sums_contrast_1_s24_q;
+      x_s25_q <= x_s24_q;
+      lower_half_s25_q <= lower_half_s24_q;
+      counts_nearer_s25_q <= counts_nearer_q;
+      registration_of_right_s25_q <= registration_of_right_s24_q;
+      product_s25_q <= product_s24_q;
+      done_s25_q <= done_s24_q;
+      column_s25_q <= column_s24_q;
+      and_368_s25_q <= and_368_s24_q;
+      so_s25_q <= drew_q;
+      less_402_s25_q <= less_402_s24_q;
+      less_403_s25_q <= less_403_s24_q;
+      less_404_s25_q <= less_404_s24_q;
+      less_405_s25_q <= less_405_s24_q;
+      less_406_s25_q <= less_406_s24_q;
+      less_407_s25_q <= less_407_s24_q;
+      less_408_s25_q <= less_408_s24_q;
+      less_409_s25_q <= less_409_s24_q;
+      less_410_s25_q <= less_410_s24_q;
+      less_411_s25_q <= less_411_s24_q;
+      less_412_s25_q <= less_412_s24_q;
+      less_413_s25_q <= less_413_s24_q;
+      less_414_s25_q <= less_414_s24_q;
+      less_415_s25_q <= less_415_s24_q;
+      less_416_s25_q <= less_416_s24_q;
+      less_417_s25_q <= less_417_s24_q;
+      less_418_s25_q <= less_418_s24_q;
+      less_419_s25_q <= less_419_s24_q;
+      less_420_s25_q <= less_420_s24_q;
+      less_421_s25_q <= less_421_s24_q;
+      less_422_s25_q <= less_422_s24_q;
+      less_423_s25_q <= less_423_s24_q;
+      less_424_s25_q <= less_424_s24_q;
+      less_425_s25_q <= less_425_s24_q;
+      and_433_s25_q <= and_433_s24_q;
+      and_458_s25_q <= and_458_s24_q;
+      and_459_s25_q <= and_459_s24_q;
+      sum_481_s25_q <= sum_481[13:5];
+      equal_1337_s25_q <= equal_1337_s24_q;
+      not_1338_s25_q <= not_1338_s24_q;
+      equal_1382_s25_q <= equal_1382_s24_q;
+      sum_1388_s25_q <= sum_1388_s24_q;
+      equal_1390_s25_q <= equal_1390_s24_q;
+      equal_1392_s25_q <= equal_1392_s24_q;
+      equal_1394_s25_q <= equal_1394_s24_q;
+      equal_1396_s25_q <= equal_1396_s24_q;
+      equal_1398_s25_q <= equal_1398_s24_q;
+      less_1410_s25_q <= less_1410_s24_q;
+      select_1435_s25_q <= equal_1434_s24_q ? registration_sums_rdata_s24_q[19:0] : 20'h0;
+      select_1440_s25_q <= equal_1434_s24_q ? registration_sums_rdata_s24_q[31:20] : 12'h0;
+      and_1444_s25_q <= and_1444_s24_q;
+      not_1456_s25_q <= not_1456_s24_q;
+      and_1517_s25_q <= and_1517_s24_q;
+      less_1518_s25_q <= less_1518_s24_q;
+      index_2_s25_q <= index_2_s24_q;
+      sum_1523_s25_q <= sum_1523_s24_q;
+      is_seen_s25_q <= is_seen;
+      and_1588_s25_q <= is_seen & less_1587_s24_q;
+      and_1598_s25_q <= and_1598_s24_q;
+      equal_1738_s25_q <= equal_1738_s24_q;
+      sum_1741_s25_q <= sum_1741[13:5];
+      equal_1788_s25_q <= equal_1788_s24_q;
+      less_1789_s25_q <= less_1789_s24_q;
+      select_1801_s25_q <= select_1801;
+      select_1811_s25_q <= select_1811;
+      equal_1832_s25_q <= equal_1832_s24_q;
+      and_1976_s25_q <= and_1976_s24_q;
+      and_2021_s25_q <= not_1338_s24_q & (drew_q & and_2019);
+      select_2025_s25_q <= select_2025_s24_q;
+      select_2028_s25_q <= select_2028_s24_q;
+      select_2035_s25_q <= select_2035;
+      and_2056_s25_q <= drew_q & (ends_cell_s24_q & (not_1999_s24_q & and_2053));
+      equal_2084_s25_q <= equal_2084_s24_q;
+      and_2111_s25_q <= and_2111_s24_q;
+      and_2113_s25_q <= and_2113_s24_q;
+      select_2141_s25_q <= equal_1337_s24_q ? 8'h0 : (drew_q ? select_2139 : 8'h0);
+      and_2150_s25_q <= and_2150;
+      and_2158_s25_q <= and_2113_s24_q & less_2157_s24_q;
+      and_2165_s25_q <= and_2113_s24_q & less_2164;
+      and_2172_s25_q <= and_2113_s24_q & less_2171_s24_q;
+      select_2219_s25_q <= select_2219;
+      and_2227_s25_q <= equal_1337_s24_q & (x_s24_q[6] & and_2225);
+      select_2234_s25_q <= select_2234;
+      and_2245_s25_q <= equal_1337_s24_q & (x_s24_q[6] & and_2243);
+      and_2249_s25_q <= and_2249;
+      and_2281_s25_q <= equal_1337_s24_q & (x_s24_q[6] & and_2279);
+      and_2289_s25_q <= x_s24_q[6] & and_2288;
+      or_2356_s25_q <= or_2356_s24_q;
+      equal_2359_s25_q <= equal_2359_s24_q;
+      select_2365_s25_q <= select_2365_s24_q;
+      equal_2376_s25_q <= equal_2376_s24_q;
+      equal_2379_s25_q <= equal_2379_s24_q;
+      equal_2381_s25_q <= equal_2381_s24_q;
+      equal_2382_s25_q <= equal_2382_s24_q;
+      and_2525_s25_q <= said_q;
+      and_2540_s25_q <= and_2540;
+      select_2598_s25_q <= select_2598;
+      select_2604_s25_q <= select_2604_s24_q;
+    end
+  end
+
+  // Stage 25 ----------------------------------------------------------------------------------------------------------
   logic [17:0] sharpness_comparing_rest_0_q;
   logic [17:0] sharpness_comparing_rest_1_q;
   logic [13:0] counts_unproven_q;
@@ -7187,164 +7258,164 @@ module horopter_agreement (
   logic registration_other_up_q;
   logic proven_q;
   // hls/stages/registration.hpp:250
-  logic equal_1434;
-  assign equal_1434 = sum_1386_s24_q == 2'h0;
+  logic equal_1436;
+  assign equal_1436 = sum_1388_s25_q == 2'h0;
   // hls/stages/registration.hpp:248
   logic [6:0] down;
-  assign down = sum_1386_s24_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_1388_s25_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:250
-  logic [13:0] select_1436;
-  assign select_1436 = equal_1434 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [13:0] select_1438;
+  assign select_1438 = equal_1436 ? registration_half_across_q : {{7{down[6]}}, down};
   // hls/stages/registration.hpp:249
   logic [6:0] up;
-  assign up = sum_1386_s24_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_1388_s25_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:251
-  logic [6:0] select_1440;
-  assign select_1440 = equal_1434 ? {1'b0, registration_half_measured_q} : up;
+  logic [6:0] select_1442;
+  assign select_1442 = equal_1436 ? {1'b0, registration_half_measured_q} : up;
   // hls/stages/census.hpp:296
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_1799_s24_q};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_1801_s25_q};
   // hls/stages/agreement.hpp:154
-  logic [17:0] select_1802;
-  assign select_1802 = equal_1786_s24_q ? (less_1787_s24_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_1804;
+  assign select_1804 = equal_1788_s25_q ? (less_1789_s25_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:296
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_1809_s24_q};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_1811_s25_q};
   // hls/stages/agreement.hpp:154
-  logic [17:0] select_1812;
-  assign select_1812 = equal_1786_s24_q ? (less_1787_s24_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [17:0] select_1814;
+  assign select_1814 = equal_1788_s25_q ? (less_1789_s25_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
   // hls/stages/agreement.hpp:681
-  logic [13:0] select_2021;
-  assign select_2021 = and_1974_s24_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2019_s24_q});
-  logic [13:0] select_2035;
-  assign select_2035 = and_1974_s24_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2033_s24_q});
+  logic [13:0] select_2023;
+  assign select_2023 = and_1976_s25_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2021_s25_q});
+  logic [13:0] select_2037;
+  assign select_2037 = and_1976_s25_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2035_s25_q});
   // hls/stages/agreement.hpp:211
-  logic and_2055;
-  assign and_2055 = not_1336_s24_q & and_2054_s24_q;
+  logic and_2057;
+  assign and_2057 = not_1338_s25_q & and_2056_s25_q;
   // hls/stages/agreement.hpp:681
-  logic [13:0] select_2057;
-  assign select_2057 = and_1974_s24_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2055});
+  logic [13:0] select_2059;
+  assign select_2059 = and_1976_s25_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2057});
   // hls/stages/registration.hpp:125
-  logic [13:0] sum_2140;
-  assign sum_2140 = registration_half_across_q + {{6{select_2139_s24_q[7]}}, select_2139_s24_q};
+  logic [13:0] sum_2142;
+  assign sum_2142 = registration_half_across_q + {{6{select_2141_s25_q[7]}}, select_2141_s25_q};
   // hls/stages/agreement.hpp:211
-  logic and_2144;
-  assign and_2144 = not_1336_s24_q & (so_s24_q & (and_2111_s24_q & equal_2082_s24_q));
+  logic and_2146;
+  assign and_2146 = not_1338_s25_q & (so_s25_q & (and_2113_s25_q & equal_2084_s25_q));
   // hls/stages/registration.hpp:126
-  logic [5:0] select_2146;
-  assign select_2146 = and_2109_s24_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2144});
+  logic [5:0] select_2148;
+  assign select_2148 = and_2111_s25_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2146});
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_2150;
-  assign select_2150 = so_s24_q ? (equal_2082_s24_q ? {and_2148_s24_q, and_2111_s24_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2151;
-  assign select_2151 = equal_1335_s24_q ? 2'h0 : select_2150;
+  logic [1:0] select_2152;
+  assign select_2152 = so_s25_q ? (equal_2084_s25_q ? {and_2150_s25_q, and_2113_s25_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2153;
+  assign select_2153 = equal_1337_s25_q ? 2'h0 : select_2152;
   // hls/stages/registration.hpp:172
-  logic [6:0] sum_2152;
-  assign sum_2152 = registration_half_votes_down_q + {{5{select_2151[1]}}, select_2151};
+  logic [6:0] sum_2154;
+  assign sum_2154 = registration_half_votes_down_q + {{5{select_2153[1]}}, select_2153};
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_2158;
-  assign select_2158 = so_s24_q ? (equal_2082_s24_q ? {and_2156_s24_q, and_2111_s24_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2159;
-  assign select_2159 = equal_1335_s24_q ? 2'h0 : select_2158;
+  logic [1:0] select_2160;
+  assign select_2160 = so_s25_q ? (equal_2084_s25_q ? {and_2158_s25_q, and_2113_s25_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2161;
+  assign select_2161 = equal_1337_s25_q ? 2'h0 : select_2160;
   // hls/stages/registration.hpp:173
-  logic [6:0] sum_2160;
-  assign sum_2160 = registration_half_votes_up_q + {{5{select_2159[1]}}, select_2159};
+  logic [6:0] sum_2162;
+  assign sum_2162 = registration_half_votes_up_q + {{5{select_2161[1]}}, select_2161};
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_2165;
-  assign select_2165 = so_s24_q ? (equal_2082_s24_q ? {and_2163_s24_q, and_2111_s24_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2166;
-  assign select_2166 = equal_1335_s24_q ? 2'h0 : select_2165;
+  logic [1:0] select_2167;
+  assign select_2167 = so_s25_q ? (equal_2084_s25_q ? {and_2165_s25_q, and_2113_s25_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2168;
+  assign select_2168 = equal_1337_s25_q ? 2'h0 : select_2167;
   // hls/stages/registration.hpp:172
-  logic [6:0] sum_2167;
-  assign sum_2167 = registration_half_half_votes_down_q + {{5{select_2166[1]}}, select_2166};
+  logic [6:0] sum_2169;
+  assign sum_2169 = registration_half_half_votes_down_q + {{5{select_2168[1]}}, select_2168};
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_2172;
-  assign select_2172 = so_s24_q ? (equal_2082_s24_q ? {and_2170_s24_q, and_2111_s24_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2173;
-  assign select_2173 = equal_1335_s24_q ? 2'h0 : select_2172;
+  logic [1:0] select_2174;
+  assign select_2174 = so_s25_q ? (equal_2084_s25_q ? {and_2172_s25_q, and_2113_s25_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2175;
+  assign select_2175 = equal_1337_s25_q ? 2'h0 : select_2174;
   // hls/stages/registration.hpp:173
-  logic [6:0] sum_2174;
-  assign sum_2174 = registration_half_half_votes_up_q + {{5{select_2173[1]}}, select_2173};
+  logic [6:0] sum_2176;
+  assign sum_2176 = registration_half_half_votes_up_q + {{5{select_2175[1]}}, select_2175};
   // hls/stages/agreement.hpp:211
-  logic and_2208;
-  assign and_2208 = equal_1335_s24_q & (x_s24_q[6] & (not_1454_s24_q & less_1408_s24_q));
-  logic [11:0] select_2219;
-  assign select_2219 = equal_1335_s24_q ? (x_s24_q[6] ? select_2217_s24_q : 12'h0) : 12'h0;
+  logic and_2210;
+  assign and_2210 = equal_1337_s25_q & (x_s25_q[6] & (not_1456_s25_q & less_1410_s25_q));
+  logic [11:0] select_2221;
+  assign select_2221 = equal_1337_s25_q ? (x_s25_q[6] ? select_2219_s25_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:237
-  logic [13:0] sum_2227;
-  assign sum_2227 = {{2{select_2219[11]}}, select_2219} + (and_2225_s24_q ? 14'h0 : registration_down_q);
+  logic [13:0] sum_2229;
+  assign sum_2229 = {{2{select_2221[11]}}, select_2221} + (and_2227_s25_q ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:211
-  logic [11:0] select_2234;
-  assign select_2234 = equal_1335_s24_q ? (x_s24_q[6] ? select_2232_s24_q : 12'h0) : 12'h0;
+  logic [11:0] select_2236;
+  assign select_2236 = equal_1337_s25_q ? (x_s25_q[6] ? select_2234_s25_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:238
-  logic [13:0] sum_2236;
-  assign sum_2236 = {{2{select_2234[11]}}, select_2234} + (and_2225_s24_q ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2238;
+  assign sum_2238 = {{2{select_2236[11]}}, select_2236} + (and_2227_s25_q ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:231
-  logic not_2248;
-  assign not_2248 = ~and_2247_s24_q;
-  logic less_2249;
-  assign less_2249 = $signed({9'h1, {2{not_2248}}, and_2247_s24_q}) < $signed(registration_up_q[13:2]);
-  logic select_2250;
-  assign select_2250 = and_2243_s24_q ? less_2249 : registration_enough_q;
-  // hls/stages/agreement.hpp:871
-  logic and_2254;
-  assign and_2254 = x_s24_q[6] & (not_1454_s24_q & (less_1408_s24_q & (x_s24_q[2:0] == 3'h4)));
+  logic not_2250;
+  assign not_2250 = ~and_2249_s25_q;
+  logic less_2251;
+  assign less_2251 = $signed({9'h1, {2{not_2250}}, and_2249_s25_q}) < $signed(registration_up_q[13:2]);
+  logic select_2252;
+  assign select_2252 = and_2245_s25_q ? less_2251 : registration_enough_q;
+  // hls/stages/agreement.hpp:872
+  logic and_2256;
+  assign and_2256 = x_s25_q[6] & (not_1456_s25_q & (less_1410_s25_q & (x_s25_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:211
-  logic and_2255;
-  assign and_2255 = equal_1335_s24_q & and_2254;
+  logic and_2257;
+  assign and_2257 = equal_1337_s25_q & and_2256;
   // hls/stages/registration.hpp:227
-  logic less_2256;
-  assign less_2256 = $signed(14'h0) < $signed(registration_down_q);
   logic less_2258;
-  assign less_2258 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/agreement.hpp:871
-  logic and_2263;
-  assign and_2263 = x_s24_q[6] & (not_1454_s24_q & (less_1408_s24_q & (x_s24_q[2:0] == 3'h7)));
+  assign less_2258 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2260;
+  assign less_2260 = $signed(14'h0) < $signed(registration_up_q);
+  // hls/stages/agreement.hpp:872
+  logic and_2265;
+  assign and_2265 = x_s25_q[6] & (not_1456_s25_q & (less_1410_s25_q & (x_s25_q[2:0] == 3'h7)));
   // hls/stages/agreement.hpp:211
-  logic and_2264;
-  assign and_2264 = equal_1335_s24_q & and_2263;
-  // hls/stages/agreement.hpp:871
-  logic and_2271;
-  assign and_2271 = x_s24_q[6] & (not_1454_s24_q & (less_1408_s24_q & (x_s24_q[5:0] == 6'h0)));
+  logic and_2266;
+  assign and_2266 = equal_1337_s25_q & and_2265;
+  // hls/stages/agreement.hpp:872
+  logic and_2273;
+  assign and_2273 = x_s25_q[6] & (not_1456_s25_q & (less_1410_s25_q & (x_s25_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:229
-  logic and_2289;
-  assign and_2289 = registration_votes_up_q & registration_other_down_q;
-  logic select_2291;
-  assign select_2291 = registration_votes_down_q ? (registration_other_up_q | and_2289) : and_2289;
+  logic and_2291;
+  assign and_2291 = registration_votes_up_q & registration_other_down_q;
+  logic select_2293;
+  assign select_2293 = registration_votes_down_q ? (registration_other_up_q | and_2291) : and_2291;
   // hls/stages/registration.hpp:130
-  logic and_2293;
-  assign and_2293 = (equal_1335_s24_q & and_2287_s24_q) & (registration_other_enough_q & select_2291);
   logic and_2295;
-  assign and_2295 = registration_enough_q & ((and_2279_s24_q & (less_2258 | less_2256)) | and_2293);
-  // hls/stages/agreement.hpp:855
-  logic [13:0] select_2382;
-  assign select_2382 = equal_2379_s24_q ? counts_skin_unproven_q : (equal_2380_s24_q ? counts_unproven_q : counts_regions_bad_q);
+  assign and_2295 = (equal_1337_s25_q & and_2289_s25_q) & (registration_other_enough_q & select_2293);
+  logic and_2297;
+  assign and_2297 = registration_enough_q & ((and_2281_s25_q & (less_2260 | less_2258)) | and_2295);
+  // hls/stages/agreement.hpp:856
+  logic [13:0] select_2384;
+  assign select_2384 = equal_2381_s25_q ? counts_skin_unproven_q : (equal_2382_s25_q ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_2377_s24_q ? counts_nearer_s24_q : select_2382;
+  assign before_v_4 = equal_2379_s25_q ? counts_nearer_s25_q : select_2384;
   // hls/stages/agreement.hpp:211
-  logic and_2553;
-  assign and_2553 = equal_1335_s24_q & (equal_2374_s24_q & (cfg_prove_i & (~proven_q)));
-  logic and_2587;
-  assign and_2587 = equal_1335_s24_q & (x_s24_q[6] & (not_1454_s24_q | (4'hc < x_s24_q[5:2])));
-  // hls/stages/agreement.hpp:869
-  logic [31:0] select_2597;
-  assign select_2597 = equal_1396_s24_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_2596_s24_q;
-  logic [31:0] select_2598;
-  assign select_2598 = equal_1394_s24_q ? {8'h0, sharpness_sums_detail_0_s24_q} : select_2597;
+  logic and_2555;
+  assign and_2555 = equal_1337_s25_q & (equal_2376_s25_q & (cfg_prove_i & (~proven_q)));
+  logic and_2589;
+  assign and_2589 = equal_1337_s25_q & (x_s25_q[6] & (not_1456_s25_q | (4'hc < x_s25_q[5:2])));
+  // hls/stages/agreement.hpp:870
   logic [31:0] select_2599;
-  assign select_2599 = equal_1392_s24_q ? {8'h0, sharpness_sums_detail_1_s24_q} : select_2598;
+  assign select_2599 = equal_1398_s25_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_2598_s25_q;
   logic [31:0] select_2600;
-  assign select_2600 = equal_1390_s24_q ? {8'h0, sharpness_sums_contrast_0_s24_q} : select_2599;
+  assign select_2600 = equal_1396_s25_q ? {8'h0, sharpness_sums_detail_0_s25_q} : select_2599;
   logic [31:0] select_2601;
-  assign select_2601 = equal_1388_s24_q ? {8'h0, sharpness_sums_contrast_1_s24_q} : select_2600;
+  assign select_2601 = equal_1394_s25_q ? {8'h0, sharpness_sums_detail_1_s25_q} : select_2600;
+  logic [31:0] select_2602;
+  assign select_2602 = equal_1392_s25_q ? {8'h0, sharpness_sums_contrast_0_s25_q} : select_2601;
+  logic [31:0] select_2603;
+  assign select_2603 = equal_1390_s25_q ? {8'h0, sharpness_sums_contrast_1_s25_q} : select_2602;
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_1521_s24_q, index_2_s24_q};
+  assign map_waddr = {sum_1523_s25_q, index_2_s25_q};
   logic map_we;
-  assign map_we = s24_en & and_1596_s24_q;
+  assign map_we = s25_en & and_1598_s25_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_1586_s24_q, is_seen_s24_q};
+    if (map_we) map_mem[map_waddr] <= {and_1588_s25_q, is_seen_s25_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -7380,196 +7451,196 @@ module horopter_agreement (
       registration_other_down_q <= 1'b0;
       registration_other_up_q <= 1'b0;
       proven_q <= 1'b0;
-    end else if (s24_en) begin
-      sharpness_comparing_rest_0_q <= so_s24_q ? select_1802 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= so_s24_q ? select_1812 : sharpness_comparing_rest_1_q;
-      counts_unproven_q <= select_2021;
-      counts_regions_bad_q <= select_2035;
-      counts_skin_unproven_q <= select_2057;
-      registration_half_across_q <= and_2109_s24_q ? 14'h0 : sum_2140;
-      registration_half_measured_q <= select_2146;
-      registration_half_votes_down_q <= and_2109_s24_q ? 7'h0 : sum_2152;
-      registration_half_votes_up_q <= and_2109_s24_q ? 7'h0 : sum_2160;
-      registration_half_half_votes_down_q <= and_2109_s24_q ? 7'h0 : sum_2167;
-      registration_half_half_votes_up_q <= and_2109_s24_q ? 7'h0 : sum_2174;
-      registration_down_q <= and_2208 ? sum_2227 : registration_down_q;
-      registration_up_q <= and_2208 ? sum_2236 : registration_up_q;
-      registration_enough_q <= select_2250;
-      registration_votes_down_q <= and_2255 ? less_2256 : registration_votes_down_q;
-      registration_votes_up_q <= and_2255 ? less_2258 : registration_votes_up_q;
-      registration_other_enough_q <= and_2264 ? select_2250 : registration_other_enough_q;
-      registration_other_down_q <= and_2264 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2264 ? registration_votes_up_q : registration_other_up_q;
-      proven_q <= marks_first_s24_q ? done_s24_q : proven_q;
+    end else if (s25_en) begin
+      sharpness_comparing_rest_0_q <= so_s25_q ? select_1804 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= so_s25_q ? select_1814 : sharpness_comparing_rest_1_q;
+      counts_unproven_q <= select_2023;
+      counts_regions_bad_q <= select_2037;
+      counts_skin_unproven_q <= select_2059;
+      registration_half_across_q <= and_2111_s25_q ? 14'h0 : sum_2142;
+      registration_half_measured_q <= select_2148;
+      registration_half_votes_down_q <= and_2111_s25_q ? 7'h0 : sum_2154;
+      registration_half_votes_up_q <= and_2111_s25_q ? 7'h0 : sum_2162;
+      registration_half_half_votes_down_q <= and_2111_s25_q ? 7'h0 : sum_2169;
+      registration_half_half_votes_up_q <= and_2111_s25_q ? 7'h0 : sum_2176;
+      registration_down_q <= and_2210 ? sum_2229 : registration_down_q;
+      registration_up_q <= and_2210 ? sum_2238 : registration_up_q;
+      registration_enough_q <= select_2252;
+      registration_votes_down_q <= and_2257 ? less_2258 : registration_votes_down_q;
+      registration_votes_up_q <= and_2257 ? less_2260 : registration_votes_up_q;
+      registration_other_enough_q <= and_2266 ? select_2252 : registration_other_enough_q;
+      registration_other_down_q <= and_2266 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2266 ? registration_votes_up_q : registration_other_up_q;
+      proven_q <= marks_first_s25_q ? done_s25_q : proven_q;
     end
   end
 
-  logic [7:0] pixel_0_s25_q;
-  logic [7:0] pixel_1_s25_q;
-  logic saturated_s25_q;
-  logic mask_s25_q;
-  logic marks_first_s25_q;
-  logic marks_last_s25_q;
-  logic census_columns_values_1_cell_2_of_skin_s25_q;
-  logic x_s25_q;
-  logic lower_half_s25_q;
-  logic registration_of_right_s25_q;
-  logic [13:0] product_s25_q;
-  logic [6:0] column_s25_q;
-  logic and_368_s25_q;
-  logic so_s25_q;
-  logic less_402_s25_q;
-  logic less_403_s25_q;
-  logic less_404_s25_q;
-  logic less_405_s25_q;
-  logic less_406_s25_q;
-  logic less_407_s25_q;
-  logic less_408_s25_q;
-  logic less_409_s25_q;
-  logic less_410_s25_q;
-  logic less_411_s25_q;
-  logic less_412_s25_q;
-  logic less_413_s25_q;
-  logic less_414_s25_q;
-  logic less_415_s25_q;
-  logic less_416_s25_q;
-  logic less_417_s25_q;
-  logic less_418_s25_q;
-  logic less_419_s25_q;
-  logic less_420_s25_q;
-  logic less_421_s25_q;
-  logic less_422_s25_q;
-  logic less_423_s25_q;
-  logic less_424_s25_q;
-  logic less_425_s25_q;
-  logic and_433_s25_q;
-  logic and_458_s25_q;
-  logic and_459_s25_q;
-  logic less_482_s25_q;
-  logic equal_1335_s25_q;
-  logic equal_1380_s25_q;
-  logic [1:0] sum_1386_s25_q;
-  logic [19:0] sum_1437_s25_q;
-  logic [11:0] sum_1441_s25_q;
-  logic and_1442_s25_q;
-  logic and_1515_s25_q;
-  logic less_1516_s25_q;
-  logic [1:0] map_rdata_s25_q;
-  logic is_seen_s25_q;
-  logic and_1586_s25_q;
-  logic equal_1736_s25_q;
-  logic and_1741_s25_q;
-  logic equal_1786_s25_q;
-  logic sum_s25_q;
-  logic sum_2_s25_q;
-  logic equal_1830_s25_q;
-  logic select_1848_s25_q;
-  logic select_1854_s25_q;
-  logic [9:0] select_2023_s25_q;
-  logic [9:0] select_2026_s25_q;
-  logic not_2273_s25_q;
-  logic and_2295_s25_q;
-  logic or_2354_s25_q;
-  logic equal_2357_s25_q;
-  logic select_2363_s25_q;
-  logic equal_2374_s25_q;
-  logic and_2378_s25_q;
-  logic [13:0] before_v_4_s25_q;
-  logic not_2415_s25_q;
-  logic or_2419_s25_q;
-  logic and_2523_s25_q;
-  logic and_2538_s25_q;
-  logic and_2553_s25_q;
-  logic and_2587_s25_q;
-  logic [5:0] select_2589_s25_q;
-  logic [31:0] select_2601_s25_q;
-  logic [9:0] select_2602_s25_q;
+  logic [7:0] pixel_0_s26_q;
+  logic [7:0] pixel_1_s26_q;
+  logic saturated_s26_q;
+  logic mask_s26_q;
+  logic marks_first_s26_q;
+  logic marks_last_s26_q;
+  logic census_columns_values_1_cell_2_of_skin_s26_q;
+  logic x_s26_q;
+  logic lower_half_s26_q;
+  logic registration_of_right_s26_q;
+  logic [13:0] product_s26_q;
+  logic [6:0] column_s26_q;
+  logic and_368_s26_q;
+  logic so_s26_q;
+  logic less_402_s26_q;
+  logic less_403_s26_q;
+  logic less_404_s26_q;
+  logic less_405_s26_q;
+  logic less_406_s26_q;
+  logic less_407_s26_q;
+  logic less_408_s26_q;
+  logic less_409_s26_q;
+  logic less_410_s26_q;
+  logic less_411_s26_q;
+  logic less_412_s26_q;
+  logic less_413_s26_q;
+  logic less_414_s26_q;
+  logic less_415_s26_q;
+  logic less_416_s26_q;
+  logic less_417_s26_q;
+  logic less_418_s26_q;
+  logic less_419_s26_q;
+  logic less_420_s26_q;
+  logic less_421_s26_q;
+  logic less_422_s26_q;
+  logic less_423_s26_q;
+  logic less_424_s26_q;
+  logic less_425_s26_q;
+  logic and_433_s26_q;
+  logic and_458_s26_q;
+  logic and_459_s26_q;
+  logic less_482_s26_q;
+  logic equal_1337_s26_q;
+  logic equal_1382_s26_q;
+  logic [1:0] sum_1388_s26_q;
+  logic [19:0] sum_1439_s26_q;
+  logic [11:0] sum_1443_s26_q;
+  logic and_1444_s26_q;
+  logic and_1517_s26_q;
+  logic less_1518_s26_q;
+  logic [1:0] map_rdata_s26_q;
+  logic is_seen_s26_q;
+  logic and_1588_s26_q;
+  logic equal_1738_s26_q;
+  logic and_1743_s26_q;
+  logic equal_1788_s26_q;
+  logic sum_s26_q;
+  logic sum_2_s26_q;
+  logic equal_1832_s26_q;
+  logic select_1850_s26_q;
+  logic select_1856_s26_q;
+  logic [9:0] select_2025_s26_q;
+  logic [9:0] select_2028_s26_q;
+  logic not_2275_s26_q;
+  logic and_2297_s26_q;
+  logic or_2356_s26_q;
+  logic equal_2359_s26_q;
+  logic select_2365_s26_q;
+  logic equal_2376_s26_q;
+  logic and_2380_s26_q;
+  logic [13:0] before_v_4_s26_q;
+  logic not_2417_s26_q;
+  logic or_2421_s26_q;
+  logic and_2525_s26_q;
+  logic and_2540_s26_q;
+  logic and_2555_s26_q;
+  logic and_2589_s26_q;
+  logic [5:0] select_2591_s26_q;
+  logic [31:0] select_2603_s26_q;
+  logic [9:0] select_2604_s26_q;
   always_ff @(posedge clk_i) begin
-    if (s24_en) begin
-      pixel_0_s25_q <= pixel_0_s24_q;
-      pixel_1_s25_q <= pixel_1_s24_q;
-      saturated_s25_q <= saturated_s24_q;
-      mask_s25_q <= mask_s24_q;
-      marks_first_s25_q <= marks_first_s24_q;
-      marks_last_s25_q <= marks_last_s24_q;
-      census_columns_values_1_cell_2_of_skin_s25_q <= census_columns_values_1_cell_2_of_skin_s24_q;
-      x_s25_q <= x_s24_q[6];
-      lower_half_s25_q <= lower_half_s24_q;
-      registration_of_right_s25_q <= registration_of_right_s24_q;
-      product_s25_q <= product_s24_q;
-      column_s25_q <= column_s24_q;
-      and_368_s25_q <= and_368_s24_q;
-      so_s25_q <= so_s24_q;
-      less_402_s25_q <= less_402_s24_q;
-      less_403_s25_q <= less_403_s24_q;
-      less_404_s25_q <= less_404_s24_q;
-      less_405_s25_q <= less_405_s24_q;
-      less_406_s25_q <= less_406_s24_q;
-      less_407_s25_q <= less_407_s24_q;
-      less_408_s25_q <= less_408_s24_q;
-      less_409_s25_q <= less_409_s24_q;
-      less_410_s25_q <= less_410_s24_q;
-      less_411_s25_q <= less_411_s24_q;
-      less_412_s25_q <= less_412_s24_q;
-      less_413_s25_q <= less_413_s24_q;
-      less_414_s25_q <= less_414_s24_q;
-      less_415_s25_q <= less_415_s24_q;
-      less_416_s25_q <= less_416_s24_q;
-      less_417_s25_q <= less_417_s24_q;
-      less_418_s25_q <= less_418_s24_q;
-      less_419_s25_q <= less_419_s24_q;
-      less_420_s25_q <= less_420_s24_q;
-      less_421_s25_q <= less_421_s24_q;
-      less_422_s25_q <= less_422_s24_q;
-      less_423_s25_q <= less_423_s24_q;
-      less_424_s25_q <= less_424_s24_q;
-      less_425_s25_q <= less_425_s24_q;
-      and_433_s25_q <= and_433_s24_q;
-      and_458_s25_q <= and_458_s24_q;
-      and_459_s25_q <= and_459_s24_q;
-      less_482_s25_q <= 9'h4 < sum_481_s24_q;
-      equal_1335_s25_q <= equal_1335_s24_q;
-      equal_1380_s25_q <= equal_1380_s24_q;
-      sum_1386_s25_q <= sum_1386_s24_q;
-      sum_1437_s25_q <= select_1433_s24_q + {{6{select_1436[13]}}, select_1436};
-      sum_1441_s25_q <= select_1438_s24_q + {{5{select_1440[6]}}, select_1440};
-      and_1442_s25_q <= and_1442_s24_q;
-      and_1515_s25_q <= and_1515_s24_q;
-      less_1516_s25_q <= less_1516_s24_q;
-      map_rdata_s25_q <= map_rdata_q;
-      is_seen_s25_q <= is_seen_s24_q;
-      and_1586_s25_q <= and_1586_s24_q;
-      equal_1736_s25_q <= equal_1736_s24_q;
-      and_1741_s25_q <= and_458_s24_q & (9'h4 < sum_1739_s24_q);
-      equal_1786_s25_q <= equal_1786_s24_q;
-      sum_s25_q <= sum[0];
-      sum_2_s25_q <= sum_2[0];
-      equal_1830_s25_q <= equal_1830_s24_q;
-      select_1848_s25_q <= sharpness_comparing_less_contrast_0_q;
-      select_1854_s25_q <= sharpness_comparing_less_contrast_1_q;
-      select_2023_s25_q <= select_2023_s24_q;
-      select_2026_s25_q <= select_2026_s24_q;
-      not_2273_s25_q <= ~(equal_1335_s24_q & and_2271);
-      and_2295_s25_q <= and_2295;
-      or_2354_s25_q <= or_2354_s24_q;
-      equal_2357_s25_q <= equal_2357_s24_q;
-      select_2363_s25_q <= select_2363_s24_q;
-      equal_2374_s25_q <= equal_2374_s24_q;
-      and_2378_s25_q <= equal_2377_s24_q & equal_2357_s24_q;
-      before_v_4_s25_q <= before_v_4;
-      not_2415_s25_q <= ~(equal_2380_s24_q & equal_2357_s24_q);
-      or_2419_s25_q <= (equal_2380_s24_q | equal_2379_s24_q) | (x_s24_q[6:3] == 4'hf);
-      and_2523_s25_q <= and_2523_s24_q;
-      and_2538_s25_q <= and_2538_s24_q;
-      and_2553_s25_q <= and_2553;
-      and_2587_s25_q <= and_2587;
-      select_2589_s25_q <= equal_1335_s24_q ? (x_s24_q[6] ? x_s24_q[5:0] : 6'h0) : 6'h0;
-      select_2601_s25_q <= select_2601;
-      select_2602_s25_q <= select_2602_s24_q;
+    if (s25_en) begin
+      pixel_0_s26_q <= pixel_0_s25_q;
+      pixel_1_s26_q <= pixel_1_s25_q;
+      saturated_s26_q <= saturated_s25_q;
+      mask_s26_q <= mask_s25_q;
+      marks_first_s26_q <= marks_first_s25_q;
+      marks_last_s26_q <= marks_last_s25_q;
+      census_columns_values_1_cell_2_of_skin_s26_q <= census_columns_values_1_cell_2_of_skin_s25_q;
+      x_s26_q <= x_s25_q[6];
+      lower_half_s26_q <= lower_half_s25_q;
+      registration_of_right_s26_q <= registration_of_right_s25_q;
+      product_s26_q <= product_s25_q;
+      column_s26_q <= column_s25_q;
+      and_368_s26_q <= and_368_s25_q;
+      so_s26_q <= so_s25_q;
+      less_402_s26_q <= less_402_s25_q;
+      less_403_s26_q <= less_403_s25_q;
+      less_404_s26_q <= less_404_s25_q;
+      less_405_s26_q <= less_405_s25_q;
+      less_406_s26_q <= less_406_s25_q;
+      less_407_s26_q <= less_407_s25_q;
+      less_408_s26_q <= less_408_s25_q;
+      less_409_s26_q <= less_409_s25_q;
+      less_410_s26_q <= less_410_s25_q;
+      less_411_s26_q <= less_411_s25_q;
+      less_412_s26_q <= less_412_s25_q;
+      less_413_s26_q <= less_413_s25_q;
+      less_414_s26_q <= less_414_s25_q;
+      less_415_s26_q <= less_415_s25_q;
+      less_416_s26_q <= less_416_s25_q;
+      less_417_s26_q <= less_417_s25_q;
+      less_418_s26_q <= less_418_s25_q;
+      less_419_s26_q <= less_419_s25_q;
+      less_420_s26_q <= less_420_s25_q;
+      less_421_s26_q <= less_421_s25_q;
+      less_422_s26_q <= less_422_s25_q;
+      less_423_s26_q <= less_423_s25_q;
+      less_424_s26_q <= less_424_s25_q;
+      less_425_s26_q <= less_425_s25_q;
+      and_433_s26_q <= and_433_s25_q;
+      and_458_s26_q <= and_458_s25_q;
+      and_459_s26_q <= and_459_s25_q;
+      less_482_s26_q <= 9'h4 < sum_481_s25_q;
+      equal_1337_s26_q <= equal_1337_s25_q;
+      equal_1382_s26_q <= equal_1382_s25_q;
+      sum_1388_s26_q <= sum_1388_s25_q;
+      sum_1439_s26_q <= select_1435_s25_q + {{6{select_1438[13]}}, select_1438};
+      sum_1443_s26_q <= select_1440_s25_q + {{5{select_1442[6]}}, select_1442};
+      and_1444_s26_q <= and_1444_s25_q;
+      and_1517_s26_q <= and_1517_s25_q;
+      less_1518_s26_q <= less_1518_s25_q;
+      map_rdata_s26_q <= map_rdata_q;
+      is_seen_s26_q <= is_seen_s25_q;
+      and_1588_s26_q <= and_1588_s25_q;
+      equal_1738_s26_q <= equal_1738_s25_q;
+      and_1743_s26_q <= and_458_s25_q & (9'h4 < sum_1741_s25_q);
+      equal_1788_s26_q <= equal_1788_s25_q;
+      sum_s26_q <= sum[0];
+      sum_2_s26_q <= sum_2[0];
+      equal_1832_s26_q <= equal_1832_s25_q;
+      select_1850_s26_q <= sharpness_comparing_less_contrast_0_q;
+      select_1856_s26_q <= sharpness_comparing_less_contrast_1_q;
+      select_2025_s26_q <= select_2025_s25_q;
+      select_2028_s26_q <= select_2028_s25_q;
+      not_2275_s26_q <= ~(equal_1337_s25_q & and_2273);
+      and_2297_s26_q <= and_2297;
+      or_2356_s26_q <= or_2356_s25_q;
+      equal_2359_s26_q <= equal_2359_s25_q;
+      select_2365_s26_q <= select_2365_s25_q;
+      equal_2376_s26_q <= equal_2376_s25_q;
+      and_2380_s26_q <= equal_2379_s25_q & equal_2359_s25_q;
+      before_v_4_s26_q <= before_v_4;
+      not_2417_s26_q <= ~(equal_2382_s25_q & equal_2359_s25_q);
+      or_2421_s26_q <= (equal_2382_s25_q | equal_2381_s25_q) | (x_s25_q[6:3] == 4'hf);
+      and_2525_s26_q <= and_2525_s25_q;
+      and_2540_s26_q <= and_2540_s25_q;
+      and_2555_s26_q <= and_2555;
+      and_2589_s26_q <= and_2589;
+      select_2591_s26_q <= equal_1337_s25_q ? (x_s25_q[6] ? x_s25_q[5:0] : 6'h0) : 6'h0;
+      select_2603_s26_q <= select_2603;
+      select_2604_s26_q <= select_2604_s25_q;
     end
   end
 
-  // Stage 25 ----------------------------------------------------------------------------------------------------------
+  // Stage 26 ----------------------------------------------------------------------------------------------------------
   logic [19:0] census_left_misses_q;
   logic [2:0] sharpness_comparing_product_0_q;
   logic [2:0] sharpness_comparing_product_1_q;
@@ -7579,67 +7650,67 @@ module horopter_agreement (
   logic hides_q;
   // hls/stages/census.hpp:223
   logic and_483;
-  assign and_483 = and_433_s25_q & less_482_s25_q;
+  assign and_483 = and_433_s26_q & less_482_s26_q;
   // hls/stages/census.hpp:226
-  logic and_1742;
-  assign and_1742 = and_458_s25_q & less_482_s25_q;
+  logic and_1744;
+  assign and_1744 = and_458_s26_q & less_482_s26_q;
   // hls/stages/census.hpp:227
-  logic [19:0] sum_1743;
-  assign sum_1743 = census_left_misses_q + {{17{and_1742}}, and_1741_s25_q, 1'b0, and_1741_s25_q};
+  logic [19:0] sum_1745;
+  assign sum_1745 = census_left_misses_q + {{17{and_1744}}, and_1743_s26_q, 1'b0, and_1743_s26_q};
   // hls/stages/agreement.hpp:365
-  logic [19:0] select_1745;
-  assign select_1745 = and_368_s25_q ? (equal_1736_s25_q ? 20'h0 : sum_1743) : census_left_misses_q;
+  logic [19:0] select_1747;
+  assign select_1747 = and_368_s26_q ? (equal_1738_s26_q ? 20'h0 : sum_1745) : census_left_misses_q;
   // hls/stages/agreement.hpp:154
-  logic [2:0] select_1814;
-  assign select_1814 = equal_1786_s25_q ? {sharpness_comparing_product_0_q[1:0], sum_s25_q} : sharpness_comparing_product_0_q;
   logic [2:0] select_1816;
-  assign select_1816 = equal_1786_s25_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s25_q} : sharpness_comparing_product_1_q;
+  assign select_1816 = equal_1788_s26_q ? {sharpness_comparing_product_0_q[1:0], sum_s26_q} : sharpness_comparing_product_0_q;
+  logic [2:0] select_1818;
+  assign select_1818 = equal_1788_s26_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s26_q} : sharpness_comparing_product_1_q;
   // hls/stages/census.hpp:302
   logic [1:0] five_times;
-  assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s25_q});
+  assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s26_q});
   // hls/stages/agreement.hpp:154
-  logic select_1825;
-  assign select_1825 = so_s25_q ? (equal_1786_s25_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_1827;
+  assign select_1827 = so_s26_q ? (equal_1788_s26_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:302
   logic [1:0] five_times_2;
-  assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s25_q});
+  assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s26_q});
   // hls/stages/agreement.hpp:154
-  logic select_1828;
-  assign select_1828 = equal_1786_s25_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
+  logic select_1830;
+  assign select_1830 = equal_1788_s26_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:304
-  logic xor_1831;
-  assign xor_1831 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic xor_1837;
-  assign xor_1837 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  // hls/stages/agreement.hpp:935
+  logic xor_1833;
+  assign xor_1833 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic xor_1839;
+  assign xor_1839 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  // hls/stages/agreement.hpp:936
   logic [14:0] over;
-  assign over = {1'b0, product_s25_q} - {1'b0, before_v_4_s25_q};
-  // hls/stages/agreement.hpp:943
-  logic select_2385;
-  assign select_2385 = and_2378_s25_q ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1012
-  logic [1:0] select_2539;
-  assign select_2539 = and_2538_s25_q ? {and_1586_s25_q, is_seen_s25_q} : map_rdata_s25_q;
+  assign over = {1'b0, product_s26_q} - {1'b0, before_v_4_s26_q};
+  // hls/stages/agreement.hpp:944
+  logic select_2387;
+  assign select_2387 = and_2380_s26_q ? over[14] : hides_q;
   // hls/stages/agreement.hpp:1013
-  logic and_2540;
-  assign and_2540 = proven_q & less_2528;
+  logic [1:0] select_2541;
+  assign select_2541 = and_2540_s26_q ? {and_1588_s26_q, is_seen_s26_q} : map_rdata_s26_q;
+  // hls/stages/agreement.hpp:1014
+  logic and_2542;
+  assign and_2542 = proven_q & less_2530;
   // hls/stages/agreement.hpp:211
-  logic and_2565;
-  assign and_2565 = equal_1335_s25_q & (equal_2374_s25_q & (cfg_prove_i & registration_moved_q));
-  // hls/stages/agreement.hpp:874
-  logic or_2567;
-  assign or_2567 = select_1848_s25_q | ($signed(20'h0) < $signed(census_left_misses_q));
-  // hls/stages/agreement.hpp:871
-  logic [31:0] select_2603;
-  assign select_2603 = equal_1380_s25_q ? select_2601_s25_q : {2'h0, select_2602_s25_q, select_2026_s25_q, select_2023_s25_q};
+  logic and_2567;
+  assign and_2567 = equal_1337_s26_q & (equal_2376_s26_q & (cfg_prove_i & registration_moved_q));
+  // hls/stages/agreement.hpp:875
+  logic or_2569;
+  assign or_2569 = select_1850_s26_q | ($signed(20'h0) < $signed(census_left_misses_q));
+  // hls/stages/agreement.hpp:872
+  logic [31:0] select_2605;
+  assign select_2605 = equal_1382_s26_q ? select_2603_s26_q : {2'h0, select_2604_s26_q, select_2028_s26_q, select_2025_s26_q};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
-  assign fresh_waddr = column_s25_q;
+  assign fresh_waddr = column_s26_q;
   logic fresh_we;
-  assign fresh_we = s25_en & and_368_s25_q;
+  assign fresh_we = s26_en & and_368_s26_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s25_q, and_483, and_459_s25_q, and_458_s25_q, and_433_s25_q, less_425_s25_q, less_424_s25_q, less_423_s25_q, less_422_s25_q, less_421_s25_q, less_420_s25_q, less_419_s25_q, less_418_s25_q, less_417_s25_q, less_416_s25_q, less_415_s25_q, less_414_s25_q, less_413_s25_q, less_412_s25_q, less_411_s25_q, less_410_s25_q, less_409_s25_q, less_408_s25_q, less_407_s25_q, less_406_s25_q, less_405_s25_q, less_404_s25_q, less_403_s25_q, less_402_s25_q};
+    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s26_q, and_483, and_459_s26_q, and_458_s26_q, and_433_s26_q, less_425_s26_q, less_424_s26_q, less_423_s26_q, less_422_s26_q, less_421_s26_q, less_420_s26_q, less_419_s26_q, less_418_s26_q, less_417_s26_q, less_416_s26_q, less_415_s26_q, less_414_s26_q, less_413_s26_q, less_412_s26_q, less_411_s26_q, less_410_s26_q, less_409_s26_q, less_408_s26_q, less_407_s26_q, less_406_s26_q, less_405_s26_q, less_404_s26_q, less_403_s26_q, less_402_s26_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] fresh_raddr_s8_sim;
@@ -7676,6 +7747,8 @@ module horopter_agreement (
   logic fresh_re_s23_sim;
   logic [6:0] fresh_raddr_s24_sim;
   logic fresh_re_s24_sim;
+  logic [6:0] fresh_raddr_s25_sim;
+  logic fresh_re_s25_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       fresh_re_s8_sim <= 1'b0;
@@ -7695,6 +7768,7 @@ module horopter_agreement (
       fresh_re_s22_sim <= 1'b0;
       fresh_re_s23_sim <= 1'b0;
       fresh_re_s24_sim <= 1'b0;
+      fresh_re_s25_sim <= 1'b0;
     end else if (en_i) begin
       fresh_re_s8_sim <= fresh_re;
       fresh_raddr_s8_sim <= fresh_raddr;
@@ -7730,6 +7804,8 @@ module horopter_agreement (
       fresh_raddr_s23_sim <= fresh_raddr_s22_sim;
       fresh_re_s24_sim <= fresh_re_s23_sim;
       fresh_raddr_s24_sim <= fresh_raddr_s23_sim;
+      fresh_re_s25_sim <= fresh_re_s24_sim;
+      fresh_raddr_s25_sim <= fresh_raddr_s24_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -7788,6 +7864,9 @@ module horopter_agreement (
       if (fresh_re_s24_sim && fresh_raddr_s24_sim == fresh_waddr) begin
         $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
       end
+      if (fresh_re_s25_sim && fresh_raddr_s25_sim == fresh_waddr) begin
+        $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
+      end
       if (fresh_waddr >= 7'd120) $error("fresh: write outside, address %0d", fresh_waddr);
     end
     if (rst_ni && fresh_re && fresh_raddr >= 7'd120) $error("fresh: read outside, address %0d", fresh_raddr);
@@ -7796,31 +7875,31 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1386_s25_q, lower_half_s25_q, registration_of_right_s25_q};
+  assign registration_sums_waddr = {sum_1388_s26_q, lower_half_s26_q, registration_of_right_s26_q};
   logic registration_sums_we;
-  assign registration_sums_we = s25_en & and_1442_s25_q;
+  assign registration_sums_we = s26_en & and_1444_s26_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1441_s25_q, sum_1437_s25_q};
+    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1443_s26_q, sum_1439_s26_q};
   end
 `ifndef SYNTHESIS
-  logic [3:0] registration_sums_raddr_s22_sim;
-  logic registration_sums_re_s22_sim;
   logic [3:0] registration_sums_raddr_s23_sim;
   logic registration_sums_re_s23_sim;
   logic [3:0] registration_sums_raddr_s24_sim;
   logic registration_sums_re_s24_sim;
+  logic [3:0] registration_sums_raddr_s25_sim;
+  logic registration_sums_re_s25_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      registration_sums_re_s22_sim <= 1'b0;
       registration_sums_re_s23_sim <= 1'b0;
       registration_sums_re_s24_sim <= 1'b0;
+      registration_sums_re_s25_sim <= 1'b0;
     end else if (en_i) begin
-      registration_sums_re_s22_sim <= registration_sums_re;
-      registration_sums_raddr_s22_sim <= registration_sums_raddr;
-      registration_sums_re_s23_sim <= registration_sums_re_s22_sim;
-      registration_sums_raddr_s23_sim <= registration_sums_raddr_s22_sim;
+      registration_sums_re_s23_sim <= registration_sums_re;
+      registration_sums_raddr_s23_sim <= registration_sums_raddr;
       registration_sums_re_s24_sim <= registration_sums_re_s23_sim;
       registration_sums_raddr_s24_sim <= registration_sums_raddr_s23_sim;
+      registration_sums_re_s25_sim <= registration_sums_re_s24_sim;
+      registration_sums_raddr_s25_sim <= registration_sums_raddr_s24_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -7828,13 +7907,13 @@ module horopter_agreement (
       if (registration_sums_re && registration_sums_raddr == registration_sums_waddr) begin
         $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
       end
-      if (registration_sums_re_s22_sim && registration_sums_raddr_s22_sim == registration_sums_waddr) begin
-        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
-      end
       if (registration_sums_re_s23_sim && registration_sums_raddr_s23_sim == registration_sums_waddr) begin
         $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
       end
       if (registration_sums_re_s24_sim && registration_sums_raddr_s24_sim == registration_sums_waddr) begin
+        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
+      end
+      if (registration_sums_re_s25_sim && registration_sums_raddr_s25_sim == registration_sums_waddr) begin
         $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
       end
       if (registration_sums_waddr >= 4'd12) $error("registration_sums: write outside, address %0d", registration_sums_waddr);
@@ -7852,155 +7931,14 @@ module horopter_agreement (
       sharpness_comparing_carry_1_q <= 1'b0;
       registration_moved_q <= 1'b0;
       hides_q <= 1'b0;
-    end else if (s25_en) begin
-      census_left_misses_q <= select_1745;
-      sharpness_comparing_product_0_q <= so_s25_q ? select_1814 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= so_s25_q ? select_1816 : sharpness_comparing_product_1_q;
-      sharpness_comparing_carry_0_q <= select_1825;
-      sharpness_comparing_carry_1_q <= so_s25_q ? select_1828 : sharpness_comparing_carry_1_q;
-      registration_moved_q <= not_2273_s25_q & (registration_moved_q | and_2295_s25_q);
-      hides_q <= equal_1335_s25_q ? select_2385 : hides_q;
-    end
-  end
-
-  logic [7:0] pixel_0_s26_q;
-  logic [7:0] pixel_1_s26_q;
-  logic saturated_s26_q;
-  logic mask_s26_q;
-  logic marks_first_s26_q;
-  logic marks_last_s26_q;
-  logic so_s26_q;
-  logic equal_1335_s26_q;
-  logic and_1515_s26_q;
-  logic less_1516_s26_q;
-  logic equal_1786_s26_q;
-  logic or_1832_s26_q;
-  logic and_1833_s26_q;
-  logic or_1838_s26_q;
-  logic and_1839_s26_q;
-  logic select_1854_s26_q;
-  logic or_2354_s26_q;
-  logic select_2363_s26_q;
-  logic equal_2374_s26_q;
-  logic select_2385_s26_q;
-  logic and_2413_s26_q;
-  logic not_2415_s26_q;
-  logic or_2419_s26_q;
-  logic and_2523_s26_q;
-  logic and_2541_s26_q;
-  logic and_2544_s26_q;
-  logic and_2553_s26_q;
-  logic and_2565_s26_q;
-  logic or_2567_s26_q;
-  logic and_2587_s26_q;
-  logic [5:0] select_2589_s26_q;
-  logic [31:0] select_2605_s26_q;
-  always_ff @(posedge clk_i) begin
-    if (s25_en) begin
-      pixel_0_s26_q <= pixel_0_s25_q;
-      pixel_1_s26_q <= pixel_1_s25_q;
-      saturated_s26_q <= saturated_s25_q;
-      mask_s26_q <= mask_s25_q;
-      marks_first_s26_q <= marks_first_s25_q;
-      marks_last_s26_q <= marks_last_s25_q;
-      so_s26_q <= so_s25_q;
-      equal_1335_s26_q <= equal_1335_s25_q;
-      and_1515_s26_q <= and_1515_s25_q;
-      less_1516_s26_q <= less_1516_s25_q;
-      equal_1786_s26_q <= equal_1786_s25_q;
-      or_1832_s26_q <= equal_1830_s25_q | xor_1831;
-      and_1833_s26_q <= five_times[0] & xor_1831;
-      or_1838_s26_q <= equal_1830_s25_q | xor_1837;
-      and_1839_s26_q <= five_times_2[0] & xor_1837;
-      select_1854_s26_q <= select_1854_s25_q;
-      or_2354_s26_q <= or_2354_s25_q;
-      select_2363_s26_q <= select_2363_s25_q;
-      equal_2374_s26_q <= equal_2374_s25_q;
-      select_2385_s26_q <= select_2385;
-      and_2413_s26_q <= over[14] & equal_2357_s25_q;
-      not_2415_s26_q <= not_2415_s25_q;
-      or_2419_s26_q <= or_2419_s25_q;
-      and_2523_s26_q <= and_2523_s25_q;
-      and_2541_s26_q <= select_2539[0] & and_2540;
-      and_2544_s26_q <= select_2539[1] & and_2540;
-      and_2553_s26_q <= and_2553_s25_q;
-      and_2565_s26_q <= and_2565;
-      or_2567_s26_q <= or_2567;
-      and_2587_s26_q <= and_2587_s25_q;
-      select_2589_s26_q <= select_2589_s25_q;
-      select_2605_s26_q <= equal_1335_s25_q ? (x_s25_q ? select_2603 : 32'h0) : 32'h0;
-    end
-  end
-
-  // Stage 26 ----------------------------------------------------------------------------------------------------------
-  logic sharpness_comparing_less_detail_0_q;
-  logic sharpness_comparing_less_detail_1_q;
-  logic [7:0] hidden_for_q;
-  logic too_much_q;
-  logic seen_q;
-  logic nearer_q;
-  // hls/stages/census.hpp:304
-  logic select_1834;
-  assign select_1834 = or_1832_s26_q ? and_1833_s26_q : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:154
-  logic select_1835;
-  assign select_1835 = equal_1786_s26_q ? select_1834 : sharpness_comparing_less_detail_0_q;
-  logic select_1836;
-  assign select_1836 = so_s26_q ? select_1835 : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:304
-  logic select_1840;
-  assign select_1840 = or_1838_s26_q ? and_1839_s26_q : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:154
-  logic select_1841;
-  assign select_1841 = equal_1786_s26_q ? select_1840 : sharpness_comparing_less_detail_1_q;
-  logic select_1842;
-  assign select_1842 = so_s26_q ? select_1841 : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:872
-  logic not_2386;
-  assign not_2386 = ~hidden_for_q[7];
-  logic [7:0] select_2388;
-  assign select_2388 = select_2385_s26_q ? (hidden_for_q + {7'h0, not_2386}) : 8'h0;
-  // hls/stages/agreement.hpp:211
-  logic [7:0] select_2390;
-  assign select_2390 = equal_1335_s26_q ? (equal_2374_s26_q ? select_2388 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:941
-  logic and_2416;
-  assign and_2416 = too_much_q & not_2415_s26_q;
-  // hls/stages/agreement.hpp:942
-  logic select_2421;
-  assign select_2421 = and_2413_s26_q ? (and_2416 | or_2419_s26_q) : and_2416;
-  // hls/stages/agreement.hpp:220
-  logic select_2543;
-  assign select_2543 = and_1515_s26_q ? (less_1516_s26_q ? and_2541_s26_q : seen_q) : seen_q;
-  logic select_2546;
-  assign select_2546 = and_1515_s26_q ? (less_1516_s26_q ? and_2544_s26_q : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:211
-  logic and_2556;
-  assign and_2556 = equal_1335_s26_q & (equal_2374_s26_q & (cfg_prove_i & or_2354_s26_q));
-  // hls/stages/agreement.hpp:952
-  logic not_2558;
-  assign not_2558 = ~(or_2354_s26_q | not_2547);
-  // hls/stages/agreement.hpp:211
-  logic and_2561;
-  assign and_2561 = equal_2374_s26_q & (not_2558 & (select_2363_s26_q | select_2421));
-  logic and_2574;
-  assign and_2574 = equal_2374_s26_q & (not_2558 & (select_1842 | select_1854_s26_q));
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      sharpness_comparing_less_detail_0_q <= 1'b0;
-      sharpness_comparing_less_detail_1_q <= 1'b0;
-      hidden_for_q <= 8'h0;
-      too_much_q <= 1'b0;
-      seen_q <= 1'b0;
-      nearer_q <= 1'b0;
     end else if (s26_en) begin
-      sharpness_comparing_less_detail_0_q <= select_1836;
-      sharpness_comparing_less_detail_1_q <= select_1842;
-      hidden_for_q <= select_2390;
-      too_much_q <= equal_1335_s26_q ? select_2421 : too_much_q;
-      seen_q <= select_2543;
-      nearer_q <= select_2546;
+      census_left_misses_q <= select_1747;
+      sharpness_comparing_product_0_q <= so_s26_q ? select_1816 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= so_s26_q ? select_1818 : sharpness_comparing_product_1_q;
+      sharpness_comparing_carry_0_q <= select_1827;
+      sharpness_comparing_carry_1_q <= so_s26_q ? select_1830 : sharpness_comparing_carry_1_q;
+      registration_moved_q <= not_2275_s26_q & (registration_moved_q | and_2297_s26_q);
+      hides_q <= equal_1337_s26_q ? select_2387 : hides_q;
     end
   end
 
@@ -8010,19 +7948,32 @@ module horopter_agreement (
   logic mask_s27_q;
   logic marks_first_s27_q;
   logic marks_last_s27_q;
-  logic equal_1335_s27_q;
-  logic equal_2374_s27_q;
-  logic and_2523_s27_q;
-  logic and_2553_s27_q;
-  logic and_2556_s27_q;
-  logic and_2562_s27_q;
-  logic and_2565_s27_q;
-  logic and_2570_s27_q;
-  logic and_2574_s27_q;
-  logic not_2579_s27_q;
-  logic and_2587_s27_q;
-  logic [5:0] select_2589_s27_q;
-  logic [31:0] select_2605_s27_q;
+  logic so_s27_q;
+  logic equal_1337_s27_q;
+  logic and_1517_s27_q;
+  logic less_1518_s27_q;
+  logic equal_1788_s27_q;
+  logic or_1834_s27_q;
+  logic and_1835_s27_q;
+  logic or_1840_s27_q;
+  logic and_1841_s27_q;
+  logic select_1856_s27_q;
+  logic or_2356_s27_q;
+  logic select_2365_s27_q;
+  logic equal_2376_s27_q;
+  logic select_2387_s27_q;
+  logic and_2415_s27_q;
+  logic not_2417_s27_q;
+  logic or_2421_s27_q;
+  logic and_2525_s27_q;
+  logic and_2543_s27_q;
+  logic and_2546_s27_q;
+  logic and_2555_s27_q;
+  logic and_2567_s27_q;
+  logic or_2569_s27_q;
+  logic and_2589_s27_q;
+  logic [5:0] select_2591_s27_q;
+  logic [31:0] select_2607_s27_q;
   always_ff @(posedge clk_i) begin
     if (s26_en) begin
       pixel_0_s27_q <= pixel_0_s26_q;
@@ -8031,26 +7982,106 @@ module horopter_agreement (
       mask_s27_q <= mask_s26_q;
       marks_first_s27_q <= marks_first_s26_q;
       marks_last_s27_q <= marks_last_s26_q;
-      equal_1335_s27_q <= equal_1335_s26_q;
-      equal_2374_s27_q <= equal_2374_s26_q;
-      and_2523_s27_q <= and_2523_s26_q;
-      and_2553_s27_q <= and_2553_s26_q;
-      and_2556_s27_q <= and_2556;
-      and_2562_s27_q <= equal_1335_s26_q & and_2561;
-      and_2565_s27_q <= and_2565_s26_q;
-      and_2570_s27_q <= equal_2374_s26_q & (not_2558 & (select_1836 | or_2567_s26_q));
-      and_2574_s27_q <= and_2574;
-      not_2579_s27_q <= ~(select_2388 < cfg_hidden_frames_i);
-      and_2587_s27_q <= and_2587_s26_q;
-      select_2589_s27_q <= select_2589_s26_q;
-      select_2605_s27_q <= select_2605_s26_q;
+      so_s27_q <= so_s26_q;
+      equal_1337_s27_q <= equal_1337_s26_q;
+      and_1517_s27_q <= and_1517_s26_q;
+      less_1518_s27_q <= less_1518_s26_q;
+      equal_1788_s27_q <= equal_1788_s26_q;
+      or_1834_s27_q <= equal_1832_s26_q | xor_1833;
+      and_1835_s27_q <= five_times[0] & xor_1833;
+      or_1840_s27_q <= equal_1832_s26_q | xor_1839;
+      and_1841_s27_q <= five_times_2[0] & xor_1839;
+      select_1856_s27_q <= select_1856_s26_q;
+      or_2356_s27_q <= or_2356_s26_q;
+      select_2365_s27_q <= select_2365_s26_q;
+      equal_2376_s27_q <= equal_2376_s26_q;
+      select_2387_s27_q <= select_2387;
+      and_2415_s27_q <= over[14] & equal_2359_s26_q;
+      not_2417_s27_q <= not_2417_s26_q;
+      or_2421_s27_q <= or_2421_s26_q;
+      and_2525_s27_q <= and_2525_s26_q;
+      and_2543_s27_q <= select_2541[0] & and_2542;
+      and_2546_s27_q <= select_2541[1] & and_2542;
+      and_2555_s27_q <= and_2555_s26_q;
+      and_2567_s27_q <= and_2567;
+      or_2569_s27_q <= or_2569;
+      and_2589_s27_q <= and_2589_s26_q;
+      select_2591_s27_q <= select_2591_s26_q;
+      select_2607_s27_q <= equal_1337_s26_q ? (x_s26_q ? select_2605 : 32'h0) : 32'h0;
     end
   end
 
   // Stage 27 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:874
-  logic and_2581;
-  assign and_2581 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_2579_s27_q);
+  logic sharpness_comparing_less_detail_0_q;
+  logic sharpness_comparing_less_detail_1_q;
+  logic [7:0] hidden_for_q;
+  logic too_much_q;
+  logic seen_q;
+  logic nearer_q;
+  // hls/stages/census.hpp:304
+  logic select_1836;
+  assign select_1836 = or_1834_s27_q ? and_1835_s27_q : sharpness_comparing_less_detail_0_q;
+  // hls/stages/agreement.hpp:154
+  logic select_1837;
+  assign select_1837 = equal_1788_s27_q ? select_1836 : sharpness_comparing_less_detail_0_q;
+  logic select_1838;
+  assign select_1838 = so_s27_q ? select_1837 : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:304
+  logic select_1842;
+  assign select_1842 = or_1840_s27_q ? and_1841_s27_q : sharpness_comparing_less_detail_1_q;
+  // hls/stages/agreement.hpp:154
+  logic select_1843;
+  assign select_1843 = equal_1788_s27_q ? select_1842 : sharpness_comparing_less_detail_1_q;
+  logic select_1844;
+  assign select_1844 = so_s27_q ? select_1843 : sharpness_comparing_less_detail_1_q;
+  // hls/stages/agreement.hpp:873
+  logic not_2388;
+  assign not_2388 = ~hidden_for_q[7];
+  logic [7:0] select_2390;
+  assign select_2390 = select_2387_s27_q ? (hidden_for_q + {7'h0, not_2388}) : 8'h0;
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2392;
+  assign select_2392 = equal_1337_s27_q ? (equal_2376_s27_q ? select_2390 : hidden_for_q) : hidden_for_q;
+  // hls/stages/agreement.hpp:942
+  logic and_2418;
+  assign and_2418 = too_much_q & not_2417_s27_q;
+  // hls/stages/agreement.hpp:943
+  logic select_2423;
+  assign select_2423 = and_2415_s27_q ? (and_2418 | or_2421_s27_q) : and_2418;
+  // hls/stages/agreement.hpp:220
+  logic select_2545;
+  assign select_2545 = and_1517_s27_q ? (less_1518_s27_q ? and_2543_s27_q : seen_q) : seen_q;
+  logic select_2548;
+  assign select_2548 = and_1517_s27_q ? (less_1518_s27_q ? and_2546_s27_q : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:211
+  logic and_2558;
+  assign and_2558 = equal_1337_s27_q & (equal_2376_s27_q & (cfg_prove_i & or_2356_s27_q));
+  // hls/stages/agreement.hpp:953
+  logic not_2560;
+  assign not_2560 = ~(or_2356_s27_q | not_2549);
+  // hls/stages/agreement.hpp:211
+  logic and_2563;
+  assign and_2563 = equal_2376_s27_q & (not_2560 & (select_2365_s27_q | select_2423));
+  logic and_2576;
+  assign and_2576 = equal_2376_s27_q & (not_2560 & (select_1844 | select_1856_s27_q));
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      sharpness_comparing_less_detail_0_q <= 1'b0;
+      sharpness_comparing_less_detail_1_q <= 1'b0;
+      hidden_for_q <= 8'h0;
+      too_much_q <= 1'b0;
+      seen_q <= 1'b0;
+      nearer_q <= 1'b0;
+    end else if (s27_en) begin
+      sharpness_comparing_less_detail_0_q <= select_1838;
+      sharpness_comparing_less_detail_1_q <= select_1844;
+      hidden_for_q <= select_2392;
+      too_much_q <= equal_1337_s27_q ? select_2423 : too_much_q;
+      seen_q <= select_2545;
+      nearer_q <= select_2548;
+    end
+  end
 
   logic [7:0] pixel_0_s28_q;
   logic [7:0] pixel_1_s28_q;
@@ -8058,19 +8089,19 @@ module horopter_agreement (
   logic mask_s28_q;
   logic marks_first_s28_q;
   logic marks_last_s28_q;
-  logic and_2523_s28_q;
-  logic or_2548_s28_q;
-  logic and_2549_s28_q;
-  logic and_2553_s28_q;
-  logic and_2556_s28_q;
-  logic and_2562_s28_q;
-  logic and_2565_s28_q;
-  logic and_2571_s28_q;
-  logic and_2575_s28_q;
-  logic and_2583_s28_q;
-  logic and_2587_s28_q;
-  logic [5:0] select_2589_s28_q;
-  logic [31:0] select_2605_s28_q;
+  logic equal_1337_s28_q;
+  logic equal_2376_s28_q;
+  logic and_2525_s28_q;
+  logic and_2555_s28_q;
+  logic and_2558_s28_q;
+  logic and_2564_s28_q;
+  logic and_2567_s28_q;
+  logic and_2572_s28_q;
+  logic and_2576_s28_q;
+  logic not_2581_s28_q;
+  logic and_2589_s28_q;
+  logic [5:0] select_2591_s28_q;
+  logic [31:0] select_2607_s28_q;
   always_ff @(posedge clk_i) begin
     if (s27_en) begin
       pixel_0_s28_q <= pixel_0_s27_q;
@@ -8079,43 +8110,91 @@ module horopter_agreement (
       mask_s28_q <= mask_s27_q;
       marks_first_s28_q <= marks_first_s27_q;
       marks_last_s28_q <= marks_last_s27_q;
-      and_2523_s28_q <= and_2523_s27_q;
-      or_2548_s28_q <= not_2547 | seen_q;
-      and_2549_s28_q <= cfg_prove_i & nearer_q;
-      and_2553_s28_q <= and_2553_s27_q;
-      and_2556_s28_q <= and_2556_s27_q;
-      and_2562_s28_q <= and_2562_s27_q;
-      and_2565_s28_q <= and_2565_s27_q;
-      and_2571_s28_q <= equal_1335_s27_q & and_2570_s27_q;
-      and_2575_s28_q <= equal_1335_s27_q & and_2574_s27_q;
-      and_2583_s28_q <= equal_1335_s27_q & (equal_2374_s27_q & and_2581);
-      and_2587_s28_q <= and_2587_s27_q;
-      select_2589_s28_q <= select_2589_s27_q;
-      select_2605_s28_q <= select_2605_s27_q;
+      equal_1337_s28_q <= equal_1337_s27_q;
+      equal_2376_s28_q <= equal_2376_s27_q;
+      and_2525_s28_q <= and_2525_s27_q;
+      and_2555_s28_q <= and_2555_s27_q;
+      and_2558_s28_q <= and_2558;
+      and_2564_s28_q <= equal_1337_s27_q & and_2563;
+      and_2567_s28_q <= and_2567_s27_q;
+      and_2572_s28_q <= equal_2376_s27_q & (not_2560 & (select_1838 | or_2569_s27_q));
+      and_2576_s28_q <= and_2576;
+      not_2581_s28_q <= ~(select_2390 < cfg_hidden_frames_i);
+      and_2589_s28_q <= and_2589_s27_q;
+      select_2591_s28_q <= select_2591_s27_q;
+      select_2607_s28_q <= select_2607_s27_q;
+    end
+  end
+
+  // Stage 28 ----------------------------------------------------------------------------------------------------------
+  // hls/stages/agreement.hpp:875
+  logic and_2583;
+  assign and_2583 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_2581_s28_q);
+
+  logic [7:0] pixel_0_s29_q;
+  logic [7:0] pixel_1_s29_q;
+  logic saturated_s29_q;
+  logic mask_s29_q;
+  logic marks_first_s29_q;
+  logic marks_last_s29_q;
+  logic and_2525_s29_q;
+  logic or_2550_s29_q;
+  logic and_2551_s29_q;
+  logic and_2555_s29_q;
+  logic and_2558_s29_q;
+  logic and_2564_s29_q;
+  logic and_2567_s29_q;
+  logic and_2573_s29_q;
+  logic and_2577_s29_q;
+  logic and_2585_s29_q;
+  logic and_2589_s29_q;
+  logic [5:0] select_2591_s29_q;
+  logic [31:0] select_2607_s29_q;
+  always_ff @(posedge clk_i) begin
+    if (s28_en) begin
+      pixel_0_s29_q <= pixel_0_s28_q;
+      pixel_1_s29_q <= pixel_1_s28_q;
+      saturated_s29_q <= saturated_s28_q;
+      mask_s29_q <= mask_s28_q;
+      marks_first_s29_q <= marks_first_s28_q;
+      marks_last_s29_q <= marks_last_s28_q;
+      and_2525_s29_q <= and_2525_s28_q;
+      or_2550_s29_q <= not_2549 | seen_q;
+      and_2551_s29_q <= cfg_prove_i & nearer_q;
+      and_2555_s29_q <= and_2555_s28_q;
+      and_2558_s29_q <= and_2558_s28_q;
+      and_2564_s29_q <= and_2564_s28_q;
+      and_2567_s29_q <= and_2567_s28_q;
+      and_2573_s29_q <= equal_1337_s28_q & and_2572_s28_q;
+      and_2577_s29_q <= equal_1337_s28_q & and_2576_s28_q;
+      and_2585_s29_q <= equal_1337_s28_q & (equal_2376_s28_q & and_2583);
+      and_2589_s29_q <= and_2589_s28_q;
+      select_2591_s29_q <= select_2591_s28_q;
+      select_2607_s29_q <= select_2607_s28_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = pixel_0_s28_q;
-  assign pixel_1_o = pixel_1_s28_q;
-  assign saturated_o = saturated_s28_q;
-  assign mask_o = mask_s28_q;
-  assign marks_first_o = marks_first_s28_q;
-  assign marks_last_o = marks_last_s28_q;
-  assign marks_seen_o = or_2548_s28_q;
-  assign marks_nearer_o = and_2549_s28_q;
-  assign verdict_valid_o = and_2523_s28_q;
-  assign verdict_unproven_yet_o = and_2553_s28_q;
-  assign verdict_untextured_o = and_2556_s28_q;
-  assign verdict_disagree_o = and_2562_s28_q;
-  assign verdict_moved_o = and_2565_s28_q;
-  assign verdict_unsharp_left_o = and_2571_s28_q;
-  assign verdict_unsharp_right_o = and_2575_s28_q;
-  assign verdict_hidden_o = and_2583_s28_q;
-  assign frame_valid_o = and_2587_s28_q;
-  assign frame_index_o = select_2589_s28_q;
-  assign frame_word_o = select_2605_s28_q;
-  assign valid_o = valid_s28_q;
+  assign pixel_0_o = pixel_0_s29_q;
+  assign pixel_1_o = pixel_1_s29_q;
+  assign saturated_o = saturated_s29_q;
+  assign mask_o = mask_s29_q;
+  assign marks_first_o = marks_first_s29_q;
+  assign marks_last_o = marks_last_s29_q;
+  assign marks_seen_o = or_2550_s29_q;
+  assign marks_nearer_o = and_2551_s29_q;
+  assign verdict_valid_o = and_2525_s29_q;
+  assign verdict_unproven_yet_o = and_2555_s29_q;
+  assign verdict_untextured_o = and_2558_s29_q;
+  assign verdict_disagree_o = and_2564_s29_q;
+  assign verdict_moved_o = and_2567_s29_q;
+  assign verdict_unsharp_left_o = and_2573_s29_q;
+  assign verdict_unsharp_right_o = and_2577_s29_q;
+  assign verdict_hidden_o = and_2585_s29_q;
+  assign frame_valid_o = and_2589_s29_q;
+  assign frame_index_o = select_2591_s29_q;
+  assign frame_word_o = select_2607_s29_q;
+  assign valid_o = valid_s29_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -8147,6 +8226,7 @@ module horopter_agreement (
       valid_s26_q <= 1'b0;
       valid_s27_q <= 1'b0;
       valid_s28_q <= 1'b0;
+      valid_s29_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -8176,11 +8256,12 @@ module horopter_agreement (
       valid_s26_q <= valid_s25_q;
       valid_s27_q <= valid_s26_q;
       valid_s28_q <= valid_s27_q;
+      valid_s29_q <= valid_s28_q;
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], sum_2126[0], sum_2122[0], sum_2097[1:0], sum_2096[1:0], sum_2092[0], sum_2079[0], detail_4[1:0], detail_3[1:0], sum_1739[4:0], sum_481[4:0], cfg_width_i[3:0]};
+  assign unused_bits = ^{over[13:0], sum_2128[0], sum_2124[0], sum_2099[1:0], sum_2098[1:0], sum_2094[0], sum_2081[0], detail_4[1:0], detail_3[1:0], sum_1741[4:0], sum_481[4:0], cfg_width_i[3:0]};
 
 endmodule

@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 1867 bits, pipeline 631 bits, memories 70060 bits.
+// State 1867 bits, pipeline 635 bits, memories 70060 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -71,16 +71,16 @@ module horopter_agreement (
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {1'b0, cfg_width_i[9:3]} + 8'hff;
-  logic [5:0] sum_2412;
-  assign sum_2412 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_2758;
-  assign difference_2758 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_2962;
-  assign less_2962 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_2963;
-  assign sum_2963 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic not_2981;
-  assign not_2981 = ~cfg_prove_i;
+  logic [5:0] sum_2414;
+  assign sum_2414 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_2760;
+  assign difference_2760 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_2964;
+  assign less_2964 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_2965;
+  assign sum_2965 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic not_2983;
+  assign not_2983 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -220,117 +220,114 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:617
   logic [6:0] right;
   assign right = sum_385[6:0] + 7'h7d;
-  // hls/stages/agreement.hpp:746
-  logic [5:0] sum_1881;
-  assign sum_1881 = {1'b0, last_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:215
-  logic [2:0] select_2065;
-  assign select_2065 = sample_pair_whole_q ? (sample_last_q ? (select_338 + 3'h1) : select_338) : raster_at_y_q;
-  logic [6:0] select_2067;
-  assign select_2067 = sample_pair_whole_q ? (select_322 + {6'h0, equal_355}) : raster_at_column_q;
-  logic [5:0] select_2070;
-  assign select_2070 = sample_pair_whole_q ? (sample_last_q ? (select_418 + {5'h0, equal_356}) : select_418) : raster_at_row_q;
-  logic select_2074;
-  assign select_2074 = sample_pair_whole_q ? (sample_last_q ? (or_327 & (~raster_final_row_q)) : or_327) : raster_at_live_q;
+  logic [2:0] select_2067;
+  assign select_2067 = sample_pair_whole_q ? (sample_last_q ? (select_338 + 3'h1) : select_338) : raster_at_y_q;
+  logic [6:0] select_2069;
+  assign select_2069 = sample_pair_whole_q ? (select_322 + {6'h0, equal_355}) : raster_at_column_q;
+  logic [5:0] select_2072;
+  assign select_2072 = sample_pair_whole_q ? (sample_last_q ? (select_418 + {5'h0, equal_356}) : select_418) : raster_at_row_q;
+  logic select_2076;
+  assign select_2076 = sample_pair_whole_q ? (sample_last_q ? (or_327 & (~raster_final_row_q)) : or_327) : raster_at_live_q;
   // hls/stages/census.hpp:44
-  logic [8:0] select_2076;
-  assign select_2076 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [8:0] select_2078;
+  assign select_2078 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:215
-  logic select_2080;
-  assign select_2080 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  logic select_2082;
+  assign select_2082 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:313
-  logic equal_2321;
-  assign equal_2321 = {last[7], column} == {1'b0, last[6:0]};
+  logic equal_2323;
+  assign equal_2323 = {last[7], column} == {1'b0, last[6:0]};
   // hls/stages/agreement.hpp:318
-  logic and_2322;
-  assign and_2322 = and_359 & equal_2321;
+  logic and_2324;
+  assign and_2324 = and_359 & equal_2323;
   // hls/stages/agreement.hpp:368
-  logic select_2325;
-  assign select_2325 = (and_2322 | (~ends_cell_q)) ? and_2322 : ends_q;
+  logic select_2327;
+  assign select_2327 = (and_2324 | (~ends_cell_q)) ? and_2324 : ends_q;
   // hls/stages/agreement.hpp:374
   logic [2:0] now;
-  assign now = select_2325 ? (and_2322 ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2327 ? (and_2324 ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:379
-  logic [5:0] select_2329;
-  assign select_2329 = select_2325 ? (and_2322 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2332;
-  assign select_2332 = select_2325 ? (following_last_shift_q & (~and_2322)) : run_last_shift_q;
+  logic [5:0] select_2331;
+  assign select_2331 = select_2327 ? (and_2324 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2334;
+  assign select_2334 = select_2327 ? (following_last_shift_q & (~and_2324)) : run_last_shift_q;
   // hls/stages/agreement.hpp:146
-  logic and_2335;
-  assign and_2335 = run_last_shift_q & equal_382;
+  logic and_2337;
+  assign and_2337 = run_last_shift_q & equal_382;
   // hls/stages/agreement.hpp:399
-  logic select_2337;
-  assign select_2337 = equal_382 ? (~run_last_shift_q) : equal_384;
+  logic select_2339;
+  assign select_2339 = equal_382 ? (~run_last_shift_q) : equal_384;
   // hls/stages/agreement.hpp:403
-  logic equal_2338;
-  assign equal_2338 = run_phase_q == 3'h1;
-  logic not_2341;
-  assign not_2341 = ~select_2337;
+  logic equal_2340;
+  assign equal_2340 = run_phase_q == 3'h1;
+  logic not_2343;
+  assign not_2343 = ~select_2339;
   // hls/stages/agreement.hpp:406
-  logic equal_2343;
-  assign equal_2343 = run_phase_q == 3'h4;
+  logic equal_2345;
+  assign equal_2345 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:146
-  logic and_2344;
-  assign and_2344 = final_row_q & so;
+  logic and_2346;
+  assign and_2346 = final_row_q & so;
   // hls/stages/agreement.hpp:403
-  logic [1:0] select_2345;
-  assign select_2345 = equal_2343 ? 2'h1 : {2{and_2344}};
-  logic [2:0] select_2347;
-  assign select_2347 = (and_2335 | (select_2337 | equal_2338)) ? (equal_2338 ? 3'h2 : {not_2341, {2{select_2337}}}) : (equal_379 ? 3'h6 : {select_2345[0], select_2345});
+  logic [1:0] select_2347;
+  assign select_2347 = equal_2345 ? 2'h1 : {2{and_2346}};
+  logic [2:0] select_2349;
+  assign select_2349 = (and_2337 | (select_2339 | equal_2340)) ? (equal_2340 ? 3'h2 : {not_2343, {2{select_2339}}}) : (equal_379 ? 3'h6 : {select_2347[0], select_2347});
   // hls/stages/agreement.hpp:146
-  logic and_2350;
-  assign and_2350 = select_2337 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  logic and_2352;
+  assign and_2352 = select_2339 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:413
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2353;
-  assign select_2353 = (plan_shift_q[5] & select_2337) ? value : 7'h0;
-  logic [1:0] or_2354;
-  assign or_2354 = {2{so}} | select_2353[5:4];
+  logic [6:0] select_2355;
+  assign select_2355 = (plan_shift_q[5] & select_2339) ? value : 7'h0;
+  logic [1:0] or_2356;
+  assign or_2356 = {2{so}} | select_2355[5:4];
   // hls/stages/agreement.hpp:416
-  logic [7:0] or_2358;
-  assign or_2358 = (select_2337 ? plan_columns_q : 8'h0) | ((equal_2338 | equal_2343) ? whole_q : 8'h0);
-  logic [1:0] or_2359;
-  assign or_2359 = {2{and_2335}} | or_2358[3:2];
+  logic [7:0] or_2360;
+  assign or_2360 = (select_2339 ? plan_columns_q : 8'h0) | ((equal_2340 | equal_2345) ? whole_q : 8'h0);
+  logic [1:0] or_2361;
+  assign or_2361 = {2{and_2337}} | or_2360[3:2];
   // hls/stages/agreement.hpp:417
-  logic [7:0] or_2361;
-  assign or_2361 = {or_2358[7:4], or_2359, or_2358[1:0]} | (equal_379 ? drawn_q : 8'h0);
-  logic [4:0] or_2362;
-  assign or_2362 = {5{so}} | {or_2361[6], or_2361[3:0]};
+  logic [7:0] or_2363;
+  assign or_2363 = {or_2360[7:4], or_2361, or_2360[1:0]} | (equal_379 ? drawn_q : 8'h0);
+  logic [4:0] or_2364;
+  assign or_2364 = {5{so}} | {or_2363[6], or_2363[3:0]};
   // hls/stages/agreement.hpp:423
-  logic not_2366;
-  assign not_2366 = ~run_shift_q[5];
-  logic [7:0] select_2369;
-  assign select_2369 = equal_382 ? ({{7{not_2366}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  logic not_2368;
+  assign not_2368 = ~run_shift_q[5];
+  logic [7:0] select_2371;
+  assign select_2371 = equal_382 ? ({{7{not_2368}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:368
-  logic [6:0] select_2373;
-  assign select_2373 = and_2322 ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2375;
+  assign select_2375 = and_2324 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:371
-  logic [7:0] select_2375;
-  assign select_2375 = select_2325 ? {select_2373[6], select_2373} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2378;
-  assign select_2378 = select_2325 ? (and_2322 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2377;
+  assign select_2377 = select_2327 ? {select_2375[6], select_2375} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2380;
+  assign select_2380 = select_2327 ? (and_2324 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:365
-  logic [6:0] select_2386;
-  assign select_2386 = and_359 ? (equal_2321 ? ((6'he < column[6:1]) ? 7'h1d : column) : least_q) : least_q;
-  logic [7:0] select_2389;
-  assign select_2389 = and_359 ? (equal_2321 ? ({1'b0, cfg_width_i[9:3]} + 8'hb) : whole_q) : whole_q;
-  logic [7:0] select_2392;
-  assign select_2392 = and_359 ? (equal_2321 ? ({1'b0, cfg_width_i[9:3]} + 8'h3) : drawn_q) : drawn_q;
+  logic [6:0] select_2388;
+  assign select_2388 = and_359 ? (equal_2323 ? ((6'he < column[6:1]) ? 7'h1d : column) : least_q) : least_q;
+  logic [7:0] select_2391;
+  assign select_2391 = and_359 ? (equal_2323 ? ({1'b0, cfg_width_i[9:3]} + 8'hb) : whole_q) : whole_q;
+  logic [7:0] select_2394;
+  assign select_2394 = and_359 ? (equal_2323 ? ({1'b0, cfg_width_i[9:3]} + 8'h3) : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:376
-  logic select_2403;
-  assign select_2403 = (ends_cell_q | select_2325) ? (~(now == 3'h6)) : (equal_382 | (slot_q == 3'h6));
+  logic select_2405;
+  assign select_2405 = (ends_cell_q | select_2327) ? (~(now == 3'h6)) : (equal_382 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:371
-  logic and_2407;
-  assign and_2407 = (~select_2325) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_2409;
+  assign and_2409 = (~select_2327) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:329
-  logic [6:0] sum_2408;
-  assign sum_2408 = {1'b0, row} + 7'h1;
+  logic [6:0] sum_2410;
+  assign sum_2410 = {1'b0, row} + 7'h1;
   // hls/stages/agreement.hpp:314
-  logic select_2410;
-  assign select_2410 = equal_2321 ? ({sum_2408[6], cfg_height_i[8:3]} == {1'b0, sum_2408[5:0]}) : final_row_q;
+  logic select_2412;
+  assign select_2412 = equal_2323 ? ({sum_2410[6], cfg_height_i[8:3]} == {1'b0, sum_2410[5:0]}) : final_row_q;
 
-  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1070; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1071; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] fresh_mem [0:79];
@@ -351,7 +348,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) fresh_read_q <= rst_ni & fresh_re;
   assign fresh_error = fresh_read_q & ^fresh_word_q;
 
-  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:1071; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:1072; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [77:0] left_mem [0:79];
@@ -372,7 +369,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) left_read_q <= rst_ni & left_re;
   assign left_error = left_read_q & ^left_word_q;
 
-  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:1072; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:1073; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [91:0] right_codes_mem [0:79];
@@ -393,7 +390,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) right_codes_read_q <= rst_ni & right_codes_re;
   assign right_codes_error = right_codes_read_q & ^right_codes_word_q;
 
-  // Memory best_left, 80 x 46 and parity, DISTANCE 12, hls/stages/agreement.hpp:1073; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 80 x 46 and parity, DISTANCE 12, hls/stages/agreement.hpp:1074; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [46:0] best_left_mem [0:79];
@@ -460,39 +457,39 @@ module horopter_agreement (
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
       raster_at_x_q <= sample_pair_whole_q ? (select_320 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_2065;
-      raster_at_column_q <= select_2067;
-      raster_at_row_q <= select_2070;
-      raster_at_live_q <= select_2074;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2076 : raster_rows_left_q;
+      raster_at_y_q <= select_2067;
+      raster_at_column_q <= select_2069;
+      raster_at_row_q <= select_2072;
+      raster_at_live_q <= select_2076;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2078 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2080;
+      raster_final_row_q <= select_2082;
       averager_place_q <= sample_pair_whole_q ? select_326 : averager_place_q;
       averager_running_mask_q <= sample_pair_whole_q ? whole : averager_running_mask_q;
       run_phase_q <= now;
-      run_shift_q <= select_2329;
-      run_last_shift_q <= select_2332;
-      run_span_q <= select_2325 ? (and_2322 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2347;
-      following_shift_q <= select_2337 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2350;
+      run_shift_q <= select_2331;
+      run_last_shift_q <= select_2334;
+      run_span_q <= select_2327 ? (and_2324 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2349;
+      following_shift_q <= select_2339 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2352;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2353[6], or_2354, select_2353[3:0]};
-      following_columns_q <= {or_2361[7], or_2362[4], or_2361[5:4], or_2362[3:0]};
+      following_lowest_q <= {select_2355[6], or_2356, select_2355[3:0]};
+      following_columns_q <= {or_2363[7], or_2364[4], or_2363[5:4], or_2364[3:0]};
       plan_shift_q <= equal_382 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2369;
+      plan_span_q <= select_2371;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2375;
-      columns_left_q <= select_2378;
-      last_q <= and_359 ? (equal_2321 ? column : last_q) : last_q;
-      least_q <= select_2386;
-      whole_q <= select_2389;
-      drawn_q <= select_2392;
-      age_q <= select_2325 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2325 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2403;
-      ends_q <= and_2407;
-      final_row_q <= and_359 ? select_2410 : final_row_q;
+      x_q <= select_2377;
+      columns_left_q <= select_2380;
+      last_q <= and_359 ? (equal_2323 ? column : last_q) : last_q;
+      least_q <= select_2388;
+      whole_q <= select_2391;
+      drawn_q <= select_2394;
+      age_q <= select_2327 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2327 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2405;
+      ends_q <= and_2409;
+      final_row_q <= and_359 ? select_2412 : final_row_q;
     end
   end
 
@@ -503,6 +500,7 @@ module horopter_agreement (
   logic sample_pair_whole_s1_q;
   logic [5:0] run_shift_s1_q;
   logic [7:0] x_s1_q;
+  logic [6:0] last_s1_q;
   logic [3:0] age_s1_q;
   logic [2:0] slot_s1_q;
   logic ends_cell_s1_q;
@@ -528,13 +526,10 @@ module horopter_agreement (
   logic select_508_s1_q;
   logic and_1783_s1_q;
   logic [6:0] right_s1_q;
-  logic select_1790_s1_q;
-  logic equal_1799_s1_q;
-  logic less_1882_s1_q;
-  logic equal_1922_s1_q;
-  logic not_2056_s1_q;
-  logic equal_2321_s1_q;
-  logic and_2322_s1_q;
+  logic select_1792_s1_q;
+  logic equal_1801_s1_q;
+  logic equal_2323_s1_q;
+  logic and_2324_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -544,6 +539,7 @@ module horopter_agreement (
       sample_pair_whole_s1_q <= sample_pair_whole_q;
       run_shift_s1_q <= run_shift_q;
       x_s1_q <= x_q;
+      last_s1_q <= last_q;
       age_s1_q <= {age_q[6], age_q[4:3], age_q[0]};
       slot_s1_q <= slot_q;
       ends_cell_s1_q <= ends_cell_q;
@@ -569,13 +565,10 @@ module horopter_agreement (
       select_508_s1_q <= or_506 ? equal_504 : (~age_q[3]);
       and_1783_s1_q <= not_381 & and_500;
       right_s1_q <= right;
-      select_1790_s1_q <= or_506 ? equal_504 : ({x[7], last_q} == {1'b0, x[6:0]});
-      equal_1799_s1_q <= run_phase_q == 3'h7;
-      less_1882_s1_q <= {1'b0, sum_1881, last_q[1]} < x_q;
-      equal_1922_s1_q <= x_q == {1'b0, last_q};
-      not_2056_s1_q <= ~({sum_1881, last_q[1:0]} < x_q);
-      equal_2321_s1_q <= equal_2321;
-      and_2322_s1_q <= and_2322;
+      select_1792_s1_q <= or_506 ? equal_504 : ({x[7], last_q} == {1'b0, x[6:0]});
+      equal_1801_s1_q <= run_phase_q == 3'h7;
+      equal_2323_s1_q <= equal_2323;
+      and_2324_s1_q <= and_2324;
     end
   end
 
@@ -1530,28 +1523,35 @@ module horopter_agreement (
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
   // hls/stages/agreement.hpp:720
-  logic [6:0] sum_1785;
-  assign sum_1785 = x_s1_q[6:0] + {shift[5], shift};
-  // hls/stages/agreement.hpp:723
-  logic and_1805;
-  assign and_1805 = (or_380_s1_q & (left_rdata_q[61] & not_388_s1_q)) & (~(row_q[5:3] == 3'h0));
+  logic [7:0] found;
+  assign found = x_s1_q + {{2{shift[5]}}, shift};
+  // hls/stages/agreement.hpp:721
+  logic [6:0] select_1787;
+  assign select_1787 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
+  // hls/stages/agreement.hpp:724
+  logic and_1807;
+  assign and_1807 = (or_380_s1_q & (left_rdata_q[61] & not_388_s1_q)) & (~(row_q[5:3] == 3'h0));
   // hls/stages/agreement.hpp:182
-  logic or_1827;
-  assign or_1827 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  logic or_1829;
+  assign or_1829 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
   // hls/stages/agreement.hpp:211
-  logic [6:0] select_1838;
-  assign select_1838 = so_s1_q ? x_s1_q[6:0] : (or_380_s1_q ? (less_387_s1_q ? 7'h0 : sum_1785) : 7'h0);
-  logic and_2058;
-  assign and_2058 = ends_cell_s1_q & (((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & not_2056_s1_q);
+  logic [6:0] select_1840;
+  assign select_1840 = so_s1_q ? x_s1_q[6:0] : (or_380_s1_q ? (less_387_s1_q ? 7'h0 : select_1787) : 7'h0);
+  // hls/stages/agreement.hpp:747
+  logic [5:0] sum_1883;
+  assign sum_1883 = {1'b0, last_s1_q[6:2]} + 6'h1;
+  // hls/stages/agreement.hpp:211
+  logic and_2059;
+  assign and_2059 = ((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & (~({sum_1883, last_s1_q[1:0]} < x_s1_q));
   // hls/stages/agreement.hpp:310
-  logic [5:0] or_2199;
-  assign or_2199 = column_s1_q[5:0] | row_s1_q;
+  logic [5:0] or_2201;
+  assign or_2201 = column_s1_q[5:0] | row_s1_q;
   // hls/stages/agreement.hpp:314
-  logic select_2415;
-  assign select_2415 = equal_2321_s1_q ? (~({row_s1_q, 1'b0} < {sum_2412, cfg_height_i[3]})) : lower_half_q;
+  logic select_2417;
+  assign select_2417 = equal_2323_s1_q ? (~({row_s1_q, 1'b0} < {sum_2414, cfg_height_i[3]})) : lower_half_q;
   // hls/stages/agreement.hpp:365
-  logic and_2626;
-  assign and_2626 = and_359_s1_q & (equal_2321_s1_q & (row_s1_q[5:2] == 4'h0));
+  logic and_2628;
+  assign and_2628 = and_359_s1_q & (equal_2323_s1_q & (row_s1_q[5:2] == 4'h0));
 
   // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:146; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1574,7 +1574,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) averager_memory_read_q <= rst_ni & averager_memory_re;
   assign averager_memory_error = averager_memory_read_q & ^averager_memory_word_q;
 
-  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1074; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1075; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] best_right_mem [0:79];
@@ -1582,7 +1582,7 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_right_mem[i] = 30'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_380_s1_q ? sum_1785 : right_s1_q;
+  assign best_right_raddr = or_380_s1_q ? select_1787 : right_s1_q;
   logic best_right_re;
   assign best_right_re = s1_en & select_501_s1_q;
   logic [29:0] best_right_word_q;
@@ -1644,8 +1644,8 @@ module horopter_agreement (
       row_q <= 6'h0;
       lower_half_q <= 1'b0;
     end else if (s1_en) begin
-      row_q <= and_359_s1_q ? (equal_2321_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_359_s1_q ? select_2415 : lower_half_q;
+      row_q <= and_359_s1_q ? (equal_2323_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_359_s1_q ? select_2417 : lower_half_q;
     end
   end
 
@@ -1773,23 +1773,23 @@ module horopter_agreement (
   logic select_508_s2_q;
   logic and_1783_s2_q;
   logic [6:0] right_s2_q;
-  logic select_1790_s2_q;
-  logic equal_1799_s2_q;
-  logic and_1806_s2_q;
-  logic and_1809_s2_q;
-  logic and_1813_s2_q;
-  logic or_1827_s2_q;
-  logic [6:0] select_1838_s2_q;
-  logic less_1882_s2_q;
-  logic equal_1922_s2_q;
-  logic and_2059_s2_q;
-  logic equal_2200_s2_q;
-  logic equal_2321_s2_q;
-  logic less_2555_s2_q;
-  logic and_2627_s2_q;
+  logic select_1792_s2_q;
+  logic equal_1801_s2_q;
+  logic and_1808_s2_q;
+  logic and_1811_s2_q;
+  logic and_1815_s2_q;
+  logic or_1829_s2_q;
+  logic [6:0] select_1840_s2_q;
+  logic less_1884_s2_q;
+  logic equal_1924_s2_q;
+  logic and_2061_s2_q;
+  logic equal_2202_s2_q;
+  logic equal_2323_s2_q;
+  logic less_2557_s2_q;
   logic and_2629_s2_q;
-  logic less_2736_s2_q;
-  logic equal_2943_s2_q;
+  logic and_2631_s2_q;
+  logic less_2738_s2_q;
+  logic equal_2945_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -1826,23 +1826,23 @@ module horopter_agreement (
       select_508_s2_q <= select_508_s1_q;
       and_1783_s2_q <= and_1783_s1_q;
       right_s2_q <= right_s1_q;
-      select_1790_s2_q <= select_1790_s1_q;
-      equal_1799_s2_q <= equal_1799_s1_q;
-      and_1806_s2_q <= not_388_s1_q & and_1805;
-      and_1809_s2_q <= (or_380_s1_q & (left_rdata_q[62] & not_388_s1_q)) & and_1805;
-      and_1813_s2_q <= not_388_s1_q & (or_380_s1_q & (left_rdata_q[63] & not_388_s1_q));
-      or_1827_s2_q <= or_1827;
-      select_1838_s2_q <= select_1838;
-      less_1882_s2_q <= less_1882_s1_q;
-      equal_1922_s2_q <= equal_1922_s1_q;
-      and_2059_s2_q <= so_s1_q & and_2058;
-      equal_2200_s2_q <= {column_s1_q[6], or_2199} == 7'h0;
-      equal_2321_s2_q <= equal_2321_s1_q;
-      less_2555_s2_q <= 5'h4 < row_q[5:1];
-      and_2627_s2_q <= and_2322_s1_q & and_2626;
-      and_2629_s2_q <= and_2322_s1_q & (~and_2626);
-      less_2736_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_2943_s2_q <= row_s1_q[5:3] == 3'h0;
+      select_1792_s2_q <= select_1792_s1_q;
+      equal_1801_s2_q <= equal_1801_s1_q;
+      and_1808_s2_q <= not_388_s1_q & and_1807;
+      and_1811_s2_q <= (or_380_s1_q & (left_rdata_q[62] & not_388_s1_q)) & and_1807;
+      and_1815_s2_q <= not_388_s1_q & (or_380_s1_q & (left_rdata_q[63] & not_388_s1_q));
+      or_1829_s2_q <= or_1829;
+      select_1840_s2_q <= select_1840;
+      less_1884_s2_q <= {1'b0, sum_1883, last_s1_q[1]} < x_s1_q;
+      equal_1924_s2_q <= x_s1_q == {1'b0, last_s1_q};
+      and_2061_s2_q <= so_s1_q & (ends_cell_s1_q & and_2059);
+      equal_2202_s2_q <= {column_s1_q[6], or_2201} == 7'h0;
+      equal_2323_s2_q <= equal_2323_s1_q;
+      less_2557_s2_q <= 5'h4 < row_q[5:1];
+      and_2629_s2_q <= and_2324_s1_q & and_2628;
+      and_2631_s2_q <= and_2324_s1_q & (~and_2628);
+      less_2738_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_2945_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
@@ -2027,112 +2027,112 @@ module horopter_agreement (
   logic [5:0] select_1782;
   assign select_1782 = or_1780 ? run_shift_s2_q : best_left_rdata_s2_q[45:40];
   // hls/stages/agreement.hpp:620
-  logic or_1792;
-  assign or_1792 = select_1790_s2_q | (best_right_rdata_q[7:0] < of_best);
+  logic or_1794;
+  assign or_1794 = select_1792_s2_q | (best_right_rdata_q[7:0] < of_best);
   // hls/stages/agreement.hpp:624
-  logic [7:0] select_1793;
-  assign select_1793 = or_1792 ? of_best : best_right_rdata_q[7:0];
-  logic [6:0] select_1794;
-  assign select_1794 = or_1792 ? x_s2_2_q : best_right_rdata_q[14:8];
-  logic or_1796;
-  assign or_1796 = select_1790_s2_q | (best_right_rdata_q[21:15] < of_near);
+  logic [7:0] select_1795;
+  assign select_1795 = or_1794 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_1796;
+  assign select_1796 = or_1794 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_1798;
+  assign or_1798 = select_1792_s2_q | (best_right_rdata_q[21:15] < of_near);
   // hls/stages/agreement.hpp:628
-  logic [6:0] select_1797;
-  assign select_1797 = or_1796 ? of_near : best_right_rdata_q[21:15];
-  logic [6:0] select_1798;
-  assign select_1798 = or_1796 ? x_s2_2_q : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:746
-  logic not_1800;
-  assign not_1800 = ~equal_1799_s2_q;
+  logic [6:0] select_1799;
+  assign select_1799 = or_1798 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_1800;
+  assign select_1800 = or_1798 ? x_s2_2_q : best_right_rdata_q[28:22];
+  // hls/stages/agreement.hpp:747
+  logic not_1802;
+  assign not_1802 = ~equal_1801_s2_q;
   // hls/stages/agreement.hpp:182
-  logic and_1810;
-  assign and_1810 = not_388_s2_q & and_1809_s2_q;
-  // hls/stages/agreement.hpp:726
-  logic select_1816;
-  assign select_1816 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  logic and_1812;
+  assign and_1812 = not_388_s2_q & and_1811_s2_q;
   // hls/stages/agreement.hpp:727
+  logic select_1818;
+  assign select_1818 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  // hls/stages/agreement.hpp:728
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:733
-  logic [8:0] difference_1819;
-  assign difference_1819 = {2'h0, chosen} - {1'b0, x_s2_q};
   // hls/stages/agreement.hpp:734
-  logic [9:0] sum_1820;
-  assign sum_1820 = {difference_1819[8], difference_1819} + 10'h1;
+  logic [8:0] difference_1821;
+  assign difference_1821 = {2'h0, chosen} - {1'b0, x_s2_q};
+  // hls/stages/agreement.hpp:735
+  logic [9:0] sum_1822;
+  assign sum_1822 = {difference_1821[8], difference_1821} + 10'h1;
   // hls/stages/agreement.hpp:182
-  logic and_1822;
-  assign and_1822 = (and_1809_s2_q & select_1816) & ({{22{sum_1820[9]}}, sum_1820} < 32'h3);
-  logic and_1823;
-  assign and_1823 = not_388_s2_q & and_1822;
-  logic and_1829;
-  assign and_1829 = not_388_s2_q & (and_1822 & or_1827_s2_q);
+  logic and_1824;
+  assign and_1824 = (and_1811_s2_q & select_1818) & ({{22{sum_1822[9]}}, sum_1822} < 32'h3);
+  logic and_1825;
+  assign and_1825 = not_388_s2_q & and_1824;
+  logic and_1831;
+  assign and_1831 = not_388_s2_q & (and_1824 & or_1829_s2_q);
   // hls/stages/agreement.hpp:191
-  logic [8:0] select_1830;
-  assign select_1830 = less_387_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
+  logic [8:0] select_1832;
+  assign select_1832 = less_387_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
   logic [14:0] inside_v;
-  assign inside_v = or_380_s2_q ? {select_1830, and_1829, and_1823, and_1813_s2_q, and_1810, and_1806_s2_q, not_388_s2_q} : 15'h0;
+  assign inside_v = or_380_s2_q ? {select_1832, and_1831, and_1825, and_1815_s2_q, and_1812, and_1808_s2_q, not_388_s2_q} : 15'h0;
   // hls/stages/agreement.hpp:211
-  logic and_1832;
-  assign and_1832 = ends_cell_s2_q & inside_v[0];
   logic and_1834;
-  assign and_1834 = not_1800 & (so_s2_q & and_1832);
+  assign and_1834 = ends_cell_s2_q & inside_v[0];
+  logic and_1836;
+  assign and_1836 = not_1802 & (so_s2_q & and_1834);
   // hls/stages/agreement.hpp:197
   logic right_2;
-  assign right_2 = inside_v[0] & less_1882_s2_q;
+  assign right_2 = inside_v[0] & less_1884_s2_q;
   logic textured;
   assign textured = inside_v[0] & inside_v[2];
   // hls/stages/agreement.hpp:215
-  logic select_2113;
-  assign select_2113 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
   logic select_2115;
-  assign select_2115 = sample_pair_whole_s2_q ? (and_357_s2_q ? select_372 : averager_mask_q) : averager_mask_q;
+  assign select_2115 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
   logic select_2117;
-  assign select_2117 = sample_pair_whole_s2_q ? (and_357_s2_q ? select_376 : averager_of_skin_q) : averager_of_skin_q;
+  assign select_2117 = sample_pair_whole_s2_q ? (and_357_s2_q ? select_372 : averager_mask_q) : averager_mask_q;
+  logic select_2119;
+  assign select_2119 = sample_pair_whole_s2_q ? (and_357_s2_q ? select_376 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/registration.hpp:76
-  logic less_2502;
-  assign less_2502 = slot_s2_q < 3'h3;
+  logic less_2504;
+  assign less_2504 = slot_s2_q < 3'h3;
   // hls/stages/agreement.hpp:191
-  logic [7:0] select_2504;
-  assign select_2504 = or_380_s2_q ? (less_387_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
   logic [7:0] select_2506;
-  assign select_2506 = or_380_s2_q ? (less_387_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  assign select_2506 = or_380_s2_q ? (less_387_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
   logic [7:0] select_2508;
-  assign select_2508 = or_380_s2_q ? (less_387_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  assign select_2508 = or_380_s2_q ? (less_387_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_2510;
+  assign select_2510 = or_380_s2_q ? (less_387_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise;
-  assign rise = {1'b0, select_2506} - {1'b0, select_2508};
+  assign rise = {1'b0, select_2508} - {1'b0, select_2510};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_2510;
-  assign select_2510 = rise[8] ? select_2506 : select_2508;
-  logic [8:0] difference_2511;
-  assign difference_2511 = {1'b0, select_2504} - {1'b0, select_2510};
+  logic [7:0] select_2512;
+  assign select_2512 = rise[8] ? select_2508 : select_2510;
+  logic [8:0] difference_2513;
+  assign difference_2513 = {1'b0, select_2506} - {1'b0, select_2512};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
-  assign wide = difference_2511[8] ? 8'h0 : difference_2511[7:0];
+  assign wide = difference_2513[8] ? 8'h0 : difference_2513[7:0];
   // hls/stages/registration.hpp:37
-  logic not_2513;
-  assign not_2513 = ~registration_displacement_over_q[9];
+  logic not_2515;
+  assign not_2515 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2502 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2513};
+  assign left = less_2504 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2515};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_2515;
-  assign xor_2515 = rise[7:0] ^ {8{rise[8]}};
+  logic [7:0] xor_2517;
+  assign xor_2517 = rise[7:0] ^ {8{rise[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise[8]} + {1'b0, xor_2515};
+  assign size_3 = {8'h0, rise[8]} + {1'b0, xor_2517};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_2521;
-  assign select_2521 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_2523;
+  assign select_2523 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_2502 ? {taken, 1'b1} : {not_2513, select_2521, not_2513};
+  assign taken_2 = less_2504 ? {taken, 1'b1} : {not_2515, select_2523, not_2515};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2523;
-  assign sum_2523 = {left, 1'b1} + {taken_2, less_2502};
+  logic [10:0] sum_2525;
+  assign sum_2525 = {left, 1'b1} + {taken_2, less_2504};
   // hls/stages/agreement.hpp:192
-  logic [4:0] select_2525;
-  assign select_2525 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  logic [4:0] select_2527;
+  assign select_2527 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
 
   // Memory census_memory, 80 x 78 and parity, DISTANCE 16, hls/stages/census.hpp:254; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -2155,7 +2155,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) census_memory_read_q <= rst_ni & census_memory_re;
   assign census_memory_error = census_memory_read_q & ^census_memory_word_q;
 
-  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1075; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1076; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] shown_right_mem [0:79];
@@ -2165,7 +2165,7 @@ module horopter_agreement (
   logic [6:0] shown_right_raddr;
   assign shown_right_raddr = x_s2_q[6:0];
   logic shown_right_re;
-  assign shown_right_re = s2_en & and_1834;
+  assign shown_right_re = s2_en & and_1836;
   logic [2:0] shown_right_word_q;
   always_ff @(posedge clk_i) begin
     if (shown_right_re) shown_right_word_q <= shown_right_mem[shown_right_raddr];
@@ -2176,7 +2176,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) shown_right_read_q <= rst_ni & shown_right_re;
   assign shown_right_error = shown_right_read_q & ^shown_right_word_q;
 
-  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1099; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1100; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [18:0] seen_columns_mem [0:79];
@@ -2186,7 +2186,7 @@ module horopter_agreement (
   logic [6:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s2_q[6:0];
   logic seen_columns_re;
-  assign seen_columns_re = s2_en & and_1834;
+  assign seen_columns_re = s2_en & and_1836;
   logic [18:0] seen_columns_word_q;
   always_ff @(posedge clk_i) begin
     if (seen_columns_re) seen_columns_word_q <= seen_columns_mem[seen_columns_raddr];
@@ -2260,7 +2260,7 @@ module horopter_agreement (
   logic best_right_we;
   assign best_right_we = s2_en & and_1783_s2_q;
   logic [28:0] best_right_wdata;
-  assign best_right_wdata = {select_1798, select_1797, select_1794, select_1793};
+  assign best_right_wdata = {select_1800, select_1799, select_1796, select_1795};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_right_we) best_right_mem[best_right_waddr] <= {^best_right_wdata, best_right_wdata};
   end
@@ -2290,11 +2290,11 @@ module horopter_agreement (
       sample_pair_pixel_0_q <= pixel_0_s2_q;
       sample_pair_pixel_1_q <= pixel_1_s2_q;
       sample_of_skin_q <= mask_s2_q;
-      averager_running_of_skin_q <= select_2113;
-      averager_mask_q <= select_2115;
-      averager_of_skin_q <= select_2117;
-      registration_displacement_over_q <= so_s2_q ? sum_2523[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2525;
+      averager_running_of_skin_q <= select_2115;
+      averager_mask_q <= select_2117;
+      averager_of_skin_q <= select_2119;
+      registration_displacement_over_q <= so_s2_q ? sum_2525[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2527;
     end
   end
 
@@ -2331,24 +2331,24 @@ module horopter_agreement (
   logic and_377_s3_q;
   logic so_s3_q;
   logic equal_420_s3_q;
-  logic equal_1799_s3_q;
-  logic not_1800_s3_q;
+  logic equal_1801_s3_q;
+  logic not_1802_s3_q;
   logic [13:0] inside_v_s3_q;
-  logic and_1834_s3_q;
-  logic [6:0] select_1838_s3_q;
-  logic and_1843_s3_q;
+  logic and_1836_s3_q;
+  logic [6:0] select_1840_s3_q;
+  logic and_1845_s3_q;
   logic right_2_s3_q;
-  logic equal_1922_s3_q;
+  logic equal_1924_s3_q;
   logic textured_s3_q;
-  logic and_2060_s3_q;
-  logic equal_2200_s3_q;
-  logic equal_2321_s3_q;
-  logic and_2556_s3_q;
-  logic less_2561_s3_q;
-  logic and_2627_s3_q;
+  logic and_2062_s3_q;
+  logic equal_2202_s3_q;
+  logic equal_2323_s3_q;
+  logic and_2558_s3_q;
+  logic less_2563_s3_q;
   logic and_2629_s3_q;
-  logic less_2736_s3_q;
-  logic equal_2943_s3_q;
+  logic and_2631_s3_q;
+  logic less_2738_s3_q;
+  logic equal_2945_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       saturated_s3_q <= saturated_s2_q;
@@ -2370,24 +2370,24 @@ module horopter_agreement (
       and_377_s3_q <= sample_pair_whole_s2_q & select_376;
       so_s3_q <= so_s2_q;
       equal_420_s3_q <= equal_420_s2_q;
-      equal_1799_s3_q <= equal_1799_s2_q;
-      not_1800_s3_q <= not_1800;
+      equal_1801_s3_q <= equal_1801_s2_q;
+      not_1802_s3_q <= not_1802;
       inside_v_s3_q <= {inside_v[14:3], inside_v[1:0]};
-      and_1834_s3_q <= and_1834;
-      select_1838_s3_q <= select_1838_s2_q;
-      and_1843_s3_q <= not_1800 & (so_s2_q ? and_1832 : (equal_379_s2_q & inside_v[4]));
+      and_1836_s3_q <= and_1836;
+      select_1840_s3_q <= select_1840_s2_q;
+      and_1845_s3_q <= not_1802 & (so_s2_q ? and_1834 : (equal_379_s2_q & inside_v[4]));
       right_2_s3_q <= right_2;
-      equal_1922_s3_q <= equal_1922_s2_q;
+      equal_1924_s3_q <= equal_1924_s2_q;
       textured_s3_q <= textured;
-      and_2060_s3_q <= not_1800 & and_2059_s2_q;
-      equal_2200_s3_q <= equal_2200_s2_q;
-      equal_2321_s3_q <= equal_2321_s2_q;
-      and_2556_s3_q <= inside_v[4] & less_2555_s2_q;
-      less_2561_s3_q <= select_2506 < select_2508;
-      and_2627_s3_q <= and_2627_s2_q;
+      and_2062_s3_q <= not_1802 & and_2061_s2_q;
+      equal_2202_s3_q <= equal_2202_s2_q;
+      equal_2323_s3_q <= equal_2323_s2_q;
+      and_2558_s3_q <= inside_v[4] & less_2557_s2_q;
+      less_2563_s3_q <= select_2508 < select_2510;
       and_2629_s3_q <= and_2629_s2_q;
-      less_2736_s3_q <= less_2736_s2_q;
-      equal_2943_s3_q <= equal_2943_s2_q;
+      and_2631_s3_q <= and_2631_s2_q;
+      less_2738_s3_q <= less_2738_s2_q;
+      equal_2945_s3_q <= equal_2945_s2_q;
     end
   end
 
@@ -2681,743 +2681,743 @@ module horopter_agreement (
   logic [11:0] texture;
   assign texture = ({1'b0, sum_461} + {2'h0, sum_464}) + {2'h0, sum_468};
   // hls/stages/agreement.hpp:139
-  logic not_1839;
-  assign not_1839 = ~so_s3_q;
+  logic not_1841;
+  assign not_1841 = ~so_s3_q;
   // hls/stages/agreement.hpp:211
-  logic and_1840;
-  assign and_1840 = not_1839 & inside_v_s3_q[4];
-  // hls/stages/agreement.hpp:858
-  logic equal_1844;
-  assign equal_1844 = x_s3_q[6:4] == 3'h7;
-  // hls/stages/agreement.hpp:898
+  logic and_1842;
+  assign and_1842 = not_1841 & inside_v_s3_q[4];
+  // hls/stages/agreement.hpp:859
+  logic equal_1846;
+  assign equal_1846 = x_s3_q[6:4] == 3'h7;
+  // hls/stages/agreement.hpp:899
   logic [1:0] quarter;
   assign quarter = x_s3_q[1:0] + 2'h1;
   // hls/stages/registration.hpp:139
   logic all;
   assign all = x_s3_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:859
-  logic [1:0] select_1847;
-  assign select_1847 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
-  // hls/stages/agreement.hpp:871
-  logic [3:0] select_1849;
-  assign select_1849 = equal_1844 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1847});
-  // hls/stages/registration.hpp:106
-  logic [1:0] sum_1850;
-  assign sum_1850 = slot_s3_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:211
+  // hls/stages/agreement.hpp:860
+  logic [1:0] select_1849;
+  assign select_1849 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
+  // hls/stages/agreement.hpp:872
   logic [3:0] select_1851;
-  assign select_1851 = equal_1799_s3_q ? select_1849 : {sum_1850, lower_half_s3_q, registration_of_right_q};
-  // hls/stages/agreement.hpp:896
-  logic equal_1852;
-  assign equal_1852 = x_s3_q[5:0] == 6'h3e;
+  assign select_1851 = equal_1846 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1849});
+  // hls/stages/registration.hpp:106
+  logic [1:0] sum_1852;
+  assign sum_1852 = slot_s3_q[1:0] + 2'h3;
+  // hls/stages/agreement.hpp:211
+  logic [3:0] select_1853;
+  assign select_1853 = equal_1801_s3_q ? select_1851 : {sum_1852, lower_half_s3_q, registration_of_right_q};
+  // hls/stages/agreement.hpp:897
   logic equal_1854;
-  assign equal_1854 = x_s3_q[5:0] == 6'h3d;
+  assign equal_1854 = x_s3_q[5:0] == 6'h3e;
   logic equal_1856;
-  assign equal_1856 = x_s3_q[5:0] == 6'h3c;
+  assign equal_1856 = x_s3_q[5:0] == 6'h3d;
   logic equal_1858;
-  assign equal_1858 = x_s3_q[5:0] == 6'h3b;
+  assign equal_1858 = x_s3_q[5:0] == 6'h3c;
   logic equal_1860;
-  assign equal_1860 = x_s3_q[5:0] == 6'h36;
+  assign equal_1860 = x_s3_q[5:0] == 6'h3b;
   logic equal_1862;
-  assign equal_1862 = x_s3_q[5:0] == 6'h35;
+  assign equal_1862 = x_s3_q[5:0] == 6'h36;
   logic equal_1864;
-  assign equal_1864 = x_s3_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:898
-  logic and_1868;
-  assign and_1868 = (~equal_1858) & ((~equal_1860) & ((~equal_1862) & (~equal_1864)));
-  // hls/stages/agreement.hpp:859
-  logic less_1872;
-  assign less_1872 = x_s3_q[5:0] < 6'h29;
+  assign equal_1864 = x_s3_q[5:0] == 6'h35;
+  logic equal_1866;
+  assign equal_1866 = x_s3_q[5:0] == 6'h34;
+  // hls/stages/agreement.hpp:899
+  logic and_1870;
+  assign and_1870 = (~equal_1860) & ((~equal_1862) & ((~equal_1864) & (~equal_1866)));
+  // hls/stages/agreement.hpp:860
+  logic less_1874;
+  assign less_1874 = x_s3_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:140
   logic [1:0] kind;
   assign kind = all ? {1'b0, x_s3_q[2]} : x_s3_q[2:1];
   // hls/stages/registration.hpp:152
-  logic or_1876;
-  assign or_1876 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:871
-  logic select_1879;
-  assign select_1879 = equal_1844 ? ((~equal_1852) & ((~equal_1854) & ((~equal_1856) & and_1868))) : (less_1872 & (~or_1876));
+  logic or_1878;
+  assign or_1878 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
+  // hls/stages/agreement.hpp:872
+  logic select_1881;
+  assign select_1881 = equal_1846 ? ((~equal_1854) & ((~equal_1856) & ((~equal_1858) & and_1870))) : (less_1874 & (~or_1878));
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = inside_v_s3_q[0] ? (right_2_s3_q & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:106
-  logic [4:0] sum_1887;
-  assign sum_1887 = {2'h0, slot_s3_q} + 5'h1f;
-  logic and_1889;
-  assign and_1889 = half_ends & ({{3{sum_1887[4]}}, sum_1887} < 8'h3);
+  logic [4:0] sum_1889;
+  assign sum_1889 = {2'h0, slot_s3_q} + 5'h1f;
+  logic and_1891;
+  assign and_1891 = half_ends & ({{3{sum_1889[4]}}, sum_1889} < 8'h3);
   // hls/stages/agreement.hpp:211
-  logic and_1890;
-  assign and_1890 = so_s3_q & and_1889;
+  logic and_1892;
+  assign and_1892 = so_s3_q & and_1891;
   // hls/stages/registration.hpp:243
-  logic not_1893;
-  assign not_1893 = ~lower_half_s3_q;
-  logic [3:0] select_1894;
-  assign select_1894 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_1893, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_1893};
+  logic not_1895;
+  assign not_1895 = ~lower_half_s3_q;
+  logic [3:0] select_1896;
+  assign select_1896 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_1895, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_1895};
   // hls/stages/agreement.hpp:143
-  logic [7:0] select_1907;
-  assign select_1907 = so_s3_q ? region_columns_q : 8'h1;
+  logic [7:0] select_1909;
+  assign select_1909 = so_s3_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:781
+  logic or_1912;
+  assign or_1912 = select_1909[7] | (~({select_1909[5], select_1909[3], select_1909[1]} == 3'h0));
   // hls/stages/agreement.hpp:780
-  logic or_1910;
-  assign or_1910 = select_1907[7] | (~({select_1907[5], select_1907[3], select_1907[1]} == 3'h0));
+  logic or_1915;
+  assign or_1915 = select_1909[7] | (~({select_1909[6], select_1909[3:2]} == 3'h0));
   // hls/stages/agreement.hpp:779
-  logic or_1913;
-  assign or_1913 = select_1907[7] | (~({select_1907[6], select_1907[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:778
-  logic or_1916;
-  assign or_1916 = select_1907[7] | (~(select_1907[6:4] == 3'h0));
+  logic or_1918;
+  assign or_1918 = select_1909[7] | (~(select_1909[6:4] == 3'h0));
   // hls/stages/agreement.hpp:211
-  logic [5:0] select_1917;
-  assign select_1917 = equal_1799_s3_q ? x_s3_q[5:0] : {region_row_q, or_1916, or_1913, or_1910};
-  // hls/stages/agreement.hpp:858
-  logic not_1918;
-  assign not_1918 = ~equal_1844;
+  logic [5:0] select_1919;
+  assign select_1919 = equal_1801_s3_q ? x_s3_q[5:0] : {region_row_q, or_1918, or_1915, or_1912};
+  // hls/stages/agreement.hpp:859
+  logic not_1920;
+  assign not_1920 = ~equal_1846;
   // hls/stages/division.hpp:34
-  logic [5:0] sum_1920;
-  assign sum_1920 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:788
-  logic or_1923;
-  assign or_1923 = (~sum_1920[5]) | equal_1922_s3_q;
+  logic [5:0] sum_1922;
+  assign sum_1922 = region_across_rest_q[8:3] + 6'h1;
+  // hls/stages/agreement.hpp:789
+  logic or_1925;
+  assign or_1925 = (~sum_1922[5]) | equal_1924_s3_q;
   // hls/stages/agreement.hpp:211
-  logic and_1926;
-  assign and_1926 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & or_1923));
+  logic and_1928;
+  assign and_1928 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & or_1925));
   // hls/stages/agreement.hpp:197
   logic explained;
   assign explained = inside_v_s3_q[0] & inside_v_s3_q[3];
-  logic and_1940;
-  assign and_1940 = inside_v_s3_q[0] & ({inside_v_s3_q[4], inside_v_s3_q[2]} == 2'h3);
-  logic and_1947;
-  assign and_1947 = inside_v_s3_q[0] & inside_v_s3_q[2];
-  // hls/stages/agreement.hpp:751
-  logic select_1948;
-  assign select_1948 = slot_s3_q[2] ? shown_shown_q : inside_v_s3_q[3];
+  logic and_1942;
+  assign and_1942 = inside_v_s3_q[0] & ({inside_v_s3_q[4], inside_v_s3_q[2]} == 2'h3);
+  logic and_1949;
+  assign and_1949 = inside_v_s3_q[0] & inside_v_s3_q[2];
+  // hls/stages/agreement.hpp:752
+  logic select_1950;
+  assign select_1950 = slot_s3_q[2] ? shown_shown_q : inside_v_s3_q[3];
   // hls/stages/agreement.hpp:197
   logic shown;
-  assign shown = inside_v_s3_q[0] & (shown_right_rdata_q[0] | select_1948);
-  // hls/stages/agreement.hpp:751
-  logic select_1951;
-  assign select_1951 = slot_s3_q[2] ? shown_nearer_q : inside_v_s3_q[4];
+  assign shown = inside_v_s3_q[0] & (shown_right_rdata_q[0] | select_1950);
+  // hls/stages/agreement.hpp:752
+  logic select_1953;
+  assign select_1953 = slot_s3_q[2] ? shown_nearer_q : inside_v_s3_q[4];
   // hls/stages/agreement.hpp:197
   logic near;
-  assign near = inside_v_s3_q[0] & (select_1948 ? select_1951 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:983
-  logic or_1954;
-  assign or_1954 = marks_first_s3_q | line_ended_q;
-  // hls/stages/agreement.hpp:985
-  logic [17:0] select_1956;
-  assign select_1956 = marks_first_s3_q ? 18'h1 : (or_1954 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
+  assign near = inside_v_s3_q[0] & (select_1950 ? select_1953 : shown_right_rdata_q[1]);
   // hls/stages/agreement.hpp:984
-  logic [8:0] select_1958;
-  assign select_1958 = or_1954 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:992
-  logic select_1960;
-  assign select_1960 = cfg_compete_i ? (or_1954 & select_1956[17]) : (select_1958[8] & select_1956[9]);
+  logic or_1956;
+  assign or_1956 = marks_first_s3_q | line_ended_q;
+  // hls/stages/agreement.hpp:986
+  logic [17:0] select_1958;
+  assign select_1958 = marks_first_s3_q ? 18'h1 : (or_1956 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:985
+  logic [8:0] select_1960;
+  assign select_1960 = or_1956 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:993
+  logic select_1962;
+  assign select_1962 = cfg_compete_i ? (or_1956 & select_1958[17]) : (select_1960[8] & select_1958[9]);
   // hls/stages/agreement.hpp:218
   logic next_row;
-  assign next_row = select_1960 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:999
-  logic [6:0] select_1963;
-  assign select_1963 = next_row ? cfg_width_i[9:3] : 7'h0;
-  logic [12:0] select_1965;
-  assign select_1965 = marks_first_s3_q ? 13'h0 : (seen_base_q + {6'h0, select_1963});
-  // hls/stages/agreement.hpp:1009
-  logic equal_1966;
-  assign equal_1966 = seen_x_q == 3'h7;
-  logic [7:0] select_1968;
-  assign select_1968 = select_1960 ? 8'h0 : (seen_column_q + {7'h0, equal_1966});
-  // hls/stages/agreement.hpp:1012
-  logic [12:0] index;
-  assign index = select_1965 + {5'h0, select_1968};
-  // hls/stages/agreement.hpp:983
-  logic select_1971;
-  assign select_1971 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:969
-  logic [7:0] sum_1972;
-  assign sum_1972 = {1'b0, select_1971, 2'h0, select_1971, 1'b0, {2{select_1971}}} + {1'b0, index[12:6]};
-  // hls/stages/agreement.hpp:982
-  logic not_1973;
-  assign not_1973 = ~marks_first_s3_q;
-  // hls/stages/agreement.hpp:218
-  logic and_1975;
-  assign and_1975 = not_1973 & (began_q | select_1960);
+  assign next_row = select_1962 & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1000
+  logic [6:0] select_1965;
+  assign select_1965 = next_row ? cfg_width_i[9:3] : 7'h0;
+  logic [12:0] select_1967;
+  assign select_1967 = marks_first_s3_q ? 13'h0 : (seen_base_q + {6'h0, select_1965});
   // hls/stages/agreement.hpp:1010
-  logic [2:0] select_1977;
-  assign select_1977 = select_1960 ? 3'h0 : (seen_x_q + 3'h1);
+  logic equal_1968;
+  assign equal_1968 = seen_x_q == 3'h7;
+  logic [7:0] select_1970;
+  assign select_1970 = select_1962 ? 8'h0 : (seen_column_q + {7'h0, equal_1968});
+  // hls/stages/agreement.hpp:1013
+  logic [12:0] index;
+  assign index = select_1967 + {5'h0, select_1970};
+  // hls/stages/agreement.hpp:984
+  logic select_1973;
+  assign select_1973 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  // hls/stages/agreement.hpp:970
+  logic [7:0] sum_1974;
+  assign sum_1974 = {1'b0, select_1973, 2'h0, select_1973, 1'b0, {2{select_1973}}} + {1'b0, index[12:6]};
+  // hls/stages/agreement.hpp:983
+  logic not_1975;
+  assign not_1975 = ~marks_first_s3_q;
+  // hls/stages/agreement.hpp:218
+  logic and_1977;
+  assign and_1977 = not_1975 & (began_q | select_1962);
   // hls/stages/agreement.hpp:1011
-  logic and_1979;
-  assign and_1979 = and_1975 & (select_1977 == 3'h0);
-  logic less_1980;
-  assign less_1980 = select_1968 < {1'b0, cfg_width_i[9:3]};
-  // hls/stages/agreement.hpp:841
-  logic [7:0] sum_1983;
-  assign sum_1983 = {2'h0, x_s3_q[7:2]} + 8'hff;
-  logic [12:0] index_2;
-  assign index_2 = {{3{sum_1983[7]}}, sum_1983, x_s3_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:969
+  logic [2:0] select_1979;
+  assign select_1979 = select_1962 ? 3'h0 : (seen_x_q + 3'h1);
+  // hls/stages/agreement.hpp:1012
+  logic and_1981;
+  assign and_1981 = and_1977 & (select_1979 == 3'h0);
+  logic less_1982;
+  assign less_1982 = select_1970 < {1'b0, cfg_width_i[9:3]};
+  // hls/stages/agreement.hpp:842
   logic [7:0] sum_1985;
-  assign sum_1985 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
-  // hls/stages/agreement.hpp:764
-  logic and_1986;
-  assign and_1986 = seen_columns_rdata_q[14] & inside_v_s3_q[0];
-  logic and_1987;
-  assign and_1987 = seen_columns_rdata_q[10] & inside_v_s3_q[0];
+  assign sum_1985 = {2'h0, x_s3_q[7:2]} + 8'hff;
+  logic [12:0] index_2;
+  assign index_2 = {{3{sum_1985[7]}}, sum_1985, x_s3_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:970
+  logic [7:0] sum_1987;
+  assign sum_1987 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
+  // hls/stages/agreement.hpp:765
   logic and_1988;
-  assign and_1988 = seen_columns_rdata_q[5] & inside_v_s3_q[0];
+  assign and_1988 = seen_columns_rdata_q[14] & inside_v_s3_q[0];
   logic and_1989;
-  assign and_1989 = seen_columns_rdata_q[0] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:817
-  logic [1:0] sum_1991;
-  assign sum_1991 = {1'b0, and_1988} + ({1'b0, textured_s3_q} + {1'b0, and_1989});
-  logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_1986} + ({2'h0, and_1987} + {1'b0, sum_1991});
-  // hls/stages/agreement.hpp:824
-  logic [2:0] select_1994;
-  assign select_1994 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_1995;
-  assign difference_1995 = {1'b0, textured_2} - {1'b0, select_1994};
-  // hls/stages/agreement.hpp:822
-  logic equal_1996;
-  assign equal_1996 = x_s3_q == 8'h0;
-  // hls/stages/agreement.hpp:824
-  logic [4:0] t;
-  assign t = {difference_1995[3], difference_1995} + (equal_1996 ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:764
-  logic [7:0] select_2001;
-  assign select_2001 = inside_v_s3_q[0] ? (sum_1920[5] ? select_1907 : {select_1907[6:0], 1'b0}) : select_1907;
-  // hls/stages/agreement.hpp:780
-  logic or_2004;
-  assign or_2004 = select_2001[7] | (~({select_2001[5], select_2001[3], select_2001[1]} == 3'h0));
-  // hls/stages/agreement.hpp:764
-  logic and_2021;
-  assign and_2021 = seen_columns_rdata_q[16] & inside_v_s3_q[0];
-  logic and_2022;
-  assign and_2022 = seen_columns_rdata_q[12] & inside_v_s3_q[0];
-  logic and_2023;
-  assign and_2023 = seen_columns_rdata_q[8] & inside_v_s3_q[0];
-  logic and_2024;
-  assign and_2024 = seen_columns_rdata_q[3] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:819
-  logic [1:0] sum_2026;
-  assign sum_2026 = {1'b0, and_2023} + ({1'b0, shown} + {1'b0, and_2024});
-  logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2021} + ({2'h0, and_2022} + {1'b0, sum_2026});
-  // hls/stages/agreement.hpp:826
-  logic [2:0] select_2029;
-  assign select_2029 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2030;
-  assign difference_2030 = {1'b0, shown_2} - {1'b0, select_2029};
-  logic [4:0] around;
-  assign around = {difference_2030[3], difference_2030} + (equal_1996 ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:833
-  logic [5:0] sum_2033;
-  assign sum_2033 = {1'b0, around} + {2'h0, around[4:1]};
-  // hls/stages/agreement.hpp:764
-  logic and_2037;
-  assign and_2037 = seen_columns_rdata_q[17] & inside_v_s3_q[0];
-  logic and_2038;
-  assign and_2038 = seen_columns_rdata_q[13] & inside_v_s3_q[0];
-  logic and_2039;
-  assign and_2039 = seen_columns_rdata_q[9] & inside_v_s3_q[0];
-  logic and_2040;
-  assign and_2040 = seen_columns_rdata_q[4] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:820
-  logic [1:0] sum_2042;
-  assign sum_2042 = {1'b0, and_2039} + ({1'b0, near} + {1'b0, and_2040});
-  logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2037} + ({2'h0, and_2038} + {1'b0, sum_2042});
-  // hls/stages/agreement.hpp:827
-  logic [2:0] select_2045;
-  assign select_2045 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2046;
-  assign difference_2046 = {1'b0, near_2} - {1'b0, select_2045};
-  logic [4:0] n;
-  assign n = {difference_2046[3], difference_2046} + (equal_1996 ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:215
-  logic [10:0] select_2092;
-  assign select_2092 = sample_pair_whole_s3_q ? (and_357_s3_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2094;
-  assign select_2094 = sample_pair_whole_s3_q ? (and_357_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  // hls/stages/agreement.hpp:365
-  logic [8:0] select_2118;
-  assign select_2118 = and_359_s3_q ? select_365 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2119;
-  assign select_2119 = and_359_s3_q ? select_369 : census_columns_values_0_cell_0_right_q;
-  logic select_2120;
-  assign select_2120 = and_359_s3_q ? whole_2_s3_q : census_columns_values_0_cell_0_mask_q;
-  logic [8:0] select_2121;
-  assign select_2121 = and_359_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2122;
-  assign select_2122 = and_359_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2123;
-  assign select_2123 = and_359_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_2124;
-  assign select_2124 = and_359_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2125;
-  assign select_2125 = and_359_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2126;
-  assign select_2126 = and_359_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2127;
-  assign select_2127 = and_359_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_2128;
-  assign select_2128 = and_359_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2129;
-  assign select_2129 = and_359_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2130;
-  assign select_2130 = and_359_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_2131;
-  assign select_2131 = and_359_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2132;
-  assign select_2132 = and_359_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2133;
-  assign select_2133 = and_359_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_2134;
-  assign select_2134 = and_359_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2135;
-  assign select_2135 = and_359_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_2136;
-  assign select_2136 = and_359_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic [8:0] select_2137;
-  assign select_2137 = and_359_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2138;
-  assign select_2138 = and_359_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_2139;
-  assign select_2139 = and_359_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
-  logic [8:0] select_2140;
-  assign select_2140 = and_359_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2141;
-  assign select_2141 = and_359_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2142;
-  assign select_2142 = and_359_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2143;
-  assign select_2143 = and_359_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_2144;
-  assign select_2144 = and_359_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2145;
-  assign select_2145 = and_359_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2146;
-  assign select_2146 = and_359_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
-  logic [8:0] select_2147;
-  assign select_2147 = and_359_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2148;
-  assign select_2148 = and_359_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2149;
-  assign select_2149 = and_359_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
-  logic [8:0] select_2150;
-  assign select_2150 = and_359_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2151;
-  assign select_2151 = and_359_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_2152;
-  assign select_2152 = and_359_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic [8:0] select_2153;
-  assign select_2153 = and_359_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_2154;
-  assign select_2154 = and_359_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_2155;
-  assign select_2155 = and_359_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  logic [8:0] select_2156;
-  assign select_2156 = and_359_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_2157;
-  assign select_2157 = and_359_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_2158;
-  assign select_2158 = and_359_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic [8:0] select_2159;
-  assign select_2159 = and_359_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2160;
-  assign select_2160 = and_359_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_2161;
-  assign select_2161 = and_359_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
-  logic [8:0] select_2162;
-  assign select_2162 = and_359_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2163;
-  assign select_2163 = and_359_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic select_2164;
-  assign select_2164 = and_359_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2165;
-  assign select_2165 = and_359_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
-  logic [8:0] select_2166;
-  assign select_2166 = and_359_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2167;
-  assign select_2167 = and_359_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_2168;
-  assign select_2168 = and_359_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2169;
-  assign select_2169 = and_359_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_2170;
-  assign select_2170 = and_359_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2171;
-  assign select_2171 = and_359_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_2172;
-  assign select_2172 = and_359_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_2173;
-  assign select_2173 = and_359_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
-  // hls/stages/census.hpp:192
-  logic [9:0] difference_2175;
-  assign difference_2175 = {1'b0, select_369} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2176;
-  assign xor_2176 = difference_2175[8:0] ^ {9{difference_2175[9]}};
-  logic [9:0] sum_2177;
-  assign sum_2177 = {9'h0, difference_2175[9]} + {1'b0, xor_2176};
-  logic [9:0] difference_2178;
-  assign difference_2178 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2179;
-  assign xor_2179 = difference_2178[8:0] ^ {9{difference_2178[9]}};
-  logic [9:0] sum_2180;
-  assign sum_2180 = {9'h0, difference_2178[9]} + {1'b0, xor_2179};
-  logic [9:0] difference_2182;
-  assign difference_2182 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2183;
-  assign xor_2183 = difference_2182[8:0] ^ {9{difference_2182[9]}};
-  logic [9:0] sum_2184;
-  assign sum_2184 = {9'h0, difference_2182[9]} + {1'b0, xor_2183};
-  logic [10:0] sum_2185;
-  assign sum_2185 = ({1'b0, sum_2177} + {1'b0, sum_2180}) + {1'b0, sum_2184};
-  logic [9:0] difference_2186;
-  assign difference_2186 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2187;
-  assign xor_2187 = difference_2186[8:0] ^ {9{difference_2186[9]}};
-  logic [9:0] sum_2188;
-  assign sum_2188 = {9'h0, difference_2186[9]} + {1'b0, xor_2187};
-  logic [9:0] difference_2190;
-  assign difference_2190 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2191;
-  assign xor_2191 = difference_2190[8:0] ^ {9{difference_2190[9]}};
-  logic [9:0] sum_2192;
-  assign sum_2192 = {9'h0, difference_2190[9]} + {1'b0, xor_2191};
-  // hls/stages/census.hpp:273
-  logic [9:0] difference_2220;
-  assign difference_2220 = {1'b0, select_365} - {1'b0, sharpness_last_mean_0_q};
-  logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2220[9]} + (difference_2220[8:0] ^ {9{difference_2220[9]}});
-  logic [9:0] difference_2231;
-  assign difference_2231 = {1'b0, select_369} - {1'b0, sharpness_last_mean_1_q};
-  logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2231[9]} + (difference_2231[8:0] ^ {9{difference_2231[9]}});
-  // hls/stages/agreement.hpp:365
-  logic and_2418;
-  assign and_2418 = and_359_s3_q & (equal_420_s3_q & equal_2321_s3_q);
-  // hls/stages/agreement.hpp:211
-  logic and_2421;
-  assign and_2421 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & inside_v_s3_q[1]));
-  // hls/stages/agreement.hpp:764
-  logic and_2442;
-  assign and_2442 = seen_columns_rdata_q[15] & inside_v_s3_q[0];
-  logic and_2443;
-  assign and_2443 = seen_columns_rdata_q[11] & inside_v_s3_q[0];
-  logic and_2444;
-  assign and_2444 = seen_columns_rdata_q[7] & inside_v_s3_q[0];
-  logic and_2445;
-  assign and_2445 = seen_columns_rdata_q[2] & inside_v_s3_q[0];
+  assign and_1989 = seen_columns_rdata_q[10] & inside_v_s3_q[0];
+  logic and_1990;
+  assign and_1990 = seen_columns_rdata_q[5] & inside_v_s3_q[0];
+  logic and_1991;
+  assign and_1991 = seen_columns_rdata_q[0] & inside_v_s3_q[0];
   // hls/stages/agreement.hpp:818
-  logic [1:0] sum_2447;
-  assign sum_2447 = {1'b0, and_2444} + ({1'b0, explained} + {1'b0, and_2445});
-  logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2442} + ({2'h0, and_2443} + {1'b0, sum_2447});
+  logic [1:0] sum_1993;
+  assign sum_1993 = {1'b0, and_1990} + ({1'b0, textured_s3_q} + {1'b0, and_1991});
+  logic [2:0] textured_2;
+  assign textured_2 = {2'h0, and_1988} + ({2'h0, and_1989} + {1'b0, sum_1993});
   // hls/stages/agreement.hpp:825
-  logic [2:0] select_2450;
-  assign select_2450 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2451;
-  assign difference_2451 = {1'b0, explained_2} - {1'b0, select_2450};
-  logic [4:0] e;
-  assign e = {difference_2451[3], difference_2451} + (equal_1996 ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:832
-  logic [5:0] sum_2454;
-  assign sum_2454 = {1'b0, e} + {2'h0, e[4:1]};
+  logic [2:0] select_1996;
+  assign select_1996 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_1997;
+  assign difference_1997 = {1'b0, textured_2} - {1'b0, select_1996};
+  // hls/stages/agreement.hpp:823
+  logic equal_1998;
+  assign equal_1998 = x_s3_q == 8'h0;
+  // hls/stages/agreement.hpp:825
+  logic [4:0] t;
+  assign t = {difference_1997[3], difference_1997} + (equal_1998 ? 5'h0 : box_textured_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:765
+  logic [7:0] select_2003;
+  assign select_2003 = inside_v_s3_q[0] ? (sum_1922[5] ? select_1909 : {select_1909[6:0], 1'b0}) : select_1909;
+  // hls/stages/agreement.hpp:781
+  logic or_2006;
+  assign or_2006 = select_2003[7] | (~({select_2003[5], select_2003[3], select_2003[1]} == 3'h0));
+  // hls/stages/agreement.hpp:765
+  logic and_2023;
+  assign and_2023 = seen_columns_rdata_q[16] & inside_v_s3_q[0];
+  logic and_2024;
+  assign and_2024 = seen_columns_rdata_q[12] & inside_v_s3_q[0];
+  logic and_2025;
+  assign and_2025 = seen_columns_rdata_q[8] & inside_v_s3_q[0];
+  logic and_2026;
+  assign and_2026 = seen_columns_rdata_q[3] & inside_v_s3_q[0];
+  // hls/stages/agreement.hpp:820
+  logic [1:0] sum_2028;
+  assign sum_2028 = {1'b0, and_2025} + ({1'b0, shown} + {1'b0, and_2026});
+  logic [2:0] shown_2;
+  assign shown_2 = {2'h0, and_2023} + ({2'h0, and_2024} + {1'b0, sum_2028});
+  // hls/stages/agreement.hpp:827
+  logic [2:0] select_2031;
+  assign select_2031 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2032;
+  assign difference_2032 = {1'b0, shown_2} - {1'b0, select_2031};
+  logic [4:0] around;
+  assign around = {difference_2032[3], difference_2032} + (equal_1998 ? 5'h0 : box_shown_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:834
+  logic [5:0] sum_2035;
+  assign sum_2035 = {1'b0, around} + {2'h0, around[4:1]};
+  // hls/stages/agreement.hpp:765
+  logic and_2039;
+  assign and_2039 = seen_columns_rdata_q[17] & inside_v_s3_q[0];
+  logic and_2040;
+  assign and_2040 = seen_columns_rdata_q[13] & inside_v_s3_q[0];
+  logic and_2041;
+  assign and_2041 = seen_columns_rdata_q[9] & inside_v_s3_q[0];
+  logic and_2042;
+  assign and_2042 = seen_columns_rdata_q[4] & inside_v_s3_q[0];
+  // hls/stages/agreement.hpp:821
+  logic [1:0] sum_2044;
+  assign sum_2044 = {1'b0, and_2041} + ({1'b0, near} + {1'b0, and_2042});
+  logic [2:0] near_2;
+  assign near_2 = {2'h0, and_2039} + ({2'h0, and_2040} + {1'b0, sum_2044});
+  // hls/stages/agreement.hpp:828
+  logic [2:0] select_2047;
+  assign select_2047 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2048;
+  assign difference_2048 = {1'b0, near_2} - {1'b0, select_2047};
+  logic [4:0] n;
+  assign n = {difference_2048[3], difference_2048} + (equal_1998 ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:215
+  logic [10:0] select_2094;
+  assign select_2094 = sample_pair_whole_s3_q ? (and_357_s3_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2096;
+  assign select_2096 = sample_pair_whole_s3_q ? (and_357_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  // hls/stages/agreement.hpp:365
+  logic [8:0] select_2120;
+  assign select_2120 = and_359_s3_q ? select_365 : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2121;
+  assign select_2121 = and_359_s3_q ? select_369 : census_columns_values_0_cell_0_right_q;
+  logic select_2122;
+  assign select_2122 = and_359_s3_q ? whole_2_s3_q : census_columns_values_0_cell_0_mask_q;
+  logic [8:0] select_2123;
+  assign select_2123 = and_359_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_2124;
+  assign select_2124 = and_359_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2125;
+  assign select_2125 = and_359_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2126;
+  assign select_2126 = and_359_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2127;
+  assign select_2127 = and_359_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2128;
+  assign select_2128 = and_359_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2129;
+  assign select_2129 = and_359_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2130;
+  assign select_2130 = and_359_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_2131;
+  assign select_2131 = and_359_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2132;
+  assign select_2132 = and_359_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2133;
+  assign select_2133 = and_359_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2134;
+  assign select_2134 = and_359_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2135;
+  assign select_2135 = and_359_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2136;
+  assign select_2136 = and_359_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2137;
+  assign select_2137 = and_359_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2138;
+  assign select_2138 = and_359_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2139;
+  assign select_2139 = and_359_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_2140;
+  assign select_2140 = and_359_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2141;
+  assign select_2141 = and_359_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2142;
+  assign select_2142 = and_359_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2143;
+  assign select_2143 = and_359_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2144;
+  assign select_2144 = and_359_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2145;
+  assign select_2145 = and_359_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2146;
+  assign select_2146 = and_359_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_2147;
+  assign select_2147 = and_359_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2148;
+  assign select_2148 = and_359_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_2149;
+  assign select_2149 = and_359_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2150;
+  assign select_2150 = and_359_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2151;
+  assign select_2151 = and_359_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  logic [8:0] select_2152;
+  assign select_2152 = and_359_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2153;
+  assign select_2153 = and_359_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2154;
+  assign select_2154 = and_359_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic [8:0] select_2155;
+  assign select_2155 = and_359_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2156;
+  assign select_2156 = and_359_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2157;
+  assign select_2157 = and_359_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2158;
+  assign select_2158 = and_359_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2159;
+  assign select_2159 = and_359_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2160;
+  assign select_2160 = and_359_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2161;
+  assign select_2161 = and_359_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2162;
+  assign select_2162 = and_359_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2163;
+  assign select_2163 = and_359_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_2164;
+  assign select_2164 = and_359_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2165;
+  assign select_2165 = and_359_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_2166;
+  assign select_2166 = and_359_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2167;
+  assign select_2167 = and_359_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2168;
+  assign select_2168 = and_359_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2169;
+  assign select_2169 = and_359_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2170;
+  assign select_2170 = and_359_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2171;
+  assign select_2171 = and_359_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2172;
+  assign select_2172 = and_359_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2173;
+  assign select_2173 = and_359_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2174;
+  assign select_2174 = and_359_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2175;
+  assign select_2175 = and_359_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  // hls/stages/census.hpp:192
+  logic [9:0] difference_2177;
+  assign difference_2177 = {1'b0, select_369} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2178;
+  assign xor_2178 = difference_2177[8:0] ^ {9{difference_2177[9]}};
+  logic [9:0] sum_2179;
+  assign sum_2179 = {9'h0, difference_2177[9]} + {1'b0, xor_2178};
+  logic [9:0] difference_2180;
+  assign difference_2180 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2181;
+  assign xor_2181 = difference_2180[8:0] ^ {9{difference_2180[9]}};
+  logic [9:0] sum_2182;
+  assign sum_2182 = {9'h0, difference_2180[9]} + {1'b0, xor_2181};
+  logic [9:0] difference_2184;
+  assign difference_2184 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2185;
+  assign xor_2185 = difference_2184[8:0] ^ {9{difference_2184[9]}};
+  logic [9:0] sum_2186;
+  assign sum_2186 = {9'h0, difference_2184[9]} + {1'b0, xor_2185};
+  logic [10:0] sum_2187;
+  assign sum_2187 = ({1'b0, sum_2179} + {1'b0, sum_2182}) + {1'b0, sum_2186};
+  logic [9:0] difference_2188;
+  assign difference_2188 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2189;
+  assign xor_2189 = difference_2188[8:0] ^ {9{difference_2188[9]}};
+  logic [9:0] sum_2190;
+  assign sum_2190 = {9'h0, difference_2188[9]} + {1'b0, xor_2189};
+  logic [9:0] difference_2192;
+  assign difference_2192 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2193;
+  assign xor_2193 = difference_2192[8:0] ^ {9{difference_2192[9]}};
+  logic [9:0] sum_2194;
+  assign sum_2194 = {9'h0, difference_2192[9]} + {1'b0, xor_2193};
+  // hls/stages/census.hpp:273
+  logic [9:0] difference_2222;
+  assign difference_2222 = {1'b0, select_365} - {1'b0, sharpness_last_mean_0_q};
+  logic [8:0] contrast;
+  assign contrast = {8'h0, difference_2222[9]} + (difference_2222[8:0] ^ {9{difference_2222[9]}});
+  logic [9:0] difference_2233;
+  assign difference_2233 = {1'b0, select_369} - {1'b0, sharpness_last_mean_1_q};
+  logic [8:0] contrast_2;
+  assign contrast_2 = {8'h0, difference_2233[9]} + (difference_2233[8:0] ^ {9{difference_2233[9]}});
+  // hls/stages/agreement.hpp:365
+  logic and_2420;
+  assign and_2420 = and_359_s3_q & (equal_420_s3_q & equal_2323_s3_q);
   // hls/stages/agreement.hpp:211
-  logic and_2482;
-  assign and_2482 = ends_cell_s3_q & (inside_v_s3_q[0] & (inside_v_s3_q[2:1] == 2'h3));
+  logic and_2423;
+  assign and_2423 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & inside_v_s3_q[1]));
+  // hls/stages/agreement.hpp:765
+  logic and_2444;
+  assign and_2444 = seen_columns_rdata_q[15] & inside_v_s3_q[0];
+  logic and_2445;
+  assign and_2445 = seen_columns_rdata_q[11] & inside_v_s3_q[0];
+  logic and_2446;
+  assign and_2446 = seen_columns_rdata_q[7] & inside_v_s3_q[0];
+  logic and_2447;
+  assign and_2447 = seen_columns_rdata_q[2] & inside_v_s3_q[0];
+  // hls/stages/agreement.hpp:819
+  logic [1:0] sum_2449;
+  assign sum_2449 = {1'b0, and_2446} + ({1'b0, explained} + {1'b0, and_2447});
+  logic [2:0] explained_2;
+  assign explained_2 = {2'h0, and_2444} + ({2'h0, and_2445} + {1'b0, sum_2449});
+  // hls/stages/agreement.hpp:826
+  logic [2:0] select_2452;
+  assign select_2452 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2453;
+  assign difference_2453 = {1'b0, explained_2} - {1'b0, select_2452};
+  logic [4:0] e;
+  assign e = {difference_2453[3], difference_2453} + (equal_1998 ? 5'h0 : box_explained_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:833
+  logic [5:0] sum_2456;
+  assign sum_2456 = {1'b0, e} + {2'h0, e[4:1]};
+  // hls/stages/agreement.hpp:211
+  logic and_2484;
+  assign and_2484 = ends_cell_s3_q & (inside_v_s3_q[0] & (inside_v_s3_q[2:1] == 2'h3));
   // hls/stages/registration.hpp:83
-  logic equal_2526;
-  assign equal_2526 = slot_s3_q == 3'h7;
+  logic equal_2528;
+  assign equal_2528 = slot_s3_q == 3'h7;
   // hls/stages/registration.hpp:206
-  logic [16:0] select_2528;
-  assign select_2528 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_2530;
+  assign select_2530 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
-  assign change = ($signed(10'h0) < $signed(select_2528[16:7])) ? 8'h7f : select_2528[7:0];
+  assign change = ($signed(10'h0) < $signed(select_2530[16:7])) ? 8'h7f : select_2530[7:0];
   // hls/stages/registration.hpp:89
   logic [7:0] a;
-  assign a = equal_2526 ? registration_slope_here_q : change;
+  assign a = equal_2528 ? registration_slope_here_q : change;
   // hls/stages/registration.hpp:201
-  logic [7:0] select_2532;
-  assign select_2532 = inside_v_s3_q[9] ? a : 8'h0;
-  logic [7:0] select_2533;
-  assign select_2533 = inside_v_s3_q[10] ? a : 8'h0;
-  logic [8:0] difference_2534;
-  assign difference_2534 = {{2{select_2532[7]}}, select_2532[7:1]} - {select_2533[7], select_2533};
+  logic [7:0] select_2534;
+  assign select_2534 = inside_v_s3_q[9] ? a : 8'h0;
+  logic [7:0] select_2535;
+  assign select_2535 = inside_v_s3_q[10] ? a : 8'h0;
+  logic [8:0] difference_2536;
+  assign difference_2536 = {{2{select_2534[7]}}, select_2534[7:1]} - {select_2535[7], select_2535};
   // hls/stages/registration.hpp:199
-  logic [6:0] select_2535;
-  assign select_2535 = inside_v_s3_q[5] ? a[7:1] : 7'h0;
-  logic [7:0] select_2536;
-  assign select_2536 = inside_v_s3_q[6] ? a : 8'h0;
-  logic [8:0] sum_2537;
-  assign sum_2537 = {{2{select_2535[6]}}, select_2535} + {select_2536[7], select_2536};
-  // hls/stages/registration.hpp:200
+  logic [6:0] select_2537;
+  assign select_2537 = inside_v_s3_q[5] ? a[7:1] : 7'h0;
   logic [7:0] select_2538;
-  assign select_2538 = inside_v_s3_q[7] ? a : 8'h0;
-  logic [7:0] select_2539;
-  assign select_2539 = inside_v_s3_q[8] ? a : 8'h0;
-  logic [8:0] sum_2540;
-  assign sum_2540 = {{2{select_2538[7]}}, select_2538[7:1]} + {select_2539[7], select_2539};
+  assign select_2538 = inside_v_s3_q[6] ? a : 8'h0;
+  logic [8:0] sum_2539;
+  assign sum_2539 = {{2{select_2537[6]}}, select_2537} + {select_2538[7], select_2538};
+  // hls/stages/registration.hpp:200
+  logic [7:0] select_2540;
+  assign select_2540 = inside_v_s3_q[7] ? a : 8'h0;
+  logic [7:0] select_2541;
+  assign select_2541 = inside_v_s3_q[8] ? a : 8'h0;
+  logic [8:0] sum_2542;
+  assign sum_2542 = {{2{select_2540[7]}}, select_2540[7:1]} + {select_2541[7], select_2541};
   // hls/stages/registration.hpp:202
-  logic [10:0] sum_2541;
-  assign sum_2541 = {{3{sum_2537[8]}}, sum_2537[8:1]} + {sum_2540[8], sum_2540, select_2538[0]};
-  logic [9:0] sum_2542;
-  assign sum_2542 = {difference_2534, select_2532[0]} + {sum_2541[10], sum_2541[10:2]};
+  logic [10:0] sum_2543;
+  assign sum_2543 = {{3{sum_2539[8]}}, sum_2539[8:1]} + {sum_2542[8], sum_2542, select_2540[0]};
+  logic [9:0] sum_2544;
+  assign sum_2544 = {difference_2536, select_2534[0]} + {sum_2543[10], sum_2543[10:2]};
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_2543;
-  assign sum_2543 = {registration_slope_q[27], registration_slope_q[27:16]} + {{5{sum_2542[9]}}, sum_2542[9:2]};
+  logic [12:0] sum_2545;
+  assign sum_2545 = {registration_slope_q[27], registration_slope_q[27:16]} + {{5{sum_2544[9]}}, sum_2544[9:2]};
   // hls/stages/registration.hpp:206
-  logic [7:0] select_2546;
-  assign select_2546 = ($signed(sum_2543[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2543[7:0];
-  // hls/stages/registration.hpp:106
   logic [7:0] select_2548;
-  assign select_2548 = equal_2526 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2543[12:7])) ? 8'h7f : select_2546);
-  // hls/stages/agreement.hpp:211
+  assign select_2548 = ($signed(sum_2545[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2545[7:0];
+  // hls/stages/registration.hpp:106
   logic [7:0] select_2550;
-  assign select_2550 = equal_1799_s3_q ? registration_slope_here_q : (so_s3_q ? select_2548 : registration_slope_here_q);
+  assign select_2550 = equal_2528 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2545[12:7])) ? 8'h7f : select_2548);
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2552;
+  assign select_2552 = equal_1801_s3_q ? registration_slope_here_q : (so_s3_q ? select_2550 : registration_slope_here_q);
   // hls/stages/registration.hpp:107
-  logic equal_2551;
-  assign equal_2551 = slot_s3_q == 3'h4;
+  logic equal_2553;
+  assign equal_2553 = slot_s3_q == 3'h4;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_2560;
-  assign sum_2560 = inside_v_s3_q[13:12] + 2'h3;
+  logic [1:0] sum_2562;
+  assign sum_2562 = inside_v_s3_q[13:12] + 2'h3;
   // hls/stages/registration.hpp:47
-  logic [7:0] difference_2562;
-  assign difference_2562 = {sum_2560, inside_v_s3_q[11], 5'h0} - {3'h0, registration_displacement_fraction_q};
+  logic [7:0] difference_2564;
+  assign difference_2564 = {sum_2562, inside_v_s3_q[11], 5'h0} - {3'h0, registration_displacement_fraction_q};
   // hls/stages/registration.hpp:101
-  logic [7:0] select_2563;
-  assign select_2563 = less_2561_s3_q ? difference_2562 : {sum_2560, inside_v_s3_q[11], registration_displacement_fraction_q};
-  logic [7:0] select_2564;
-  assign select_2564 = ((inside_v_s3_q[13:11] == 3'h0) | (inside_v_s3_q[13:11] == 3'h4)) ? {sum_2560, inside_v_s3_q[11], 5'h0} : select_2563;
+  logic [7:0] select_2565;
+  assign select_2565 = less_2563_s3_q ? difference_2564 : {sum_2562, inside_v_s3_q[11], registration_displacement_fraction_q};
+  logic [7:0] select_2566;
+  assign select_2566 = ((inside_v_s3_q[13:11] == 3'h0) | (inside_v_s3_q[13:11] == 3'h4)) ? {sum_2562, inside_v_s3_q[11], 5'h0} : select_2565;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2564[7]}}, select_2564} - {sum_2542[9], sum_2542, sum_2541[1]};
+  assign value_2 = {{4{select_2566[7]}}, select_2566} - {sum_2544[9], sum_2544, sum_2543[1]};
   // hls/stages/registration.hpp:206
-  logic [11:0] select_2567;
-  assign select_2567 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_2569;
+  assign select_2569 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2567[11:7])) ? 12'h7f : select_2567;
+  assign residual = ($signed(5'h0) < $signed(select_2569[11:7])) ? 12'h7f : select_2569;
   // hls/stages/agreement.hpp:211
-  logic select_2611;
-  assign select_2611 = so_s3_q ? (equal_2551 ? right_2_s3_q : registration_of_right_q) : registration_of_right_q;
-  logic select_2614;
-  assign select_2614 = so_s3_q ? (equal_2526 ? inside_v_s3_q[0] : registration_was_inside_q) : registration_was_inside_q;
+  logic select_2613;
+  assign select_2613 = so_s3_q ? (equal_2553 ? right_2_s3_q : registration_of_right_q) : registration_of_right_q;
+  logic select_2616;
+  assign select_2616 = so_s3_q ? (equal_2528 ? inside_v_s3_q[0] : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:254
-  logic [3:0] select_2619;
-  assign select_2619 = (sum_1850 == 2'h2) ? (registration_fresh_q & (~select_1894)) : registration_fresh_q;
-  // hls/stages/agreement.hpp:211
   logic [3:0] select_2621;
-  assign select_2621 = so_s3_q ? (and_1889 ? select_2619 : registration_fresh_q) : registration_fresh_q;
-  // hls/stages/registration.hpp:227
+  assign select_2621 = (sum_1852 == 2'h2) ? (registration_fresh_q & (~select_1896)) : registration_fresh_q;
+  // hls/stages/agreement.hpp:211
   logic [3:0] select_2623;
-  assign select_2623 = and_2418 ? 4'hf : (equal_1799_s3_q ? registration_fresh_q : select_2621);
+  assign select_2623 = so_s3_q ? (and_1891 ? select_2621 : registration_fresh_q) : registration_fresh_q;
+  // hls/stages/registration.hpp:227
+  logic [3:0] select_2625;
+  assign select_2625 = and_2420 ? 4'hf : (equal_1801_s3_q ? registration_fresh_q : select_2623);
   // hls/stages/registration.hpp:121
-  logic [15:0] select_2630;
-  assign select_2630 = and_2629_s3_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_2632;
+  assign select_2632 = and_2631_s3_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:124
-  logic [23:0] select_2632;
-  assign select_2632 = and_2627_s3_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2630[15]}}, select_2630});
+  logic [23:0] select_2634;
+  assign select_2634 = and_2629_s3_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2632[15]}}, select_2632});
   // hls/stages/registration.hpp:122
-  logic [15:0] select_2633;
-  assign select_2633 = and_2629_s3_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_2635;
+  assign select_2635 = and_2631_s3_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2633[15]}}, select_2633};
+  assign both = registration_slope_change_q + {{12{select_2635[15]}}, select_2635};
   // hls/stages/registration.hpp:124
-  logic [27:0] select_2635;
-  assign select_2635 = and_2627_s3_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2637;
+  assign select_2637 = and_2629_s3_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:135
-  logic and_2636;
-  assign and_2636 = ends_cell_s3_q & so_s3_q;
+  logic and_2638;
+  assign and_2638 = ends_cell_s3_q & so_s3_q;
   // hls/stages/registration.hpp:117
   logic [27:0] column_7;
-  assign column_7 = registration_slope_q + (and_2636 ? registration_slope_change_q : 28'h0);
-  // hls/stages/agreement.hpp:859
+  assign column_7 = registration_slope_q + (and_2638 ? registration_slope_change_q : 28'h0);
+  // hls/stages/agreement.hpp:860
   logic [1:0] quarter_2;
-  assign quarter_2 = all ? x_s3_q[1:0] : select_1847;
+  assign quarter_2 = all ? x_s3_q[1:0] : select_1849;
   // hls/stages/registration.hpp:243
-  logic not_2644;
-  assign not_2644 = ~quarter_2[1];
-  logic [3:0] select_2645;
-  assign select_2645 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2644, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2644};
+  logic not_2646;
+  assign not_2646 = ~quarter_2[1];
+  logic [3:0] select_2647;
+  assign select_2647 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2646, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2646};
   // hls/stages/agreement.hpp:211
-  logic select_2733;
-  assign select_2733 = equal_1799_s3_q ? shown_shown_q : (so_s3_q ? select_1948 : shown_shown_q);
   logic select_2735;
-  assign select_2735 = equal_1799_s3_q ? shown_nearer_q : (so_s3_q ? select_1951 : shown_nearer_q);
+  assign select_2735 = equal_1801_s3_q ? shown_shown_q : (so_s3_q ? select_1950 : shown_shown_q);
+  logic select_2737;
+  assign select_2737 = equal_1801_s3_q ? shown_nearer_q : (so_s3_q ? select_1953 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_2737;
-  assign sum_2737 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_2739;
+  assign sum_2739 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:314
-  logic [2:0] select_2739;
-  assign select_2739 = less_2736_s3_q ? (sum_2737[7] ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_2741;
-  assign select_2741 = equal_2321_s3_q ? (equal_420_s3_q ? 3'h0 : select_2739) : region_row_q;
+  assign select_2741 = less_2738_s3_q ? (sum_2739[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_2743;
+  assign select_2743 = equal_2323_s3_q ? (equal_420_s3_q ? 3'h0 : select_2741) : region_row_q;
   // hls/stages/agreement.hpp:211
-  logic [7:0] select_2746;
-  assign select_2746 = equal_1799_s3_q ? select_1907 : (so_s3_q ? (ends_cell_s3_q ? select_2001 : select_1907) : 8'h1);
+  logic [7:0] select_2748;
+  assign select_2748 = equal_1801_s3_q ? select_1909 : (so_s3_q ? (ends_cell_s3_q ? select_2003 : select_1909) : 8'h1);
   // hls/stages/agreement.hpp:143
-  logic [8:0] select_2748;
-  assign select_2748 = so_s3_q ? (and_2636 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic [8:0] select_2750;
+  assign select_2750 = so_s3_q ? (and_2638 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_2750;
-  assign sum_2750 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_2752;
+  assign sum_2752 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_2751;
-  assign select_2751 = sum_1920[5] ? {1'b1, sum_1920[4:0], region_across_rest_q[2:0]} : sum_2750;
-  // hls/stages/agreement.hpp:314
   logic [8:0] select_2753;
-  assign select_2753 = equal_2321_s3_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_2756;
-  assign select_2756 = equal_2321_s3_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
-  logic [8:0] select_2760;
-  assign select_2760 = equal_420_s3_q ? {{2{difference_2758[6]}}, difference_2758} : (less_2736_s3_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:365
-  logic [8:0] select_2762;
-  assign select_2762 = and_359_s3_q ? (equal_2321_s3_q ? select_2760 : region_down_rest_q) : region_down_rest_q;
+  assign select_2753 = sum_1922[5] ? {1'b1, sum_1922[4:0], region_across_rest_q[2:0]} : sum_2752;
   // hls/stages/agreement.hpp:314
-  logic [6:0] select_2764;
-  assign select_2764 = equal_420_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  logic [8:0] select_2755;
+  assign select_2755 = equal_2323_s3_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_2758;
+  assign select_2758 = equal_2323_s3_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  logic [8:0] select_2762;
+  assign select_2762 = equal_420_s3_q ? {{2{difference_2760[6]}}, difference_2760} : (less_2738_s3_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:365
+  logic [8:0] select_2764;
+  assign select_2764 = and_359_s3_q ? (equal_2323_s3_q ? select_2762 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:314
   logic [6:0] select_2766;
-  assign select_2766 = and_359_s3_q ? (equal_2321_s3_q ? select_2764 : region_down_back_q) : region_down_back_q;
+  assign select_2766 = equal_420_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:365
+  logic [6:0] select_2768;
+  assign select_2768 = and_359_s3_q ? (equal_2323_s3_q ? select_2766 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_2767;
-  assign sum_2767 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_2769;
+  assign sum_2769 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_2768;
-  assign select_2768 = sum_2737[7] ? {1'b1, sum_2737[6:0], region_down_rest_q[0]} : sum_2767;
+  logic [8:0] select_2770;
+  assign select_2770 = sum_2739[7] ? {1'b1, sum_2739[6:0], region_down_rest_q[0]} : sum_2769;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_2737[7];
+  assign next = ~sum_2739[7];
   // hls/stages/agreement.hpp:314
-  logic select_2772;
-  assign select_2772 = equal_2321_s3_q ? (equal_420_s3_q | (less_2736_s3_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_2774;
+  assign select_2774 = equal_2323_s3_q ? (equal_420_s3_q | (less_2738_s3_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:143
-  logic or_2777;
-  assign or_2777 = segment_starts_q | not_1839;
-  // hls/stages/agreement.hpp:764
-  logic select_2780;
-  assign select_2780 = inside_v_s3_q[0] ? (sum_1920[5] ? (equal_1922_s3_q & or_1923) : or_1923) : or_2777;
+  logic or_2779;
+  assign or_2779 = segment_starts_q | not_1841;
+  // hls/stages/agreement.hpp:765
+  logic select_2782;
+  assign select_2782 = inside_v_s3_q[0] ? (sum_1922[5] ? (equal_1924_s3_q & or_1925) : or_1925) : or_2779;
   // hls/stages/agreement.hpp:211
-  logic select_2783;
-  assign select_2783 = equal_1799_s3_q ? or_2777 : (so_s3_q ? (ends_cell_s3_q ? select_2780 : or_2777) : or_2777);
-  // hls/stages/agreement.hpp:871
-  logic equal_2808;
-  assign equal_2808 = x_s3_q[6:0] == 7'h7f;
+  logic select_2785;
+  assign select_2785 = equal_1801_s3_q ? or_2779 : (so_s3_q ? (ends_cell_s3_q ? select_2782 : or_2779) : or_2779);
+  // hls/stages/agreement.hpp:872
+  logic equal_2810;
+  assign equal_2810 = x_s3_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:211
-  logic [2:0] select_2859;
-  assign select_2859 = so_s3_q ? (ends_cell_s3_q ? textured_2 : box_textured_columns_values_0_q) : box_textured_columns_values_0_q;
   logic [2:0] select_2861;
-  assign select_2861 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  assign select_2861 = so_s3_q ? (ends_cell_s3_q ? textured_2 : box_textured_columns_values_0_q) : box_textured_columns_values_0_q;
   logic [2:0] select_2863;
-  assign select_2863 = equal_1799_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_2861 : box_textured_columns_values_1_q);
-  logic [2:0] select_2864;
-  assign select_2864 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  assign select_2863 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_2865;
+  assign select_2865 = equal_1801_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_2863 : box_textured_columns_values_1_q);
   logic [2:0] select_2866;
-  assign select_2866 = equal_1799_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_2864 : box_textured_columns_values_2_q);
-  logic [2:0] select_2867;
-  assign select_2867 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  assign select_2866 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_2868;
+  assign select_2868 = equal_1801_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_2866 : box_textured_columns_values_2_q);
   logic [2:0] select_2869;
-  assign select_2869 = equal_1799_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_2867 : box_textured_columns_values_3_q);
-  logic [2:0] select_2870;
-  assign select_2870 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  assign select_2869 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_2871;
+  assign select_2871 = equal_1801_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_2869 : box_textured_columns_values_3_q);
   logic [2:0] select_2872;
-  assign select_2872 = equal_1799_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_2870 : box_textured_columns_values_4_q);
-  logic [4:0] select_2874;
-  assign select_2874 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_2877;
-  assign select_2877 = so_s3_q ? (ends_cell_s3_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
+  assign select_2872 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_2874;
+  assign select_2874 = equal_1801_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_2872 : box_textured_columns_values_4_q);
+  logic [4:0] select_2876;
+  assign select_2876 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   logic [2:0] select_2879;
-  assign select_2879 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_2879 = so_s3_q ? (ends_cell_s3_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
   logic [2:0] select_2881;
-  assign select_2881 = equal_1799_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_2879 : box_explained_columns_values_1_q);
-  logic [2:0] select_2882;
-  assign select_2882 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_2881 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_2883;
+  assign select_2883 = equal_1801_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_2881 : box_explained_columns_values_1_q);
   logic [2:0] select_2884;
-  assign select_2884 = equal_1799_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_2882 : box_explained_columns_values_2_q);
-  logic [2:0] select_2885;
-  assign select_2885 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  assign select_2884 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_2886;
+  assign select_2886 = equal_1801_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_2884 : box_explained_columns_values_2_q);
   logic [2:0] select_2887;
-  assign select_2887 = equal_1799_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_2885 : box_explained_columns_values_3_q);
-  logic [2:0] select_2888;
-  assign select_2888 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  assign select_2887 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_2889;
+  assign select_2889 = equal_1801_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_2887 : box_explained_columns_values_3_q);
   logic [2:0] select_2890;
-  assign select_2890 = equal_1799_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_2888 : box_explained_columns_values_4_q);
-  logic [4:0] select_2892;
-  assign select_2892 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_2893;
-  assign select_2893 = equal_1799_s3_q ? box_explained_sum_sums_values_0_q : select_2892;
-  logic [2:0] select_2895;
-  assign select_2895 = so_s3_q ? (ends_cell_s3_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  assign select_2890 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_2892;
+  assign select_2892 = equal_1801_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_2890 : box_explained_columns_values_4_q);
+  logic [4:0] select_2894;
+  assign select_2894 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_2895;
+  assign select_2895 = equal_1801_s3_q ? box_explained_sum_sums_values_0_q : select_2894;
   logic [2:0] select_2897;
-  assign select_2897 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_2897 = so_s3_q ? (ends_cell_s3_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
   logic [2:0] select_2899;
-  assign select_2899 = equal_1799_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_2897 : box_shown_columns_values_1_q);
-  logic [2:0] select_2900;
-  assign select_2900 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_2899 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_2901;
+  assign select_2901 = equal_1801_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_2899 : box_shown_columns_values_1_q);
   logic [2:0] select_2902;
-  assign select_2902 = equal_1799_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_2900 : box_shown_columns_values_2_q);
-  logic [2:0] select_2903;
-  assign select_2903 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  assign select_2902 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_2904;
+  assign select_2904 = equal_1801_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_2902 : box_shown_columns_values_2_q);
   logic [2:0] select_2905;
-  assign select_2905 = equal_1799_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_2903 : box_shown_columns_values_3_q);
-  logic [2:0] select_2906;
-  assign select_2906 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  assign select_2905 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_2907;
+  assign select_2907 = equal_1801_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_2905 : box_shown_columns_values_3_q);
   logic [2:0] select_2908;
-  assign select_2908 = equal_1799_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_2906 : box_shown_columns_values_4_q);
-  logic [4:0] select_2910;
-  assign select_2910 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_2913;
-  assign select_2913 = so_s3_q ? (ends_cell_s3_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  assign select_2908 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_2910;
+  assign select_2910 = equal_1801_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_2908 : box_shown_columns_values_4_q);
+  logic [4:0] select_2912;
+  assign select_2912 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
   logic [2:0] select_2915;
-  assign select_2915 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_2915 = so_s3_q ? (ends_cell_s3_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
   logic [2:0] select_2917;
-  assign select_2917 = equal_1799_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_2915 : box_nearer_columns_values_1_q);
-  logic [2:0] select_2918;
-  assign select_2918 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_2917 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_2919;
+  assign select_2919 = equal_1801_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_2917 : box_nearer_columns_values_1_q);
   logic [2:0] select_2920;
-  assign select_2920 = equal_1799_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_2918 : box_nearer_columns_values_2_q);
-  logic [2:0] select_2921;
-  assign select_2921 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  assign select_2920 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_2922;
+  assign select_2922 = equal_1801_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_2920 : box_nearer_columns_values_2_q);
   logic [2:0] select_2923;
-  assign select_2923 = equal_1799_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_2921 : box_nearer_columns_values_3_q);
-  logic [2:0] select_2924;
-  assign select_2924 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  assign select_2923 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_2925;
+  assign select_2925 = equal_1801_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_2923 : box_nearer_columns_values_3_q);
   logic [2:0] select_2926;
-  assign select_2926 = equal_1799_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_2924 : box_nearer_columns_values_4_q);
-  logic [4:0] select_2928;
-  assign select_2928 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  logic select_2931;
-  assign select_2931 = so_s3_q ? (ends_cell_s3_q ? and_1988 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_2934;
-  assign select_2934 = ends_cell_s3_q ? (seen_columns_rdata_q[6] & inside_v_s3_q[0]) : centres_values_0_of_skin_q;
+  assign select_2926 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_2928;
+  assign select_2928 = equal_1801_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_2926 : box_nearer_columns_values_4_q);
+  logic [4:0] select_2930;
+  assign select_2930 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  logic select_2933;
+  assign select_2933 = so_s3_q ? (ends_cell_s3_q ? and_1990 : centres_values_0_textured_q) : centres_values_0_textured_q;
   logic select_2936;
-  assign select_2936 = equal_1799_s3_q ? centres_values_0_of_skin_q : (so_s3_q ? select_2934 : centres_values_0_of_skin_q);
-  logic select_2937;
-  assign select_2937 = ends_cell_s3_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  assign select_2936 = ends_cell_s3_q ? (seen_columns_rdata_q[6] & inside_v_s3_q[0]) : centres_values_0_of_skin_q;
+  logic select_2938;
+  assign select_2938 = equal_1801_s3_q ? centres_values_0_of_skin_q : (so_s3_q ? select_2936 : centres_values_0_of_skin_q);
   logic select_2939;
-  assign select_2939 = equal_1799_s3_q ? centres_values_1_textured_q : (so_s3_q ? select_2937 : centres_values_1_textured_q);
-  logic select_2940;
-  assign select_2940 = ends_cell_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  assign select_2939 = ends_cell_s3_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_2941;
+  assign select_2941 = equal_1801_s3_q ? centres_values_1_textured_q : (so_s3_q ? select_2939 : centres_values_1_textured_q);
   logic select_2942;
-  assign select_2942 = equal_1799_s3_q ? centres_values_1_of_skin_q : (so_s3_q ? select_2940 : centres_values_1_of_skin_q);
+  assign select_2942 = ends_cell_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_2944;
+  assign select_2944 = equal_1801_s3_q ? centres_values_1_of_skin_q : (so_s3_q ? select_2942 : centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:314
-  logic [12:0] select_2946;
-  assign select_2946 = equal_2321_s3_q ? (equal_2943_s3_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  logic [12:0] select_2948;
+  assign select_2948 = equal_2323_s3_q ? (equal_2945_s3_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:365
-  logic [6:0] select_2949;
-  assign select_2949 = and_359_s3_q ? (equal_2321_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:1008
-  logic [2:0] select_2960;
-  assign select_2960 = select_1960 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
+  logic [6:0] select_2951;
+  assign select_2951 = and_359_s3_q ? (equal_2323_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
+  // hls/stages/agreement.hpp:1009
+  logic [2:0] select_2962;
+  assign select_2962 = select_1962 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:218
-  logic [7:0] select_2966;
-  assign select_2966 = marks_first_s3_q ? (less_2962 ? {sum_2963, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:1012
-  logic and_2972;
-  assign and_2972 = and_2060_s3_q & ({sum_1985, index_2[5:0]} == {sum_1972, index[5:0]});
+  logic [7:0] select_2968;
+  assign select_2968 = marks_first_s3_q ? (less_2964 ? {sum_2965, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  // hls/stages/agreement.hpp:1013
+  logic and_2974;
+  assign and_2974 = and_2062_s3_q & ({sum_1987, index_2[5:0]} == {sum_1974, index[5:0]});
   // hls/stages/registration.hpp:243
-  logic not_3024;
-  assign not_3024 = ~quarter[1];
-  logic [3:0] select_3025;
-  assign select_3025 = quarter[0] ? {quarter[1], 1'b0, not_3024, 1'b0} : {1'b0, quarter[1], 1'b0, not_3024};
+  logic not_3026;
+  assign not_3026 = ~quarter[1];
+  logic [3:0] select_3027;
+  assign select_3027 = quarter[0] ? {quarter[1], 1'b0, not_3026, 1'b0} : {1'b0, quarter[1], 1'b0, not_3026};
 
   // Memory registration_sums, 12 x 32 and parity, DISTANCE 12, hls/stages/registration.hpp:261; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -3427,9 +3427,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 33'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1851;
+  assign registration_sums_raddr = select_1853;
   logic registration_sums_re;
-  assign registration_sums_re = s3_en & (equal_1799_s3_q ? (x_s3_q[6] & select_1879) : and_1890);
+  assign registration_sums_re = s3_en & (equal_1801_s3_q ? (x_s3_q[6] & select_1881) : and_1892);
   logic [32:0] registration_sums_word_q;
   always_ff @(posedge clk_i) begin
     if (registration_sums_re) registration_sums_word_q <= registration_sums_mem[registration_sums_raddr];
@@ -3440,7 +3440,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) registration_sums_read_q <= rst_ni & registration_sums_re;
   assign registration_sums_error = registration_sums_read_q & ^registration_sums_word_q;
 
-  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1092; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1093; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [30:0] regions_mem [0:63];
@@ -3448,9 +3448,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 31'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1917;
+  assign regions_raddr = select_1919;
   logic regions_re;
-  assign regions_re = s3_en & (equal_1799_s3_q ? (x_s3_q[6] & not_1918) : and_1926);
+  assign regions_re = s3_en & (equal_1801_s3_q ? (x_s3_q[6] & not_1920) : and_1928);
   logic [30:0] regions_word_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_word_q <= regions_mem[regions_raddr];
@@ -3461,7 +3461,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) regions_read_q <= rst_ni & regions_re;
   assign regions_error = regions_read_q & ^regions_word_q;
 
-  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1103; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1104; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] map_mem [0:9599];
@@ -3469,9 +3469,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 9600; i++) map_mem[i] = 3'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_1972, index[5:0]};
+  assign map_raddr = {sum_1974, index[5:0]};
   logic map_re;
-  assign map_re = s3_en & (and_1979 & less_1980);
+  assign map_re = s3_en & (and_1981 & less_1982);
   logic [2:0] map_word_q;
   always_ff @(posedge clk_i) begin
     if (map_re) map_word_q <= map_mem[map_raddr];
@@ -3506,11 +3506,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_1838_s3_q;
+  assign shown_right_waddr = select_1840_s3_q;
   logic shown_right_we;
-  assign shown_right_we = s3_en & and_1843_s3_q;
+  assign shown_right_we = s3_en & and_1845_s3_q;
   logic [1:0] shown_right_wdata;
-  assign shown_right_wdata = {and_1840, not_1839};
+  assign shown_right_wdata = {and_1842, not_1841};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (shown_right_we) shown_right_mem[shown_right_waddr] <= {^shown_right_wdata, shown_right_wdata};
   end
@@ -3530,9 +3530,9 @@ module horopter_agreement (
   logic [6:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s3_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s3_en & and_1834_s3_q;
+  assign seen_columns_we = s3_en & and_1836_s3_q;
   logic [17:0] seen_columns_wdata;
-  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_1947, textured_s3_q};
+  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_1949, textured_s3_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {^seen_columns_wdata, seen_columns_wdata};
   end
@@ -3600,51 +3600,51 @@ module horopter_agreement (
     end else if (s3_en) begin
       census_filled_q <= and_359_s3_q ? {select_423[2:0], 1'b1} : census_filled_q;
       rows_passed_above_q <= and_359_s3_q ? select_422 : rows_passed_above_q;
-      registration_slope_here_q <= select_2550;
-      registration_of_right_q <= equal_1799_s3_q ? registration_of_right_q : select_2611;
-      registration_was_inside_q <= equal_1799_s3_q ? registration_was_inside_q : select_2614;
-      registration_fresh_q <= select_2623;
-      registration_slope_row_q <= select_2632;
-      registration_slope_change_q <= select_2635;
+      registration_slope_here_q <= select_2552;
+      registration_of_right_q <= equal_1801_s3_q ? registration_of_right_q : select_2613;
+      registration_was_inside_q <= equal_1801_s3_q ? registration_was_inside_q : select_2616;
+      registration_fresh_q <= select_2625;
+      registration_slope_row_q <= select_2634;
+      registration_slope_change_q <= select_2637;
       registration_slope_q <= so_s3_q ? column_7 : {registration_slope_row_q, 4'h0};
-      shown_shown_q <= select_2733;
-      shown_nearer_q <= select_2735;
-      region_row_q <= and_359_s3_q ? select_2741 : region_row_q;
+      shown_shown_q <= select_2735;
+      shown_nearer_q <= select_2737;
+      region_row_q <= and_359_s3_q ? select_2743 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_2746;
-      region_across_rest_q <= select_2748;
+      region_columns_q <= select_2748;
+      region_across_rest_q <= select_2750;
       region_across_back_q <= so_s3_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_2751;
-      columns_begin_rest_q <= and_359_s3_q ? select_2753 : columns_begin_rest_q;
-      columns_begin_back_q <= and_359_s3_q ? select_2756 : columns_begin_back_q;
-      region_down_rest_q <= select_2762;
-      region_down_back_q <= select_2766;
-      region_down_next_q <= select_2768;
-      region_fresh_q <= and_359_s3_q ? select_2772 : region_fresh_q;
-      segment_starts_q <= select_2783;
-      centres_values_0_textured_q <= equal_1799_s3_q ? centres_values_0_textured_q : select_2931;
-      centres_values_0_of_skin_q <= select_2936;
-      centres_values_1_textured_q <= select_2939;
-      centres_values_1_of_skin_q <= select_2942;
-      map_row_q <= and_359_s3_q ? select_2946 : map_row_q;
-      map_width_q <= select_2949;
+      region_across_next_q <= select_2753;
+      columns_begin_rest_q <= and_359_s3_q ? select_2755 : columns_begin_rest_q;
+      columns_begin_back_q <= and_359_s3_q ? select_2758 : columns_begin_back_q;
+      region_down_rest_q <= select_2764;
+      region_down_back_q <= select_2768;
+      region_down_next_q <= select_2770;
+      region_fresh_q <= and_359_s3_q ? select_2774 : region_fresh_q;
+      segment_starts_q <= select_2785;
+      centres_values_0_textured_q <= equal_1801_s3_q ? centres_values_0_textured_q : select_2933;
+      centres_values_0_of_skin_q <= select_2938;
+      centres_values_1_textured_q <= select_2941;
+      centres_values_1_of_skin_q <= select_2944;
+      map_row_q <= and_359_s3_q ? select_2948 : map_row_q;
+      map_width_q <= select_2951;
       write_half_q <= marks_first_s3_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_1971;
-      done_q <= not_1973 & ((~drew_q) & (done_q | said_q));
+      read_half_q <= select_1973;
+      done_q <= not_1975 & ((~drew_q) & (done_q | said_q));
       proven_q <= marks_first_s3_q ? done_q : proven_q;
       drew_q <= so_s3_q;
-      said_q <= equal_1799_s3_q & equal_2808;
-      rows_passed_q <= select_1956;
-      columns_passed_q <= {select_1958[7:0], or_1954};
+      said_q <= equal_1801_s3_q & equal_2810;
+      rows_passed_q <= select_1958;
+      columns_passed_q <= {select_1960[7:0], or_1956};
       line_ended_q <= marks_last_s3_q;
-      began_q <= and_1975;
-      seen_x_q <= select_1977;
-      seen_y_q <= marks_first_s3_q ? 3'h0 : select_2960;
-      seen_column_q <= select_1968;
-      seen_rows_left_q <= select_2966;
+      began_q <= and_1977;
+      seen_x_q <= select_1979;
+      seen_y_q <= marks_first_s3_q ? 3'h0 : select_2962;
+      seen_column_q <= select_1970;
+      seen_rows_left_q <= select_2968;
       at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= select_1965;
+      seen_base_q <= select_1967;
     end
   end
 
@@ -3739,90 +3739,90 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
-      averager_total_0_q <= select_2092;
-      averager_total_1_q <= select_2094;
-      census_columns_values_0_cell_0_left_q <= select_2118;
-      census_columns_values_0_cell_0_right_q <= select_2119;
-      census_columns_values_0_cell_0_mask_q <= select_2120;
-      census_columns_values_0_cell_1_left_q <= select_2121;
-      census_columns_values_0_cell_1_right_q <= select_2122;
-      census_columns_values_0_cell_1_mask_q <= select_2123;
-      census_columns_values_0_cell_2_left_q <= select_2124;
-      census_columns_values_0_cell_2_right_q <= select_2125;
-      census_columns_values_0_cell_2_mask_q <= select_2126;
-      census_columns_values_0_cell_2_of_skin_q <= select_2127;
-      census_columns_values_0_cell_3_left_q <= select_2128;
-      census_columns_values_0_cell_3_right_q <= select_2129;
-      census_columns_values_0_cell_3_mask_q <= select_2130;
-      census_columns_values_0_cell_4_left_q <= select_2131;
-      census_columns_values_0_cell_4_right_q <= select_2132;
-      census_columns_values_0_cell_4_mask_q <= select_2133;
-      census_columns_values_1_cell_0_left_q <= select_2134;
-      census_columns_values_1_cell_0_right_q <= select_2135;
-      census_columns_values_1_cell_0_mask_q <= select_2136;
-      census_columns_values_1_cell_1_left_q <= select_2137;
-      census_columns_values_1_cell_1_right_q <= select_2138;
-      census_columns_values_1_cell_1_mask_q <= select_2139;
-      census_columns_values_1_cell_2_left_q <= select_2140;
-      census_columns_values_1_cell_2_right_q <= select_2141;
-      census_columns_values_1_cell_2_mask_q <= select_2142;
-      census_columns_values_1_cell_2_of_skin_q <= select_2143;
-      census_columns_values_1_cell_3_left_q <= select_2144;
-      census_columns_values_1_cell_3_right_q <= select_2145;
-      census_columns_values_1_cell_3_mask_q <= select_2146;
-      census_columns_values_1_cell_4_left_q <= select_2147;
-      census_columns_values_1_cell_4_right_q <= select_2148;
-      census_columns_values_1_cell_4_mask_q <= select_2149;
-      census_columns_values_2_cell_0_left_q <= select_2150;
-      census_columns_values_2_cell_0_right_q <= select_2151;
-      census_columns_values_2_cell_0_mask_q <= select_2152;
-      census_columns_values_2_cell_1_left_q <= select_2153;
-      census_columns_values_2_cell_1_right_q <= select_2154;
-      census_columns_values_2_cell_1_mask_q <= select_2155;
-      census_columns_values_2_cell_2_left_q <= select_2156;
-      census_columns_values_2_cell_2_right_q <= select_2157;
-      census_columns_values_2_cell_2_mask_q <= select_2158;
-      census_columns_values_2_cell_3_left_q <= select_2159;
-      census_columns_values_2_cell_3_right_q <= select_2160;
-      census_columns_values_2_cell_3_mask_q <= select_2161;
-      census_columns_values_2_cell_4_left_q <= select_2162;
-      census_columns_values_2_cell_4_right_q <= select_2163;
-      census_columns_values_2_cell_4_mask_q <= select_2164;
-      census_columns_values_3_cell_0_mask_q <= select_2165;
-      census_columns_values_3_cell_1_left_q <= select_2166;
-      census_columns_values_3_cell_1_right_q <= select_2167;
-      census_columns_values_3_cell_1_mask_q <= select_2168;
-      census_columns_values_3_cell_2_mask_q <= select_2169;
-      census_columns_values_3_cell_3_left_q <= select_2170;
-      census_columns_values_3_cell_3_right_q <= select_2171;
-      census_columns_values_3_cell_3_mask_q <= select_2172;
-      census_columns_values_3_cell_4_mask_q <= select_2173;
+      averager_total_0_q <= select_2094;
+      averager_total_1_q <= select_2096;
+      census_columns_values_0_cell_0_left_q <= select_2120;
+      census_columns_values_0_cell_0_right_q <= select_2121;
+      census_columns_values_0_cell_0_mask_q <= select_2122;
+      census_columns_values_0_cell_1_left_q <= select_2123;
+      census_columns_values_0_cell_1_right_q <= select_2124;
+      census_columns_values_0_cell_1_mask_q <= select_2125;
+      census_columns_values_0_cell_2_left_q <= select_2126;
+      census_columns_values_0_cell_2_right_q <= select_2127;
+      census_columns_values_0_cell_2_mask_q <= select_2128;
+      census_columns_values_0_cell_2_of_skin_q <= select_2129;
+      census_columns_values_0_cell_3_left_q <= select_2130;
+      census_columns_values_0_cell_3_right_q <= select_2131;
+      census_columns_values_0_cell_3_mask_q <= select_2132;
+      census_columns_values_0_cell_4_left_q <= select_2133;
+      census_columns_values_0_cell_4_right_q <= select_2134;
+      census_columns_values_0_cell_4_mask_q <= select_2135;
+      census_columns_values_1_cell_0_left_q <= select_2136;
+      census_columns_values_1_cell_0_right_q <= select_2137;
+      census_columns_values_1_cell_0_mask_q <= select_2138;
+      census_columns_values_1_cell_1_left_q <= select_2139;
+      census_columns_values_1_cell_1_right_q <= select_2140;
+      census_columns_values_1_cell_1_mask_q <= select_2141;
+      census_columns_values_1_cell_2_left_q <= select_2142;
+      census_columns_values_1_cell_2_right_q <= select_2143;
+      census_columns_values_1_cell_2_mask_q <= select_2144;
+      census_columns_values_1_cell_2_of_skin_q <= select_2145;
+      census_columns_values_1_cell_3_left_q <= select_2146;
+      census_columns_values_1_cell_3_right_q <= select_2147;
+      census_columns_values_1_cell_3_mask_q <= select_2148;
+      census_columns_values_1_cell_4_left_q <= select_2149;
+      census_columns_values_1_cell_4_right_q <= select_2150;
+      census_columns_values_1_cell_4_mask_q <= select_2151;
+      census_columns_values_2_cell_0_left_q <= select_2152;
+      census_columns_values_2_cell_0_right_q <= select_2153;
+      census_columns_values_2_cell_0_mask_q <= select_2154;
+      census_columns_values_2_cell_1_left_q <= select_2155;
+      census_columns_values_2_cell_1_right_q <= select_2156;
+      census_columns_values_2_cell_1_mask_q <= select_2157;
+      census_columns_values_2_cell_2_left_q <= select_2158;
+      census_columns_values_2_cell_2_right_q <= select_2159;
+      census_columns_values_2_cell_2_mask_q <= select_2160;
+      census_columns_values_2_cell_3_left_q <= select_2161;
+      census_columns_values_2_cell_3_right_q <= select_2162;
+      census_columns_values_2_cell_3_mask_q <= select_2163;
+      census_columns_values_2_cell_4_left_q <= select_2164;
+      census_columns_values_2_cell_4_right_q <= select_2165;
+      census_columns_values_2_cell_4_mask_q <= select_2166;
+      census_columns_values_3_cell_0_mask_q <= select_2167;
+      census_columns_values_3_cell_1_left_q <= select_2168;
+      census_columns_values_3_cell_1_right_q <= select_2169;
+      census_columns_values_3_cell_1_mask_q <= select_2170;
+      census_columns_values_3_cell_2_mask_q <= select_2171;
+      census_columns_values_3_cell_3_left_q <= select_2172;
+      census_columns_values_3_cell_3_right_q <= select_2173;
+      census_columns_values_3_cell_3_mask_q <= select_2174;
+      census_columns_values_3_cell_4_mask_q <= select_2175;
       sharpness_last_mean_0_q <= and_359_s3_q ? select_365 : sharpness_last_mean_0_q;
       sharpness_last_mean_1_q <= and_359_s3_q ? select_369 : sharpness_last_mean_1_q;
-      box_textured_columns_values_0_q <= equal_1799_s3_q ? box_textured_columns_values_0_q : select_2859;
-      box_textured_columns_values_1_q <= select_2863;
-      box_textured_columns_values_2_q <= select_2866;
-      box_textured_columns_values_3_q <= select_2869;
-      box_textured_columns_values_4_q <= select_2872;
-      box_textured_sum_sums_values_0_q <= equal_1799_s3_q ? box_textured_sum_sums_values_0_q : select_2874;
-      box_explained_columns_values_0_q <= equal_1799_s3_q ? box_explained_columns_values_0_q : select_2877;
-      box_explained_columns_values_1_q <= select_2881;
-      box_explained_columns_values_2_q <= select_2884;
-      box_explained_columns_values_3_q <= select_2887;
-      box_explained_columns_values_4_q <= select_2890;
-      box_explained_sum_sums_values_0_q <= select_2893;
-      box_shown_columns_values_0_q <= equal_1799_s3_q ? box_shown_columns_values_0_q : select_2895;
-      box_shown_columns_values_1_q <= select_2899;
-      box_shown_columns_values_2_q <= select_2902;
-      box_shown_columns_values_3_q <= select_2905;
-      box_shown_columns_values_4_q <= select_2908;
-      box_shown_sum_sums_values_0_q <= equal_1799_s3_q ? box_shown_sum_sums_values_0_q : select_2910;
-      box_nearer_columns_values_0_q <= equal_1799_s3_q ? box_nearer_columns_values_0_q : select_2913;
-      box_nearer_columns_values_1_q <= select_2917;
-      box_nearer_columns_values_2_q <= select_2920;
-      box_nearer_columns_values_3_q <= select_2923;
-      box_nearer_columns_values_4_q <= select_2926;
-      box_nearer_sum_sums_values_0_q <= equal_1799_s3_q ? box_nearer_sum_sums_values_0_q : select_2928;
+      box_textured_columns_values_0_q <= equal_1801_s3_q ? box_textured_columns_values_0_q : select_2861;
+      box_textured_columns_values_1_q <= select_2865;
+      box_textured_columns_values_2_q <= select_2868;
+      box_textured_columns_values_3_q <= select_2871;
+      box_textured_columns_values_4_q <= select_2874;
+      box_textured_sum_sums_values_0_q <= equal_1801_s3_q ? box_textured_sum_sums_values_0_q : select_2876;
+      box_explained_columns_values_0_q <= equal_1801_s3_q ? box_explained_columns_values_0_q : select_2879;
+      box_explained_columns_values_1_q <= select_2883;
+      box_explained_columns_values_2_q <= select_2886;
+      box_explained_columns_values_3_q <= select_2889;
+      box_explained_columns_values_4_q <= select_2892;
+      box_explained_sum_sums_values_0_q <= select_2895;
+      box_shown_columns_values_0_q <= equal_1801_s3_q ? box_shown_columns_values_0_q : select_2897;
+      box_shown_columns_values_1_q <= select_2901;
+      box_shown_columns_values_2_q <= select_2904;
+      box_shown_columns_values_3_q <= select_2907;
+      box_shown_columns_values_4_q <= select_2910;
+      box_shown_sum_sums_values_0_q <= equal_1801_s3_q ? box_shown_sum_sums_values_0_q : select_2912;
+      box_nearer_columns_values_0_q <= equal_1801_s3_q ? box_nearer_columns_values_0_q : select_2915;
+      box_nearer_columns_values_1_q <= select_2919;
+      box_nearer_columns_values_2_q <= select_2922;
+      box_nearer_columns_values_3_q <= select_2925;
+      box_nearer_columns_values_4_q <= select_2928;
+      box_nearer_sum_sums_values_0_q <= equal_1801_s3_q ? box_nearer_sum_sums_values_0_q : select_2930;
     end
   end
 
@@ -3877,58 +3877,58 @@ module horopter_agreement (
   logic and_449_s4_q;
   logic and_450_s4_q;
   logic [11:0] texture_s4_q;
-  logic equal_1799_s4_q;
-  logic not_1800_s4_q;
-  logic equal_1844_s4_q;
+  logic equal_1801_s4_q;
+  logic not_1802_s4_q;
+  logic equal_1846_s4_q;
   logic all_s4_q;
-  logic [1:0] sum_1850_s4_q;
-  logic equal_1852_s4_q;
+  logic [1:0] sum_1852_s4_q;
   logic equal_1854_s4_q;
   logic equal_1856_s4_q;
   logic equal_1858_s4_q;
   logic equal_1860_s4_q;
   logic equal_1862_s4_q;
   logic equal_1864_s4_q;
-  logic less_1872_s4_q;
-  logic or_1876_s4_q;
-  logic equal_1896_s4_q;
-  logic and_1906_s4_q;
-  logic or_1910_s4_q;
-  logic or_1913_s4_q;
-  logic or_1916_s4_q;
-  logic not_1918_s4_q;
+  logic equal_1866_s4_q;
+  logic less_1874_s4_q;
+  logic or_1878_s4_q;
+  logic equal_1898_s4_q;
+  logic and_1908_s4_q;
+  logic or_1912_s4_q;
+  logic or_1915_s4_q;
+  logic or_1918_s4_q;
+  logic not_1920_s4_q;
   logic textured_s4_q;
   logic explained_s4_q;
-  logic and_1940_s4_q;
-  logic and_1945_s4_q;
-  logic and_1979_s4_q;
-  logic less_1980_s4_q;
+  logic and_1942_s4_q;
+  logic and_1947_s4_q;
+  logic and_1981_s4_q;
+  logic less_1982_s4_q;
   logic [5:0] index_2_s4_q;
-  logic [7:0] sum_1985_s4_q;
-  logic equal_1999_s4_q;
-  logic or_2004_s4_q;
-  logic or_2007_s4_q;
-  logic or_2010_s4_q;
-  logic not_2035_s4_q;
-  logic less_2049_s4_q;
-  logic and_2060_s4_q;
-  logic [11:0] sum_2193_s4_q;
-  logic equal_2200_s4_q;
+  logic [7:0] sum_1987_s4_q;
+  logic equal_2001_s4_q;
+  logic or_2006_s4_q;
+  logic or_2009_s4_q;
+  logic or_2012_s4_q;
+  logic not_2037_s4_q;
+  logic less_2051_s4_q;
+  logic and_2062_s4_q;
+  logic [11:0] sum_2195_s4_q;
+  logic equal_2202_s4_q;
   logic [8:0] contrast_s4_q;
   logic [8:0] contrast_2_s4_q;
-  logic and_2418_s4_q;
-  logic and_2422_s4_q;
-  logic not_2456_s4_q;
-  logic and_2484_s4_q;
-  logic equal_2526_s4_q;
-  logic and_2554_s4_q;
+  logic and_2420_s4_q;
+  logic and_2424_s4_q;
+  logic not_2458_s4_q;
+  logic and_2486_s4_q;
+  logic equal_2528_s4_q;
   logic and_2556_s4_q;
+  logic and_2558_s4_q;
   logic [11:0] residual_s4_q;
-  logic equal_2647_s4_q;
-  logic equal_2808_s4_q;
-  logic and_2972_s4_q;
-  logic and_2987_s4_q;
-  logic equal_3027_s4_q;
+  logic equal_2649_s4_q;
+  logic equal_2810_s4_q;
+  logic and_2974_s4_q;
+  logic and_2989_s4_q;
+  logic equal_3029_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_0_q;
@@ -3982,58 +3982,58 @@ module horopter_agreement (
       and_449_s4_q <= whole_22 & and_424;
       and_450_s4_q <= census_columns_values_1_cell_2_mask_q & and_424;
       texture_s4_q <= texture;
-      equal_1799_s4_q <= equal_1799_s3_q;
-      not_1800_s4_q <= not_1800_s3_q;
-      equal_1844_s4_q <= equal_1844;
+      equal_1801_s4_q <= equal_1801_s3_q;
+      not_1802_s4_q <= not_1802_s3_q;
+      equal_1846_s4_q <= equal_1846;
       all_s4_q <= all;
-      sum_1850_s4_q <= sum_1850;
-      equal_1852_s4_q <= equal_1852;
+      sum_1852_s4_q <= sum_1852;
       equal_1854_s4_q <= equal_1854;
       equal_1856_s4_q <= equal_1856;
       equal_1858_s4_q <= equal_1858;
       equal_1860_s4_q <= equal_1860;
       equal_1862_s4_q <= equal_1862;
       equal_1864_s4_q <= equal_1864;
-      less_1872_s4_q <= less_1872;
-      or_1876_s4_q <= or_1876;
-      equal_1896_s4_q <= (registration_fresh_q & select_1894) == 4'h0;
-      and_1906_s4_q <= not_1800_s3_q & and_1890;
-      or_1910_s4_q <= or_1910;
-      or_1913_s4_q <= or_1913;
-      or_1916_s4_q <= or_1916;
-      not_1918_s4_q <= not_1918;
+      equal_1866_s4_q <= equal_1866;
+      less_1874_s4_q <= less_1874;
+      or_1878_s4_q <= or_1878;
+      equal_1898_s4_q <= (registration_fresh_q & select_1896) == 4'h0;
+      and_1908_s4_q <= not_1802_s3_q & and_1892;
+      or_1912_s4_q <= or_1912;
+      or_1915_s4_q <= or_1915;
+      or_1918_s4_q <= or_1918;
+      not_1920_s4_q <= not_1920;
       textured_s4_q <= textured_s3_q;
       explained_s4_q <= explained;
-      and_1940_s4_q <= and_1940;
-      and_1945_s4_q <= not_1800_s3_q & and_1926;
-      and_1979_s4_q <= and_1979;
-      less_1980_s4_q <= less_1980;
+      and_1942_s4_q <= and_1942;
+      and_1947_s4_q <= not_1802_s3_q & and_1928;
+      and_1981_s4_q <= and_1981;
+      less_1982_s4_q <= less_1982;
       index_2_s4_q <= index_2[5:0];
-      sum_1985_s4_q <= sum_1985;
-      equal_1999_s4_q <= t[4:1] == 4'h0;
-      or_2004_s4_q <= or_2004;
-      or_2007_s4_q <= select_2001[7] | (~({select_2001[6], select_2001[3:2]} == 3'h0));
-      or_2010_s4_q <= select_2001[7] | (~(select_2001[6:4] == 3'h0));
-      not_2035_s4_q <= ~({sum_2033, around[0]} < {2'h0, t});
-      less_2049_s4_q <= {1'b0, around[4:1]} < n;
-      and_2060_s4_q <= and_2060_s3_q;
-      sum_2193_s4_q <= ({1'b0, sum_2185} + {2'h0, sum_2188}) + {2'h0, sum_2192};
-      equal_2200_s4_q <= equal_2200_s3_q;
+      sum_1987_s4_q <= sum_1987;
+      equal_2001_s4_q <= t[4:1] == 4'h0;
+      or_2006_s4_q <= or_2006;
+      or_2009_s4_q <= select_2003[7] | (~({select_2003[6], select_2003[3:2]} == 3'h0));
+      or_2012_s4_q <= select_2003[7] | (~(select_2003[6:4] == 3'h0));
+      not_2037_s4_q <= ~({sum_2035, around[0]} < {2'h0, t});
+      less_2051_s4_q <= {1'b0, around[4:1]} < n;
+      and_2062_s4_q <= and_2062_s3_q;
+      sum_2195_s4_q <= ({1'b0, sum_2187} + {2'h0, sum_2190}) + {2'h0, sum_2194};
+      equal_2202_s4_q <= equal_2202_s3_q;
       contrast_s4_q <= contrast;
       contrast_2_s4_q <= contrast_2;
-      and_2418_s4_q <= and_2418;
-      and_2422_s4_q <= not_1800_s3_q & and_2421;
-      not_2456_s4_q <= ~({sum_2454, e[0]} < {2'h0, t});
-      and_2484_s4_q <= not_1800_s3_q & (so_s3_q & and_2482);
-      equal_2526_s4_q <= equal_2526;
-      and_2554_s4_q <= not_1800_s3_q & (so_s3_q & (half_ends & equal_2551));
-      and_2556_s4_q <= and_2556_s3_q;
+      and_2420_s4_q <= and_2420;
+      and_2424_s4_q <= not_1802_s3_q & and_2423;
+      not_2458_s4_q <= ~({sum_2456, e[0]} < {2'h0, t});
+      and_2486_s4_q <= not_1802_s3_q & (so_s3_q & and_2484);
+      equal_2528_s4_q <= equal_2528;
+      and_2556_s4_q <= not_1802_s3_q & (so_s3_q & (half_ends & equal_2553));
+      and_2558_s4_q <= and_2558_s3_q;
       residual_s4_q <= residual;
-      equal_2647_s4_q <= (registration_fresh_q & select_2645) == 4'h0;
-      equal_2808_s4_q <= equal_2808;
-      and_2972_s4_q <= and_2972;
-      and_2987_s4_q <= equal_1799_s3_q & (equal_2808 & (cfg_prove_i & (~proven_q)));
-      equal_3027_s4_q <= (registration_fresh_q & select_3025) == 4'h0;
+      equal_2649_s4_q <= (registration_fresh_q & select_2647) == 4'h0;
+      equal_2810_s4_q <= equal_2810;
+      and_2974_s4_q <= and_2974;
+      and_2989_s4_q <= equal_1801_s3_q & (equal_2810 & (cfg_prove_i & (~proven_q)));
+      equal_3029_s4_q <= (registration_fresh_q & select_3027) == 4'h0;
     end
   end
 
@@ -4119,639 +4119,639 @@ module horopter_agreement (
   logic and_474;
   assign and_474 = and_424_s4_q & less_473;
   // hls/stages/registration.hpp:250
-  logic equal_1898;
-  assign equal_1898 = sum_1850_s4_q == 2'h0;
+  logic equal_1900;
+  assign equal_1900 = sum_1852_s4_q == 2'h0;
   // hls/stages/registration.hpp:248
   logic [6:0] down;
-  assign down = sum_1850_s4_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_1852_s4_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:250
-  logic [13:0] select_1900;
-  assign select_1900 = equal_1898 ? registration_half_across_q : {{7{down[6]}}, down};
-  logic [19:0] sum_1901;
-  assign sum_1901 = (equal_1896_s4_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1900[13]}}, select_1900};
+  logic [13:0] select_1902;
+  assign select_1902 = equal_1900 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_1903;
+  assign sum_1903 = (equal_1898_s4_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1902[13]}}, select_1902};
   // hls/stages/registration.hpp:249
   logic [6:0] up;
-  assign up = sum_1850_s4_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_1852_s4_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:251
-  logic [6:0] select_1904;
-  assign select_1904 = equal_1898 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_1905;
-  assign sum_1905 = (equal_1896_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1904[6]}}, select_1904};
+  logic [6:0] select_1906;
+  assign select_1906 = equal_1900 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_1907;
+  assign sum_1907 = (equal_1898_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1906[6]}}, select_1906};
   // hls/stages/agreement.hpp:658
-  logic [6:0] select_1930;
-  assign select_1930 = segment_started_q ? segment_textured_q : 7'h0;
+  logic [6:0] select_1932;
+  assign select_1932 = segment_started_q ? segment_textured_q : 7'h0;
   // hls/stages/agreement.hpp:659
-  logic [6:0] sum_1931;
-  assign sum_1931 = {6'h0, textured_s4_q} + select_1930;
-  // hls/stages/agreement.hpp:791
-  logic [9:0] sum_1933;
-  assign sum_1933 = {3'h0, sum_1931} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
-  // hls/stages/agreement.hpp:658
-  logic [6:0] select_1935;
-  assign select_1935 = segment_started_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:659
-  logic [6:0] sum_1936;
-  assign sum_1936 = {6'h0, explained_s4_q} + select_1935;
+  logic [6:0] sum_1933;
+  assign sum_1933 = {6'h0, textured_s4_q} + select_1932;
   // hls/stages/agreement.hpp:792
-  logic [9:0] sum_1938;
-  assign sum_1938 = {3'h0, sum_1936} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
+  logic [9:0] sum_1935;
+  assign sum_1935 = {3'h0, sum_1933} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
   // hls/stages/agreement.hpp:658
-  logic [6:0] select_1941;
-  assign select_1941 = segment_started_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:660
-  logic [6:0] sum_1942;
-  assign sum_1942 = {6'h0, and_1940_s4_q} + select_1941;
+  logic [6:0] select_1937;
+  assign select_1937 = segment_started_q ? segment_explained_q : 7'h0;
+  // hls/stages/agreement.hpp:659
+  logic [6:0] sum_1938;
+  assign sum_1938 = {6'h0, explained_s4_q} + select_1937;
   // hls/stages/agreement.hpp:793
-  logic [9:0] sum_1944;
-  assign sum_1944 = {3'h0, sum_1942} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
-  // hls/stages/agreement.hpp:831
-  logic not_2011;
-  assign not_2011 = ~region_row_s4_q[2];
-  logic [2:0] select_2012;
-  assign select_2012 = region_row_s4_q[1] ? {1'b0, not_2011, 1'b0} : {region_row_s4_q[2], 1'b0, not_2011};
-  logic [5:0] select_2013;
-  assign select_2013 = region_row_s4_q[0] ? {select_2012[2], 1'b0, select_2012[1], 1'b0, select_2012[0], 1'b0} : {1'b0, select_2012[2], 1'b0, select_2012[1], 1'b0, select_2012[0]};
-  logic [11:0] select_2014;
-  assign select_2014 = or_2010_s4_q ? {select_2013[5], 1'b0, select_2013[4], 1'b0, select_2013[3], 1'b0, select_2013[2], 1'b0, select_2013[1], 1'b0, select_2013[0], 1'b0} : {1'b0, select_2013[5], 1'b0, select_2013[4], 1'b0, select_2013[3], 1'b0, select_2013[2], 1'b0, select_2013[1], 1'b0, select_2013[0]};
-  logic [23:0] select_2015;
-  assign select_2015 = or_2007_s4_q ? {select_2014[11], 1'b0, select_2014[10], 1'b0, select_2014[9], 1'b0, select_2014[8], 1'b0, select_2014[7], 1'b0, select_2014[6], 1'b0, select_2014[5], 1'b0, select_2014[4], 1'b0, select_2014[3], 1'b0, select_2014[2], 1'b0, select_2014[1], 1'b0, select_2014[0], 1'b0} : {1'b0, select_2014[11], 1'b0, select_2014[10], 1'b0, select_2014[9], 1'b0, select_2014[8], 1'b0, select_2014[7], 1'b0, select_2014[6], 1'b0, select_2014[5], 1'b0, select_2014[4], 1'b0, select_2014[3], 1'b0, select_2014[2], 1'b0, select_2014[1], 1'b0, select_2014[0]};
-  logic [47:0] select_2016;
-  assign select_2016 = or_2004_s4_q ? {select_2015[23], 1'b0, select_2015[22], 1'b0, select_2015[21], 1'b0, select_2015[20], 1'b0, select_2015[19], 1'b0, select_2015[18], 1'b0, select_2015[17], 1'b0, select_2015[16], 1'b0, select_2015[15], 1'b0, select_2015[14], 1'b0, select_2015[13], 1'b0, select_2015[12], 1'b0, select_2015[11], 1'b0, select_2015[10], 1'b0, select_2015[9], 1'b0, select_2015[8], 1'b0, select_2015[7], 1'b0, select_2015[6], 1'b0, select_2015[5], 1'b0, select_2015[4], 1'b0, select_2015[3], 1'b0, select_2015[2], 1'b0, select_2015[1], 1'b0, select_2015[0], 1'b0} : {1'b0, select_2015[23], 1'b0, select_2015[22], 1'b0, select_2015[21], 1'b0, select_2015[20], 1'b0, select_2015[19], 1'b0, select_2015[18], 1'b0, select_2015[17], 1'b0, select_2015[16], 1'b0, select_2015[15], 1'b0, select_2015[14], 1'b0, select_2015[13], 1'b0, select_2015[12], 1'b0, select_2015[11], 1'b0, select_2015[10], 1'b0, select_2015[9], 1'b0, select_2015[8], 1'b0, select_2015[7], 1'b0, select_2015[6], 1'b0, select_2015[5], 1'b0, select_2015[4], 1'b0, select_2015[3], 1'b0, select_2015[2], 1'b0, select_2015[1], 1'b0, select_2015[0]};
-  // hls/stages/agreement.hpp:764
-  logic and_2020;
-  assign and_2020 = good_known_q & (~((good_q & select_2016) == 48'h0));
-  // hls/stages/agreement.hpp:833
+  logic [9:0] sum_1940;
+  assign sum_1940 = {3'h0, sum_1938} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
+  // hls/stages/agreement.hpp:658
+  logic [6:0] select_1943;
+  assign select_1943 = segment_started_q ? segment_nearer_q : 7'h0;
+  // hls/stages/agreement.hpp:660
+  logic [6:0] sum_1944;
+  assign sum_1944 = {6'h0, and_1942_s4_q} + select_1943;
+  // hls/stages/agreement.hpp:794
+  logic [9:0] sum_1946;
+  assign sum_1946 = {3'h0, sum_1944} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
+  // hls/stages/agreement.hpp:832
+  logic not_2013;
+  assign not_2013 = ~region_row_s4_q[2];
+  logic [2:0] select_2014;
+  assign select_2014 = region_row_s4_q[1] ? {1'b0, not_2013, 1'b0} : {region_row_s4_q[2], 1'b0, not_2013};
+  logic [5:0] select_2015;
+  assign select_2015 = region_row_s4_q[0] ? {select_2014[2], 1'b0, select_2014[1], 1'b0, select_2014[0], 1'b0} : {1'b0, select_2014[2], 1'b0, select_2014[1], 1'b0, select_2014[0]};
+  logic [11:0] select_2016;
+  assign select_2016 = or_2012_s4_q ? {select_2015[5], 1'b0, select_2015[4], 1'b0, select_2015[3], 1'b0, select_2015[2], 1'b0, select_2015[1], 1'b0, select_2015[0], 1'b0} : {1'b0, select_2015[5], 1'b0, select_2015[4], 1'b0, select_2015[3], 1'b0, select_2015[2], 1'b0, select_2015[1], 1'b0, select_2015[0]};
+  logic [23:0] select_2017;
+  assign select_2017 = or_2009_s4_q ? {select_2016[11], 1'b0, select_2016[10], 1'b0, select_2016[9], 1'b0, select_2016[8], 1'b0, select_2016[7], 1'b0, select_2016[6], 1'b0, select_2016[5], 1'b0, select_2016[4], 1'b0, select_2016[3], 1'b0, select_2016[2], 1'b0, select_2016[1], 1'b0, select_2016[0], 1'b0} : {1'b0, select_2016[11], 1'b0, select_2016[10], 1'b0, select_2016[9], 1'b0, select_2016[8], 1'b0, select_2016[7], 1'b0, select_2016[6], 1'b0, select_2016[5], 1'b0, select_2016[4], 1'b0, select_2016[3], 1'b0, select_2016[2], 1'b0, select_2016[1], 1'b0, select_2016[0]};
+  logic [47:0] select_2018;
+  assign select_2018 = or_2006_s4_q ? {select_2017[23], 1'b0, select_2017[22], 1'b0, select_2017[21], 1'b0, select_2017[20], 1'b0, select_2017[19], 1'b0, select_2017[18], 1'b0, select_2017[17], 1'b0, select_2017[16], 1'b0, select_2017[15], 1'b0, select_2017[14], 1'b0, select_2017[13], 1'b0, select_2017[12], 1'b0, select_2017[11], 1'b0, select_2017[10], 1'b0, select_2017[9], 1'b0, select_2017[8], 1'b0, select_2017[7], 1'b0, select_2017[6], 1'b0, select_2017[5], 1'b0, select_2017[4], 1'b0, select_2017[3], 1'b0, select_2017[2], 1'b0, select_2017[1], 1'b0, select_2017[0], 1'b0} : {1'b0, select_2017[23], 1'b0, select_2017[22], 1'b0, select_2017[21], 1'b0, select_2017[20], 1'b0, select_2017[19], 1'b0, select_2017[18], 1'b0, select_2017[17], 1'b0, select_2017[16], 1'b0, select_2017[15], 1'b0, select_2017[14], 1'b0, select_2017[13], 1'b0, select_2017[12], 1'b0, select_2017[11], 1'b0, select_2017[10], 1'b0, select_2017[9], 1'b0, select_2017[8], 1'b0, select_2017[7], 1'b0, select_2017[6], 1'b0, select_2017[5], 1'b0, select_2017[4], 1'b0, select_2017[3], 1'b0, select_2017[2], 1'b0, select_2017[1], 1'b0, select_2017[0]};
+  // hls/stages/agreement.hpp:765
+  logic and_2022;
+  assign and_2022 = good_known_q & (~((good_q & select_2018) == 48'h0));
+  // hls/stages/agreement.hpp:834
   logic is_seen;
-  assign is_seen = equal_1999_s4_q ? and_2020 : not_2035_s4_q;
-  // hls/stages/agreement.hpp:842
-  logic and_2050;
-  assign and_2050 = is_seen & less_2049_s4_q;
+  assign is_seen = equal_2001_s4_q ? and_2022 : not_2037_s4_q;
+  // hls/stages/agreement.hpp:843
+  logic and_2052;
+  assign and_2052 = is_seen & less_2051_s4_q;
   // hls/stages/agreement.hpp:215
-  logic [8:0] select_2084;
-  assign select_2084 = sample_pair_whole_s4_q ? (and_357_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_2086;
-  assign select_2086 = sample_pair_whole_s4_q ? (and_357_s4_q ? grey_2_s4_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  assign select_2086 = sample_pair_whole_s4_q ? (and_357_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_2088;
-  assign select_2088 = sample_pair_whole_s4_q ? (and_357_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  assign select_2088 = sample_pair_whole_s4_q ? (and_357_s4_q ? grey_2_s4_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
   logic [8:0] select_2090;
-  assign select_2090 = sample_pair_whole_s4_q ? (and_357_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  assign select_2090 = sample_pair_whole_s4_q ? (and_357_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2092;
+  assign select_2092 = sample_pair_whole_s4_q ? (and_357_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:128
-  logic [9:0] sum_2095;
-  assign sum_2095 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
-  logic [9:0] difference_2096;
-  assign difference_2096 = {1'b0, sum_2095[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_2097;
+  assign sum_2097 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
+  logic [9:0] difference_2098;
+  assign difference_2098 = {1'b0, sum_2097[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:129
-  logic [9:0] xor_2097;
-  assign xor_2097 = {difference_2096[8:0], sum_2095[0]} ^ {10{difference_2096[9]}};
+  logic [9:0] xor_2099;
+  assign xor_2099 = {difference_2098[8:0], sum_2097[0]} ^ {10{difference_2098[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2096[9]} + {1'b0, xor_2097};
+  assign size = {10'h0, difference_2098[9]} + {1'b0, xor_2099};
   // hls/stages/census.hpp:130
   logic [13:0] detail;
   assign detail = {3'h0, size} + (equal_362_s4_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:215
-  logic [13:0] select_2102;
-  assign select_2102 = sample_pair_whole_s4_q ? (and_357_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2104;
+  assign select_2104 = sample_pair_whole_s4_q ? (and_357_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:128
-  logic [9:0] sum_2103;
-  assign sum_2103 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
-  logic [9:0] difference_2104;
-  assign difference_2104 = {1'b0, sum_2103[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_2105;
+  assign sum_2105 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
+  logic [9:0] difference_2106;
+  assign difference_2106 = {1'b0, sum_2105[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:129
-  logic [9:0] xor_2105;
-  assign xor_2105 = {difference_2104[8:0], sum_2103[0]} ^ {10{difference_2104[9]}};
+  logic [9:0] xor_2107;
+  assign xor_2107 = {difference_2106[8:0], sum_2105[0]} ^ {10{difference_2106[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2104[9]} + {1'b0, xor_2105};
+  assign size_2 = {10'h0, difference_2106[9]} + {1'b0, xor_2107};
   // hls/stages/census.hpp:130
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_2} + (equal_362_s4_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:215
-  logic [13:0] select_2110;
-  assign select_2110 = sample_pair_whole_s4_q ? (and_357_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2112;
+  assign select_2112 = sample_pair_whole_s4_q ? (and_357_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/agreement.hpp:365
-  logic [11:0] select_2195;
-  assign select_2195 = and_359_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2196;
-  assign select_2196 = and_359_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
   logic [11:0] select_2197;
-  assign select_2197 = and_359_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  assign select_2197 = and_359_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_2198;
-  assign select_2198 = and_359_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  assign select_2198 = and_359_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2199;
+  assign select_2199 = and_359_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2200;
+  assign select_2200 = and_359_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:202
-  logic [12:0] sum_2201;
-  assign sum_2201 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2193_s4_q};
-  logic [13:0] sum_2203;
-  assign sum_2203 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2201});
+  logic [12:0] sum_2203;
+  assign sum_2203 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2195_s4_q};
+  logic [13:0] sum_2205;
+  assign sum_2205 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2203});
   // hls/stages/census.hpp:225
-  logic and_2205;
-  assign and_2205 = and_449_s4_q & (9'h4 < sum_2203[13:5]);
+  logic and_2207;
+  assign and_2207 = and_449_s4_q & (9'h4 < sum_2205[13:5]);
   // hls/stages/census.hpp:226
-  logic and_2206;
-  assign and_2206 = and_449_s4_q & less_473;
+  logic and_2208;
+  assign and_2208 = and_449_s4_q & less_473;
   // hls/stages/census.hpp:227
-  logic [19:0] sum_2207;
-  assign sum_2207 = census_left_misses_q + {{17{and_2206}}, and_2205, 1'b0, and_2205};
+  logic [19:0] sum_2209;
+  assign sum_2209 = census_left_misses_q + {{17{and_2208}}, and_2207, 1'b0, and_2207};
   // hls/stages/agreement.hpp:365
-  logic [19:0] select_2209;
-  assign select_2209 = and_359_s4_q ? (equal_2200_s4_q ? 20'h0 : sum_2207) : census_left_misses_q;
+  logic [19:0] select_2211;
+  assign select_2211 = and_359_s4_q ? (equal_2202_s4_q ? 20'h0 : sum_2209) : census_left_misses_q;
   // hls/stages/agreement.hpp:215
-  logic [27:0] select_2214;
-  assign select_2214 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
+  logic [27:0] select_2216;
+  assign select_2216 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
   // hls/stages/census.hpp:275
-  logic and_2219;
-  assign and_2219 = whole_2_s4_q & (~(column_s4_q[6:1] == 6'h0));
+  logic and_2221;
+  assign and_2221 = whole_2_s4_q & (~(column_s4_q[6:1] == 6'h0));
   // hls/stages/agreement.hpp:311
-  logic and_2225;
-  assign and_2225 = and_2219 & (sharpness_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
+  logic and_2227;
+  assign and_2227 = and_2221 & (sharpness_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2214[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2216[13:0]};
   // hls/stages/census.hpp:276
-  logic [12:0] select_2227;
-  assign select_2227 = and_2225 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2229;
+  assign select_2229 = and_2227 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:277
-  logic [23:0] select_2229;
-  assign select_2229 = equal_2200_s4_q ? {11'h0, select_2227} : (sharpness_sums_detail_0_q + {11'h0, select_2227});
+  logic [23:0] select_2231;
+  assign select_2231 = equal_2202_s4_q ? {11'h0, select_2229} : (sharpness_sums_detail_0_q + {11'h0, select_2229});
   // hls/stages/agreement.hpp:311
-  logic and_2236;
-  assign and_2236 = and_2219 & (sharpness_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
+  logic and_2238;
+  assign and_2238 = and_2221 & (sharpness_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
   // hls/stages/census.hpp:274
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2214[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2216[27:14]};
   // hls/stages/census.hpp:276
-  logic [12:0] select_2238;
-  assign select_2238 = and_2236 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2240;
+  assign select_2240 = and_2238 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:277
-  logic [23:0] select_2240;
-  assign select_2240 = equal_2200_s4_q ? {11'h0, select_2238} : (sharpness_sums_detail_1_q + {11'h0, select_2238});
-  logic [8:0] select_2243;
-  assign select_2243 = and_2225 ? contrast_s4_q : 9'h0;
-  logic [23:0] sum_2244;
-  assign sum_2244 = (equal_2200_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2243};
-  logic [8:0] select_2247;
-  assign select_2247 = and_2236 ? contrast_2_s4_q : 9'h0;
-  logic [23:0] sum_2248;
-  assign sum_2248 = (equal_2200_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2247};
+  logic [23:0] select_2242;
+  assign select_2242 = equal_2202_s4_q ? {11'h0, select_2240} : (sharpness_sums_detail_1_q + {11'h0, select_2240});
+  logic [8:0] select_2245;
+  assign select_2245 = and_2227 ? contrast_s4_q : 9'h0;
+  logic [23:0] sum_2246;
+  assign sum_2246 = (equal_2202_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2245};
+  logic [8:0] select_2249;
+  assign select_2249 = and_2238 ? contrast_2_s4_q : 9'h0;
+  logic [23:0] sum_2250;
+  assign sum_2250 = (equal_2202_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2249};
   // hls/stages/agreement.hpp:150
-  logic equal_2250;
-  assign equal_2250 = x_s4_q[7:3] == 5'h0;
+  logic equal_2252;
+  assign equal_2252 = x_s4_q[7:3] == 5'h0;
   // hls/stages/census.hpp:289
-  logic less_2251;
-  assign less_2251 = 7'h2 < {x_s4_q[4:0], slot_s4_q[2:1]};
+  logic less_2253;
+  assign less_2253 = 7'h2 < {x_s4_q[4:0], slot_s4_q[2:1]};
   // hls/stages/census.hpp:328
-  logic less_2252;
-  assign less_2252 = x_s4_q[4:0] < 5'h3;
-  logic not_2253;
-  assign not_2253 = ~x_s4_q[1];
-  logic [2:0] select_2254;
-  assign select_2254 = x_s4_q[0] ? {1'b0, not_2253, 1'b0} : {x_s4_q[1], 1'b0, not_2253};
-  logic [5:0] select_2255;
-  assign select_2255 = slot_s4_q[2] ? {select_2254[2], 1'b0, select_2254[1], 1'b0, select_2254[0], 1'b0} : {1'b0, select_2254[2], 1'b0, select_2254[1], 1'b0, select_2254[0]};
-  logic [11:0] select_2256;
-  assign select_2256 = slot_s4_q[1] ? {select_2255[5], 1'b0, select_2255[4], 1'b0, select_2255[3], 1'b0, select_2255[2], 1'b0, select_2255[1], 1'b0, select_2255[0], 1'b0} : {1'b0, select_2255[5], 1'b0, select_2255[4], 1'b0, select_2255[3], 1'b0, select_2255[2], 1'b0, select_2255[1], 1'b0, select_2255[0]};
-  logic [23:0] select_2257;
-  assign select_2257 = slot_s4_q[0] ? {select_2256[11], 1'b0, select_2256[10], 1'b0, select_2256[9], 1'b0, select_2256[8], 1'b0, select_2256[7], 1'b0, select_2256[6], 1'b0, select_2256[5], 1'b0, select_2256[4], 1'b0, select_2256[3], 1'b0, select_2256[2], 1'b0, select_2256[1], 1'b0, select_2256[0], 1'b0} : {1'b0, select_2256[11], 1'b0, select_2256[10], 1'b0, select_2256[9], 1'b0, select_2256[8], 1'b0, select_2256[7], 1'b0, select_2256[6], 1'b0, select_2256[5], 1'b0, select_2256[4], 1'b0, select_2256[3], 1'b0, select_2256[2], 1'b0, select_2256[1], 1'b0, select_2256[0]};
+  logic less_2254;
+  assign less_2254 = x_s4_q[4:0] < 5'h3;
+  logic not_2255;
+  assign not_2255 = ~x_s4_q[1];
+  logic [2:0] select_2256;
+  assign select_2256 = x_s4_q[0] ? {1'b0, not_2255, 1'b0} : {x_s4_q[1], 1'b0, not_2255};
+  logic [5:0] select_2257;
+  assign select_2257 = slot_s4_q[2] ? {select_2256[2], 1'b0, select_2256[1], 1'b0, select_2256[0], 1'b0} : {1'b0, select_2256[2], 1'b0, select_2256[1], 1'b0, select_2256[0]};
+  logic [11:0] select_2258;
+  assign select_2258 = slot_s4_q[1] ? {select_2257[5], 1'b0, select_2257[4], 1'b0, select_2257[3], 1'b0, select_2257[2], 1'b0, select_2257[1], 1'b0, select_2257[0], 1'b0} : {1'b0, select_2257[5], 1'b0, select_2257[4], 1'b0, select_2257[3], 1'b0, select_2257[2], 1'b0, select_2257[1], 1'b0, select_2257[0]};
+  logic [23:0] select_2259;
+  assign select_2259 = slot_s4_q[0] ? {select_2258[11], 1'b0, select_2258[10], 1'b0, select_2258[9], 1'b0, select_2258[8], 1'b0, select_2258[7], 1'b0, select_2258[6], 1'b0, select_2258[5], 1'b0, select_2258[4], 1'b0, select_2258[3], 1'b0, select_2258[2], 1'b0, select_2258[1], 1'b0, select_2258[0], 1'b0} : {1'b0, select_2258[11], 1'b0, select_2258[10], 1'b0, select_2258[9], 1'b0, select_2258[8], 1'b0, select_2258[7], 1'b0, select_2258[6], 1'b0, select_2258[5], 1'b0, select_2258[4], 1'b0, select_2258[3], 1'b0, select_2258[2], 1'b0, select_2258[1], 1'b0, select_2258[0]};
   // hls/stages/census.hpp:291
-  logic and_2261;
-  assign and_2261 = less_2252 & (~((sharpness_sums_contrast_1_q & select_2257) == 24'h0));
+  logic and_2263;
+  assign and_2263 = less_2254 & (~((sharpness_sums_contrast_1_q & select_2259) == 24'h0));
   // hls/stages/census.hpp:296
-  logic [17:0] select_2263;
-  assign select_2263 = (less_2251 & and_2261) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2265;
+  assign select_2265 = (less_2253 & and_2263) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2263};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2265};
   // hls/stages/agreement.hpp:154
-  logic [17:0] select_2266;
-  assign select_2266 = equal_2250 ? (less_2251 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_2268;
+  assign select_2268 = equal_2252 ? (less_2253 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:291
-  logic and_2271;
-  assign and_2271 = less_2252 & (~((sharpness_sums_contrast_0_q & select_2257) == 24'h0));
+  logic and_2273;
+  assign and_2273 = less_2254 & (~((sharpness_sums_contrast_0_q & select_2259) == 24'h0));
   // hls/stages/census.hpp:296
-  logic [17:0] select_2273;
-  assign select_2273 = (less_2251 & and_2271) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2275;
+  assign select_2275 = (less_2253 & and_2273) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2273};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2275};
   // hls/stages/agreement.hpp:154
-  logic [17:0] select_2276;
-  assign select_2276 = equal_2250 ? (less_2251 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2278;
-  assign select_2278 = equal_2250 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [17:0] select_2278;
+  assign select_2278 = equal_2252 ? (less_2253 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
   logic [2:0] select_2280;
-  assign select_2280 = equal_2250 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2282;
-  assign select_2282 = equal_2250 ? {sharpness_comparing_contrast_0_q[0], and_2271} : sharpness_comparing_contrast_0_q;
+  assign select_2280 = equal_2252 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2282;
+  assign select_2282 = equal_2252 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
   logic [1:0] select_2284;
-  assign select_2284 = equal_2250 ? {sharpness_comparing_contrast_1_q[0], and_2261} : sharpness_comparing_contrast_1_q;
+  assign select_2284 = equal_2252 ? {sharpness_comparing_contrast_0_q[0], and_2273} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2286;
+  assign select_2286 = equal_2252 ? {sharpness_comparing_contrast_1_q[0], and_2263} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:302
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:154
-  logic select_2289;
-  assign select_2289 = drew_q ? (equal_2250 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2291;
+  assign select_2291 = drew_q ? (equal_2252 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:302
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:154
-  logic select_2293;
-  assign select_2293 = drew_q ? (equal_2250 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  logic select_2295;
+  assign select_2295 = drew_q ? (equal_2252 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:288
-  logic equal_2294;
-  assign equal_2294 = {x_s4_q[4:0], slot_s4_q} == 8'h0;
+  logic equal_2296;
+  assign equal_2296 = {x_s4_q[4:0], slot_s4_q} == 8'h0;
   // hls/stages/census.hpp:304
-  logic xor_2295;
-  assign xor_2295 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2298;
-  assign select_2298 = (equal_2294 | xor_2295) ? (five_times[0] & xor_2295) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:154
+  logic xor_2297;
+  assign xor_2297 = sharpness_comparing_product_0_q[2] ^ five_times[0];
   logic select_2300;
-  assign select_2300 = drew_q ? (equal_2250 ? select_2298 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  assign select_2300 = (equal_2296 | xor_2297) ? (five_times[0] & xor_2297) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/agreement.hpp:154
+  logic select_2302;
+  assign select_2302 = drew_q ? (equal_2252 ? select_2300 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
   // hls/stages/census.hpp:304
-  logic xor_2301;
-  assign xor_2301 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2304;
-  assign select_2304 = (equal_2294 | xor_2301) ? (five_times_2[0] & xor_2301) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:154
+  logic xor_2303;
+  assign xor_2303 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
   logic select_2306;
-  assign select_2306 = drew_q ? (equal_2250 ? select_2304 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/census.hpp:305
-  logic xor_2307;
-  assign xor_2307 = sharpness_comparing_contrast_0_q[1] ^ and_2261;
-  logic select_2310;
-  assign select_2310 = (equal_2294 | xor_2307) ? (and_2261 & xor_2307) : sharpness_comparing_less_contrast_0_q;
+  assign select_2306 = (equal_2296 | xor_2303) ? (five_times_2[0] & xor_2303) : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:154
+  logic select_2308;
+  assign select_2308 = drew_q ? (equal_2252 ? select_2306 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/census.hpp:305
+  logic xor_2309;
+  assign xor_2309 = sharpness_comparing_contrast_0_q[1] ^ and_2263;
   logic select_2312;
-  assign select_2312 = drew_q ? (equal_2250 ? select_2310 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:305
-  logic xor_2313;
-  assign xor_2313 = sharpness_comparing_contrast_1_q[1] ^ and_2271;
-  logic select_2316;
-  assign select_2316 = (equal_2294 | xor_2313) ? (and_2271 & xor_2313) : sharpness_comparing_less_contrast_1_q;
+  assign select_2312 = (equal_2296 | xor_2309) ? (and_2263 & xor_2309) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:154
+  logic select_2314;
+  assign select_2314 = drew_q ? (equal_2252 ? select_2312 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:305
+  logic xor_2315;
+  assign xor_2315 = sharpness_comparing_contrast_1_q[1] ^ and_2273;
   logic select_2318;
-  assign select_2318 = drew_q ? (equal_2250 ? select_2316 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  assign select_2318 = (equal_2296 | xor_2315) ? (and_2273 & xor_2315) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:154
+  logic select_2320;
+  assign select_2320 = drew_q ? (equal_2252 ? select_2318 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:681
-  logic [13:0] select_2424;
-  assign select_2424 = and_2418_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2422_s4_q});
+  logic [13:0] select_2426;
+  assign select_2426 = and_2420_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2424_s4_q});
   // hls/stages/agreement.hpp:211
-  logic and_2427;
-  assign and_2427 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
-  logic and_2432;
-  assign and_2432 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
-  logic and_2437;
-  assign and_2437 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & and_1940_s4_q));
-  // hls/stages/agreement.hpp:835
-  logic not_2441;
-  assign not_2441 = ~(x_s4_q[7:1] == 7'h0);
+  logic and_2429;
+  assign and_2429 = not_1802_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
+  logic and_2434;
+  assign and_2434 = not_1802_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
+  logic and_2439;
+  assign and_2439 = not_1802_s4_q & (drew_q & (ends_cell_s4_q & and_1942_s4_q));
   // hls/stages/agreement.hpp:836
-  logic not_2458;
-  assign not_2458 = ~(equal_1999_s4_q ? and_2020 : not_2456_s4_q);
+  logic not_2443;
+  assign not_2443 = ~(x_s4_q[7:1] == 7'h0);
+  // hls/stages/agreement.hpp:837
+  logic not_2460;
+  assign not_2460 = ~(equal_2001_s4_q ? and_2022 : not_2458_s4_q);
   // hls/stages/agreement.hpp:211
-  logic and_2461;
-  assign and_2461 = ends_cell_s4_q & (not_2441 & (centres_values_1_textured_s4_q & not_2458));
   logic and_2463;
-  assign and_2463 = not_1800_s4_q & (drew_q & and_2461);
-  // hls/stages/agreement.hpp:861
-  logic less_2466;
-  assign less_2466 = region_row_s4_q < x_s4_q[5:3];
-  logic [9:0] select_2467;
-  assign select_2467 = less_2466 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_2470;
-  assign select_2470 = less_2466 ? 10'h0 : regions_rdata_q[19:10];
+  assign and_2463 = ends_cell_s4_q & (not_2443 & (centres_values_1_textured_s4_q & not_2460));
+  logic and_2465;
+  assign and_2465 = not_1802_s4_q & (drew_q & and_2463);
   // hls/stages/agreement.hpp:862
-  logic [10:0] sum_2471;
-  assign sum_2471 = {1'b0, select_2470} + {3'h0, select_2470[9:2]};
-  logic and_2473;
-  assign and_2473 = (~(select_2467[9:4] == 6'h0)) & ({sum_2471, select_2470[1:0]} < {3'h0, select_2467});
-  // hls/stages/agreement.hpp:871
-  logic [9:0] select_2476;
-  assign select_2476 = x_s4_q[6] ? (equal_1844_s4_q ? 10'h0 : (and_2473 ? select_2467 : 10'h0)) : 10'h0;
+  logic less_2468;
+  assign less_2468 = region_row_s4_q < x_s4_q[5:3];
+  logic [9:0] select_2469;
+  assign select_2469 = less_2468 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_2472;
+  assign select_2472 = less_2468 ? 10'h0 : regions_rdata_q[19:10];
+  // hls/stages/agreement.hpp:863
+  logic [10:0] sum_2473;
+  assign sum_2473 = {1'b0, select_2472} + {3'h0, select_2472[9:2]};
+  logic and_2475;
+  assign and_2475 = (~(select_2469[9:4] == 6'h0)) & ({sum_2473, select_2472[1:0]} < {3'h0, select_2469});
+  // hls/stages/agreement.hpp:872
+  logic [9:0] select_2478;
+  assign select_2478 = x_s4_q[6] ? (equal_1846_s4_q ? 10'h0 : (and_2475 ? select_2469 : 10'h0)) : 10'h0;
   // hls/stages/agreement.hpp:211
-  logic [9:0] select_2477;
-  assign select_2477 = equal_1799_s4_q ? select_2476 : 10'h0;
+  logic [9:0] select_2479;
+  assign select_2479 = equal_1801_s4_q ? select_2478 : 10'h0;
   // hls/stages/agreement.hpp:681
-  logic [13:0] select_2479;
-  assign select_2479 = and_2418_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2477});
-  logic [13:0] select_2486;
-  assign select_2486 = and_2418_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2484_s4_q});
-  // hls/stages/agreement.hpp:840
-  logic and_2488;
-  assign and_2488 = not_2441 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
+  logic [13:0] select_2481;
+  assign select_2481 = and_2420_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2479});
+  logic [13:0] select_2488;
+  assign select_2488 = and_2420_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2486_s4_q});
+  // hls/stages/agreement.hpp:841
+  logic and_2490;
+  assign and_2490 = not_2443 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
   // hls/stages/agreement.hpp:211
-  logic and_2491;
-  assign and_2491 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & and_2488));
+  logic and_2493;
+  assign and_2493 = not_1802_s4_q & (drew_q & (ends_cell_s4_q & and_2490));
   // hls/stages/agreement.hpp:681
-  logic [13:0] select_2493;
-  assign select_2493 = and_2418_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2491});
-  // hls/stages/agreement.hpp:840
-  logic and_2495;
-  assign and_2495 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2458);
+  logic [13:0] select_2495;
+  assign select_2495 = and_2420_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2493});
+  // hls/stages/agreement.hpp:841
+  logic and_2497;
+  assign and_2497 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2460);
   // hls/stages/agreement.hpp:211
-  logic and_2499;
-  assign and_2499 = not_1800_s4_q & (drew_q & (ends_cell_s4_q & (not_2441 & and_2495)));
+  logic and_2501;
+  assign and_2501 = not_1802_s4_q & (drew_q & (ends_cell_s4_q & (not_2443 & and_2497)));
   // hls/stages/agreement.hpp:681
-  logic [13:0] select_2501;
-  assign select_2501 = and_2418_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2499});
+  logic [13:0] select_2503;
+  assign select_2503 = and_2420_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2501});
   // hls/stages/registration.hpp:106
-  logic [7:0] select_2571;
-  assign select_2571 = equal_2526_s4_q ? (and_2556_s4_q ? residual_s4_q[7:0] : 8'h0) : 8'h0;
-  // hls/stages/agreement.hpp:211
   logic [7:0] select_2573;
-  assign select_2573 = equal_1799_s4_q ? 8'h0 : (drew_q ? select_2571 : 8'h0);
+  assign select_2573 = equal_2528_s4_q ? (and_2558_s4_q ? residual_s4_q[7:0] : 8'h0) : 8'h0;
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2575;
+  assign select_2575 = equal_1801_s4_q ? 8'h0 : (drew_q ? select_2573 : 8'h0);
   // hls/stages/registration.hpp:126
-  logic [13:0] select_2575;
-  assign select_2575 = and_2554_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2573[7]}}, select_2573});
+  logic [13:0] select_2577;
+  assign select_2577 = and_2556_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2575[7]}}, select_2575});
   // hls/stages/agreement.hpp:211
-  logic and_2578;
-  assign and_2578 = not_1800_s4_q & (drew_q & (and_2556_s4_q & equal_2526_s4_q));
+  logic and_2580;
+  assign and_2580 = not_1802_s4_q & (drew_q & (and_2558_s4_q & equal_2528_s4_q));
   // hls/stages/registration.hpp:126
-  logic [5:0] select_2580;
-  assign select_2580 = and_2554_s4_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2578});
+  logic [5:0] select_2582;
+  assign select_2582 = and_2556_s4_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2580});
   // hls/stages/registration.hpp:106
-  logic and_2582;
-  assign and_2582 = and_2556_s4_q & ($signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_limit_i}));
+  logic and_2584;
+  assign and_2584 = and_2558_s4_q & ($signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_2584;
-  assign select_2584 = drew_q ? (equal_2526_s4_q ? {and_2582, and_2556_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2585;
-  assign select_2585 = equal_1799_s4_q ? 2'h0 : select_2584;
+  logic [1:0] select_2586;
+  assign select_2586 = drew_q ? (equal_2528_s4_q ? {and_2584, and_2558_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2587;
+  assign select_2587 = equal_1801_s4_q ? 2'h0 : select_2586;
   // hls/stages/registration.hpp:172
-  logic [6:0] sum_2586;
-  assign sum_2586 = registration_half_votes_down_q + {{5{select_2585[1]}}, select_2585};
+  logic [6:0] sum_2588;
+  assign sum_2588 = registration_half_votes_down_q + {{5{select_2587[1]}}, select_2587};
   // hls/stages/registration.hpp:193
-  logic [12:0] difference_2588;
-  assign difference_2588 = 13'h0 - {residual_s4_q[11], residual_s4_q};
+  logic [12:0] difference_2590;
+  assign difference_2590 = 13'h0 - {residual_s4_q[11], residual_s4_q};
   // hls/stages/registration.hpp:106
-  logic and_2590;
-  assign and_2590 = and_2556_s4_q & ($signed(difference_2588) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_2592;
+  assign and_2592 = and_2558_s4_q & ($signed(difference_2590) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_2592;
-  assign select_2592 = drew_q ? (equal_2526_s4_q ? {and_2590, and_2556_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2593;
-  assign select_2593 = equal_1799_s4_q ? 2'h0 : select_2592;
+  logic [1:0] select_2594;
+  assign select_2594 = drew_q ? (equal_2528_s4_q ? {and_2592, and_2558_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2595;
+  assign select_2595 = equal_1801_s4_q ? 2'h0 : select_2594;
   // hls/stages/registration.hpp:173
-  logic [6:0] sum_2594;
-  assign sum_2594 = registration_half_votes_up_q + {{5{select_2593[1]}}, select_2593};
+  logic [6:0] sum_2596;
+  assign sum_2596 = registration_half_votes_up_q + {{5{select_2595[1]}}, select_2595};
   // hls/stages/registration.hpp:193
-  logic less_2596;
-  assign less_2596 = $signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_half_limit_i});
+  logic less_2598;
+  assign less_2598 = $signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_half_limit_i});
   // hls/stages/registration.hpp:106
-  logic and_2597;
-  assign and_2597 = and_2556_s4_q & less_2596;
+  logic and_2599;
+  assign and_2599 = and_2558_s4_q & less_2598;
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_2599;
-  assign select_2599 = drew_q ? (equal_2526_s4_q ? {and_2597, and_2556_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2600;
-  assign select_2600 = equal_1799_s4_q ? 2'h0 : select_2599;
+  logic [1:0] select_2601;
+  assign select_2601 = drew_q ? (equal_2528_s4_q ? {and_2599, and_2558_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2602;
+  assign select_2602 = equal_1801_s4_q ? 2'h0 : select_2601;
   // hls/stages/registration.hpp:172
-  logic [6:0] sum_2601;
-  assign sum_2601 = registration_half_half_votes_down_q + {{5{select_2600[1]}}, select_2600};
+  logic [6:0] sum_2603;
+  assign sum_2603 = registration_half_half_votes_down_q + {{5{select_2602[1]}}, select_2602};
   // hls/stages/registration.hpp:193
-  logic less_2603;
-  assign less_2603 = $signed(difference_2588) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic less_2605;
+  assign less_2605 = $signed(difference_2590) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/registration.hpp:106
-  logic and_2604;
-  assign and_2604 = and_2556_s4_q & less_2603;
+  logic and_2606;
+  assign and_2606 = and_2558_s4_q & less_2605;
   // hls/stages/agreement.hpp:211
-  logic [1:0] select_2606;
-  assign select_2606 = drew_q ? (equal_2526_s4_q ? {and_2604, and_2556_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2607;
-  assign select_2607 = equal_1799_s4_q ? 2'h0 : select_2606;
+  logic [1:0] select_2608;
+  assign select_2608 = drew_q ? (equal_2528_s4_q ? {and_2606, and_2558_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2609;
+  assign select_2609 = equal_1801_s4_q ? 2'h0 : select_2608;
   // hls/stages/registration.hpp:173
-  logic [6:0] sum_2608;
-  assign sum_2608 = registration_half_half_votes_up_q + {{5{select_2607[1]}}, select_2607};
+  logic [6:0] sum_2610;
+  assign sum_2610 = registration_half_half_votes_up_q + {{5{select_2609[1]}}, select_2609};
   // hls/stages/agreement.hpp:211
-  logic and_2642;
-  assign and_2642 = equal_1799_s4_q & (x_s4_q[6] & (not_1918_s4_q & less_1872_s4_q));
-  // hls/stages/agreement.hpp:861
-  logic [11:0] select_2649;
-  assign select_2649 = or_1876_s4_q ? 12'h0 : (equal_2647_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:871
-  logic [11:0] select_2652;
-  assign select_2652 = x_s4_q[6] ? (equal_1844_s4_q ? 12'h0 : (less_1872_s4_q ? select_2649 : 12'h0)) : 12'h0;
+  logic and_2644;
+  assign and_2644 = equal_1801_s4_q & (x_s4_q[6] & (not_1920_s4_q & less_1874_s4_q));
+  // hls/stages/agreement.hpp:862
+  logic [11:0] select_2651;
+  assign select_2651 = or_1878_s4_q ? 12'h0 : (equal_2649_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:872
+  logic [11:0] select_2654;
+  assign select_2654 = x_s4_q[6] ? (equal_1846_s4_q ? 12'h0 : (less_1874_s4_q ? select_2651 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:211
-  logic [11:0] select_2653;
-  assign select_2653 = equal_1799_s4_q ? select_2652 : 12'h0;
+  logic [11:0] select_2655;
+  assign select_2655 = equal_1801_s4_q ? select_2654 : 12'h0;
   // hls/stages/registration.hpp:145
-  logic and_2654;
-  assign and_2654 = x_s4_q[1] & all_s4_q;
-  // hls/stages/agreement.hpp:871
-  logic and_2657;
-  assign and_2657 = not_1918_s4_q & (less_1872_s4_q & ({and_2654, x_s4_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:211
+  logic and_2656;
+  assign and_2656 = x_s4_q[1] & all_s4_q;
+  // hls/stages/agreement.hpp:872
   logic and_2659;
-  assign and_2659 = equal_1799_s4_q & (x_s4_q[6] & and_2657);
+  assign and_2659 = not_1920_s4_q & (less_1874_s4_q & ({and_2656, x_s4_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:211
+  logic and_2661;
+  assign and_2661 = equal_1801_s4_q & (x_s4_q[6] & and_2659);
   // hls/stages/registration.hpp:237
-  logic [13:0] sum_2661;
-  assign sum_2661 = {{2{select_2653[11]}}, select_2653} + (and_2659 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:861
-  logic [11:0] select_2664;
-  assign select_2664 = or_1876_s4_q ? 12'h0 : (equal_2647_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:871
-  logic [11:0] select_2667;
-  assign select_2667 = x_s4_q[6] ? (equal_1844_s4_q ? 12'h0 : (less_1872_s4_q ? select_2664 : 12'h0)) : 12'h0;
+  logic [13:0] sum_2663;
+  assign sum_2663 = {{2{select_2655[11]}}, select_2655} + (and_2661 ? 14'h0 : registration_down_q);
+  // hls/stages/agreement.hpp:862
+  logic [11:0] select_2666;
+  assign select_2666 = or_1878_s4_q ? 12'h0 : (equal_2649_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:872
+  logic [11:0] select_2669;
+  assign select_2669 = x_s4_q[6] ? (equal_1846_s4_q ? 12'h0 : (less_1874_s4_q ? select_2666 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:211
-  logic [11:0] select_2668;
-  assign select_2668 = equal_1799_s4_q ? select_2667 : 12'h0;
+  logic [11:0] select_2670;
+  assign select_2670 = equal_1801_s4_q ? select_2669 : 12'h0;
   // hls/stages/registration.hpp:238
-  logic [13:0] sum_2670;
-  assign sum_2670 = {{2{select_2668[11]}}, select_2668} + (and_2659 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2672;
+  assign sum_2672 = {{2{select_2670[11]}}, select_2670} + (and_2661 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:142
-  logic not_2672;
-  assign not_2672 = ~all_s4_q;
-  // hls/stages/agreement.hpp:871
-  logic and_2675;
-  assign and_2675 = not_1918_s4_q & (less_1872_s4_q & (x_s4_q[2:0] == {all_s4_q, not_2672, 1'b0}));
+  logic not_2674;
+  assign not_2674 = ~all_s4_q;
+  // hls/stages/agreement.hpp:872
+  logic and_2677;
+  assign and_2677 = not_1920_s4_q & (less_1874_s4_q & (x_s4_q[2:0] == {all_s4_q, not_2674, 1'b0}));
   // hls/stages/agreement.hpp:211
-  logic and_2681;
-  assign and_2681 = equal_1799_s4_q & (x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & all_s4_q)));
+  logic and_2683;
+  assign and_2683 = equal_1801_s4_q & (x_s4_q[6] & (not_1920_s4_q & (less_1874_s4_q & all_s4_q)));
   // hls/stages/registration.hpp:231
-  logic not_2682;
-  assign not_2682 = ~and_2681;
-  logic less_2683;
-  assign less_2683 = $signed({9'h1, {2{not_2682}}, and_2681}) < $signed(registration_up_q[13:2]);
-  logic select_2684;
-  assign select_2684 = (equal_1799_s4_q & (x_s4_q[6] & and_2675)) ? less_2683 : registration_enough_q;
-  // hls/stages/agreement.hpp:871
-  logic and_2688;
-  assign and_2688 = x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & (x_s4_q[2:0] == 3'h4)));
+  logic not_2684;
+  assign not_2684 = ~and_2683;
+  logic less_2685;
+  assign less_2685 = $signed({9'h1, {2{not_2684}}, and_2683}) < $signed(registration_up_q[13:2]);
+  logic select_2686;
+  assign select_2686 = (equal_1801_s4_q & (x_s4_q[6] & and_2677)) ? less_2685 : registration_enough_q;
+  // hls/stages/agreement.hpp:872
+  logic and_2690;
+  assign and_2690 = x_s4_q[6] & (not_1920_s4_q & (less_1874_s4_q & (x_s4_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:211
-  logic and_2689;
-  assign and_2689 = equal_1799_s4_q & and_2688;
+  logic and_2691;
+  assign and_2691 = equal_1801_s4_q & and_2690;
   // hls/stages/registration.hpp:227
-  logic less_2690;
-  assign less_2690 = $signed(14'h0) < $signed(registration_down_q);
   logic less_2692;
-  assign less_2692 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/agreement.hpp:871
-  logic and_2697;
-  assign and_2697 = x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & (x_s4_q[2:0] == 3'h7)));
+  assign less_2692 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2694;
+  assign less_2694 = $signed(14'h0) < $signed(registration_up_q);
+  // hls/stages/agreement.hpp:872
+  logic and_2699;
+  assign and_2699 = x_s4_q[6] & (not_1920_s4_q & (less_1874_s4_q & (x_s4_q[2:0] == 3'h7)));
   // hls/stages/agreement.hpp:211
-  logic and_2698;
-  assign and_2698 = equal_1799_s4_q & and_2697;
-  // hls/stages/agreement.hpp:871
-  logic and_2705;
-  assign and_2705 = x_s4_q[6] & (not_1918_s4_q & (less_1872_s4_q & (x_s4_q[5:0] == 6'h0)));
+  logic and_2700;
+  assign and_2700 = equal_1801_s4_q & and_2699;
+  // hls/stages/agreement.hpp:872
+  logic and_2707;
+  assign and_2707 = x_s4_q[6] & (not_1920_s4_q & (less_1874_s4_q & (x_s4_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:149
-  logic equal_2708;
-  assign equal_2708 = x_s4_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:871
-  logic and_2711;
-  assign and_2711 = not_1918_s4_q & (less_1872_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_2708));
+  logic equal_2710;
+  assign equal_2710 = x_s4_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:872
+  logic and_2713;
+  assign and_2713 = not_1920_s4_q & (less_1874_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_2710));
   // hls/stages/registration.hpp:229
-  logic and_2715;
-  assign and_2715 = (equal_1799_s4_q & (x_s4_q[6] & and_2711)) & (less_2692 | less_2690);
-  // hls/stages/agreement.hpp:871
-  logic and_2720;
-  assign and_2720 = not_1918_s4_q & (less_1872_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_2708)));
+  logic and_2717;
+  assign and_2717 = (equal_1801_s4_q & (x_s4_q[6] & and_2713)) & (less_2694 | less_2692);
+  // hls/stages/agreement.hpp:872
+  logic and_2722;
+  assign and_2722 = not_1920_s4_q & (less_1874_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_2710)));
   // hls/stages/registration.hpp:229
-  logic and_2723;
-  assign and_2723 = registration_votes_up_q & registration_other_down_q;
-  logic select_2725;
-  assign select_2725 = registration_votes_down_q ? (registration_other_up_q | and_2723) : and_2723;
+  logic and_2725;
+  assign and_2725 = registration_votes_up_q & registration_other_down_q;
+  logic select_2727;
+  assign select_2727 = registration_votes_down_q ? (registration_other_up_q | and_2725) : and_2725;
   // hls/stages/registration.hpp:130
-  logic and_2727;
-  assign and_2727 = (equal_1799_s4_q & (x_s4_q[6] & and_2720)) & (registration_other_enough_q & select_2725);
+  logic and_2729;
+  assign and_2729 = (equal_1801_s4_q & (x_s4_q[6] & and_2722)) & (registration_other_enough_q & select_2727);
   // hls/stages/registration.hpp:230
-  logic or_2730;
-  assign or_2730 = registration_moved_q | (registration_enough_q & (and_2715 | and_2727));
-  // hls/stages/agreement.hpp:908
-  logic or_2788;
-  assign or_2788 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:930
-  logic equal_2790;
-  assign equal_2790 = x_s4_q[6:3] == 4'h7;
-  // hls/stages/agreement.hpp:936
-  logic equal_2791;
-  assign equal_2791 = x_s4_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:939
+  logic or_2732;
+  assign or_2732 = registration_moved_q | (registration_enough_q & (and_2717 | and_2729));
+  // hls/stages/agreement.hpp:909
+  logic or_2790;
+  assign or_2790 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  // hls/stages/agreement.hpp:931
+  logic equal_2792;
+  assign equal_2792 = x_s4_q[6:3] == 4'h7;
+  // hls/stages/agreement.hpp:937
+  logic equal_2793;
+  assign equal_2793 = x_s4_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:940
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
-  // hls/stages/agreement.hpp:940
-  logic select_2797;
-  assign select_2797 = (equal_2790 & equal_2791) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:864
-  logic [10:0] sum_2800;
-  assign sum_2800 = {1'b0, select_2470} + {2'h0, select_2470[9:1]};
-  logic select_2803;
-  assign select_2803 = (select_2467[9:3] == 7'h0) ? ((~or_2788) & (~select_2797)) : (~({sum_2800, select_2470[0]} < {2'h0, select_2467}));
-  // hls/stages/agreement.hpp:871
-  logic [47:0] select_2805;
-  assign select_2805 = x_s4_q[6] ? (equal_1844_s4_q ? good_q : {select_2803, good_q[47:1]}) : good_q;
+  // hls/stages/agreement.hpp:941
+  logic select_2799;
+  assign select_2799 = (equal_2792 & equal_2793) ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:865
+  logic [10:0] sum_2802;
+  assign sum_2802 = {1'b0, select_2472} + {2'h0, select_2472[9:1]};
+  logic select_2805;
+  assign select_2805 = (select_2469[9:3] == 7'h0) ? ((~or_2790) & (~select_2799)) : (~({sum_2802, select_2472[0]} < {2'h0, select_2469}));
+  // hls/stages/agreement.hpp:872
+  logic [47:0] select_2807;
+  assign select_2807 = x_s4_q[6] ? (equal_1846_s4_q ? good_q : {select_2805, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:211
-  logic select_2810;
-  assign select_2810 = equal_1799_s4_q ? ((x_s4_q[6] & good_known_q) | equal_2808_s4_q) : good_known_q;
-  // hls/stages/agreement.hpp:930
-  logic equal_2811;
-  assign equal_2811 = x_s4_q[6:3] == 4'ha;
+  logic select_2812;
+  assign select_2812 = equal_1801_s4_q ? ((x_s4_q[6] & good_known_q) | equal_2810_s4_q) : good_known_q;
+  // hls/stages/agreement.hpp:931
   logic equal_2813;
-  assign equal_2813 = x_s4_q[6:3] == 4'h9;
-  logic equal_2814;
-  assign equal_2814 = x_s4_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:855
-  logic [13:0] select_2816;
-  assign select_2816 = equal_2813 ? counts_skin_unproven_q : (equal_2814 ? counts_unproven_q : counts_regions_bad_q);
+  assign equal_2813 = x_s4_q[6:3] == 4'ha;
+  logic equal_2815;
+  assign equal_2815 = x_s4_q[6:3] == 4'h9;
+  logic equal_2816;
+  assign equal_2816 = x_s4_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:856
+  logic [13:0] select_2818;
+  assign select_2818 = equal_2815 ? counts_skin_unproven_q : (equal_2816 ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_6;
-  assign before_v_6 = equal_2811 ? counts_nearer_q : select_2816;
-  // hls/stages/agreement.hpp:935
+  assign before_v_6 = equal_2813 ? counts_nearer_q : select_2818;
+  // hls/stages/agreement.hpp:936
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_6};
-  // hls/stages/agreement.hpp:943
-  logic select_2819;
-  assign select_2819 = (equal_2811 & equal_2791) ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:872
-  logic not_2820;
-  assign not_2820 = ~hidden_for_q[7];
-  logic [7:0] select_2822;
-  assign select_2822 = select_2819 ? (hidden_for_q + {7'h0, not_2820}) : 8'h0;
-  // hls/stages/agreement.hpp:211
+  // hls/stages/agreement.hpp:944
+  logic select_2821;
+  assign select_2821 = (equal_2813 & equal_2793) ? over[14] : hides_q;
+  // hls/stages/agreement.hpp:873
+  logic not_2822;
+  assign not_2822 = ~hidden_for_q[7];
   logic [7:0] select_2824;
-  assign select_2824 = equal_1799_s4_q ? (equal_2808_s4_q ? select_2822 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:943
-  logic [13:0] select_2825;
-  assign select_2825 = equal_2791 ? 14'h0 : product_q;
-  // hls/stages/agreement.hpp:855
-  logic [7:0] select_2827;
-  assign select_2827 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  assign select_2824 = select_2821 ? (hidden_for_q + {7'h0, not_2822}) : 8'h0;
+  // hls/stages/agreement.hpp:211
+  logic [7:0] select_2826;
+  assign select_2826 = equal_1801_s4_q ? (equal_2810_s4_q ? select_2824 : hidden_for_q) : hidden_for_q;
+  // hls/stages/agreement.hpp:944
+  logic [13:0] select_2827;
+  assign select_2827 = equal_2793 ? 14'h0 : product_q;
+  // hls/stages/agreement.hpp:856
   logic [7:0] select_2829;
-  assign select_2829 = equal_2814 ? cfg_unproven_skin_limit_i : (equal_2790 ? cfg_unproven_limit_i : select_2827);
+  assign select_2829 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_2831;
+  assign select_2831 = equal_2816 ? cfg_unproven_skin_limit_i : (equal_2792 ? cfg_unproven_limit_i : select_2829);
   logic [7:0] limit;
-  assign limit = equal_2811 ? cfg_regions_limit_i : (equal_2813 ? cfg_hidden_limit_i : select_2829);
-  // hls/stages/agreement.hpp:943
-  logic not_2832;
-  assign not_2832 = ~x_s4_q[2];
-  logic [3:0] select_2833;
-  assign select_2833 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_2832, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_2832};
-  logic [7:0] select_2834;
-  assign select_2834 = x_s4_q[0] ? {select_2833[3], 1'b0, select_2833[2], 1'b0, select_2833[1], 1'b0, select_2833[0], 1'b0} : {1'b0, select_2833[3], 1'b0, select_2833[2], 1'b0, select_2833[1], 1'b0, select_2833[0]};
-  // hls/stages/agreement.hpp:855
-  logic [13:0] select_2838;
-  assign select_2838 = equal_2813 ? counts_skin_supervised_q : (equal_2814 ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] of;
-  assign of = equal_2811 ? counts_textured_q : select_2838;
-  // hls/stages/agreement.hpp:943
+  assign limit = equal_2813 ? cfg_regions_limit_i : (equal_2815 ? cfg_hidden_limit_i : select_2831);
+  // hls/stages/agreement.hpp:944
+  logic not_2834;
+  assign not_2834 = ~x_s4_q[2];
+  logic [3:0] select_2835;
+  assign select_2835 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_2834, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_2834};
+  logic [7:0] select_2836;
+  assign select_2836 = x_s4_q[0] ? {select_2835[3], 1'b0, select_2835[2], 1'b0, select_2835[1], 1'b0, select_2835[0], 1'b0} : {1'b0, select_2835[3], 1'b0, select_2835[2], 1'b0, select_2835[1], 1'b0, select_2835[0]};
+  // hls/stages/agreement.hpp:856
   logic [13:0] select_2840;
-  assign select_2840 = ((limit & select_2834) == 8'h0) ? 14'h0 : of;
+  assign select_2840 = equal_2815 ? counts_skin_supervised_q : (equal_2816 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] of;
+  assign of = equal_2813 ? counts_textured_q : select_2840;
+  // hls/stages/agreement.hpp:944
+  logic [13:0] select_2842;
+  assign select_2842 = ((limit & select_2836) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_3;
-  assign sum_3 = {1'b0, select_2825} + {1'b0, select_2840};
+  assign sum_3 = {1'b0, select_2827} + {1'b0, select_2842};
   // hls/stages/agreement.hpp:211
-  logic select_2845;
-  assign select_2845 = equal_1799_s4_q ? (equal_2791 ? sum_3[0] : (product_rest_q | sum_3[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:941
-  logic and_2850;
-  assign and_2850 = too_much_q & (~(equal_2814 & equal_2791));
+  logic select_2847;
+  assign select_2847 = equal_1801_s4_q ? (equal_2793 ? sum_3[0] : (product_rest_q | sum_3[0])) : product_rest_q;
   // hls/stages/agreement.hpp:942
-  logic select_2855;
-  assign select_2855 = (over[14] & equal_2791) ? (and_2850 | ((equal_2814 | equal_2813) | (x_s4_q[6:3] == 4'hf))) : and_2850;
-  // hls/stages/agreement.hpp:1012
-  logic [1:0] select_2973;
-  assign select_2973 = and_2972_s4_q ? {and_2050, is_seen} : map_rdata_q;
+  logic and_2852;
+  assign and_2852 = too_much_q & (~(equal_2816 & equal_2793));
+  // hls/stages/agreement.hpp:943
+  logic select_2857;
+  assign select_2857 = (over[14] & equal_2793) ? (and_2852 | ((equal_2816 | equal_2815) | (x_s4_q[6:3] == 4'hf))) : and_2852;
   // hls/stages/agreement.hpp:1013
-  logic and_2974;
-  assign and_2974 = proven_q & less_2962;
+  logic [1:0] select_2975;
+  assign select_2975 = and_2974_s4_q ? {and_2052, is_seen} : map_rdata_q;
+  // hls/stages/agreement.hpp:1014
+  logic and_2976;
+  assign and_2976 = proven_q & less_2964;
   // hls/stages/agreement.hpp:220
-  logic select_2977;
-  assign select_2977 = and_1979_s4_q ? (less_1980_s4_q ? (select_2973[0] & and_2974) : seen_q) : seen_q;
-  logic select_2980;
-  assign select_2980 = and_1979_s4_q ? (less_1980_s4_q ? (select_2973[1] & and_2974) : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:952
-  logic not_2992;
-  assign not_2992 = ~(or_2788 | not_2981);
+  logic select_2979;
+  assign select_2979 = and_1981_s4_q ? (less_1982_s4_q ? (select_2975[0] & and_2976) : seen_q) : seen_q;
+  logic select_2982;
+  assign select_2982 = and_1981_s4_q ? (less_1982_s4_q ? (select_2975[1] & and_2976) : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:953
+  logic not_2994;
+  assign not_2994 = ~(or_2790 | not_2983);
   // hls/stages/agreement.hpp:211
-  logic and_2996;
-  assign and_2996 = equal_1799_s4_q & (equal_2808_s4_q & (not_2992 & (select_2797 | select_2855)));
-  logic and_2999;
-  assign and_2999 = equal_1799_s4_q & (equal_2808_s4_q & (cfg_prove_i & registration_moved_q));
-  // hls/stages/agreement.hpp:874
-  logic or_3002;
-  assign or_3002 = select_2300 | (select_2312 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  logic and_2998;
+  assign and_2998 = equal_1801_s4_q & (equal_2810_s4_q & (not_2994 & (select_2799 | select_2857)));
+  logic and_3001;
+  assign and_3001 = equal_1801_s4_q & (equal_2810_s4_q & (cfg_prove_i & registration_moved_q));
+  // hls/stages/agreement.hpp:875
+  logic or_3004;
+  assign or_3004 = select_2302 | (select_2314 | ($signed(20'h0) < $signed(census_left_misses_q)));
   // hls/stages/agreement.hpp:211
-  logic and_3009;
-  assign and_3009 = equal_1799_s4_q & (equal_2808_s4_q & (not_2992 & (select_2306 | select_2318)));
-  // hls/stages/agreement.hpp:874
-  logic and_3014;
-  assign and_3014 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_2822 < cfg_hidden_frames_i));
+  logic and_3011;
+  assign and_3011 = equal_1801_s4_q & (equal_2810_s4_q & (not_2994 & (select_2308 | select_2320)));
+  // hls/stages/agreement.hpp:875
+  logic and_3016;
+  assign and_3016 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_2824 < cfg_hidden_frames_i));
   // hls/stages/agreement.hpp:211
-  logic and_3021;
-  assign and_3021 = equal_1799_s4_q & (x_s4_q[6] & (not_1918_s4_q | (4'hc < x_s4_q[5:2])));
-  // hls/stages/agreement.hpp:869
-  logic [31:0] select_3029;
-  assign select_3029 = equal_1864_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_3027_s4_q ? registration_sums_rdata_q : 32'h0);
-  logic [31:0] select_3030;
-  assign select_3030 = equal_1862_s4_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_3029;
+  logic and_3023;
+  assign and_3023 = equal_1801_s4_q & (x_s4_q[6] & (not_1920_s4_q | (4'hc < x_s4_q[5:2])));
+  // hls/stages/agreement.hpp:870
   logic [31:0] select_3031;
-  assign select_3031 = equal_1860_s4_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_3030;
+  assign select_3031 = equal_1866_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_3029_s4_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_3032;
-  assign select_3032 = equal_1858_s4_q ? {8'h0, sharpness_sums_detail_0_q} : select_3031;
+  assign select_3032 = equal_1864_s4_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_3031;
   logic [31:0] select_3033;
-  assign select_3033 = equal_1856_s4_q ? {8'h0, sharpness_sums_detail_1_q} : select_3032;
+  assign select_3033 = equal_1862_s4_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_3032;
   logic [31:0] select_3034;
-  assign select_3034 = equal_1854_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_3033;
+  assign select_3034 = equal_1860_s4_q ? {8'h0, sharpness_sums_detail_0_q} : select_3033;
   logic [31:0] select_3035;
-  assign select_3035 = equal_1852_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_3034;
-  // hls/stages/agreement.hpp:867
-  logic [9:0] select_3036;
-  assign select_3036 = less_2466 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:871
+  assign select_3035 = equal_1858_s4_q ? {8'h0, sharpness_sums_detail_1_q} : select_3034;
+  logic [31:0] select_3036;
+  assign select_3036 = equal_1856_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_3035;
   logic [31:0] select_3037;
-  assign select_3037 = equal_1844_s4_q ? select_3035 : {2'h0, select_3036, select_2470, select_2467};
+  assign select_3037 = equal_1854_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_3036;
+  // hls/stages/agreement.hpp:868
+  logic [9:0] select_3038;
+  assign select_3038 = less_2468 ? 10'h0 : regions_rdata_q[29:20];
+  // hls/stages/agreement.hpp:872
+  logic [31:0] select_3039;
+  assign select_3039 = equal_1846_s4_q ? select_3037 : {2'h0, select_3038, select_2472, select_2469};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
@@ -4806,11 +4806,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1850_s4_q, lower_half_s4_q, registration_of_right_s4_q};
+  assign registration_sums_waddr = {sum_1852_s4_q, lower_half_s4_q, registration_of_right_s4_q};
   logic registration_sums_we;
-  assign registration_sums_we = s4_en & and_1906_s4_q;
+  assign registration_sums_we = s4_en & and_1908_s4_q;
   logic [31:0] registration_sums_wdata;
-  assign registration_sums_wdata = {sum_1905, sum_1901};
+  assign registration_sums_wdata = {sum_1907, sum_1903};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {^registration_sums_wdata, registration_sums_wdata};
   end
@@ -4828,11 +4828,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s4_q, or_1916_s4_q, or_1913_s4_q, or_1910_s4_q};
+  assign regions_waddr = {region_row_s4_q, or_1918_s4_q, or_1915_s4_q, or_1912_s4_q};
   logic regions_we;
-  assign regions_we = s4_en & and_1945_s4_q;
+  assign regions_we = s4_en & and_1947_s4_q;
   logic [29:0] regions_wdata;
-  assign regions_wdata = {sum_1944, sum_1938, sum_1933};
+  assign regions_wdata = {sum_1946, sum_1940, sum_1935};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (regions_we) regions_mem[regions_waddr] <= {^regions_wdata, regions_wdata};
   end
@@ -4848,11 +4848,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_1985_s4_q, index_2_s4_q};
+  assign map_waddr = {sum_1987_s4_q, index_2_s4_q};
   logic map_we;
-  assign map_we = s4_en & and_2060_s4_q;
+  assign map_we = s4_en & and_2062_s4_q;
   logic [1:0] map_wdata;
-  assign map_wdata = {and_2050, is_seen};
+  assign map_wdata = {and_2052, is_seen};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (map_we) map_mem[map_waddr] <= {^map_wdata, map_wdata};
   end
@@ -4926,61 +4926,61 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s4_en) begin
-      census_left_misses_q <= select_2209;
-      sharpness_sums_detail_0_q <= and_359_s4_q ? select_2229 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_359_s4_q ? select_2240 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_359_s4_q ? sum_2244 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_359_s4_q ? sum_2248 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2266 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2276 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2278 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2280 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2282 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2284 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2289;
-      sharpness_comparing_carry_1_q <= select_2293;
-      sharpness_comparing_less_detail_0_q <= select_2300;
-      sharpness_comparing_less_detail_1_q <= select_2306;
-      sharpness_comparing_less_contrast_0_q <= select_2312;
-      sharpness_comparing_less_contrast_1_q <= select_2318;
-      counts_supervised_q <= select_2424;
-      counts_textured_q <= and_2418_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_2427});
-      counts_explained_q <= and_2418_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_2432});
-      counts_nearer_q <= and_2418_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2437});
-      counts_unproven_q <= and_2418_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2463});
-      counts_regions_bad_q <= select_2479;
-      counts_skin_supervised_q <= select_2486;
-      counts_skin_textured_q <= select_2493;
-      counts_skin_unproven_q <= select_2501;
-      registration_half_across_q <= select_2575;
-      registration_half_measured_q <= select_2580;
-      registration_half_votes_down_q <= and_2554_s4_q ? 7'h0 : sum_2586;
-      registration_half_votes_up_q <= and_2554_s4_q ? 7'h0 : sum_2594;
-      registration_half_half_votes_down_q <= and_2554_s4_q ? 7'h0 : sum_2601;
-      registration_half_half_votes_up_q <= and_2554_s4_q ? 7'h0 : sum_2608;
-      registration_down_q <= and_2642 ? sum_2661 : registration_down_q;
-      registration_up_q <= and_2642 ? sum_2670 : registration_up_q;
-      registration_enough_q <= select_2684;
-      registration_votes_down_q <= and_2689 ? less_2690 : registration_votes_down_q;
-      registration_votes_up_q <= and_2689 ? less_2692 : registration_votes_up_q;
-      registration_other_enough_q <= and_2698 ? select_2684 : registration_other_enough_q;
-      registration_other_down_q <= and_2698 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2698 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_1799_s4_q & and_2705)) & or_2730;
-      segment_textured_q <= select_1930 + {6'h0, and_2427};
-      segment_explained_q <= select_1935 + {6'h0, and_2432};
-      segment_nearer_q <= select_1941 + {6'h0, and_2437};
+      census_left_misses_q <= select_2211;
+      sharpness_sums_detail_0_q <= and_359_s4_q ? select_2231 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_359_s4_q ? select_2242 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_359_s4_q ? sum_2246 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_359_s4_q ? sum_2250 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2268 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2278 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2280 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2282 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2284 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2286 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2291;
+      sharpness_comparing_carry_1_q <= select_2295;
+      sharpness_comparing_less_detail_0_q <= select_2302;
+      sharpness_comparing_less_detail_1_q <= select_2308;
+      sharpness_comparing_less_contrast_0_q <= select_2314;
+      sharpness_comparing_less_contrast_1_q <= select_2320;
+      counts_supervised_q <= select_2426;
+      counts_textured_q <= and_2420_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_2429});
+      counts_explained_q <= and_2420_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_2434});
+      counts_nearer_q <= and_2420_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2439});
+      counts_unproven_q <= and_2420_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2465});
+      counts_regions_bad_q <= select_2481;
+      counts_skin_supervised_q <= select_2488;
+      counts_skin_textured_q <= select_2495;
+      counts_skin_unproven_q <= select_2503;
+      registration_half_across_q <= select_2577;
+      registration_half_measured_q <= select_2582;
+      registration_half_votes_down_q <= and_2556_s4_q ? 7'h0 : sum_2588;
+      registration_half_votes_up_q <= and_2556_s4_q ? 7'h0 : sum_2596;
+      registration_half_half_votes_down_q <= and_2556_s4_q ? 7'h0 : sum_2603;
+      registration_half_half_votes_up_q <= and_2556_s4_q ? 7'h0 : sum_2610;
+      registration_down_q <= and_2644 ? sum_2663 : registration_down_q;
+      registration_up_q <= and_2644 ? sum_2672 : registration_up_q;
+      registration_enough_q <= select_2686;
+      registration_votes_down_q <= and_2691 ? less_2692 : registration_votes_down_q;
+      registration_votes_up_q <= and_2691 ? less_2694 : registration_votes_up_q;
+      registration_other_enough_q <= and_2700 ? select_2686 : registration_other_enough_q;
+      registration_other_down_q <= and_2700 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2700 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_1801_s4_q & and_2707)) & or_2732;
+      segment_textured_q <= select_1932 + {6'h0, and_2429};
+      segment_explained_q <= select_1937 + {6'h0, and_2434};
+      segment_nearer_q <= select_1943 + {6'h0, and_2439};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_1799_s4_q ? select_2805 : good_q;
-      good_known_q <= select_2810;
-      hidden_for_q <= select_2824;
-      product_q <= equal_1799_s4_q ? sum_3[14:1] : product_q;
-      product_rest_q <= select_2845;
-      disagree_q <= equal_1799_s4_q ? select_2797 : disagree_q;
-      too_much_q <= equal_1799_s4_q ? select_2855 : too_much_q;
-      hides_q <= equal_1799_s4_q ? select_2819 : hides_q;
-      seen_q <= select_2977;
-      nearer_q <= select_2980;
+      good_q <= equal_1801_s4_q ? select_2807 : good_q;
+      good_known_q <= select_2812;
+      hidden_for_q <= select_2826;
+      product_q <= equal_1801_s4_q ? sum_3[14:1] : product_q;
+      product_rest_q <= select_2847;
+      disagree_q <= equal_1801_s4_q ? select_2799 : disagree_q;
+      too_much_q <= equal_1801_s4_q ? select_2857 : too_much_q;
+      hides_q <= equal_1801_s4_q ? select_2821 : hides_q;
+      seen_q <= select_2979;
+      nearer_q <= select_2982;
     end
   end
 
@@ -5006,21 +5006,21 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s4_en) begin
-      averager_quarter_1_0_q <= select_2084;
-      averager_quarter_1_1_q <= select_2086;
-      averager_quarter_2_0_q <= select_2088;
-      averager_quarter_2_1_q <= select_2090;
-      averager_detail_0_q <= select_2102;
-      averager_detail_1_q <= select_2110;
+      averager_quarter_1_0_q <= select_2086;
+      averager_quarter_1_1_q <= select_2088;
+      averager_quarter_2_0_q <= select_2090;
+      averager_quarter_2_1_q <= select_2092;
+      averager_detail_0_q <= select_2104;
+      averager_detail_1_q <= select_2112;
       census_changes_values_0_left_q <= and_359_s4_q ? texture_s4_q : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_359_s4_q ? sum_2193_s4_q : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2195;
-      census_changes_values_1_right_q <= select_2196;
-      census_changes_values_2_left_q <= select_2197;
-      census_changes_values_2_right_q <= select_2198;
+      census_changes_values_0_right_q <= and_359_s4_q ? sum_2195_s4_q : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2197;
+      census_changes_values_1_right_q <= select_2198;
+      census_changes_values_2_left_q <= select_2199;
+      census_changes_values_2_right_q <= select_2200;
       sharpness_last_mask_q <= and_359_s4_q ? whole_2_s4_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_359_s4_q ? select_2214[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_359_s4_q ? select_2214[27:14] : sharpness_last_detail_1_q;
+      sharpness_last_detail_0_q <= and_359_s4_q ? select_2216[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_359_s4_q ? select_2216[27:14] : sharpness_last_detail_1_q;
     end
   end
 
@@ -5030,19 +5030,19 @@ module horopter_agreement (
   logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic and_2957_s5_q;
-  logic or_2982_s5_q;
-  logic and_2983_s5_q;
-  logic and_2987_s5_q;
-  logic and_2990_s5_q;
-  logic and_2996_s5_q;
-  logic and_2999_s5_q;
-  logic and_3005_s5_q;
-  logic and_3009_s5_q;
-  logic and_3017_s5_q;
-  logic and_3021_s5_q;
-  logic [5:0] select_3023_s5_q;
-  logic [31:0] select_3039_s5_q;
+  logic and_2959_s5_q;
+  logic or_2984_s5_q;
+  logic and_2985_s5_q;
+  logic and_2989_s5_q;
+  logic and_2992_s5_q;
+  logic and_2998_s5_q;
+  logic and_3001_s5_q;
+  logic and_3007_s5_q;
+  logic and_3011_s5_q;
+  logic and_3019_s5_q;
+  logic and_3023_s5_q;
+  logic [5:0] select_3025_s5_q;
+  logic [31:0] select_3041_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       pixel_0_s5_q <= pixel_0_s4_q;
@@ -5051,19 +5051,19 @@ module horopter_agreement (
       mask_s5_q <= mask_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= line_ended_q;
-      and_2957_s5_q <= said_q;
-      or_2982_s5_q <= not_2981 | select_2977;
-      and_2983_s5_q <= cfg_prove_i & select_2980;
-      and_2987_s5_q <= and_2987_s4_q;
-      and_2990_s5_q <= equal_1799_s4_q & (equal_2808_s4_q & (cfg_prove_i & or_2788));
-      and_2996_s5_q <= and_2996;
-      and_2999_s5_q <= and_2999;
-      and_3005_s5_q <= equal_1799_s4_q & (equal_2808_s4_q & (not_2992 & or_3002));
-      and_3009_s5_q <= and_3009;
-      and_3017_s5_q <= equal_1799_s4_q & (equal_2808_s4_q & (cfg_prove_i & and_3014));
-      and_3021_s5_q <= and_3021;
-      select_3023_s5_q <= equal_1799_s4_q ? (x_s4_q[6] ? x_s4_q[5:0] : 6'h0) : 6'h0;
-      select_3039_s5_q <= equal_1799_s4_q ? (x_s4_q[6] ? select_3037 : 32'h0) : 32'h0;
+      and_2959_s5_q <= said_q;
+      or_2984_s5_q <= not_2983 | select_2979;
+      and_2985_s5_q <= cfg_prove_i & select_2982;
+      and_2989_s5_q <= and_2989_s4_q;
+      and_2992_s5_q <= equal_1801_s4_q & (equal_2810_s4_q & (cfg_prove_i & or_2790));
+      and_2998_s5_q <= and_2998;
+      and_3001_s5_q <= and_3001;
+      and_3007_s5_q <= equal_1801_s4_q & (equal_2810_s4_q & (not_2994 & or_3004));
+      and_3011_s5_q <= and_3011;
+      and_3019_s5_q <= equal_1801_s4_q & (equal_2810_s4_q & (cfg_prove_i & and_3016));
+      and_3023_s5_q <= and_3023;
+      select_3025_s5_q <= equal_1801_s4_q ? (x_s4_q[6] ? x_s4_q[5:0] : 6'h0) : 6'h0;
+      select_3041_s5_q <= equal_1801_s4_q ? (x_s4_q[6] ? select_3039 : 32'h0) : 32'h0;
     end
   end
 
@@ -5077,19 +5077,19 @@ module horopter_agreement (
   assign mask_o = mask_s5_q;
   assign marks_first_o = marks_first_s5_q;
   assign marks_last_o = marks_last_s5_q;
-  assign marks_seen_o = or_2982_s5_q;
-  assign marks_nearer_o = and_2983_s5_q;
-  assign verdict_valid_o = and_2957_s5_q;
-  assign verdict_unproven_yet_o = and_2987_s5_q;
-  assign verdict_untextured_o = and_2990_s5_q;
-  assign verdict_disagree_o = and_2996_s5_q;
-  assign verdict_moved_o = and_2999_s5_q;
-  assign verdict_unsharp_left_o = and_3005_s5_q;
-  assign verdict_unsharp_right_o = and_3009_s5_q;
-  assign verdict_hidden_o = and_3017_s5_q;
-  assign frame_valid_o = and_3021_s5_q;
-  assign frame_index_o = select_3023_s5_q;
-  assign frame_word_o = select_3039_s5_q;
+  assign marks_seen_o = or_2984_s5_q;
+  assign marks_nearer_o = and_2985_s5_q;
+  assign verdict_valid_o = and_2959_s5_q;
+  assign verdict_unproven_yet_o = and_2989_s5_q;
+  assign verdict_untextured_o = and_2992_s5_q;
+  assign verdict_disagree_o = and_2998_s5_q;
+  assign verdict_moved_o = and_3001_s5_q;
+  assign verdict_unsharp_left_o = and_3007_s5_q;
+  assign verdict_unsharp_right_o = and_3011_s5_q;
+  assign verdict_hidden_o = and_3019_s5_q;
+  assign frame_valid_o = and_3023_s5_q;
+  assign frame_index_o = select_3025_s5_q;
+  assign frame_word_o = select_3041_s5_q;
   assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin
@@ -5110,6 +5110,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], sum_2541[0], sum_2537[0], sum_2523[0], detail_4[1:0], detail_3[1:0], sum_2203[4:0], sum_472[4:0], cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], sum_2543[0], sum_2539[0], sum_2525[0], detail_4[1:0], detail_3[1:0], sum_2205[4:0], sum_472[4:0], cfg_width_i[2:0]};
 
 endmodule
