@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// alarm: pixels in the skin per frame against a limit (thesis 10.4.6), and the same for the pixels it could not judge, for
-// whatever reason.
+// alarm: pixels in the skin per frame against a limit (thesis 10.4.6), and the same for the pixels it could not judge.
 //
 // In      the beats of align; the idle one counts nothing.
 // Config  limits in pixels.
 // Out     one beat per frame, with the frame's last pixel: the counts, and for each whether it exceeds its limit.
+// Hidden and unproven pixels are not counted here. They have limits of their own (agreement.hpp), and all that is undecidable
+// has one in rtl/top/horopter_agreement_result.sv.
 // The counts start anew with `first`. Illegal use: more pixels than WIDTH·HEIGHT wrap a count.
 #pragma once
 
@@ -22,6 +23,8 @@ class AlarmCounter {
     bool first = false;
     bool end = false;
     bool idle = false;
+    bool hidden = false;
+    bool unproven = false;
   };
   struct Config {
     Count alarm_limit;
@@ -40,7 +43,7 @@ class AlarmCounter {
 
   Out step(const In& in, const Config& config) {
     count(skin_, in.first, !in.idle && in.state == state::skin);
-    count(undecidable_, in.first, !in.idle && in.state == state::undecidable);
+    count(undecidable_, in.first, !in.idle && in.state == state::undecidable && !in.hidden && !in.unproven);
     count(unsupervised_, in.first, !in.idle && in.state == state::unsupervised);
     Out out;
     out.valid = in.end && !in.idle;

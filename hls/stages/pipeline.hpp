@@ -610,7 +610,7 @@ class Pipeline {
       const bool is_unproven = clear & !marks.seen[static_cast<std::size_t>(x)];
       to[x] = (is_hidden | is_unproven) ? std::uint8_t{stages::state::undecidable} : state;
       skin += state == stages::state::skin;
-      undecidable += to[x] == stages::state::undecidable;
+      undecidable += state == stages::state::undecidable;
       unsupervised += state == stages::state::unsupervised;
       hidden += is_hidden;
       unproven += is_unproven;
@@ -635,10 +635,13 @@ class Pipeline {
 
   void set_counts(FrameResult& result) const {
     result.skin_pixels = static_cast<int>(skin_);
-    result.undecidable_pixels = static_cast<int>(undecidable_);
+    result.undecidable_pixels = static_cast<int>(undecidable_) + result.hidden_pixels + result.unproven_pixels;
     result.unsupervised_pixels = static_cast<int>(unsupervised_);
     result.alarm |= skin_ > alarm_config_.alarm_limit.value();
-    result.too_undecidable = undecidable_ > alarm_config_.undecidable_limit.value();
+    // The second limit is rtl/top/horopter_agreement_result.sv's.
+    const auto limit = static_cast<int>(alarm_config_.undecidable_limit.value());
+    const bool too_little_decided = result.undecidable_pixels > limit + limit / 8 + limit / 16;
+    result.too_undecidable = static_cast<int>(undecidable_) > limit || too_little_decided;
     result.too_unsupervised = unsupervised_ > alarm_config_.unsupervised_limit.value();
   }
 

@@ -12,9 +12,13 @@ module horopter_agreement_result #(
     // pixels of the result
     input  logic                  state_valid_i,
     input  logic                  state_first_i,
+    input  logic                  undecidable_i,  // with those of the next two
     input  logic                  hidden_i,
     input  logic                  unproven_pixel_i,
     input  logic                  counts_valid_i,
+    input  logic [COUNT_BITS-1:0] undecidable_limit_i,
+    output logic [COUNT_BITS-1:0] undecidable_o,  // with counts_valid_i
+    output logic                  too_undecidable_o,  // more than 19/16 of the limit: of 80 %, 95 %
     // registers
     input  logic [           5:0] region_select_i,
     input  logic [          11:0] read_addr_i,
@@ -30,11 +34,16 @@ module horopter_agreement_result #(
   logic unused_addr;
   assign unused_addr = ^{read_addr_i[11:8], read_addr_i[6], read_addr_i[1:0]};
   logic [COUNT_BITS-1:0] hidden_q, unproven_q;
+  // A skin behind everything is hidden almost everywhere: too little is decided for a frame that is safe.
+  logic [COUNT_BITS:0] limit_q;
+  assign too_undecidable_o = {1'b0, undecidable_o} > limit_q;
   always_ff @(posedge clk_i) begin
     if (word_valid_i) words[index_i] <= prove_i ? word_i : '0;
     word_q <= words[index];
     word_o <= word_q;
+    limit_q <= {1'b0, undecidable_limit_i} + {1'b0, undecidable_limit_i >> 3} + {1'b0, undecidable_limit_i >> 4};
     if (state_valid_i) begin
+      undecidable_o <= (state_first_i ? '0 : undecidable_o) + COUNT_BITS'(undecidable_i);
       hidden_q <= (state_first_i ? '0 : hidden_q) + COUNT_BITS'(hidden_i);
       unproven_q <= (state_first_i ? '0 : unproven_q) + COUNT_BITS'(unproven_pixel_i);
     end

@@ -932,7 +932,7 @@ module horopter_top #(
   logic [ROW_BITS-1:0] run_row;
   logic [COLUMN_BITS-1:0] run_start, run_end;
   logic [1:0] run_state;
-  logic counts_valid, alarm, too_undecidable, too_unsupervised;
+  logic counts_valid, alarm, too_undecidable, too_little_decided, too_unsupervised;
   logic [COUNT_BITS-1:0] skin_pixels, undecidable_pixels, unsupervised_pixels;
   logic verdict_valid, word_valid;
   logic disagree, unproven, moved, hidden, untextured;
@@ -1018,7 +1018,7 @@ module horopter_top #(
       .runs_last_o(run_last),
       .alarm_valid_o(counts_valid),
       .alarm_skin_pixels_o(skin_pixels),
-      .alarm_undecidable_pixels_o(undecidable_pixels),
+      .alarm_undecidable_pixels_o(),
       .alarm_unsupervised_pixels_o(unsupervised_pixels),
       .alarm_alarm_o(alarm),
       .alarm_too_undecidable_o(too_undecidable),
@@ -1035,9 +1035,13 @@ module horopter_top #(
       .word_i(word),
       .state_valid_i(state_valid && !state_idle),
       .state_first_i(state_first),
+      .undecidable_i(state == 2'd2),
       .hidden_i(align_hidden),
       .unproven_pixel_i(align_unproven),
       .counts_valid_i(counts_valid),
+      .undecidable_limit_i(sampled_undecidable_limit),
+      .undecidable_o(undecidable_pixels),
+      .too_undecidable_o(too_little_decided),
       .region_select_i(region_select),
       .read_addr_i(read_addr),
       .word_o(frame_word),
@@ -1197,7 +1201,7 @@ module horopter_top #(
       .taught_i(taught),
       .teaching_i(sampled_blocks.teach),
       .forget_o(forget),
-      .too_undecidable_i(too_undecidable),
+      .too_undecidable_i(too_undecidable || too_little_decided),
       .too_unsupervised_i(too_unsupervised),
       .verdict_valid_i(verdict_valid),
       .verdict_i(verdict),

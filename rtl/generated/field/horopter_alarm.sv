@@ -13,6 +13,8 @@ module horopter_alarm (
   input  logic first_i,
   input  logic end_v_i,
   input  logic idle_i,
+  input  logic hidden_i,
+  input  logic unproven_i,
   input  logic [16:0] cfg_alarm_limit_i,
   input  logic [16:0] cfg_undecidable_limit_i,
   input  logic [16:0] cfg_unsupervised_limit_i,
@@ -34,22 +36,22 @@ module horopter_alarm (
   logic [16:0] skin_q;
   logic [16:0] undecidable_q;
   logic [16:0] unsupervised_q;
-  // hls/stages/alarm.hpp:42
-  logic not_11;
-  assign not_11 = ~idle_i;
+  // hls/stages/alarm.hpp:45
+  logic not_13;
+  assign not_13 = ~idle_i;
   // hls/stages/stream.hpp:54
-  logic and_13;
-  assign and_13 = not_11 & (state_i == 2'h1);
-  logic [16:0] sum_15;
-  assign sum_15 = {16'h0, and_13} + (first_i ? 17'h0 : skin_q);
-  logic and_17;
-  assign and_17 = not_11 & (state_i == 2'h2);
-  logic [16:0] sum_19;
-  assign sum_19 = {16'h0, and_17} + (first_i ? 17'h0 : undecidable_q);
-  logic and_21;
-  assign and_21 = not_11 & (state_i == 2'h3);
-  logic [16:0] sum_23;
-  assign sum_23 = {16'h0, and_21} + (first_i ? 17'h0 : unsupervised_q);
+  logic and_15;
+  assign and_15 = not_13 & (state_i == 2'h1);
+  logic [16:0] sum_17;
+  assign sum_17 = {16'h0, and_15} + (first_i ? 17'h0 : skin_q);
+  logic and_23;
+  assign and_23 = not_13 & ((state_i == 2'h2) & ((~hidden_i) & (~unproven_i)));
+  logic [16:0] sum_25;
+  assign sum_25 = {16'h0, and_23} + (first_i ? 17'h0 : undecidable_q);
+  logic and_27;
+  assign and_27 = not_13 & (state_i == 2'h3);
+  logic [16:0] sum_29;
+  assign sum_29 = {16'h0, and_27} + (first_i ? 17'h0 : unsupervised_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -57,20 +59,20 @@ module horopter_alarm (
       undecidable_q <= 17'h0;
       unsupervised_q <= 17'h0;
     end else if (s0_en) begin
-      skin_q <= sum_15;
-      undecidable_q <= sum_19;
-      unsupervised_q <= sum_23;
+      skin_q <= sum_17;
+      undecidable_q <= sum_25;
+      unsupervised_q <= sum_29;
     end
   end
 
-  logic less_24_s1_q;
-  logic less_25_s1_q;
-  logic less_26_s1_q;
+  logic less_30_s1_q;
+  logic less_31_s1_q;
+  logic less_32_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
-      less_24_s1_q <= cfg_alarm_limit_i < sum_15;
-      less_25_s1_q <= cfg_undecidable_limit_i < sum_19;
-      less_26_s1_q <= cfg_unsupervised_limit_i < sum_23;
+      less_30_s1_q <= cfg_alarm_limit_i < sum_17;
+      less_31_s1_q <= cfg_undecidable_limit_i < sum_25;
+      less_32_s1_q <= cfg_unsupervised_limit_i < sum_29;
     end
   end
 
@@ -78,16 +80,16 @@ module horopter_alarm (
   assign skin_pixels_o = skin_q;
   assign undecidable_pixels_o = undecidable_q;
   assign unsupervised_pixels_o = unsupervised_q;
-  assign alarm_o = less_24_s1_q;
-  assign too_undecidable_o = less_25_s1_q;
-  assign too_unsupervised_o = less_26_s1_q;
+  assign alarm_o = less_30_s1_q;
+  assign too_undecidable_o = less_31_s1_q;
+  assign too_unsupervised_o = less_32_s1_q;
   assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
     end else if (en_i) begin
-      valid_s1_q <= valid_i & (end_v_i & not_11);
+      valid_s1_q <= valid_i & (end_v_i & not_13);
     end
   end
 

@@ -1166,6 +1166,8 @@ module horopter_stages #(
     .first_i(align_first_o),
     .end_v_i(align_end_v_o),
     .idle_i(align_idle_o),
+    .hidden_i(align_hidden_o),
+    .unproven_i(align_unproven_o),
     .cfg_alarm_limit_i(cfg_alarm_limit_i),
     .cfg_undecidable_limit_i(cfg_undecidable_limit_i),
     .cfg_unsupervised_limit_i(cfg_unsupervised_limit_i),

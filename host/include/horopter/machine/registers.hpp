@@ -540,8 +540,8 @@ inline constexpr Field kNoTable{2, 1};
 inline constexpr Field kMapCrc{3, 1};
 /// An upload into a table in use was refused.
 inline constexpr Field kMapBusy{4, 1};
-/// More undecidable pixels than the MAP_UNDECIDABLE_LIMIT of the table, or too little texture to tell whether both
-/// cameras see the same world.
+/// More undecidable pixels than the MAP_UNDECIDABLE_LIMIT of the table without those that are hidden or not shown to be
+/// seen, or than 19/16 of it with them; or too little texture to tell whether both cameras see the same world.
 inline constexpr Field kTooUndecidable{5, 1};
 /// More unsupervised pixels than UNSUPERVISED_LIMIT.
 inline constexpr Field kTooUnsupervised{6, 1};
@@ -756,8 +756,8 @@ inline constexpr Field kNoTable{2, 1};
 inline constexpr Field kMapCrc{3, 1};
 /// An upload into a table in use was refused.
 inline constexpr Field kMapBusy{4, 1};
-/// More undecidable pixels than the MAP_UNDECIDABLE_LIMIT of the table, or too little texture to tell whether both
-/// cameras see the same world.
+/// More undecidable pixels than the MAP_UNDECIDABLE_LIMIT of the table without those that are hidden or not shown to be
+/// seen, or than 19/16 of it with them; or too little texture to tell whether both cameras see the same world.
 inline constexpr Field kTooUndecidable{5, 1};
 /// More unsupervised pixels than UNSUPERVISED_LIMIT.
 inline constexpr Field kTooUnsupervised{6, 1};
