@@ -48,12 +48,12 @@ struct LensPlane {
   double limit;  ///< radius inside of which the map is one to one
 };
 
-template <bool kRational>
+template <bool kRational, bool kBent>
 [[gnu::always_inline]] inline void apply_lens(const LensCoefficients& lens, const LensPlane& plane, const double* x,
                                               const double* y, std::size_t count, PixelBatch& out) {
   for (std::size_t i = 0; i < count; ++i) {
     const double px = x[i] * plane.unit, py = y[i] * plane.unit;
-    const LensValue v = lens_value<kRational>(lens, px, py);
+    const LensValue v = lens_value<kRational, kBent>(lens, px, py);
     const bool inside = px * px + py * py < plane.limit * plane.limit;
     out.x[i] = inside ? v.x * plane.unit_x + plane.cx : std::numeric_limits<double>::quiet_NaN();
     out.y[i] = inside ? v.y * plane.unit_y + plane.cy : std::numeric_limits<double>::quiet_NaN();
@@ -67,7 +67,7 @@ template <bool kRational>
 /// Newton's method from the undistorted place. Its error squares in each step, times half the map's curvature, which is
 /// below 0.01 per pixel in any lens that a sensor is used with: after a step of 0.01 px another changes nothing that
 /// matters. Four steps settle what is up to some 50 px off.
-template <bool kRational>
+template <bool kRational, bool kBent>
 [[gnu::always_inline]] inline void invert_lens(const LensCoefficients& coefficients, const LensPlane& plane,
                                                const double* x, const double* y, std::size_t count, PixelBatch& out) {
   const LensCoefficients lens = coefficients;
@@ -81,7 +81,7 @@ template <bool kRational>
   bool settled = false;
   for (int iteration = 0; iteration < 4 && !settled; ++iteration) {
     for (std::size_t i = 0; i < count; ++i) {
-      const LensValue v = lens_value<kRational>(lens, px[i], py[i]);
+      const LensValue v = lens_value<kRational, kBent>(lens, px[i], py[i]);
       const double over = 1 / (v.xx * v.yy - v.xy * v.yx);
       const double off_x = v.x - x[i] * unit, off_y = v.y - y[i] * unit;
       out.xx[i] = over * v.yy;
@@ -174,10 +174,13 @@ void CameraModel::distort(std::span<const double> x, std::span<const double> y, 
   const double* const px = x.data();
   const double* const py = y.data();
   const std::size_t count = x.size();
-  if (tsai_ && rational) vectorised<invert_lens<true>>(c, plane, px, py, count, pixels);
-  if (tsai_ && !rational) vectorised<invert_lens<false>>(c, plane, px, py, count, pixels);
-  if (!tsai_ && rational) vectorised<apply_lens<true>>(c, plane, px, py, count, pixels);
-  if (!tsai_ && !rational) vectorised<apply_lens<false>>(c, plane, px, py, count, pixels);
+  const bool bent = c.p1 != 0 || c.p2 != 0 || c.s1 != 0 || c.s2 != 0 || c.s3 != 0 || c.s4 != 0;
+  if (tsai_ && rational) vectorised<invert_lens<true, true>>(c, plane, px, py, count, pixels);
+  if (tsai_ && !rational && bent) vectorised<invert_lens<false, true>>(c, plane, px, py, count, pixels);
+  if (tsai_ && !rational && !bent) vectorised<invert_lens<false, false>>(c, plane, px, py, count, pixels);
+  if (!tsai_ && rational) vectorised<apply_lens<true, true>>(c, plane, px, py, count, pixels);
+  if (!tsai_ && !rational && bent) vectorised<apply_lens<false, true>>(c, plane, px, py, count, pixels);
+  if (!tsai_ && !rational && !bent) vectorised<apply_lens<false, false>>(c, plane, px, py, count, pixels);
   // At the border of the disc, and where the steps had not settled, the careful way decides.
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (!std::isnan(pixels.x[i]) || std::isnan(x[i] + y[i])) continue;

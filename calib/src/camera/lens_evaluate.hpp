@@ -27,10 +27,15 @@ struct LensValue {
   double xx, xy, yx, yy;
 };
 
-template <bool kRational = true>
+/// Without `kBent` none of p1, p2, s1 … s4 is anything but 0.
+template <bool kRational = true, bool kBent = true>
 [[gnu::always_inline]] inline LensValue lens_value(const LensCoefficients& c, double x, double y) {
   const double r2 = x * x + y * y, r4 = r2 * r2;
   const auto [l, dl] = radial<kRational>(c, r2);
+  if constexpr (!kBent) {
+    const double cross = 2 * x * y * dl;
+    return {.x = x * l, .y = y * l, .xx = l + 2 * x * x * dl, .xy = cross, .yx = cross, .yy = l + 2 * y * y * dl};
+  }
   const double cross = 2 * x * y * dl + 2 * c.p1 * x + 2 * c.p2 * y;
   const double gx = 2 * c.s1 + 4 * r2 * c.s2, gy = 2 * c.s3 + 4 * r2 * c.s4;
   return {.x = x * l + 2 * c.p1 * x * y + c.p2 * (r2 + 2 * x * x) + c.s1 * r2 + c.s2 * r4,

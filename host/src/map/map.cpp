@@ -46,7 +46,9 @@ MapTable::MapTable(std::vector<std::uint32_t> words, Scan scan)
 }
 
 void MapTable::seal(const hls::table::Facts& facts) {
-  words_ = hls::table::write(header_.geometry, facts, [&](int column, int row) { return control(column, row); });
+  // As they come: even and odd row in turn.
+  const std::uint32_t* next = &words_[header_.first_control];
+  words_ = hls::table::write(header_.geometry, facts, [&](int, int) { return *next++; });
   header_ = hls::table::read(words_);
   words_.back() = crc32_words(std::span(words_).first(words_.size() - 1));
 }
@@ -102,15 +104,27 @@ std::optional<MapTable::Source> MapTable::source(int x, int y, int weight_bits) 
 
 Image MapTable::supervised(int weight_bits) const {
   Image result(geometry_.width, geometry_.height);
+  // Bilinear, and the image is convex: what holds at the corners of a cell holds in it.
+  const auto inside = [&](std::uint32_t point) {
+    const auto x = static_cast<int>(point & 0xFFFFU) - hls::table::control_offset_px * hls::table::control_scale;
+    const auto y = static_cast<int>(point >> 16) - hls::table::control_offset_px * hls::table::control_scale;
+    return hls::table::is_of_skin(point) && x >= 0 && y >= 0 &&
+           x <= (geometry_.width - 1) * hls::table::control_scale &&
+           y <= (geometry_.height - 1) * hls::table::control_scale;
+  };
   for (int y0 = 0; y0 < geometry_.height; y0 += 1 << spacing_y_log2()) {
     const int y1 = std::min(y0 + (1 << spacing_y_log2()), geometry_.height);
     for (int x0 = 0; x0 < geometry_.width; x0 += 1 << spacing_x_log2()) {
       const int x1 = std::min(x0 + (1 << spacing_x_log2()), geometry_.width);
-      // Bilinear, and the image is convex: what holds at the corners of a cell holds in it, where all of its control
-      // points take part.
+      const int column = x0 >> spacing_x_log2();
+      const int row = y0 >> spacing_y_log2();
+      if (!hls::table::is_of_skin(control(column, row))) continue;  // it takes part everywhere
+      const bool whole = inside(control(column, row)) && inside(control(column + 1, row)) &&
+                         inside(control(column, row + 1)) && inside(control(column + 1, row + 1));
+      // The other control points take part where there is more than an edge.
       const bool one_piece = x1 - x0 > 1 && y1 - y0 > 1;
-      if (one_piece && source(x0, y0, weight_bits) && source(x1 - 1, y0, weight_bits) &&
-          source(x0, y1 - 1, weight_bits) && source(x1 - 1, y1 - 1, weight_bits)) {
+      if (whole || (one_piece && source(x0, y0, weight_bits) && source(x1 - 1, y0, weight_bits) &&
+                    source(x0, y1 - 1, weight_bits) && source(x1 - 1, y1 - 1, weight_bits))) {
         for (int y = y0; y < y1; ++y) std::fill_n(&result.at(x0, y), x1 - x0, std::uint8_t{1});
         continue;
       }

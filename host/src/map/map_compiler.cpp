@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <ranges>
@@ -14,20 +16,10 @@
 #include <utility>
 
 #include "horopter/base/error.hpp"
+#include "horopter/calib/vectorised.hpp"
 #include "stages/planes.hpp"
 
 namespace horopter {
-
-struct LookLattice {
-  LatticeShape shape;
-  std::vector<Look> looks;  ///< with sources in the scan's coordinates
-
-  /// At a pixel of the lattice.
-  const Look& at(int x, int y) const {
-    return looks[static_cast<std::size_t>(y >> shape.y_log2) * static_cast<std::size_t>(shape.columns) +
-                 static_cast<std::size_t>(x >> shape.x_log2)];
-  }
-};
 
 namespace {
 
@@ -35,8 +27,9 @@ constexpr int kForecastLog2 = 4;
 /// Coarsest steps between samples: enough for second differences of what is smooth; 4 pixels where it may not be.
 constexpr int kSmoothLog2 = 5;
 constexpr int kFeatureLog2 = 2;
-/// Grids tried where none loses little enough.
+/// Grids tried where none loses little enough, and how much more than with the first of them may be expected to be lost.
 constexpr int kLastTries = 3;
+constexpr double kWorthATry = 1.05;
 
 constexpr double kFraction = 1.0 / (1 << MapTable::kFractionBits);
 
@@ -67,11 +60,21 @@ std::vector<Point> lattice_points(const ScanGeometry& geometry, const LatticeSha
   return points;
 }
 
-/// Sources to the scan's coordinates, and those outside the image by name.
-void settle(const ScanGeometry& geometry, LookLattice& lattice) {
-  for (Look& look : lattice.looks) {
-    look.source = geometry.from_frame(look.source);
-    if (look.reason == Reason::none && !geometry.holds(look.source)) look.reason = Reason::outside;
+/// Takes looks, from the `first` of the lattice on: sources to the scan's coordinates, and those outside the image by
+/// name.
+void take(std::span<const Look> looks, const ScanGeometry& geometry, std::size_t first, LookLattice& lattice) {
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    const Look& look = looks[i];
+    if (look.reason == Reason::no_source) {
+      lattice.sources[first + i] = look.source;
+      lattice.margins[first + i] = look.margin;
+      lattice.reasons[first + i] = look.reason;
+      continue;
+    }
+    const Point source = geometry.from_frame(look.source);
+    lattice.sources[first + i] = source;
+    lattice.margins[first + i] = look.margin;
+    lattice.reasons[first + i] = look.reason == Reason::none && !geometry.holds(source) ? Reason::outside : look.reason;
   }
 }
 
@@ -87,11 +90,12 @@ int largest_shift_px(const MachineProfile& profile) {
 
 /// Throws RowError.
 void check_lattice_rows(const LookLattice& lattice, const ScanGeometry& geometry, const ViewLimits& view) {
+  if (view.largest_shift_px == 0) return;
   RowCount rows;
   for (int y = 0; y < geometry.height; y += 1 << lattice.shape.y_log2) {
     for (int x = 0; x < geometry.width; x += 1 << lattice.shape.x_log2) {
-      const Look& look = lattice.at(x, y);
-      if (geometry.holds(look.source)) rows.add(look.reason);
+      const std::size_t at = lattice.index(x, y);
+      if (geometry.holds(lattice.sources[at])) rows.add(lattice.reasons[at]);
     }
   }
   check_rows(rows, view);
@@ -100,21 +104,22 @@ void check_lattice_rows(const LookLattice& lattice, const ScanGeometry& geometry
 /// Gives to the grid what lies so near the limits of angle and scale that the space between the samples may cross them:
 /// between two samples a smooth margin falls below both by at most an eighth of its second difference.
 void keep_clear_of_limits(LookLattice& lattice) {
-  const auto bend = [&](std::ptrdiff_t at, std::ptrdiff_t step) {
-    const auto margin = [&](std::ptrdiff_t i) { return lattice.looks[static_cast<std::size_t>(i)].margin; };
-    const float value = std::abs(margin(at - step) - 2 * margin(at) + margin(at + step));
+  const auto columns = static_cast<std::size_t>(lattice.shape.columns);
+  const auto rows = static_cast<std::size_t>(lattice.shape.rows);
+  const auto bend = [](const float* margin, std::size_t step) {
+    const float value = std::abs(*(margin - step) - 2 * *margin + *(margin + step));
     return std::isnan(value) ? 0.0F : value;  // the border of what is seen: the margin is negative there
   };
-  for (int row = 0; row < lattice.shape.rows; ++row) {
-    for (int column = 0; column < lattice.shape.columns; ++column) {
-      const std::ptrdiff_t columns = lattice.shape.columns;
-      const std::ptrdiff_t at = row * columns + column;
-      Look& look = lattice.looks[static_cast<std::size_t>(at)];
-      if (is_excluded(look.reason)) continue;
-      // At the lattice's own border the neighbour's; twice what a quadratic needs.
-      const std::ptrdiff_t here_x = at + (column == 0 ? 1 : 0) - (column == columns - 1 ? 1 : 0);
-      const std::ptrdiff_t here_y = at + (row == 0 ? columns : 0) - (row == lattice.shape.rows - 1 ? columns : 0);
-      if (look.margin < 0.25F * (bend(here_x, 1) + bend(here_y, columns))) look.reason = Reason::grid;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const float* const margins = &lattice.margins[row * columns];
+    // At the lattice's own border the neighbour's.
+    const float* const inner = &lattice.margins[std::clamp<std::size_t>(row, 1, rows - 2) * columns];
+    Reason* const reasons = &lattice.reasons[row * columns];
+    for (std::size_t column = 0; column < columns; ++column) {
+      if (is_excluded(reasons[column])) continue;
+      const float* const across = margins + std::clamp<std::size_t>(column, 1, columns - 2);
+      // Twice what a quadratic needs.
+      if (margins[column] < 0.25F * (bend(across, 1) + bend(inner + column, columns))) reasons[column] = Reason::grid;
     }
   }
 }
@@ -124,23 +129,23 @@ class Forecast {
  public:
   Forecast(const LookLattice& lattice, const ScanGeometry& geometry) {
     constexpr int kStep = 1 << kForecastLog2;
-    const auto good = [&](int x, int y) { return lattice.at(x, y).reason == Reason::none; };
+    const auto good = [&](int x, int y) { return lattice.reasons[lattice.index(x, y)] == Reason::none; };
     for (int y = 0; y < geometry.height; y += kStep) {
       for (int x = 0; x < geometry.width; x += kStep) {
         if (!good(x, y)) continue;
         ++good_;
-        const Point here = lattice.at(x, y).source;
+        const Point here = lattice.sources[lattice.index(x, y)];
         const auto bend = [&](int dx, int dy) -> Point {
           if (x < dx || y < dy || x + dx >= geometry.width || y + dy >= geometry.height) return {};
-          const Point a = lattice.at(x - dx, y - dy).source;
-          const Point b = lattice.at(x + dx, y + dy).source;
+          const Point a = lattice.sources[lattice.index(x - dx, y - dy)];
+          const Point b = lattice.sources[lattice.index(x + dx, y + dy)];
           const Point bend{a.x - 2 * here.x + b.x, a.y - 2 * here.y + b.y};
           return std::isfinite(bend.x + bend.y) ? bend : Point{};
         };
         bends_.push_back({bend(kStep, 0), bend(0, kStep)});
         for (const auto& [dx, dy] : {std::pair{kStep, 0}, {-kStep, 0}, {0, kStep}, {0, -kStep}}) {
           if (x + dx < 0 || y + dy < 0 || x + dx >= geometry.width || y + dy >= geometry.height) continue;
-          if (is_excluded(lattice.at(x + dx, y + dy).reason)) ++border_;
+          if (is_excluded(lattice.reasons[lattice.index(x + dx, y + dy)])) ++(dx != 0 ? across_ : along_);
         }
       }
     }
@@ -158,10 +163,13 @@ class Forecast {
     return bends_.empty() ? 0 : static_cast<double>(beyond) / static_cast<double>(bends_.size());
   }
 
-  /// Half a cell along the border of what is seen within the limits.
+  /// Cells that the border of what is seen within the limits cuts: along an ellipse 0.35 of what it is long across and
+  /// along the rows, times their width and height.
   double lost_share(int nx, int ny) const {
-    const double cell = std::ldexp(1.0, nx - kForecastLog2) + std::ldexp(1.0, ny - kForecastLog2);
-    return good_ == 0 ? 0 : 0.25 * cell * static_cast<double>(border_) / static_cast<double>(good_);
+    constexpr double kCut = 0.35;
+    const double cells = std::ldexp(static_cast<double>(across_), nx - kForecastLog2) +
+                         std::ldexp(static_cast<double>(along_), ny - kForecastLog2);
+    return good_ == 0 ? 0 : kCut * cells / static_cast<double>(good_);
   }
 
  private:
@@ -170,175 +178,349 @@ class Forecast {
   };
   std::vector<Bend> bends_;
   std::int64_t good_ = 0;
-  std::int64_t border_ = 0;
+  std::int64_t across_ = 0;  ///< pixels of the lattice's rows beyond which the border crosses the row
+  std::int64_t along_ = 0;
 };
 
+/// Between two rows of control points, 1/64 of the way down.
+[[gnu::always_inline]] inline void between(const std::int32_t* above, const std::int32_t* below, std::int32_t part,
+                                           std::size_t count, std::int32_t* at) {
+  for (std::size_t i = 0; i < count; ++i) at[i] = above[i] * 64 + (below[i] - above[i]) * part;
+}
+
 /// One grid: its control points, the cells that must be given up, and what is left.
+///
+/// A cell has four kinds of pixels, by the control points that have a weight there: its corner needs one, the rest of
+/// its upper and of its left edge two, all others four. Errors of all samples are measured once, at grids of all cells;
+/// what is given up is decided by cells then, for one bound of the error after another.
 class GridFit {
  public:
-  /// The lattice holds every pixel, or at least the four samples of each cell.
+  /// The lattice holds every pixel, or at least the four samples of each cell. `smooth`: what lies between them follows
+  /// from them.
   GridFit(const LookLattice& lattice, const ScanGeometry& geometry, int nx, int ny, int weight_bits,
-          const MapLimits& limits, double largest_error_px)
+          const MapLimits& limits, bool smooth)
       : lattice_(lattice),
         geometry_(geometry),
         limits_(limits),
-        largest_error_px_(largest_error_px),
+        smooth_(smooth),
         nx_(nx),
         ny_(ny),
         weight_bits_(weight_bits),
         every_pixel_(lattice.shape.x_log2 == 0 && lattice.shape.y_log2 == 0),
-        table_(geometry, nx, ny),
-        cell_columns_(table_.columns() - 1),
+        cell_columns_(((geometry.width - 1) >> nx) + 1),
         cell_rows_(((geometry.height - 1) >> ny) + 1),
-        cells_(static_cast<std::size_t>(cell_columns_) * static_cast<std::size_t>(cell_rows_)) {
+        controls_(static_cast<std::size_t>(cell_columns_ + 1) * static_cast<std::size_t>(cell_rows_ + 1)),
+        cells_(static_cast<std::size_t>(cell_columns_) * static_cast<std::size_t>(cell_rows_)),
+        errors_(lattice.sources.size(), std::numeric_limits<float>::quiet_NaN()) {
+    weights_ = {weights(false, false), weights(true, false), weights(false, true), weights(true, true)};
     set_controls();
     centre_errors();
-    find_bad();
-    give_up_bad();
+    find_errors();
+    if (!every_pixel_) look_between_samples();
+    // The largest bound by which the share that is wanted stays within its own.
+    double bound = limits_.largest_error_px;
+    keep_within(bound);
+    if (!precise() && interpolate_errors()) count_kept();
+    if (!precise()) {
+      double low = std::min(limits_.error_px, bound);
+      double high = bound;
+      for (int step = 0; step < kBoundSteps; ++step) {
+        bound = std::sqrt(low * high);
+        keep_within(bound);
+        (precise() ? low : high) = bound;
+      }
+      if (bound != low) keep_within(low);
+    }
     measure();
   }
 
   const MapReport& report() const { return report_; }
-  CompiledMap take() { return {std::move(table_), report_}; }
+  CompiledMap take() const {
+    MapTable table(geometry_, nx_, ny_);
+    for (int row = 0; row <= cell_rows_; ++row) {
+      for (int column = 0; column <= cell_columns_; ++column) {
+        const std::size_t at = point(column, row);
+        if (kept_[at] != 0) table.set_control(column, row, controls_.word[at]);
+      }
+    }
+    return {std::move(table), report_};
+  }
 
  private:
-  /// Where in a cell something must not be supervised: its own control point, the edges that need two control points
-  /// only, the rest.
-  struct Cell {
-    bool corner = false, left = false, top = false, rest = false;
-    bool any_bad() const { return corner || left || top || rest; }
-    float error = 0;  ///< largest of its samples
+  static constexpr int kBoundSteps = 6;
+  static constexpr float kNever = std::numeric_limits<float>::infinity();  ///< error of what must not be supervised
+  static constexpr int kKinds = 4;  ///< of pixels: bit 0 right of the cell's left edge, bit 1 below its upper edge
+
+  struct Controls {
+    explicit Controls(std::size_t count) : word(count, MapTable::kUnmapped), x(count), y(count), mapped(count) {}
+    std::vector<std::uint32_t> word;
+    std::vector<std::int32_t> x, y;
+    std::vector<std::uint8_t> mapped;
+
+    void set(std::size_t at, std::uint32_t value) {
+      word[at] = value;
+      x[at] = static_cast<std::int32_t>(value & 0xFFFFU);
+      y[at] = static_cast<std::int32_t>(value >> 16);
+      mapped[at] = value != MapTable::kUnmapped ? 1 : 0;
+    }
   };
+
+  /// By kind of pixel: the samples whose source would be read inside the image, were all control points there.
+  struct Cell {
+    std::array<float, kKinds> worst{-1, -1, -1, -1};  ///< largest error
+    std::array<std::uint16_t, kKinds> inside{};
+    std::array<std::uint16_t, kKinds> beyond{};   ///< of them further off than the share that is wanted may be
+    std::array<std::uint16_t, kKinds> outside{};  ///< of them just outside without the grid
+    float beyond_share = -1;                      ///< of all pixels, where it is known better than by counting samples
+  };
+
+  /// How many pixels a sample stands for, in cells that the image's right and lower borders cut or not.
+  struct Weights {
+    std::array<double, kKinds> kind{};
+  };
+  const Weights& weights_of(int column, int row) const {
+    return weights_[(column == cell_columns_ - 1 ? 1 : 0) + (row == cell_rows_ - 1 ? 2 : 0)];
+  }
+  Weights weights(bool last_column, bool last_row) const {
+    const auto part = [](int size, int n, bool last) { return last ? ((size - 1) & ((1 << n) - 1)) + 1 : 1 << n; };
+    const int width = part(geometry_.width, nx_, last_column);
+    const int height = part(geometry_.height, ny_, last_row);
+    const int across = (width + (1 << lattice_.shape.x_log2) - 1) >> lattice_.shape.x_log2;
+    const int down = (height + (1 << lattice_.shape.y_log2) - 1) >> lattice_.shape.y_log2;
+    const std::array<int, kKinds> pixels{1, width - 1, height - 1, (width - 1) * (height - 1)};
+    const std::array<int, kKinds> samples{1, across - 1, down - 1, (across - 1) * (down - 1)};
+    Weights weights;
+    for (int kind = 0; kind < kKinds; ++kind) {
+      // Pixels of a kind without a sample go with those of the edge, or of the corner.
+      int at = kind;
+      if (samples[at] == 0 && at == 3) at = samples[2] != 0 ? 2 : 1;
+      if (samples[at] == 0) at = 0;
+      weights.kind[at] += static_cast<double>(pixels[kind]) / samples[at];
+    }
+    return weights;
+  }
 
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(cell_columns_) + static_cast<std::size_t>(column);
   }
-  Cell& cell(int column, int row) { return cells_[index(column, row)]; }
-  bool mapped(int column, int row) const { return table_.control(column, row) != MapTable::kUnmapped; }
-  bool mapped_cell(int column, int row) const {
-    return mapped(column, row) && mapped(column + 1, row) && mapped(column, row + 1) && mapped(column + 1, row + 1);
+  std::size_t point(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(cell_columns_ + 1) +
+           static_cast<std::size_t>(column);
+  }
+  const Point* sources_of_row(int y) const { return &lattice_.sources[lattice_.index(0, y)]; }
+  const Reason* reasons_of_row(int y) const { return &lattice_.reasons[lattice_.index(0, y)]; }
+
+  /// A row of pixels between two rows of control points: how far it is down, and what is there at each column, in
+  /// 2^-(kFractionBits - 6) px from -control_offset_px.
+  void cross(int row, int y, std::vector<std::int32_t>& x_at, std::vector<std::int32_t>& y_at,
+             std::vector<std::uint8_t>& there, const std::vector<std::uint8_t>& mapped) const {
+    const std::int32_t below = (y & ((1 << ny_) - 1)) << (6 - ny_);
+    const std::size_t top = point(0, row);
+    const std::size_t bottom = below != 0 ? point(0, row + 1) : top;
+    const auto columns = static_cast<std::size_t>(cell_columns_ + 1);
+    calib::vectorised<between>(&controls_.x[top], &controls_.x[bottom], below, columns, x_at.data());
+    calib::vectorised<between>(&controls_.y[top], &controls_.y[bottom], below, columns, y_at.data());
+    for (std::size_t c = 0; c < columns; ++c) there[c] = mapped[top + c] & mapped[bottom + c];
   }
 
+  static constexpr std::int32_t kOffset = hls::table::control_offset_px << MapTable::kFractionBits;
+
   void set_controls() {
-    // The last row of a pair may have no pixels above it, and then no look.
-    const int rows = std::min(table_.rows(), ((lattice_.shape.rows - 1) << lattice_.shape.y_log2 >> ny_) + 1);
-    for (int row = 0; row < rows; ++row) {
-      for (int column = 0; column < table_.columns(); ++column) {
-        table_.set_control(column, row, MapTable::encode(lattice_.at(column << nx_, row << ny_).source));
+    for (int row = 0; row <= cell_rows_; ++row) {
+      const Point* sources = sources_of_row(row << ny_);
+      for (int column = 0; column <= cell_columns_; ++column) {
+        const Point source = sources[(column << nx_) >> lattice_.shape.x_log2];
+        if (!std::isnan(source.x)) controls_.set(point(column, row), MapTable::encode(source));
       }
     }
   }
 
   /// Between exact control points a smooth map errs to one side, most in the middle of the cell; half of that error
-  /// given to the control points leaves half of it. Only as far as all cells around a control point agree.
+  /// given to the control points leaves half of it. Where all cells around a control point agree on the side: the mean
+  /// of the largest and the smallest. Cells whose middle is not supervised have no say.
   void centre_errors() {
     if (nx_ == 0 && ny_ == 0) return;
-    const Point none{0, 0};
-    std::vector<Point> middles(cells_.size(), Point{std::nan(""), std::nan("")});  // NaN: no cell
-    for (int row = 0; row < cell_rows_; ++row) {
-      for (int column = 0; column < cell_columns_; ++column) {
-        const int x = (column << nx_) + (1 << nx_ >> 1);
-        const int y = (row << ny_) + (1 << ny_ >> 1);
-        const auto expanded = mapped_cell(column, row) ? table_.expand(x, y) : std::nullopt;
-        if (!expanded) continue;
-        const Look& look = lattice_.at(x, y);
-        const Point error = error_of(*expanded, look);
-        // What is too far off to be mended by half is a crease, or no part of the skin.
-        const bool smooth = !is_excluded(look.reason) && distance(error) <= 2 * limits_.largest_error_px;
-        middles[index(column, row)] = smooth ? error : none;
+    // Of a row of cells, with nothing at both ends: the errors of those that have one, for a minimum and a maximum.
+    struct Middles {
+      explicit Middles(std::size_t cells) : low_x(cells + 2), high_x(cells + 2), low_y(cells + 2), high_y(cells + 2) {
+        clear();
       }
-    }
-    const auto agreed = [](double a, double b) {
-      if (std::isnan(a) || std::isnan(b)) return std::isnan(a) ? b : a;
-      if (std::signbit(a) != std::signbit(b)) return 0.0;
-      return std::abs(a) < std::abs(b) ? a : b;
+      std::vector<double> low_x, high_x, low_y, high_y;
+
+      void clear() {
+        constexpr double kInfinity = std::numeric_limits<double>::infinity();
+        for (auto* low : {&low_x, &low_y}) std::ranges::fill(*low, kInfinity);
+        for (auto* high : {&high_x, &high_y}) std::ranges::fill(*high, -kInfinity);
+      }
+      void set(std::size_t cell, Point error) {
+        low_x[cell + 1] = high_x[cell + 1] = error.x;
+        low_y[cell + 1] = high_y[cell + 1] = error.y;
+      }
     };
+    // Of the cells at both sides of a column, the mean of both ends; 0 of none, or of different signs.
+    const auto agreed = [](const double* low, const double* low_above, const double* high, const double* high_above) {
+      const double least = std::min(std::min(low[0], low[1]), std::min(low_above[0], low_above[1]));
+      const double most = std::max(std::max(high[0], high[1]), std::max(high_above[0], high_above[1]));
+      return least > most ? 0 : least > 0 || most < 0 ? 0.5 * (least + most) : 0;
+    };
+    const std::int32_t half_x = nx_ == 0 ? 0 : 32;
+    const std::size_t middle_x = std::size_t{1} << nx_ >> 1;
+    const int middle_y = 1 << ny_ >> 1;
+    const auto columns = static_cast<std::size_t>(cell_columns_ + 1);
+    std::vector<std::int32_t> x_at(columns);
+    std::vector<std::int32_t> y_at(columns);
+    std::vector<std::uint8_t> there(columns);
+    Middles above(columns - 1);
+    Middles here(columns - 1);
+    std::vector<Point> errors(columns);
     for (int row = 0; row <= cell_rows_; ++row) {
-      for (int column = 0; column < table_.columns(); ++column) {
-        if (!mapped(column, row)) continue;
-        Point error{std::nan(""), std::nan("")};
-        for (int r = std::max(0, row - 1); r <= std::min(row, cell_rows_ - 1); ++r) {
-          for (int c = std::max(0, column - 1); c <= std::min(column, cell_columns_ - 1); ++c) {
-            const Point& middle = middles[index(c, r)];
-            error = {agreed(error.x, middle.x), agreed(error.y, middle.y)};
-          }
+      here.clear();
+      if (row < cell_rows_) {
+        const int y = (row << ny_) + middle_y;
+        cross(row, y, x_at, y_at, there, controls_.mapped);
+        const Point* sources = sources_of_row(y);
+        const Reason* reasons = reasons_of_row(y);
+        const std::uint8_t* top = &controls_.mapped[point(0, row)];
+        const std::uint8_t* bottom = &controls_.mapped[point(0, row + 1)];
+        for (std::size_t c = 0; c + 1 < columns; ++c) {
+          if ((top[c] & top[c + 1] & bottom[c] & bottom[c + 1]) == 0) continue;
+          const std::size_t middle = ((c << nx_) + middle_x) >> lattice_.shape.x_log2;
+          const Point error = error_of(x_at[c] * (64 - half_x) + x_at[c + 1] * half_x,
+                                       y_at[c] * (64 - half_x) + y_at[c + 1] * half_x, sources[middle]);
+          // What is too far off to be mended by half is a crease, or no part of the skin.
+          if (is_excluded(reasons[middle])) continue;  // it will not be supervised
+          const bool smooth = distance(error) <= 2 * limits_.largest_error_px;
+          here.set(c, smooth ? error : Point{0, 0});
         }
-        if (std::isnan(error.x)) continue;
-        const Point exact = lattice_.at(column << nx_, row << ny_).source;
-        const auto centred = MapTable::encode({exact.x - 0.5 * error.x, exact.y - 0.5 * error.y});
-        if (centred != MapTable::kUnmapped) table_.set_control(column, row, centred);
       }
+      for (std::size_t c = 0; c < columns; ++c) {
+        errors[c].x = agreed(&here.low_x[c], &above.low_x[c], &here.high_x[c], &above.high_x[c]);
+        errors[c].y = agreed(&here.low_y[c], &above.low_y[c], &here.high_y[c], &above.high_y[c]);
+      }
+      const Point* sources = sources_of_row(row << ny_);
+      for (std::size_t c = 0; c < columns; ++c) {
+        const std::size_t at = point(0, row) + c;
+        if (controls_.mapped[at] == 0 || (errors[c].x == 0 && errors[c].y == 0)) continue;
+        const Point exact = sources[(c << nx_) >> lattice_.shape.x_log2];
+        const auto word = MapTable::encode({exact.x - 0.5 * errors[c].x, exact.y - 0.5 * errors[c].y});
+        if (word != MapTable::kUnmapped) controls_.set(at, word);
+      }
+      std::swap(above, here);
     }
   }
 
-  /// The pixels of a cell that the lattice holds; `visit(x, y, look)`.
+  static Point error_of(std::int32_t x, std::int32_t y, Point source) {
+    return {static_cast<double>(x - kOffset) * kFraction - source.x,
+            static_cast<double>(y - kOffset) * kFraction - source.y};
+  }
+
+  /// Visits the samples whose control points are all there: `visit(cell, kind, sample, y, expanded x, y)`.
   template <class Visit>
-  void for_samples(int column, int row, Visit visit) const {
-    const int right = std::min((column + 1) << nx_, geometry_.width);
-    const int bottom = std::min((row + 1) << ny_, geometry_.height);
-    for (int y = row << ny_; y < bottom; y += 1 << lattice_.shape.y_log2) {
-      for (int x = column << nx_; x < right; x += 1 << lattice_.shape.x_log2) visit(x, y, lattice_.at(x, y));
-    }
-  }
-
-  bool reads_inside(const MapTable::Expanded& e) const {
-    const std::int64_t half = std::int64_t{1} << (MapTable::kFractionBits - weight_bits_ - 1);
-    return e.x >= -half && e.y >= -half &&
-           e.x < (std::int64_t{geometry_.width - 1} << MapTable::kFractionBits) + half &&
-           e.y < (std::int64_t{geometry_.height - 1} << MapTable::kFractionBits) + half;
-  }
-
-  static Point error_of(const MapTable::Expanded& e, const Look& look) {
-    return {static_cast<double>(e.x) * kFraction - look.source.x, static_cast<double>(e.y) * kFraction - look.source.y};
-  }
-
-  void find_bad() {
-    for (int row = 0; row < cell_rows_; ++row) {
-      for (int column = 0; column < cell_columns_; ++column) {
-        Cell& c = cell(column, row);
-        const int x0 = column << nx_;
-        const int y0 = row << ny_;
-        for_samples(column, row, [&](int x, int y, const Look& look) {
-          const auto expanded = table_.expand(x, y);
-          if (!expanded || !reads_inside(*expanded)) return;
-          const double error = distance(error_of(*expanded, look));
-          // A source just outside may be expanded to one just inside; one without a place has no error that is small.
-          const bool bad = is_excluded(look.reason) || !(error <= largest_error_px_);
-          if (!bad) {
-            c.error = std::max(c.error, static_cast<float>(error));
-          } else if (x == x0) {
-            (y == y0 ? c.corner : c.left) = true;
-          } else {
-            (y == y0 ? c.top : c.rest) = true;
-          }
-        });
-        if (every_pixel_) continue;
-        // Between samples: what the ones around say, of which the last may lie beyond the cell and the image.
-        const auto last = [](int first, int end, int log2) {
-          return ((end - 1 - first + (1 << log2) - 1) >> log2 << log2) + first;
-        };
-        const int right = last(x0, std::min((column + 1) << nx_, geometry_.width), lattice_.shape.x_log2);
-        const int bottom = last(y0, std::min((row + 1) << ny_, geometry_.height), lattice_.shape.y_log2);
-        for (int y = y0; y <= bottom; y += 1 << lattice_.shape.y_log2) {
-          for (int x = x0; x <= right; x += 1 << lattice_.shape.x_log2) {
-            if (!is_excluded(lattice_.at(x, y).reason)) continue;
-            c.rest = c.rest || right > x0 || bottom > y0;
-            c.left = c.left || (x == x0 && bottom > y0);
-            c.top = c.top || (y == y0 && right > x0);
-          }
+  void for_expanded(const std::vector<std::uint8_t>& mapped, Visit visit) const {
+    const auto columns = static_cast<std::size_t>(cell_columns_ + 1);
+    std::vector<std::int32_t> x_at(columns);
+    std::vector<std::int32_t> y_at(columns);
+    std::vector<std::uint8_t> there(columns);
+    const int step = nx_ - lattice_.shape.x_log2;
+    const std::size_t across = std::size_t{1} << step;
+    const auto samples = static_cast<std::size_t>(((geometry_.width - 1) >> lattice_.shape.x_log2) + 1);  // of a row
+    for (int y = 0; y < geometry_.height; y += 1 << lattice_.shape.y_log2) {
+      const int row = y >> ny_;
+      cross(row, y, x_at, y_at, there, mapped);
+      const int kind_y = (y & ((1 << ny_) - 1)) != 0 ? 2 : 0;
+      const std::size_t first_cell = index(0, row);
+      const std::size_t first_sample = sample(0, y);
+      for (std::size_t c = 0; c + 1 < columns; ++c) {
+        if (there[c] == 0) continue;
+        const std::size_t first = c * across;
+        visit(first_cell + c, kind_y, first_sample + first, y, x_at[c] * 64, y_at[c] * 64);
+        if (there[c + 1] == 0) continue;
+        const std::size_t count = std::min(across, samples - first);
+        for (std::size_t i = 1; i < count; ++i) {
+          const auto right = static_cast<std::int32_t>(i << (6 - step));
+          visit(first_cell + c, kind_y + 1, first_sample + first + i, y, x_at[c] * (64 - right) + x_at[c + 1] * right,
+                y_at[c] * (64 - right) + y_at[c + 1] * right);
         }
-        if (c.corner) c.left = c.top = c.rest = true;
-        if (c.left || c.top) c.rest = true;
       }
     }
+  }
+
+  void find_errors() {
+    const std::int32_t half = std::int32_t{1} << (MapTable::kFractionBits - weight_bits_ - 1);
+    const std::int32_t low = kOffset - half;
+    const std::int32_t high_x = kOffset + ((geometry_.width - 1) << MapTable::kFractionBits) + half;
+    const std::int32_t high_y = kOffset + ((geometry_.height - 1) << MapTable::kFractionBits) + half;
+    const Point* const sources = lattice_.sources.data();
+    const Reason* const reasons = lattice_.reasons.data();
+    const double share_error = limits_.error_px;
+    for_expanded(controls_.mapped,
+                 [&](std::size_t at, int kind, std::size_t sample, int, std::int32_t ex, std::int32_t ey) {
+                   if (ex < low || ey < low || ex >= high_x || ey >= high_y) return;
+                   Cell& cell = cells_[at];
+                   const double error = distance(error_of(ex, ey, sources[sample]));
+                   const auto rounded = static_cast<float>(error);
+                   // A source just outside may be expanded to one just inside; one without a place has no error that
+                   // is small.
+                   const bool never = is_excluded(reasons[sample]) || std::isnan(error);
+                   cell.worst[kind] = std::max(cell.worst[kind], never ? kNever : rounded);
+                   errors_[sample] = rounded;
+                   ++cell.inside[kind];
+                   if (error > share_error) ++cell.beyond[kind];
+                   if (reasons[sample] == Reason::outside) ++cell.outside[kind];
+                 });
+  }
+
+  /// Between samples a cell has what the ones around it say, of which the last may lie beyond the cell and the image.
+  void look_between_samples() {
+    const int across = 1 << (nx_ - lattice_.shape.x_log2);
+    const int down = 1 << (ny_ - lattice_.shape.y_log2);
+    const auto last = [](int size, int log2, int at, int count) {
+      return std::min(at + count, (size - 1 + (1 << log2) - 1) >> log2);
+    };
+    const auto samples = static_cast<std::size_t>(lattice_.shape.columns);
+    std::vector<std::uint8_t> above(samples);  // excluded in the first row of the cells
+    std::vector<std::uint8_t> all(samples);    // in any row
+    for (int row = 0; row < cell_rows_; ++row) {
+      const int top = row * down;
+      const int bottom = ny_ == lattice_.shape.y_log2 ? top : last(geometry_.height, lattice_.shape.y_log2, top, down);
+      for (int y = top; y <= bottom; ++y) {
+        const Reason* reasons = &lattice_.reasons[static_cast<std::size_t>(y) * samples];
+        for (std::size_t x = 0; x < samples; ++x) {
+          const std::uint8_t excluded = is_excluded(reasons[x]) ? 1 : 0;
+          above[x] = y == top ? excluded : above[x];
+          all[x] = y == top ? excluded : all[x] | excluded;
+        }
+      }
+      for (int column = 0; column < cell_columns_; ++column) {
+        if (controls_.mapped[point(column, row)] == 0) continue;  // nothing in it is supervised
+        const int left = column * across;
+        const int right =
+            nx_ == lattice_.shape.x_log2 ? left : last(geometry_.width, lattice_.shape.x_log2, left, across);
+        bool upper = false;
+        for (int x = left; x <= right; ++x) upper |= above[x] != 0;
+        bool any = false;
+        for (int x = left; x <= right; ++x) any |= all[x] != 0;
+        if (!any) continue;
+        Cell& cell = cells_[index(column, row)];
+        if (right > left || bottom > top) cell.worst[3] = kNever;
+        if (all[left] != 0 && bottom > top) cell.worst[2] = kNever;
+        if (upper && right > left) cell.worst[1] = kNever;
+      }
+    }
+  }
+
+  bool mapped_cell(int column, int row) const {
+    const std::size_t top = point(column, row);
+    const std::size_t bottom = point(column, row + 1);
+    return (kept_[top] & kept_[top + 1] & kept_[bottom] & kept_[bottom + 1]) != 0;
   }
 
   /// Cells without anything bad that a control point carries.
-  int carried(int column, int row) {
+  int carried(int column, int row) const {
     int count = 0;
     for (int r = std::max(0, row - 1); r <= std::min(row, cell_rows_ - 1); ++r) {
       for (int c = std::max(0, column - 1); c <= std::min(column, cell_columns_ - 1); ++c) {
-        if (!cell(c, r).any_bad() && mapped_cell(c, r)) ++count;
+        if (bad_[index(c, r)] == 0 && mapped_cell(c, r)) ++count;
       }
     }
     return count;
@@ -346,108 +528,340 @@ class GridFit {
 
   /// Unmaps, of control points that are all mapped, the one that carries least.
   void break_up(std::initializer_list<std::pair<int, int>> points) {
-    if (!std::ranges::all_of(points, [&](const auto& p) { return mapped(p.first, p.second); })) return;
+    if (!std::ranges::all_of(points, [&](const auto& p) { return kept_[point(p.first, p.second)] != 0; })) return;
     const auto least = std::ranges::min_element(points, {}, [&](const auto& p) { return carried(p.first, p.second); });
-    table_.set_control(least->first, least->second, MapTable::kUnmapped);
+    kept_[point(least->first, least->second)] = 0;
   }
 
-  void give_up_bad() {
-    const auto for_cells = [&](auto visit) {
-      for (int row = 0; row < cell_rows_; ++row) {
-        for (int column = 0; column < cell_columns_; ++column) visit(column, row, cell(column, row));
+  /// Keeps the control points without which nothing is off by more than `bound`.
+  void keep_within(double bound) {
+    kept_ = controls_.mapped;
+    bad_.assign(cells_.size(), 0);
+    std::vector<std::pair<int, int>> bad;
+    for (int row = 0; row < cell_rows_; ++row) {
+      for (int column = 0; column < cell_columns_; ++column) {
+        const auto& worst = cells_[index(column, row)].worst;
+        if (!(std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3])) > bound)) continue;
+        bad.emplace_back(column, row);
+        bad_[index(column, row)] = 1;
       }
-    };
+    }
+    const auto is_bad = [&](int column, int row, int kind) { return cells_[index(column, row)].worst[kind] > bound; };
     // What leaves least choice first.
-    for_cells([&](int column, int row, const Cell& c) {
-      if (c.corner) table_.set_control(column, row, MapTable::kUnmapped);
-    });
-    for_cells([&](int column, int row, const Cell& c) {
-      if (c.left) break_up({{column, row}, {column, row + 1}});
-      if (c.top) break_up({{column, row}, {column + 1, row}});
-    });
-    for_cells([&](int column, int row, const Cell& c) {
-      if (c.rest) break_up({{column, row}, {column + 1, row}, {column, row + 1}, {column + 1, row + 1}});
-    });
+    for (const auto& [column, row] : bad) {
+      if (is_bad(column, row, 0)) kept_[point(column, row)] = 0;
+    }
+    for (const auto& [column, row] : bad) {
+      if (is_bad(column, row, 2)) break_up({{column, row}, {column, row + 1}});
+      if (is_bad(column, row, 1)) break_up({{column, row}, {column + 1, row}});
+    }
+    for (const auto& [column, row] : bad) {
+      break_up({{column, row}, {column + 1, row}, {column, row + 1}, {column + 1, row + 1}});
+    }
+    count_kept();
+  }
+
+  /// Which kinds of a cell's pixels have all their control points.
+  std::array<bool, kKinds> kept_kinds(int column, int row) const {
+    const std::size_t top = point(column, row);
+    const std::size_t bottom = point(column, row + 1);
+    const bool corner = kept_[top] != 0;
+    const bool upper = corner && kept_[top + 1] != 0;
+    const bool left = corner && kept_[bottom] != 0;
+    return {corner, upper, left, upper && left && kept_[bottom + 1] != 0};
+  }
+
+  /// Samples that stand for pixels when errors are ranked: all of them, or those of cells that are whole. The others
+  /// stand for parts of edges.
+  bool ranked(const std::array<bool, kKinds>& kept) const {
+    return every_pixel_ ? kept[0] : kept[(nx_ > 0 ? 1 : 0) + (ny_ > 0 ? 2 : 0)];
+  }
+
+  /// Errors of a cell at 8 × 8 places, from its corner on: the biquadratic through its four samples and those of the cells around that lie
+  /// on its border.
+  static constexpr std::size_t kSide = 8;
+  using CellErrors = std::array<float, kSide * kSide>;
+  CellErrors errors_within(int column, int row) const {
+    static constexpr auto kWeights = [] {
+      std::array<std::array<double, 3>, kSide> weights{};
+      for (std::size_t i = 0; i < kSide; ++i) {
+        const double u = static_cast<double>(i) / kSide;
+        weights[i] = {(1 - 2 * u) * (1 - u), 4 * u * (1 - u), u * (2 * u - 1)};
+      }
+      return weights;
+    }();
+    const std::size_t top = point(column, row);
+    const std::size_t bottom = point(column, row + 1);
+    std::array<std::array<Point, 3>, 3> nodes;
+    for (std::int32_t j = 0; j < 3; ++j) {
+      for (std::int32_t i = 0; i < 3; ++i) {
+        const auto at = [&](const std::vector<std::int32_t>& c) {
+          return (c[top] * (64 - 32 * j) + c[bottom] * 32 * j) * (64 - 32 * i) +
+                 (c[top + 1] * (64 - 32 * j) + c[bottom + 1] * 32 * j) * 32 * i;
+        };
+        const int x = (column << nx_) + (i << nx_ >> 1);
+        const int y = (row << ny_) + (j << ny_ >> 1);
+        nodes[j][i] = error_of(at(controls_.x), at(controls_.y), lattice_.sources[lattice_.index(x, y)]);
+      }
+    }
+    CellErrors errors;
+    for (std::size_t j = 0; j < kSide; ++j) {
+      for (std::size_t i = 0; i < kSide; ++i) {
+        Point error{0, 0};
+        for (std::size_t b = 0; b < 3; ++b) {
+          for (std::size_t a = 0; a < 3; ++a) {
+            const double weight = kWeights[i][a] * kWeights[j][b];
+            error.x += weight * nodes[b][a].x;
+            error.y += weight * nodes[b][a].y;
+          }
+        }
+        errors[kSide * j + i] = static_cast<float>(distance(error));
+      }
+    }
+    return errors;
+  }
+
+  /// Of cells with samples further off than the share that is wanted may be: the share of their pixels that are. The
+  /// samples are the extremes of a cell, so to count them would be to count too many. Whether there are such cells.
+  bool interpolate_errors() {
+    if (!smooth_ || nx_ - lattice_.shape.x_log2 != 1 || ny_ - lattice_.shape.y_log2 != 1) return false;
+    bool any = false;
+    for (int row = 0; row < cell_rows_; ++row) {
+      for (int column = 0; column < cell_columns_; ++column) {
+        Cell& cell = cells_[index(column, row)];
+        if (cell.beyond[0] + cell.beyond[1] + cell.beyond[2] + cell.beyond[3] == 0) continue;
+        const std::size_t top = point(column, row);
+        const std::size_t bottom = point(column, row + 1);
+        if ((controls_.mapped[top] & controls_.mapped[top + 1] & controls_.mapped[bottom] &
+             controls_.mapped[bottom + 1]) == 0) {
+          continue;
+        }
+        std::size_t beyond = 0;
+        for (const float error : errors_within(column, row)) {
+          beyond += !(error <= static_cast<float>(limits_.error_px)) ? 1 : 0;
+        }
+        cell.beyond_share = static_cast<float>(beyond) / (kSide * kSide);
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  /// What is kept.
+  struct Tally {
+    double supervised = 0;    ///< pixels, samples standing for those around them
+    double outside = 0;       ///< of them just outside without the grid
+    std::int64_t ranked = 0;  ///< samples
+    double beyond = 0;        ///< of them further off than the share that is wanted may be
+  };
+  void count_kept() {
+    tally_ = {};
+    for (int row = 0; row < cell_rows_; ++row) {
+      for (int column = 0; column < cell_columns_; ++column) {
+        if (kept_[point(column, row)] == 0) continue;
+        const auto kept = kept_kinds(column, row);
+        const Cell& cell = cells_[index(column, row)];
+        const Weights& weight = weights_of(column, row);
+        const bool counts = ranked(kept);
+        for (int kind = 0; kind < kKinds; ++kind) {
+          if (!kept[kind]) continue;
+          tally_.supervised += weight.kind[kind] * cell.inside[kind];
+          tally_.outside += weight.kind[kind] * cell.outside[kind];
+          if (!counts) continue;
+          tally_.ranked += cell.inside[kind];
+          tally_.beyond += cell.beyond_share < 0 ? cell.beyond[kind] : cell.beyond_share * cell.inside[kind];
+        }
+      }
+    }
+  }
+
+  /// Whether the share that is wanted lies within its bound.
+  bool precise() const { return tally_.beyond <= (1 - limits_.share) * static_cast<double>(tally_.ranked); }
+
+  /// Pixels by reason, samples standing for those around them.
+  void count_pixels() {
+    std::array<double, kReasonCount> pixels{};
+    // By reason without the grid: runs of samples of one reason, of which those on the left edges of cells stand for
+    // less.
+    const int step = nx_ - lattice_.shape.x_log2;
+    const int across = 1 << step;
+    const int last = (geometry_.width - 1) >> lattice_.shape.x_log2;
+    for (int y = 0; y < geometry_.height; y += 1 << lattice_.shape.y_log2) {
+      const int kind_y = (y & ((1 << ny_) - 1)) != 0 ? 2 : 0;
+      const Reason* reasons = reasons_of_row(y);
+      const int cut = (cell_columns_ - 1) * across;  // the last cell may be
+      for (int x = 0; x <= last;) {
+        const int begin = x;
+        const int limit = x < cut ? cut : last + 1;
+        const Reason reason = reasons[begin];
+        while (x < limit && reasons[x] == reason) ++x;
+        const int edges = ((x + across - 1) >> step) - ((begin + across - 1) >> step);
+        const Weights& weight = weights_of(begin < cut ? 0 : cell_columns_ - 1, y >> ny_);
+        pixels[static_cast<std::size_t>(reason)] +=
+            weight.kind[kind_y] * edges + weight.kind[kind_y + 1] * (x - begin - edges);
+      }
+      report_.checked += last + 1;
+    }
+    // What would be supervised, or was given to the grid before, and is not.
+    const auto of = [&](Reason reason) -> double& { return pixels[static_cast<std::size_t>(reason)]; };
+    of(Reason::outside) -= tally_.outside;
+    of(Reason::grid) += of(Reason::none) - (tally_.supervised - tally_.outside);
+    of(Reason::none) = tally_.supervised;
+    for (std::size_t i = 0; i < kReasonCount; ++i) report_.by_reason[i] = std::llround(pixels[i]);
   }
 
   void measure() {
     report_.spacing_x = 1 << nx_;
     report_.spacing_y = 1 << ny_;
-    report_.pool_bytes = table_.pool_bytes();
+    report_.pool_bytes = MapTable::pool_bytes(geometry_, nx_, ny_);
     report_.pixels = std::int64_t{geometry_.width} * geometry_.height;
-    report_.reach = {-geometry_.height, -geometry_.height};
-    std::vector<float> errors;
-    errors.reserve(every_pixel_ ? lattice_.looks.size() : cells_.size());
+    count_pixels();
+    if (report_.supervised() == 0) return;
+    rank_errors();
+    if (every_pixel_) {
+      measure_rounded();
+    } else {
+      measure_reach();
+    }
+  }
+
+  struct Ranked {
+    float error;
+    float samples;  ///< for which it stands
+  };
+  /// Ranked errors above a bound.
+  std::vector<Ranked> errors_above(float bound) const {
+    std::vector<Ranked> errors;
+    const int step_x = nx_ - lattice_.shape.x_log2;
+    const int step_y = ny_ - lattice_.shape.y_log2;
+    const int last_x = (geometry_.width - 1) >> lattice_.shape.x_log2;
+    const int last_y = (geometry_.height - 1) >> lattice_.shape.y_log2;
     for (int row = 0; row < cell_rows_; ++row) {
       for (int column = 0; column < cell_columns_; ++column) {
-        bool supervised = false;
-        for_samples(column, row, [&](int x, int y, const Look& look) {
-          ++report_.checked;
-          const auto expanded = table_.expand(x, y);
-          const auto source = expanded ? table_.round(*expanded, weight_bits_) : std::nullopt;
-          if (!source) {
-            const Reason reason = look.reason == Reason::none ? Reason::grid : look.reason;
-            ++report_.by_reason[static_cast<std::size_t>(reason)];
-            return;
+        if (kept_[point(column, row)] == 0) continue;
+        const Cell& cell = cells_[index(column, row)];
+        const auto& worst = cell.worst;
+        if (!(std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3])) > bound)) continue;
+        const auto kept = kept_kinds(column, row);
+        if (!ranked(kept)) continue;
+        if (cell.beyond_share >= 0) {
+          const auto samples = static_cast<float>(cell.inside[0] + cell.inside[1] + cell.inside[2] + cell.inside[3]);
+          for (const float error : errors_within(column, row)) {
+            if (error > bound) errors.push_back({error, samples / (kSide * kSide)});
           }
-          supervised = true;
-          ++report_.by_reason[static_cast<std::size_t>(Reason::none)];
-          if (!every_pixel_) return;
-          errors.push_back(static_cast<float>(distance(error_of(*expanded, look))));
-          const double rounded = distance(std::ldexp(source->x, -weight_bits_) - look.source.x,
-                                          std::ldexp(source->y, -weight_bits_) - look.source.y);
-          report_.rounded_largest_px = std::max(report_.rounded_largest_px, rounded);
-          reach(y, *source);
-        });
-        if (every_pixel_ || !supervised) continue;
-        errors.push_back(cell(column, row).error);
-        // Bilinear in the cell, so the extremes lie at its corners.
-        const int right = std::min((column + 1) << nx_, geometry_.width) - 1;
-        const int bottom = std::min((row + 1) << ny_, geometry_.height) - 1;
-        for (const int y : {row << ny_, bottom}) {
-          for (const int x : {column << nx_, right}) {
-            const auto expanded = table_.expand(x, y);
-            if (!expanded) continue;
-            const auto clamped =
-                std::clamp<std::int64_t>(expanded->y, 0, std::int64_t{geometry_.height - 1} << MapTable::kFractionBits);
-            const int drop = MapTable::kFractionBits - weight_bits_;
-            reach(y, {0, static_cast<int>((clamped + (std::int64_t{1} << (drop - 1))) >> drop)});
+          continue;
+        }
+        for (int y = row << step_y; y < (row + 1) << step_y && y <= last_y; ++y) {
+          for (int x = column << step_x; x < (column + 1) << step_x && x <= last_x; ++x) {
+            const int kind = (x != column << step_x ? 1 : 0) + (y != row << step_y ? 2 : 0);
+            const float error = errors_[sample(x, y << lattice_.shape.y_log2)];
+            if (kept[kind] && error > bound) errors.push_back({error, 1});
           }
         }
       }
     }
-    // Samples stand for all pixels.
-    if (!every_pixel_ && report_.checked > 0) {
-      const double each = static_cast<double>(report_.pixels) / static_cast<double>(report_.checked);
-      for (auto& count : report_.by_reason) count = std::llround(static_cast<double>(count) * each);
-    }
-    if (errors.empty()) {
-      report_.reach = {};
-      return;
-    }
-    const auto at =
-        errors.begin() + static_cast<std::ptrdiff_t>(limits_.share * static_cast<double>(errors.size() - 1));
-    std::ranges::nth_element(errors, at);
-    report_.error_99_px = *at;
-    report_.error_largest_px = *std::max_element(at, errors.end());
+    return errors;
   }
 
-  void reach(int y, const MapTable::Source& source) {
-    const int first = source.y >> weight_bits_;
-    const int last = first + ((source.y & ((1 << weight_bits_) - 1)) != 0 ? 1 : 0);
+  void rank_errors() {
+    if (tally_.ranked == 0) return;
+    // From the largest on; most are small.
+    const double beyond = (1 - limits_.share) * static_cast<double>(tally_.ranked);
+    for (const double bound : {0.45 * limits_.error_px, 0.25 * limits_.error_px, -1.0}) {
+      std::vector<Ranked> errors = errors_above(static_cast<float>(bound));
+      std::ranges::sort(errors, std::ranges::greater{}, &Ranked::error);
+      double samples = 0;
+      for (const Ranked& error : errors) {
+        samples += error.samples;
+        if (samples <= beyond) continue;
+        report_.error_99_px = error.error;
+        report_.error_largest_px = errors.front().error;
+        return;
+      }
+    }
+  }
+
+  /// The source row that pixels of row y read lowest or highest, in 2^-weight_bits px, and whether they read the next.
+  void reach(int y, std::int64_t source) {
+    const auto first = static_cast<int>(source >> weight_bits_);
+    const int last = first + ((source & ((1 << weight_bits_) - 1)) != 0 ? 1 : 0);
     report_.reach.behind = std::max(report_.reach.behind, y - first);
     report_.reach.ahead = std::max(report_.reach.ahead, last - y);
   }
 
+  std::int64_t rounded(std::int32_t expanded) const {
+    const int drop = MapTable::kFractionBits - weight_bits_;
+    return (expanded - kOffset + (std::int32_t{1} << (drop - 1))) >> drop;
+  }
+
+  /// Bilinear in the cell, so the extremes lie at its corners.
+  void measure_reach() {
+    report_.reach = {-geometry_.height, -geometry_.height};
+    const auto columns = static_cast<std::size_t>(cell_columns_ + 1);
+    std::vector<std::int32_t> x_at(columns);
+    std::vector<std::int32_t> y_at(columns);
+    std::vector<std::uint8_t> there(columns);
+    const std::int32_t highest = kOffset + ((geometry_.height - 1) << MapTable::kFractionBits);
+    for (int row = 0; row < cell_rows_; ++row) {
+      const int bottom = std::min((row + 1) << ny_, geometry_.height) - 1;
+      for (const int y : {row << ny_, bottom}) {
+        cross(row, y, x_at, y_at, there, kept_);
+        std::int32_t lowest_y = std::numeric_limits<std::int32_t>::max();
+        std::int32_t highest_y = std::numeric_limits<std::int32_t>::min();
+        const auto add = [&](std::int32_t source) {
+          lowest_y = std::min(lowest_y, source);
+          highest_y = std::max(highest_y, source);
+        };
+        for (int column = 0; column < cell_columns_; ++column) {
+          const auto c = static_cast<std::size_t>(column);
+          if (there[c] == 0) continue;
+          const auto kept = kept_kinds(column, row);
+          const Cell& cell = cells_[index(column, row)];
+          bool supervised = false;
+          for (int kind = 0; kind < kKinds; ++kind) supervised |= kept[kind] && cell.inside[kind] > 0;
+          if (!supervised) continue;
+          add(y_at[c] * 64);
+          const int right = (std::min((column + 1) << nx_, geometry_.width) - 1 - (column << nx_)) << (6 - nx_);
+          if (right != 0 && there[c + 1] != 0) add(y_at[c] * (64 - right) + y_at[c + 1] * right);
+        }
+        if (lowest_y > highest_y) continue;
+        for (const std::int32_t source : {lowest_y, highest_y}) reach(y, rounded(std::clamp(source, kOffset, highest)));
+      }
+    }
+  }
+
+  void measure_rounded() {
+    report_.reach = {-geometry_.height, -geometry_.height};
+    const std::int64_t last_x = std::int64_t{geometry_.width - 1} << weight_bits_;
+    const std::int64_t last_y = std::int64_t{geometry_.height - 1} << weight_bits_;
+    for_expanded(kept_, [&](std::size_t, int, std::size_t sample, int y, std::int32_t ex, std::int32_t ey) {
+      const std::int64_t source_x = rounded(ex);
+      const std::int64_t source_y = rounded(ey);
+      if (source_x < 0 || source_y < 0 || source_x > last_x || source_y > last_y) return;
+      const Point exact = lattice_.sources[sample];
+      const double off = distance(std::ldexp(static_cast<double>(source_x), -weight_bits_) - exact.x,
+                                  std::ldexp(static_cast<double>(source_y), -weight_bits_) - exact.y);
+      report_.rounded_largest_px = std::max(report_.rounded_largest_px, off);
+      reach(y, source_y);
+    });
+  }
+
+  std::size_t sample(int x, int y) const { return lattice_.index(0, y) + static_cast<std::size_t>(x); }
+
   const LookLattice& lattice_;
   const ScanGeometry& geometry_;
   const MapLimits& limits_;
-  double largest_error_px_;  ///< beyond it a cell is given up
+  bool smooth_;
   int nx_, ny_, weight_bits_;
   bool every_pixel_;
-  MapTable table_;
   int cell_columns_, cell_rows_;
+  Controls controls_;               ///< before any is given up
+  std::vector<std::uint8_t> kept_;  ///< that are not
   std::vector<Cell> cells_;
+  std::array<Weights, 4> weights_;
+  Tally tally_;
+  std::vector<std::uint8_t> bad_;  ///< cells with something that must not be supervised
+  std::vector<float> errors_;      ///< of the lattice's samples; NaN where none would be read inside the image
   MapReport report_;
 };
 
@@ -499,6 +913,18 @@ LatticeShape control_shape(const MapTable& table) {
                   table.spacing_y_log2());
 }
 
+/// The control points that show nothing yet.
+std::vector<std::uint8_t> without_source(const LatticeShape& shape, const MapTable& table) {
+  std::vector<std::uint8_t> without;
+  without.reserve(static_cast<std::size_t>(shape.columns) * static_cast<std::size_t>(shape.rows));
+  for (int row = 0; row < shape.rows; ++row) {
+    for (int column = 0; column < shape.columns; ++column) {
+      without.push_back(table.control(column, row) == MapTable::kUnmapped ? 1 : 0);
+    }
+  }
+  return without;
+}
+
 /// What is around the skin gets sources, in frame coordinates: for every control point.
 void show_around(const LatticeShape& shape, const std::vector<Point>& sources, MapTable& table) {
   for (int row = 0; row < std::min(shape.rows, table.rows()); ++row) {
@@ -517,38 +943,44 @@ void seal(CompiledMap& map, const hls::table::Facts& facts) {
   map.report.crc = map.table.crc();
 }
 
-/// The coarsest grid within the limits; where none loses little enough, the one that loses least. `fit` tries a
-/// spacing; those that the forecast says to be beyond `margin` times the limits are not tried. To be sealed.
+/// The coarsest grid within the limits; where none loses little enough, of those that the forecast says to lose least
+/// the one that does. `fit` tries a spacing; those that the forecast says to be beyond `margin` times the limits are not
+/// tried. To be sealed.
 CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, const MapLimits& limits,
-                   const Forecast& forecast, const std::function<GridFit(int, int, double)>& fit, double margin) {
+                   const Forecast& forecast, const std::function<GridFit(int, int)>& fit, double margin) {
   const std::size_t largest = limits.largest_bytes != 0 ? limits.largest_bytes : profile.pool_bytes;
   const std::vector<Spacing> spacings = spacings_of(geometry, limits.largest_spacing_log2, largest);
   std::optional<CompiledMap> best;
   std::optional<UnseenError> nothing;
-  const auto attempt = [&](const Spacing& spacing, double largest_error_px) {
-    GridFit tried = fit(spacing.nx, spacing.ny, largest_error_px);
-    const MapReport& report = tried.report();
-    if (report.supervised() == 0) nothing = UnseenError(report);
-    if (report.supervised() == 0 || report.error_99_px > limits.error_px) return false;
+  std::vector<const Spacing*> tried;
+  const auto attempt = [&](const Spacing& spacing) {
+    if (std::ranges::find(tried, &spacing) != tried.end()) return false;
+    tried.push_back(&spacing);
+    const GridFit grid = fit(spacing.nx, spacing.ny);
+    const MapReport& report = grid.report();
+    if (report.supervised() == 0) {
+      nothing = UnseenError(report);
+      return false;
+    }
     const double lost = report.lost_share();
     const bool good = lost <= limits.largest_lost_share;
-    if (good || !best || lost < best->report.lost_share()) best = tried.take();
+    if (good || !best || lost < best->report.lost_share()) best = grid.take();
     return good;
   };
-  const auto precise = [&](const Spacing& s) {
-    return forecast.share_beyond(s.nx, s.ny, limits.error_px * margin) <= (1 - limits.share) * margin;
-  };
+  const auto beyond = [&](const Spacing& s, double error_px) { return forecast.share_beyond(s.nx, s.ny, error_px); };
   const auto likely = [&](const Spacing& s) {
-    return forecast.lost_share(s.nx, s.ny) <= limits.largest_lost_share * 2 * margin && precise(s);
+    return forecast.lost_share(s.nx, s.ny) <= limits.largest_lost_share * margin &&
+           beyond(s, limits.error_px * margin) <= (1 - limits.share) * margin;
   };
-  const bool good =
-      std::ranges::any_of(spacings, [&](const Spacing& s) { return likely(s) && attempt(s, limits.largest_error_px); });
-  if (!good) {
-    std::multimap<double, Spacing> last;  // equal ones in the order of `spacings`
-    for (const Spacing& s : spacings) last.emplace(forecast.lost_share(s.nx, s.ny) + (precise(s) ? 0 : 1), s);
+  if (!std::ranges::any_of(spacings, [&](const Spacing& s) { return likely(s) && attempt(s); })) {
     // Where creases, or the border of what is seen, keep too many pixels off, the grid loses them all.
-    std::ranges::any_of(last | std::views::values | std::views::take(kLastTries), [&](const Spacing& s) {
-      return (!likely(s) && attempt(s, limits.largest_error_px)) || attempt(s, limits.error_px);
+    std::multimap<double, const Spacing*> last;  // equal ones in the order of `spacings`
+    for (const Spacing& s : spacings) {
+      const double too_many = std::max(0.0, beyond(s, limits.error_px) - (1 - limits.share));
+      last.emplace(forecast.lost_share(s.nx, s.ny) + too_many, &s);
+    }
+    std::ranges::any_of(last | std::views::take(kLastTries), [&](const auto& s) {
+      return s.first <= kWorthATry * last.begin()->first && attempt(*s.second);
     });
   }
   if (!best && nothing) throw UnseenError(*nothing);
@@ -573,6 +1005,14 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
 
 }  // namespace
 
+void LookLattice::resize(const LatticeShape& to) {
+  shape = to;
+  const std::size_t count = static_cast<std::size_t>(to.columns) * static_cast<std::size_t>(to.rows);
+  sources.resize(count);
+  margins.resize(count);
+  reasons.resize(count);
+}
+
 ViewLimits view_limits(const MachineProfile& profile, Decision decision) {
   check_decision(profile, decision);
   ViewLimits limits;
@@ -596,24 +1036,20 @@ void check_rows(const RowCount& rows, const ViewLimits& view) {
 
 CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const ScanGeometry& geometry,
                         const MapLimits& limits) {
-  LookLattice lattice{shape_of(geometry, 0, 0, MapTable::kLargestSpacingLog2, MapTable::kLargestSpacingLog2), {}};
+  LookLattice lattice;
+  lattice.resize(shape_of(geometry, 0, 0, MapTable::kLargestSpacingLog2, MapTable::kLargestSpacingLog2));
   const std::vector<Point> points = lattice_points(geometry, lattice.shape);
-  lattice.looks.resize(points.size());
-  // Row by row: lines of sight of a whole frame would take more memory than the looks.
-  const auto row = static_cast<std::size_t>(lattice.shape.columns);
-  for (std::size_t first = 0; first < points.size(); first += row) {
-    skin.look(std::span(points).subspan(first, row), geometry.row_step(), limits.view,
-              std::span(lattice.looks).subspan(first, row));
+  // Row by row: lines of sight of a whole frame would take more memory than what they see.
+  std::vector<Look> looks(static_cast<std::size_t>(lattice.shape.columns));
+  for (std::size_t first = 0; first < points.size(); first += looks.size()) {
+    skin.look(std::span(points).subspan(first, looks.size()), geometry.row_step(), limits.view, looks);
+    take(looks, geometry, first, lattice);
   }
-  settle(geometry, lattice);
   check_lattice_rows(lattice, geometry, limits.view);
   // The forecast only sorts out what is far off.
   CompiledMap map = choose(
       profile, geometry, limits, Forecast(lattice, geometry),
-      [&](int nx, int ny, double largest_error_px) {
-        return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits, largest_error_px);
-      },
-      4);
+      [&](int nx, int ny) { return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits, false); }, 4);
   const LatticeShape shape = control_shape(map.table);
   const std::vector<Point> controls = lattice_points(geometry, shape);
   std::vector<Point> sources(controls.size());
@@ -700,33 +1136,38 @@ const Rays& MapCompiler::rays(const LatticeShape& shape) {
 
 void MapCompiler::look(const Surface& surface, const LatticeShape& shape, LookLattice& lattice) {
   const Rays& sights = rays(shape);
-  lattice.shape = shape;
-  lattice.looks.resize(sights.size());
-  cameras_.look(surface, sights, geometry_.row_step(), limits_.view, lattice.looks);
-  settle(geometry_, lattice);
+  lattice.resize(shape);
+  constexpr std::size_t kAtATime = 512;  // what stays in a fast cache
+  std::array<Look, kAtATime> looks;
+  for (std::size_t first = 0; first < sights.size(); first += kAtATime) {
+    const auto part = std::span(looks).first(std::min(kAtATime, sights.size() - first));
+    cameras_.look(surface, sights, geometry_.row_step(), limits_.view, part, first);
+    take(part, geometry_, first, lattice);
+  }
   check_lattice_rows(lattice, geometry_, limits_.view);
 }
 
 CompiledMap MapCompiler::compile(const Surface& surface) {
   surface.check_cameras(cameras_.left().world_to_camera.centre(), cameras_.right().world_to_camera.centre());
-  LookLattice lattice;
-  look(surface, shape_of(geometry_, kForecastLog2, kForecastLog2, kForecastLog2, kForecastLog2), lattice);
-  const Forecast forecast(lattice, geometry_);
+  LookLattice coarse;
+  look(surface, shape_of(geometry_, kForecastLog2, kForecastLog2, kForecastLog2, kForecastLog2), coarse);
+  const Forecast forecast(coarse, geometry_);
+  lattice_.shape = {};
   const int coarsest = surface.simple() ? kSmoothLog2 : kFeatureLog2;
-  const auto fit = [&](int nx, int ny, double largest_error_px) {
+  const auto fit = [&](int nx, int ny) {
     const int x_log2 = std::min(std::max(nx - 1, 0), coarsest);
     const int y_log2 = std::min(std::max(ny - 1, 0), coarsest);
     const LatticeShape shape = shape_of(geometry_, x_log2, y_log2, nx, ny);
-    if (shape != lattice.shape) {
-      look(surface, shape, lattice);
-      if (surface.simple()) keep_clear_of_limits(lattice);
+    if (shape != lattice_.shape) {
+      look(surface, shape, lattice_);
+      if (surface.simple()) keep_clear_of_limits(lattice_);
     }
-    return GridFit(lattice, geometry_, nx, ny, profile_.weight_bits, limits_, largest_error_px);
+    return GridFit(lattice_, geometry_, nx, ny, profile_.weight_bits, limits_, surface.simple());
   };
-  CompiledMap map = choose(profile_, geometry_, limits_, forecast, fit, 1);
+  CompiledMap map = choose(profile_, geometry_, limits_, forecast, fit, 1.1);
   const LatticeShape controls = control_shape(map.table);
   std::vector<Point> sources(rays(controls).size());
-  cameras_.look_around(surface, rays(controls), sources);
+  cameras_.look_around(surface, rays(controls), sources, without_source(controls, map.table));
   show_around(controls, sources, map.table);
   hls::table::Facts facts = facts_of(map.table, profile_);
   scale_.measure(surface, facts);

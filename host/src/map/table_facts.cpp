@@ -4,6 +4,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
 #include <utility>
 
 namespace horopter {
@@ -20,22 +23,44 @@ static_assert(kStep_px <= 1 << hls::table::area_block_log2, "every block has a s
 
 /// Pixels of the result all of whose support, `reach` pixels around them, has a source.
 std::uint32_t judgeable_pixels(const Image& supervised, int subsample, int reach) {
-  const int width = supervised.width / subsample;
-  const int side = 2 * reach + 1;
-  std::vector<int> above(static_cast<std::size_t>(width));  // supervised pixels in a column, up to this row
-  std::uint32_t count = 0;
+  constexpr std::uint64_t kAll = 0x0101010101010101;
+  const auto width = static_cast<std::size_t>(supervised.width / subsample);
+  const std::size_t words = (width + 7) / 8;
+  if (reach > 127) throw std::invalid_argument("windows larger than any stage's");
+  const auto side = static_cast<std::uint8_t>(2 * reach + 1);
+  std::vector<std::uint8_t> both(width);
+  std::vector<std::uint8_t> above(width);      // supervised pixels in a column, up to this row, at most `side`
+  std::vector<std::uint8_t> whole(8 * words);  // there are `side` of them
+  std::uint64_t count = 0;
   for (int y = 0; y < supervised.height; ++y) {
-    const std::uint8_t* row = supervised.row(y).data();
-    int before = 0;  // columns in a row that are supervised over `side` rows, up to this one
-    for (int x = 0; x < width; ++x) {
-      const std::uint8_t* pair = row + std::ptrdiff_t{x} * subsample;
-      int& column = above[static_cast<std::size_t>(x)];
-      column = pair[0] != 0 && pair[subsample - 1] != 0 ? column + 1 : 0;
-      before = column >= side ? before + 1 : 0;
-      count += before >= side ? 1 : 0;
+    const std::uint8_t* here = supervised.row(y).data();
+    if (subsample == 2) {
+      for (std::size_t x = 0; x < width; ++x) both[x] = here[2 * x] & here[2 * x + 1];
+      here = both.data();
+    }
+    for (std::size_t x = 0; x < width; ++x) {
+      const auto more = static_cast<std::uint8_t>(above[x] + (above[x] < side ? 1 : 0));
+      above[x] = static_cast<std::uint8_t>(more * here[x]);  // 1 or 0
+      whole[x] = above[x] == side ? 1 : 0;
+    }
+    std::size_t before = 0;  // whole columns in a row, up to this one
+    for (std::size_t x = 0; x < 8 * words; x += 8) {
+      std::uint64_t eight;
+      std::memcpy(&eight, &whole[x], 8);
+      if (eight == kAll) {
+        count += before + 8 >= side ? std::min<std::size_t>(8, before + 9 - side) : 0;
+        before += 8;
+      } else if (eight == 0) {
+        before = 0;
+      } else {
+        for (std::size_t i = x; i < x + 8; ++i) {
+          before = whole[i] != 0 ? before + 1 : 0;
+          count += before >= side ? 1 : 0;
+        }
+      }
     }
   }
-  return count;
+  return static_cast<std::uint32_t>(count);
 }
 
 /// 0, the step, twice the step …, and the last pixel.

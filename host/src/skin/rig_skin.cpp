@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 constexpr double kSamePoint = 1e-5;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Lines of sight at a time: what stays in the fastest cache.
-constexpr std::size_t kChunk = calib::PixelBatch::kSize;
+constexpr std::size_t kChunk = 64;
 using Lane = std::array<double, kChunk>;
 
 /// Numbers of a chunk side by side, as a processor's vectors like them.
@@ -83,7 +83,9 @@ struct Chunk {
   }
 }
 
-const Point kNowhere{std::nan(""), std::nan("")};
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr Point kNowhere{kNan, kNan};
+constexpr Look kNoLook{kNowhere, std::numeric_limits<float>::quiet_NaN(), Reason::no_source};
 
 /// How far the left epipolar line of a pixel is off its row where it is `shift` columns further; NaN where it does not
 /// get there. `sight` is the pixel's, z = 1, `baseline` the direction to the other camera: the line is what
@@ -155,11 +157,11 @@ Rays CameraPair::rays(std::span<const Point> left, const ViewLimits& limits) con
 }
 
 void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits,
-                      std::span<Look> looks) const {
+                      std::span<Look> looks, std::size_t first_ray) const {
   if (limits.largest_shift_px > rays.largest_shift_px) {
     throw std::invalid_argument("lines of sight that were not followed as far as the neighbours are shifted");
   }
-  std::array<Hit, kChunk> hits;
+  std::array<Hit, kChunk> all_hits;
   std::array<Hit, kChunk> right_hits;
   std::array<Vector3d, kChunk> sights;  // from the right camera to the point on the skin
   Chunk c;
@@ -167,10 +169,23 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
   const double largest_stretch_allowed = 1 / limits.smallest_scale;
   const double largest_row_error = kLargestRowError * row_step;
   const bool search_hidden = !surface.simple();
-  for (std::size_t first = 0; first < rays.size(); first += kChunk) {
-    const std::size_t count = std::min(kChunk, rays.size() - first);
+  for (std::size_t chunk = 0; chunk < looks.size(); chunk += kChunk) {
+    const std::size_t size = std::min(kChunk, looks.size() - chunk);
+    surface.intersect(left_centre_, std::span(rays.directions).subspan(first_ray + chunk, size),
+                      std::span(all_hits).first(size));
+    // From the first to the last that meets it.
+    std::size_t begin = 0;
+    std::size_t end = size;
+    while (begin < end && !std::isfinite(all_hits[begin].distance)) ++begin;
+    while (begin < end && !std::isfinite(all_hits[end - 1].distance)) --end;
+    std::ranges::fill(looks.subspan(chunk, begin), kNoLook);
+    std::ranges::fill(looks.subspan(chunk + end, size - end), kNoLook);
+    const std::size_t count = end - begin;
+    if (count == 0) continue;
+    const std::size_t first = first_ray + chunk + begin;
+    const auto seen = looks.subspan(chunk + begin, count);
     const auto directions = std::span(rays.directions).subspan(first, count);
-    surface.intersect(left_centre_, directions, std::span(hits).first(count));
+    const auto hits = std::span(all_hits).subspan(begin, count);
     if (search_hidden) {
       for (std::size_t i = 0; i < count; ++i) {
         sights[i] = left_centre_ + hits[i].distance * directions[i] - right_centre_;
@@ -189,16 +204,20 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
     right_.model.distort(std::span(c.x).first(count), std::span(c.y).first(count), c.pixels);
     calib::vectorised<stretch_points>(view, row_step, count, c);
     for (std::size_t i = 0; i < count; ++i) {
-      Look& look = looks[first + i];
-      look = {kNowhere, std::nanf(""), Reason::no_source};
-      if (!std::isfinite(c.distance[i])) continue;
-      look.reason = Reason::outside;
-      if (std::isnan(c.pixels.x[i])) continue;
+      Look& look = seen[i];
+      if (!std::isfinite(c.distance[i])) {
+        look = kNoLook;
+        continue;
+      }
+      if (std::isnan(c.pixels.x[i])) {
+        look = {kNowhere, kNoLook.margin, Reason::outside};
+        continue;
+      }
       look.source = {c.pixels.x[i], c.pixels.y[i]};
       const double cosine = std::min(-c.facing[i] * rays.over_length[first + i], c.right_cosine[i]);
       const double stretch = c.stretch[i];
       look.margin = static_cast<float>(
-          std::min(cosine - smallest_cosine, (largest_stretch_allowed - stretch) / largest_stretch_allowed));
+          std::min(cosine - smallest_cosine, (largest_stretch_allowed - stretch) * limits.smallest_scale));
       if (search_hidden && !(right_hits[i].distance >= 1 - kSamePoint)) {
         look.reason = Reason::hidden;
       } else if (!(cosine >= smallest_cosine)) {
@@ -218,37 +237,62 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
   }
 }
 
-void CameraPair::look_around(const Surface& surface, const Rays& rays, std::span<Point> sources) const {
-  std::vector<Hit> hits(rays.size());
-  surface.intersect(left_centre_, rays.directions, hits);
+void CameraPair::look_around(const Surface& surface, const Rays& rays, std::span<Point> sources,
+                             std::span<const std::uint8_t> wanted) const {
+  std::array<Hit, kChunk> hits;
+  std::vector<double> distances(rays.size());
+  for (std::size_t first = 0; first < rays.size(); first += kChunk) {
+    const std::size_t count = std::min(kChunk, rays.size() - first);
+    surface.intersect(left_centre_, std::span(rays.directions).subspan(first, count), std::span(hits).first(count));
+    for (std::size_t i = 0; i < count; ++i) distances[first + i] = hits[i].distance;
+  }
   // A plane's 1/z is linear in the normalised image. The directions have z = 1, so that a distance is z.
-  const Matrix3d to_left = left_.world_to_camera.rotation;
-  Matrix3d normal = Matrix3d::Zero();
+  std::array<double, 6> squares{};
   Vector3d right_side = Vector3d::Zero();
   double least = kInfinity;
   double most = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (!std::isfinite(hits[i].distance)) continue;
-    const Vector3d sight = to_left * rays.directions[i];
-    const double over_z = 1 / hits[i].distance;
-    normal += sight * sight.transpose();
+    if (!std::isfinite(distances[i])) continue;
+    const Vector3d& sight = rays.directions[i];
+    const double over_z = 1 / distances[i];
+    squares[0] += sight.x() * sight.x();
+    squares[1] += sight.x() * sight.y();
+    squares[2] += sight.x() * sight.z();
+    squares[3] += sight.y() * sight.y();
+    squares[4] += sight.y() * sight.z();
+    squares[5] += sight.z() * sight.z();
     right_side += sight * over_z;
     least = std::min(least, over_z);
     most = std::max(most, over_z);
   }
+  Matrix3d normal;
+  normal << squares[0], squares[1], squares[2], squares[1], squares[3], squares[4], squares[2], squares[4], squares[5];
   const Vector3d plane = normal.completeOrthogonalDecomposition().solve(right_side);
+  std::ranges::fill(sources, kNowhere);
+  std::array<std::size_t, kChunk> which;
+  std::array<double, kChunk> x, y;
+  calib::PixelBatch pixels;
+  std::size_t count = 0;
+  const auto distort = [&] {
+    right_.model.distort(std::span(x).first(count), std::span(y).first(count), pixels);
+    for (std::size_t i = 0; i < count; ++i) sources[which[i]] = {pixels.x[i], pixels.y[i]};
+    count = 0;
+  };
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    sources[i] = kNowhere;
-    double distance = hits[i].distance;
+    if (!wanted.empty() && wanted[i] == 0) continue;
+    double distance = distances[i];
     if (!std::isfinite(distance)) {
       if (most == 0 || !rays.directions[i].allFinite()) continue;
-      distance = 1 / std::clamp(plane.dot(to_left * rays.directions[i]), least, most);
+      distance = 1 / std::clamp(plane.dot(rays.directions[i]), least, most);
     }
-    const Vector3d point = right_.world_to_camera * (left_centre_ + distance * rays.directions[i]);
-    if (!(point.z() > 0)) continue;
-    const auto seen = right_.model.distort(point.head<2>() / point.z());
-    if (seen) sources[i] = {seen->x(), seen->y()};
+    const double z = between_.z() + distance * rays.right_view[6][i];
+    if (!(z > 0)) continue;
+    which[count] = i;
+    x[count] = (between_.x() + distance * rays.right_view[0][i]) / z;
+    y[count] = (between_.y() + distance * rays.right_view[3][i]) / z;
+    if (++count == kChunk) distort();
   }
+  distort();
 }
 
 double CameraPair::thickness_mm(Point left, Point right, double tolerance_px) const {

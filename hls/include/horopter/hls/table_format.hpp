@@ -128,8 +128,9 @@ inline double decode_area(std::uint8_t code) { return std::ldexp(8 + (code & 7),
 /// Control point of a source, px; `unmapped` when it is not finite or out of the range of x -64 … 1983.9 px,
 /// y -64 … 1215.9 px.
 inline std::uint32_t encode_control(double x_px, double y_px) {
-  const double x = std::floor((x_px + control_offset_px) * control_scale + 0.5);
-  const double y = std::floor((y_px + control_offset_px) * control_scale + 0.5);
+  // Cut off where they are converted: floor, as they are not negative then.
+  const double x = (x_px + control_offset_px) * control_scale + 0.5;
+  const double y = (y_px + control_offset_px) * control_scale + 0.5;
   // 0xFFFF is left out, so that no control point looks like `unmapped`.
   if (!(x >= 0 && x < 0xFFFF && y >= 0 && y < around_skin)) return unmapped;
   return static_cast<std::uint32_t>(y) << 16 | static_cast<std::uint32_t>(x);

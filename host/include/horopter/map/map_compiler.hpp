@@ -3,6 +3,7 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -60,7 +61,20 @@ struct LatticeShape {
   int columns = 0, rows = 0;
   friend auto operator<=>(const LatticeShape&, const LatticeShape&) = default;
 };
-struct LookLattice;
+/// What they see, side by side: what is asked for most takes least memory.
+struct LookLattice {
+  LatticeShape shape;
+  std::vector<Point> sources;  ///< in the scan's coordinates; NaN where there is none
+  std::vector<float> margins;
+  std::vector<Reason> reasons;
+
+  void resize(const LatticeShape& to);
+  /// Of a pixel of the lattice.
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y >> shape.y_log2) * static_cast<std::size_t>(shape.columns) +
+           static_cast<std::size_t>(x >> shape.x_log2);
+  }
+};
 
 /// The same for skins that move while the cameras stand, a thousand tables a second. The lines of sight are computed
 /// once. Errors and reasons are checked at 4 pixels of each cell: its corner, its middle and the middles between.
@@ -84,6 +98,7 @@ class MapCompiler {
   ScanGeometry geometry_;
   MapLimits limits_;
   std::map<LatticeShape, Rays> rays_;
+  LookLattice lattice_;  ///< of the skin at hand; kept for its memory
   SkinScale scale_;
 };
 

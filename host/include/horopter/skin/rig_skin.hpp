@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,13 +40,14 @@ class CameraPair {
   /// with both cameras the map makes two in the same plane, so whatever the skin and the right camera, what a neighbour
   /// sees lies on the pixel's left epipolar line.
   Rays rays(std::span<const Point> left, const ViewLimits& limits = {}) const;
-  /// What the pixels of the rays see of a surface that check_cameras accepts. Points of one call are best neighbours.
-  /// Throws std::invalid_argument for rays of smaller shifts than the limits'.
-  void look(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits,
-            std::span<Look> looks) const;
+  /// What the pixels of the rays, from the `first` on as many as there are looks, see of a surface that check_cameras
+  /// accepts. Points of one call are best neighbours. Throws std::invalid_argument for rays of smaller shifts than the limits'.
+  void look(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits, std::span<Look> looks,
+            std::size_t first = 0) const;
   /// As Skin::look_around. A surface is continued by the plane nearest to it, as seen from the left camera, no nearer
-  /// and no further than the surface itself.
-  void look_around(const Surface& surface, const Rays& rays, std::span<Point> sources) const;
+  /// and no further than the surface itself. Only where the source is `wanted`, if that is given; elsewhere it is NaN.
+  void look_around(const Surface& surface, const Rays& rays, std::span<Point> sources,
+                   std::span<const std::uint8_t> wanted = {}) const;
   /// Thickness of the skin along its own line of sight at a left pixel, mm: from where the source is `tolerance_px`
   /// nearer along the epipolar line to where it is as much further (2·D in 11.1, without its approximations).
   /// NaN where the two lines of sight do not determine a distance.
