@@ -97,8 +97,9 @@ TEST_CASE("study all: figures, verdicts and a page of its own, the same for the 
   {  // figures
     const json invariance = summary(box, "once/invariance");
     // All but the different scaling of LSAD and LSSD after a high-pass, with and without low-pass: where the means have
-    // different signs the factor is 1 (footnote 4 of 8.1.2), and nothing scales.
-    CHECK(invariance["cells"].get<int>() - invariance["cells_as_in_the_thesis"].get<int>() == 4);
+    // different signs the factor is 1 (footnote 4 of 8.1.2), and nothing scales. Of LSSD after both filters, means near 0
+    // make a few values so large that the others are within 1e-4 of the mean.
+    CHECK(invariance["cells"].get<int>() - invariance["cells_as_in_the_thesis"].get<int>() == 3);
     CHECK(verdict_of(invariance, "LSAD, LSSD (no high-pass)") == "confirmed");
     CHECK(invariance["largest_change_of_invariant"].get<double>() <= 1e-4);
     CHECK(invariance["smallest_change_of_variant"].get<double>() > 2e-4);
@@ -112,6 +113,17 @@ TEST_CASE("study all: figures, verdicts and a page of its own, the same for the 
     CHECK(verdict_of(segmentation, "the minimal segmentation-error is very high") == "confirmed");
     CHECK_THAT(box.read("once/segmentation/errors.csv"),
                Catch::StartsWith("criterion,prefilter,kernel,result_filter,"));
+
+    // A printed figure is judged as it is printed, not within some percent.
+    CHECK(verdict_of(summary(box, "once/geometry"), "the maximal velocity of objects at 800 mm") == "not confirmed");
+    const json edges = summary(box, "once/edges");
+    CHECK(edges["conditions"]["steep_edge"]["fill_factor"] == 0.85);
+    CHECK(edges["fitted"].size() == 2);
+    // Squares scale with the square of the brightness, and the page says so.
+    for (const auto& row : invariance["statements"])
+      if (row["statement"].get<std::string>().find("SAD, SSD (no high-pass)") != std::string::npos)
+        CHECK_THAT(row["figure"].get<std::string>(),
+                   Catch::Contains("SAD ×1.25 = k, SSD ×1.5625 = k²") && Catch::Contains("not scaled literally"));
 
     // The committed thresholds, made of more and larger images, are those of a quick run.
     const json detection = summary(box, "once/detection");

@@ -36,9 +36,10 @@ TEST_CASE("study resolution: 4 bits after differencing cost less than 7 %, 8-bit
   CHECK(losses["7 bit after differencing"]["against_floating_point"].get<double>() < 0.02);
   // One bit more is needed before differencing, and one bit in all is not enough.
   CHECK(losses["1 bit after differencing"]["largest_from_0.3_px"].get<double>() > 0.1);
-  CHECK(losses["3 bit before differencing"]["largest_from_0.3_px"].get<double>() >
-        losses["3 bit after differencing"]["largest_from_0.3_px"].get<double>());
-  // The low-pass is rounded to grey levels: the weaker the texture, the more of it that is.
+  CHECK(losses["4 bit before differencing"]["largest_from_0.3_px"].get<double>() >
+        losses["4 bit after differencing"]["largest_from_0.3_px"].get<double>());
+  // The low-pass is rounded to grey levels: the weaker the texture, the more of it that is. The insides of large leaves
+  // are weak at every contrast.
   double last = 1;
   for (const char* grey : {"6", "12", "24", "40"}) {
     const double largest = figures["rounding"][grey]["largest"];
@@ -46,8 +47,8 @@ TEST_CASE("study resolution: 4 bits after differencing cost less than 7 %, 8-bit
     CHECK(largest < last);
     last = largest;
   }
-  CHECK(figures["rounding"]["24"]["largest"].get<double>() < 0.02);
-  CHECK(figures["rounding"]["12"]["within_2_percent_from_px"].get<double>() < 0.7);
+  CHECK(figures["rounding"]["40"]["largest"].get<double>() < 0.05);
+  CHECK(figures["rounding"]["40"]["within_2_percent_from_px"].get<double>() <= 1.05);
 }
 
 TEST_CASE("study texture: Table 9.1, and one curve over texture to noise") {

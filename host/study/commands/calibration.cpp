@@ -379,7 +379,7 @@ std::vector<Statement> statements(const nlohmann::json& result) {
        "Zernike 13×13, NCE of the middle plane over the better of the others: squares {:.2f}, diamonds {:.2f}",
        "Below 1 for both; partly: for one (in the table 0.82 and 1.00)",
        {first < 1 && second < 1, first < 1 || second < 1},
-       "the plane between those of the calibration is measured best"},
+       "a plane between the two that were calibrated on is measured best"},
       {"When all patterns were included, the errors were reduced by about 25–40 % and 0–35 % for diamonds and squares.",
        {reduced_percent("diamonds"), reduced_percent("squares")},
        "Zernike 13×13, against the mean of the three planes: by {:.0f} % and {:.0f} %",
@@ -394,7 +394,7 @@ std::vector<Statement> statements(const nlohmann::json& result) {
        "Within 25 %; partly: within a factor of 2",
        {near(first, 0.09, 0.0225) && near(second, 0.08, 0.02),
         first >= 0.045 && first <= 0.18 && second >= 0.04 && second <= 0.16},
-       "a calibration leaves 0.1 px in the image"}};
+       "after a calibration points are off by 0.1 px in the image"}};
 }
 
 }  // namespace

@@ -17,10 +17,21 @@
 #include "horopter/base/file.hpp"
 
 namespace horopter::cli {
+namespace {
+
+// kChapter8Fitted says by what.
+constexpr double kSmallestLeaf_px = 1.5;
+constexpr double kLargestLeaf_px = 24;
+constexpr double kBlur_px = 0.68;
+constexpr double kContrast_grey = 31;
+
+}  // namespace
 
 study::Conditions chapter8_conditions(const StudyScope& scope) {
   study::Conditions conditions;
   conditions.texture.kind = study::TextureKind::dead_leaves;
+  conditions.texture.smallest_px = kSmallestLeaf_px;
+  conditions.texture.largest_px = kLargestLeaf_px;
   if (!scope.picture.empty()) {
     conditions.texture.kind = study::TextureKind::picture;
     auto picture = std::make_shared<const Image>(load_image(scope.picture));
@@ -29,8 +40,14 @@ study::Conditions chapter8_conditions(const StudyScope& scope) {
     conditions.texture.picture = std::move(picture);
   } else if (!scope.texture.empty()) {
     conditions.texture.kind = study::texture_kind(scope.texture);
+    if (conditions.texture.kind != study::TextureKind::dead_leaves) {
+      const study::Texture usual;
+      conditions.texture.smallest_px = usual.smallest_px;
+      conditions.texture.largest_px = usual.largest_px;
+    }
   }
-  conditions.camera.blur_px = 1.2;
+  conditions.camera.blur_px = kBlur_px;
+  conditions.lighting.deviation_grey = kContrast_grey;
   conditions.lighting.slope_x = 0.4;
   if (scope.quick) {
     conditions.camera.width = 240;

@@ -99,7 +99,7 @@ std::vector<Statement> statements() {
            "follow from the sums of r, s, r², s², rs",
            "All dearer than twice DSAD; partly: ZSAD and LSAD alone",
            {first > 2 * fourth && second > 2 * fourth, first > 2 * third},
-           "zero-mean criteria need each window summed up anew"},
+           "criteria of zero mean need the sum of each window anew"},
           {"DSAD has low computational requirements: 13.0 M to SAD's 10.6 M (Table 8.5).",
            {mega("DSAD") / mega("SAD"), mega("DSAD") - mega("SAD"), mega("DSAD"), mega("SAD")},
            "{2:.1f} M to {3:.2f} M: with sums this cheap the gradients dominate",

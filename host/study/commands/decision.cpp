@@ -244,8 +244,11 @@ std::vector<Variant> variants(const StudyScope& scope) {
 StereoPair simulated_scene(const StudyScope& scope, study::TextureKind kind, const std::string& name) {
   constexpr int kFar_px = 8;
   constexpr int kNear_px = 16;
-  study::Conditions conditions = chapter8_conditions(scope);
+  study::Conditions conditions;
   conditions.texture.kind = kind;
+  conditions.camera.blur_px = 1.2;
+  conditions.lighting.slope_x = 0.4;
+  conditions.seed = scope.seed;
   conditions.camera.width = 320;
   conditions.camera.height = 240;
   conditions.electronics.averaged = 1;

@@ -205,11 +205,12 @@ std::vector<Statement> of_ideal_edges(const nlohmann::json& result) {
   }
   return {
       {"Steep edges: Gaussian reconstruction and the Zernike methods have a maximum error of less than 0.08 pxl.",
-       {steepest("gaussian"), steepest("zernike-9"), steepest("zernike-13")},
-       "{:.3f}, {:.3f} (9×9) and {:.3f} px (13×13)",
+       {steepest("gaussian"), steepest("zernike-9"), steepest("zernike-13"), kFillFactor, (1 - kFillFactor) / 2},
+       "{0:.3f}, {1:.3f} (9×9) and {2:.3f} px (13×13). The simulated pixels see {3:.2f} of their width (blur 0.01 px): "
+       "where an edge lies between two of them no method can know, so the limit of any is (1 − {3:.2f})/2 = {4:.3f} px",
        "All below 0.08 px; partly: one",
        {first < 0.08 && second < 0.08 && third < 0.08, first < 0.08 || second < 0.08 || third < 0.08},
-       "Zernike's moments find the steepest edge to 0.08 px"},
+       "Zernike's methods find the place of a steep edge to 0.08 px"},
       {"Steep edges: linear interpolation yields moderate error, Tabatabai's methods the worst, more than 0.15 pxl.",
        {steepest("linear-13"), steepest("tabatabai-1d"), steepest("tabatabai-2d"),
         std::max(steepest("zernike-9"), steepest("zernike-13"))},
@@ -255,7 +256,7 @@ Statement of_points(const nlohmann::json& result) {
           "Two-dimensional methods, RMS of the corners: {:.4f} px with 4 points, {:.4f} px with 16, {:.4f} px with 46",
           "At most a fifth better with 46 than with 16, a third with 16 than with 4; partly: the former gain smaller",
           {third >= 0.8 * second && second <= 0.67 * first, third >= 0.8 * second},
-          "16 points an edge are enough"};
+          "more than 16 points an edge hardly improve it"};
 }
 
 Statement of_all_methods(const nlohmann::json& result) {

@@ -331,7 +331,7 @@ std::vector<Statement> statements(const nlohmann::json& result, const Measuremen
        "Half the step divides it by {:.2f} to {:.2f} (scaling, steps of 1 to 1/8)",
        "By 1.8 to 2.2; partly: 1.6 to 2.4",
        {first >= 1.8 && second <= 2.2, first >= 1.6 && second <= 2.4},
-       "the error of the interpolation goes with the step of its weights"},
+       "the error of the interpolation is proportional to the step of its weights"},
       {"The measured standard deviation was σ ≈ 7 for nearest neighbor and σ ≈ 1.5 for a quantization step of 1/4; it is "
        "a function of the high frequencies in the image.",
        {sigma_of("nearest") / sigma_of("step 1/4"), sigma_of("nearest"), sigma_of("step 1/4")},
@@ -349,7 +349,7 @@ std::vector<Statement> statements(const nlohmann::json& result, const Measuremen
        "Translation, equivalent to at most {:.3f} px; continuous weights {:.3f} px, nearest {:.3f} px",
        "At most 10 % more than continuous weights; partly: 30 %",
        {first <= 1.1 * second, first <= 1.3 * second},
-       "weights of 3 bits are enough"}};
+       "weights of 3 bits (steps of 1/8) are enough"}};
 }
 
 }  // namespace

@@ -39,17 +39,25 @@ std::string cell(std::string text) {
 constexpr const char* kIntroduction = R"(# What of the thesis holds
 
 Written by `horopter study all{}`: do not edit. The thesis is *Real Time Inverse Stereo System for Surveillance of Dynamic Safety
-Envelopes*. Each verdict is computed from the figures by the rule beside it, the same for every run. A rule says when a statement is
-confirmed and, after *partly:*, when it is so in part.
-{} statements, {} of them not the thesis's but ours: {} confirmed, {} partly, {} not confirmed.
+Envelopes*. Each statement is *confirmed*, *partly* confirmed or *not confirmed*: a verdict that is computed from the figures by the rule
+beside it, the same for every run. A rule says when a statement is confirmed and, after *partly:*, when it is so in part.
+{} statements: {} confirmed, {} partly, {} not confirmed.
+{}The last column is a selection: some statements in a few words, under their verdicts. All of them are in the tables below.
 
 )";
+
+/// Of the statements that are ours.
+constexpr const char* kOurs =
+    "{} of them ({}) begin with *Ours*: the thesis does not say them. They count all the same, because figures\nof "
+    "the thesis rest on them: a row of Table 8.5 that the text does not define, directions of 8 bits.\n";
 
 constexpr const char* kGlossary = R"(
 | word | meaning |
 | --- | --- |
 | § | a section of the thesis |
-| fiducial, NCE | a square or diamond of the calibration target; the normalised calibration error: relative to what the size of a pixel explains (6.35) |
+| fiducial | a square or diamond of the calibration target |
+| NCE | normalised calibration error: the error of a calibration divided by the one that the size of a pixel alone would make (6.35); small is good |
+| jitter | lines of an image that begin too early or too late, each by another amount (6.7.2) |
 | Zernike, Tabatabai, Gaussian reconstruction | ways to find an edge to a part of a pixel (6.6), in a window of 13×13 pixels for instance |
 | criterion | a measure of how alike two windows of an image are (Tables 8.1 and 8.2) |
 | CCF, NCC, MOR, SAD, SSD | cross correlation, the same normalised, Moravec's, sum of absolute and of squared differences |
@@ -57,6 +65,11 @@ constexpr const char* kGlossary = R"(
 | Z…, L…, N… before them | of zero mean, locally scaled, normalised: ZNCC is NCC of zero mean, ZNSSD is SSD of zero mean and normalised |
 | DSAD, DSSD | sum of absolute, or squared, differences of the directions of the gradient. DSAD is the thesis's criterion. |
 | LP, HP, LP+HP | a low-pass filter, a high-pass filter, or both, before the criterion |
+| dead leaves | a simulated texture: discs of random grey and of random sizes that lie on each other like fallen leaves |
+| slope of the light | how much brighter one side of an image is lit than the other |
+| majority | each pixel of a binary image becomes what most pixels of the window around it are (5.4) |
+| clusterlet | a spot of few pixels: where all pixels on the border of a window have one value, those inside get it (5.3) |
+| opening, closing | the smallest value of each window, then the largest: removes small spots; the other way round: fills small holes |
 | disparity | the displacement between both images, px |
 | detection rate | share of the pixels with a disparity that the threshold takes for undisplaced |
 | D50, D95 | the disparity at which 50 % or 95 % are detected |
@@ -81,8 +94,8 @@ std::string headlines(const StatementGroup& group, const char* verdict, const ch
 }
 
 std::string summary_line(const StatementGroup& group) {
-  std::string said = headlines(group, "confirmed", "Holds") + headlines(group, "partly", "In part") +
-                     headlines(group, "not confirmed", "**Does not hold**");
+  std::string said = headlines(group, "confirmed", "Confirmed") + headlines(group, "partly", "Partly") +
+                     headlines(group, "not confirmed", "**Not confirmed**");
   if (!said.empty()) said.pop_back();
   return fmt::format("| {} ({}) | {} | {} | {} | {} |\n", group.name, fmt::join(group.sections, ", "), group.confirmed,
                      group.partly, group.not_confirmed, cell(said));
@@ -102,7 +115,6 @@ std::vector<StatementGroup> statement_groups(const nlohmann::ordered_json& resul
       if (group == groups.end()) throw std::logic_error("statements: section " + section + " is of no group");
       const auto verdict = row.at("verdict").get<std::string>();
       ++(verdict == "confirmed" ? group->confirmed : verdict == "partly" ? group->partly : group->not_confirmed);
-      if (row.at("statement").get<std::string>().starts_with("Ours,")) ++group->ours;
       row["study"] = study;
       const auto of = [](const nlohmann::json& one) { return one.at("section").get<std::string>(); };
       group->rows.insert(std::ranges::upper_bound(group->rows, section, {}, of), std::move(row));
@@ -123,28 +135,34 @@ std::string study_markdown(const nlohmann::ordered_json& results) {
       fitted += fmt::format("- **{}**: {}\n", study, line.get<std::string>());
   }
   StatementGroup total;
-  std::string summary = "| what (§) | holds | in part | not | of it |\n| --- | --- | --- | --- | --- |\n";
+  std::string summary =
+      "| what (§) | confirmed | partly | not confirmed | for instance |\n| --- | --- | --- | --- | --- |\n";
   std::string tables;
+  std::vector<int> ours;
   int number = 0;
   for (const StatementGroup& group : statement_groups(results)) {
     if (group.all() == 0) continue;
     total.confirmed += group.confirmed;
     total.partly += group.partly;
     total.not_confirmed += group.not_confirmed;
-    total.ours += group.ours;
     summary += summary_line(group);
     tables += fmt::format("\n## {}\n{}", group.name, kTableHead);
     for (const auto& row : group.rows) {
       const auto text = [&](const char* key) { return cell(row.at(key).get<std::string>()); };
-      tables += fmt::format("| {} | {} | {} | {} | **{}** | {} | {} |\n", ++number, text("section"), text("statement"),
+      ++number;
+      if (row.at("statement").get<std::string>().starts_with("Ours,")) ours.push_back(number);
+      tables += fmt::format("| {} | {} | {} | {} | **{}** | {} | {} |\n", number, text("section"), text("statement"),
                             text("figure"), text("verdict"), text("rule"), text("study"));
     }
   }
-  return fmt::format(kIntroduction, quick ? " --quick" : "", total.all(), total.ours, total.confirmed, total.partly,
-                     total.not_confirmed) +
-         summary + "\nConditions that the thesis does not give, and that were chosen by its own figures:\n\n" + fitted +
-         kGlossary + tables + "\n## Conditions\n\nEvery study's conditions, beside which its figures hold:\n\n" +
-         conditions;
+  const std::string of_ours = ours.empty() ? "" : fmt::format(kOurs, ours.size(), fmt::join(ours, " and "));
+  return fmt::format(kIntroduction, quick ? " --quick" : "", total.all(), total.confirmed, total.partly,
+                     total.not_confirmed, of_ours) +
+         summary +
+         "\nConditions that the thesis does not give: what was fitted to which of its figures, and what was "
+         "chosen:\n\n" +
+         fitted + kGlossary + tables +
+         "\n## Conditions\n\nEvery study's conditions, beside which its figures hold:\n\n" + conditions;
 }
 
 }  // namespace horopter::cli

@@ -13,7 +13,6 @@ struct StatementGroup {
   std::string name;
   std::vector<std::string> sections;  ///< "8.4.2": this section and those below it
   int confirmed = 0, partly = 0, not_confirmed = 0;
-  int ours = 0;                           ///< of them: not the thesis's
   std::vector<nlohmann::json> rows = {};  ///< of evaluate(), with "study", its name; by section
   int all() const { return confirmed + partly + not_confirmed; }
 };

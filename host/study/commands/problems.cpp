@@ -69,7 +69,7 @@ Statement repetition(const StudyScope& scope, double of_leaves) {
       "does not repeat in {:.2f} %",
       "In half of them at least, and in below 1 % of the other; partly: ten times as many",
       {first >= 50 && second < 1, first > 10 * second},
-      "repetitive texture is detected where nothing is"};
+      "a texture that repeats itself is detected where nothing is in the skin"};
 }
 
 Statement ramp(const StudyScope& scope) {

@@ -151,7 +151,7 @@ std::vector<Statement> table_7_1(StudyReport& report, const Plane& source) {
        "More than a tenth of the neighbours where the table says blocking, fewer where it says none, for all; partly: "
        "for all but one",
        {first >= second, first >= second + -1},
-       "interpolation leaves no blocks, supersampling no aliasing"},
+       "interpolation avoids blocks, supersampling avoids aliasing"},
       {"Table 7.1, inverse mapping, scaling < 1: aliasing by point sampling with and without interpolation, none by area "
        "and supersampling.",
        {aliases, kMethods.size(), aliasing},

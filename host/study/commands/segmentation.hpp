@@ -43,6 +43,8 @@ inline const std::vector<std::string> kNormalisedGroup{"NCC", "ZNCC", "MOR", "ZN
 inline const std::vector<std::string> kDifferenceGroup{"SAD", "ZSAD", "LSAD", "SSD", "ZSSD", "LSSD"};
 inline const std::vector<std::string> kZeroMeanGroup{"SAD", "SSD", "ZSAD", "ZSSD"};
 inline const std::vector<std::string> kLocalGroup{"LSAD", "LSSD", "NSAD"};
+/// All but kLocalGroup, of which 8.4.3 says that a high-pass makes them worse.
+inline const std::vector<std::string> kLikedByHighpass{"NCC", "ZNCC", "MOR", "ZNSSD", "SAD", "SSD", "ZSAD", "ZSSD"};
 inline const std::vector<std::string> kGreyCriteria{"NCC",   "ZNCC", "MOR",  "SSD",  "ZSSD", "LSSD",
                                                     "ZNSSD", "SAD",  "ZSAD", "LSAD", "NSAD"};
 

@@ -75,7 +75,7 @@ Statement surpassing(const Measures& of, const char* images, Prefilter prefilter
       "Surpassed up to {:.2f} px; at 1.5 px their error is {:.1f} times DSAD's",
       "Limit within 0.15 px; partly: DSAD better at 1.5 px",
       {near(first, expected, 0.15) && second > 1, second > 1},
-      prefilter == highpass ? "high-pass criteria surpass DSAD at small disparities only" : ""};
+      prefilter == highpass ? "after a high-pass NCC and its like surpass DSAD at small disparities alone" : ""};
 }
 
 Table criteria_on_highpass(const Measures& of) {

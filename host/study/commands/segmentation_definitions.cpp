@@ -146,7 +146,7 @@ Table means(const Measures& of) {
        "A range of 0.6 px that begins at 0.5 px or before, in which the mean is within 3 % of its rise of a line; "
        "partly: in three quarters of them",
        {first >= second, first >= 0.75 * second},
-       "means rise linearly near 0"}};
+       "the means of all criteria rise linearly with small disparities"}};
 }
 
 Table errors(const Measures& of) {
@@ -210,8 +210,9 @@ Table errors(const Measures& of) {
        "At most −0.9; partly: −0.7",
        {first <= -0.9, first <= -0.7}},
       {"The 10/90 disparity is for a linear detection-rate just 16/5 of the segmentation-error.",
-       {least_ratio, largest_ratio, straight},
-       "{2} detection rates of 9×9 with D50 = 0.6 … 1.4 px are linear: {0:.2f} … {1:.2f}",
+       {least_ratio, largest_ratio, straight,
+        straight > 0 ? fmt::format("{:.2f} … {:.2f}", least_ratio, largest_ratio) : "so none has this ratio"},
+       "{2} detection rates of 9×9 with D50 = 0.6 … 1.4 px are linear: {3}",
        "Between 3.1 and 3.3 wherever the rate is within 5 % of a line from 98 to 2 %; partly: 2.9 to 3.5",
        {third > 0 && first >= 3.1 && second <= 3.3, third > 0 && first >= 2.9 && second <= 3.5}},
       {"The segmentation-error is approximately in inverse proportion to the gradient of the detection-rate.",

@@ -78,6 +78,19 @@ class Measures {
   double smallest_error_of_local(Prefilter prefilter) const;
   /// Largest D50 up to which the group's mean error on grey values stays within a limit.
   double good_up_to(const Names& names, double limit) const;
+  /// From the first to the last D50 from 0.04 to 2 px, in steps of 0.02 px, at which `holds`.
+  template <class Holds>
+  double width_where(Holds holds) const {
+    constexpr double kStep_px = 0.02;
+    int low = 0;
+    int high = 0;
+    for (int i = 2; i <= 100; ++i) {
+      if (!holds(i * kStep_px)) continue;
+      if (low == 0) low = i;
+      high = i;
+    }
+    return (high - low) * kStep_px;
+  }
   /// Largest D50 in steps of 0.05 px, from the step `from` on, at which `holds`.
   template <class Holds>
   double last_of(int from, Holds holds) const {

@@ -183,7 +183,7 @@ void study_slopes(StudyReport& report, const StudyScope& scope) {
         "Slopes of 20° to 50°, thresholds of 15.0 to 25.1 %, along and across the baseline: within {:.0f} % and a pixel",
         "Within 15 % and a pixel; partly: 30 %",
         {first <= 15, first <= 30},
-        "the detected zone of a sloped skin is that of 11.3"},
+        "the detected zone of a sloped skin is as wide as equation 11.3 says"},
        {"Fig. 11.8: an object is well detectable up to an angle of 50° with highest thresholds, but the detected zone gets "
         "very small.",
         {100 * found.peak_at_50, found.width_at_50_mm, found.width_at_20_mm},

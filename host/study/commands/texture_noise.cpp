@@ -321,7 +321,7 @@ Statement needed_texture(StudyReport& report, const NoiseStudy& noise) {
           "Ratio of the deviations in 7×7 px at D50 = {4} px (–: not at a ratio of 20): {3}",
           "An error of 0.3 px, the largest tolerable one, is reached for every D50; partly: up to 1 px",
           {first >= second, third >= 3},
-          "an error of 0.3 px takes a texture of a few times the noise"};
+          "it can be said how strong a texture must be against the noise"};
 }
 
 void errors_over_noise(StudyReport& report, const StudyScope& scope) {
@@ -398,7 +398,7 @@ Statement weak_and_strong(const std::vector<std::vector<double>>& means) {
           "Mean DSAD at ratios of 3 and 20: {:.1f} and {:.1f} % of T_max at 0 px, {:.1f} and {:.1f} % at 1 px",
           "Higher at 0 and at 1 px; partly: at 0 px",
           {first > second && third > fourth, first > second},
-          "weak texture looks like displacement"};
+          "a weak texture looks as if it were displaced"};
 }
 
 }  // namespace
