@@ -3,7 +3,7 @@
 //
 // In      the beats of align; the idle one counts nothing.
 // Config  limits in pixels.
-// Out     one beat per frame, with the frame's last pixel: the counts, and for each whether it exceeds its limit.
+// Out     one beat per frame, with the frame's last pixel: counts, and for each whether it exceeds its limit.
 // Hidden and unproven pixels are not counted here. They have limits of their own (agreement.hpp), and all that is undecidable
 // has one in rtl/top/horopter_agreement_result.sv.
 // The counts start anew with `first`. Illegal use: more pixels than WIDTH·HEIGHT wrap a count.
@@ -34,7 +34,6 @@ class AlarmCounter {
   struct Out {
     bool valid = false;
     Count skin_pixels;
-    Count undecidable_pixels;
     Count unsupervised_pixels;
     bool alarm = false;
     bool too_undecidable = false;
@@ -48,7 +47,6 @@ class AlarmCounter {
     Out out;
     out.valid = in.end && !in.idle;
     out.skin_pixels = skin_;
-    out.undecidable_pixels = undecidable_;
     out.unsupervised_pixels = unsupervised_;
     out.alarm = skin_ > config.alarm_limit;
     out.too_undecidable = undecidable_ > config.undecidable_limit;

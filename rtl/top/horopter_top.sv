@@ -1018,7 +1018,6 @@ module horopter_top #(
       .runs_last_o(run_last),
       .alarm_valid_o(counts_valid),
       .alarm_skin_pixels_o(skin_pixels),
-      .alarm_undecidable_pixels_o(),
       .alarm_unsupervised_pixels_o(unsupervised_pixels),
       .alarm_alarm_o(alarm),
       .alarm_too_undecidable_o(too_undecidable),

@@ -3,7 +3,7 @@
 //
 // Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 63 bits, pipeline 75 bits, memories 0 bits.
+// State 63 bits, pipeline 54 bits, memories 0 bits.
 module horopter_alarm (
   input  logic clk_i,
   input  logic rst_ni,
@@ -20,7 +20,6 @@ module horopter_alarm (
   input  logic [20:0] cfg_unsupervised_limit_i,
   output logic valid_o,
   output logic [20:0] skin_pixels_o,
-  output logic [20:0] undecidable_pixels_o,
   output logic [20:0] unsupervised_pixels_o,
   output logic alarm_o,
   output logic too_undecidable_o,
@@ -35,7 +34,7 @@ module horopter_alarm (
   assign s2_en = en_i & valid_s2_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/alarm.hpp:45
+  // hls/stages/alarm.hpp:44
   logic not_13;
   assign not_13 = ~idle_i;
 
@@ -81,7 +80,6 @@ module horopter_alarm (
   // Stage 2 -----------------------------------------------------------------------------------------------------------
 
   logic [20:0] sum_17_s3_q;
-  logic [20:0] sum_25_s3_q;
   logic [20:0] sum_29_s3_q;
   logic less_30_s3_q;
   logic less_31_s3_q;
@@ -89,7 +87,6 @@ module horopter_alarm (
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       sum_17_s3_q <= skin_q;
-      sum_25_s3_q <= undecidable_q;
       sum_29_s3_q <= unsupervised_q;
       less_30_s3_q <= cfg_alarm_limit_i < skin_q;
       less_31_s3_q <= cfg_undecidable_limit_i < undecidable_q;
@@ -99,7 +96,6 @@ module horopter_alarm (
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign skin_pixels_o = sum_17_s3_q;
-  assign undecidable_pixels_o = sum_25_s3_q;
   assign unsupervised_pixels_o = sum_29_s3_q;
   assign alarm_o = less_30_s3_q;
   assign too_undecidable_o = less_31_s3_q;

@@ -20,7 +20,6 @@ module horopter_alarm (
   input  logic [18:0] cfg_unsupervised_limit_i,
   output logic valid_o,
   output logic [18:0] skin_pixels_o,
-  output logic [18:0] undecidable_pixels_o,
   output logic [18:0] unsupervised_pixels_o,
   output logic alarm_o,
   output logic too_undecidable_o,
@@ -36,7 +35,7 @@ module horopter_alarm (
   logic [18:0] skin_q;
   logic [18:0] undecidable_q;
   logic [18:0] unsupervised_q;
-  // hls/stages/alarm.hpp:45
+  // hls/stages/alarm.hpp:44
   logic not_13;
   assign not_13 = ~idle_i;
   // hls/stages/stream.hpp:54
@@ -78,7 +77,6 @@ module horopter_alarm (
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign skin_pixels_o = skin_q;
-  assign undecidable_pixels_o = undecidable_q;
   assign unsupervised_pixels_o = unsupervised_q;
   assign alarm_o = less_30_s1_q;
   assign too_undecidable_o = less_31_s1_q;
