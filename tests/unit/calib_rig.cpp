@@ -185,6 +185,20 @@ TEST_CASE("damaged files are refused by name and place") {
   // matrices that take all memory.
   CHECK_THROWS_AS(load_rig(folder.write("odd.yml", "!p c:5\nrig-!!opencv-matrix\n ")), FileError);
   CHECK_THROWS_AS(load_rig(folder.write("odd.json", "{ :!!opencv-matrix")), FileError);
+  // The same: OpenCV's parser of XML reads beyond an end that follows an attribute's `=`.
+  const std::string xml =
+      "<?xml version=\"1.0\"?>\n<opencv_storage>\n<M1 type_id=\"opencv-matrix\"><rows>1</rows><cols>1</cols><dt>d</dt>"
+      "<data>1.</data></M1>\n</opencv_storage>\n";
+  for (std::size_t at = 1; at < xml.size(); ++at) {
+    CAPTURE(at);
+    CHECK_THROWS_AS(load_rig(folder.write("cut.xml", xml.substr(0, at))), FileError);
+    std::string zero = xml;
+    zero[at] = '\0';
+    CHECK_THROWS_WITH(load_rig(folder.write("zero.xml", zero)), Contains("a byte 0"));
+  }
+  CHECK_THROWS_WITH(load_rig(folder.write(
+                        "open.xml", "<?xml version=\"1.0\"?>\n<opencv_storage><M1 type_id= <!-- </opencv_storage>")),
+                    Contains("a comment without an end"));
   const std::string huge =
       "%YAML:1.0\n---\nM: !!opencv-matrix\n   rows: 100000\n   cols: 100000\n   dt: d\n   data: [1]\n";
   CHECK_THROWS_WITH(load_rig(folder.write("huge.yml", huge)), Contains("M: not a matrix"));

@@ -467,4 +467,16 @@ TEST_CASE("Supervised pixels of a table are those that have a source") {
   }
 }
 
+TEST_CASE("Fields that read different rows have one LOOKAHEAD") {
+  const TemporaryDirectory directory;
+  auto maps = compile_maps(skin_of(kTilted), find_profile("field"), 756, 572);
+  maps.maps[1].report.reach.ahead = 20;
+  for (CompiledMap& map : maps.maps) map.report.lookahead = 20;
+  save_maps(maps, directory / "fields.hmap");
+  CHECK(load_maps(directory / "fields.hmap").lookahead() == 20);
+  maps.maps[0].report.lookahead = 19;
+  save_maps(maps, directory / "fields.hmap");
+  CHECK_THROWS_WITH(load_maps(directory / "fields.hmap"), Catch::Contains("a report that is not true"));
+}
+
 }  // namespace horopter

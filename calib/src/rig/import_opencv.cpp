@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <string_view>
 
 #include "horopter/calib/error.hpp"
 #include "horopter/calib/yaml.hpp"
@@ -119,11 +120,25 @@ Camera opencv_camera(const std::vector<Storage>& files, int index, std::vector<s
 
 constexpr const char* kStorage = "a complete file of OpenCV's FileStorage";
 
+/// OpenCV's parser of XML reads beyond the end where it looks for what follows an attribute's `=`. Throws FileError.
+void check_xml(const Source& source) {
+  const std::string_view text = source.text;
+  const auto fail = [&](const std::string& found) { throw FileError(source.file, "", found, kStorage); };
+  if (text.find('\0') != std::string_view::npos) fail("a byte 0");
+  if (!text.substr(0, text.find_last_not_of(" \t\r\n") + 1).ends_with("</opencv_storage>")) {
+    fail("no </opencv_storage> at its end");
+  }
+  const auto comment = text.rfind("<!--");
+  if (comment != std::string_view::npos && text.find("-->", comment) == std::string_view::npos) {
+    fail("a comment without an end");
+  }
+}
+
 /// OpenCV's parser does not end on some of what is no YAML or JSON. Throws FileError.
 void check_text(const Source& source) {
   std::string text = source.text;
   const auto first = text.find_first_not_of(" \t\r\n");
-  if (first != std::string::npos && text[first] == '<') return;   // XML
+  if (first != std::string::npos && text[first] == '<') return check_xml(source);
   if (text.starts_with("%YAML")) text.erase(0, text.find('\n'));  // as OpenCV writes it, it is not YAML's
   if (!yaml::parse(source.file, text, kStorage).IsMap()) {
     throw FileError(source.file, "", "OpenCV cannot read it (not a map)", kStorage);

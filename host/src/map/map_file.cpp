@@ -54,7 +54,8 @@ RowReach reach_of(const MapTable& table, int weight_bits) {
 }
 
 /// What a table and its report say about each other, and about the profile. Throws std::invalid_argument.
-void check_table(const CompiledMap& map, const MachineProfile& profile, const ScanGeometry& scan) {
+void check_table(const CompiledMap& map, const MachineProfile& profile, const ScanGeometry& scan,
+                 std::optional<int> lookahead) {
   const auto require = [](bool holds, const std::string& otherwise) {
     if (!holds) throw std::invalid_argument(otherwise);
   };
@@ -72,7 +73,6 @@ void check_table(const CompiledMap& map, const MachineProfile& profile, const Sc
           "facts that are not true of its control points");
   const auto mapped = table.supervised(profile.weight_bits).pixels;
   const auto supervised = std::ranges::count(mapped, std::uint8_t{1});
-  const auto lookahead = lookahead_for(profile, report.reach);
   const RowReach reach = reach_of(table, profile.weight_bits);
   require(report.spacing_x == 1 << table.spacing_x_log2() && report.spacing_y == 1 << table.spacing_y_log2() &&
               report.pool_bytes == table.pool_bytes() && report.crc == table.crc() &&
@@ -96,9 +96,13 @@ void check_maps(const MapSet& set, const std::string& file, const std::string& e
   }
   const auto scans = scans_of(*profile, set.image_width, set.image_height);
   if (set.maps.size() != scans.size()) fail("byte 36", fmt::format("{} tables", set.maps.size()));
+  RowReach reach;  // of both fields: they have one LOOKAHEAD
+  for (const CompiledMap& map : set.maps) {
+    reach = {std::max(reach.behind, map.report.reach.behind), std::max(reach.ahead, map.report.reach.ahead)};
+  }
   for (std::size_t i = 0; i < scans.size(); ++i) {
     try {
-      check_table(set.maps[i], *profile, scans[i]);
+      check_table(set.maps[i], *profile, scans[i], lookahead_for(*profile, reach));
     } catch (const std::invalid_argument& error) {
       fail(fmt::format("table {}", i), error.what());
     }

@@ -81,8 +81,9 @@ void fill_blocks(std::vector<double>& areas, int columns, int rows) {
   const auto at = [&](int column, int row) -> double& {
     return areas[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
   };
+  std::vector<double> before;
   while (std::ranges::find(areas, 0.0) != areas.end()) {
-    const std::vector<double> before = areas;
+    before = areas;
     for (int row = 0; row < rows; ++row) {
       for (int column = 0; column < columns; ++column) {
         if (at(column, row) != 0) continue;

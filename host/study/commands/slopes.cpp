@@ -149,7 +149,7 @@ Found measure(StudyReport& report, const study::Simulation& simulation, const st
         }
       }
     }
-    const auto peak_between = [&](double angle_deg) {
+    const auto peak_between = [&, along](double angle_deg) {
       const SlopedObject object(simulation, left, gradient_px(tangent(70) - tangent(70 - angle_deg)), along, number++);
       return object.zone(kThresholdsPercent.back() / 100 * full(), 0.5).peak;
     };
