@@ -65,7 +65,6 @@ void keep_clear(Samples& samples) {
 
 constexpr double kShareError_px = 1.0 / 16;
 constexpr double kLargestError_px = 0.25;
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 Point error_of(const MapTable::Expanded& expanded, const Look& look) {
   return {std::ldexp(static_cast<double>(expanded.x), -MapTable::kFractionBits) - look.source.x,
