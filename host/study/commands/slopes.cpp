@@ -117,6 +117,11 @@ Found measure(StudyReport& report, const study::Simulation& simulation, const st
   Found found;
   Progress progress("slope");
   std::uint64_t number = 1;
+  const auto peak_between = [&](Along direction, double angle_deg) {
+    const double gradient = gradient_px(tangent(70) - tangent(70 - angle_deg));
+    const SlopedObject object(simulation, left, gradient, direction, number++);
+    return object.zone(kThresholdsPercent.back() / 100 * full(), 0.5).peak;
+  };
   for (const auto& [along, name] :
        {std::pair{Along::rows, "along the baseline"}, {Along::columns, "across the baseline"}}) {
     Panel& panel = panels.emplace_back(Panel{name, "slope of the skin, degrees", "width of the zone, mm", {}, true});
@@ -149,12 +154,8 @@ Found measure(StudyReport& report, const study::Simulation& simulation, const st
         }
       }
     }
-    const auto peak_between = [&, along](double angle_deg) {
-      const SlopedObject object(simulation, left, gradient_px(tangent(70) - tangent(70 - angle_deg)), along, number++);
-      return object.zone(kThresholdsPercent.back() / 100 * full(), 0.5).peak;
-    };
-    found.peak_at_15 = std::min(found.peak_at_15, peak_between(15));
-    found.peak_at_30 = std::max(found.peak_at_30, peak_between(30));
+    found.peak_at_15 = std::min(found.peak_at_15, peak_between(along, 15));
+    found.peak_at_30 = std::max(found.peak_at_30, peak_between(along, 30));
   }
   report.table("fig-11-8.csv", table);
   report.plot("fig-11-8.svg", "Fig. 11.8: zone in which half of an object across the axis is detected", panels, 2);
