@@ -717,8 +717,10 @@ TEST_CASE("coarse: one camera twice is the same everywhere, a wall before two ca
     return coarse_of(config, noise, scene, right).one_camera;
   };
   for (const double noise : {0.0, 0.1, 0.6}) {  // 8×8 px of sigma 5
-    for (const auto& [gain, offset] :
-         {std::pair{1.0, 0.0}, std::pair{0.5, 20.0}, std::pair{1.0, 20.0}, std::pair{0.8, -10.0}}) {
+    constexpr std::array<std::pair<double, double>, 4> kLights{{{1.0, 0.0}, {0.5, 20.0}, {1.0, 20.0}, {0.8, -10.0}}};
+    for (const auto& light : kLights) {
+      const double gain = light.first;
+      const double offset = light.second;
       CAPTURE(noise, gain, offset);
       CHECK(one_camera(noise, [=](int x, int y) { return gain * scene(x, y) + offset; }));
       // 2 px of 8.
@@ -726,7 +728,7 @@ TEST_CASE("coarse: one camera twice is the same everywhere, a wall before two ca
     }
     // Toed-in cameras before a wall where their axes cross: nothing in the middle, 2 px at the edge.
     CHECK(!one_camera(noise, [](int x, int y) {
-      const double from_middle = (x - kCellColumns / 2) / (kCellColumns / 2.0);
+      const double from_middle = (x - 0.5 * kCellColumns) / (0.5 * kCellColumns);
       return scene(x + 0.25 * from_middle * from_middle, y);
     }));
     CHECK(!one_camera(noise, [](int x, int y) { return scene(x + 90, y); }));
@@ -802,22 +804,22 @@ TEST_CASE("coarse: a camera that is covered in part is blind, whichever it is", 
 }
 
 TEST_CASE("still: a frame that repeats one of the two before, but for noise", "[stages]") {
-  constexpr int cells = 300;
+  constexpr int kCells = 300;
   std::mt19937 random(24);
   std::normal_distribution<double> normal(0, 1);
-  using Still = StillCheck<cells>;
+  using Still = StillCheck<kCells>;
   Still stage;
   Still::Config config;
   config.still_limit = 3;
   using Frames = std::pair<std::vector<int>, std::vector<int>>;
   const auto scene = [&] {
-    std::vector<int> means(cells);
+    std::vector<int> means(kCells);
     for (int& mean : means) mean = 20 + static_cast<int>(random() % 200);
     return means;
   };
   const auto see = [&](const Frames& frames, double noise = 1.25) {  // 8×8 px of sigma 10
     Still::Out out;
-    for (int i = 0; i < cells; ++i) {
+    for (int i = 0; i < kCells; ++i) {
       const auto mean = [&](const std::vector<int>& means) {
         return u<8>(static_cast<int>(means[static_cast<std::size_t>(i)] + noise * normal(random)));
       };
