@@ -16,12 +16,14 @@ using namespace horopter;
 using Eigen::Vector3d;
 using MakeSurface = std::function<SurfacePtr(double shift_mm)>;
 
-void compile(benchmark::State& state, const std::string& profile_name, const MakeSurface& make) {
+void compile(benchmark::State& state, const std::string& profile_name, const MakeSurface& make, int pool_part) {
   const MachineProfile& profile = find_profile(profile_name);
   const CameraPair cameras = table_11_1(profile.largest_image_width(), profile.largest_image_height());
   const ScanGeometry geometry =
       scans_of(profile, profile.largest_image_width(), profile.largest_image_height()).front();
-  MapCompiler compiler(cameras, profile, geometry);
+  MapLimits limits;
+  limits.largest_bytes = static_cast<std::size_t>(profile.pool_bytes / pool_part);
+  MapCompiler compiler(cameras, profile, geometry, limits);
   double shift_mm = 0;
   MapReport report;
   for ([[maybe_unused]] auto _ : state) {
@@ -62,14 +64,15 @@ SurfacePtr mesh(double shift_mm) {
 
 int main(int argc, char** argv) {
   for (const char* profile : {"field", "hd"}) {
-    const auto add = [&](const char* name, const MakeSurface& make) {
+    const auto add = [&](const char* name, const MakeSurface& make, int pool_part = 1) {
       benchmark::RegisterBenchmark((std::string(profile) + "/" + name).c_str(), [=](benchmark::State& state) {
-        compile(state, profile, make);
+        compile(state, profile, make, pool_part);
       })->Unit(benchmark::kMillisecond);
     };
     add("plane", plane);
     add("ellipsoid", ellipsoid);
     add("ellipsoid_with_outline", small_ellipsoid);
+    add("ellipsoid_with_outline_in_half_of_the_pool", small_ellipsoid, 2);
     add("mesh", mesh);
   }
   benchmark::Initialize(&argc, argv);

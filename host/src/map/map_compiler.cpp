@@ -577,8 +577,8 @@ class GridFit {
     return every_pixel_ ? kept[0] : kept[(nx_ > 0 ? 1 : 0) + (ny_ > 0 ? 2 : 0)];
   }
 
-  /// Errors of a cell at 8 × 8 places, from its corner on: the biquadratic through its four samples and those of the cells around that lie
-  /// on its border.
+  /// Errors of a cell at 8 × 8 places, from its corner on: the biquadratic through its four samples and those of the cells
+  /// around that lie on its border.
   static constexpr std::size_t kSide = 8;
   using CellErrors = std::array<float, kSide * kSide>;
   CellErrors errors_within(int column, int row) const {

@@ -23,8 +23,8 @@ struct Camera {
 /// u and v run from −1 to 1 across the image. Grey values are those of the texture in light 1, times it.
 struct Lighting {
   double mean_grey = 110;
-  double deviation_grey =
-      12;  ///< a moderate contrast, of no measurement; mean over the image of the standard deviation in 7×7 pixels, without noise
+  /// Mean over the image of the standard deviation in 7×7 pixels, without noise. A moderate contrast, not a measured one.
+  double deviation_grey = 12;
   double slope_x = 0;
   double slope_y = 0;
   double falloff = 0;
