@@ -60,7 +60,8 @@ void add_settings(CLI::App& command, Settings& settings) {
   command
       .add_option(
           "--undecidable-limit", settings.undecidable_percent,
-          "Fault above this share of undecidable pixels, % of those that the rule can judge, see `horopter map`")
+          "Fault above this share of pixels without enough texture, % of those that the rule can judge, see `horopter "
+          "map`; or above 19/16 of it with those that something hides or that both cameras are not shown to see")
       ->check(within(0, 100, "%"))
       ->type_name("%")
       ->capture_default_str();

@@ -54,7 +54,8 @@ constexpr auto kRows = std::to_array<Row>({
     {"map_crc", false, "", kTable},
     {"map_busy", false, "", "Load tables only where the machine does not use them."},
     {"too_undecidable", false, "",
-     "Look at light and lenses; give plain things texture, or teach what cannot be decided."},
+     "Look at light and lenses, and whether everything stands before the skin; give plain things texture, or teach what "
+     "cannot be decided."},
     {"too_unsupervised", false, "", "Look whether skin, rig and images belong together; make the table anew."},
     {"late", false, "", "Look whether both cameras run."},
     {"internal", false, "", kService},
