@@ -31,9 +31,13 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "stages/align.hpp"
 #include "stages/census.hpp"
+#ifndef __HLSC__
+#include "stages/compared_row.hpp"
+#endif
 #include "stages/division.hpp"
 #include "stages/registration.hpp"
 #include "stages/subsample.hpp"
@@ -63,7 +67,15 @@ struct FrameWord {
   u<32> word;
 };
 
-template <Profile P>
+/// On the CPU a row is compared at once, and beats in which the sweep has nothing else to do are left out. Where memories
+/// are checked everything takes the hardware's beats. The results are the same.
+#if defined(__HLSC__) || !defined(HOROPTER_HLS_UNCHECKED)
+inline constexpr bool agreement_at_once = false;
+#else
+inline constexpr bool agreement_at_once = true;
+#endif
+
+template <Profile P, bool AT_ONCE = agreement_at_once>
 class Agreement {
  public:
   static constexpr int cell = P.cell();  // px
@@ -121,12 +133,7 @@ class Agreement {
     change_ = Change{};
     new_frame_ = row_starts_ = first_rows_ = false;
     const Pair pair = take(in);
-    Out out;
-    out.pixel = in.pixel;
-    out.saturated = in.saturated;
-    out.mask = in.mask;
-    out.marks.first = in.marks.first;
-    out.marks.last = in.marks.last;
+    Out out = passed(in);
     early_region_row_ = next_region_row_;
     next_region_row_ = u<3>(region_row_ + lit<1>());
     region_down_.look();
@@ -142,8 +149,7 @@ class Agreement {
     }
     const bool said = said_;
     said_ = false;
-    const Run following = following_;
-    look_ahead();
+    const Run following = next_run();
 #ifndef __HLSC__
     run_was_ = run_.phase;
 #endif
@@ -156,7 +162,7 @@ class Agreement {
         merge();
         break;
       case Phase::compare:
-        columns_alike = compare();
+        if constexpr (!at_once) columns_alike = compare();
         break;
       case Phase::match:
       case Phase::conclude:
@@ -169,13 +175,13 @@ class Agreement {
         break;
     }
 #ifndef __HLSC__
-    if (run_.phase == Phase::compare)  // otherwise it does not matter: windows begin with a run
+    if (!at_once && run_.phase == Phase::compare)  // otherwise it does not matter: windows begin with a run
 #endif
       add_columns(columns_alike);
     Looked looked;
     switch (run_.phase) {
       case Phase::compare:
-        choose(config);
+        if constexpr (!at_once) choose(config);
         break;
       case Phase::match:
       case Phase::conclude:
@@ -206,26 +212,36 @@ class Agreement {
       case Phase::settle:
         break;
     }
-    typename Raster::Position at;
-    CellGrey means;
-    if (sample_.pair.whole) {
-      at = raster_.step(sample_.pair.first, sample_.last, config.height);
-      means = averager_.step(at, sample_.pair.pixel, sample_.present, sample_.of_skin);
-    }
-    if (means.valid) take_cell(at, means, config);
-    advance(following);
-    sample_ = {pair, in.marks.last, in.present, in.mask};
-    if (pair.whole) read_map(pair.first, in.marks.last, config);
-    // Rows beyond the height that was said: what they write to the map is not read.
-    done_ = !(pair.whole && pair.first) && !drew_ && (done_ || said);
-    drew_ = in_row_;
+    take_sample(config);
+    advance(following, config);
+    pass(in, pair, said, config);
     change_counts(config);
-    out.marks.seen = config.prove == 0 || seen_;
-    out.marks.nearer = config.prove != 0 && nearer_;
+    mark(config, out);
     return out;
   }
 
+#ifndef __HLSC__
+  /// A beat; for a beat in which the sweep has nothing to do, a quick one.
+  [[gnu::always_inline]] Out quick_step(const In& in, const Config& config) {
+    if constexpr (!at_once) return step(in, config);
+    if (quiet_beats_ == 0) return step(in, config);
+    --quiet_beats_;
+    const Pair pair = take(in);
+    Out out = passed(in);
+    const bool said = said_;
+    said_ = in_row_ = row_starts_ = false;
+    take_sample(config);
+    if (row_starts_) {
+      end_wait(config);
+    }
+    pass(in, pair, said, config);
+    mark(config, out);
+    return out;
+  }
+#endif
+
  private:
+  static constexpr bool at_once = AT_ONCE;
   static constexpr int half_window = 3;               // columns
   static constexpr int window = 2 * half_window + 1;  // columns
   static constexpr bool fast = P.clock_khz > 50'000;
@@ -297,6 +313,39 @@ class Agreement {
     }
   }
 
+  void take_sample(const Config& config) {
+    typename Raster::Position at;
+    CellGrey means;
+    if (sample_.pair.whole) {
+      at = raster_.step(sample_.pair.first, sample_.last, config.height);
+      means = averager_.step(at, sample_.pair.pixel, sample_.present, sample_.of_skin);
+    }
+    if (means.valid) take_cell(at, means, config);
+  }
+
+  static Out passed(const In& in) {
+    Out out;
+    out.pixel = in.pixel;
+    out.saturated = in.saturated;
+    out.mask = in.mask;
+    out.marks.first = in.marks.first;
+    out.marks.last = in.marks.last;
+    return out;
+  }
+
+  void pass(const In& in, const Pair& pair, bool said, const Config& config) {
+    sample_ = {pair, in.marks.last, in.present, in.mask};
+    if (pair.whole) read_map(pair.first, in.marks.last, config);
+    // Rows beyond the height that was said: what they write to the map is not read.
+    done_ = !(pair.whole && pair.first) && !drew_ && (done_ || said);
+    drew_ = in_row_;
+  }
+
+  void mark(const Config& config, Out& out) const {
+    out.marks.seen = config.prove == 0 || seen_;
+    out.marks.nearer = config.prove != 0 && nearer_;
+  }
+
   // Cells -------------------------------------------------------------------------------------------------------------
 
   static constexpr Index cells_of(u<bits_for(P.result_width())> pixels) {
@@ -328,6 +377,14 @@ class Agreement {
     row_ = row;
     final_row_ = row + lit<1>() == count;
     lower_half_ = shl<1>(row) >= count + lit<2 * (lag - 2)>();
+#ifndef __HLSC__
+    if (at_once) {
+      // As of the beats before, which may have been left out.
+      early_region_row_ = u<3>(region_row_ + lit<1>());
+      region_down_.look();
+      region_down_.look();
+    }
+#endif
     if (row == 0) {
       new_frame_ = true;
       region_row_ = 0;
@@ -358,7 +415,7 @@ class Agreement {
   static constexpr int least_columns = (gap + turns - 1) / turns;
 
   /// To the next beat. Flat, so that the way from register to register is short.
-  void advance(const Run& following) {
+  void advance(const Run& following, [[maybe_unused]] const Config& config) {
     Run wait;  // until the last codes can be read
     wait.phase = Phase::wait;
     wait.columns = gap;
@@ -378,7 +435,55 @@ class Agreement {
     run_.shift = begins ? next.shift : run_.shift;
     run_.last_shift = begins ? next.last_shift : run_.last_shift;
     run_.span = begins ? next.span : run_.span;
+#ifndef __HLSC__
+    if constexpr (at_once) {
+      if (begins) skip_quiet_beats(config);
+    }
+#endif
   }
+
+#ifndef __HLSC__
+  /// A row of cells is complete in a quick beat.
+  void end_wait(const Config& config) {
+    registration_.begin_step();
+    change_ = Change{};
+    next_cell_ = false;
+    run_was_ = Phase::idle;
+    advance({}, config);
+    change_counts(config);
+    new_frame_ = first_rows_ = false;
+  }
+
+  /// A run begins. If it only waits for memories, or if all that it compares is compared at once, its last beat is the
+  /// next one in which the sweep does something.
+  void skip_quiet_beats(const Config& config) {
+    quiet_beats_ = 0;
+    switch (run_.phase) {
+      case Phase::idle:
+        quiet_beats_ = std::numeric_limits<int>::max();
+        return;
+      case Phase::compare:
+        if (s<9>(run_.shift) == -s<9>(least_)) compare_row(config);
+        break;
+      case Phase::wait:
+      case Phase::settle:
+        break;
+      case Phase::merge:
+      case Phase::match:
+      case Phase::conclude:
+      case Phase::finish:
+        return;
+    }
+    const int columns_further = static_cast<int>(columns_left_.value());
+    const int beats_of_column = run_.phase == Phase::compare ? turns : 1;
+    quiet_beats_ = beats_of_column * (columns_further + 1) - 1;
+    x_ = Index(x_ + columns_left_);
+    columns_left_ = 0;
+    age_ = Age::max();
+    slot_ = beats_of_column - 1;
+    ends_ = ends_cell_ = true;
+  }
+#endif
   /// At least so many columns of the run lie before this one.
   template <int COLUMNS>
   [[nodiscard]] bool after() const {
@@ -392,6 +497,20 @@ class Agreement {
 
   /// What comes after a run: the next shift and its span first, then all of it, each from registers of the beat before. A
   /// run takes longer than that.
+  Run next_run() {
+#ifndef __HLSC__
+    if constexpr (at_once) {
+      if (!ends_ || !ends_cell_) return {};
+      look_ahead();
+    }
+#endif
+    const Run following = following_;
+    look_ahead();
+#ifndef __HLSC__
+    if constexpr (at_once) return following_;
+#endif
+    return following;
+  }
   void look_ahead() {
     const Phase now = run_.phase;
     const bool compares = now == Phase::compare;
@@ -627,6 +746,37 @@ class Agreement {
     }
     best_right_.write(right, of_right);
   }
+
+#ifndef __HLSC__
+  /// What compare(), add_columns() and choose() come to in all of a row's beats.
+  void compare_row(const Config& config) {
+    using Compared = decltype(compared_);
+    const auto count = static_cast<std::size_t>(last_.value()) + 1;
+    for (std::size_t x = 0; x < count; ++x) {
+      const LeftColumn& left = left_.read(x);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const LeftCell& cell_here = left.age[i + across_reach];
+        compared_.left.code[i][x] = static_cast<std::uint16_t>(cell_here.code.value());
+        compared_.left.there[i][x] = cell_here.valid ? Compared::code_mask : std::uint16_t{0};
+      }
+      const RightColumn& right = right_codes_.read(x);
+      for (std::size_t i = 0; i < right.age.size(); ++i) {
+        compared_.right.code[i][x] = static_cast<std::uint16_t>(right.age[i].code.value());
+        compared_.right.there[i][x] = right.age[i].valid ? Compared::code_mask : std::uint16_t{0};
+      }
+    }
+    const auto least = static_cast<int>(least_.value());
+    compared_.compare(static_cast<int>(count), std::max(-least, static_cast<int>(config.shift_lowest.value())),
+                      std::min(least, static_cast<int>(config.shift_highest.value())));
+    const auto& l = compared_.best_left;
+    const auto& r = compared_.best_right;
+    for (std::size_t x = 0; x < count; ++x) {
+      best_left_.write(
+          x, BestLeft{l.shift[x], {l.place[x], l.score[x], l.above[x], l.below[x]}, l.near_score[x], l.near_shift[x]});
+      best_right_.write(x, BestRight{r.score[x], r.x[x], r.near_score[x], r.near_x[x]});
+    }
+  }
+#endif
 
   // What the row showed -----------------------------------------------------------------------------------------------
 
@@ -1080,7 +1230,9 @@ class Agreement {
   Shown shown_;    // the cell, by the small window
   Change change_;  // of this beat
 #ifndef __HLSC__
-  Phase run_was_ = Phase::idle;  // of this beat: the others change nothing
+  ComparedRow<column_count, half_window, 3, across_count> compared_{};
+  Phase run_was_ = Phase::idle;                        // of this beat: the others change nothing
+  int quiet_beats_ = std::numeric_limits<int>::max();  // that are still to come, in which the sweep does nothing
 #endif
   bool new_frame_ = false;                                         // begins with this beat
   u<3> region_row_{0}, next_region_row_{0}, early_region_row_{0};  // of a beat before: the way to the register is short

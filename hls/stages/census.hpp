@@ -37,8 +37,13 @@ class CellRaster {
       at_.row = 0;
       at_.live = true;
     }
+#ifdef __HLSC__
     at_.first = first;
     const Position here = at_;
+#else
+    Position here = at_;
+    here.first = first;
+#endif
     const bool final_row = final_row_;
     final_row_ = rows_left_ == 1;  // a beat early: rows are long
     rows_left_ = first ? height : u<bits_for(HEIGHT)>(rows_left_ - u<1>(last));
@@ -122,6 +127,9 @@ class CellAverager {
   /// `first` of the cell. Without `counts` nothing changes.
   CellGrey add_quarter(bool first, bool counts, const Quarter& word) {
     CellGrey out;
+#ifndef __HLSC__
+    if (!counts) return out;
+#endif
     for (std::size_t i = 0; i < 2; ++i) {
       const auto grey = u<mean_bits>(shr<quarter_bits - mean_bits>(word.sum[i]));
       const u<mean_bits + 2> total((first ? u<mean_bits + 2>(0) : *total_[i]) + grey);

@@ -114,6 +114,13 @@ class Registration {
   /// `in_row`: this beat and the next belong to cells of a row, and the next cell's slope is wanted if `next_cell`.
   template <class Config>
   void end_beat(bool new_frame, bool row_starts, bool first, bool in_row, bool next_cell, const Config& config) {
+#ifndef __HLSC__
+    if (!in_row && !row_starts && !change_.clears && change_.measured == 0) {  // nothing else changes
+      slope_ = slope_row_;
+      weigh();
+      return;
+    }
+#endif
     const s<28> column(slope_ + (next_cell ? slope_change_ : s<28>(0)));
     slope_ = in_row ? column : slope_row_;
     const bool next_row = row_starts && !first;
@@ -223,6 +230,9 @@ class Registration {
   };
   /// Flat, so that the way from register to register is short.
   void weigh() {
+#ifndef __HLSC__
+    if (!moving_.is) return;  // nothing changes
+#endif
     const Moving& m = moving_;
     const bool any = up_ > 0 || down_ > 0;
     const bool against = (votes_down_ && other_up_) || (votes_up_ && other_down_);

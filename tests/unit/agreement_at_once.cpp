@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// `agreement` on the CPU: compared a row at once, it says in every beat what it says in the hardware's beats.
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "stages/agreement.hpp"
+
+namespace {
+
+using namespace horopter;
+using namespace horopter::stages;
+
+constexpr hls::Profile small(hls::Profile profile, int width, int height) {
+  profile.width = width;
+  profile.height = height;
+  return profile;
+}
+
+/// Places of one grey value, as large as a cell or a part of it; few values, so that scores are often equal.
+struct Places {
+  Places(std::mt19937& random, int values) : grey(64 * 64) {
+    for (auto& value : grey)
+      value =
+          static_cast<std::uint8_t>(random() % static_cast<unsigned>(values) * 200U / static_cast<unsigned>(values));
+  }
+  [[nodiscard]] int at(int x, int y, int size, int rows) const {
+    return grey[static_cast<std::size_t>(y / size % rows * 64 + (x / size + 32) % 64)];
+  }
+  std::vector<std::uint8_t> grey;
+};
+
+template <class Stage>
+typename Stage::Config config_of(int width, int height, unsigned seed) {
+  typename Stage::Config config;
+  config.width = width;
+  config.height = height;
+  config.prove = 1;
+  config.shift_lowest = seed % 3 == 0 ? -29 : -5;
+  config.shift_highest = seed % 3 == 1 ? 29 : 7;
+  config.nearer_above = 1;
+  config.explained_limit = 108;
+  config.regions_limit = 64;
+  config.unproven_limit = 115;
+  config.unproven_skin_limit = 154;
+  config.hidden_limit = 26;
+  config.hidden_frames = 1;
+  config.moved_limit = 3;
+  config.moved_half_limit = 5;
+  config.epipolar_slope = static_cast<int>(seed * 661 % 2000) - 1000;
+  config.epipolar_row = static_cast<int>(seed * 67 % 200) - 100;
+  return config;
+}
+
+template <hls::Profile P>
+void check_same(int width, int height, unsigned seed) {
+  CAPTURE(width, height, seed);
+  std::mt19937 random(seed);
+  Agreement<P, true> at_once;
+  Agreement<P, false> by_beats;
+  const auto config_at_once = config_of<Agreement<P, true>>(width, height, seed);
+  const auto config_by_beats = config_of<Agreement<P, false>>(width, height, seed);
+  std::size_t words = 0;
+  int differences = 0;
+  for (int frame = 0; frame < 4; ++frame) {
+    const Places places(random, frame % 2 == 0 ? 3 : 250);
+    const int size = frame == 3 ? 5 : Agreement<P>::cell;
+    const int across = static_cast<int>(random() % 160) - 60;
+    // Of two rows in turn: displaced by one of them up or down is the same.
+    const int rows = frame == 2 ? 2 : 8;
+    const int down = frame == 2 ? size : static_cast<int>(random() % 5) - 2;
+    for (int y = 0; y < height + P.flush_rows(); ++y) {
+      const bool live = y < height;
+      for (int x = 0; x < width; ++x) {
+        const auto noisy = [&](int grey) { return hls::u<8>(static_cast<unsigned>(grey) + random() % 3); };
+        const hls::u<8> left = noisy(places.at(x, y, size, rows));
+        const hls::u<8> right = noisy(places.at(x + across + 64 * size, y + down + 8 * size, size, rows));
+        typename Agreement<P, true>::In in;
+        in.present = live && x > 20;
+        in.mask = in.present && x < width - 30;
+        const auto beat = [&](bool first, bool last) {
+          in.marks = {first, last};
+          const auto a = at_once.quick_step(in, config_at_once);
+          const auto b = by_beats.step({in.pixel, in.saturated, in.mask, in.present, in.marks}, config_by_beats);
+          words += b.frame.valid ? 1U : 0U;
+          const bool same = a.marks.seen == b.marks.seen && a.marks.nearer == b.marks.nearer && a.mask == b.mask &&
+                            a.pixel == b.pixel && a.frame.valid == b.frame.valid && a.frame.index == b.frame.index &&
+                            a.frame.word == b.frame.word && a.verdict.valid == b.verdict.valid &&
+                            a.verdict.disagree == b.verdict.disagree && a.verdict.moved == b.verdict.moved &&
+                            a.verdict.hidden == b.verdict.hidden && a.verdict.untextured == b.verdict.untextured &&
+                            a.verdict.unproven_yet == b.verdict.unproven_yet &&
+                            a.verdict.unsharp_left == b.verdict.unsharp_left &&
+                            a.verdict.unsharp_right == b.verdict.unsharp_right;
+          differences += same ? 0 : 1;
+        };
+        const bool first = x == 0 && y == 0;
+        const bool last = x + 1 == width;
+        if constexpr (P.packed()) {
+          in.pixel = {left};
+          beat(first, false);
+          in.pixel = {right};
+          beat(false, last);
+        } else {
+          in.pixel = {left, right};
+          beat(first, last);
+        }
+      }
+    }
+  }
+  CHECK(words == 4U * (FrameWord::regions + FrameWord::count_of_frame + 1));  // the last one with the verdict
+  CHECK(differences == 0);
+}
+
+}  // namespace
+
+TEST_CASE("agreement: a row compared at once is what the hardware's beats come to") {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    check_same<small(hls::profiles::vga, 320, 240)>(320, 240, seed);
+    check_same<small(hls::profiles::vga, 320, 240)>(203, 121, seed);
+    check_same<small(hls::profiles::hd, 640, 256)>(640, 256, seed);
+    check_same<small(hls::profiles::field, 376, 160)>(188, 160, seed);
+  }
+}
