@@ -209,7 +209,7 @@ Table family_statements(const Measures& of) {
        "Smallest error {:.2f} px; NCC, which is CCF with the brightness divided out, {:.2f} px, and up to 0.3 until a D50 of "
        "{:.2f} px",
        "For every D50 from 0.2 px on above 0.3 px, bad, and NCC's smallest below 0.2 px, good; partly: twice NCC's",
-       {first > kBad && second<kGood, first> 2 * second}},
+       {first > kBad && second < kGood, first > 2 * second}},
       {"Highpass filters make the use of simpler functions possible, but should be combined with criteria invariant to "
        "brightness scaling (8.1.2).",
        {smallest("CCF", none), smallest("CCF", highpass), smallest("NCC", highpass)},
