@@ -281,10 +281,11 @@ Table histograms(const Measures& of) {
        {first >= second, 2 * first >= second}},
       {"LSSD, LSAD and NSAD produce, even on highpass filtered images, wrong results when using the statistical values.",
        {local("LSSD"), local("LSAD"), local("NSAD"), least_on_grey},
-       "D50 = 0.6, 1, 1.4 px: off by up to {:.0f} %, {:.0f} %, {:.0f} % after the high-pass, by {:.0f} % at least on grey "
-       "values",
-       "All off by more than 15 %, after the high-pass and (the text's even) on grey values; partly: after the high-pass",
-       {first > 15 && second > 15 && third > 15 && fourth > 15, first > 15 && second > 15 && third > 15}},
+       "High-pass, D50 = 0.6, 1, 1.4 px: off by up to {:.0f} %, {:.0f} %, {:.0f} %; on grey values, which the text does not "
+       "name, by {:.0f} % at least",
+       "All off by more than 15 % after the high-pass; partly: two are",
+       {first > 15 && second > 15 && third > 15,
+        (first > 15 && second > 15) || (first > 15 && third > 15) || (second > 15 && third > 15)}},
   };
 }
 
