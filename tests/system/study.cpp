@@ -111,6 +111,10 @@ TEST_CASE("study all: figures, verdicts and a page of its own, the same for the 
       CHECK(std::abs(segmentation["threshold_percent"].at(places[i]).get<double>() - thesis[i]) <= 1.5);
     CHECK(verdict_of(segmentation, "9×9, intensity images (Fig. 8.12): DSAD is best") == "confirmed");
     CHECK(verdict_of(segmentation, "the minimal segmentation-error is very high") == "confirmed");
+    // Of a straight line, which study_measures.cpp knows as well.
+    CHECK(verdict_of(segmentation, "just 16/5 of the segmentation-error") == "confirmed");
+    // Gradients and curvatures where the error is up to 0.3: at one place the knee of some curves is missed.
+    CHECK(verdict_of(segmentation, "an increase of the curvature and gradient") == "confirmed");
     CHECK_THAT(box.read("once/segmentation/errors.csv"),
                Catch::StartsWith("criterion,prefilter,kernel,result_filter,"));
 

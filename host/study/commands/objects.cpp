@@ -98,8 +98,8 @@ void state_objects(StudyReport& report, const std::vector<double>& smallest) {
                        {"A low-pass before suppresses small objects more.",
                         {larger, list(5)},
                         "With it from{1} px on",
-                        "A larger side for every kernel; partly: for some",
-                        {first >= 5, first > 0},
+                        "A larger side for every kernel; partly: for half of them",
+                        {first >= 5, 2 * first >= 5},
                         "a low-pass suppresses small objects"}});
   report.finding(
       "Half of an object's pixels are detected from a side of{} px on with DSAD LP 5×5 … 13×13, {:.1f} px "

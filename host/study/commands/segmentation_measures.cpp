@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segmentation_measures.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace horopter::cli {
 
 using study::ResultFilter;
@@ -26,12 +29,36 @@ double Measures::filter_gain_percent(const Names& names, Prefilter prefilter, in
   return 100 * (1 - error(names, prefilter, d50, kernel, filter) / error(names, prefilter, d50, kernel));
 }
 
+namespace {
+
+constexpr double kAbout_px = 0.2;
+
+/// Largest of `of(before, at, after)`: errors at D50 − kAbout_px, at D50 and at D50 + kAbout_px, the middle one up to
+/// kBad.
+template <class Of>
+double largest_of(const study::Detection& detection, Of of) {
+  double largest = std::nan("");
+  for (int i = 6; i <= 40; ++i) {
+    const double d50 = 0.05 * i;
+    const double at = detection.segmentation_error(d50);
+    if (at > kBad) continue;
+    largest = std::fmax(
+        largest, of(detection.segmentation_error(d50 - kAbout_px), at, detection.segmentation_error(d50 + kAbout_px)));
+  }
+  return largest;
+}
+
+}  // namespace
+
 double Measures::error_gradient(const std::string& name, Prefilter prefilter) const {
-  return (error(name, prefilter, 1.4) - error(name, prefilter, 0.8)) / 0.6;
+  return largest_of(found.of(name, prefilter),
+                    [](double before, double, double after) { return (after - before) / (2 * kAbout_px); });
 }
 
 double Measures::error_curvature(const std::string& name, Prefilter prefilter) const {
-  return error(name, prefilter, 0.4) - 2 * error(name, prefilter, 0.9) + error(name, prefilter, 1.4);
+  return largest_of(found.of(name, prefilter), [](double before, double at, double after) {
+    return (before - 2 * at + after) / (kAbout_px * kAbout_px);
+  });
 }
 
 std::vector<double> Measures::errors_of_all(Prefilter prefilter, int kernel, const Names& names) const {
@@ -58,11 +85,11 @@ double Measures::smallest_error_of_local(Prefilter prefilter) const {
   return smallest;
 }
 
-double Measures::good_up_to(const Names& names, double limit) const {
+double Measures::good_up_to(const Names& names, double limit, Prefilter prefilter, double step_px) const {
   double last = 0;
-  for (int i = 2; i <= 40; ++i) {
-    const double d50 = i * 0.05;
-    if (error(names, Prefilter::none, d50) > limit) break;
+  for (int i = 2; i * step_px < 2 + 1e-9; ++i) {
+    const double d50 = i * step_px;
+    if (error(names, prefilter, d50) > limit) break;
     last = d50;
   }
   return last;

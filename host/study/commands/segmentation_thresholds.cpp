@@ -54,7 +54,8 @@ Statement disparities_of_95(const Measures& of) {
   return {"Table 11.2: with the thresholds of these D50, D95 = 0.4, 0.6, 0.7, 0.9, 1.0, 1.1.",
           {worst, found},
           "At{1} px",
-          "The sizes of the simulated texture were chosen by these six, so partly at most: each within 0.1 px",
+          "Partly at most, for the sizes of the simulated texture were chosen by these six and nothing else is left to "
+          "compare: each within 0.1 px, the step of the table",
           {never, first <= 0.1}};
 }
 
