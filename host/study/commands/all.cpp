@@ -137,8 +137,7 @@ nlohmann::json study_all(const std::string& out, const StudyScope& scope) {
       fmt::format("{} statements: {} confirmed, {} partly, {} not confirmed", counts["all"].get<int>(),
                   counts["confirmed"].get<int>(), counts["partly"].get<int>(), counts["not_confirmed"].get<int>());
   summary["statements"] = counts;
-  summary["findings"] = {verdicts, fmt::format("The page is {}, the statements are in {}",
-                                               (place / "index.html").string(), (place / "STUDY.md").string())};
+  summary["findings"] = {verdicts, "In the directory of --out: the page is index.html, the statements are in STUDY.md"};
   directory.write("index.html", page(scope, verdicts, contents, sections));
   directory.write("STUDY.md", study_markdown(results));
   directory.write("summary.json", summary.dump(2) + "\n");
