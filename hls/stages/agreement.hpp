@@ -129,6 +129,17 @@ class Agreement {
   };
 
   Out step(const In& in, const Config& config) {
+#ifndef __HLSC__
+    if constexpr (at_once) {
+      if (quiet_beats_ > 0) return quiet_beat(in, config);
+    }
+#endif
+    return beat(in, config);
+  }
+
+ private:
+  static constexpr bool at_once = AT_ONCE;
+  Out beat(const In& in, const Config& config) {
     begin_step();
     change_ = Change{};
     new_frame_ = row_starts_ = first_rows_ = false;
@@ -221,27 +232,21 @@ class Agreement {
   }
 
 #ifndef __HLSC__
-  /// A beat; for a beat in which the sweep has nothing to do, a quick one.
-  [[gnu::always_inline]] Out quick_step(const In& in, const Config& config) {
-    if constexpr (!at_once) return step(in, config);
-    if (quiet_beats_ == 0) return step(in, config);
+  /// A beat in which the sweep has nothing to do, unless it completes a row of cells.
+  [[gnu::always_inline]] Out quiet_beat(const In& in, const Config& config) {
     --quiet_beats_;
     const Pair pair = take(in);
     Out out = passed(in);
     const bool said = said_;
     said_ = in_row_ = row_starts_ = false;
     take_sample(config);
-    if (row_starts_) {
-      end_wait(config);
-    }
+    if (row_starts_) end_wait(config);
     pass(in, pair, said, config);
     mark(config, out);
     return out;
   }
 #endif
 
- private:
-  static constexpr bool at_once = AT_ONCE;
   static constexpr int half_window = 3;               // columns
   static constexpr int window = 2 * half_window + 1;  // columns
   static constexpr bool fast = P.clock_khz > 50'000;
@@ -495,22 +500,22 @@ class Agreement {
   /// The image has both.
   [[nodiscard]] bool inside() const { return (run_.shift.negative() ? x_ : partner()) <= last_; }
 
-  /// What comes after a run: the next shift and its span first, then all of it, each from registers of the beat before. A
-  /// run takes longer than that.
+  /// What comes after this run, where it ends with this beat.
   Run next_run() {
 #ifndef __HLSC__
     if constexpr (at_once) {
       if (!ends_ || !ends_cell_) return {};
       look_ahead();
+      look_ahead();
+      return following_;
     }
 #endif
     const Run following = following_;
     look_ahead();
-#ifndef __HLSC__
-    if constexpr (at_once) return following_;
-#endif
     return following;
   }
+  /// What comes after a run: the next shift and its span first, then all of it, each from registers of the beat before. A
+  /// run takes longer than that.
   void look_ahead() {
     const Phase now = run_.phase;
     const bool compares = now == Phase::compare;

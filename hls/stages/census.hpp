@@ -40,7 +40,7 @@ class CellRaster {
 #ifdef __HLSC__
     at_.first = first;
     const Position here = at_;
-#else
+#else  // the same; a CPU would wait for the byte before it copies all of them
     Position here = at_;
     here.first = first;
 #endif

@@ -705,6 +705,7 @@ class Pipeline {
       marks.nearer.fill(false);
       return;
     }
+    if (first_row) result.agreement.unproven = true;  // until the verdict comes
     const std::size_t n = index(width_) / P.subsample;
     for (std::size_t x = 0; x < n; ++x) {
       InOf<stages::Agreement<P>> in;
@@ -718,14 +719,14 @@ class Pipeline {
       if constexpr (P.packed()) {
         in.pixel = {left};
         in.marks = {first, false};
-        take_verdict(agreement_.quick_step(in, agreement_config_), result);
+        take_verdict(agreement_.step(in, agreement_config_), result);
         in.pixel = {right};
         in.marks = {false, last};
       } else {
         in.pixel = {left, right};
         in.marks = {first, last};
       }
-      const auto out = agreement_.quick_step(in, agreement_config_);
+      const auto out = agreement_.step(in, agreement_config_);
       marks.seen[x] = out.marks.seen;
       marks.nearer[x] = out.marks.nearer;
       take_verdict(out, result);
