@@ -280,10 +280,11 @@ class Sharpness {
     for (std::size_t i = 0; i < 2; ++i) {
       const auto contrast = u<mean_bits>(abs(s<mean_bits + 1>(cell.mean[i] - last_->mean[i])));
       const auto detail = u<mean_bits + 4>(shr<2>(cell.detail[i] + last_->detail[i]));
-      const bool counts = !row_start && cell.mask && last_->mask && contrast >= contrast_limit;
+      const bool counts = !row_start && cell.mask && last_->mask && before_last_mask_ && contrast >= contrast_limit;
       sums_.detail[i] = u<24>((frame_start ? u<24>(0) : sums_.detail[i]) + (counts ? detail : u<mean_bits + 4>(0)));
       sums_.contrast[i] = u<24>((frame_start ? u<24>(0) : sums_.contrast[i]) + (counts ? contrast : u<mean_bits>(0)));
     }
+    before_last_mask_ = last_->mask;
     *last_ = cell;
   }
   [[nodiscard]] const Sums& sums() const { return sums_; }
@@ -337,6 +338,7 @@ class Sharpness {
   }
 
   Kept<CellGrey> last_;
+  bool before_last_mask_ = false;  // the first second difference of `last_` reaches into the cell before it
   Sums sums_;
   Comparing comparing_;
 };

@@ -3,7 +3,7 @@
 //
 // Latency 29 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 1918 bits, pipeline 6140 bits, memories 93264 bits.
+// State 1919 bits, pipeline 6133 bits, memories 93264 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -94,16 +94,16 @@ module horopter_agreement (
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {1'b0, cfg_width_i[10:4]} + 8'hff;
-  logic [6:0] sum_1953;
-  assign sum_1953 = {1'b0, cfg_height_i[10:5]} + 7'h5;
-  logic [7:0] difference_2326;
-  assign difference_2326 = 8'h0 - {1'b0, cfg_height_i[10:4]};
-  logic less_2530;
-  assign less_2530 = 7'h8 < cfg_height_i[10:4];
-  logic [4:0] sum_2531;
-  assign sum_2531 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
-  logic not_2549;
-  assign not_2549 = ~cfg_prove_i;
+  logic [6:0] sum_1957;
+  assign sum_1957 = {1'b0, cfg_height_i[10:5]} + 7'h5;
+  logic [7:0] difference_2329;
+  assign difference_2329 = 8'h0 - {1'b0, cfg_height_i[10:4]};
+  logic less_2533;
+  assign less_2533 = 7'h8 < cfg_height_i[10:4];
+  logic [4:0] sum_2534;
+  assign sum_2534 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
+  logic not_2552;
+  assign not_2552 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -113,8 +113,8 @@ module horopter_agreement (
   logic [3:0] raster_at_x_q;
   logic raster_row_ended_q;
   // hls/stages/census.hpp:35
-  logic [3:0] select_326;
-  assign select_326 = sample_pair_first_q ? 4'h0 : (raster_row_ended_q ? 4'h0 : raster_at_x_q);
+  logic [3:0] select_327;
+  assign select_327 = sample_pair_first_q ? 4'h0 : (raster_row_ended_q ? 4'h0 : raster_at_x_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -129,7 +129,7 @@ module horopter_agreement (
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_326 + 4'h1) : raster_at_x_q;
+      raster_at_x_q <= sample_pair_whole_q ? (select_327 + 4'h1) : raster_at_x_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
     end
   end
@@ -143,7 +143,7 @@ module horopter_agreement (
   logic sample_last_s1_q;
   logic sample_present_s1_q;
   logic raster_row_ended_s1_q;
-  logic [3:0] select_326_s1_q;
+  logic [3:0] select_327_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -155,7 +155,7 @@ module horopter_agreement (
       sample_last_s1_q <= sample_last_q;
       sample_present_s1_q <= sample_present_q;
       raster_row_ended_s1_q <= raster_row_ended_q;
-      select_326_s1_q <= select_326;
+      select_327_s1_q <= select_327;
     end
   end
 
@@ -167,38 +167,38 @@ module horopter_agreement (
   logic raster_final_row_q;
   logic averager_running_mask_q;
   // hls/stages/census.hpp:93
-  logic equal_327;
-  assign equal_327 = select_326_s1_q[1:0] == 2'h0;
+  logic equal_328;
+  assign equal_328 = select_327_s1_q[1:0] == 2'h0;
   // hls/stages/census.hpp:35
-  logic [6:0] select_329;
-  assign select_329 = sample_pair_first_s1_q ? 7'h0 : (raster_row_ended_s1_q ? 7'h0 : raster_at_column_q);
+  logic [6:0] select_330;
+  assign select_330 = sample_pair_first_s1_q ? 7'h0 : (raster_row_ended_s1_q ? 7'h0 : raster_at_column_q);
   // hls/stages/census.hpp:41
-  logic or_334;
-  assign or_334 = sample_pair_first_s1_q | raster_at_live_q;
-  logic [3:0] select_347;
-  assign select_347 = sample_pair_first_s1_q ? 4'h0 : raster_at_y_q;
+  logic or_335;
+  assign or_335 = sample_pair_first_s1_q | raster_at_live_q;
+  logic [3:0] select_348;
+  assign select_348 = sample_pair_first_s1_q ? 4'h0 : raster_at_y_q;
   // hls/stages/agreement.hpp:326
   logic whole;
-  assign whole = equal_327 ? sample_present_s1_q : (sample_present_s1_q & averager_running_mask_q);
+  assign whole = equal_328 ? sample_present_s1_q : (sample_present_s1_q & averager_running_mask_q);
   // hls/stages/agreement.hpp:226
   logic [6:0] column;
-  assign column = sample_pair_whole_s1_q ? select_329 : 7'h0;
+  assign column = sample_pair_whole_s1_q ? select_330 : 7'h0;
   // hls/stages/census.hpp:50
-  logic equal_364;
-  assign equal_364 = select_326_s1_q == 4'hf;
+  logic equal_365;
+  assign equal_365 = select_327_s1_q == 4'hf;
   // hls/stages/agreement.hpp:226
-  logic [3:0] select_1603;
-  assign select_1603 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (select_347 + 4'h1) : select_347) : raster_at_y_q;
-  logic [6:0] select_1605;
-  assign select_1605 = sample_pair_whole_s1_q ? (select_329 + {6'h0, equal_364}) : raster_at_column_q;
-  logic select_1612;
-  assign select_1612 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_334 & (~raster_final_row_q)) : or_334) : raster_at_live_q;
+  logic [3:0] select_1604;
+  assign select_1604 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (select_348 + 4'h1) : select_348) : raster_at_y_q;
+  logic [6:0] select_1606;
+  assign select_1606 = sample_pair_whole_s1_q ? (select_330 + {6'h0, equal_365}) : raster_at_column_q;
+  logic select_1613;
+  assign select_1613 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_335 & (~raster_final_row_q)) : or_335) : raster_at_live_q;
   // hls/stages/census.hpp:49
-  logic [10:0] select_1614;
-  assign select_1614 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
+  logic [10:0] select_1615;
+  assign select_1615 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
   // hls/stages/agreement.hpp:226
-  logic select_1618;
-  assign select_1618 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
+  logic select_1619;
+  assign select_1619 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -209,11 +209,11 @@ module horopter_agreement (
       raster_final_row_q <= 1'b0;
       averager_running_mask_q <= 1'b0;
     end else if (s1_en) begin
-      raster_at_y_q <= select_1603;
-      raster_at_column_q <= select_1605;
-      raster_at_live_q <= select_1612;
-      raster_rows_left_q <= sample_pair_whole_s1_q ? select_1614 : raster_rows_left_q;
-      raster_final_row_q <= select_1618;
+      raster_at_y_q <= select_1604;
+      raster_at_column_q <= select_1606;
+      raster_at_live_q <= select_1613;
+      raster_rows_left_q <= sample_pair_whole_s1_q ? select_1615 : raster_rows_left_q;
+      raster_final_row_q <= select_1619;
       averager_running_mask_q <= sample_pair_whole_s1_q ? whole : averager_running_mask_q;
     end
   end
@@ -227,15 +227,15 @@ module horopter_agreement (
   logic sample_pair_first_s2_q;
   logic sample_pair_whole_s2_q;
   logic sample_last_s2_q;
-  logic equal_327_s2_q;
-  logic equal_330_s2_q;
-  logic not_339_s2_q;
-  logic equal_348_s2_q;
+  logic equal_328_s2_q;
+  logic equal_331_s2_q;
+  logic not_340_s2_q;
+  logic equal_349_s2_q;
   logic whole_s2_q;
   logic [6:0] column_s2_q;
-  logic equal_364_s2_q;
   logic equal_365_s2_q;
-  logic equal_371_s2_q;
+  logic equal_366_s2_q;
+  logic equal_372_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -247,15 +247,15 @@ module horopter_agreement (
       sample_pair_first_s2_q <= sample_pair_first_s1_q;
       sample_pair_whole_s2_q <= sample_pair_whole_s1_q;
       sample_last_s2_q <= sample_last_s1_q;
-      equal_327_s2_q <= equal_327;
-      equal_330_s2_q <= {select_329, select_326_s1_q} == 11'h0;
-      not_339_s2_q <= ~((~or_334) | (~(select_326_s1_q[1:0] == 2'h3)));
-      equal_348_s2_q <= select_347 == 4'h0;
+      equal_328_s2_q <= equal_328;
+      equal_331_s2_q <= {select_330, select_327_s1_q} == 11'h0;
+      not_340_s2_q <= ~((~or_335) | (~(select_327_s1_q[1:0] == 2'h3)));
+      equal_349_s2_q <= select_348 == 4'h0;
       whole_s2_q <= whole;
       column_s2_q <= column;
-      equal_364_s2_q <= equal_364;
-      equal_365_s2_q <= select_347 == 4'hf;
-      equal_371_s2_q <= select_326_s1_q == 4'h3;
+      equal_365_s2_q <= equal_365;
+      equal_366_s2_q <= select_348 == 4'hf;
+      equal_372_s2_q <= select_327_s1_q == 4'h3;
     end
   end
 
@@ -263,25 +263,25 @@ module horopter_agreement (
   logic [6:0] raster_at_row_q;
   logic [8:0] averager_place_q;
   // hls/stages/census.hpp:100
-  logic [8:0] select_333;
-  assign select_333 = equal_327_s2_q ? (equal_330_s2_q ? 9'h0 : (averager_place_q + 9'h1)) : averager_place_q;
+  logic [8:0] select_334;
+  assign select_334 = equal_328_s2_q ? (equal_331_s2_q ? 9'h0 : (averager_place_q + 9'h1)) : averager_place_q;
   // hls/stages/census.hpp:41
-  logic [6:0] select_427;
-  assign select_427 = sample_pair_first_s2_q ? 7'h0 : raster_at_row_q;
+  logic [6:0] select_428;
+  assign select_428 = sample_pair_first_s2_q ? 7'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:226
   logic [6:0] row;
-  assign row = sample_pair_whole_s2_q ? select_427 : 7'h0;
+  assign row = sample_pair_whole_s2_q ? select_428 : 7'h0;
   // hls/stages/census.hpp:57
-  logic [6:0] select_1607;
-  assign select_1607 = sample_last_s2_q ? (select_427 + {6'h0, equal_365_s2_q}) : select_427;
+  logic [6:0] select_1608;
+  assign select_1608 = sample_last_s2_q ? (select_428 + {6'h0, equal_366_s2_q}) : select_428;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_at_row_q <= 7'h0;
       averager_place_q <= 9'h0;
     end else if (s2_en) begin
-      raster_at_row_q <= sample_pair_whole_s2_q ? select_1607 : raster_at_row_q;
-      averager_place_q <= sample_pair_whole_s2_q ? select_333 : averager_place_q;
+      raster_at_row_q <= sample_pair_whole_s2_q ? select_1608 : raster_at_row_q;
+      averager_place_q <= sample_pair_whole_s2_q ? select_334 : averager_place_q;
     end
   end
 
@@ -292,15 +292,15 @@ module horopter_agreement (
   logic marks_first_s3_q;
   logic marks_last_s3_q;
   logic sample_pair_whole_s3_q;
-  logic equal_327_s3_q;
-  logic [8:0] select_333_s3_q;
-  logic not_339_s3_q;
-  logic equal_348_s3_q;
+  logic equal_328_s3_q;
+  logic [8:0] select_334_s3_q;
+  logic not_340_s3_q;
+  logic equal_349_s3_q;
   logic whole_s3_q;
   logic [6:0] column_s3_q;
-  logic equal_364_s3_q;
   logic equal_365_s3_q;
-  logic equal_371_s3_q;
+  logic equal_366_s3_q;
+  logic equal_372_s3_q;
   logic [6:0] row_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
@@ -311,35 +311,35 @@ module horopter_agreement (
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
       sample_pair_whole_s3_q <= sample_pair_whole_s2_q;
-      equal_327_s3_q <= equal_327_s2_q;
-      select_333_s3_q <= select_333;
-      not_339_s3_q <= not_339_s2_q;
-      equal_348_s3_q <= equal_348_s2_q;
+      equal_328_s3_q <= equal_328_s2_q;
+      select_334_s3_q <= select_334;
+      not_340_s3_q <= not_340_s2_q;
+      equal_349_s3_q <= equal_349_s2_q;
       whole_s3_q <= whole_s2_q;
       column_s3_q <= column_s2_q;
-      equal_364_s3_q <= equal_364_s2_q;
       equal_365_s3_q <= equal_365_s2_q;
-      equal_371_s3_q <= equal_371_s2_q;
+      equal_366_s3_q <= equal_366_s2_q;
+      equal_372_s3_q <= equal_372_s2_q;
       row_s3_q <= row;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   // hls/stages/agreement.hpp:326
-  logic and_342;
-  assign and_342 = not_339_s3_q & (~(select_333_s3_q[8:5] == 4'hf));
+  logic and_343;
+  assign and_343 = not_340_s3_q & (~(select_334_s3_q[8:5] == 4'hf));
   // hls/stages/census.hpp:110
-  logic and_366;
-  assign and_366 = equal_365_s3_q & and_342;
+  logic and_367;
+  assign and_367 = equal_366_s3_q & and_343;
   // hls/stages/agreement.hpp:226
-  logic and_368;
-  assign and_368 = sample_pair_whole_s3_q & (equal_364_s3_q & and_366);
+  logic and_369;
+  assign and_369 = sample_pair_whole_s3_q & (equal_365_s3_q & and_367);
   // hls/stages/agreement.hpp:367
-  logic equal_1859;
-  assign equal_1859 = {last[7], column_s3_q} == {1'b0, last[6:0]};
+  logic equal_1863;
+  assign equal_1863 = {last[7], column_s3_q} == {1'b0, last[6:0]};
   // hls/stages/agreement.hpp:383
-  logic [7:0] sum_1949;
-  assign sum_1949 = {1'b0, row_s3_q} + 8'h1;
+  logic [7:0] sum_1953;
+  assign sum_1953 = {1'b0, row_s3_q} + 8'h1;
 
   logic [7:0] pixel_0_s4_q;
   logic [7:0] pixel_1_s4_q;
@@ -348,19 +348,19 @@ module horopter_agreement (
   logic marks_first_s4_q;
   logic marks_last_s4_q;
   logic sample_pair_whole_s4_q;
-  logic equal_327_s4_q;
-  logic [8:0] select_333_s4_q;
-  logic and_342_s4_q;
-  logic equal_348_s4_q;
+  logic equal_328_s4_q;
+  logic [8:0] select_334_s4_q;
+  logic and_343_s4_q;
+  logic equal_349_s4_q;
   logic whole_s4_q;
   logic [6:0] column_s4_q;
-  logic and_366_s4_q;
-  logic and_368_s4_q;
-  logic equal_371_s4_q;
+  logic and_367_s4_q;
+  logic and_369_s4_q;
+  logic equal_372_s4_q;
   logic [6:0] row_s4_q;
-  logic equal_1859_s4_q;
-  logic and_1860_s4_q;
-  logic equal_1950_s4_q;
+  logic equal_1863_s4_q;
+  logic and_1864_s4_q;
+  logic equal_1954_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= pixel_0_s3_q;
@@ -370,19 +370,19 @@ module horopter_agreement (
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
       sample_pair_whole_s4_q <= sample_pair_whole_s3_q;
-      equal_327_s4_q <= equal_327_s3_q;
-      select_333_s4_q <= select_333_s3_q;
-      and_342_s4_q <= and_342;
-      equal_348_s4_q <= equal_348_s3_q;
+      equal_328_s4_q <= equal_328_s3_q;
+      select_334_s4_q <= select_334_s3_q;
+      and_343_s4_q <= and_343;
+      equal_349_s4_q <= equal_349_s3_q;
       whole_s4_q <= whole_s3_q;
       column_s4_q <= column_s3_q;
-      and_366_s4_q <= and_366;
-      and_368_s4_q <= and_368;
-      equal_371_s4_q <= equal_371_s3_q;
+      and_367_s4_q <= and_367;
+      and_369_s4_q <= and_369;
+      equal_372_s4_q <= equal_372_s3_q;
       row_s4_q <= row_s3_q;
-      equal_1859_s4_q <= equal_1859;
-      and_1860_s4_q <= and_368 & equal_1859;
-      equal_1950_s4_q <= {sum_1949[7], cfg_height_i[10:4]} == {1'b0, sum_1949[6:0]};
+      equal_1863_s4_q <= equal_1863;
+      and_1864_s4_q <= and_369 & equal_1863;
+      equal_1954_s4_q <= {sum_1953[7], cfg_height_i[10:4]} == {1'b0, sum_1953[6:0]};
     end
   end
 
@@ -414,100 +414,100 @@ module horopter_agreement (
   logic so;
   assign so = run_phase_q == 3'h6;
   // hls/stages/agreement.hpp:530
-  logic equal_388;
-  assign equal_388 = run_phase_q == 3'h5;
+  logic equal_389;
+  assign equal_389 = run_phase_q == 3'h5;
   // hls/stages/agreement.hpp:521
-  logic equal_391;
-  assign equal_391 = run_phase_q == 3'h3;
+  logic equal_392;
+  assign equal_392 = run_phase_q == 3'h3;
   // hls/stages/agreement.hpp:522
-  logic equal_393;
-  assign equal_393 = run_phase_q == 3'h2;
+  logic equal_394;
+  assign equal_394 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:430
-  logic select_1863;
-  assign select_1863 = (and_1860_s4_q | (~ends_cell_q)) ? and_1860_s4_q : ends_q;
+  logic select_1867;
+  assign select_1867 = (and_1864_s4_q | (~ends_cell_q)) ? and_1864_s4_q : ends_q;
   // hls/stages/agreement.hpp:436
   logic [2:0] now;
-  assign now = select_1863 ? (and_1860_s4_q ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_1867 ? (and_1864_s4_q ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:441
-  logic [5:0] select_1867;
-  assign select_1867 = select_1863 ? (and_1860_s4_q ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_1870;
-  assign select_1870 = select_1863 ? (following_last_shift_q & (~and_1860_s4_q)) : run_last_shift_q;
+  logic [5:0] select_1871;
+  assign select_1871 = select_1867 ? (and_1864_s4_q ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_1874;
+  assign select_1874 = select_1867 ? (following_last_shift_q & (~and_1864_s4_q)) : run_last_shift_q;
   // hls/stages/agreement.hpp:442
-  logic [7:0] select_1872;
-  assign select_1872 = select_1863 ? (and_1860_s4_q ? 8'h0 : following_span_q) : run_span_q;
+  logic [7:0] select_1876;
+  assign select_1876 = select_1867 ? (and_1864_s4_q ? 8'h0 : following_span_q) : run_span_q;
   // hls/stages/agreement.hpp:514
-  logic and_1873;
-  assign and_1873 = run_last_shift_q & equal_391;
+  logic and_1877;
+  assign and_1877 = run_last_shift_q & equal_392;
   // hls/stages/agreement.hpp:523
-  logic select_1875;
-  assign select_1875 = equal_391 ? (~run_last_shift_q) : equal_393;
+  logic select_1879;
+  assign select_1879 = equal_392 ? (~run_last_shift_q) : equal_394;
   // hls/stages/agreement.hpp:527
-  logic equal_1876;
-  assign equal_1876 = run_phase_q == 3'h1;
-  logic not_1879;
-  assign not_1879 = ~select_1875;
+  logic equal_1880;
+  assign equal_1880 = run_phase_q == 3'h1;
+  logic not_1883;
+  assign not_1883 = ~select_1879;
   // hls/stages/agreement.hpp:530
-  logic equal_1881;
-  assign equal_1881 = run_phase_q == 3'h4;
+  logic equal_1885;
+  assign equal_1885 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:514
-  logic and_1882;
-  assign and_1882 = final_row_q & so;
+  logic and_1886;
+  assign and_1886 = final_row_q & so;
   // hls/stages/agreement.hpp:527
-  logic [1:0] select_1883;
-  assign select_1883 = equal_1881 ? 2'h1 : {2{and_1882}};
-  logic [2:0] select_1885;
-  assign select_1885 = (and_1873 | (select_1875 | equal_1876)) ? (equal_1876 ? 3'h2 : {not_1879, {2{select_1875}}}) : (equal_388 ? 3'h6 : {select_1883[0], select_1883});
+  logic [1:0] select_1887;
+  assign select_1887 = equal_1885 ? 2'h1 : {2{and_1886}};
+  logic [2:0] select_1889;
+  assign select_1889 = (and_1877 | (select_1879 | equal_1880)) ? (equal_1880 ? 3'h2 : {not_1883, {2{select_1879}}}) : (equal_389 ? 3'h6 : {select_1887[0], select_1887});
   // hls/stages/agreement.hpp:514
-  logic and_1888;
-  assign and_1888 = select_1875 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  logic and_1892;
+  assign and_1892 = select_1879 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:537
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_1891;
-  assign select_1891 = (plan_shift_q[5] & select_1875) ? value : 7'h0;
-  logic [1:0] or_1892;
-  assign or_1892 = {2{so}} | select_1891[5:4];
+  logic [6:0] select_1895;
+  assign select_1895 = (plan_shift_q[5] & select_1879) ? value : 7'h0;
+  logic [1:0] or_1896;
+  assign or_1896 = {2{so}} | select_1895[5:4];
   // hls/stages/agreement.hpp:540
-  logic [7:0] or_1896;
-  assign or_1896 = (select_1875 ? plan_columns_q : 8'h0) | ((equal_1876 | equal_1881) ? whole_q : 8'h0);
-  logic [1:0] or_1897;
-  assign or_1897 = {2{and_1873}} | or_1896[4:3];
+  logic [7:0] or_1900;
+  assign or_1900 = (select_1879 ? plan_columns_q : 8'h0) | ((equal_1880 | equal_1885) ? whole_q : 8'h0);
+  logic [1:0] or_1901;
+  assign or_1901 = {2{and_1877}} | or_1900[4:3];
   // hls/stages/agreement.hpp:541
-  logic [7:0] or_1899;
-  assign or_1899 = {or_1896[7:5], or_1897, or_1896[2:0]} | (equal_388 ? drawn_q : 8'h0);
-  logic [4:0] or_1900;
-  assign or_1900 = {5{so}} | {or_1899[6], or_1899[3:0]};
+  logic [7:0] or_1903;
+  assign or_1903 = {or_1900[7:5], or_1901, or_1900[2:0]} | (equal_389 ? drawn_q : 8'h0);
+  logic [4:0] or_1904;
+  assign or_1904 = {5{so}} | {or_1903[6], or_1903[3:0]};
   // hls/stages/agreement.hpp:547
-  logic not_1904;
-  assign not_1904 = ~run_shift_q[5];
-  logic [7:0] select_1907;
-  assign select_1907 = equal_391 ? ({{7{not_1904}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  logic not_1908;
+  assign not_1908 = ~run_shift_q[5];
+  logic [7:0] select_1911;
+  assign select_1911 = equal_392 ? ({{7{not_1908}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:430
-  logic [6:0] select_1911;
-  assign select_1911 = and_1860_s4_q ? 7'h0 : following_lowest_q;
+  logic [6:0] select_1915;
+  assign select_1915 = and_1864_s4_q ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:433
-  logic [7:0] select_1913;
-  assign select_1913 = select_1863 ? {select_1911[6], select_1911} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_1916;
-  assign select_1916 = select_1863 ? (and_1860_s4_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_1917;
+  assign select_1917 = select_1867 ? {select_1915[6], select_1915} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_1920;
+  assign select_1920 = select_1867 ? (and_1864_s4_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:368
-  logic [6:0] select_1923;
-  assign select_1923 = equal_1859_s4_q ? ((6'he < column_s4_q[6:1]) ? 7'h1d : column_s4_q) : least_q;
+  logic [6:0] select_1927;
+  assign select_1927 = equal_1863_s4_q ? ((6'he < column_s4_q[6:1]) ? 7'h1d : column_s4_q) : least_q;
   // hls/stages/agreement.hpp:427
-  logic [7:0] select_1927;
-  assign select_1927 = and_368_s4_q ? (equal_1859_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h17) : whole_q) : whole_q;
-  logic [7:0] select_1930;
-  assign select_1930 = and_368_s4_q ? (equal_1859_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h3) : drawn_q) : drawn_q;
+  logic [7:0] select_1931;
+  assign select_1931 = and_369_s4_q ? (equal_1863_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h17) : whole_q) : whole_q;
+  logic [7:0] select_1934;
+  assign select_1934 = and_369_s4_q ? (equal_1863_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h3) : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:438
-  logic select_1944;
-  assign select_1944 = (ends_cell_q | select_1863) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_391 | (slot_q == 3'h6));
+  logic select_1948;
+  assign select_1948 = (ends_cell_q | select_1867) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_392 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:433
-  logic and_1948;
-  assign and_1948 = (~select_1863) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_1952;
+  assign and_1952 = (~select_1867) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:427
-  logic select_1952;
-  assign select_1952 = and_368_s4_q ? (equal_1859_s4_q ? equal_1950_s4_q : final_row_q) : final_row_q;
+  logic select_1956;
+  assign select_1956 = and_369_s4_q ? (equal_1863_s4_q ? equal_1954_s4_q : final_row_q) : final_row_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -536,28 +536,28 @@ module horopter_agreement (
       final_row_q <= 1'b0;
     end else if (s4_en) begin
       run_phase_q <= now;
-      run_shift_q <= select_1867;
-      run_last_shift_q <= select_1870;
-      run_span_q <= select_1872;
-      following_phase_q <= select_1885;
-      following_shift_q <= select_1875 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_1888;
+      run_shift_q <= select_1871;
+      run_last_shift_q <= select_1874;
+      run_span_q <= select_1876;
+      following_phase_q <= select_1889;
+      following_shift_q <= select_1879 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_1892;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_1891[6], or_1892, select_1891[3:0]};
-      following_columns_q <= {or_1899[7], or_1900[4], or_1899[5:4], or_1900[3:0]};
-      plan_shift_q <= equal_391 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_1907;
+      following_lowest_q <= {select_1895[6], or_1896, select_1895[3:0]};
+      following_columns_q <= {or_1903[7], or_1904[4], or_1903[5:4], or_1904[3:0]};
+      plan_shift_q <= equal_392 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
+      plan_span_q <= select_1911;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_1913;
-      columns_left_q <= select_1916;
-      last_q <= and_368_s4_q ? (equal_1859_s4_q ? column_s4_q : last_q) : last_q;
-      least_q <= and_368_s4_q ? select_1923 : least_q;
-      whole_q <= select_1927;
-      drawn_q <= select_1930;
-      slot_q <= select_1863 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_1944;
-      ends_q <= and_1948;
-      final_row_q <= select_1952;
+      x_q <= select_1917;
+      columns_left_q <= select_1920;
+      last_q <= and_369_s4_q ? (equal_1863_s4_q ? column_s4_q : last_q) : last_q;
+      least_q <= and_369_s4_q ? select_1927 : least_q;
+      whole_q <= select_1931;
+      drawn_q <= select_1934;
+      slot_q <= select_1867 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_1948;
+      ends_q <= and_1952;
+      final_row_q <= select_1956;
     end
   end
 
@@ -573,27 +573,27 @@ module horopter_agreement (
   logic [6:0] last_s5_q;
   logic [2:0] slot_s5_q;
   logic ends_cell_s5_q;
-  logic equal_327_s5_q;
-  logic [8:0] select_333_s5_q;
-  logic and_342_s5_q;
-  logic equal_348_s5_q;
+  logic equal_328_s5_q;
+  logic [8:0] select_334_s5_q;
+  logic and_343_s5_q;
+  logic equal_349_s5_q;
   logic whole_s5_q;
   logic [6:0] column_s5_q;
-  logic and_366_s5_q;
-  logic and_368_s5_q;
-  logic equal_371_s5_q;
+  logic and_367_s5_q;
+  logic and_369_s5_q;
+  logic equal_372_s5_q;
   logic so_s5_q;
-  logic equal_388_s5_q;
-  logic equal_391_s5_q;
-  logic equal_393_s5_q;
-  logic [7:0] sum_394_s5_q;
+  logic equal_389_s5_q;
+  logic equal_392_s5_q;
+  logic equal_394_s5_q;
+  logic [7:0] sum_395_s5_q;
   logic [6:0] row_s5_q;
-  logic [7:0] sum_504_s5_q;
-  logic equal_513_s5_q;
-  logic equal_1337_s5_q;
-  logic equal_1859_s5_q;
-  logic and_1860_s5_q;
-  logic select_1863_s5_q;
+  logic [7:0] sum_505_s5_q;
+  logic equal_514_s5_q;
+  logic equal_1338_s5_q;
+  logic equal_1863_s5_q;
+  logic and_1864_s5_q;
+  logic select_1867_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       pixel_0_s5_q <= pixel_0_s4_q;
@@ -608,52 +608,52 @@ module horopter_agreement (
       last_s5_q <= last_q;
       slot_s5_q <= slot_q;
       ends_cell_s5_q <= ends_cell_q;
-      equal_327_s5_q <= equal_327_s4_q;
-      select_333_s5_q <= select_333_s4_q;
-      and_342_s5_q <= and_342_s4_q;
-      equal_348_s5_q <= equal_348_s4_q;
+      equal_328_s5_q <= equal_328_s4_q;
+      select_334_s5_q <= select_334_s4_q;
+      and_343_s5_q <= and_343_s4_q;
+      equal_349_s5_q <= equal_349_s4_q;
       whole_s5_q <= whole_s4_q;
       column_s5_q <= column_s4_q;
-      and_366_s5_q <= and_366_s4_q;
-      and_368_s5_q <= and_368_s4_q;
-      equal_371_s5_q <= equal_371_s4_q;
+      and_367_s5_q <= and_367_s4_q;
+      and_369_s5_q <= and_369_s4_q;
+      equal_372_s5_q <= equal_372_s4_q;
       so_s5_q <= so;
-      equal_388_s5_q <= equal_388;
-      equal_391_s5_q <= equal_391;
-      equal_393_s5_q <= equal_393;
-      sum_394_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+      equal_389_s5_q <= equal_389;
+      equal_392_s5_q <= equal_392;
+      equal_394_s5_q <= equal_394;
+      sum_395_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} + x_q;
       row_s5_q <= row_s4_q;
-      sum_504_s5_q <= {1'b0, last_q} + 8'h3;
-      equal_513_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      equal_1337_s5_q <= run_phase_q == 3'h7;
-      equal_1859_s5_q <= equal_1859_s4_q;
-      and_1860_s5_q <= and_1860_s4_q;
-      select_1863_s5_q <= select_1863;
+      sum_505_s5_q <= {1'b0, last_q} + 8'h3;
+      equal_514_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
+      equal_1338_s5_q <= run_phase_q == 3'h7;
+      equal_1863_s5_q <= equal_1863_s4_q;
+      and_1864_s5_q <= and_1864_s4_q;
+      select_1867_s5_q <= select_1867;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [6:0] age_q;
   // hls/stages/agreement.hpp:501
-  logic [7:0] select_395;
-  assign select_395 = run_shift_s5_q[5] ? x_s5_q : sum_394_s5_q;
-  logic less_396;
-  assign less_396 = {1'b0, last_s5_q} < select_395;
+  logic [7:0] select_396;
+  assign select_396 = run_shift_s5_q[5] ? x_s5_q : sum_395_s5_q;
+  logic less_397;
+  assign less_397 = {1'b0, last_s5_q} < select_396;
   // hls/stages/agreement.hpp:180
-  logic not_397;
-  assign not_397 = ~less_396;
+  logic not_398;
+  assign not_398 = ~less_397;
   // hls/stages/agreement.hpp:720
   logic [7:0] x;
   assign x = x_s5_q + 8'hfd;
   // hls/stages/agreement.hpp:435
-  logic [6:0] select_1932;
-  assign select_1932 = select_1863_s5_q ? 7'h0 : (ends_cell_s5_q ? {age_q[5:0], 1'b1} : age_q);
+  logic [6:0] select_1936;
+  assign select_1936 = select_1867_s5_q ? 7'h0 : (ends_cell_s5_q ? {age_q[5:0], 1'b1} : age_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       age_q <= 7'h0;
     end else if (s5_en) begin
-      age_q <= select_1932;
+      age_q <= select_1936;
     end
   end
 
@@ -670,30 +670,30 @@ module horopter_agreement (
   logic [3:0] age_s6_q;
   logic [2:0] slot_s6_q;
   logic ends_cell_s6_q;
-  logic equal_327_s6_q;
-  logic [8:0] select_333_s6_q;
-  logic and_342_s6_q;
-  logic equal_348_s6_q;
+  logic equal_328_s6_q;
+  logic [8:0] select_334_s6_q;
+  logic and_343_s6_q;
+  logic equal_349_s6_q;
   logic whole_s6_q;
   logic [6:0] column_s6_q;
-  logic and_366_s6_q;
-  logic and_368_s6_q;
-  logic equal_371_s6_q;
+  logic and_367_s6_q;
+  logic and_369_s6_q;
+  logic equal_372_s6_q;
   logic so_s6_q;
-  logic equal_388_s6_q;
-  logic equal_391_s6_q;
-  logic [6:0] sum_394_s6_q;
-  logic less_396_s6_q;
-  logic not_397_s6_q;
-  logic and_398_s6_q;
+  logic equal_389_s6_q;
+  logic equal_392_s6_q;
+  logic [6:0] sum_395_s6_q;
+  logic less_397_s6_q;
+  logic not_398_s6_q;
+  logic and_399_s6_q;
   logic [6:0] row_s6_q;
   logic [6:0] x_s6_2_q;
-  logic and_508_s6_q;
-  logic equal_513_s6_q;
-  logic equal_1327_s6_q;
-  logic equal_1337_s6_q;
-  logic equal_1859_s6_q;
-  logic and_1860_s6_q;
+  logic and_509_s6_q;
+  logic equal_514_s6_q;
+  logic equal_1328_s6_q;
+  logic equal_1338_s6_q;
+  logic equal_1863_s6_q;
+  logic and_1864_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       pixel_0_s6_q <= pixel_0_s5_q;
@@ -709,53 +709,53 @@ module horopter_agreement (
       age_s6_q <= {age_q[6], age_q[4:3], age_q[0]};
       slot_s6_q <= slot_s5_q;
       ends_cell_s6_q <= ends_cell_s5_q;
-      equal_327_s6_q <= equal_327_s5_q;
-      select_333_s6_q <= select_333_s5_q;
-      and_342_s6_q <= and_342_s5_q;
-      equal_348_s6_q <= equal_348_s5_q;
+      equal_328_s6_q <= equal_328_s5_q;
+      select_334_s6_q <= select_334_s5_q;
+      and_343_s6_q <= and_343_s5_q;
+      equal_349_s6_q <= equal_349_s5_q;
       whole_s6_q <= whole_s5_q;
       column_s6_q <= column_s5_q;
-      and_366_s6_q <= and_366_s5_q;
-      and_368_s6_q <= and_368_s5_q;
-      equal_371_s6_q <= equal_371_s5_q;
+      and_367_s6_q <= and_367_s5_q;
+      and_369_s6_q <= and_369_s5_q;
+      equal_372_s6_q <= equal_372_s5_q;
       so_s6_q <= so_s5_q;
-      equal_388_s6_q <= equal_388_s5_q;
-      equal_391_s6_q <= equal_391_s5_q;
-      sum_394_s6_q <= sum_394_s5_q[6:0];
-      less_396_s6_q <= less_396;
-      not_397_s6_q <= not_397;
-      and_398_s6_q <= equal_393_s5_q & not_397;
+      equal_389_s6_q <= equal_389_s5_q;
+      equal_392_s6_q <= equal_392_s5_q;
+      sum_395_s6_q <= sum_395_s5_q[6:0];
+      less_397_s6_q <= less_397;
+      not_398_s6_q <= not_398;
+      and_399_s6_q <= equal_394_s5_q & not_398;
       row_s6_q <= row_s5_q;
       x_s6_2_q <= x[6:0];
-      and_508_s6_q <= age_q[2] & (ends_cell_s5_q & (~(sum_504_s5_q < select_395)));
-      equal_513_s6_q <= equal_513_s5_q;
-      equal_1327_s6_q <= {x[7], last_s5_q} == {1'b0, x[6:0]};
-      equal_1337_s6_q <= equal_1337_s5_q;
-      equal_1859_s6_q <= equal_1859_s5_q;
-      and_1860_s6_q <= and_1860_s5_q;
+      and_509_s6_q <= age_q[2] & (ends_cell_s5_q & (~(sum_505_s5_q < select_396)));
+      equal_514_s6_q <= equal_514_s5_q;
+      equal_1328_s6_q <= {x[7], last_s5_q} == {1'b0, x[6:0]};
+      equal_1338_s6_q <= equal_1338_s5_q;
+      equal_1863_s6_q <= equal_1863_s5_q;
+      and_1864_s6_q <= and_1864_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/agreement.hpp:501
-  logic or_389;
-  assign or_389 = so_s6_q | equal_388_s6_q;
+  logic or_390;
+  assign or_390 = so_s6_q | equal_389_s6_q;
   // hls/stages/agreement.hpp:651
-  logic not_390;
-  assign not_390 = ~or_389;
+  logic not_391;
+  assign not_391 = ~or_390;
   // hls/stages/agreement.hpp:137
-  logic select_484;
-  assign select_484 = equal_391_s6_q ? not_397_s6_q : and_398_s6_q;
-  logic and_509;
-  assign and_509 = equal_391_s6_q & and_508_s6_q;
-  logic select_510;
-  assign select_510 = or_389 ? not_397_s6_q : and_509;
+  logic select_485;
+  assign select_485 = equal_392_s6_q ? not_398_s6_q : and_399_s6_q;
+  logic and_510;
+  assign and_510 = equal_392_s6_q & and_509_s6_q;
+  logic select_511;
+  assign select_511 = or_390 ? not_398_s6_q : and_510;
   // hls/stages/agreement.hpp:729
-  logic or_515;
-  assign or_515 = equal_513_s6_q | ($signed(6'h0) < $signed(run_shift_s6_q));
+  logic or_516;
+  assign or_516 = equal_514_s6_q | ($signed(6'h0) < $signed(run_shift_s6_q));
   // hls/stages/agreement.hpp:741
   logic [6:0] right;
-  assign right = sum_394_s6_q + 7'h7d;
+  assign right = sum_395_s6_q + 7'h7d;
 
   // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1227; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -767,7 +767,7 @@ module horopter_agreement (
   logic [6:0] left_raddr;
   assign left_raddr = x_s6_q[6:0];
   logic left_re;
-  assign left_re = s6_en & (or_389 ? not_397_s6_q : select_484);
+  assign left_re = s6_en & (or_390 ? not_398_s6_q : select_485);
   logic [76:0] left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (left_re) left_rdata_q <= left_mem[left_raddr];
@@ -781,9 +781,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) right_codes_mem[i] = 91'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = equal_391_s6_q ? sum_394_s6_q : x_s6_q[6:0];
+  assign right_codes_raddr = equal_392_s6_q ? sum_395_s6_q : x_s6_q[6:0];
   logic right_codes_re;
-  assign right_codes_re = s6_en & (not_390 & select_484);
+  assign right_codes_re = s6_en & (not_391 & select_485);
   logic [90:0] right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (right_codes_re) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
@@ -797,9 +797,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) best_left_mem[i] = 46'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = or_389 ? x_s6_q[6:0] : x_s6_2_q;
+  assign best_left_raddr = or_390 ? x_s6_q[6:0] : x_s6_2_q;
   logic best_left_re;
-  assign best_left_re = s6_en & select_510;
+  assign best_left_re = s6_en & select_511;
   logic [45:0] best_left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (best_left_re) best_left_rdata_q <= best_left_mem[best_left_raddr];
@@ -818,32 +818,32 @@ module horopter_agreement (
   logic [3:0] age_s7_q;
   logic [2:0] slot_s7_q;
   logic ends_cell_s7_q;
-  logic equal_327_s7_q;
-  logic [8:0] select_333_s7_q;
-  logic and_342_s7_q;
-  logic equal_348_s7_q;
+  logic equal_328_s7_q;
+  logic [8:0] select_334_s7_q;
+  logic and_343_s7_q;
+  logic equal_349_s7_q;
   logic whole_s7_q;
   logic [6:0] column_s7_q;
-  logic and_366_s7_q;
-  logic and_368_s7_q;
-  logic equal_371_s7_q;
+  logic and_367_s7_q;
+  logic and_369_s7_q;
+  logic equal_372_s7_q;
   logic so_s7_q;
-  logic equal_388_s7_q;
-  logic or_389_s7_q;
-  logic equal_391_s7_q;
-  logic less_396_s7_q;
-  logic not_397_s7_q;
-  logic and_400_s7_q;
+  logic equal_389_s7_q;
+  logic or_390_s7_q;
+  logic equal_392_s7_q;
+  logic less_397_s7_q;
+  logic not_398_s7_q;
+  logic and_401_s7_q;
   logic [6:0] row_s7_q;
   logic [6:0] x_s7_2_q;
-  logic select_510_s7_q;
-  logic select_517_s7_q;
-  logic and_1319_s7_q;
+  logic select_511_s7_q;
+  logic select_518_s7_q;
+  logic and_1320_s7_q;
   logic [6:0] right_s7_q;
-  logic select_1328_s7_q;
-  logic equal_1337_s7_q;
-  logic equal_1859_s7_q;
-  logic and_1860_s7_q;
+  logic select_1329_s7_q;
+  logic equal_1338_s7_q;
+  logic equal_1863_s7_q;
+  logic and_1864_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
       pixel_0_s7_q <= pixel_0_s6_q;
@@ -859,32 +859,32 @@ module horopter_agreement (
       age_s7_q <= age_s6_q;
       slot_s7_q <= slot_s6_q;
       ends_cell_s7_q <= ends_cell_s6_q;
-      equal_327_s7_q <= equal_327_s6_q;
-      select_333_s7_q <= select_333_s6_q;
-      and_342_s7_q <= and_342_s6_q;
-      equal_348_s7_q <= equal_348_s6_q;
+      equal_328_s7_q <= equal_328_s6_q;
+      select_334_s7_q <= select_334_s6_q;
+      and_343_s7_q <= and_343_s6_q;
+      equal_349_s7_q <= equal_349_s6_q;
       whole_s7_q <= whole_s6_q;
       column_s7_q <= column_s6_q;
-      and_366_s7_q <= and_366_s6_q;
-      and_368_s7_q <= and_368_s6_q;
-      equal_371_s7_q <= equal_371_s6_q;
+      and_367_s7_q <= and_367_s6_q;
+      and_369_s7_q <= and_369_s6_q;
+      equal_372_s7_q <= equal_372_s6_q;
       so_s7_q <= so_s6_q;
-      equal_388_s7_q <= equal_388_s6_q;
-      or_389_s7_q <= or_389;
-      equal_391_s7_q <= equal_391_s6_q;
-      less_396_s7_q <= less_396_s6_q;
-      not_397_s7_q <= not_397_s6_q;
-      and_400_s7_q <= not_390 & ((~equal_391_s6_q) & and_398_s6_q);
+      equal_389_s7_q <= equal_389_s6_q;
+      or_390_s7_q <= or_390;
+      equal_392_s7_q <= equal_392_s6_q;
+      less_397_s7_q <= less_397_s6_q;
+      not_398_s7_q <= not_398_s6_q;
+      and_401_s7_q <= not_391 & ((~equal_392_s6_q) & and_399_s6_q);
       row_s7_q <= row_s6_q;
       x_s7_2_q <= x_s6_2_q;
-      select_510_s7_q <= select_510;
-      select_517_s7_q <= or_515 ? equal_513_s6_q : (~age_s6_q[1]);
-      and_1319_s7_q <= not_390 & and_509;
+      select_511_s7_q <= select_511;
+      select_518_s7_q <= or_516 ? equal_514_s6_q : (~age_s6_q[1]);
+      and_1320_s7_q <= not_391 & and_510;
       right_s7_q <= right;
-      select_1328_s7_q <= or_515 ? equal_513_s6_q : equal_1327_s6_q;
-      equal_1337_s7_q <= equal_1337_s6_q;
-      equal_1859_s7_q <= equal_1859_s6_q;
-      and_1860_s7_q <= and_1860_s6_q;
+      select_1329_s7_q <= or_516 ? equal_514_s6_q : equal_1328_s6_q;
+      equal_1338_s7_q <= equal_1338_s6_q;
+      equal_1863_s7_q <= equal_1863_s6_q;
+      and_1864_s7_q <= and_1864_s6_q;
     end
   end
 
@@ -900,7 +900,7 @@ module horopter_agreement (
   logic [6:0] fresh_raddr;
   assign fresh_raddr = x_s7_q[6:0];
   logic fresh_re;
-  assign fresh_re = s7_en & and_400_s7_q;
+  assign fresh_re = s7_en & and_401_s7_q;
   logic [28:0] fresh_rdata_q;
   always_ff @(posedge clk_i) begin
     if (fresh_re) fresh_rdata_q <= fresh_mem[fresh_raddr];
@@ -919,35 +919,35 @@ module horopter_agreement (
   logic [3:0] age_s8_q;
   logic [2:0] slot_s8_q;
   logic ends_cell_s8_q;
-  logic equal_327_s8_q;
-  logic [8:0] select_333_s8_q;
-  logic and_342_s8_q;
-  logic equal_348_s8_q;
+  logic equal_328_s8_q;
+  logic [8:0] select_334_s8_q;
+  logic and_343_s8_q;
+  logic equal_349_s8_q;
   logic whole_s8_q;
   logic [6:0] column_s8_q;
-  logic and_366_s8_q;
-  logic and_368_s8_q;
-  logic equal_371_s8_q;
+  logic and_367_s8_q;
+  logic and_369_s8_q;
+  logic equal_372_s8_q;
   logic so_s8_q;
-  logic equal_388_s8_q;
-  logic or_389_s8_q;
-  logic equal_391_s8_q;
-  logic less_396_s8_q;
-  logic not_397_s8_q;
-  logic and_400_s8_q;
+  logic equal_389_s8_q;
+  logic or_390_s8_q;
+  logic equal_392_s8_q;
+  logic less_397_s8_q;
+  logic not_398_s8_q;
+  logic and_401_s8_q;
   logic [6:0] row_s8_q;
   logic [76:0] left_rdata_s8_q;
   logic [90:0] right_codes_rdata_s8_q;
   logic [6:0] x_s8_2_q;
-  logic select_510_s8_q;
+  logic select_511_s8_q;
   logic [45:0] best_left_rdata_s8_q;
-  logic select_517_s8_q;
-  logic and_1319_s8_q;
+  logic select_518_s8_q;
+  logic and_1320_s8_q;
   logic [6:0] right_s8_q;
-  logic select_1328_s8_q;
-  logic equal_1337_s8_q;
-  logic equal_1859_s8_q;
-  logic and_1860_s8_q;
+  logic select_1329_s8_q;
+  logic equal_1338_s8_q;
+  logic equal_1863_s8_q;
+  logic and_1864_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
       pixel_0_s8_q <= pixel_0_s7_q;
@@ -963,35 +963,35 @@ module horopter_agreement (
       age_s8_q <= age_s7_q;
       slot_s8_q <= slot_s7_q;
       ends_cell_s8_q <= ends_cell_s7_q;
-      equal_327_s8_q <= equal_327_s7_q;
-      select_333_s8_q <= select_333_s7_q;
-      and_342_s8_q <= and_342_s7_q;
-      equal_348_s8_q <= equal_348_s7_q;
+      equal_328_s8_q <= equal_328_s7_q;
+      select_334_s8_q <= select_334_s7_q;
+      and_343_s8_q <= and_343_s7_q;
+      equal_349_s8_q <= equal_349_s7_q;
       whole_s8_q <= whole_s7_q;
       column_s8_q <= column_s7_q;
-      and_366_s8_q <= and_366_s7_q;
-      and_368_s8_q <= and_368_s7_q;
-      equal_371_s8_q <= equal_371_s7_q;
+      and_367_s8_q <= and_367_s7_q;
+      and_369_s8_q <= and_369_s7_q;
+      equal_372_s8_q <= equal_372_s7_q;
       so_s8_q <= so_s7_q;
-      equal_388_s8_q <= equal_388_s7_q;
-      or_389_s8_q <= or_389_s7_q;
-      equal_391_s8_q <= equal_391_s7_q;
-      less_396_s8_q <= less_396_s7_q;
-      not_397_s8_q <= not_397_s7_q;
-      and_400_s8_q <= and_400_s7_q;
+      equal_389_s8_q <= equal_389_s7_q;
+      or_390_s8_q <= or_390_s7_q;
+      equal_392_s8_q <= equal_392_s7_q;
+      less_397_s8_q <= less_397_s7_q;
+      not_398_s8_q <= not_398_s7_q;
+      and_401_s8_q <= and_401_s7_q;
       row_s8_q <= row_s7_q;
       left_rdata_s8_q <= left_rdata_q;
       right_codes_rdata_s8_q <= right_codes_rdata_q;
       x_s8_2_q <= x_s7_2_q;
-      select_510_s8_q <= select_510_s7_q;
+      select_511_s8_q <= select_511_s7_q;
       best_left_rdata_s8_q <= best_left_rdata_q;
-      select_517_s8_q <= select_517_s7_q;
-      and_1319_s8_q <= and_1319_s7_q;
+      select_518_s8_q <= select_518_s7_q;
+      and_1320_s8_q <= and_1320_s7_q;
       right_s8_q <= right_s7_q;
-      select_1328_s8_q <= select_1328_s7_q;
-      equal_1337_s8_q <= equal_1337_s7_q;
-      equal_1859_s8_q <= equal_1859_s7_q;
-      and_1860_s8_q <= and_1860_s7_q;
+      select_1329_s8_q <= select_1329_s7_q;
+      equal_1338_s8_q <= equal_1338_s7_q;
+      equal_1863_s8_q <= equal_1863_s7_q;
+      and_1864_s8_q <= and_1864_s7_q;
     end
   end
 
@@ -999,99 +999,99 @@ module horopter_agreement (
   logic [6:0] row_q;
   logic lower_half_q;
   // hls/stages/agreement.hpp:573
-  logic not_488;
-  assign not_488 = ~(row_q == 7'h0);
+  logic not_489;
+  assign not_489 = ~(row_q == 7'h0);
   // hls/stages/agreement.hpp:176
-  logic and_523;
-  assign and_523 = left_rdata_s8_q[44] & not_397_s8_q;
   logic and_524;
-  assign and_524 = right_codes_rdata_s8_q[38] & not_397_s8_q;
-  logic [11:0] select_525;
-  assign select_525 = less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[37:26];
+  assign and_524 = left_rdata_s8_q[44] & not_398_s8_q;
+  logic and_525;
+  assign and_525 = right_codes_rdata_s8_q[38] & not_398_s8_q;
   logic [11:0] select_526;
-  assign select_526 = less_396_s8_q ? 12'h0 : left_rdata_s8_q[43:32];
+  assign select_526 = less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[37:26];
+  logic [11:0] select_527;
+  assign select_527 = less_397_s8_q ? 12'h0 : left_rdata_s8_q[43:32];
   // hls/stages/agreement.hpp:589
-  logic [11:0] select_530;
-  assign select_530 = and_523 ? (and_524 ? (~(select_525 ^ select_526)) : 12'h0) : 12'h0;
+  logic [11:0] select_531;
+  assign select_531 = and_524 ? (and_525 ? (~(select_526 ^ select_527)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:176
-  logic and_546;
-  assign and_546 = left_rdata_s8_q[60] & not_397_s8_q;
   logic and_547;
-  assign and_547 = right_codes_rdata_s8_q[51] & not_397_s8_q;
-  logic [11:0] select_548;
-  assign select_548 = less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[50:39];
+  assign and_547 = left_rdata_s8_q[60] & not_398_s8_q;
+  logic and_548;
+  assign and_548 = right_codes_rdata_s8_q[51] & not_398_s8_q;
   logic [11:0] select_549;
-  assign select_549 = less_396_s8_q ? 12'h0 : left_rdata_s8_q[59:48];
+  assign select_549 = less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[50:39];
+  logic [11:0] select_550;
+  assign select_550 = less_397_s8_q ? 12'h0 : left_rdata_s8_q[59:48];
   // hls/stages/agreement.hpp:589
-  logic [11:0] select_553;
-  assign select_553 = and_546 ? (and_547 ? (~(select_548 ^ select_549)) : 12'h0) : 12'h0;
+  logic [11:0] select_554;
+  assign select_554 = and_547 ? (and_548 ? (~(select_549 ^ select_550)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:176
-  logic and_563;
-  assign and_563 = left_rdata_s8_q[76] & not_397_s8_q;
   logic and_564;
-  assign and_564 = right_codes_rdata_s8_q[64] & not_397_s8_q;
-  logic [11:0] select_565;
-  assign select_565 = less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[63:52];
+  assign and_564 = left_rdata_s8_q[76] & not_398_s8_q;
+  logic and_565;
+  assign and_565 = right_codes_rdata_s8_q[64] & not_398_s8_q;
   logic [11:0] select_566;
-  assign select_566 = less_396_s8_q ? 12'h0 : left_rdata_s8_q[75:64];
+  assign select_566 = less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[63:52];
+  logic [11:0] select_567;
+  assign select_567 = less_397_s8_q ? 12'h0 : left_rdata_s8_q[75:64];
   // hls/stages/agreement.hpp:589
-  logic [11:0] select_570;
-  assign select_570 = and_563 ? (and_564 ? (~(select_565 ^ select_566)) : 12'h0) : 12'h0;
-  logic [11:0] select_778;
-  assign select_778 = (slot_s8_q[0] ? and_564 : and_547) ? (~(select_526 ^ (slot_s8_q[0] ? select_565 : select_548))) : 12'h0;
+  logic [11:0] select_571;
+  assign select_571 = and_564 ? (and_565 ? (~(select_566 ^ select_567)) : 12'h0) : 12'h0;
+  logic [11:0] select_779;
+  assign select_779 = (slot_s8_q[0] ? and_565 : and_548) ? (~(select_527 ^ (slot_s8_q[0] ? select_566 : select_549))) : 12'h0;
   // hls/stages/agreement.hpp:176
-  logic and_795;
-  assign and_795 = right_codes_rdata_s8_q[77] & not_397_s8_q;
-  logic [11:0] select_797;
-  assign select_797 = less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[76:65];
+  logic and_796;
+  assign and_796 = right_codes_rdata_s8_q[77] & not_398_s8_q;
+  logic [11:0] select_798;
+  assign select_798 = less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[76:65];
   // hls/stages/agreement.hpp:589
-  logic [11:0] select_801;
-  assign select_801 = (slot_s8_q[0] ? and_795 : and_564) ? (~(select_549 ^ (slot_s8_q[0] ? select_797 : select_565))) : 12'h0;
+  logic [11:0] select_802;
+  assign select_802 = (slot_s8_q[0] ? and_796 : and_565) ? (~(select_550 ^ (slot_s8_q[0] ? select_798 : select_566))) : 12'h0;
   // hls/stages/agreement.hpp:665
-  logic select_813;
-  assign select_813 = slot_s8_q[0] ? (right_codes_rdata_s8_q[90] & not_397_s8_q) : and_795;
-  logic [11:0] select_815;
-  assign select_815 = slot_s8_q[0] ? (less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[89:78]) : select_797;
+  logic select_814;
+  assign select_814 = slot_s8_q[0] ? (right_codes_rdata_s8_q[90] & not_398_s8_q) : and_796;
+  logic [11:0] select_816;
+  assign select_816 = slot_s8_q[0] ? (less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[89:78]) : select_798;
   // hls/stages/agreement.hpp:176
-  logic and_1024;
-  assign and_1024 = right_codes_rdata_s8_q[25] & not_397_s8_q;
+  logic and_1025;
+  assign and_1025 = right_codes_rdata_s8_q[25] & not_398_s8_q;
   // hls/stages/agreement.hpp:665
-  logic select_1025;
-  assign select_1025 = slot_s8_q[0] ? (right_codes_rdata_s8_q[12] & not_397_s8_q) : and_1024;
+  logic select_1026;
+  assign select_1026 = slot_s8_q[0] ? (right_codes_rdata_s8_q[12] & not_398_s8_q) : and_1025;
   // hls/stages/agreement.hpp:176
-  logic [11:0] select_1027;
-  assign select_1027 = less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[24:13];
-  // hls/stages/agreement.hpp:665
   logic [11:0] select_1028;
-  assign select_1028 = slot_s8_q[0] ? (less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[11:0]) : select_1027;
+  assign select_1028 = less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[24:13];
+  // hls/stages/agreement.hpp:665
+  logic [11:0] select_1029;
+  assign select_1029 = slot_s8_q[0] ? (less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[11:0]) : select_1028;
   // hls/stages/agreement.hpp:589
-  logic [11:0] select_1052;
-  assign select_1052 = (slot_s8_q[0] ? and_1024 : and_524) ? (~(select_549 ^ (slot_s8_q[0] ? select_1027 : select_525))) : 12'h0;
-  logic [11:0] select_1067;
-  assign select_1067 = (slot_s8_q[0] ? and_524 : and_547) ? (~(select_566 ^ (slot_s8_q[0] ? select_525 : select_548))) : 12'h0;
+  logic [11:0] select_1053;
+  assign select_1053 = (slot_s8_q[0] ? and_1025 : and_525) ? (~(select_550 ^ (slot_s8_q[0] ? select_1028 : select_526))) : 12'h0;
+  logic [11:0] select_1068;
+  assign select_1068 = (slot_s8_q[0] ? and_525 : and_548) ? (~(select_567 ^ (slot_s8_q[0] ? select_526 : select_549))) : 12'h0;
   // hls/stages/agreement.hpp:874
   logic [5:0] shift;
   assign shift = slot_s8_q[2] ? best_left_rdata_s8_q[5:0] : best_left_rdata_s8_q[45:40];
   // hls/stages/agreement.hpp:879
-  logic and_1343;
-  assign and_1343 = (or_389_s8_q & (left_rdata_s8_q[61] & not_397_s8_q)) & (~(row_q[6:3] == 4'h0));
+  logic and_1344;
+  assign and_1344 = (or_390_s8_q & (left_rdata_s8_q[61] & not_398_s8_q)) & (~(row_q[6:3] == 4'h0));
   // hls/stages/agreement.hpp:199
-  logic and_1351;
-  assign and_1351 = not_397_s8_q & (or_389_s8_q & (left_rdata_s8_q[63] & not_397_s8_q));
+  logic and_1352;
+  assign and_1352 = not_398_s8_q & (or_390_s8_q & (left_rdata_s8_q[63] & not_398_s8_q));
   // hls/stages/agreement.hpp:368
-  logic select_1956;
-  assign select_1956 = equal_1859_s8_q ? (~({row_s8_q, 1'b0} < {sum_1953, cfg_height_i[4]})) : lower_half_q;
+  logic select_1960;
+  assign select_1960 = equal_1863_s8_q ? (~({row_s8_q, 1'b0} < {sum_1957, cfg_height_i[4]})) : lower_half_q;
   // hls/stages/agreement.hpp:427
-  logic and_2194;
-  assign and_2194 = and_368_s8_q & (equal_1859_s8_q & (row_s8_q[6:2] == 5'h0));
+  logic and_2197;
+  assign and_2197 = and_369_s8_q & (equal_1863_s8_q & (row_s8_q[6:2] == 5'h0));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       row_q <= 7'h0;
       lower_half_q <= 1'b0;
     end else if (s8_en) begin
-      row_q <= and_368_s8_q ? (equal_1859_s8_q ? row_s8_q : row_q) : row_q;
-      lower_half_q <= and_368_s8_q ? select_1956 : lower_half_q;
+      row_q <= and_369_s8_q ? (equal_1863_s8_q ? row_s8_q : row_q) : row_q;
+      lower_half_q <= and_369_s8_q ? select_1960 : lower_half_q;
     end
   end
 
@@ -1109,68 +1109,68 @@ module horopter_agreement (
   logic [2:0] slot_s9_q;
   logic ends_cell_s9_q;
   logic lower_half_s9_q;
-  logic equal_327_s9_q;
-  logic [8:0] select_333_s9_q;
-  logic and_342_s9_q;
-  logic equal_348_s9_q;
+  logic equal_328_s9_q;
+  logic [8:0] select_334_s9_q;
+  logic and_343_s9_q;
+  logic equal_349_s9_q;
   logic whole_s9_q;
   logic [6:0] column_s9_q;
-  logic and_366_s9_q;
-  logic and_368_s9_q;
-  logic equal_371_s9_q;
+  logic and_367_s9_q;
+  logic and_369_s9_q;
+  logic equal_372_s9_q;
   logic so_s9_q;
-  logic equal_388_s9_q;
-  logic or_389_s9_q;
-  logic equal_391_s9_q;
-  logic less_396_s9_q;
-  logic not_397_s9_q;
-  logic and_400_s9_q;
+  logic equal_389_s9_q;
+  logic or_390_s9_q;
+  logic equal_392_s9_q;
+  logic less_397_s9_q;
+  logic not_398_s9_q;
+  logic and_401_s9_q;
   logic [28:0] fresh_rdata_s9_q;
-  logic equal_429_s9_q;
+  logic equal_430_s9_q;
   logic [56:0] left_rdata_s9_q;
-  logic and_489_s9_q;
   logic and_490_s9_q;
   logic and_491_s9_q;
   logic and_492_s9_q;
+  logic and_493_s9_q;
   logic [71:0] right_codes_rdata_s9_q;
-  logic and_496_s9_q;
   logic and_497_s9_q;
   logic and_498_s9_q;
   logic and_499_s9_q;
   logic and_500_s9_q;
   logic and_501_s9_q;
+  logic and_502_s9_q;
   logic [6:0] x_s9_2_q;
-  logic select_510_s9_q;
+  logic select_511_s9_q;
   logic [45:0] best_left_rdata_s9_q;
-  logic select_517_s9_q;
-  logic and_523_s9_q;
-  logic [11:0] select_530_s9_q;
-  logic and_546_s9_q;
-  logic [11:0] select_553_s9_q;
-  logic and_563_s9_q;
-  logic [11:0] select_570_s9_q;
-  logic [11:0] select_778_s9_q;
-  logic [11:0] select_801_s9_q;
-  logic [11:0] select_818_s9_q;
-  logic [11:0] select_1031_s9_q;
-  logic [11:0] select_1052_s9_q;
-  logic [11:0] select_1067_s9_q;
-  logic and_1319_s9_q;
+  logic select_518_s9_q;
+  logic and_524_s9_q;
+  logic [11:0] select_531_s9_q;
+  logic and_547_s9_q;
+  logic [11:0] select_554_s9_q;
+  logic and_564_s9_q;
+  logic [11:0] select_571_s9_q;
+  logic [11:0] select_779_s9_q;
+  logic [11:0] select_802_s9_q;
+  logic [11:0] select_819_s9_q;
+  logic [11:0] select_1032_s9_q;
+  logic [11:0] select_1053_s9_q;
+  logic [11:0] select_1068_s9_q;
+  logic and_1320_s9_q;
   logic [5:0] shift_s9_q;
   logic [6:0] right_s9_q;
-  logic select_1328_s9_q;
-  logic equal_1337_s9_q;
-  logic and_1344_s9_q;
-  logic and_1347_s9_q;
-  logic and_1351_s9_q;
-  logic and_1592_s9_q;
-  logic equal_1738_s9_q;
-  logic equal_1859_s9_q;
-  logic less_2112_s9_q;
-  logic and_2195_s9_q;
-  logic and_2197_s9_q;
-  logic less_2304_s9_q;
-  logic equal_2511_s9_q;
+  logic select_1329_s9_q;
+  logic equal_1338_s9_q;
+  logic and_1345_s9_q;
+  logic and_1348_s9_q;
+  logic and_1352_s9_q;
+  logic and_1593_s9_q;
+  logic equal_1739_s9_q;
+  logic equal_1863_s9_q;
+  logic less_2115_s9_q;
+  logic and_2198_s9_q;
+  logic and_2200_s9_q;
+  logic less_2307_s9_q;
+  logic equal_2514_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
       pixel_0_s9_q <= pixel_0_s8_q;
@@ -1187,339 +1187,339 @@ module horopter_agreement (
       slot_s9_q <= slot_s8_q;
       ends_cell_s9_q <= ends_cell_s8_q;
       lower_half_s9_q <= lower_half_q;
-      equal_327_s9_q <= equal_327_s8_q;
-      select_333_s9_q <= select_333_s8_q;
-      and_342_s9_q <= and_342_s8_q;
-      equal_348_s9_q <= equal_348_s8_q;
+      equal_328_s9_q <= equal_328_s8_q;
+      select_334_s9_q <= select_334_s8_q;
+      and_343_s9_q <= and_343_s8_q;
+      equal_349_s9_q <= equal_349_s8_q;
       whole_s9_q <= whole_s8_q;
       column_s9_q <= column_s8_q;
-      and_366_s9_q <= and_366_s8_q;
-      and_368_s9_q <= and_368_s8_q;
-      equal_371_s9_q <= equal_371_s8_q;
+      and_367_s9_q <= and_367_s8_q;
+      and_369_s9_q <= and_369_s8_q;
+      equal_372_s9_q <= equal_372_s8_q;
       so_s9_q <= so_s8_q;
-      equal_388_s9_q <= equal_388_s8_q;
-      or_389_s9_q <= or_389_s8_q;
-      equal_391_s9_q <= equal_391_s8_q;
-      less_396_s9_q <= less_396_s8_q;
-      not_397_s9_q <= not_397_s8_q;
-      and_400_s9_q <= and_400_s8_q;
+      equal_389_s9_q <= equal_389_s8_q;
+      or_390_s9_q <= or_390_s8_q;
+      equal_392_s9_q <= equal_392_s8_q;
+      less_397_s9_q <= less_397_s8_q;
+      not_398_s9_q <= not_398_s8_q;
+      and_401_s9_q <= and_401_s8_q;
       fresh_rdata_s9_q <= fresh_rdata_q;
-      equal_429_s9_q <= row_s8_q == 7'h0;
+      equal_430_s9_q <= row_s8_q == 7'h0;
       left_rdata_s9_q <= {left_rdata_s8_q[59:45], left_rdata_s8_q[43:29], left_rdata_s8_q[27:13], left_rdata_s8_q[11:0]};
-      and_489_s9_q <= left_rdata_s8_q[12] & not_488;
-      and_490_s9_q <= left_rdata_s8_q[28] & not_488;
-      and_491_s9_q <= left_rdata_s8_q[44] & not_488;
-      and_492_s9_q <= left_rdata_s8_q[60] & not_488;
+      and_490_s9_q <= left_rdata_s8_q[12] & not_489;
+      and_491_s9_q <= left_rdata_s8_q[28] & not_489;
+      and_492_s9_q <= left_rdata_s8_q[44] & not_489;
+      and_493_s9_q <= left_rdata_s8_q[60] & not_489;
       right_codes_rdata_s9_q <= {right_codes_rdata_s8_q[76:65], right_codes_rdata_s8_q[63:52], right_codes_rdata_s8_q[50:39], right_codes_rdata_s8_q[37:26], right_codes_rdata_s8_q[24:13], right_codes_rdata_s8_q[11:0]};
-      and_496_s9_q <= right_codes_rdata_s8_q[12] & not_488;
-      and_497_s9_q <= right_codes_rdata_s8_q[25] & not_488;
-      and_498_s9_q <= right_codes_rdata_s8_q[38] & not_488;
-      and_499_s9_q <= right_codes_rdata_s8_q[51] & not_488;
-      and_500_s9_q <= right_codes_rdata_s8_q[64] & not_488;
-      and_501_s9_q <= right_codes_rdata_s8_q[77] & not_488;
+      and_497_s9_q <= right_codes_rdata_s8_q[12] & not_489;
+      and_498_s9_q <= right_codes_rdata_s8_q[25] & not_489;
+      and_499_s9_q <= right_codes_rdata_s8_q[38] & not_489;
+      and_500_s9_q <= right_codes_rdata_s8_q[51] & not_489;
+      and_501_s9_q <= right_codes_rdata_s8_q[64] & not_489;
+      and_502_s9_q <= right_codes_rdata_s8_q[77] & not_489;
       x_s9_2_q <= x_s8_2_q;
-      select_510_s9_q <= select_510_s8_q;
+      select_511_s9_q <= select_511_s8_q;
       best_left_rdata_s9_q <= best_left_rdata_s8_q;
-      select_517_s9_q <= select_517_s8_q;
-      and_523_s9_q <= and_523;
-      select_530_s9_q <= select_530;
-      and_546_s9_q <= and_546;
-      select_553_s9_q <= select_553;
-      and_563_s9_q <= and_563;
-      select_570_s9_q <= select_570;
-      select_778_s9_q <= select_778;
-      select_801_s9_q <= select_801;
-      select_818_s9_q <= select_813 ? (~(select_566 ^ select_815)) : 12'h0;
-      select_1031_s9_q <= select_1025 ? (~(select_526 ^ select_1028)) : 12'h0;
-      select_1052_s9_q <= select_1052;
-      select_1067_s9_q <= select_1067;
-      and_1319_s9_q <= and_1319_s8_q;
+      select_518_s9_q <= select_518_s8_q;
+      and_524_s9_q <= and_524;
+      select_531_s9_q <= select_531;
+      and_547_s9_q <= and_547;
+      select_554_s9_q <= select_554;
+      and_564_s9_q <= and_564;
+      select_571_s9_q <= select_571;
+      select_779_s9_q <= select_779;
+      select_802_s9_q <= select_802;
+      select_819_s9_q <= select_814 ? (~(select_567 ^ select_816)) : 12'h0;
+      select_1032_s9_q <= select_1026 ? (~(select_527 ^ select_1029)) : 12'h0;
+      select_1053_s9_q <= select_1053;
+      select_1068_s9_q <= select_1068;
+      and_1320_s9_q <= and_1320_s8_q;
       shift_s9_q <= shift;
       right_s9_q <= right_s8_q;
-      select_1328_s9_q <= select_1328_s8_q;
-      equal_1337_s9_q <= equal_1337_s8_q;
-      and_1344_s9_q <= not_397_s8_q & and_1343;
-      and_1347_s9_q <= (or_389_s8_q & (left_rdata_s8_q[62] & not_397_s8_q)) & and_1343;
-      and_1351_s9_q <= and_1351;
-      and_1592_s9_q <= (7'h6 < row_q) & (~(x_s8_q[7:2] == 6'h0));
-      equal_1738_s9_q <= (column_s8_q | row_s8_q) == 7'h0;
-      equal_1859_s9_q <= equal_1859_s8_q;
-      less_2112_s9_q <= 6'h4 < row_q[6:1];
-      and_2195_s9_q <= and_1860_s8_q & and_2194;
-      and_2197_s9_q <= and_1860_s8_q & (~and_2194);
-      less_2304_s9_q <= 6'h2 < row_s8_q[6:1];
-      equal_2511_s9_q <= row_s8_q[6:3] == 4'h0;
+      select_1329_s9_q <= select_1329_s8_q;
+      equal_1338_s9_q <= equal_1338_s8_q;
+      and_1345_s9_q <= not_398_s8_q & and_1344;
+      and_1348_s9_q <= (or_390_s8_q & (left_rdata_s8_q[62] & not_398_s8_q)) & and_1344;
+      and_1352_s9_q <= and_1352;
+      and_1593_s9_q <= (7'h6 < row_q) & (~(x_s8_q[7:2] == 6'h0));
+      equal_1739_s9_q <= (column_s8_q | row_s8_q) == 7'h0;
+      equal_1863_s9_q <= equal_1863_s8_q;
+      less_2115_s9_q <= 6'h4 < row_q[6:1];
+      and_2198_s9_q <= and_1864_s8_q & and_2197;
+      and_2200_s9_q <= and_1864_s8_q & (~and_2197);
+      less_2307_s9_q <= 6'h2 < row_s8_q[6:1];
+      equal_2514_s9_q <= row_s8_q[6:3] == 4'h0;
     end
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
   // hls/stages/agreement.hpp:604
-  logic parity_536;
-  assign parity_536 = ^select_530_s9_q[5:3];
-  logic parity_539;
-  assign parity_539 = ^select_530_s9_q[8:6];
-  logic parity_542;
-  assign parity_542 = ^select_530_s9_q[11:3];
-  logic parity_556;
-  assign parity_556 = ^select_553_s9_q[8:6];
-  logic parity_559;
-  assign parity_559 = ^select_553_s9_q[11:9];
-  logic parity_576;
-  assign parity_576 = ^select_570_s9_q[2:0];
-  logic parity_579;
-  assign parity_579 = ^select_570_s9_q[5:3];
-  logic parity_582;
-  assign parity_582 = ^select_570_s9_q[8:0];
-  logic parity_588;
-  assign parity_588 = ^select_570_s9_q[11:9];
-  logic parity_591;
-  assign parity_591 = ^select_553_s9_q[2:0];
-  logic parity_594;
-  assign parity_594 = ^{select_570_s9_q[11:9], select_553_s9_q[5:0]};
-  logic parity_597;
-  assign parity_597 = ^{select_570_s9_q, select_553_s9_q, select_530_s9_q[2:0]};
+  logic parity_537;
+  assign parity_537 = ^select_531_s9_q[5:3];
+  logic parity_540;
+  assign parity_540 = ^select_531_s9_q[8:6];
+  logic parity_543;
+  assign parity_543 = ^select_531_s9_q[11:3];
+  logic parity_557;
+  assign parity_557 = ^select_554_s9_q[8:6];
+  logic parity_560;
+  assign parity_560 = ^select_554_s9_q[11:9];
+  logic parity_577;
+  assign parity_577 = ^select_571_s9_q[2:0];
+  logic parity_580;
+  assign parity_580 = ^select_571_s9_q[5:3];
+  logic parity_583;
+  assign parity_583 = ^select_571_s9_q[8:0];
+  logic parity_589;
+  assign parity_589 = ^select_571_s9_q[11:9];
+  logic parity_592;
+  assign parity_592 = ^select_554_s9_q[2:0];
+  logic parity_595;
+  assign parity_595 = ^{select_571_s9_q[11:9], select_554_s9_q[5:0]};
+  logic parity_598;
+  assign parity_598 = ^{select_571_s9_q, select_554_s9_q, select_531_s9_q[2:0]};
   // hls/stages/agreement.hpp:603
-  logic or_602;
-  assign or_602 = (select_530_s9_q[1:0] == 2'h3) | (select_530_s9_q[2] & (select_530_s9_q[0] | select_530_s9_q[1]));
+  logic or_603;
+  assign or_603 = (select_531_s9_q[1:0] == 2'h3) | (select_531_s9_q[2] & (select_531_s9_q[0] | select_531_s9_q[1]));
   // hls/stages/agreement.hpp:605
-  logic or_606;
-  assign or_606 = (select_553_s9_q[7:6] == 2'h3) | (select_553_s9_q[8] & (select_553_s9_q[6] | select_553_s9_q[7]));
-  logic or_610;
-  assign or_610 = (select_553_s9_q[10:9] == 2'h3) | (select_553_s9_q[11] & (select_553_s9_q[9] | select_553_s9_q[10]));
+  logic or_607;
+  assign or_607 = (select_554_s9_q[7:6] == 2'h3) | (select_554_s9_q[8] & (select_554_s9_q[6] | select_554_s9_q[7]));
+  logic or_611;
+  assign or_611 = (select_554_s9_q[10:9] == 2'h3) | (select_554_s9_q[11] & (select_554_s9_q[9] | select_554_s9_q[10]));
   // hls/stages/agreement.hpp:603
-  logic or_618;
-  assign or_618 = (select_570_s9_q[7:6] == 2'h3) | (select_570_s9_q[8] & (~(select_570_s9_q[7:6] == 2'h0)));
+  logic or_619;
+  assign or_619 = (select_571_s9_q[7:6] == 2'h3) | (select_571_s9_q[8] & (~(select_571_s9_q[7:6] == 2'h0)));
   // hls/stages/agreement.hpp:605
-  logic or_622;
-  assign or_622 = (select_570_s9_q[1:0] == 2'h3) | (select_570_s9_q[2] & (select_570_s9_q[0] | select_570_s9_q[1]));
-  logic or_626;
-  assign or_626 = (select_570_s9_q[4:3] == 2'h3) | (select_570_s9_q[5] & (select_570_s9_q[3] | select_570_s9_q[4]));
+  logic or_623;
+  assign or_623 = (select_571_s9_q[1:0] == 2'h3) | (select_571_s9_q[2] & (select_571_s9_q[0] | select_571_s9_q[1]));
+  logic or_627;
+  assign or_627 = (select_571_s9_q[4:3] == 2'h3) | (select_571_s9_q[5] & (select_571_s9_q[3] | select_571_s9_q[4]));
   // hls/stages/agreement.hpp:604
-  logic parity_629;
-  assign parity_629 = ^{or_626, or_622, or_618};
+  logic parity_630;
+  assign parity_630 = ^{or_627, or_623, or_619};
   // hls/stages/agreement.hpp:603
-  logic or_633;
-  assign or_633 = (select_553_s9_q[4:3] == 2'h3) | (select_553_s9_q[5] & (select_553_s9_q[3] | select_553_s9_q[4]));
+  logic or_634;
+  assign or_634 = (select_554_s9_q[4:3] == 2'h3) | (select_554_s9_q[5] & (select_554_s9_q[3] | select_554_s9_q[4]));
   // hls/stages/agreement.hpp:605
-  logic or_637;
-  assign or_637 = (select_570_s9_q[10:9] == 2'h3) | (select_570_s9_q[11] & (select_570_s9_q[9] | select_570_s9_q[10]));
-  logic or_641;
-  assign or_641 = (select_553_s9_q[1:0] == 2'h3) | (select_553_s9_q[2] & (select_553_s9_q[0] | select_553_s9_q[1]));
+  logic or_638;
+  assign or_638 = (select_571_s9_q[10:9] == 2'h3) | (select_571_s9_q[11] & (select_571_s9_q[9] | select_571_s9_q[10]));
+  logic or_642;
+  assign or_642 = (select_554_s9_q[1:0] == 2'h3) | (select_554_s9_q[2] & (select_554_s9_q[0] | select_554_s9_q[1]));
   // hls/stages/agreement.hpp:604
-  logic parity_644;
-  assign parity_644 = ^{or_641, or_637, or_633};
-  logic parity_647;
-  assign parity_647 = ^{or_641, or_637, or_633, or_626, or_622, or_618, or_610, or_606, or_602};
+  logic parity_645;
+  assign parity_645 = ^{or_642, or_638, or_634};
+  logic parity_648;
+  assign parity_648 = ^{or_642, or_638, or_634, or_627, or_623, or_619, or_611, or_607, or_603};
   // hls/stages/agreement.hpp:605
-  logic or_652;
-  assign or_652 = (parity_536 & parity_539) | ((^select_530_s9_q[11:9]) & (parity_536 | parity_539));
-  logic and_655;
-  assign and_655 = (^{select_553_s9_q[11:6], select_530_s9_q[2:0]}) & (parity_582 | parity_594);
+  logic or_653;
+  assign or_653 = (parity_537 & parity_540) | ((^select_531_s9_q[11:9]) & (parity_537 | parity_540));
+  logic and_656;
+  assign and_656 = (^{select_554_s9_q[11:6], select_531_s9_q[2:0]}) & (parity_583 | parity_595);
   // hls/stages/agreement.hpp:603
-  logic or_663;
-  assign or_663 = (select_530_s9_q[10:9] == 2'h3) | (select_530_s9_q[11] & (select_530_s9_q[9] | select_530_s9_q[10]));
+  logic or_664;
+  assign or_664 = (select_531_s9_q[10:9] == 2'h3) | (select_531_s9_q[11] & (select_531_s9_q[9] | select_531_s9_q[10]));
   // hls/stages/agreement.hpp:605
-  logic or_667;
-  assign or_667 = (select_530_s9_q[4:3] == 2'h3) | (select_530_s9_q[5] & (select_530_s9_q[3] | select_530_s9_q[4]));
-  logic or_671;
-  assign or_671 = (select_530_s9_q[7:6] == 2'h3) | (select_530_s9_q[8] & (select_530_s9_q[6] | select_530_s9_q[7]));
-  logic or_678;
-  assign or_678 = (parity_556 & parity_559) | ((^select_530_s9_q[2:0]) & (parity_556 | parity_559));
-  logic or_682;
-  assign or_682 = (parity_576 & parity_579) | ((^select_570_s9_q[8:6]) & (parity_576 | parity_579));
-  logic or_686;
-  assign or_686 = (parity_588 & parity_591) | ((^select_553_s9_q[5:3]) & (parity_588 | parity_591));
+  logic or_668;
+  assign or_668 = (select_531_s9_q[4:3] == 2'h3) | (select_531_s9_q[5] & (select_531_s9_q[3] | select_531_s9_q[4]));
+  logic or_672;
+  assign or_672 = (select_531_s9_q[7:6] == 2'h3) | (select_531_s9_q[8] & (select_531_s9_q[6] | select_531_s9_q[7]));
+  logic or_679;
+  assign or_679 = (parity_557 & parity_560) | ((^select_531_s9_q[2:0]) & (parity_557 | parity_560));
+  logic or_683;
+  assign or_683 = (parity_577 & parity_580) | ((^select_571_s9_q[8:6]) & (parity_577 | parity_580));
+  logic or_687;
+  assign or_687 = (parity_589 & parity_592) | ((^select_554_s9_q[5:3]) & (parity_589 | parity_592));
   // hls/stages/agreement.hpp:589
-  logic [11:0] select_779;
-  assign select_779 = and_523_s9_q ? select_778_s9_q : 12'h0;
+  logic [11:0] select_780;
+  assign select_780 = and_524_s9_q ? select_779_s9_q : 12'h0;
   // hls/stages/agreement.hpp:604
-  logic parity_785;
-  assign parity_785 = ^select_779[5:3];
-  logic parity_788;
-  assign parity_788 = ^select_779[8:6];
-  logic parity_791;
-  assign parity_791 = ^select_779[11:3];
+  logic parity_786;
+  assign parity_786 = ^select_780[5:3];
+  logic parity_789;
+  assign parity_789 = ^select_780[8:6];
+  logic parity_792;
+  assign parity_792 = ^select_780[11:3];
   // hls/stages/agreement.hpp:589
-  logic [11:0] select_802;
-  assign select_802 = and_546_s9_q ? select_801_s9_q : 12'h0;
+  logic [11:0] select_803;
+  assign select_803 = and_547_s9_q ? select_802_s9_q : 12'h0;
   // hls/stages/agreement.hpp:604
-  logic parity_805;
-  assign parity_805 = ^select_802[8:6];
-  logic parity_808;
-  assign parity_808 = ^select_802[11:9];
+  logic parity_806;
+  assign parity_806 = ^select_803[8:6];
+  logic parity_809;
+  assign parity_809 = ^select_803[11:9];
   // hls/stages/agreement.hpp:589
-  logic [11:0] select_819;
-  assign select_819 = and_563_s9_q ? select_818_s9_q : 12'h0;
+  logic [11:0] select_820;
+  assign select_820 = and_564_s9_q ? select_819_s9_q : 12'h0;
   // hls/stages/agreement.hpp:604
-  logic parity_825;
-  assign parity_825 = ^select_819[2:0];
-  logic parity_828;
-  assign parity_828 = ^select_819[5:3];
-  logic parity_831;
-  assign parity_831 = ^select_819[8:0];
-  logic parity_837;
-  assign parity_837 = ^select_819[11:9];
-  logic parity_840;
-  assign parity_840 = ^select_802[2:0];
-  logic parity_843;
-  assign parity_843 = ^{select_819[11:9], select_802[5:0]};
-  logic parity_846;
-  assign parity_846 = ^{select_819, select_802, select_779[2:0]};
+  logic parity_826;
+  assign parity_826 = ^select_820[2:0];
+  logic parity_829;
+  assign parity_829 = ^select_820[5:3];
+  logic parity_832;
+  assign parity_832 = ^select_820[8:0];
+  logic parity_838;
+  assign parity_838 = ^select_820[11:9];
+  logic parity_841;
+  assign parity_841 = ^select_803[2:0];
+  logic parity_844;
+  assign parity_844 = ^{select_820[11:9], select_803[5:0]};
+  logic parity_847;
+  assign parity_847 = ^{select_820, select_803, select_780[2:0]};
   // hls/stages/agreement.hpp:603
-  logic or_851;
-  assign or_851 = (select_779[1:0] == 2'h3) | (select_779[2] & (select_779[0] | select_779[1]));
+  logic or_852;
+  assign or_852 = (select_780[1:0] == 2'h3) | (select_780[2] & (select_780[0] | select_780[1]));
   // hls/stages/agreement.hpp:605
-  logic or_855;
-  assign or_855 = (select_802[7:6] == 2'h3) | (select_802[8] & (select_802[6] | select_802[7]));
-  logic or_859;
-  assign or_859 = (select_802[10:9] == 2'h3) | (select_802[11] & (select_802[9] | select_802[10]));
+  logic or_856;
+  assign or_856 = (select_803[7:6] == 2'h3) | (select_803[8] & (select_803[6] | select_803[7]));
+  logic or_860;
+  assign or_860 = (select_803[10:9] == 2'h3) | (select_803[11] & (select_803[9] | select_803[10]));
   // hls/stages/agreement.hpp:603
-  logic or_867;
-  assign or_867 = (select_819[7:6] == 2'h3) | (select_819[8] & (~(select_819[7:6] == 2'h0)));
+  logic or_868;
+  assign or_868 = (select_820[7:6] == 2'h3) | (select_820[8] & (~(select_820[7:6] == 2'h0)));
   // hls/stages/agreement.hpp:605
-  logic or_871;
-  assign or_871 = (select_819[1:0] == 2'h3) | (select_819[2] & (select_819[0] | select_819[1]));
-  logic or_875;
-  assign or_875 = (select_819[4:3] == 2'h3) | (select_819[5] & (select_819[3] | select_819[4]));
+  logic or_872;
+  assign or_872 = (select_820[1:0] == 2'h3) | (select_820[2] & (select_820[0] | select_820[1]));
+  logic or_876;
+  assign or_876 = (select_820[4:3] == 2'h3) | (select_820[5] & (select_820[3] | select_820[4]));
   // hls/stages/agreement.hpp:604
-  logic parity_878;
-  assign parity_878 = ^{or_875, or_871, or_867};
+  logic parity_879;
+  assign parity_879 = ^{or_876, or_872, or_868};
   // hls/stages/agreement.hpp:603
-  logic or_882;
-  assign or_882 = (select_802[4:3] == 2'h3) | (select_802[5] & (select_802[3] | select_802[4]));
+  logic or_883;
+  assign or_883 = (select_803[4:3] == 2'h3) | (select_803[5] & (select_803[3] | select_803[4]));
   // hls/stages/agreement.hpp:605
-  logic or_886;
-  assign or_886 = (select_819[10:9] == 2'h3) | (select_819[11] & (select_819[9] | select_819[10]));
-  logic or_890;
-  assign or_890 = (select_802[1:0] == 2'h3) | (select_802[2] & (select_802[0] | select_802[1]));
+  logic or_887;
+  assign or_887 = (select_820[10:9] == 2'h3) | (select_820[11] & (select_820[9] | select_820[10]));
+  logic or_891;
+  assign or_891 = (select_803[1:0] == 2'h3) | (select_803[2] & (select_803[0] | select_803[1]));
   // hls/stages/agreement.hpp:604
-  logic parity_893;
-  assign parity_893 = ^{or_890, or_886, or_882};
-  logic parity_896;
-  assign parity_896 = ^{or_890, or_886, or_882, or_875, or_871, or_867, or_859, or_855, or_851};
+  logic parity_894;
+  assign parity_894 = ^{or_891, or_887, or_883};
+  logic parity_897;
+  assign parity_897 = ^{or_891, or_887, or_883, or_876, or_872, or_868, or_860, or_856, or_852};
   // hls/stages/agreement.hpp:605
-  logic or_901;
-  assign or_901 = (parity_785 & parity_788) | ((^select_779[11:9]) & (parity_785 | parity_788));
-  logic and_904;
-  assign and_904 = (^{select_802[11:6], select_779[2:0]}) & (parity_831 | parity_843);
+  logic or_902;
+  assign or_902 = (parity_786 & parity_789) | ((^select_780[11:9]) & (parity_786 | parity_789));
+  logic and_905;
+  assign and_905 = (^{select_803[11:6], select_780[2:0]}) & (parity_832 | parity_844);
   // hls/stages/agreement.hpp:603
-  logic or_912;
-  assign or_912 = (select_779[10:9] == 2'h3) | (select_779[11] & (select_779[9] | select_779[10]));
+  logic or_913;
+  assign or_913 = (select_780[10:9] == 2'h3) | (select_780[11] & (select_780[9] | select_780[10]));
   // hls/stages/agreement.hpp:605
-  logic or_916;
-  assign or_916 = (select_779[4:3] == 2'h3) | (select_779[5] & (select_779[3] | select_779[4]));
-  logic or_920;
-  assign or_920 = (select_779[7:6] == 2'h3) | (select_779[8] & (select_779[6] | select_779[7]));
-  logic or_927;
-  assign or_927 = (parity_805 & parity_808) | ((^select_779[2:0]) & (parity_805 | parity_808));
-  logic or_931;
-  assign or_931 = (parity_825 & parity_828) | ((^select_819[8:6]) & (parity_825 | parity_828));
-  logic or_935;
-  assign or_935 = (parity_837 & parity_840) | ((^select_802[5:3]) & (parity_837 | parity_840));
+  logic or_917;
+  assign or_917 = (select_780[4:3] == 2'h3) | (select_780[5] & (select_780[3] | select_780[4]));
+  logic or_921;
+  assign or_921 = (select_780[7:6] == 2'h3) | (select_780[8] & (select_780[6] | select_780[7]));
+  logic or_928;
+  assign or_928 = (parity_806 & parity_809) | ((^select_780[2:0]) & (parity_806 | parity_809));
+  logic or_932;
+  assign or_932 = (parity_826 & parity_829) | ((^select_820[8:6]) & (parity_826 | parity_829));
+  logic or_936;
+  assign or_936 = (parity_838 & parity_841) | ((^select_803[5:3]) & (parity_838 | parity_841));
   // hls/stages/agreement.hpp:589
-  logic [11:0] select_1032;
-  assign select_1032 = and_523_s9_q ? select_1031_s9_q : 12'h0;
+  logic [11:0] select_1033;
+  assign select_1033 = and_524_s9_q ? select_1032_s9_q : 12'h0;
   // hls/stages/agreement.hpp:604
-  logic parity_1038;
-  assign parity_1038 = ^select_1032[5:3];
-  logic parity_1041;
-  assign parity_1041 = ^select_1032[8:6];
-  logic parity_1044;
-  assign parity_1044 = ^select_1032[11:3];
+  logic parity_1039;
+  assign parity_1039 = ^select_1033[5:3];
+  logic parity_1042;
+  assign parity_1042 = ^select_1033[8:6];
+  logic parity_1045;
+  assign parity_1045 = ^select_1033[11:3];
   // hls/stages/agreement.hpp:589
-  logic [11:0] select_1053;
-  assign select_1053 = and_546_s9_q ? select_1052_s9_q : 12'h0;
+  logic [11:0] select_1054;
+  assign select_1054 = and_547_s9_q ? select_1053_s9_q : 12'h0;
   // hls/stages/agreement.hpp:604
-  logic parity_1056;
-  assign parity_1056 = ^select_1053[8:6];
-  logic parity_1059;
-  assign parity_1059 = ^select_1053[11:9];
+  logic parity_1057;
+  assign parity_1057 = ^select_1054[8:6];
+  logic parity_1060;
+  assign parity_1060 = ^select_1054[11:9];
   // hls/stages/agreement.hpp:589
-  logic [11:0] select_1068;
-  assign select_1068 = and_563_s9_q ? select_1067_s9_q : 12'h0;
+  logic [11:0] select_1069;
+  assign select_1069 = and_564_s9_q ? select_1068_s9_q : 12'h0;
   // hls/stages/agreement.hpp:604
-  logic parity_1074;
-  assign parity_1074 = ^select_1068[2:0];
-  logic parity_1077;
-  assign parity_1077 = ^select_1068[5:3];
-  logic parity_1080;
-  assign parity_1080 = ^select_1068[8:0];
-  logic parity_1086;
-  assign parity_1086 = ^select_1068[11:9];
-  logic parity_1089;
-  assign parity_1089 = ^select_1053[2:0];
-  logic parity_1092;
-  assign parity_1092 = ^{select_1068[11:9], select_1053[5:0]};
-  logic parity_1095;
-  assign parity_1095 = ^{select_1068, select_1053, select_1032[2:0]};
+  logic parity_1075;
+  assign parity_1075 = ^select_1069[2:0];
+  logic parity_1078;
+  assign parity_1078 = ^select_1069[5:3];
+  logic parity_1081;
+  assign parity_1081 = ^select_1069[8:0];
+  logic parity_1087;
+  assign parity_1087 = ^select_1069[11:9];
+  logic parity_1090;
+  assign parity_1090 = ^select_1054[2:0];
+  logic parity_1093;
+  assign parity_1093 = ^{select_1069[11:9], select_1054[5:0]};
+  logic parity_1096;
+  assign parity_1096 = ^{select_1069, select_1054, select_1033[2:0]};
   // hls/stages/agreement.hpp:603
-  logic or_1100;
-  assign or_1100 = (select_1032[1:0] == 2'h3) | (select_1032[2] & (select_1032[0] | select_1032[1]));
+  logic or_1101;
+  assign or_1101 = (select_1033[1:0] == 2'h3) | (select_1033[2] & (select_1033[0] | select_1033[1]));
   // hls/stages/agreement.hpp:605
-  logic or_1104;
-  assign or_1104 = (select_1053[7:6] == 2'h3) | (select_1053[8] & (select_1053[6] | select_1053[7]));
-  logic or_1108;
-  assign or_1108 = (select_1053[10:9] == 2'h3) | (select_1053[11] & (select_1053[9] | select_1053[10]));
+  logic or_1105;
+  assign or_1105 = (select_1054[7:6] == 2'h3) | (select_1054[8] & (select_1054[6] | select_1054[7]));
+  logic or_1109;
+  assign or_1109 = (select_1054[10:9] == 2'h3) | (select_1054[11] & (select_1054[9] | select_1054[10]));
   // hls/stages/agreement.hpp:603
-  logic or_1116;
-  assign or_1116 = (select_1068[7:6] == 2'h3) | (select_1068[8] & (~(select_1068[7:6] == 2'h0)));
+  logic or_1117;
+  assign or_1117 = (select_1069[7:6] == 2'h3) | (select_1069[8] & (~(select_1069[7:6] == 2'h0)));
   // hls/stages/agreement.hpp:605
-  logic or_1120;
-  assign or_1120 = (select_1068[1:0] == 2'h3) | (select_1068[2] & (select_1068[0] | select_1068[1]));
-  logic or_1124;
-  assign or_1124 = (select_1068[4:3] == 2'h3) | (select_1068[5] & (select_1068[3] | select_1068[4]));
+  logic or_1121;
+  assign or_1121 = (select_1069[1:0] == 2'h3) | (select_1069[2] & (select_1069[0] | select_1069[1]));
+  logic or_1125;
+  assign or_1125 = (select_1069[4:3] == 2'h3) | (select_1069[5] & (select_1069[3] | select_1069[4]));
   // hls/stages/agreement.hpp:604
-  logic parity_1127;
-  assign parity_1127 = ^{or_1124, or_1120, or_1116};
+  logic parity_1128;
+  assign parity_1128 = ^{or_1125, or_1121, or_1117};
   // hls/stages/agreement.hpp:603
-  logic or_1131;
-  assign or_1131 = (select_1053[4:3] == 2'h3) | (select_1053[5] & (select_1053[3] | select_1053[4]));
+  logic or_1132;
+  assign or_1132 = (select_1054[4:3] == 2'h3) | (select_1054[5] & (select_1054[3] | select_1054[4]));
   // hls/stages/agreement.hpp:605
-  logic or_1135;
-  assign or_1135 = (select_1068[10:9] == 2'h3) | (select_1068[11] & (select_1068[9] | select_1068[10]));
-  logic or_1139;
-  assign or_1139 = (select_1053[1:0] == 2'h3) | (select_1053[2] & (select_1053[0] | select_1053[1]));
+  logic or_1136;
+  assign or_1136 = (select_1069[10:9] == 2'h3) | (select_1069[11] & (select_1069[9] | select_1069[10]));
+  logic or_1140;
+  assign or_1140 = (select_1054[1:0] == 2'h3) | (select_1054[2] & (select_1054[0] | select_1054[1]));
   // hls/stages/agreement.hpp:604
-  logic parity_1142;
-  assign parity_1142 = ^{or_1139, or_1135, or_1131};
-  logic parity_1145;
-  assign parity_1145 = ^{or_1139, or_1135, or_1131, or_1124, or_1120, or_1116, or_1108, or_1104, or_1100};
+  logic parity_1143;
+  assign parity_1143 = ^{or_1140, or_1136, or_1132};
+  logic parity_1146;
+  assign parity_1146 = ^{or_1140, or_1136, or_1132, or_1125, or_1121, or_1117, or_1109, or_1105, or_1101};
   // hls/stages/agreement.hpp:605
-  logic or_1150;
-  assign or_1150 = (parity_1038 & parity_1041) | ((^select_1032[11:9]) & (parity_1038 | parity_1041));
-  logic and_1153;
-  assign and_1153 = (^{select_1053[11:6], select_1032[2:0]}) & (parity_1080 | parity_1092);
+  logic or_1151;
+  assign or_1151 = (parity_1039 & parity_1042) | ((^select_1033[11:9]) & (parity_1039 | parity_1042));
+  logic and_1154;
+  assign and_1154 = (^{select_1054[11:6], select_1033[2:0]}) & (parity_1081 | parity_1093);
   // hls/stages/agreement.hpp:603
-  logic or_1161;
-  assign or_1161 = (select_1032[10:9] == 2'h3) | (select_1032[11] & (select_1032[9] | select_1032[10]));
+  logic or_1162;
+  assign or_1162 = (select_1033[10:9] == 2'h3) | (select_1033[11] & (select_1033[9] | select_1033[10]));
   // hls/stages/agreement.hpp:605
-  logic or_1165;
-  assign or_1165 = (select_1032[4:3] == 2'h3) | (select_1032[5] & (select_1032[3] | select_1032[4]));
-  logic or_1169;
-  assign or_1169 = (select_1032[7:6] == 2'h3) | (select_1032[8] & (select_1032[6] | select_1032[7]));
-  logic or_1176;
-  assign or_1176 = (parity_1056 & parity_1059) | ((^select_1032[2:0]) & (parity_1056 | parity_1059));
-  logic or_1180;
-  assign or_1180 = (parity_1074 & parity_1077) | ((^select_1068[8:6]) & (parity_1074 | parity_1077));
-  logic or_1184;
-  assign or_1184 = (parity_1086 & parity_1089) | ((^select_1053[5:3]) & (parity_1086 | parity_1089));
+  logic or_1166;
+  assign or_1166 = (select_1033[4:3] == 2'h3) | (select_1033[5] & (select_1033[3] | select_1033[4]));
+  logic or_1170;
+  assign or_1170 = (select_1033[7:6] == 2'h3) | (select_1033[8] & (select_1033[6] | select_1033[7]));
+  logic or_1177;
+  assign or_1177 = (parity_1057 & parity_1060) | ((^select_1033[2:0]) & (parity_1057 | parity_1060));
+  logic or_1181;
+  assign or_1181 = (parity_1075 & parity_1078) | ((^select_1069[8:6]) & (parity_1075 | parity_1078));
+  logic or_1185;
+  assign or_1185 = (parity_1087 & parity_1090) | ((^select_1054[5:3]) & (parity_1087 | parity_1090));
   // hls/stages/agreement.hpp:875
   logic [7:0] found;
   assign found = x_s9_q + {{2{shift_s9_q[5]}}, shift_s9_q};
   // hls/stages/agreement.hpp:199
-  logic or_1365;
-  assign or_1365 = (cfg_nearer_below_i & shift_s9_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s9_q)));
+  logic or_1366;
+  assign or_1366 = (cfg_nearer_below_i & shift_s9_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s9_q)));
   // hls/stages/agreement.hpp:902
-  logic [5:0] sum_1419;
-  assign sum_1419 = {1'b0, last_s9_q[6:2]} + 6'h1;
+  logic [5:0] sum_1420;
+  assign sum_1420 = {1'b0, last_s9_q[6:2]} + 6'h1;
 
   // Memory left, write
   logic [6:0] left_waddr;
   assign left_waddr = x_s9_q[6:0];
   logic left_we;
-  assign left_we = s9_en & and_400_s9_q;
+  assign left_we = s9_en & and_401_s9_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_we) left_mem[left_waddr] <= {and_492_s9_q, left_rdata_s9_q[56:42], and_491_s9_q, left_rdata_s9_q[41:27], and_490_s9_q, left_rdata_s9_q[26:12], and_489_s9_q, left_rdata_s9_q[11:0], fresh_rdata_s9_q[28:26], fresh_rdata_s9_q[24], fresh_rdata_s9_q[11:0]};
+    if (left_we) left_mem[left_waddr] <= {and_493_s9_q, left_rdata_s9_q[56:42], and_492_s9_q, left_rdata_s9_q[41:27], and_491_s9_q, left_rdata_s9_q[26:12], and_490_s9_q, left_rdata_s9_q[11:0], fresh_rdata_s9_q[28:26], fresh_rdata_s9_q[24], fresh_rdata_s9_q[11:0]};
   end
 `ifndef SYNTHESIS
   logic [6:0] left_raddr_s7_sim;
@@ -1558,9 +1558,9 @@ module horopter_agreement (
   logic [6:0] right_codes_waddr;
   assign right_codes_waddr = x_s9_q[6:0];
   logic right_codes_we;
-  assign right_codes_we = s9_en & and_400_s9_q;
+  assign right_codes_we = s9_en & and_401_s9_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_501_s9_q, right_codes_rdata_s9_q[71:60], and_500_s9_q, right_codes_rdata_s9_q[59:48], and_499_s9_q, right_codes_rdata_s9_q[47:36], and_498_s9_q, right_codes_rdata_s9_q[35:24], and_497_s9_q, right_codes_rdata_s9_q[23:12], and_496_s9_q, right_codes_rdata_s9_q[11:0], fresh_rdata_s9_q[25], fresh_rdata_s9_q[23:12]};
+    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_502_s9_q, right_codes_rdata_s9_q[71:60], and_501_s9_q, right_codes_rdata_s9_q[59:48], and_500_s9_q, right_codes_rdata_s9_q[47:36], and_499_s9_q, right_codes_rdata_s9_q[35:24], and_498_s9_q, right_codes_rdata_s9_q[23:12], and_497_s9_q, right_codes_rdata_s9_q[11:0], fresh_rdata_s9_q[25], fresh_rdata_s9_q[23:12]};
   end
 `ifndef SYNTHESIS
   logic [6:0] right_codes_raddr_s7_sim;
@@ -1608,95 +1608,95 @@ module horopter_agreement (
   logic [2:0] slot_s10_q;
   logic ends_cell_s10_q;
   logic lower_half_s10_q;
-  logic equal_327_s10_q;
-  logic [8:0] select_333_s10_q;
-  logic and_342_s10_q;
-  logic equal_348_s10_q;
+  logic equal_328_s10_q;
+  logic [8:0] select_334_s10_q;
+  logic and_343_s10_q;
+  logic equal_349_s10_q;
   logic whole_s10_q;
   logic [6:0] column_s10_q;
-  logic and_366_s10_q;
-  logic and_368_s10_q;
-  logic equal_371_s10_q;
+  logic and_367_s10_q;
+  logic and_369_s10_q;
+  logic equal_372_s10_q;
   logic so_s10_q;
-  logic equal_388_s10_q;
-  logic or_389_s10_q;
-  logic equal_391_s10_q;
-  logic less_396_s10_q;
-  logic not_397_s10_q;
-  logic equal_429_s10_q;
+  logic equal_389_s10_q;
+  logic or_390_s10_q;
+  logic equal_392_s10_q;
+  logic less_397_s10_q;
+  logic not_398_s10_q;
+  logic equal_430_s10_q;
   logic [6:0] x_s10_2_q;
-  logic select_510_s10_q;
+  logic select_511_s10_q;
   logic [45:0] best_left_rdata_s10_q;
-  logic select_517_s10_q;
-  logic xor_598_s10_q;
-  logic parity_647_s10_q;
-  logic and_648_s10_q;
-  logic or_652_s10_q;
-  logic or_656_s10_q;
-  logic or_663_s10_q;
-  logic or_667_s10_q;
-  logic or_671_s10_q;
-  logic or_678_s10_q;
-  logic or_682_s10_q;
-  logic or_686_s10_q;
-  logic and_695_s10_q;
-  logic and_697_s10_q;
-  logic or_709_s10_q;
-  logic or_713_s10_q;
-  logic or_717_s10_q;
-  logic xor_847_s10_q;
-  logic parity_862_s10_q;
-  logic parity_896_s10_q;
-  logic and_897_s10_q;
-  logic or_901_s10_q;
-  logic or_905_s10_q;
-  logic or_912_s10_q;
-  logic or_916_s10_q;
-  logic or_920_s10_q;
-  logic or_927_s10_q;
-  logic or_931_s10_q;
-  logic or_935_s10_q;
-  logic and_944_s10_q;
-  logic or_945_s10_q;
-  logic or_958_s10_q;
-  logic or_962_s10_q;
-  logic or_966_s10_q;
-  logic xor_1096_s10_q;
-  logic parity_1111_s10_q;
-  logic parity_1145_s10_q;
-  logic and_1146_s10_q;
-  logic or_1150_s10_q;
-  logic or_1154_s10_q;
-  logic or_1161_s10_q;
-  logic or_1165_s10_q;
-  logic or_1169_s10_q;
-  logic or_1176_s10_q;
-  logic or_1180_s10_q;
-  logic or_1184_s10_q;
-  logic and_1193_s10_q;
-  logic or_1194_s10_q;
-  logic or_1207_s10_q;
-  logic or_1211_s10_q;
-  logic or_1215_s10_q;
-  logic and_1319_s10_q;
-  logic [6:0] select_1323_s10_q;
+  logic select_518_s10_q;
+  logic xor_599_s10_q;
+  logic parity_648_s10_q;
+  logic and_649_s10_q;
+  logic or_653_s10_q;
+  logic or_657_s10_q;
+  logic or_664_s10_q;
+  logic or_668_s10_q;
+  logic or_672_s10_q;
+  logic or_679_s10_q;
+  logic or_683_s10_q;
+  logic or_687_s10_q;
+  logic and_696_s10_q;
+  logic and_698_s10_q;
+  logic or_710_s10_q;
+  logic or_714_s10_q;
+  logic or_718_s10_q;
+  logic xor_848_s10_q;
+  logic parity_863_s10_q;
+  logic parity_897_s10_q;
+  logic and_898_s10_q;
+  logic or_902_s10_q;
+  logic or_906_s10_q;
+  logic or_913_s10_q;
+  logic or_917_s10_q;
+  logic or_921_s10_q;
+  logic or_928_s10_q;
+  logic or_932_s10_q;
+  logic or_936_s10_q;
+  logic and_945_s10_q;
+  logic or_946_s10_q;
+  logic or_959_s10_q;
+  logic or_963_s10_q;
+  logic or_967_s10_q;
+  logic xor_1097_s10_q;
+  logic parity_1112_s10_q;
+  logic parity_1146_s10_q;
+  logic and_1147_s10_q;
+  logic or_1151_s10_q;
+  logic or_1155_s10_q;
+  logic or_1162_s10_q;
+  logic or_1166_s10_q;
+  logic or_1170_s10_q;
+  logic or_1177_s10_q;
+  logic or_1181_s10_q;
+  logic or_1185_s10_q;
+  logic and_1194_s10_q;
+  logic or_1195_s10_q;
+  logic or_1208_s10_q;
+  logic or_1212_s10_q;
+  logic or_1216_s10_q;
+  logic and_1320_s10_q;
+  logic [6:0] select_1324_s10_q;
   logic [6:0] right_s10_q;
-  logic select_1328_s10_q;
-  logic equal_1337_s10_q;
-  logic and_1344_s10_q;
-  logic and_1347_s10_q;
-  logic and_1351_s10_q;
-  logic or_1365_s10_q;
-  logic less_1420_s10_q;
-  logic equal_1460_s10_q;
-  logic and_1595_s10_q;
-  logic equal_1738_s10_q;
-  logic equal_1859_s10_q;
-  logic less_2112_s10_q;
-  logic and_2195_s10_q;
-  logic and_2197_s10_q;
-  logic less_2304_s10_q;
-  logic equal_2511_s10_q;
+  logic select_1329_s10_q;
+  logic equal_1338_s10_q;
+  logic and_1345_s10_q;
+  logic and_1348_s10_q;
+  logic and_1352_s10_q;
+  logic or_1366_s10_q;
+  logic less_1421_s10_q;
+  logic equal_1461_s10_q;
+  logic and_1596_s10_q;
+  logic equal_1739_s10_q;
+  logic equal_1863_s10_q;
+  logic less_2115_s10_q;
+  logic and_2198_s10_q;
+  logic and_2200_s10_q;
+  logic less_2307_s10_q;
+  logic equal_2514_s10_q;
   always_ff @(posedge clk_i) begin
     if (s9_en) begin
       pixel_0_s10_q <= pixel_0_s9_q;
@@ -1712,204 +1712,204 @@ module horopter_agreement (
       slot_s10_q <= slot_s9_q;
       ends_cell_s10_q <= ends_cell_s9_q;
       lower_half_s10_q <= lower_half_s9_q;
-      equal_327_s10_q <= equal_327_s9_q;
-      select_333_s10_q <= select_333_s9_q;
-      and_342_s10_q <= and_342_s9_q;
-      equal_348_s10_q <= equal_348_s9_q;
+      equal_328_s10_q <= equal_328_s9_q;
+      select_334_s10_q <= select_334_s9_q;
+      and_343_s10_q <= and_343_s9_q;
+      equal_349_s10_q <= equal_349_s9_q;
       whole_s10_q <= whole_s9_q;
       column_s10_q <= column_s9_q;
-      and_366_s10_q <= and_366_s9_q;
-      and_368_s10_q <= and_368_s9_q;
-      equal_371_s10_q <= equal_371_s9_q;
+      and_367_s10_q <= and_367_s9_q;
+      and_369_s10_q <= and_369_s9_q;
+      equal_372_s10_q <= equal_372_s9_q;
       so_s10_q <= so_s9_q;
-      equal_388_s10_q <= equal_388_s9_q;
-      or_389_s10_q <= or_389_s9_q;
-      equal_391_s10_q <= equal_391_s9_q;
-      less_396_s10_q <= less_396_s9_q;
-      not_397_s10_q <= not_397_s9_q;
-      equal_429_s10_q <= equal_429_s9_q;
+      equal_389_s10_q <= equal_389_s9_q;
+      or_390_s10_q <= or_390_s9_q;
+      equal_392_s10_q <= equal_392_s9_q;
+      less_397_s10_q <= less_397_s9_q;
+      not_398_s10_q <= not_398_s9_q;
+      equal_430_s10_q <= equal_430_s9_q;
       x_s10_2_q <= x_s9_2_q;
-      select_510_s10_q <= select_510_s9_q;
+      select_511_s10_q <= select_511_s9_q;
       best_left_rdata_s10_q <= best_left_rdata_s9_q;
-      select_517_s10_q <= select_517_s9_q;
-      xor_598_s10_q <= parity_542 ^ parity_597;
-      parity_647_s10_q <= parity_647;
-      and_648_s10_q <= parity_542 & parity_597;
-      or_652_s10_q <= or_652;
-      or_656_s10_q <= (parity_582 & parity_594) | and_655;
-      or_663_s10_q <= or_663;
-      or_667_s10_q <= or_667;
-      or_671_s10_q <= or_671;
-      or_678_s10_q <= or_678;
-      or_682_s10_q <= or_682;
-      or_686_s10_q <= or_686;
-      and_695_s10_q <= parity_629 & parity_644;
-      and_697_s10_q <= (^{or_610, or_606, or_602}) & (parity_629 | parity_644);
-      or_709_s10_q <= (or_606 & or_610) | (or_602 & (or_606 | or_610));
-      or_713_s10_q <= (or_622 & or_626) | (or_618 & (or_622 | or_626));
-      or_717_s10_q <= (or_637 & or_641) | (or_633 & (or_637 | or_641));
-      xor_847_s10_q <= parity_791 ^ parity_846;
-      parity_862_s10_q <= ^{or_859, or_855, or_851};
-      parity_896_s10_q <= parity_896;
-      and_897_s10_q <= parity_791 & parity_846;
-      or_901_s10_q <= or_901;
-      or_905_s10_q <= (parity_831 & parity_843) | and_904;
-      or_912_s10_q <= or_912;
-      or_916_s10_q <= or_916;
-      or_920_s10_q <= or_920;
-      or_927_s10_q <= or_927;
-      or_931_s10_q <= or_931;
-      or_935_s10_q <= or_935;
-      and_944_s10_q <= parity_878 & parity_893;
-      or_945_s10_q <= parity_878 | parity_893;
-      or_958_s10_q <= (or_855 & or_859) | (or_851 & (or_855 | or_859));
-      or_962_s10_q <= (or_871 & or_875) | (or_867 & (or_871 | or_875));
-      or_966_s10_q <= (or_886 & or_890) | (or_882 & (or_886 | or_890));
-      xor_1096_s10_q <= parity_1044 ^ parity_1095;
-      parity_1111_s10_q <= ^{or_1108, or_1104, or_1100};
-      parity_1145_s10_q <= parity_1145;
-      and_1146_s10_q <= parity_1044 & parity_1095;
-      or_1150_s10_q <= or_1150;
-      or_1154_s10_q <= (parity_1080 & parity_1092) | and_1153;
-      or_1161_s10_q <= or_1161;
-      or_1165_s10_q <= or_1165;
-      or_1169_s10_q <= or_1169;
-      or_1176_s10_q <= or_1176;
-      or_1180_s10_q <= or_1180;
-      or_1184_s10_q <= or_1184;
-      and_1193_s10_q <= parity_1127 & parity_1142;
-      or_1194_s10_q <= parity_1127 | parity_1142;
-      or_1207_s10_q <= (or_1104 & or_1108) | (or_1100 & (or_1104 | or_1108));
-      or_1211_s10_q <= (or_1120 & or_1124) | (or_1116 & (or_1120 | or_1124));
-      or_1215_s10_q <= (or_1135 & or_1139) | (or_1131 & (or_1135 | or_1139));
-      and_1319_s10_q <= and_1319_s9_q;
-      select_1323_s10_q <= ({1'b0, last_s9_q} < found) ? 7'h0 : found[6:0];
+      select_518_s10_q <= select_518_s9_q;
+      xor_599_s10_q <= parity_543 ^ parity_598;
+      parity_648_s10_q <= parity_648;
+      and_649_s10_q <= parity_543 & parity_598;
+      or_653_s10_q <= or_653;
+      or_657_s10_q <= (parity_583 & parity_595) | and_656;
+      or_664_s10_q <= or_664;
+      or_668_s10_q <= or_668;
+      or_672_s10_q <= or_672;
+      or_679_s10_q <= or_679;
+      or_683_s10_q <= or_683;
+      or_687_s10_q <= or_687;
+      and_696_s10_q <= parity_630 & parity_645;
+      and_698_s10_q <= (^{or_611, or_607, or_603}) & (parity_630 | parity_645);
+      or_710_s10_q <= (or_607 & or_611) | (or_603 & (or_607 | or_611));
+      or_714_s10_q <= (or_623 & or_627) | (or_619 & (or_623 | or_627));
+      or_718_s10_q <= (or_638 & or_642) | (or_634 & (or_638 | or_642));
+      xor_848_s10_q <= parity_792 ^ parity_847;
+      parity_863_s10_q <= ^{or_860, or_856, or_852};
+      parity_897_s10_q <= parity_897;
+      and_898_s10_q <= parity_792 & parity_847;
+      or_902_s10_q <= or_902;
+      or_906_s10_q <= (parity_832 & parity_844) | and_905;
+      or_913_s10_q <= or_913;
+      or_917_s10_q <= or_917;
+      or_921_s10_q <= or_921;
+      or_928_s10_q <= or_928;
+      or_932_s10_q <= or_932;
+      or_936_s10_q <= or_936;
+      and_945_s10_q <= parity_879 & parity_894;
+      or_946_s10_q <= parity_879 | parity_894;
+      or_959_s10_q <= (or_856 & or_860) | (or_852 & (or_856 | or_860));
+      or_963_s10_q <= (or_872 & or_876) | (or_868 & (or_872 | or_876));
+      or_967_s10_q <= (or_887 & or_891) | (or_883 & (or_887 | or_891));
+      xor_1097_s10_q <= parity_1045 ^ parity_1096;
+      parity_1112_s10_q <= ^{or_1109, or_1105, or_1101};
+      parity_1146_s10_q <= parity_1146;
+      and_1147_s10_q <= parity_1045 & parity_1096;
+      or_1151_s10_q <= or_1151;
+      or_1155_s10_q <= (parity_1081 & parity_1093) | and_1154;
+      or_1162_s10_q <= or_1162;
+      or_1166_s10_q <= or_1166;
+      or_1170_s10_q <= or_1170;
+      or_1177_s10_q <= or_1177;
+      or_1181_s10_q <= or_1181;
+      or_1185_s10_q <= or_1185;
+      and_1194_s10_q <= parity_1128 & parity_1143;
+      or_1195_s10_q <= parity_1128 | parity_1143;
+      or_1208_s10_q <= (or_1105 & or_1109) | (or_1101 & (or_1105 | or_1109));
+      or_1212_s10_q <= (or_1121 & or_1125) | (or_1117 & (or_1121 | or_1125));
+      or_1216_s10_q <= (or_1136 & or_1140) | (or_1132 & (or_1136 | or_1140));
+      and_1320_s10_q <= and_1320_s9_q;
+      select_1324_s10_q <= ({1'b0, last_s9_q} < found) ? 7'h0 : found[6:0];
       right_s10_q <= right_s9_q;
-      select_1328_s10_q <= select_1328_s9_q;
-      equal_1337_s10_q <= equal_1337_s9_q;
-      and_1344_s10_q <= and_1344_s9_q;
-      and_1347_s10_q <= and_1347_s9_q;
-      and_1351_s10_q <= and_1351_s9_q;
-      or_1365_s10_q <= or_1365;
-      less_1420_s10_q <= {1'b0, sum_1419, last_s9_q[1]} < x_s9_q;
-      equal_1460_s10_q <= x_s9_q == {1'b0, last_s9_q};
-      and_1595_s10_q <= and_1592_s9_q & (~({sum_1419, last_s9_q[1:0]} < x_s9_q));
-      equal_1738_s10_q <= equal_1738_s9_q;
-      equal_1859_s10_q <= equal_1859_s9_q;
-      less_2112_s10_q <= less_2112_s9_q;
-      and_2195_s10_q <= and_2195_s9_q;
-      and_2197_s10_q <= and_2197_s9_q;
-      less_2304_s10_q <= less_2304_s9_q;
-      equal_2511_s10_q <= equal_2511_s9_q;
+      select_1329_s10_q <= select_1329_s9_q;
+      equal_1338_s10_q <= equal_1338_s9_q;
+      and_1345_s10_q <= and_1345_s9_q;
+      and_1348_s10_q <= and_1348_s9_q;
+      and_1352_s10_q <= and_1352_s9_q;
+      or_1366_s10_q <= or_1366;
+      less_1421_s10_q <= {1'b0, sum_1420, last_s9_q[1]} < x_s9_q;
+      equal_1461_s10_q <= x_s9_q == {1'b0, last_s9_q};
+      and_1596_s10_q <= and_1593_s9_q & (~({sum_1420, last_s9_q[1:0]} < x_s9_q));
+      equal_1739_s10_q <= equal_1739_s9_q;
+      equal_1863_s10_q <= equal_1863_s9_q;
+      less_2115_s10_q <= less_2115_s9_q;
+      and_2198_s10_q <= and_2198_s9_q;
+      and_2200_s10_q <= and_2200_s9_q;
+      less_2307_s10_q <= less_2307_s9_q;
+      equal_2514_s10_q <= equal_2514_s9_q;
     end
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
   // hls/stages/agreement.hpp:604
-  logic parity_674;
-  assign parity_674 = ^{or_671_s10_q, or_667_s10_q, or_663_s10_q};
-  logic parity_689;
-  assign parity_689 = ^{or_686_s10_q, or_682_s10_q, or_678_s10_q};
-  logic parity_692;
-  assign parity_692 = ^{or_686_s10_q, or_682_s10_q, or_678_s10_q, or_671_s10_q, or_667_s10_q, or_663_s10_q, or_656_s10_q, or_652_s10_q, and_648_s10_q};
+  logic parity_675;
+  assign parity_675 = ^{or_672_s10_q, or_668_s10_q, or_664_s10_q};
+  logic parity_690;
+  assign parity_690 = ^{or_687_s10_q, or_683_s10_q, or_679_s10_q};
+  logic parity_693;
+  assign parity_693 = ^{or_687_s10_q, or_683_s10_q, or_679_s10_q, or_672_s10_q, or_668_s10_q, or_664_s10_q, or_657_s10_q, or_653_s10_q, and_649_s10_q};
   // hls/stages/agreement.hpp:605
-  logic and_694;
-  assign and_694 = parity_647_s10_q & parity_692;
-  logic or_698;
-  assign or_698 = and_695_s10_q | and_697_s10_q;
-  logic and_701;
-  assign and_701 = (^{or_656_s10_q, or_652_s10_q, and_648_s10_q}) & (parity_674 | parity_689);
-  logic or_702;
-  assign or_702 = (parity_674 & parity_689) | and_701;
+  logic and_695;
+  assign and_695 = parity_648_s10_q & parity_693;
+  logic or_699;
+  assign or_699 = and_696_s10_q | and_698_s10_q;
+  logic and_702;
+  assign and_702 = (^{or_657_s10_q, or_653_s10_q, and_649_s10_q}) & (parity_675 | parity_690);
+  logic or_703;
+  assign or_703 = (parity_675 & parity_690) | and_702;
   // hls/stages/agreement.hpp:604
-  logic parity_720;
-  assign parity_720 = ^{or_717_s10_q, or_713_s10_q, or_709_s10_q};
+  logic parity_721;
+  assign parity_721 = ^{or_718_s10_q, or_714_s10_q, or_710_s10_q};
   // hls/stages/agreement.hpp:605
-  logic or_724;
-  assign or_724 = (or_652_s10_q & or_656_s10_q) | (and_648_s10_q & (or_652_s10_q | or_656_s10_q));
-  logic or_728;
-  assign or_728 = (or_667_s10_q & or_671_s10_q) | (or_663_s10_q & (or_667_s10_q | or_671_s10_q));
-  logic or_732;
-  assign or_732 = (or_682_s10_q & or_686_s10_q) | (or_678_s10_q & (or_682_s10_q | or_686_s10_q));
+  logic or_725;
+  assign or_725 = (or_653_s10_q & or_657_s10_q) | (and_649_s10_q & (or_653_s10_q | or_657_s10_q));
+  logic or_729;
+  assign or_729 = (or_668_s10_q & or_672_s10_q) | (or_664_s10_q & (or_668_s10_q | or_672_s10_q));
+  logic or_733;
+  assign or_733 = (or_683_s10_q & or_687_s10_q) | (or_679_s10_q & (or_683_s10_q | or_687_s10_q));
   // hls/stages/agreement.hpp:604
-  logic parity_735;
-  assign parity_735 = ^{or_732, or_728, or_724};
-  logic parity_738;
-  assign parity_738 = ^{or_732, or_728, or_724, or_717_s10_q, or_713_s10_q, or_709_s10_q, or_702, or_698, and_694};
+  logic parity_736;
+  assign parity_736 = ^{or_733, or_729, or_725};
+  logic parity_739;
+  assign parity_739 = ^{or_733, or_729, or_725, or_718_s10_q, or_714_s10_q, or_710_s10_q, or_703, or_699, and_695};
   // hls/stages/agreement.hpp:605
-  logic or_750;
-  assign or_750 = (or_713_s10_q & or_717_s10_q) | (or_709_s10_q & (or_713_s10_q | or_717_s10_q));
+  logic or_751;
+  assign or_751 = (or_714_s10_q & or_718_s10_q) | (or_710_s10_q & (or_714_s10_q | or_718_s10_q));
   // hls/stages/agreement.hpp:604
-  logic parity_923;
-  assign parity_923 = ^{or_920_s10_q, or_916_s10_q, or_912_s10_q};
-  logic parity_938;
-  assign parity_938 = ^{or_935_s10_q, or_931_s10_q, or_927_s10_q};
-  logic parity_941;
-  assign parity_941 = ^{or_935_s10_q, or_931_s10_q, or_927_s10_q, or_920_s10_q, or_916_s10_q, or_912_s10_q, or_905_s10_q, or_901_s10_q, and_897_s10_q};
+  logic parity_924;
+  assign parity_924 = ^{or_921_s10_q, or_917_s10_q, or_913_s10_q};
+  logic parity_939;
+  assign parity_939 = ^{or_936_s10_q, or_932_s10_q, or_928_s10_q};
+  logic parity_942;
+  assign parity_942 = ^{or_936_s10_q, or_932_s10_q, or_928_s10_q, or_921_s10_q, or_917_s10_q, or_913_s10_q, or_906_s10_q, or_902_s10_q, and_898_s10_q};
   // hls/stages/agreement.hpp:605
-  logic and_943;
-  assign and_943 = parity_896_s10_q & parity_941;
-  logic or_947;
-  assign or_947 = and_944_s10_q | (parity_862_s10_q & or_945_s10_q);
-  logic and_950;
-  assign and_950 = (^{or_905_s10_q, or_901_s10_q, and_897_s10_q}) & (parity_923 | parity_938);
-  logic or_951;
-  assign or_951 = (parity_923 & parity_938) | and_950;
+  logic and_944;
+  assign and_944 = parity_897_s10_q & parity_942;
+  logic or_948;
+  assign or_948 = and_945_s10_q | (parity_863_s10_q & or_946_s10_q);
+  logic and_951;
+  assign and_951 = (^{or_906_s10_q, or_902_s10_q, and_898_s10_q}) & (parity_924 | parity_939);
+  logic or_952;
+  assign or_952 = (parity_924 & parity_939) | and_951;
   // hls/stages/agreement.hpp:604
-  logic parity_969;
-  assign parity_969 = ^{or_966_s10_q, or_962_s10_q, or_958_s10_q};
+  logic parity_970;
+  assign parity_970 = ^{or_967_s10_q, or_963_s10_q, or_959_s10_q};
   // hls/stages/agreement.hpp:605
-  logic or_973;
-  assign or_973 = (or_901_s10_q & or_905_s10_q) | (and_897_s10_q & (or_901_s10_q | or_905_s10_q));
-  logic or_977;
-  assign or_977 = (or_916_s10_q & or_920_s10_q) | (or_912_s10_q & (or_916_s10_q | or_920_s10_q));
-  logic or_981;
-  assign or_981 = (or_931_s10_q & or_935_s10_q) | (or_927_s10_q & (or_931_s10_q | or_935_s10_q));
+  logic or_974;
+  assign or_974 = (or_902_s10_q & or_906_s10_q) | (and_898_s10_q & (or_902_s10_q | or_906_s10_q));
+  logic or_978;
+  assign or_978 = (or_917_s10_q & or_921_s10_q) | (or_913_s10_q & (or_917_s10_q | or_921_s10_q));
+  logic or_982;
+  assign or_982 = (or_932_s10_q & or_936_s10_q) | (or_928_s10_q & (or_932_s10_q | or_936_s10_q));
   // hls/stages/agreement.hpp:604
-  logic parity_984;
-  assign parity_984 = ^{or_981, or_977, or_973};
-  logic parity_987;
-  assign parity_987 = ^{or_981, or_977, or_973, or_966_s10_q, or_962_s10_q, or_958_s10_q, or_951, or_947, and_943};
+  logic parity_985;
+  assign parity_985 = ^{or_982, or_978, or_974};
+  logic parity_988;
+  assign parity_988 = ^{or_982, or_978, or_974, or_967_s10_q, or_963_s10_q, or_959_s10_q, or_952, or_948, and_944};
   // hls/stages/agreement.hpp:605
-  logic or_999;
-  assign or_999 = (or_962_s10_q & or_966_s10_q) | (or_958_s10_q & (or_962_s10_q | or_966_s10_q));
+  logic or_1000;
+  assign or_1000 = (or_963_s10_q & or_967_s10_q) | (or_959_s10_q & (or_963_s10_q | or_967_s10_q));
   // hls/stages/agreement.hpp:604
-  logic parity_1172;
-  assign parity_1172 = ^{or_1169_s10_q, or_1165_s10_q, or_1161_s10_q};
-  logic parity_1187;
-  assign parity_1187 = ^{or_1184_s10_q, or_1180_s10_q, or_1176_s10_q};
-  logic parity_1190;
-  assign parity_1190 = ^{or_1184_s10_q, or_1180_s10_q, or_1176_s10_q, or_1169_s10_q, or_1165_s10_q, or_1161_s10_q, or_1154_s10_q, or_1150_s10_q, and_1146_s10_q};
+  logic parity_1173;
+  assign parity_1173 = ^{or_1170_s10_q, or_1166_s10_q, or_1162_s10_q};
+  logic parity_1188;
+  assign parity_1188 = ^{or_1185_s10_q, or_1181_s10_q, or_1177_s10_q};
+  logic parity_1191;
+  assign parity_1191 = ^{or_1185_s10_q, or_1181_s10_q, or_1177_s10_q, or_1170_s10_q, or_1166_s10_q, or_1162_s10_q, or_1155_s10_q, or_1151_s10_q, and_1147_s10_q};
   // hls/stages/agreement.hpp:605
-  logic and_1192;
-  assign and_1192 = parity_1145_s10_q & parity_1190;
-  logic or_1196;
-  assign or_1196 = and_1193_s10_q | (parity_1111_s10_q & or_1194_s10_q);
-  logic and_1199;
-  assign and_1199 = (^{or_1154_s10_q, or_1150_s10_q, and_1146_s10_q}) & (parity_1172 | parity_1187);
-  logic or_1200;
-  assign or_1200 = (parity_1172 & parity_1187) | and_1199;
+  logic and_1193;
+  assign and_1193 = parity_1146_s10_q & parity_1191;
+  logic or_1197;
+  assign or_1197 = and_1194_s10_q | (parity_1112_s10_q & or_1195_s10_q);
+  logic and_1200;
+  assign and_1200 = (^{or_1155_s10_q, or_1151_s10_q, and_1147_s10_q}) & (parity_1173 | parity_1188);
+  logic or_1201;
+  assign or_1201 = (parity_1173 & parity_1188) | and_1200;
   // hls/stages/agreement.hpp:604
-  logic parity_1218;
-  assign parity_1218 = ^{or_1215_s10_q, or_1211_s10_q, or_1207_s10_q};
+  logic parity_1219;
+  assign parity_1219 = ^{or_1216_s10_q, or_1212_s10_q, or_1208_s10_q};
   // hls/stages/agreement.hpp:605
-  logic or_1222;
-  assign or_1222 = (or_1150_s10_q & or_1154_s10_q) | (and_1146_s10_q & (or_1150_s10_q | or_1154_s10_q));
-  logic or_1226;
-  assign or_1226 = (or_1165_s10_q & or_1169_s10_q) | (or_1161_s10_q & (or_1165_s10_q | or_1169_s10_q));
-  logic or_1230;
-  assign or_1230 = (or_1180_s10_q & or_1184_s10_q) | (or_1176_s10_q & (or_1180_s10_q | or_1184_s10_q));
+  logic or_1223;
+  assign or_1223 = (or_1151_s10_q & or_1155_s10_q) | (and_1147_s10_q & (or_1151_s10_q | or_1155_s10_q));
+  logic or_1227;
+  assign or_1227 = (or_1166_s10_q & or_1170_s10_q) | (or_1162_s10_q & (or_1166_s10_q | or_1170_s10_q));
+  logic or_1231;
+  assign or_1231 = (or_1181_s10_q & or_1185_s10_q) | (or_1177_s10_q & (or_1181_s10_q | or_1185_s10_q));
   // hls/stages/agreement.hpp:604
-  logic parity_1233;
-  assign parity_1233 = ^{or_1230, or_1226, or_1222};
-  logic parity_1236;
-  assign parity_1236 = ^{or_1230, or_1226, or_1222, or_1215_s10_q, or_1211_s10_q, or_1207_s10_q, or_1200, or_1196, and_1192};
+  logic parity_1234;
+  assign parity_1234 = ^{or_1231, or_1227, or_1223};
+  logic parity_1237;
+  assign parity_1237 = ^{or_1231, or_1227, or_1223, or_1216_s10_q, or_1212_s10_q, or_1208_s10_q, or_1201, or_1197, and_1193};
   // hls/stages/agreement.hpp:605
-  logic or_1248;
-  assign or_1248 = (or_1211_s10_q & or_1215_s10_q) | (or_1207_s10_q & (or_1211_s10_q | or_1215_s10_q));
+  logic or_1249;
+  assign or_1249 = (or_1212_s10_q & or_1216_s10_q) | (or_1208_s10_q & (or_1212_s10_q | or_1216_s10_q));
   // hls/stages/agreement.hpp:137
-  logic [6:0] select_1375;
-  assign select_1375 = or_389_s10_q ? (less_396_s10_q ? 7'h0 : select_1323_s10_q) : 7'h0;
+  logic [6:0] select_1376;
+  assign select_1376 = or_390_s10_q ? (less_397_s10_q ? 7'h0 : select_1324_s10_q) : 7'h0;
 
   // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1230; read in stage 10, written in stage 17: 10 < 17 < 10 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1919,9 +1919,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) best_right_mem[i] = 29'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_389_s10_q ? select_1323_s10_q : right_s10_q;
+  assign best_right_raddr = or_390_s10_q ? select_1324_s10_q : right_s10_q;
   logic best_right_re;
-  assign best_right_re = s10_en & select_510_s10_q;
+  assign best_right_re = s10_en & select_511_s10_q;
   logic [28:0] best_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (best_right_re) best_right_rdata_q <= best_right_mem[best_right_raddr];
@@ -1940,71 +1940,71 @@ module horopter_agreement (
   logic [2:0] slot_s11_q;
   logic ends_cell_s11_q;
   logic lower_half_s11_q;
-  logic equal_327_s11_q;
-  logic [8:0] select_333_s11_q;
-  logic and_342_s11_q;
-  logic equal_348_s11_q;
+  logic equal_328_s11_q;
+  logic [8:0] select_334_s11_q;
+  logic and_343_s11_q;
+  logic equal_349_s11_q;
   logic whole_s11_q;
   logic [6:0] column_s11_q;
-  logic and_366_s11_q;
-  logic and_368_s11_q;
-  logic equal_371_s11_q;
+  logic and_367_s11_q;
+  logic and_369_s11_q;
+  logic equal_372_s11_q;
   logic so_s11_q;
-  logic equal_388_s11_q;
-  logic or_389_s11_q;
-  logic equal_391_s11_q;
-  logic less_396_s11_q;
-  logic not_397_s11_q;
-  logic equal_429_s11_q;
+  logic equal_389_s11_q;
+  logic or_390_s11_q;
+  logic equal_392_s11_q;
+  logic less_397_s11_q;
+  logic not_398_s11_q;
+  logic equal_430_s11_q;
   logic [6:0] x_s11_2_q;
   logic [45:0] best_left_rdata_s11_q;
-  logic select_517_s11_q;
-  logic xor_598_s11_q;
-  logic xor_693_s11_q;
-  logic parity_738_s11_q;
-  logic and_739_s11_q;
-  logic and_741_s11_q;
-  logic and_743_s11_q;
-  logic and_745_s11_q;
-  logic or_750_s11_q;
-  logic or_754_s11_q;
-  logic xor_847_s11_q;
-  logic xor_942_s11_q;
-  logic parity_987_s11_q;
-  logic and_988_s11_q;
-  logic and_990_s11_q;
-  logic and_992_s11_q;
-  logic and_994_s11_q;
-  logic or_999_s11_q;
-  logic or_1003_s11_q;
-  logic xor_1096_s11_q;
-  logic xor_1191_s11_q;
-  logic parity_1236_s11_q;
-  logic and_1237_s11_q;
-  logic and_1239_s11_q;
-  logic and_1241_s11_q;
-  logic and_1243_s11_q;
-  logic or_1248_s11_q;
-  logic or_1252_s11_q;
-  logic and_1319_s11_q;
+  logic select_518_s11_q;
+  logic xor_599_s11_q;
+  logic xor_694_s11_q;
+  logic parity_739_s11_q;
+  logic and_740_s11_q;
+  logic and_742_s11_q;
+  logic and_744_s11_q;
+  logic and_746_s11_q;
+  logic or_751_s11_q;
+  logic or_755_s11_q;
+  logic xor_848_s11_q;
+  logic xor_943_s11_q;
+  logic parity_988_s11_q;
+  logic and_989_s11_q;
+  logic and_991_s11_q;
+  logic and_993_s11_q;
+  logic and_995_s11_q;
+  logic or_1000_s11_q;
+  logic or_1004_s11_q;
+  logic xor_1097_s11_q;
+  logic xor_1192_s11_q;
+  logic parity_1237_s11_q;
+  logic and_1238_s11_q;
+  logic and_1240_s11_q;
+  logic and_1242_s11_q;
+  logic and_1244_s11_q;
+  logic or_1249_s11_q;
+  logic or_1253_s11_q;
+  logic and_1320_s11_q;
   logic [6:0] right_s11_q;
-  logic select_1328_s11_q;
-  logic equal_1337_s11_q;
-  logic and_1344_s11_q;
-  logic and_1347_s11_q;
-  logic and_1351_s11_q;
-  logic or_1365_s11_q;
-  logic [6:0] select_1376_s11_q;
-  logic less_1420_s11_q;
-  logic equal_1460_s11_q;
-  logic and_1597_s11_q;
-  logic equal_1738_s11_q;
-  logic equal_1859_s11_q;
-  logic less_2112_s11_q;
-  logic and_2195_s11_q;
-  logic and_2197_s11_q;
-  logic less_2304_s11_q;
-  logic equal_2511_s11_q;
+  logic select_1329_s11_q;
+  logic equal_1338_s11_q;
+  logic and_1345_s11_q;
+  logic and_1348_s11_q;
+  logic and_1352_s11_q;
+  logic or_1366_s11_q;
+  logic [6:0] select_1377_s11_q;
+  logic less_1421_s11_q;
+  logic equal_1461_s11_q;
+  logic and_1598_s11_q;
+  logic equal_1739_s11_q;
+  logic equal_1863_s11_q;
+  logic less_2115_s11_q;
+  logic and_2198_s11_q;
+  logic and_2200_s11_q;
+  logic less_2307_s11_q;
+  logic equal_2514_s11_q;
   always_ff @(posedge clk_i) begin
     if (s10_en) begin
       pixel_0_s11_q <= pixel_0_s10_q;
@@ -2020,71 +2020,71 @@ module horopter_agreement (
       slot_s11_q <= slot_s10_q;
       ends_cell_s11_q <= ends_cell_s10_q;
       lower_half_s11_q <= lower_half_s10_q;
-      equal_327_s11_q <= equal_327_s10_q;
-      select_333_s11_q <= select_333_s10_q;
-      and_342_s11_q <= and_342_s10_q;
-      equal_348_s11_q <= equal_348_s10_q;
+      equal_328_s11_q <= equal_328_s10_q;
+      select_334_s11_q <= select_334_s10_q;
+      and_343_s11_q <= and_343_s10_q;
+      equal_349_s11_q <= equal_349_s10_q;
       whole_s11_q <= whole_s10_q;
       column_s11_q <= column_s10_q;
-      and_366_s11_q <= and_366_s10_q;
-      and_368_s11_q <= and_368_s10_q;
-      equal_371_s11_q <= equal_371_s10_q;
+      and_367_s11_q <= and_367_s10_q;
+      and_369_s11_q <= and_369_s10_q;
+      equal_372_s11_q <= equal_372_s10_q;
       so_s11_q <= so_s10_q;
-      equal_388_s11_q <= equal_388_s10_q;
-      or_389_s11_q <= or_389_s10_q;
-      equal_391_s11_q <= equal_391_s10_q;
-      less_396_s11_q <= less_396_s10_q;
-      not_397_s11_q <= not_397_s10_q;
-      equal_429_s11_q <= equal_429_s10_q;
+      equal_389_s11_q <= equal_389_s10_q;
+      or_390_s11_q <= or_390_s10_q;
+      equal_392_s11_q <= equal_392_s10_q;
+      less_397_s11_q <= less_397_s10_q;
+      not_398_s11_q <= not_398_s10_q;
+      equal_430_s11_q <= equal_430_s10_q;
       x_s11_2_q <= x_s10_2_q;
       best_left_rdata_s11_q <= best_left_rdata_s10_q;
-      select_517_s11_q <= select_517_s10_q;
-      xor_598_s11_q <= xor_598_s10_q;
-      xor_693_s11_q <= parity_647_s10_q ^ parity_692;
-      parity_738_s11_q <= parity_738;
-      and_739_s11_q <= parity_720 & parity_735;
-      and_741_s11_q <= (^{or_702, or_698, and_694}) & (parity_720 | parity_735);
-      and_743_s11_q <= or_698 & or_702;
-      and_745_s11_q <= and_694 & (or_698 | or_702);
-      or_750_s11_q <= or_750;
-      or_754_s11_q <= (or_728 & or_732) | (or_724 & (or_728 | or_732));
-      xor_847_s11_q <= xor_847_s10_q;
-      xor_942_s11_q <= parity_896_s10_q ^ parity_941;
-      parity_987_s11_q <= parity_987;
-      and_988_s11_q <= parity_969 & parity_984;
-      and_990_s11_q <= (^{or_951, or_947, and_943}) & (parity_969 | parity_984);
-      and_992_s11_q <= or_947 & or_951;
-      and_994_s11_q <= and_943 & (or_947 | or_951);
-      or_999_s11_q <= or_999;
-      or_1003_s11_q <= (or_977 & or_981) | (or_973 & (or_977 | or_981));
-      xor_1096_s11_q <= xor_1096_s10_q;
-      xor_1191_s11_q <= parity_1145_s10_q ^ parity_1190;
-      parity_1236_s11_q <= parity_1236;
-      and_1237_s11_q <= parity_1218 & parity_1233;
-      and_1239_s11_q <= (^{or_1200, or_1196, and_1192}) & (parity_1218 | parity_1233);
-      and_1241_s11_q <= or_1196 & or_1200;
-      and_1243_s11_q <= and_1192 & (or_1196 | or_1200);
-      or_1248_s11_q <= or_1248;
-      or_1252_s11_q <= (or_1226 & or_1230) | (or_1222 & (or_1226 | or_1230));
-      and_1319_s11_q <= and_1319_s10_q;
+      select_518_s11_q <= select_518_s10_q;
+      xor_599_s11_q <= xor_599_s10_q;
+      xor_694_s11_q <= parity_648_s10_q ^ parity_693;
+      parity_739_s11_q <= parity_739;
+      and_740_s11_q <= parity_721 & parity_736;
+      and_742_s11_q <= (^{or_703, or_699, and_695}) & (parity_721 | parity_736);
+      and_744_s11_q <= or_699 & or_703;
+      and_746_s11_q <= and_695 & (or_699 | or_703);
+      or_751_s11_q <= or_751;
+      or_755_s11_q <= (or_729 & or_733) | (or_725 & (or_729 | or_733));
+      xor_848_s11_q <= xor_848_s10_q;
+      xor_943_s11_q <= parity_897_s10_q ^ parity_942;
+      parity_988_s11_q <= parity_988;
+      and_989_s11_q <= parity_970 & parity_985;
+      and_991_s11_q <= (^{or_952, or_948, and_944}) & (parity_970 | parity_985);
+      and_993_s11_q <= or_948 & or_952;
+      and_995_s11_q <= and_944 & (or_948 | or_952);
+      or_1000_s11_q <= or_1000;
+      or_1004_s11_q <= (or_978 & or_982) | (or_974 & (or_978 | or_982));
+      xor_1097_s11_q <= xor_1097_s10_q;
+      xor_1192_s11_q <= parity_1146_s10_q ^ parity_1191;
+      parity_1237_s11_q <= parity_1237;
+      and_1238_s11_q <= parity_1219 & parity_1234;
+      and_1240_s11_q <= (^{or_1201, or_1197, and_1193}) & (parity_1219 | parity_1234);
+      and_1242_s11_q <= or_1197 & or_1201;
+      and_1244_s11_q <= and_1193 & (or_1197 | or_1201);
+      or_1249_s11_q <= or_1249;
+      or_1253_s11_q <= (or_1227 & or_1231) | (or_1223 & (or_1227 | or_1231));
+      and_1320_s11_q <= and_1320_s10_q;
       right_s11_q <= right_s10_q;
-      select_1328_s11_q <= select_1328_s10_q;
-      equal_1337_s11_q <= equal_1337_s10_q;
-      and_1344_s11_q <= and_1344_s10_q;
-      and_1347_s11_q <= and_1347_s10_q;
-      and_1351_s11_q <= and_1351_s10_q;
-      or_1365_s11_q <= or_1365_s10_q;
-      select_1376_s11_q <= so_s10_q ? x_s10_q[6:0] : select_1375;
-      less_1420_s11_q <= less_1420_s10_q;
-      equal_1460_s11_q <= equal_1460_s10_q;
-      and_1597_s11_q <= so_s10_q & (ends_cell_s10_q & and_1595_s10_q);
-      equal_1738_s11_q <= equal_1738_s10_q;
-      equal_1859_s11_q <= equal_1859_s10_q;
-      less_2112_s11_q <= less_2112_s10_q;
-      and_2195_s11_q <= and_2195_s10_q;
-      and_2197_s11_q <= and_2197_s10_q;
-      less_2304_s11_q <= less_2304_s10_q;
-      equal_2511_s11_q <= equal_2511_s10_q;
+      select_1329_s11_q <= select_1329_s10_q;
+      equal_1338_s11_q <= equal_1338_s10_q;
+      and_1345_s11_q <= and_1345_s10_q;
+      and_1348_s11_q <= and_1348_s10_q;
+      and_1352_s11_q <= and_1352_s10_q;
+      or_1366_s11_q <= or_1366_s10_q;
+      select_1377_s11_q <= so_s10_q ? x_s10_q[6:0] : select_1376;
+      less_1421_s11_q <= less_1421_s10_q;
+      equal_1461_s11_q <= equal_1461_s10_q;
+      and_1598_s11_q <= so_s10_q & (ends_cell_s10_q & and_1596_s10_q);
+      equal_1739_s11_q <= equal_1739_s10_q;
+      equal_1863_s11_q <= equal_1863_s10_q;
+      less_2115_s11_q <= less_2115_s10_q;
+      and_2198_s11_q <= and_2198_s10_q;
+      and_2200_s11_q <= and_2200_s10_q;
+      less_2307_s11_q <= less_2307_s10_q;
+      equal_2514_s11_q <= equal_2514_s10_q;
     end
   end
 
@@ -2118,89 +2118,89 @@ module horopter_agreement (
   logic [5:0] sums_1_columns_values_12_q;
   logic [5:0] sums_1_columns_values_13_q;
   // hls/stages/agreement.hpp:605
-  logic or_742;
-  assign or_742 = and_739_s11_q | and_741_s11_q;
-  logic or_746;
-  assign or_746 = and_743_s11_q | and_745_s11_q;
+  logic or_743;
+  assign or_743 = and_740_s11_q | and_742_s11_q;
+  logic or_747;
+  assign or_747 = and_744_s11_q | and_746_s11_q;
   // hls/stages/agreement.hpp:604
-  logic parity_759;
-  assign parity_759 = ^{or_754_s11_q, or_750_s11_q, or_746, or_742};
+  logic parity_760;
+  assign parity_760 = ^{or_755_s11_q, or_751_s11_q, or_747, or_743};
   // hls/stages/agreement.hpp:605
-  logic or_763;
-  assign or_763 = (or_750_s11_q & or_754_s11_q) | (or_746 & (or_750_s11_q | or_754_s11_q));
-  logic and_764;
-  assign and_764 = or_742 & (^{or_754_s11_q, or_750_s11_q, or_746});
+  logic or_764;
+  assign or_764 = (or_751_s11_q & or_755_s11_q) | (or_747 & (or_751_s11_q | or_755_s11_q));
+  logic and_765;
+  assign and_765 = or_743 & (^{or_755_s11_q, or_751_s11_q, or_747});
   // hls/stages/agreement.hpp:604
-  logic xor_765;
-  assign xor_765 = or_763 ^ and_764;
+  logic xor_766;
+  assign xor_766 = or_764 ^ and_765;
   // hls/stages/agreement.hpp:607
-  logic and_766;
-  assign and_766 = or_763 & and_764;
+  logic and_767;
+  assign and_767 = or_764 & and_765;
   // hls/stages/agreement.hpp:137
-  logic [5:0] select_767;
-  assign select_767 = equal_391_s11_q ? {and_766, xor_765, parity_759, parity_738_s11_q, xor_693_s11_q, xor_598_s11_q} : 6'h0;
+  logic [5:0] select_768;
+  assign select_768 = equal_392_s11_q ? {and_767, xor_766, parity_760, parity_739_s11_q, xor_694_s11_q, xor_599_s11_q} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_389_s11_q ? 6'h0 : select_767;
+  assign column_2 = or_390_s11_q ? 6'h0 : select_768;
   // hls/stages/agreement.hpp:605
-  logic or_991;
-  assign or_991 = and_988_s11_q | and_990_s11_q;
-  logic or_995;
-  assign or_995 = and_992_s11_q | and_994_s11_q;
+  logic or_992;
+  assign or_992 = and_989_s11_q | and_991_s11_q;
+  logic or_996;
+  assign or_996 = and_993_s11_q | and_995_s11_q;
   // hls/stages/agreement.hpp:604
-  logic parity_1008;
-  assign parity_1008 = ^{or_1003_s11_q, or_999_s11_q, or_995, or_991};
+  logic parity_1009;
+  assign parity_1009 = ^{or_1004_s11_q, or_1000_s11_q, or_996, or_992};
   // hls/stages/agreement.hpp:605
-  logic or_1012;
-  assign or_1012 = (or_999_s11_q & or_1003_s11_q) | (or_995 & (or_999_s11_q | or_1003_s11_q));
-  logic and_1013;
-  assign and_1013 = or_991 & (^{or_1003_s11_q, or_999_s11_q, or_995});
+  logic or_1013;
+  assign or_1013 = (or_1000_s11_q & or_1004_s11_q) | (or_996 & (or_1000_s11_q | or_1004_s11_q));
+  logic and_1014;
+  assign and_1014 = or_992 & (^{or_1004_s11_q, or_1000_s11_q, or_996});
   // hls/stages/agreement.hpp:604
-  logic xor_1014;
-  assign xor_1014 = or_1012 ^ and_1013;
+  logic xor_1015;
+  assign xor_1015 = or_1013 ^ and_1014;
   // hls/stages/agreement.hpp:607
-  logic and_1015;
-  assign and_1015 = or_1012 & and_1013;
+  logic and_1016;
+  assign and_1016 = or_1013 & and_1014;
   // hls/stages/agreement.hpp:137
-  logic [5:0] select_1016;
-  assign select_1016 = equal_391_s11_q ? {and_1015, xor_1014, parity_1008, parity_987_s11_q, xor_942_s11_q, xor_847_s11_q} : 6'h0;
+  logic [5:0] select_1017;
+  assign select_1017 = equal_392_s11_q ? {and_1016, xor_1015, parity_1009, parity_988_s11_q, xor_943_s11_q, xor_848_s11_q} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_389_s11_q ? 6'h0 : select_1016;
+  assign column_3 = or_390_s11_q ? 6'h0 : select_1017;
   // hls/stages/agreement.hpp:605
-  logic or_1240;
-  assign or_1240 = and_1237_s11_q | and_1239_s11_q;
-  logic or_1244;
-  assign or_1244 = and_1241_s11_q | and_1243_s11_q;
+  logic or_1241;
+  assign or_1241 = and_1238_s11_q | and_1240_s11_q;
+  logic or_1245;
+  assign or_1245 = and_1242_s11_q | and_1244_s11_q;
   // hls/stages/agreement.hpp:604
-  logic parity_1257;
-  assign parity_1257 = ^{or_1252_s11_q, or_1248_s11_q, or_1244, or_1240};
+  logic parity_1258;
+  assign parity_1258 = ^{or_1253_s11_q, or_1249_s11_q, or_1245, or_1241};
   // hls/stages/agreement.hpp:605
-  logic or_1261;
-  assign or_1261 = (or_1248_s11_q & or_1252_s11_q) | (or_1244 & (or_1248_s11_q | or_1252_s11_q));
-  logic and_1262;
-  assign and_1262 = or_1240 & (^{or_1252_s11_q, or_1248_s11_q, or_1244});
+  logic or_1262;
+  assign or_1262 = (or_1249_s11_q & or_1253_s11_q) | (or_1245 & (or_1249_s11_q | or_1253_s11_q));
+  logic and_1263;
+  assign and_1263 = or_1241 & (^{or_1253_s11_q, or_1249_s11_q, or_1245});
   // hls/stages/agreement.hpp:604
-  logic xor_1263;
-  assign xor_1263 = or_1261 ^ and_1262;
+  logic xor_1264;
+  assign xor_1264 = or_1262 ^ and_1263;
   // hls/stages/agreement.hpp:607
-  logic and_1264;
-  assign and_1264 = or_1261 & and_1262;
+  logic and_1265;
+  assign and_1265 = or_1262 & and_1263;
   // hls/stages/agreement.hpp:137
-  logic [5:0] select_1265;
-  assign select_1265 = equal_391_s11_q ? {and_1264, xor_1263, parity_1257, parity_1236_s11_q, xor_1191_s11_q, xor_1096_s11_q} : 6'h0;
+  logic [5:0] select_1266;
+  assign select_1266 = equal_392_s11_q ? {and_1265, xor_1264, parity_1258, parity_1237_s11_q, xor_1192_s11_q, xor_1097_s11_q} : 6'h0;
   logic [5:0] column_4;
-  assign column_4 = or_389_s11_q ? 6'h0 : select_1265;
+  assign column_4 = or_390_s11_q ? 6'h0 : select_1266;
   // hls/stages/agreement.hpp:710
   logic [5:0] before_v_2;
   assign before_v_2 = age_s11_q[1] ? sums_0_columns_values_7_q : 6'h0;
   // hls/stages/agreement.hpp:711
-  logic [6:0] sum_1297;
-  assign sum_1297 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
+  logic [6:0] sum_1306;
+  assign sum_1306 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
   // hls/stages/agreement.hpp:710
   logic [5:0] before_v_3;
   assign before_v_3 = age_s11_q[1] ? sums_1_columns_values_7_q : 6'h0;
   // hls/stages/agreement.hpp:711
-  logic [6:0] sum_1300;
-  assign sum_1300 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
+  logic [6:0] sum_1309;
+  assign sum_1309 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -2281,49 +2281,49 @@ module horopter_agreement (
   logic [2:0] slot_s12_q;
   logic ends_cell_s12_q;
   logic lower_half_s12_q;
-  logic equal_327_s12_q;
-  logic [8:0] select_333_s12_q;
-  logic and_342_s12_q;
-  logic equal_348_s12_q;
+  logic equal_328_s12_q;
+  logic [8:0] select_334_s12_q;
+  logic and_343_s12_q;
+  logic equal_349_s12_q;
   logic whole_s12_q;
   logic [6:0] column_s12_q;
-  logic and_366_s12_q;
-  logic and_368_s12_q;
-  logic equal_371_s12_q;
+  logic and_367_s12_q;
+  logic and_369_s12_q;
+  logic equal_372_s12_q;
   logic so_s12_q;
-  logic equal_388_s12_q;
-  logic or_389_s12_q;
-  logic less_396_s12_q;
-  logic not_397_s12_q;
-  logic equal_429_s12_q;
+  logic equal_389_s12_q;
+  logic or_390_s12_q;
+  logic less_397_s12_q;
+  logic not_398_s12_q;
+  logic equal_430_s12_q;
   logic [6:0] x_s12_2_q;
   logic [45:0] best_left_rdata_s12_q;
-  logic select_517_s12_q;
+  logic select_518_s12_q;
   logic [5:0] column_2_s12_q;
-  logic [5:0] select_1018_s12_q;
-  logic [5:0] select_1267_s12_q;
-  logic [6:0] sum_1298_s12_q;
-  logic [6:0] sum_1301_s12_q;
-  logic and_1319_s12_q;
+  logic [5:0] select_1019_s12_q;
+  logic [5:0] select_1268_s12_q;
+  logic [6:0] sum_1307_s12_q;
+  logic [6:0] sum_1310_s12_q;
+  logic and_1320_s12_q;
   logic [6:0] right_s12_q;
   logic [28:0] best_right_rdata_s12_q;
-  logic select_1328_s12_q;
-  logic equal_1337_s12_q;
-  logic and_1344_s12_q;
-  logic and_1347_s12_q;
-  logic and_1351_s12_q;
-  logic or_1365_s12_q;
-  logic [6:0] select_1376_s12_q;
-  logic less_1420_s12_q;
-  logic equal_1460_s12_q;
-  logic and_1597_s12_q;
-  logic equal_1738_s12_q;
-  logic equal_1859_s12_q;
-  logic less_2112_s12_q;
-  logic and_2195_s12_q;
-  logic and_2197_s12_q;
-  logic less_2304_s12_q;
-  logic equal_2511_s12_q;
+  logic select_1329_s12_q;
+  logic equal_1338_s12_q;
+  logic and_1345_s12_q;
+  logic and_1348_s12_q;
+  logic and_1352_s12_q;
+  logic or_1366_s12_q;
+  logic [6:0] select_1377_s12_q;
+  logic less_1421_s12_q;
+  logic equal_1461_s12_q;
+  logic and_1598_s12_q;
+  logic equal_1739_s12_q;
+  logic equal_1863_s12_q;
+  logic less_2115_s12_q;
+  logic and_2198_s12_q;
+  logic and_2200_s12_q;
+  logic less_2307_s12_q;
+  logic equal_2514_s12_q;
   always_ff @(posedge clk_i) begin
     if (s11_en) begin
       pixel_0_s12_q <= pixel_0_s11_q;
@@ -2339,49 +2339,49 @@ module horopter_agreement (
       slot_s12_q <= slot_s11_q;
       ends_cell_s12_q <= ends_cell_s11_q;
       lower_half_s12_q <= lower_half_s11_q;
-      equal_327_s12_q <= equal_327_s11_q;
-      select_333_s12_q <= select_333_s11_q;
-      and_342_s12_q <= and_342_s11_q;
-      equal_348_s12_q <= equal_348_s11_q;
+      equal_328_s12_q <= equal_328_s11_q;
+      select_334_s12_q <= select_334_s11_q;
+      and_343_s12_q <= and_343_s11_q;
+      equal_349_s12_q <= equal_349_s11_q;
       whole_s12_q <= whole_s11_q;
       column_s12_q <= column_s11_q;
-      and_366_s12_q <= and_366_s11_q;
-      and_368_s12_q <= and_368_s11_q;
-      equal_371_s12_q <= equal_371_s11_q;
+      and_367_s12_q <= and_367_s11_q;
+      and_369_s12_q <= and_369_s11_q;
+      equal_372_s12_q <= equal_372_s11_q;
       so_s12_q <= so_s11_q;
-      equal_388_s12_q <= equal_388_s11_q;
-      or_389_s12_q <= or_389_s11_q;
-      less_396_s12_q <= less_396_s11_q;
-      not_397_s12_q <= not_397_s11_q;
-      equal_429_s12_q <= equal_429_s11_q;
+      equal_389_s12_q <= equal_389_s11_q;
+      or_390_s12_q <= or_390_s11_q;
+      less_397_s12_q <= less_397_s11_q;
+      not_398_s12_q <= not_398_s11_q;
+      equal_430_s12_q <= equal_430_s11_q;
       x_s12_2_q <= x_s11_2_q;
       best_left_rdata_s12_q <= best_left_rdata_s11_q;
-      select_517_s12_q <= select_517_s11_q;
+      select_518_s12_q <= select_518_s11_q;
       column_2_s12_q <= column_2;
-      select_1018_s12_q <= age_s11_q[3] ? sums_0_columns_values_13_q : 6'h0;
-      select_1267_s12_q <= age_s11_q[3] ? sums_1_columns_values_13_q : 6'h0;
-      sum_1298_s12_q <= {1'b0, before_v_2} + sum_1297;
-      sum_1301_s12_q <= {1'b0, before_v_3} + sum_1300;
-      and_1319_s12_q <= and_1319_s11_q;
+      select_1019_s12_q <= age_s11_q[3] ? sums_0_columns_values_13_q : 6'h0;
+      select_1268_s12_q <= age_s11_q[3] ? sums_1_columns_values_13_q : 6'h0;
+      sum_1307_s12_q <= {1'b0, before_v_2} + sum_1306;
+      sum_1310_s12_q <= {1'b0, before_v_3} + sum_1309;
+      and_1320_s12_q <= and_1320_s11_q;
       right_s12_q <= right_s11_q;
       best_right_rdata_s12_q <= best_right_rdata_q;
-      select_1328_s12_q <= select_1328_s11_q;
-      equal_1337_s12_q <= equal_1337_s11_q;
-      and_1344_s12_q <= and_1344_s11_q;
-      and_1347_s12_q <= and_1347_s11_q;
-      and_1351_s12_q <= and_1351_s11_q;
-      or_1365_s12_q <= or_1365_s11_q;
-      select_1376_s12_q <= select_1376_s11_q;
-      less_1420_s12_q <= less_1420_s11_q;
-      equal_1460_s12_q <= equal_1460_s11_q;
-      and_1597_s12_q <= and_1597_s11_q;
-      equal_1738_s12_q <= equal_1738_s11_q;
-      equal_1859_s12_q <= equal_1859_s11_q;
-      less_2112_s12_q <= less_2112_s11_q;
-      and_2195_s12_q <= and_2195_s11_q;
-      and_2197_s12_q <= and_2197_s11_q;
-      less_2304_s12_q <= less_2304_s11_q;
-      equal_2511_s12_q <= equal_2511_s11_q;
+      select_1329_s12_q <= select_1329_s11_q;
+      equal_1338_s12_q <= equal_1338_s11_q;
+      and_1345_s12_q <= and_1345_s11_q;
+      and_1348_s12_q <= and_1348_s11_q;
+      and_1352_s12_q <= and_1352_s11_q;
+      or_1366_s12_q <= or_1366_s11_q;
+      select_1377_s12_q <= select_1377_s11_q;
+      less_1421_s12_q <= less_1421_s11_q;
+      equal_1461_s12_q <= equal_1461_s11_q;
+      and_1598_s12_q <= and_1598_s11_q;
+      equal_1739_s12_q <= equal_1739_s11_q;
+      equal_1863_s12_q <= equal_1863_s11_q;
+      less_2115_s12_q <= less_2115_s11_q;
+      and_2198_s12_q <= and_2198_s11_q;
+      and_2200_s12_q <= and_2200_s11_q;
+      less_2307_s12_q <= less_2307_s11_q;
+      equal_2514_s12_q <= equal_2514_s11_q;
     end
   end
 
@@ -2394,33 +2394,33 @@ module horopter_agreement (
   logic [5:0] middle_sum_columns_values_5_q;
   logic [5:0] middle_sum_columns_values_6_q;
   // hls/stages/agreement.hpp:709
-  logic [5:0] select_769;
-  assign select_769 = age_s12_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [5:0] select_770;
+  assign select_770 = age_s12_q[3] ? middle_sum_columns_values_6_q : 6'h0;
   // hls/stages/agreement.hpp:710
   logic [5:0] before_v;
   assign before_v = age_s12_q[1] ? middle_sum_columns_values_3_q : 6'h0;
   // hls/stages/agreement.hpp:711
-  logic [6:0] sum_1293;
-  assign sum_1293 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
+  logic [6:0] sum_1302;
+  assign sum_1302 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
   // hls/stages/agreement.hpp:682
-  logic [6:0] select_1303;
-  assign select_1303 = (sum_1298_s12_q < sum_1301_s12_q) ? sum_1301_s12_q : sum_1298_s12_q;
+  logic [6:0] select_1312;
+  assign select_1312 = (sum_1307_s12_q < sum_1310_s12_q) ? sum_1310_s12_q : sum_1307_s12_q;
   // hls/stages/agreement.hpp:883
   logic [6:0] chosen;
   assign chosen = slot_s12_q[2] ? best_right_rdata_s12_q[14:8] : best_right_rdata_s12_q[28:22];
   // hls/stages/agreement.hpp:191
-  logic [5:0] select_1959;
-  assign select_1959 = slot_s12_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_1960;
-  assign select_1960 = slot_s12_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
-  logic [5:0] select_1961;
-  assign select_1961 = slot_s12_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
-  logic [5:0] select_1962;
-  assign select_1962 = slot_s12_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
   logic [5:0] select_1963;
-  assign select_1963 = slot_s12_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  assign select_1963 = slot_s12_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
   logic [5:0] select_1964;
-  assign select_1964 = slot_s12_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  assign select_1964 = slot_s12_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
+  logic [5:0] select_1965;
+  assign select_1965 = slot_s12_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  logic [5:0] select_1966;
+  assign select_1966 = slot_s12_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_1967;
+  assign select_1967 = slot_s12_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_1968;
+  assign select_1968 = slot_s12_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -2437,12 +2437,12 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s12_en) begin
       middle_sum_columns_values_0_q <= slot_s12_q[0] ? middle_sum_columns_values_0_q : column_2_s12_q;
-      middle_sum_columns_values_1_q <= select_1959;
-      middle_sum_columns_values_2_q <= select_1960;
-      middle_sum_columns_values_3_q <= select_1961;
-      middle_sum_columns_values_4_q <= select_1962;
-      middle_sum_columns_values_5_q <= select_1963;
-      middle_sum_columns_values_6_q <= select_1964;
+      middle_sum_columns_values_1_q <= select_1963;
+      middle_sum_columns_values_2_q <= select_1964;
+      middle_sum_columns_values_3_q <= select_1965;
+      middle_sum_columns_values_4_q <= select_1966;
+      middle_sum_columns_values_5_q <= select_1967;
+      middle_sum_columns_values_6_q <= select_1968;
     end
   end
 
@@ -2459,52 +2459,52 @@ module horopter_agreement (
   logic [2:0] slot_s13_q;
   logic ends_cell_s13_q;
   logic lower_half_s13_q;
-  logic equal_327_s13_q;
-  logic [8:0] select_333_s13_q;
-  logic and_342_s13_q;
-  logic equal_348_s13_q;
+  logic equal_328_s13_q;
+  logic [8:0] select_334_s13_q;
+  logic and_343_s13_q;
+  logic equal_349_s13_q;
   logic whole_s13_q;
   logic [6:0] column_s13_q;
-  logic and_366_s13_q;
-  logic and_368_s13_q;
-  logic equal_371_s13_q;
+  logic and_367_s13_q;
+  logic and_369_s13_q;
+  logic equal_372_s13_q;
   logic so_s13_q;
-  logic equal_388_s13_q;
-  logic or_389_s13_q;
-  logic less_396_s13_q;
-  logic not_397_s13_q;
-  logic equal_429_s13_q;
+  logic equal_389_s13_q;
+  logic or_390_s13_q;
+  logic less_397_s13_q;
+  logic not_398_s13_q;
+  logic equal_430_s13_q;
   logic [6:0] x_s13_2_q;
   logic [45:0] best_left_rdata_s13_q;
-  logic select_517_s13_q;
-  logic [6:0] difference_770_s13_q;
-  logic [6:0] difference_1019_s13_q;
-  logic equal_1020_s13_q;
-  logic [6:0] difference_1268_s13_q;
-  logic [6:0] sum_1294_s13_q;
-  logic [6:0] select_1303_s13_q;
-  logic and_1319_s13_q;
+  logic select_518_s13_q;
+  logic [6:0] difference_771_s13_q;
+  logic [6:0] difference_1020_s13_q;
+  logic equal_1021_s13_q;
+  logic [6:0] difference_1269_s13_q;
+  logic [6:0] sum_1303_s13_q;
+  logic [6:0] select_1312_s13_q;
+  logic and_1320_s13_q;
   logic [6:0] right_s13_q;
   logic [28:0] best_right_rdata_s13_q;
-  logic select_1328_s13_q;
-  logic equal_1337_s13_q;
-  logic and_1344_s13_q;
-  logic and_1347_s13_q;
-  logic and_1351_s13_q;
-  logic less_1352_s13_q;
+  logic select_1329_s13_q;
+  logic equal_1338_s13_q;
+  logic and_1345_s13_q;
+  logic and_1348_s13_q;
+  logic and_1352_s13_q;
+  logic less_1353_s13_q;
   logic [6:0] chosen_s13_q;
-  logic or_1365_s13_q;
-  logic [6:0] select_1376_s13_q;
-  logic less_1420_s13_q;
-  logic equal_1460_s13_q;
-  logic and_1597_s13_q;
-  logic equal_1738_s13_q;
-  logic equal_1859_s13_q;
-  logic less_2112_s13_q;
-  logic and_2195_s13_q;
-  logic and_2197_s13_q;
-  logic less_2304_s13_q;
-  logic equal_2511_s13_q;
+  logic or_1366_s13_q;
+  logic [6:0] select_1377_s13_q;
+  logic less_1421_s13_q;
+  logic equal_1461_s13_q;
+  logic and_1598_s13_q;
+  logic equal_1739_s13_q;
+  logic equal_1863_s13_q;
+  logic less_2115_s13_q;
+  logic and_2198_s13_q;
+  logic and_2200_s13_q;
+  logic less_2307_s13_q;
+  logic equal_2514_s13_q;
   always_ff @(posedge clk_i) begin
     if (s12_en) begin
       pixel_0_s13_q <= pixel_0_s12_q;
@@ -2520,52 +2520,52 @@ module horopter_agreement (
       slot_s13_q <= slot_s12_q;
       ends_cell_s13_q <= ends_cell_s12_q;
       lower_half_s13_q <= lower_half_s12_q;
-      equal_327_s13_q <= equal_327_s12_q;
-      select_333_s13_q <= select_333_s12_q;
-      and_342_s13_q <= and_342_s12_q;
-      equal_348_s13_q <= equal_348_s12_q;
+      equal_328_s13_q <= equal_328_s12_q;
+      select_334_s13_q <= select_334_s12_q;
+      and_343_s13_q <= and_343_s12_q;
+      equal_349_s13_q <= equal_349_s12_q;
       whole_s13_q <= whole_s12_q;
       column_s13_q <= column_s12_q;
-      and_366_s13_q <= and_366_s12_q;
-      and_368_s13_q <= and_368_s12_q;
-      equal_371_s13_q <= equal_371_s12_q;
+      and_367_s13_q <= and_367_s12_q;
+      and_369_s13_q <= and_369_s12_q;
+      equal_372_s13_q <= equal_372_s12_q;
       so_s13_q <= so_s12_q;
-      equal_388_s13_q <= equal_388_s12_q;
-      or_389_s13_q <= or_389_s12_q;
-      less_396_s13_q <= less_396_s12_q;
-      not_397_s13_q <= not_397_s12_q;
-      equal_429_s13_q <= equal_429_s12_q;
+      equal_389_s13_q <= equal_389_s12_q;
+      or_390_s13_q <= or_390_s12_q;
+      less_397_s13_q <= less_397_s12_q;
+      not_398_s13_q <= not_398_s12_q;
+      equal_430_s13_q <= equal_430_s12_q;
       x_s13_2_q <= x_s12_2_q;
       best_left_rdata_s13_q <= best_left_rdata_s12_q;
-      select_517_s13_q <= select_517_s12_q;
-      difference_770_s13_q <= {1'b0, column_2_s12_q} - {1'b0, select_769};
-      difference_1019_s13_q <= {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1018_s12_q};
-      equal_1020_s13_q <= {age_s12_q[0], slot_s12_q[0]} == 2'h0;
-      difference_1268_s13_q <= {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1267_s12_q};
-      sum_1294_s13_q <= {1'b0, before_v} + sum_1293;
-      select_1303_s13_q <= select_1303;
-      and_1319_s13_q <= and_1319_s12_q;
+      select_518_s13_q <= select_518_s12_q;
+      difference_771_s13_q <= {1'b0, column_2_s12_q} - {1'b0, select_770};
+      difference_1020_s13_q <= {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1019_s12_q};
+      equal_1021_s13_q <= {age_s12_q[0], slot_s12_q[0]} == 2'h0;
+      difference_1269_s13_q <= {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1268_s12_q};
+      sum_1303_s13_q <= {1'b0, before_v} + sum_1302;
+      select_1312_s13_q <= select_1312;
+      and_1320_s13_q <= and_1320_s12_q;
       right_s13_q <= right_s12_q;
       best_right_rdata_s13_q <= best_right_rdata_s12_q;
-      select_1328_s13_q <= select_1328_s12_q;
-      equal_1337_s13_q <= equal_1337_s12_q;
-      and_1344_s13_q <= and_1344_s12_q;
-      and_1347_s13_q <= and_1347_s12_q;
-      and_1351_s13_q <= and_1351_s12_q;
-      less_1352_s13_q <= 8'hb6 < best_left_rdata_s12_q[16:9];
+      select_1329_s13_q <= select_1329_s12_q;
+      equal_1338_s13_q <= equal_1338_s12_q;
+      and_1345_s13_q <= and_1345_s12_q;
+      and_1348_s13_q <= and_1348_s12_q;
+      and_1352_s13_q <= and_1352_s12_q;
+      less_1353_s13_q <= 8'hb6 < best_left_rdata_s12_q[16:9];
       chosen_s13_q <= chosen;
-      or_1365_s13_q <= or_1365_s12_q;
-      select_1376_s13_q <= select_1376_s12_q;
-      less_1420_s13_q <= less_1420_s12_q;
-      equal_1460_s13_q <= equal_1460_s12_q;
-      and_1597_s13_q <= and_1597_s12_q;
-      equal_1738_s13_q <= equal_1738_s12_q;
-      equal_1859_s13_q <= equal_1859_s12_q;
-      less_2112_s13_q <= less_2112_s12_q;
-      and_2195_s13_q <= and_2195_s12_q;
-      and_2197_s13_q <= and_2197_s12_q;
-      less_2304_s13_q <= less_2304_s12_q;
-      equal_2511_s13_q <= equal_2511_s12_q;
+      or_1366_s13_q <= or_1366_s12_q;
+      select_1377_s13_q <= select_1377_s12_q;
+      less_1421_s13_q <= less_1421_s12_q;
+      equal_1461_s13_q <= equal_1461_s12_q;
+      and_1598_s13_q <= and_1598_s12_q;
+      equal_1739_s13_q <= equal_1739_s12_q;
+      equal_1863_s13_q <= equal_1863_s12_q;
+      less_2115_s13_q <= less_2115_s12_q;
+      and_2198_s13_q <= and_2198_s12_q;
+      and_2200_s13_q <= and_2200_s12_q;
+      less_2307_s13_q <= less_2307_s12_q;
+      equal_2514_s13_q <= equal_2514_s12_q;
     end
   end
 
@@ -2577,41 +2577,47 @@ module horopter_agreement (
   logic [7:0] sums_1_sum_sums_values_1_q;
   logic [6:0] chosen_near_q;
   // hls/stages/agreement.hpp:719
-  logic less_518;
-  assign less_518 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
-  logic less_520;
-  assign less_520 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
+  logic less_519;
+  assign less_519 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
+  logic less_521;
+  assign less_521 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
+  // hls/stages/agreement.hpp:195
+  logic and_523;
+  assign and_523 = (~less_519) & (~less_521);
   // hls/stages/agreement.hpp:709
-  logic [7:0] sum_772;
-  assign sum_772 = {difference_770_s13_q[6], difference_770_s13_q} + (age_s13_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
-  logic [7:0] sum_1022;
-  assign sum_1022 = {difference_1019_s13_q[6], difference_1019_s13_q} + (equal_1020_s13_q ? 8'h0 : sums_0_sum_sums_values_1_q);
-  logic [7:0] sum_1270;
-  assign sum_1270 = {difference_1268_s13_q[6], difference_1268_s13_q} + (equal_1020_s13_q ? 8'h0 : sums_1_sum_sums_values_1_q);
+  logic [7:0] sum_773;
+  assign sum_773 = {difference_771_s13_q[6], difference_771_s13_q} + (age_s13_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  logic [7:0] sum_1023;
+  assign sum_1023 = {difference_1020_s13_q[6], difference_1020_s13_q} + (equal_1021_s13_q ? 8'h0 : sums_0_sum_sums_values_1_q);
+  logic [7:0] sum_1271;
+  assign sum_1271 = {difference_1269_s13_q[6], difference_1269_s13_q} + (equal_1021_s13_q ? 8'h0 : sums_1_sum_sums_values_1_q);
   // hls/stages/agreement.hpp:686
-  logic [6:0] select_1295;
-  assign select_1295 = slot_s13_q[0] ? chosen_near_q : sum_1294_s13_q;
+  logic [6:0] select_1304;
+  assign select_1304 = slot_s13_q[0] ? chosen_near_q : sum_1303_s13_q;
   // hls/stages/agreement.hpp:682
-  logic [6:0] select_1305;
-  assign select_1305 = (select_1295 < select_1303_s13_q) ? select_1303_s13_q : select_1295;
+  logic [6:0] select_1314;
+  assign select_1314 = (select_1304 < select_1312_s13_q) ? select_1312_s13_q : select_1304;
+  // hls/stages/agreement.hpp:724
+  logic [6:0] of_near;
+  assign of_near = and_523 ? select_1314 : 7'h0;
   // hls/stages/agreement.hpp:882
-  logic select_1354;
-  assign select_1354 = slot_s13_q[2] ? less_1352_s13_q : (6'h2a < best_left_rdata_s13_q[39:34]);
+  logic select_1355;
+  assign select_1355 = slot_s13_q[2] ? less_1353_s13_q : (6'h2a < best_left_rdata_s13_q[39:34]);
   // hls/stages/agreement.hpp:889
-  logic [8:0] difference_1357;
-  assign difference_1357 = {2'h0, chosen_s13_q} - {1'b0, x_s13_q};
+  logic [8:0] difference_1358;
+  assign difference_1358 = {2'h0, chosen_s13_q} - {1'b0, x_s13_q};
   // hls/stages/agreement.hpp:191
-  logic [6:0] select_1971;
-  assign select_1971 = slot_s13_q[0] ? 7'h0 : sum_1294_s13_q;
+  logic [6:0] select_1974;
+  assign select_1974 = slot_s13_q[0] ? 7'h0 : sum_1303_s13_q;
   // hls/stages/agreement.hpp:682
-  logic [6:0] select_1973;
-  assign select_1973 = (select_1971 < select_1303_s13_q) ? select_1303_s13_q : select_1971;
+  logic [6:0] select_1976;
+  assign select_1976 = (select_1974 < select_1312_s13_q) ? select_1312_s13_q : select_1974;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       chosen_near_q <= 7'h0;
     end else if (s13_en) begin
-      chosen_near_q <= select_1973;
+      chosen_near_q <= select_1976;
     end
   end
 
@@ -2627,11 +2633,11 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s13_en) begin
-      middle_sum_sum_sums_values_0_q <= slot_s13_q[0] ? middle_sum_sum_sums_values_0_q : sum_772;
-      sums_0_sum_sums_values_0_q <= sum_1022;
-      sums_0_sum_sums_values_1_q <= equal_1020_s13_q ? 8'h0 : sums_0_sum_sums_values_0_q;
-      sums_1_sum_sums_values_0_q <= sum_1270;
-      sums_1_sum_sums_values_1_q <= equal_1020_s13_q ? 8'h0 : sums_1_sum_sums_values_0_q;
+      middle_sum_sum_sums_values_0_q <= slot_s13_q[0] ? middle_sum_sum_sums_values_0_q : sum_773;
+      sums_0_sum_sums_values_0_q <= sum_1023;
+      sums_0_sum_sums_values_1_q <= equal_1021_s13_q ? 8'h0 : sums_0_sum_sums_values_0_q;
+      sums_1_sum_sums_values_0_q <= sum_1271;
+      sums_1_sum_sums_values_1_q <= equal_1021_s13_q ? 8'h0 : sums_1_sum_sums_values_0_q;
     end
   end
 
@@ -2648,51 +2654,51 @@ module horopter_agreement (
   logic [2:0] slot_s14_q;
   logic ends_cell_s14_q;
   logic lower_half_s14_q;
-  logic equal_327_s14_q;
-  logic [8:0] select_333_s14_q;
-  logic and_342_s14_q;
-  logic equal_348_s14_q;
+  logic equal_328_s14_q;
+  logic [8:0] select_334_s14_q;
+  logic and_343_s14_q;
+  logic equal_349_s14_q;
   logic whole_s14_q;
   logic [6:0] column_s14_q;
-  logic and_366_s14_q;
-  logic and_368_s14_q;
-  logic equal_371_s14_q;
+  logic and_367_s14_q;
+  logic and_369_s14_q;
+  logic equal_372_s14_q;
   logic so_s14_q;
-  logic equal_388_s14_q;
-  logic or_389_s14_q;
-  logic less_396_s14_q;
-  logic not_397_s14_q;
-  logic equal_429_s14_q;
+  logic equal_389_s14_q;
+  logic or_390_s14_q;
+  logic less_397_s14_q;
+  logic not_398_s14_q;
+  logic equal_430_s14_q;
   logic [6:0] x_s14_2_q;
   logic [45:0] best_left_rdata_s14_q;
-  logic select_517_s14_q;
-  logic and_522_s14_q;
-  logic [7:0] sum_772_s14_q;
-  logic less_1271_s14_q;
-  logic [6:0] select_1305_s14_q;
-  logic and_1319_s14_q;
+  logic select_518_s14_q;
+  logic and_523_s14_q;
+  logic [7:0] sum_773_s14_q;
+  logic less_1272_s14_q;
+  logic [6:0] of_near_s14_q;
+  logic and_1320_s14_q;
   logic [6:0] right_s14_q;
   logic [28:0] best_right_rdata_s14_q;
-  logic select_1328_s14_q;
-  logic equal_1337_s14_q;
-  logic and_1344_s14_q;
-  logic and_1347_s14_q;
-  logic and_1351_s14_q;
-  logic select_1354_s14_q;
-  logic [9:0] sum_1358_s14_q;
-  logic or_1365_s14_q;
-  logic [6:0] select_1376_s14_q;
-  logic less_1420_s14_q;
-  logic equal_1460_s14_q;
-  logic and_1597_s14_q;
-  logic equal_1738_s14_q;
-  logic equal_1859_s14_q;
-  logic less_2112_s14_q;
-  logic and_2195_s14_q;
-  logic and_2197_s14_q;
-  logic and_2204_s14_q;
-  logic less_2304_s14_q;
-  logic equal_2511_s14_q;
+  logic select_1329_s14_q;
+  logic equal_1338_s14_q;
+  logic and_1345_s14_q;
+  logic and_1348_s14_q;
+  logic and_1352_s14_q;
+  logic select_1355_s14_q;
+  logic [9:0] sum_1359_s14_q;
+  logic or_1366_s14_q;
+  logic [6:0] select_1377_s14_q;
+  logic less_1421_s14_q;
+  logic equal_1461_s14_q;
+  logic and_1598_s14_q;
+  logic equal_1739_s14_q;
+  logic equal_1863_s14_q;
+  logic less_2115_s14_q;
+  logic and_2198_s14_q;
+  logic and_2200_s14_q;
+  logic and_2207_s14_q;
+  logic less_2307_s14_q;
+  logic equal_2514_s14_q;
   always_ff @(posedge clk_i) begin
     if (s13_en) begin
       pixel_0_s14_q <= pixel_0_s13_q;
@@ -2708,51 +2714,51 @@ module horopter_agreement (
       slot_s14_q <= slot_s13_q;
       ends_cell_s14_q <= ends_cell_s13_q;
       lower_half_s14_q <= lower_half_s13_q;
-      equal_327_s14_q <= equal_327_s13_q;
-      select_333_s14_q <= select_333_s13_q;
-      and_342_s14_q <= and_342_s13_q;
-      equal_348_s14_q <= equal_348_s13_q;
+      equal_328_s14_q <= equal_328_s13_q;
+      select_334_s14_q <= select_334_s13_q;
+      and_343_s14_q <= and_343_s13_q;
+      equal_349_s14_q <= equal_349_s13_q;
       whole_s14_q <= whole_s13_q;
       column_s14_q <= column_s13_q;
-      and_366_s14_q <= and_366_s13_q;
-      and_368_s14_q <= and_368_s13_q;
-      equal_371_s14_q <= equal_371_s13_q;
+      and_367_s14_q <= and_367_s13_q;
+      and_369_s14_q <= and_369_s13_q;
+      equal_372_s14_q <= equal_372_s13_q;
       so_s14_q <= so_s13_q;
-      equal_388_s14_q <= equal_388_s13_q;
-      or_389_s14_q <= or_389_s13_q;
-      less_396_s14_q <= less_396_s13_q;
-      not_397_s14_q <= not_397_s13_q;
-      equal_429_s14_q <= equal_429_s13_q;
+      equal_389_s14_q <= equal_389_s13_q;
+      or_390_s14_q <= or_390_s13_q;
+      less_397_s14_q <= less_397_s13_q;
+      not_398_s14_q <= not_398_s13_q;
+      equal_430_s14_q <= equal_430_s13_q;
       x_s14_2_q <= x_s13_2_q;
       best_left_rdata_s14_q <= best_left_rdata_s13_q;
-      select_517_s14_q <= select_517_s13_q;
-      and_522_s14_q <= (~less_518) & (~less_520);
-      sum_772_s14_q <= sum_772;
-      less_1271_s14_q <= sum_1022 < sum_1270;
-      select_1305_s14_q <= select_1305;
-      and_1319_s14_q <= and_1319_s13_q;
+      select_518_s14_q <= select_518_s13_q;
+      and_523_s14_q <= and_523;
+      sum_773_s14_q <= sum_773;
+      less_1272_s14_q <= sum_1023 < sum_1271;
+      of_near_s14_q <= of_near;
+      and_1320_s14_q <= and_1320_s13_q;
       right_s14_q <= right_s13_q;
       best_right_rdata_s14_q <= best_right_rdata_s13_q;
-      select_1328_s14_q <= select_1328_s13_q;
-      equal_1337_s14_q <= equal_1337_s13_q;
-      and_1344_s14_q <= and_1344_s13_q;
-      and_1347_s14_q <= and_1347_s13_q;
-      and_1351_s14_q <= and_1351_s13_q;
-      select_1354_s14_q <= select_1354;
-      sum_1358_s14_q <= {difference_1357[8], difference_1357} + 10'h1;
-      or_1365_s14_q <= or_1365_s13_q;
-      select_1376_s14_q <= select_1376_s13_q;
-      less_1420_s14_q <= less_1420_s13_q;
-      equal_1460_s14_q <= equal_1460_s13_q;
-      and_1597_s14_q <= and_1597_s13_q;
-      equal_1738_s14_q <= equal_1738_s13_q;
-      equal_1859_s14_q <= equal_1859_s13_q;
-      less_2112_s14_q <= less_2112_s13_q;
-      and_2195_s14_q <= and_2195_s13_q;
-      and_2197_s14_q <= and_2197_s13_q;
-      and_2204_s14_q <= ends_cell_s13_q & so_s13_q;
-      less_2304_s14_q <= less_2304_s13_q;
-      equal_2511_s14_q <= equal_2511_s13_q;
+      select_1329_s14_q <= select_1329_s13_q;
+      equal_1338_s14_q <= equal_1338_s13_q;
+      and_1345_s14_q <= and_1345_s13_q;
+      and_1348_s14_q <= and_1348_s13_q;
+      and_1352_s14_q <= and_1352_s13_q;
+      select_1355_s14_q <= select_1355;
+      sum_1359_s14_q <= {difference_1358[8], difference_1358} + 10'h1;
+      or_1366_s14_q <= or_1366_s13_q;
+      select_1377_s14_q <= select_1377_s13_q;
+      less_1421_s14_q <= less_1421_s13_q;
+      equal_1461_s14_q <= equal_1461_s13_q;
+      and_1598_s14_q <= and_1598_s13_q;
+      equal_1739_s14_q <= equal_1739_s13_q;
+      equal_1863_s14_q <= equal_1863_s13_q;
+      less_2115_s14_q <= less_2115_s13_q;
+      and_2198_s14_q <= and_2198_s13_q;
+      and_2200_s14_q <= and_2200_s13_q;
+      and_2207_s14_q <= ends_cell_s13_q & so_s13_q;
+      less_2307_s14_q <= less_2307_s13_q;
+      equal_2514_s14_q <= equal_2514_s13_q;
     end
   end
 
@@ -2771,78 +2777,81 @@ module horopter_agreement (
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
   // hls/stages/agreement.hpp:686
-  logic [7:0] select_773;
-  assign select_773 = slot_s14_q[0] ? chosen_score_q : sum_772_s14_q;
+  logic [7:0] select_774;
+  assign select_774 = slot_s14_q[0] ? chosen_score_q : sum_773_s14_q;
   // hls/stages/agreement.hpp:682
-  logic [7:0] select_1272;
-  assign select_1272 = less_1271_s14_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic less_1273;
-  assign less_1273 = select_773 < select_1272;
+  logic [7:0] select_1273;
+  assign select_1273 = less_1272_s14_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic less_1274;
+  assign less_1274 = select_774 < select_1273;
   // hls/stages/agreement.hpp:723
   logic [7:0] of_best;
-  assign of_best = and_522_s14_q ? (less_1273 ? select_1272 : select_773) : 8'h0;
+  assign of_best = and_523_s14_q ? (less_1274 ? select_1273 : select_774) : 8'h0;
   // hls/stages/agreement.hpp:651
-  logic not_1279;
-  assign not_1279 = ~slot_s14_q[0];
+  logic not_1280;
+  assign not_1280 = ~slot_s14_q[0];
   // hls/stages/agreement.hpp:683
-  logic [1:0] select_1280;
-  assign select_1280 = less_1271_s14_q ? {slot_s14_q[0], not_1279} : 2'h0;
-  logic [2:0] select_1282;
-  assign select_1282 = less_1273 ? {select_1280, not_1279} : (slot_s14_q[0] ? chosen_place_q : 3'h2);
-  // hls/stages/agreement.hpp:724
-  logic [6:0] of_near;
-  assign of_near = and_522_s14_q ? select_1305_s14_q : 7'h0;
-  // hls/stages/agreement.hpp:199
-  logic and_1360;
-  assign and_1360 = (and_1347_s14_q & select_1354_s14_q) & ({{22{sum_1358_s14_q[9]}}, sum_1358_s14_q} < 32'h3);
-  // hls/stages/division.hpp:34
-  logic [5:0] sum_1458;
-  assign sum_1458 = region_across_rest_q[8:3] + 6'h1;
+  logic [1:0] select_1281;
+  assign select_1281 = less_1272_s14_q ? {slot_s14_q[0], not_1280} : 2'h0;
+  logic [2:0] select_1283;
+  assign select_1283 = less_1274 ? {select_1281, not_1280} : (slot_s14_q[0] ? chosen_place_q : 3'h2);
   // hls/stages/agreement.hpp:191
-  logic [7:0] select_1968;
-  assign select_1968 = slot_s14_q[0] ? 8'h0 : sum_772_s14_q;
+  logic [7:0] select_1292;
+  assign select_1292 = slot_s14_q[0] ? 8'h0 : sum_773_s14_q;
+  // hls/stages/agreement.hpp:735
+  logic or_1317;
+  assign or_1317 = select_518_s14_q | (best_left_rdata_s14_q[39:33] < of_near_s14_q);
+  // hls/stages/agreement.hpp:748
+  logic or_1335;
+  assign or_1335 = select_1329_s14_q | (best_right_rdata_s14_q[21:15] < of_near_s14_q);
+  // hls/stages/agreement.hpp:199
+  logic and_1361;
+  assign and_1361 = (and_1348_s14_q & select_1355_s14_q) & ({{22{sum_1359_s14_q[9]}}, sum_1359_s14_q} < 32'h3);
+  // hls/stages/division.hpp:34
+  logic [5:0] sum_1459;
+  assign sum_1459 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:682
-  logic less_1969;
-  assign less_1969 = select_1968 < select_1272;
+  logic less_1972;
+  assign less_1972 = select_1292 < select_1273;
   // hls/stages/agreement.hpp:137
-  logic [7:0] select_2064;
-  assign select_2064 = or_389_s14_q ? (less_396_s14_q ? 8'h0 : best_left_rdata_s14_q[32:25]) : 8'h0;
-  logic [7:0] select_2066;
-  assign select_2066 = or_389_s14_q ? (less_396_s14_q ? 8'h0 : best_left_rdata_s14_q[24:17]) : 8'h0;
+  logic [7:0] select_2067;
+  assign select_2067 = or_390_s14_q ? (less_397_s14_q ? 8'h0 : best_left_rdata_s14_q[32:25]) : 8'h0;
+  logic [7:0] select_2069;
+  assign select_2069 = or_390_s14_q ? (less_397_s14_q ? 8'h0 : best_left_rdata_s14_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:213
-  logic [16:0] select_2086;
-  assign select_2086 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_2089;
+  assign select_2089 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   // hls/stages/registration.hpp:128
-  logic [15:0] select_2198;
-  assign select_2198 = and_2197_s14_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
-  // hls/stages/registration.hpp:131
-  logic [23:0] select_2200;
-  assign select_2200 = and_2195_s14_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2198[15]}}, select_2198});
-  // hls/stages/registration.hpp:129
   logic [15:0] select_2201;
-  assign select_2201 = and_2197_s14_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
-  logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2201[15]}}, select_2201};
+  assign select_2201 = and_2200_s14_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:131
-  logic [27:0] select_2203;
-  assign select_2203 = and_2195_s14_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [23:0] select_2203;
+  assign select_2203 = and_2198_s14_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2201[15]}}, select_2201});
+  // hls/stages/registration.hpp:129
+  logic [15:0] select_2204;
+  assign select_2204 = and_2200_s14_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [27:0] both;
+  assign both = registration_slope_change_q + {{12{select_2204[15]}}, select_2204};
+  // hls/stages/registration.hpp:131
+  logic [27:0] select_2206;
+  assign select_2206 = and_2198_s14_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/registration.hpp:124
   logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2204_s14_q ? registration_slope_change_q : 28'h0);
+  assign column_5 = registration_slope_q + (and_2207_s14_q ? registration_slope_change_q : 28'h0);
   // hls/stages/agreement.hpp:161
-  logic [8:0] select_2316;
-  assign select_2316 = so_s14_q ? (and_2204_s14_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
-  // hls/stages/division.hpp:35
-  logic [8:0] sum_2318;
-  assign sum_2318 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
-  // hls/stages/division.hpp:36
   logic [8:0] select_2319;
-  assign select_2319 = sum_1458[5] ? {1'b1, sum_1458[4:0], region_across_rest_q[2:0]} : sum_2318;
+  assign select_2319 = so_s14_q ? (and_2207_s14_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_2321;
+  assign sum_2321 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_2322;
+  assign select_2322 = sum_1459[5] ? {1'b1, sum_1459[4:0], region_across_rest_q[2:0]} : sum_2321;
   // hls/stages/agreement.hpp:368
-  logic [8:0] select_2321;
-  assign select_2321 = equal_1859_s14_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
-  logic [7:0] select_2324;
-  assign select_2324 = equal_1859_s14_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
+  logic [8:0] select_2324;
+  assign select_2324 = equal_1863_s14_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
+  logic [7:0] select_2327;
+  assign select_2327 = equal_1863_s14_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -2860,19 +2869,19 @@ module horopter_agreement (
       columns_begin_rest_q <= 9'h0;
       columns_begin_back_q <= 8'h0;
     end else if (s14_en) begin
-      chosen_score_q <= less_1969 ? select_1272 : select_1968;
-      chosen_place_q <= less_1969 ? {select_1280, not_1279} : 3'h2;
-      before_0_q <= select_1968;
+      chosen_score_q <= less_1972 ? select_1273 : select_1292;
+      chosen_place_q <= less_1972 ? {select_1281, not_1280} : 3'h2;
+      before_0_q <= select_1292;
       before_1_q <= sums_0_sum_sums_values_0_q;
       before_2_q <= sums_1_sum_sums_values_0_q;
-      registration_slope_row_q <= select_2200;
-      registration_slope_change_q <= select_2203;
+      registration_slope_row_q <= select_2203;
+      registration_slope_change_q <= select_2206;
       registration_slope_q <= so_s14_q ? column_5 : {registration_slope_row_q, 4'h0};
-      region_across_rest_q <= select_2316;
+      region_across_rest_q <= select_2319;
       region_across_back_q <= so_s14_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_2319;
-      columns_begin_rest_q <= and_368_s14_q ? select_2321 : columns_begin_rest_q;
-      columns_begin_back_q <= and_368_s14_q ? select_2324 : columns_begin_back_q;
+      region_across_next_q <= select_2322;
+      columns_begin_rest_q <= and_369_s14_q ? select_2324 : columns_begin_rest_q;
+      columns_begin_back_q <= and_369_s14_q ? select_2327 : columns_begin_back_q;
     end
   end
 
@@ -2893,53 +2902,52 @@ module horopter_agreement (
   logic [7:0] before_1_s15_q;
   logic [7:0] before_2_s15_q;
   logic [11:0] registration_slope_s15_q;
-  logic equal_327_s15_q;
-  logic [8:0] select_333_s15_q;
-  logic and_342_s15_q;
-  logic equal_348_s15_q;
+  logic equal_328_s15_q;
+  logic [8:0] select_334_s15_q;
+  logic and_343_s15_q;
+  logic equal_349_s15_q;
   logic whole_s15_q;
   logic [6:0] column_s15_q;
-  logic and_366_s15_q;
-  logic and_368_s15_q;
-  logic equal_371_s15_q;
+  logic and_367_s15_q;
+  logic and_369_s15_q;
+  logic equal_372_s15_q;
   logic so_s15_q;
-  logic equal_388_s15_q;
-  logic or_389_s15_q;
-  logic less_396_s15_q;
-  logic not_397_s15_q;
-  logic equal_429_s15_q;
+  logic equal_389_s15_q;
+  logic or_390_s15_q;
+  logic less_397_s15_q;
+  logic not_398_s15_q;
+  logic equal_430_s15_q;
   logic [6:0] x_s15_2_q;
   logic [45:0] best_left_rdata_s15_q;
-  logic select_517_s15_q;
+  logic select_518_s15_q;
   logic [7:0] of_best_s15_q;
-  logic [2:0] select_1282_s15_q;
-  logic [6:0] select_1305_s15_q;
+  logic [2:0] select_1283_s15_q;
   logic [6:0] of_near_s15_q;
-  logic or_1316_s15_q;
-  logic and_1319_s15_q;
+  logic or_1317_s15_q;
+  logic and_1320_s15_q;
   logic [6:0] right_s15_q;
   logic [28:0] best_right_rdata_s15_q;
-  logic select_1328_s15_q;
-  logic or_1334_s15_q;
-  logic equal_1337_s15_q;
-  logic and_1344_s15_q;
-  logic and_1348_s15_q;
-  logic and_1351_s15_q;
-  logic and_1361_s15_q;
-  logic and_1366_s15_q;
-  logic [6:0] select_1376_s15_q;
-  logic less_1420_s15_q;
-  logic sum_1458_s15_q;
-  logic equal_1460_s15_q;
-  logic and_1597_s15_q;
-  logic equal_1738_s15_q;
-  logic equal_1859_s15_q;
-  logic [7:0] select_2064_s15_q;
-  logic [7:0] select_2066_s15_q;
-  logic [16:0] select_2086_s15_q;
-  logic less_2112_s15_q;
-  logic less_2304_s15_q;
-  logic equal_2511_s15_q;
+  logic select_1329_s15_q;
+  logic or_1335_s15_q;
+  logic equal_1338_s15_q;
+  logic and_1345_s15_q;
+  logic and_1349_s15_q;
+  logic and_1352_s15_q;
+  logic and_1362_s15_q;
+  logic and_1367_s15_q;
+  logic [6:0] select_1377_s15_q;
+  logic less_1421_s15_q;
+  logic sum_1459_s15_q;
+  logic equal_1461_s15_q;
+  logic and_1598_s15_q;
+  logic equal_1739_s15_q;
+  logic equal_1863_s15_q;
+  logic [7:0] select_2067_s15_q;
+  logic [7:0] select_2069_s15_q;
+  logic [16:0] select_2089_s15_q;
+  logic less_2115_s15_q;
+  logic less_2307_s15_q;
+  logic equal_2514_s15_q;
   always_ff @(posedge clk_i) begin
     if (s14_en) begin
       pixel_0_s15_q <= pixel_0_s14_q;
@@ -2959,102 +2967,99 @@ module horopter_agreement (
       before_1_s15_q <= before_1_q;
       before_2_s15_q <= before_2_q;
       registration_slope_s15_q <= registration_slope_q[27:16];
-      equal_327_s15_q <= equal_327_s14_q;
-      select_333_s15_q <= select_333_s14_q;
-      and_342_s15_q <= and_342_s14_q;
-      equal_348_s15_q <= equal_348_s14_q;
+      equal_328_s15_q <= equal_328_s14_q;
+      select_334_s15_q <= select_334_s14_q;
+      and_343_s15_q <= and_343_s14_q;
+      equal_349_s15_q <= equal_349_s14_q;
       whole_s15_q <= whole_s14_q;
       column_s15_q <= column_s14_q;
-      and_366_s15_q <= and_366_s14_q;
-      and_368_s15_q <= and_368_s14_q;
-      equal_371_s15_q <= equal_371_s14_q;
+      and_367_s15_q <= and_367_s14_q;
+      and_369_s15_q <= and_369_s14_q;
+      equal_372_s15_q <= equal_372_s14_q;
       so_s15_q <= so_s14_q;
-      equal_388_s15_q <= equal_388_s14_q;
-      or_389_s15_q <= or_389_s14_q;
-      less_396_s15_q <= less_396_s14_q;
-      not_397_s15_q <= not_397_s14_q;
-      equal_429_s15_q <= equal_429_s14_q;
+      equal_389_s15_q <= equal_389_s14_q;
+      or_390_s15_q <= or_390_s14_q;
+      less_397_s15_q <= less_397_s14_q;
+      not_398_s15_q <= not_398_s14_q;
+      equal_430_s15_q <= equal_430_s14_q;
       x_s15_2_q <= x_s14_2_q;
       best_left_rdata_s15_q <= best_left_rdata_s14_q;
-      select_517_s15_q <= select_517_s14_q;
+      select_518_s15_q <= select_518_s14_q;
       of_best_s15_q <= of_best;
-      select_1282_s15_q <= select_1282;
-      select_1305_s15_q <= select_1305_s14_q;
-      of_near_s15_q <= of_near;
-      or_1316_s15_q <= select_517_s14_q | (best_left_rdata_s14_q[39:33] < of_near);
-      and_1319_s15_q <= and_1319_s14_q;
+      select_1283_s15_q <= select_1283;
+      of_near_s15_q <= of_near_s14_q;
+      or_1317_s15_q <= or_1317;
+      and_1320_s15_q <= and_1320_s14_q;
       right_s15_q <= right_s14_q;
       best_right_rdata_s15_q <= best_right_rdata_s14_q;
-      select_1328_s15_q <= select_1328_s14_q;
-      or_1334_s15_q <= select_1328_s14_q | (best_right_rdata_s14_q[21:15] < of_near);
-      equal_1337_s15_q <= equal_1337_s14_q;
-      and_1344_s15_q <= and_1344_s14_q;
-      and_1348_s15_q <= not_397_s14_q & and_1347_s14_q;
-      and_1351_s15_q <= and_1351_s14_q;
-      and_1361_s15_q <= not_397_s14_q & and_1360;
-      and_1366_s15_q <= and_1360 & or_1365_s14_q;
-      select_1376_s15_q <= select_1376_s14_q;
-      less_1420_s15_q <= less_1420_s14_q;
-      sum_1458_s15_q <= sum_1458[5];
-      equal_1460_s15_q <= equal_1460_s14_q;
-      and_1597_s15_q <= and_1597_s14_q;
-      equal_1738_s15_q <= equal_1738_s14_q;
-      equal_1859_s15_q <= equal_1859_s14_q;
-      select_2064_s15_q <= select_2064;
-      select_2066_s15_q <= select_2066;
-      select_2086_s15_q <= select_2086;
-      less_2112_s15_q <= less_2112_s14_q;
-      less_2304_s15_q <= less_2304_s14_q;
-      equal_2511_s15_q <= equal_2511_s14_q;
+      select_1329_s15_q <= select_1329_s14_q;
+      or_1335_s15_q <= or_1335;
+      equal_1338_s15_q <= equal_1338_s14_q;
+      and_1345_s15_q <= and_1345_s14_q;
+      and_1349_s15_q <= not_398_s14_q & and_1348_s14_q;
+      and_1352_s15_q <= and_1352_s14_q;
+      and_1362_s15_q <= not_398_s14_q & and_1361;
+      and_1367_s15_q <= and_1361 & or_1366_s14_q;
+      select_1377_s15_q <= select_1377_s14_q;
+      less_1421_s15_q <= less_1421_s14_q;
+      sum_1459_s15_q <= sum_1459[5];
+      equal_1461_s15_q <= equal_1461_s14_q;
+      and_1598_s15_q <= and_1598_s14_q;
+      equal_1739_s15_q <= equal_1739_s14_q;
+      equal_1863_s15_q <= equal_1863_s14_q;
+      select_2067_s15_q <= select_2067;
+      select_2069_s15_q <= select_2069;
+      select_2089_s15_q <= select_2089;
+      less_2115_s15_q <= less_2115_s14_q;
+      less_2307_s15_q <= less_2307_s14_q;
+      equal_2514_s15_q <= equal_2514_s14_q;
     end
   end
 
   // Stage 15 ----------------------------------------------------------------------------------------------------------
   // hls/stages/agreement.hpp:732
-  logic equal_1285;
-  assign equal_1285 = select_1282_s15_q == 3'h1;
   logic equal_1286;
-  assign equal_1286 = select_1282_s15_q == 3'h2;
-  logic not_1287;
-  assign not_1287 = ~equal_1286;
-  logic [2:0] select_1288;
-  assign select_1288 = equal_1285 ? 3'h2 : {not_1287, {2{equal_1286}}};
-  logic [7:0] select_1290;
-  assign select_1290 = select_1288[1] ? before_2_q : (select_1288[0] ? before_2_s15_q : before_0_s15_q);
-  logic [6:0] select_1306;
-  assign select_1306 = select_1288[0] ? {4'h0, select_1282_s15_q} : select_1305_s15_q;
-  logic [7:0] select_1307;
-  assign select_1307 = select_1288[1] ? (select_1288[0] ? before_1_s15_q : before_1_q) : {1'b0, select_1306};
+  assign equal_1286 = select_1283_s15_q == 3'h1;
+  logic equal_1287;
+  assign equal_1287 = select_1283_s15_q == 3'h2;
+  logic not_1288;
+  assign not_1288 = ~equal_1287;
+  logic [2:0] select_1289;
+  assign select_1289 = equal_1286 ? 3'h2 : {not_1288, {2{equal_1287}}};
+  logic [7:0] select_1294;
+  assign select_1294 = select_1289[1] ? (select_1289[0] ? before_1_s15_q : before_1_q) : (select_1289[0] ? before_1_q : before_0_q);
+  logic [7:0] select_1295;
+  assign select_1295 = select_1289[2] ? (select_1289[0] ? before_2_s15_q : before_0_s15_q) : select_1294;
   // hls/stages/agreement.hpp:733
-  logic [1:0] select_1310;
-  assign select_1310 = equal_1285 ? 2'h0 : {not_1287, equal_1286};
-  logic [7:0] select_1312;
-  assign select_1312 = select_1310[1] ? before_2_q : (select_1310[0] ? before_2_s15_q : before_0_s15_q);
+  logic [1:0] select_1297;
+  assign select_1297 = equal_1286 ? 2'h0 : {not_1288, equal_1287};
+  logic [7:0] select_1299;
+  assign select_1299 = select_1297[1] ? before_2_q : (select_1297[0] ? before_2_s15_q : before_0_s15_q);
   // hls/stages/agreement.hpp:744
-  logic or_1330;
-  assign or_1330 = select_1328_s15_q | (best_right_rdata_s15_q[7:0] < of_best_s15_q);
+  logic or_1331;
+  assign or_1331 = select_1329_s15_q | (best_right_rdata_s15_q[7:0] < of_best_s15_q);
   // hls/stages/agreement.hpp:199
-  logic and_1367;
-  assign and_1367 = not_397_s15_q & and_1366_s15_q;
+  logic and_1368;
+  assign and_1368 = not_398_s15_q & and_1367_s15_q;
   // hls/stages/agreement.hpp:137
-  logic [8:0] select_1368;
-  assign select_1368 = less_396_s15_q ? 9'h0 : best_left_rdata_s15_q[8:0];
+  logic [8:0] select_1369;
+  assign select_1369 = less_397_s15_q ? 9'h0 : best_left_rdata_s15_q[8:0];
   logic [14:0] inside_v;
-  assign inside_v = or_389_s15_q ? {select_1368, and_1367, and_1361_s15_q, and_1351_s15_q, and_1348_s15_q, and_1344_s15_q, not_397_s15_q} : 15'h0;
+  assign inside_v = or_390_s15_q ? {select_1369, and_1368, and_1362_s15_q, and_1352_s15_q, and_1349_s15_q, and_1345_s15_q, not_398_s15_q} : 15'h0;
   // hls/stages/agreement.hpp:214
   logic right_2;
-  assign right_2 = inside_v[0] & less_1420_s15_q;
+  assign right_2 = inside_v[0] & less_1421_s15_q;
   logic textured;
   assign textured = inside_v[0] & inside_v[2];
   // hls/stages/agreement.hpp:137
-  logic [7:0] select_2062;
-  assign select_2062 = or_389_s15_q ? (less_396_s15_q ? 8'h0 : best_left_rdata_s15_q[16:9]) : 8'h0;
+  logic [7:0] select_2065;
+  assign select_2065 = or_390_s15_q ? (less_397_s15_q ? 8'h0 : best_left_rdata_s15_q[16:9]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise;
-  assign rise = {1'b0, select_2064_s15_q} - {1'b0, select_2066_s15_q};
+  assign rise = {1'b0, select_2067_s15_q} - {1'b0, select_2069_s15_q};
   // hls/stages/registration.hpp:213
-  logic [13:0] select_2088;
-  assign select_2088 = ($signed(10'h0) < $signed(select_2086_s15_q[16:7])) ? 14'h7f : select_2086_s15_q[13:0];
+  logic [13:0] select_2091;
+  assign select_2091 = ($signed(10'h0) < $signed(select_2089_s15_q[16:7])) ? 14'h7f : select_2089_s15_q[13:0];
 
   logic [7:0] pixel_0_s16_q;
   logic [7:0] pixel_1_s16_q;
@@ -3070,52 +3075,52 @@ module horopter_agreement (
   logic ends_cell_s16_q;
   logic lower_half_s16_q;
   logic [11:0] registration_slope_s16_q;
-  logic equal_327_s16_q;
-  logic [8:0] select_333_s16_q;
-  logic and_342_s16_q;
-  logic equal_348_s16_q;
+  logic equal_328_s16_q;
+  logic [8:0] select_334_s16_q;
+  logic and_343_s16_q;
+  logic equal_349_s16_q;
   logic whole_s16_q;
   logic [6:0] column_s16_q;
-  logic and_366_s16_q;
-  logic and_368_s16_q;
-  logic equal_371_s16_q;
+  logic and_367_s16_q;
+  logic and_369_s16_q;
+  logic equal_372_s16_q;
   logic so_s16_q;
-  logic equal_429_s16_q;
+  logic equal_430_s16_q;
   logic [6:0] x_s16_2_q;
   logic [32:0] best_left_rdata_s16_q;
   logic [7:0] of_best_s16_q;
-  logic or_1277_s16_q;
-  logic [2:0] select_1282_s16_q;
-  logic [7:0] select_1308_s16_q;
-  logic [7:0] select_1312_s16_q;
-  logic [6:0] select_1317_s16_q;
-  logic [5:0] select_1318_s16_q;
-  logic and_1319_s16_q;
+  logic or_1278_s16_q;
+  logic [2:0] select_1283_s16_q;
+  logic [7:0] select_1295_s16_q;
+  logic [7:0] select_1299_s16_q;
+  logic [6:0] select_1318_s16_q;
+  logic [5:0] select_1319_s16_q;
+  logic and_1320_s16_q;
   logic [6:0] right_s16_q;
   logic [14:0] best_right_rdata_s16_q;
-  logic or_1330_s16_q;
-  logic [6:0] select_1335_s16_q;
+  logic or_1331_s16_q;
   logic [6:0] select_1336_s16_q;
-  logic equal_1337_s16_q;
+  logic [6:0] select_1337_s16_q;
+  logic equal_1338_s16_q;
   logic [13:0] inside_v_s16_q;
-  logic [6:0] select_1376_s16_q;
-  logic and_1379_s16_q;
+  logic [6:0] select_1377_s16_q;
+  logic and_1380_s16_q;
   logic right_2_s16_q;
-  logic sum_1458_s16_q;
-  logic equal_1460_s16_q;
+  logic sum_1459_s16_q;
+  logic equal_1461_s16_q;
   logic textured_s16_q;
-  logic and_1597_s16_q;
-  logic equal_1738_s16_q;
-  logic equal_1859_s16_q;
-  logic [7:0] select_2062_s16_q;
+  logic and_1598_s16_q;
+  logic equal_1739_s16_q;
+  logic equal_1863_s16_q;
+  logic [7:0] select_2065_s16_q;
   logic rise_s16_q;
-  logic [7:0] select_2068_s16_q;
-  logic [7:0] xor_2073_s16_q;
-  logic [13:0] select_2088_s16_q;
-  logic and_2113_s16_q;
-  logic less_2118_s16_q;
-  logic less_2304_s16_q;
-  logic equal_2511_s16_q;
+  logic [7:0] select_2071_s16_q;
+  logic [7:0] xor_2076_s16_q;
+  logic [13:0] select_2091_s16_q;
+  logic and_2116_s16_q;
+  logic less_2121_s16_q;
+  logic less_2307_s16_q;
+  logic equal_2514_s16_q;
   always_ff @(posedge clk_i) begin
     if (s15_en) begin
       pixel_0_s16_q <= pixel_0_s15_q;
@@ -3132,92 +3137,92 @@ module horopter_agreement (
       ends_cell_s16_q <= ends_cell_s15_q;
       lower_half_s16_q <= lower_half_s15_q;
       registration_slope_s16_q <= registration_slope_s15_q;
-      equal_327_s16_q <= equal_327_s15_q;
-      select_333_s16_q <= select_333_s15_q;
-      and_342_s16_q <= and_342_s15_q;
-      equal_348_s16_q <= equal_348_s15_q;
+      equal_328_s16_q <= equal_328_s15_q;
+      select_334_s16_q <= select_334_s15_q;
+      and_343_s16_q <= and_343_s15_q;
+      equal_349_s16_q <= equal_349_s15_q;
       whole_s16_q <= whole_s15_q;
       column_s16_q <= column_s15_q;
-      and_366_s16_q <= and_366_s15_q;
-      and_368_s16_q <= and_368_s15_q;
-      equal_371_s16_q <= equal_371_s15_q;
+      and_367_s16_q <= and_367_s15_q;
+      and_369_s16_q <= and_369_s15_q;
+      equal_372_s16_q <= equal_372_s15_q;
       so_s16_q <= so_s15_q;
-      equal_429_s16_q <= equal_429_s15_q;
+      equal_430_s16_q <= equal_430_s15_q;
       x_s16_2_q <= x_s15_2_q;
       best_left_rdata_s16_q <= best_left_rdata_s15_q[32:0];
       of_best_s16_q <= of_best_s15_q;
-      or_1277_s16_q <= select_517_s15_q | (best_left_rdata_s15_q[16:9] < of_best_s15_q);
-      select_1282_s16_q <= select_1282_s15_q;
-      select_1308_s16_q <= select_1288[2] ? select_1290 : select_1307;
-      select_1312_s16_q <= select_1312;
-      select_1317_s16_q <= or_1316_s15_q ? of_near_s15_q : best_left_rdata_s15_q[39:33];
-      select_1318_s16_q <= or_1316_s15_q ? run_shift_s15_q : best_left_rdata_s15_q[45:40];
-      and_1319_s16_q <= and_1319_s15_q;
+      or_1278_s16_q <= select_518_s15_q | (best_left_rdata_s15_q[16:9] < of_best_s15_q);
+      select_1283_s16_q <= select_1283_s15_q;
+      select_1295_s16_q <= select_1295;
+      select_1299_s16_q <= select_1299;
+      select_1318_s16_q <= or_1317_s15_q ? of_near_s15_q : best_left_rdata_s15_q[39:33];
+      select_1319_s16_q <= or_1317_s15_q ? run_shift_s15_q : best_left_rdata_s15_q[45:40];
+      and_1320_s16_q <= and_1320_s15_q;
       right_s16_q <= right_s15_q;
       best_right_rdata_s16_q <= best_right_rdata_s15_q[14:0];
-      or_1330_s16_q <= or_1330;
-      select_1335_s16_q <= or_1334_s15_q ? of_near_s15_q : best_right_rdata_s15_q[21:15];
-      select_1336_s16_q <= or_1334_s15_q ? x_s15_2_q : best_right_rdata_s15_q[28:22];
-      equal_1337_s16_q <= equal_1337_s15_q;
+      or_1331_s16_q <= or_1331;
+      select_1336_s16_q <= or_1335_s15_q ? of_near_s15_q : best_right_rdata_s15_q[21:15];
+      select_1337_s16_q <= or_1335_s15_q ? x_s15_2_q : best_right_rdata_s15_q[28:22];
+      equal_1338_s16_q <= equal_1338_s15_q;
       inside_v_s16_q <= {inside_v[14:3], inside_v[1:0]};
-      select_1376_s16_q <= select_1376_s15_q;
-      and_1379_s16_q <= equal_388_s15_q & inside_v[4];
+      select_1377_s16_q <= select_1377_s15_q;
+      and_1380_s16_q <= equal_389_s15_q & inside_v[4];
       right_2_s16_q <= right_2;
-      sum_1458_s16_q <= sum_1458_s15_q;
-      equal_1460_s16_q <= equal_1460_s15_q;
+      sum_1459_s16_q <= sum_1459_s15_q;
+      equal_1461_s16_q <= equal_1461_s15_q;
       textured_s16_q <= textured;
-      and_1597_s16_q <= and_1597_s15_q;
-      equal_1738_s16_q <= equal_1738_s15_q;
-      equal_1859_s16_q <= equal_1859_s15_q;
-      select_2062_s16_q <= select_2062;
+      and_1598_s16_q <= and_1598_s15_q;
+      equal_1739_s16_q <= equal_1739_s15_q;
+      equal_1863_s16_q <= equal_1863_s15_q;
+      select_2065_s16_q <= select_2065;
       rise_s16_q <= rise[8];
-      select_2068_s16_q <= rise[8] ? select_2064_s15_q : select_2066_s15_q;
-      xor_2073_s16_q <= rise[7:0] ^ {8{rise[8]}};
-      select_2088_s16_q <= select_2088;
-      and_2113_s16_q <= inside_v[4] & less_2112_s15_q;
-      less_2118_s16_q <= select_2064_s15_q < select_2066_s15_q;
-      less_2304_s16_q <= less_2304_s15_q;
-      equal_2511_s16_q <= equal_2511_s15_q;
+      select_2071_s16_q <= rise[8] ? select_2067_s15_q : select_2069_s15_q;
+      xor_2076_s16_q <= rise[7:0] ^ {8{rise[8]}};
+      select_2091_s16_q <= select_2091;
+      and_2116_s16_q <= inside_v[4] & less_2115_s15_q;
+      less_2121_s16_q <= select_2067_s15_q < select_2069_s15_q;
+      less_2307_s16_q <= less_2307_s15_q;
+      equal_2514_s16_q <= equal_2514_s15_q;
     end
   end
 
   // Stage 16 ----------------------------------------------------------------------------------------------------------
   // hls/stages/census.hpp:103
-  logic and_343;
-  assign and_343 = sample_pair_whole_s16_q & and_342_s16_q;
+  logic and_344;
+  assign and_344 = sample_pair_whole_s16_q & and_343_s16_q;
   // hls/stages/agreement.hpp:902
-  logic not_1338;
-  assign not_1338 = ~equal_1337_s16_q;
+  logic not_1339;
+  assign not_1339 = ~equal_1338_s16_q;
   // hls/stages/agreement.hpp:324
-  logic and_1370;
-  assign and_1370 = ends_cell_s16_q & inside_v_s16_q[0];
-  logic and_1372;
-  assign and_1372 = not_1338 & (so_s16_q & and_1370);
+  logic and_1371;
+  assign and_1371 = ends_cell_s16_q & inside_v_s16_q[0];
+  logic and_1373;
+  assign and_1373 = not_1339 & (so_s16_q & and_1371);
   // hls/stages/agreement.hpp:944
-  logic or_1461;
-  assign or_1461 = (~sum_1458_s16_q) | equal_1460_s16_q;
+  logic or_1462;
+  assign or_1462 = (~sum_1459_s16_q) | equal_1461_s16_q;
   // hls/stages/registration.hpp:35
-  logic [8:0] difference_2069;
-  assign difference_2069 = {1'b0, select_2062_s16_q} - {1'b0, select_2068_s16_q};
+  logic [8:0] difference_2072;
+  assign difference_2072 = {1'b0, select_2065_s16_q} - {1'b0, select_2071_s16_q};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
-  assign wide = difference_2069[8] ? 8'h0 : difference_2069[7:0];
+  assign wide = difference_2072[8] ? 8'h0 : difference_2072[7:0];
   // hls/stages/registration.hpp:34
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_s16_q} + {1'b0, xor_2073_s16_q};
+  assign size_3 = {8'h0, rise_s16_q} + {1'b0, xor_2076_s16_q};
   // hls/stages/registration.hpp:208
-  logic [9:0] select_2089;
-  assign select_2089 = inside_v_s16_q[9] ? select_2088_s16_q[9:0] : 10'h0;
-  logic [8:0] difference_2091;
-  assign difference_2091 = select_2089[9:1] - (inside_v_s16_q[10] ? select_2088_s16_q[8:0] : 9'h0);
+  logic [9:0] select_2092;
+  assign select_2092 = inside_v_s16_q[9] ? select_2091_s16_q[9:0] : 10'h0;
+  logic [8:0] difference_2094;
+  assign difference_2094 = select_2092[9:1] - (inside_v_s16_q[10] ? select_2091_s16_q[8:0] : 9'h0);
   // hls/stages/registration.hpp:206
-  logic [12:0] sum_2094;
-  assign sum_2094 = (inside_v_s16_q[5] ? select_2088_s16_q[13:1] : 13'h0) + (inside_v_s16_q[6] ? select_2088_s16_q[12:0] : 13'h0);
+  logic [12:0] sum_2097;
+  assign sum_2097 = (inside_v_s16_q[5] ? select_2091_s16_q[13:1] : 13'h0) + (inside_v_s16_q[6] ? select_2091_s16_q[12:0] : 13'h0);
   // hls/stages/registration.hpp:207
-  logic [11:0] select_2095;
-  assign select_2095 = inside_v_s16_q[7] ? select_2088_s16_q[11:0] : 12'h0;
-  logic [10:0] sum_2097;
-  assign sum_2097 = select_2095[11:1] + (inside_v_s16_q[8] ? select_2088_s16_q[10:0] : 11'h0);
+  logic [11:0] select_2098;
+  assign select_2098 = inside_v_s16_q[7] ? select_2091_s16_q[11:0] : 12'h0;
+  logic [10:0] sum_2100;
+  assign sum_2100 = select_2098[11:1] + (inside_v_s16_q[8] ? select_2091_s16_q[10:0] : 11'h0);
 
   // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:154; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -3227,9 +3232,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 480; i++) averager_memory_mem[i] = 30'h0;
 `endif
   logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_333_s16_q;
+  assign averager_memory_raddr = select_334_s16_q;
   logic averager_memory_re;
-  assign averager_memory_re = s16_en & and_343;
+  assign averager_memory_re = s16_en & and_344;
   logic [29:0] averager_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
@@ -3245,7 +3250,7 @@ module horopter_agreement (
   logic [6:0] shown_right_raddr;
   assign shown_right_raddr = x_s16_q[6:0];
   logic shown_right_re;
-  assign shown_right_re = s16_en & and_1372;
+  assign shown_right_re = s16_en & and_1373;
   logic [1:0] shown_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
@@ -3261,7 +3266,7 @@ module horopter_agreement (
   logic [6:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s16_q[6:0];
   logic seen_columns_re;
-  assign seen_columns_re = s16_en & and_1372;
+  assign seen_columns_re = s16_en & and_1373;
   logic [17:0] seen_columns_rdata_q;
   always_ff @(posedge clk_i) begin
     if (seen_columns_re) seen_columns_rdata_q <= seen_columns_mem[seen_columns_raddr];
@@ -3280,57 +3285,57 @@ module horopter_agreement (
   logic ends_cell_s17_q;
   logic lower_half_s17_q;
   logic [11:0] registration_slope_s17_q;
-  logic equal_327_s17_q;
-  logic [8:0] select_333_s17_q;
-  logic and_342_s17_q;
+  logic equal_328_s17_q;
+  logic [8:0] select_334_s17_q;
   logic and_343_s17_q;
-  logic equal_348_s17_q;
+  logic and_344_s17_q;
+  logic equal_349_s17_q;
   logic whole_s17_q;
   logic [6:0] column_s17_q;
-  logic and_366_s17_q;
-  logic and_368_s17_q;
-  logic equal_371_s17_q;
+  logic and_367_s17_q;
+  logic and_369_s17_q;
+  logic equal_372_s17_q;
   logic so_s17_q;
-  logic equal_429_s17_q;
+  logic equal_430_s17_q;
   logic [6:0] x_s17_2_q;
-  logic [5:0] select_1278_s17_q;
-  logic [2:0] select_1283_s17_q;
-  logic [7:0] select_1284_s17_q;
-  logic [7:0] select_1309_s17_q;
-  logic [7:0] select_1313_s17_q;
-  logic [6:0] select_1317_s17_q;
-  logic [5:0] select_1318_s17_q;
-  logic and_1319_s17_q;
+  logic [5:0] select_1279_s17_q;
+  logic [2:0] select_1284_s17_q;
+  logic [7:0] select_1285_s17_q;
+  logic [7:0] select_1296_s17_q;
+  logic [7:0] select_1300_s17_q;
+  logic [6:0] select_1318_s17_q;
+  logic [5:0] select_1319_s17_q;
+  logic and_1320_s17_q;
   logic [6:0] right_s17_q;
-  logic [7:0] select_1331_s17_q;
-  logic [6:0] select_1332_s17_q;
-  logic [6:0] select_1335_s17_q;
+  logic [7:0] select_1332_s17_q;
+  logic [6:0] select_1333_s17_q;
   logic [6:0] select_1336_s17_q;
-  logic equal_1337_s17_q;
-  logic not_1338_s17_q;
+  logic [6:0] select_1337_s17_q;
+  logic equal_1338_s17_q;
+  logic not_1339_s17_q;
   logic [13:0] inside_v_s17_q;
-  logic and_1372_s17_q;
-  logic [6:0] select_1376_s17_q;
-  logic and_1381_s17_q;
+  logic and_1373_s17_q;
+  logic [6:0] select_1377_s17_q;
+  logic and_1382_s17_q;
   logic right_2_s17_q;
-  logic sum_1458_s17_q;
-  logic and_1464_s17_q;
+  logic sum_1459_s17_q;
+  logic and_1465_s17_q;
   logic textured_s17_q;
-  logic and_1598_s17_q;
-  logic equal_1738_s17_q;
-  logic equal_1859_s17_q;
+  logic and_1599_s17_q;
+  logic equal_1739_s17_q;
+  logic equal_1863_s17_q;
   logic [7:0] wide_s17_q;
   logic [8:0] size_3_s17_q;
-  logic select_2089_s17_q;
-  logic [8:0] difference_2091_s17_q;
-  logic [11:0] sum_2094_s17_q;
-  logic select_2095_s17_q;
-  logic [10:0] sum_2097_s17_q;
-  logic and_2113_s17_q;
-  logic less_2118_s17_q;
-  logic less_2304_s17_q;
-  logic select_2347_s17_q;
-  logic equal_2511_s17_q;
+  logic select_2092_s17_q;
+  logic [8:0] difference_2094_s17_q;
+  logic [11:0] sum_2097_s17_q;
+  logic select_2098_s17_q;
+  logic [10:0] sum_2100_s17_q;
+  logic and_2116_s17_q;
+  logic less_2121_s17_q;
+  logic less_2307_s17_q;
+  logic select_2350_s17_q;
+  logic equal_2514_s17_q;
   always_ff @(posedge clk_i) begin
     if (s16_en) begin
       pixel_0_s17_q <= pixel_0_s16_q;
@@ -3346,57 +3351,57 @@ module horopter_agreement (
       ends_cell_s17_q <= ends_cell_s16_q;
       lower_half_s17_q <= lower_half_s16_q;
       registration_slope_s17_q <= registration_slope_s16_q;
-      equal_327_s17_q <= equal_327_s16_q;
-      select_333_s17_q <= select_333_s16_q;
-      and_342_s17_q <= and_342_s16_q;
-      and_343_s17_q <= and_343;
-      equal_348_s17_q <= equal_348_s16_q;
+      equal_328_s17_q <= equal_328_s16_q;
+      select_334_s17_q <= select_334_s16_q;
+      and_343_s17_q <= and_343_s16_q;
+      and_344_s17_q <= and_344;
+      equal_349_s17_q <= equal_349_s16_q;
       whole_s17_q <= whole_s16_q;
       column_s17_q <= column_s16_q;
-      and_366_s17_q <= and_366_s16_q;
-      and_368_s17_q <= and_368_s16_q;
-      equal_371_s17_q <= equal_371_s16_q;
+      and_367_s17_q <= and_367_s16_q;
+      and_369_s17_q <= and_369_s16_q;
+      equal_372_s17_q <= equal_372_s16_q;
       so_s17_q <= so_s16_q;
-      equal_429_s17_q <= equal_429_s16_q;
+      equal_430_s17_q <= equal_430_s16_q;
       x_s17_2_q <= x_s16_2_q;
-      select_1278_s17_q <= or_1277_s16_q ? run_shift_s16_q : best_left_rdata_s16_q[5:0];
-      select_1283_s17_q <= or_1277_s16_q ? select_1282_s16_q : best_left_rdata_s16_q[8:6];
-      select_1284_s17_q <= or_1277_s16_q ? of_best_s16_q : best_left_rdata_s16_q[16:9];
-      select_1309_s17_q <= or_1277_s16_q ? select_1308_s16_q : best_left_rdata_s16_q[24:17];
-      select_1313_s17_q <= or_1277_s16_q ? select_1312_s16_q : best_left_rdata_s16_q[32:25];
-      select_1317_s17_q <= select_1317_s16_q;
+      select_1279_s17_q <= or_1278_s16_q ? run_shift_s16_q : best_left_rdata_s16_q[5:0];
+      select_1284_s17_q <= or_1278_s16_q ? select_1283_s16_q : best_left_rdata_s16_q[8:6];
+      select_1285_s17_q <= or_1278_s16_q ? of_best_s16_q : best_left_rdata_s16_q[16:9];
+      select_1296_s17_q <= or_1278_s16_q ? select_1295_s16_q : best_left_rdata_s16_q[24:17];
+      select_1300_s17_q <= or_1278_s16_q ? select_1299_s16_q : best_left_rdata_s16_q[32:25];
       select_1318_s17_q <= select_1318_s16_q;
-      and_1319_s17_q <= and_1319_s16_q;
+      select_1319_s17_q <= select_1319_s16_q;
+      and_1320_s17_q <= and_1320_s16_q;
       right_s17_q <= right_s16_q;
-      select_1331_s17_q <= or_1330_s16_q ? of_best_s16_q : best_right_rdata_s16_q[7:0];
-      select_1332_s17_q <= or_1330_s16_q ? x_s16_2_q : best_right_rdata_s16_q[14:8];
-      select_1335_s17_q <= select_1335_s16_q;
+      select_1332_s17_q <= or_1331_s16_q ? of_best_s16_q : best_right_rdata_s16_q[7:0];
+      select_1333_s17_q <= or_1331_s16_q ? x_s16_2_q : best_right_rdata_s16_q[14:8];
       select_1336_s17_q <= select_1336_s16_q;
-      equal_1337_s17_q <= equal_1337_s16_q;
-      not_1338_s17_q <= not_1338;
+      select_1337_s17_q <= select_1337_s16_q;
+      equal_1338_s17_q <= equal_1338_s16_q;
+      not_1339_s17_q <= not_1339;
       inside_v_s17_q <= inside_v_s16_q;
-      and_1372_s17_q <= and_1372;
-      select_1376_s17_q <= select_1376_s16_q;
-      and_1381_s17_q <= not_1338 & (so_s16_q ? and_1370 : and_1379_s16_q);
+      and_1373_s17_q <= and_1373;
+      select_1377_s17_q <= select_1377_s16_q;
+      and_1382_s17_q <= not_1339 & (so_s16_q ? and_1371 : and_1380_s16_q);
       right_2_s17_q <= right_2_s16_q;
-      sum_1458_s17_q <= sum_1458_s16_q;
-      and_1464_s17_q <= so_s16_q & (ends_cell_s16_q & (inside_v_s16_q[0] & or_1461));
+      sum_1459_s17_q <= sum_1459_s16_q;
+      and_1465_s17_q <= so_s16_q & (ends_cell_s16_q & (inside_v_s16_q[0] & or_1462));
       textured_s17_q <= textured_s16_q;
-      and_1598_s17_q <= not_1338 & and_1597_s16_q;
-      equal_1738_s17_q <= equal_1738_s16_q;
-      equal_1859_s17_q <= equal_1859_s16_q;
+      and_1599_s17_q <= not_1339 & and_1598_s16_q;
+      equal_1739_s17_q <= equal_1739_s16_q;
+      equal_1863_s17_q <= equal_1863_s16_q;
       wide_s17_q <= wide;
       size_3_s17_q <= size_3;
-      select_2089_s17_q <= select_2089[0];
-      difference_2091_s17_q <= difference_2091;
-      sum_2094_s17_q <= sum_2094[12:1];
-      select_2095_s17_q <= select_2095[0];
-      sum_2097_s17_q <= sum_2097;
-      and_2113_s17_q <= and_2113_s16_q;
-      less_2118_s17_q <= less_2118_s16_q;
-      less_2304_s17_q <= less_2304_s16_q;
-      select_2347_s17_q <= sum_1458_s16_q ? (equal_1460_s16_q & or_1461) : or_1461;
-      equal_2511_s17_q <= equal_2511_s16_q;
+      select_2092_s17_q <= select_2092[0];
+      difference_2094_s17_q <= difference_2094;
+      sum_2097_s17_q <= sum_2097[12:1];
+      select_2098_s17_q <= select_2098[0];
+      sum_2100_s17_q <= sum_2100;
+      and_2116_s17_q <= and_2116_s16_q;
+      less_2121_s17_q <= less_2121_s16_q;
+      less_2307_s17_q <= less_2307_s16_q;
+      select_2350_s17_q <= sum_1459_s16_q ? (equal_1461_s16_q & or_1462) : or_1462;
+      equal_2514_s17_q <= equal_2514_s16_q;
     end
   end
 
@@ -3409,46 +3414,46 @@ module horopter_agreement (
   logic averager_running_of_skin_q;
   logic segment_starts_q;
   // hls/stages/census.hpp:96
-  logic [13:0] select_346;
-  assign select_346 = equal_327_s17_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
-  logic [13:0] sum_352;
-  assign sum_352 = {6'h0, sample_pair_pixel_1_q} + (equal_327_s17_q ? 14'h0 : averager_running_1_q);
+  logic [13:0] select_347;
+  assign select_347 = equal_328_s17_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
+  logic [13:0] sum_353;
+  assign sum_353 = {6'h0, sample_pair_pixel_1_q} + (equal_328_s17_q ? 14'h0 : averager_running_1_q);
   // hls/stages/agreement.hpp:326
   logic all_of_skin;
-  assign all_of_skin = equal_327_s17_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
+  assign all_of_skin = equal_328_s17_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
   // hls/stages/agreement.hpp:157
-  logic not_1377;
-  assign not_1377 = ~so_s17_q;
+  logic not_1378;
+  assign not_1378 = ~so_s17_q;
   // hls/stages/agreement.hpp:324
-  logic and_1378;
-  assign and_1378 = not_1377 & inside_v_s17_q[4];
+  logic and_1379;
+  assign and_1379 = not_1378 & inside_v_s17_q[4];
   // hls/stages/agreement.hpp:226
-  logic select_1651;
-  assign select_1651 = sample_pair_whole_s17_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_1652;
+  assign select_1652 = sample_pair_whole_s17_q ? all_of_skin : averager_running_of_skin_q;
   // hls/stages/registration.hpp:40
-  logic [8:0] select_2076;
-  assign select_2076 = ({wide_s17_q, 1'b0} < size_3_s17_q) ? {wide_s17_q, 1'b0} : size_3_s17_q;
+  logic [8:0] select_2079;
+  assign select_2079 = ({wide_s17_q, 1'b0} < size_3_s17_q) ? {wide_s17_q, 1'b0} : size_3_s17_q;
   logic [8:0] taken;
-  assign taken = ~select_2076;
+  assign taken = ~select_2079;
   // hls/stages/registration.hpp:209
-  logic [11:0] sum_2098;
-  assign sum_2098 = sum_2094_s17_q + {sum_2097_s17_q, select_2095_s17_q};
-  logic [9:0] sum_2099;
-  assign sum_2099 = {difference_2091_s17_q, select_2089_s17_q} + sum_2098[11:2];
+  logic [11:0] sum_2101;
+  assign sum_2101 = sum_2097_s17_q + {sum_2100_s17_q, select_2098_s17_q};
+  logic [9:0] sum_2102;
+  assign sum_2102 = {difference_2094_s17_q, select_2092_s17_q} + sum_2101[11:2];
   // hls/stages/agreement.hpp:161
-  logic or_2345;
-  assign or_2345 = segment_starts_q | not_1377;
+  logic or_2348;
+  assign or_2348 = segment_starts_q | not_1378;
   // hls/stages/agreement.hpp:324
-  logic select_2349;
-  assign select_2349 = ends_cell_s17_q ? (inside_v_s17_q[0] ? select_2347_s17_q : or_2345) : or_2345;
+  logic select_2352;
+  assign select_2352 = ends_cell_s17_q ? (inside_v_s17_q[0] ? select_2350_s17_q : or_2348) : or_2348;
 
   // Memory best_left, write
   logic [6:0] best_left_waddr;
   assign best_left_waddr = x_s17_2_q;
   logic best_left_we;
-  assign best_left_we = s17_en & and_1319_s17_q;
+  assign best_left_we = s17_en & and_1320_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1318_s17_q, select_1317_s17_q, select_1313_s17_q, select_1309_s17_q, select_1284_s17_q, select_1283_s17_q, select_1278_s17_q};
+    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1319_s17_q, select_1318_s17_q, select_1300_s17_q, select_1296_s17_q, select_1285_s17_q, select_1284_s17_q, select_1279_s17_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] best_left_raddr_s7_sim;
@@ -3551,9 +3556,9 @@ module horopter_agreement (
   logic [6:0] best_right_waddr;
   assign best_right_waddr = right_s17_q;
   logic best_right_we;
-  assign best_right_we = s17_en & and_1319_s17_q;
+  assign best_right_we = s17_en & and_1320_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1336_s17_q, select_1335_s17_q, select_1332_s17_q, select_1331_s17_q};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1337_s17_q, select_1336_s17_q, select_1333_s17_q, select_1332_s17_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] best_right_raddr_s11_sim;
@@ -3622,11 +3627,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_1376_s17_q;
+  assign shown_right_waddr = select_1377_s17_q;
   logic shown_right_we;
-  assign shown_right_we = s17_en & and_1381_s17_q;
+  assign shown_right_we = s17_en & and_1382_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1378, not_1377};
+    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1379, not_1378};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -3651,8 +3656,8 @@ module horopter_agreement (
       sample_pair_pixel_0_q <= pixel_0_s17_q;
       sample_pair_pixel_1_q <= pixel_1_s17_q;
       sample_of_skin_q <= mask_s17_q;
-      averager_running_of_skin_q <= select_1651;
-      segment_starts_q <= equal_1337_s17_q ? or_2345 : (so_s17_q ? select_2349 : or_2345);
+      averager_running_of_skin_q <= select_1652;
+      segment_starts_q <= equal_1338_s17_q ? or_2348 : (so_s17_q ? select_2352 : or_2348);
     end
   end
 
@@ -3665,8 +3670,8 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s17_en) begin
-      averager_running_0_q <= sample_pair_whole_s17_q ? select_346 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s17_q ? sum_352 : averager_running_1_q;
+      averager_running_0_q <= sample_pair_whole_s17_q ? select_347 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s17_q ? sum_353 : averager_running_1_q;
     end
   end
 
@@ -3680,43 +3685,43 @@ module horopter_agreement (
   logic ends_cell_s18_q;
   logic lower_half_s18_q;
   logic [11:0] registration_slope_s18_q;
-  logic [8:0] select_333_s18_q;
-  logic and_342_s18_q;
+  logic [8:0] select_334_s18_q;
   logic and_343_s18_q;
+  logic and_344_s18_q;
   logic [29:0] averager_memory_rdata_s18_q;
-  logic [13:0] select_346_s18_q;
-  logic equal_348_s18_q;
-  logic [13:0] sum_352_s18_q;
+  logic [13:0] select_347_s18_q;
+  logic equal_349_s18_q;
+  logic [13:0] sum_353_s18_q;
   logic whole_s18_q;
   logic all_of_skin_s18_q;
   logic [6:0] column_s18_q;
-  logic and_366_s18_q;
-  logic and_368_s18_q;
-  logic equal_371_s18_q;
+  logic and_367_s18_q;
+  logic and_369_s18_q;
+  logic equal_372_s18_q;
   logic so_s18_q;
-  logic equal_429_s18_q;
-  logic equal_1337_s18_q;
-  logic not_1338_s18_q;
+  logic equal_430_s18_q;
+  logic equal_1338_s18_q;
+  logic not_1339_s18_q;
   logic [13:0] inside_v_s18_q;
-  logic and_1372_s18_q;
+  logic and_1373_s18_q;
   logic [1:0] shown_right_rdata_s18_q;
   logic right_2_s18_q;
-  logic sum_1458_s18_q;
-  logic and_1464_s18_q;
+  logic sum_1459_s18_q;
+  logic and_1465_s18_q;
   logic textured_s18_q;
   logic [17:0] seen_columns_rdata_s18_q;
-  logic and_1598_s18_q;
-  logic equal_1738_s18_q;
-  logic equal_1859_s18_q;
-  logic less_2060_s18_q;
+  logic and_1599_s18_q;
+  logic equal_1739_s18_q;
+  logic equal_1863_s18_q;
+  logic less_2063_s18_q;
   logic [7:0] wide_s18_q;
   logic [8:0] taken_s18_q;
-  logic [7:0] not_2078_s18_q;
-  logic [7:0] sum_2099_s18_q;
-  logic and_2113_s18_q;
-  logic less_2118_s18_q;
-  logic less_2304_s18_q;
-  logic equal_2511_s18_q;
+  logic [7:0] not_2081_s18_q;
+  logic [7:0] sum_2102_s18_q;
+  logic and_2116_s18_q;
+  logic less_2121_s18_q;
+  logic less_2307_s18_q;
+  logic equal_2514_s18_q;
   always_ff @(posedge clk_i) begin
     if (s17_en) begin
       saturated_s18_q <= saturated_s17_q;
@@ -3729,43 +3734,43 @@ module horopter_agreement (
       ends_cell_s18_q <= ends_cell_s17_q;
       lower_half_s18_q <= lower_half_s17_q;
       registration_slope_s18_q <= registration_slope_s17_q;
-      select_333_s18_q <= select_333_s17_q;
-      and_342_s18_q <= and_342_s17_q;
+      select_334_s18_q <= select_334_s17_q;
       and_343_s18_q <= and_343_s17_q;
+      and_344_s18_q <= and_344_s17_q;
       averager_memory_rdata_s18_q <= averager_memory_rdata_q;
-      select_346_s18_q <= select_346;
-      equal_348_s18_q <= equal_348_s17_q;
-      sum_352_s18_q <= sum_352;
+      select_347_s18_q <= select_347;
+      equal_349_s18_q <= equal_349_s17_q;
+      sum_353_s18_q <= sum_353;
       whole_s18_q <= whole_s17_q;
       all_of_skin_s18_q <= all_of_skin;
       column_s18_q <= column_s17_q;
-      and_366_s18_q <= and_366_s17_q;
-      and_368_s18_q <= and_368_s17_q;
-      equal_371_s18_q <= equal_371_s17_q;
+      and_367_s18_q <= and_367_s17_q;
+      and_369_s18_q <= and_369_s17_q;
+      equal_372_s18_q <= equal_372_s17_q;
       so_s18_q <= so_s17_q;
-      equal_429_s18_q <= equal_429_s17_q;
-      equal_1337_s18_q <= equal_1337_s17_q;
-      not_1338_s18_q <= not_1338_s17_q;
+      equal_430_s18_q <= equal_430_s17_q;
+      equal_1338_s18_q <= equal_1338_s17_q;
+      not_1339_s18_q <= not_1339_s17_q;
       inside_v_s18_q <= inside_v_s17_q;
-      and_1372_s18_q <= and_1372_s17_q;
+      and_1373_s18_q <= and_1373_s17_q;
       shown_right_rdata_s18_q <= shown_right_rdata_q;
       right_2_s18_q <= right_2_s17_q;
-      sum_1458_s18_q <= sum_1458_s17_q;
-      and_1464_s18_q <= and_1464_s17_q;
+      sum_1459_s18_q <= sum_1459_s17_q;
+      and_1465_s18_q <= and_1465_s17_q;
       textured_s18_q <= textured_s17_q;
       seen_columns_rdata_s18_q <= seen_columns_rdata_q;
-      and_1598_s18_q <= and_1598_s17_q;
-      equal_1738_s18_q <= equal_1738_s17_q;
-      equal_1859_s18_q <= equal_1859_s17_q;
-      less_2060_s18_q <= slot_s17_q < 3'h3;
+      and_1599_s18_q <= and_1599_s17_q;
+      equal_1739_s18_q <= equal_1739_s17_q;
+      equal_1863_s18_q <= equal_1863_s17_q;
+      less_2063_s18_q <= slot_s17_q < 3'h3;
       wide_s18_q <= wide_s17_q;
       taken_s18_q <= taken;
-      not_2078_s18_q <= ~wide_s17_q;
-      sum_2099_s18_q <= sum_2099[9:2];
-      and_2113_s18_q <= and_2113_s17_q;
-      less_2118_s18_q <= less_2118_s17_q;
-      less_2304_s18_q <= less_2304_s17_q;
-      equal_2511_s18_q <= equal_2511_s17_q;
+      not_2081_s18_q <= ~wide_s17_q;
+      sum_2102_s18_q <= sum_2102[9:2];
+      and_2116_s18_q <= and_2116_s17_q;
+      less_2121_s18_q <= less_2121_s17_q;
+      less_2307_s18_q <= less_2307_s17_q;
+      equal_2514_s18_q <= equal_2514_s17_q;
     end
   end
 
@@ -3779,93 +3784,93 @@ module horopter_agreement (
   logic [8:0] region_down_next_q;
   logic segment_started_q;
   // hls/stages/census.hpp:105
-  logic [13:0] sum_350;
-  assign sum_350 = select_346_s18_q + (equal_348_s18_q ? 14'h0 : averager_memory_rdata_s18_q[13:0]);
-  logic [13:0] sum_354;
-  assign sum_354 = sum_352_s18_q + (equal_348_s18_q ? 14'h0 : averager_memory_rdata_s18_q[27:14]);
+  logic [13:0] sum_351;
+  assign sum_351 = select_347_s18_q + (equal_349_s18_q ? 14'h0 : averager_memory_rdata_s18_q[13:0]);
+  logic [13:0] sum_355;
+  assign sum_355 = sum_353_s18_q + (equal_349_s18_q ? 14'h0 : averager_memory_rdata_s18_q[27:14]);
   // hls/stages/census.hpp:106
-  logic and_358;
-  assign and_358 = whole_s18_q & (averager_memory_rdata_s18_q[28] | equal_348_s18_q);
+  logic and_359;
+  assign and_359 = whole_s18_q & (averager_memory_rdata_s18_q[28] | equal_349_s18_q);
   // hls/stages/census.hpp:107
-  logic and_362;
-  assign and_362 = all_of_skin_s18_q & (averager_memory_rdata_s18_q[29] | equal_348_s18_q);
+  logic and_363;
+  assign and_363 = all_of_skin_s18_q & (averager_memory_rdata_s18_q[29] | equal_349_s18_q);
   // hls/stages/agreement.hpp:161
-  logic [7:0] select_1445;
-  assign select_1445 = so_s18_q ? region_columns_q : 8'h1;
+  logic [7:0] select_1446;
+  assign select_1446 = so_s18_q ? region_columns_q : 8'h1;
   // hls/stages/agreement.hpp:936
-  logic or_1448;
-  assign or_1448 = select_1445[7] | (~({select_1445[5], select_1445[3], select_1445[1]} == 3'h0));
+  logic or_1449;
+  assign or_1449 = select_1446[7] | (~({select_1446[5], select_1446[3], select_1446[1]} == 3'h0));
   // hls/stages/agreement.hpp:214
   logic explained;
   assign explained = inside_v_s18_q[0] & inside_v_s18_q[3];
-  logic and_1478;
-  assign and_1478 = inside_v_s18_q[0] & ({inside_v_s18_q[4], inside_v_s18_q[2]} == 2'h3);
+  logic and_1479;
+  assign and_1479 = inside_v_s18_q[0] & ({inside_v_s18_q[4], inside_v_s18_q[2]} == 2'h3);
   // hls/stages/agreement.hpp:907
-  logic select_1486;
-  assign select_1486 = slot_s18_q[2] ? shown_shown_q : inside_v_s18_q[3];
+  logic select_1487;
+  assign select_1487 = slot_s18_q[2] ? shown_shown_q : inside_v_s18_q[3];
   // hls/stages/agreement.hpp:214
   logic shown;
-  assign shown = inside_v_s18_q[0] & (shown_right_rdata_s18_q[0] | select_1486);
+  assign shown = inside_v_s18_q[0] & (shown_right_rdata_s18_q[0] | select_1487);
   // hls/stages/agreement.hpp:907
-  logic select_1489;
-  assign select_1489 = slot_s18_q[2] ? shown_nearer_q : inside_v_s18_q[4];
+  logic select_1490;
+  assign select_1490 = slot_s18_q[2] ? shown_nearer_q : inside_v_s18_q[4];
   // hls/stages/agreement.hpp:214
   logic near;
-  assign near = inside_v_s18_q[0] & (select_1486 ? select_1489 : shown_right_rdata_s18_q[1]);
+  assign near = inside_v_s18_q[0] & (select_1487 ? select_1490 : shown_right_rdata_s18_q[1]);
   // hls/stages/agreement.hpp:920
-  logic [7:0] select_1539;
-  assign select_1539 = inside_v_s18_q[0] ? (sum_1458_s18_q ? select_1445 : {select_1445[6:0], 1'b0}) : select_1445;
+  logic [7:0] select_1540;
+  assign select_1540 = inside_v_s18_q[0] ? (sum_1459_s18_q ? select_1446 : {select_1446[6:0], 1'b0}) : select_1446;
   // hls/stages/agreement.hpp:936
-  logic or_1542;
-  assign or_1542 = select_1539[7] | (~({select_1539[5], select_1539[3], select_1539[1]} == 3'h0));
+  logic or_1543;
+  assign or_1543 = select_1540[7] | (~({select_1540[5], select_1540[3], select_1540[1]} == 3'h0));
   // hls/stages/agreement.hpp:920
-  logic and_2002;
-  assign and_2002 = seen_columns_rdata_s18_q[7] & inside_v_s18_q[0];
-  logic and_2003;
-  assign and_2003 = seen_columns_rdata_s18_q[2] & inside_v_s18_q[0];
+  logic and_2005;
+  assign and_2005 = seen_columns_rdata_s18_q[7] & inside_v_s18_q[0];
+  logic and_2006;
+  assign and_2006 = seen_columns_rdata_s18_q[2] & inside_v_s18_q[0];
   // hls/stages/registration.hpp:37
-  logic not_2071;
-  assign not_2071 = ~registration_displacement_over_q[9];
+  logic not_2074;
+  assign not_2074 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2060_s18_q ? {1'b0, wide_s18_q, 1'b0} : {registration_displacement_over_q[8:0], not_2071};
+  assign left = less_2063_s18_q ? {1'b0, wide_s18_q, 1'b0} : {registration_displacement_over_q[8:0], not_2074};
   // hls/stages/registration.hpp:40
-  logic [7:0] select_2079;
-  assign select_2079 = registration_displacement_over_q[9] ? wide_s18_q : not_2078_s18_q;
+  logic [7:0] select_2082;
+  assign select_2082 = registration_displacement_over_q[9] ? wide_s18_q : not_2081_s18_q;
   logic [9:0] taken_2;
-  assign taken_2 = less_2060_s18_q ? {taken_s18_q, 1'b1} : {not_2071, select_2079, not_2071};
+  assign taken_2 = less_2063_s18_q ? {taken_s18_q, 1'b1} : {not_2074, select_2082, not_2074};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2081;
-  assign sum_2081 = {left, 1'b1} + {taken_2, less_2060_s18_q};
+  logic [10:0] sum_2084;
+  assign sum_2084 = {left, 1'b1} + {taken_2, less_2063_s18_q};
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_2100;
-  assign sum_2100 = {registration_slope_s18_q[11], registration_slope_s18_q} + {{5{sum_2099_s18_q[7]}}, sum_2099_s18_q};
+  logic [12:0] sum_2103;
+  assign sum_2103 = {registration_slope_s18_q[11], registration_slope_s18_q} + {{5{sum_2102_s18_q[7]}}, sum_2102_s18_q};
   // hls/stages/agreement.hpp:324
-  logic select_2301;
-  assign select_2301 = equal_1337_s18_q ? shown_shown_q : (so_s18_q ? select_1486 : shown_shown_q);
-  logic select_2303;
-  assign select_2303 = equal_1337_s18_q ? shown_nearer_q : (so_s18_q ? select_1489 : shown_nearer_q);
+  logic select_2304;
+  assign select_2304 = equal_1338_s18_q ? shown_shown_q : (so_s18_q ? select_1487 : shown_shown_q);
+  logic select_2306;
+  assign select_2306 = equal_1338_s18_q ? shown_nearer_q : (so_s18_q ? select_1490 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_2305;
-  assign sum_2305 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_2308;
+  assign sum_2308 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:324
-  logic [7:0] select_2314;
-  assign select_2314 = equal_1337_s18_q ? select_1445 : (so_s18_q ? (ends_cell_s18_q ? select_1539 : select_1445) : 8'h1);
+  logic [7:0] select_2317;
+  assign select_2317 = equal_1338_s18_q ? select_1446 : (so_s18_q ? (ends_cell_s18_q ? select_1540 : select_1446) : 8'h1);
   // hls/stages/agreement.hpp:368
-  logic [8:0] select_2328;
-  assign select_2328 = equal_429_s18_q ? {difference_2326[7], difference_2326} : (less_2304_s18_q ? region_down_next_q : region_down_rest_q);
+  logic [8:0] select_2331;
+  assign select_2331 = equal_430_s18_q ? {difference_2329[7], difference_2329} : (less_2307_s18_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:427
-  logic [8:0] select_2330;
-  assign select_2330 = and_368_s18_q ? (equal_1859_s18_q ? select_2328 : region_down_rest_q) : region_down_rest_q;
+  logic [8:0] select_2333;
+  assign select_2333 = and_369_s18_q ? (equal_1863_s18_q ? select_2331 : region_down_rest_q) : region_down_rest_q;
   // hls/stages/agreement.hpp:368
-  logic [7:0] select_2332;
-  assign select_2332 = equal_429_s18_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
+  logic [7:0] select_2335;
+  assign select_2335 = equal_430_s18_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
   // hls/stages/agreement.hpp:427
-  logic [7:0] select_2334;
-  assign select_2334 = and_368_s18_q ? (equal_1859_s18_q ? select_2332 : region_down_back_q) : region_down_back_q;
+  logic [7:0] select_2337;
+  assign select_2337 = and_369_s18_q ? (equal_1863_s18_q ? select_2335 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:36
-  logic [8:0] select_2336;
-  assign select_2336 = sum_2305[7] ? {1'b1, sum_2305[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
+  logic [8:0] select_2339;
+  assign select_2339 = sum_2308[7] ? {1'b1, sum_2308[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
 
   // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:262; read in stage 18, written in stage 20: 18 < 20 < 18 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -3877,7 +3882,7 @@ module horopter_agreement (
   logic [6:0] census_memory_raddr;
   assign census_memory_raddr = column_s18_q;
   logic census_memory_re;
-  assign census_memory_re = s18_en & and_368_s18_q;
+  assign census_memory_re = s18_en & and_369_s18_q;
   logic [77:0] census_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
@@ -3894,13 +3899,13 @@ module horopter_agreement (
       region_down_next_q <= 9'h0;
       segment_started_q <= 1'b0;
     end else if (s18_en) begin
-      registration_displacement_over_q <= so_s18_q ? sum_2081[10:1] : registration_displacement_over_q;
-      shown_shown_q <= select_2301;
-      shown_nearer_q <= select_2303;
-      region_columns_q <= select_2314;
-      region_down_rest_q <= select_2330;
-      region_down_back_q <= select_2334;
-      region_down_next_q <= select_2336;
+      registration_displacement_over_q <= so_s18_q ? sum_2084[10:1] : registration_displacement_over_q;
+      shown_shown_q <= select_2304;
+      shown_nearer_q <= select_2306;
+      region_columns_q <= select_2317;
+      region_down_rest_q <= select_2333;
+      region_down_back_q <= select_2337;
+      region_down_next_q <= select_2339;
       segment_started_q <= ~segment_starts_q;
     end
   end
@@ -3919,61 +3924,61 @@ module horopter_agreement (
   logic lower_half_s19_q;
   logic registration_displacement_over_s19_q;
   logic segment_started_s19_q;
-  logic [8:0] select_333_s19_q;
-  logic and_342_s19_q;
+  logic [8:0] select_334_s19_q;
   logic and_343_s19_q;
-  logic [13:0] sum_350_s19_q;
-  logic [13:0] sum_354_s19_q;
-  logic and_358_s19_q;
-  logic and_362_s19_q;
+  logic and_344_s19_q;
+  logic [13:0] sum_351_s19_q;
+  logic [13:0] sum_355_s19_q;
+  logic and_359_s19_q;
+  logic and_363_s19_q;
   logic [6:0] column_s19_q;
-  logic and_366_s19_q;
-  logic and_368_s19_q;
-  logic equal_371_s19_q;
+  logic and_367_s19_q;
+  logic and_369_s19_q;
+  logic equal_372_s19_q;
   logic so_s19_q;
-  logic equal_429_s19_q;
-  logic equal_1337_s19_q;
-  logic not_1338_s19_q;
+  logic equal_430_s19_q;
+  logic equal_1338_s19_q;
+  logic not_1339_s19_q;
   logic [11:0] inside_v_s19_q;
-  logic and_1372_s19_q;
-  logic equal_1382_s19_q;
+  logic and_1373_s19_q;
+  logic equal_1383_s19_q;
   logic right_2_s19_q;
-  logic or_1448_s19_q;
-  logic or_1451_s19_q;
-  logic or_1454_s19_q;
-  logic and_1464_s19_q;
+  logic or_1449_s19_q;
+  logic or_1452_s19_q;
+  logic or_1455_s19_q;
+  logic and_1465_s19_q;
   logic textured_s19_q;
   logic explained_s19_q;
-  logic and_1478_s19_q;
+  logic and_1479_s19_q;
   logic [12:0] seen_columns_rdata_s19_q;
   logic shown_s19_q;
   logic near_s19_q;
-  logic and_1524_s19_q;
-  logic and_1526_s19_q;
-  logic or_1542_s19_q;
-  logic or_1545_s19_q;
-  logic or_1548_s19_q;
-  logic and_1559_s19_q;
-  logic and_1561_s19_q;
+  logic and_1525_s19_q;
+  logic and_1527_s19_q;
+  logic or_1543_s19_q;
+  logic or_1546_s19_q;
+  logic or_1549_s19_q;
+  logic and_1560_s19_q;
   logic and_1562_s19_q;
-  logic and_1575_s19_q;
-  logic and_1577_s19_q;
+  logic and_1563_s19_q;
+  logic and_1576_s19_q;
   logic and_1578_s19_q;
-  logic and_1598_s19_q;
-  logic equal_1738_s19_q;
-  logic equal_1859_s19_q;
-  logic and_2000_s19_q;
-  logic and_2001_s19_q;
-  logic [1:0] sum_2005_s19_q;
-  logic [7:0] sum_2100_s19_q;
-  logic less_2101_s19_q;
-  logic less_2102_s19_q;
-  logic and_2113_s19_q;
-  logic less_2118_s19_q;
-  logic less_2304_s19_q;
-  logic sum_2305_s19_q;
-  logic and_2501_s19_q;
-  logic equal_2511_s19_q;
+  logic and_1579_s19_q;
+  logic and_1599_s19_q;
+  logic equal_1739_s19_q;
+  logic equal_1863_s19_q;
+  logic and_2003_s19_q;
+  logic and_2004_s19_q;
+  logic [1:0] sum_2008_s19_q;
+  logic [7:0] sum_2103_s19_q;
+  logic less_2104_s19_q;
+  logic less_2105_s19_q;
+  logic and_2116_s19_q;
+  logic less_2121_s19_q;
+  logic less_2307_s19_q;
+  logic sum_2308_s19_q;
+  logic and_2504_s19_q;
+  logic equal_2514_s19_q;
   always_ff @(posedge clk_i) begin
     if (s18_en) begin
       pixel_0_s19_q <= sample_pair_pixel_0_q;
@@ -3990,61 +3995,61 @@ module horopter_agreement (
       lower_half_s19_q <= lower_half_s18_q;
       registration_displacement_over_s19_q <= registration_displacement_over_q[9];
       segment_started_s19_q <= segment_started_q;
-      select_333_s19_q <= select_333_s18_q;
-      and_342_s19_q <= and_342_s18_q;
+      select_334_s19_q <= select_334_s18_q;
       and_343_s19_q <= and_343_s18_q;
-      sum_350_s19_q <= sum_350;
-      sum_354_s19_q <= sum_354;
-      and_358_s19_q <= and_358;
-      and_362_s19_q <= and_362;
+      and_344_s19_q <= and_344_s18_q;
+      sum_351_s19_q <= sum_351;
+      sum_355_s19_q <= sum_355;
+      and_359_s19_q <= and_359;
+      and_363_s19_q <= and_363;
       column_s19_q <= column_s18_q;
-      and_366_s19_q <= and_366_s18_q;
-      and_368_s19_q <= and_368_s18_q;
-      equal_371_s19_q <= equal_371_s18_q;
+      and_367_s19_q <= and_367_s18_q;
+      and_369_s19_q <= and_369_s18_q;
+      equal_372_s19_q <= equal_372_s18_q;
       so_s19_q <= so_s18_q;
-      equal_429_s19_q <= equal_429_s18_q;
-      equal_1337_s19_q <= equal_1337_s18_q;
-      not_1338_s19_q <= not_1338_s18_q;
+      equal_430_s19_q <= equal_430_s18_q;
+      equal_1338_s19_q <= equal_1338_s18_q;
+      not_1339_s19_q <= not_1339_s18_q;
       inside_v_s19_q <= {inside_v_s18_q[13:5], inside_v_s18_q[2:0]};
-      and_1372_s19_q <= and_1372_s18_q;
-      equal_1382_s19_q <= x_s18_q[6:4] == 3'h7;
+      and_1373_s19_q <= and_1373_s18_q;
+      equal_1383_s19_q <= x_s18_q[6:4] == 3'h7;
       right_2_s19_q <= right_2_s18_q;
-      or_1448_s19_q <= or_1448;
-      or_1451_s19_q <= select_1445[7] | (~({select_1445[6], select_1445[3:2]} == 3'h0));
-      or_1454_s19_q <= select_1445[7] | (~(select_1445[6:4] == 3'h0));
-      and_1464_s19_q <= and_1464_s18_q;
+      or_1449_s19_q <= or_1449;
+      or_1452_s19_q <= select_1446[7] | (~({select_1446[6], select_1446[3:2]} == 3'h0));
+      or_1455_s19_q <= select_1446[7] | (~(select_1446[6:4] == 3'h0));
+      and_1465_s19_q <= and_1465_s18_q;
       textured_s19_q <= textured_s18_q;
       explained_s19_q <= explained;
-      and_1478_s19_q <= and_1478;
+      and_1479_s19_q <= and_1479;
       seen_columns_rdata_s19_q <= {seen_columns_rdata_s18_q[13:7], seen_columns_rdata_s18_q[5:0]};
       shown_s19_q <= shown;
       near_s19_q <= near;
-      and_1524_s19_q <= seen_columns_rdata_s18_q[14] & inside_v_s18_q[0];
-      and_1526_s19_q <= seen_columns_rdata_s18_q[5] & inside_v_s18_q[0];
-      or_1542_s19_q <= or_1542;
-      or_1545_s19_q <= select_1539[7] | (~({select_1539[6], select_1539[3:2]} == 3'h0));
-      or_1548_s19_q <= select_1539[7] | (~(select_1539[6:4] == 3'h0));
-      and_1559_s19_q <= seen_columns_rdata_s18_q[16] & inside_v_s18_q[0];
-      and_1561_s19_q <= seen_columns_rdata_s18_q[8] & inside_v_s18_q[0];
-      and_1562_s19_q <= seen_columns_rdata_s18_q[3] & inside_v_s18_q[0];
-      and_1575_s19_q <= seen_columns_rdata_s18_q[17] & inside_v_s18_q[0];
-      and_1577_s19_q <= seen_columns_rdata_s18_q[9] & inside_v_s18_q[0];
-      and_1578_s19_q <= seen_columns_rdata_s18_q[4] & inside_v_s18_q[0];
-      and_1598_s19_q <= and_1598_s18_q;
-      equal_1738_s19_q <= equal_1738_s18_q;
-      equal_1859_s19_q <= equal_1859_s18_q;
-      and_2000_s19_q <= seen_columns_rdata_s18_q[15] & inside_v_s18_q[0];
-      and_2001_s19_q <= seen_columns_rdata_s18_q[11] & inside_v_s18_q[0];
-      sum_2005_s19_q <= {1'b0, and_2002} + ({1'b0, explained} + {1'b0, and_2003});
-      sum_2100_s19_q <= sum_2100[7:0];
-      less_2101_s19_q <= $signed(6'h0) < $signed(sum_2100[12:7]);
-      less_2102_s19_q <= $signed(sum_2100[12:7]) < $signed(6'h3f);
-      and_2113_s19_q <= and_2113_s18_q;
-      less_2118_s19_q <= less_2118_s18_q;
-      less_2304_s19_q <= less_2304_s18_q;
-      sum_2305_s19_q <= sum_2305[7];
-      and_2501_s19_q <= seen_columns_rdata_s18_q[6] & inside_v_s18_q[0];
-      equal_2511_s19_q <= equal_2511_s18_q;
+      and_1525_s19_q <= seen_columns_rdata_s18_q[14] & inside_v_s18_q[0];
+      and_1527_s19_q <= seen_columns_rdata_s18_q[5] & inside_v_s18_q[0];
+      or_1543_s19_q <= or_1543;
+      or_1546_s19_q <= select_1540[7] | (~({select_1540[6], select_1540[3:2]} == 3'h0));
+      or_1549_s19_q <= select_1540[7] | (~(select_1540[6:4] == 3'h0));
+      and_1560_s19_q <= seen_columns_rdata_s18_q[16] & inside_v_s18_q[0];
+      and_1562_s19_q <= seen_columns_rdata_s18_q[8] & inside_v_s18_q[0];
+      and_1563_s19_q <= seen_columns_rdata_s18_q[3] & inside_v_s18_q[0];
+      and_1576_s19_q <= seen_columns_rdata_s18_q[17] & inside_v_s18_q[0];
+      and_1578_s19_q <= seen_columns_rdata_s18_q[9] & inside_v_s18_q[0];
+      and_1579_s19_q <= seen_columns_rdata_s18_q[4] & inside_v_s18_q[0];
+      and_1599_s19_q <= and_1599_s18_q;
+      equal_1739_s19_q <= equal_1739_s18_q;
+      equal_1863_s19_q <= equal_1863_s18_q;
+      and_2003_s19_q <= seen_columns_rdata_s18_q[15] & inside_v_s18_q[0];
+      and_2004_s19_q <= seen_columns_rdata_s18_q[11] & inside_v_s18_q[0];
+      sum_2008_s19_q <= {1'b0, and_2005} + ({1'b0, explained} + {1'b0, and_2006});
+      sum_2103_s19_q <= sum_2103[7:0];
+      less_2104_s19_q <= $signed(6'h0) < $signed(sum_2103[12:7]);
+      less_2105_s19_q <= $signed(sum_2103[12:7]) < $signed(6'h3f);
+      and_2116_s19_q <= and_2116_s18_q;
+      less_2121_s19_q <= less_2121_s18_q;
+      less_2307_s19_q <= less_2307_s18_q;
+      sum_2308_s19_q <= sum_2308[7];
+      and_2504_s19_q <= seen_columns_rdata_s18_q[6] & inside_v_s18_q[0];
+      equal_2514_s19_q <= equal_2514_s18_q;
     end
   end
 
@@ -4064,149 +4069,149 @@ module horopter_agreement (
   logic centres_values_1_of_skin_q;
   // hls/stages/census.hpp:134
   logic [8:0] grey;
-  assign grey = and_342_s19_q ? sum_350_s19_q[13:5] : 9'h0;
+  assign grey = and_343_s19_q ? sum_351_s19_q[13:5] : 9'h0;
   // hls/stages/census.hpp:135
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_371_s19_q ? 11'h0 : averager_total_0_q);
+  assign total = {2'h0, grey} + (equal_372_s19_q ? 11'h0 : averager_total_0_q);
   // hls/stages/census.hpp:134
   logic [8:0] grey_2;
-  assign grey_2 = and_342_s19_q ? sum_354_s19_q[13:5] : 9'h0;
+  assign grey_2 = and_343_s19_q ? sum_355_s19_q[13:5] : 9'h0;
   // hls/stages/census.hpp:135
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_371_s19_q ? 11'h0 : averager_total_1_q);
+  assign total_2 = {2'h0, grey_2} + (equal_372_s19_q ? 11'h0 : averager_total_1_q);
   // hls/stages/census.hpp:134
-  logic and_379;
-  assign and_379 = and_342_s19_q & and_358_s19_q;
+  logic and_380;
+  assign and_380 = and_343_s19_q & and_359_s19_q;
   // hls/stages/census.hpp:110
-  logic select_381;
-  assign select_381 = equal_371_s19_q ? and_379 : (averager_mask_q & and_379);
+  logic select_382;
+  assign select_382 = equal_372_s19_q ? and_380 : (averager_mask_q & and_380);
   // hls/stages/agreement.hpp:226
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s19_q & select_381;
+  assign whole_2 = sample_pair_whole_s19_q & select_382;
   // hls/stages/census.hpp:134
-  logic and_383;
-  assign and_383 = and_342_s19_q & and_362_s19_q;
+  logic and_384;
+  assign and_384 = and_343_s19_q & and_363_s19_q;
   // hls/stages/census.hpp:110
-  logic select_385;
-  assign select_385 = equal_371_s19_q ? and_383 : (averager_of_skin_q & and_383);
+  logic select_386;
+  assign select_386 = equal_372_s19_q ? and_384 : (averager_of_skin_q & and_384);
   // hls/stages/agreement.hpp:324
-  logic [5:0] select_1455;
-  assign select_1455 = equal_1337_s19_q ? x_s19_q[5:0] : {region_row_q, or_1454_s19_q, or_1451_s19_q, or_1448_s19_q};
+  logic [5:0] select_1456;
+  assign select_1456 = equal_1338_s19_q ? x_s19_q[5:0] : {region_row_q, or_1455_s19_q, or_1452_s19_q, or_1449_s19_q};
   // hls/stages/agreement.hpp:1014
-  logic not_1456;
-  assign not_1456 = ~equal_1382_s19_q;
+  logic not_1457;
+  assign not_1457 = ~equal_1383_s19_q;
   // hls/stages/agreement.hpp:214
-  logic and_1485;
-  assign and_1485 = inside_v_s19_q[0] & inside_v_s19_q[2];
+  logic and_1486;
+  assign and_1486 = inside_v_s19_q[0] & inside_v_s19_q[2];
   // hls/stages/agreement.hpp:920
-  logic and_1527;
-  assign and_1527 = seen_columns_rdata_s19_q[0] & inside_v_s19_q[0];
+  logic and_1528;
+  assign and_1528 = seen_columns_rdata_s19_q[0] & inside_v_s19_q[0];
   // hls/stages/agreement.hpp:973
-  logic [1:0] sum_1529;
-  assign sum_1529 = {1'b0, and_1526_s19_q} + ({1'b0, textured_s19_q} + {1'b0, and_1527});
+  logic [1:0] sum_1530;
+  assign sum_1530 = {1'b0, and_1527_s19_q} + ({1'b0, textured_s19_q} + {1'b0, and_1528});
   // hls/stages/agreement.hpp:920
-  logic and_1560;
-  assign and_1560 = seen_columns_rdata_s19_q[11] & inside_v_s19_q[0];
+  logic and_1561;
+  assign and_1561 = seen_columns_rdata_s19_q[11] & inside_v_s19_q[0];
   // hls/stages/agreement.hpp:975
-  logic [1:0] sum_1564;
-  assign sum_1564 = {1'b0, and_1561_s19_q} + ({1'b0, shown_s19_q} + {1'b0, and_1562_s19_q});
+  logic [1:0] sum_1565;
+  assign sum_1565 = {1'b0, and_1562_s19_q} + ({1'b0, shown_s19_q} + {1'b0, and_1563_s19_q});
   // hls/stages/agreement.hpp:920
-  logic and_1576;
-  assign and_1576 = seen_columns_rdata_s19_q[12] & inside_v_s19_q[0];
+  logic and_1577;
+  assign and_1577 = seen_columns_rdata_s19_q[12] & inside_v_s19_q[0];
   // hls/stages/agreement.hpp:976
-  logic [1:0] sum_1580;
-  assign sum_1580 = {1'b0, and_1577_s19_q} + ({1'b0, near_s19_q} + {1'b0, and_1578_s19_q});
+  logic [1:0] sum_1581;
+  assign sum_1581 = {1'b0, and_1578_s19_q} + ({1'b0, near_s19_q} + {1'b0, and_1579_s19_q});
   // hls/stages/agreement.hpp:226
-  logic [10:0] select_1630;
-  assign select_1630 = sample_pair_whole_s19_q ? (and_366_s19_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_1632;
-  assign select_1632 = sample_pair_whole_s19_q ? (and_366_s19_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_1653;
-  assign select_1653 = sample_pair_whole_s19_q ? (and_366_s19_q ? select_381 : averager_mask_q) : averager_mask_q;
-  logic select_1655;
-  assign select_1655 = sample_pair_whole_s19_q ? (and_366_s19_q ? select_385 : averager_of_skin_q) : averager_of_skin_q;
+  logic [10:0] select_1631;
+  assign select_1631 = sample_pair_whole_s19_q ? (and_367_s19_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_1633;
+  assign select_1633 = sample_pair_whole_s19_q ? (and_367_s19_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_1654;
+  assign select_1654 = sample_pair_whole_s19_q ? (and_367_s19_q ? select_382 : averager_mask_q) : averager_mask_q;
+  logic select_1656;
+  assign select_1656 = sample_pair_whole_s19_q ? (and_367_s19_q ? select_386 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/agreement.hpp:324
-  logic and_1979;
-  assign and_1979 = so_s19_q & (ends_cell_s19_q & (inside_v_s19_q[0] & inside_v_s19_q[1]));
+  logic and_1982;
+  assign and_1982 = so_s19_q & (ends_cell_s19_q & (inside_v_s19_q[0] & inside_v_s19_q[1]));
   // hls/stages/agreement.hpp:991
-  logic not_1999;
-  assign not_1999 = ~(x_s19_q[7:1] == 7'h0);
+  logic not_2002;
+  assign not_2002 = ~(x_s19_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:974
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2000_s19_q} + ({2'h0, and_2001_s19_q} + {1'b0, sum_2005_s19_q});
+  assign explained_2 = {2'h0, and_2003_s19_q} + ({2'h0, and_2004_s19_q} + {1'b0, sum_2008_s19_q});
   // hls/stages/agreement.hpp:324
-  logic and_2040;
-  assign and_2040 = ends_cell_s19_q & (inside_v_s19_q[0] & (inside_v_s19_q[2:1] == 2'h3));
+  logic and_2043;
+  assign and_2043 = ends_cell_s19_q & (inside_v_s19_q[0] & (inside_v_s19_q[2:1] == 2'h3));
   // hls/stages/agreement.hpp:996
-  logic and_2046;
-  assign and_2046 = not_1999 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
+  logic and_2049;
+  assign and_2049 = not_2002 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:209
-  logic [4:0] select_2083;
-  assign select_2083 = so_s19_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_s19_q} : registration_displacement_fraction_q;
+  logic [4:0] select_2086;
+  assign select_2086 = so_s19_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_s19_q} : registration_displacement_fraction_q;
   // hls/stages/registration.hpp:83
-  logic equal_2084;
-  assign equal_2084 = slot_s19_q == 3'h7;
+  logic equal_2087;
+  assign equal_2087 = slot_s19_q == 3'h7;
   // hls/stages/registration.hpp:213
-  logic [7:0] select_2104;
-  assign select_2104 = less_2101_s19_q ? 8'h7f : (less_2102_s19_q ? 8'h80 : sum_2100_s19_q);
+  logic [7:0] select_2107;
+  assign select_2107 = less_2104_s19_q ? 8'h7f : (less_2105_s19_q ? 8'h80 : sum_2103_s19_q);
   // hls/stages/agreement.hpp:324
-  logic [7:0] select_2106;
-  assign select_2106 = so_s19_q ? (equal_2084 ? registration_slope_here_q : select_2104) : registration_slope_here_q;
+  logic [7:0] select_2109;
+  assign select_2109 = so_s19_q ? (equal_2087 ? registration_slope_here_q : select_2107) : registration_slope_here_q;
   // hls/stages/registration.hpp:206
-  logic [6:0] select_2122;
-  assign select_2122 = inside_v_s19_q[3] ? registration_slope_here_q[7:1] : 7'h0;
-  logic [7:0] select_2123;
-  assign select_2123 = inside_v_s19_q[4] ? registration_slope_here_q : 8'h0;
-  logic [8:0] sum_2124;
-  assign sum_2124 = {{2{select_2122[6]}}, select_2122} + {select_2123[7], select_2123};
-  // hls/stages/registration.hpp:207
-  logic [7:0] select_2125;
-  assign select_2125 = inside_v_s19_q[5] ? registration_slope_here_q : 8'h0;
+  logic [6:0] select_2125;
+  assign select_2125 = inside_v_s19_q[3] ? registration_slope_here_q[7:1] : 7'h0;
   logic [7:0] select_2126;
-  assign select_2126 = inside_v_s19_q[6] ? registration_slope_here_q : 8'h0;
+  assign select_2126 = inside_v_s19_q[4] ? registration_slope_here_q : 8'h0;
   logic [8:0] sum_2127;
-  assign sum_2127 = {{2{select_2125[7]}}, select_2125[7:1]} + {select_2126[7], select_2126};
-  // hls/stages/registration.hpp:208
+  assign sum_2127 = {{2{select_2125[6]}}, select_2125} + {select_2126[7], select_2126};
+  // hls/stages/registration.hpp:207
+  logic [7:0] select_2128;
+  assign select_2128 = inside_v_s19_q[5] ? registration_slope_here_q : 8'h0;
   logic [7:0] select_2129;
-  assign select_2129 = inside_v_s19_q[7] ? registration_slope_here_q : 8'h0;
-  logic [7:0] select_2130;
-  assign select_2130 = inside_v_s19_q[8] ? registration_slope_here_q : 8'h0;
-  logic [8:0] difference_2131;
-  assign difference_2131 = {{2{select_2129[7]}}, select_2129[7:1]} - {select_2130[7], select_2130};
+  assign select_2129 = inside_v_s19_q[6] ? registration_slope_here_q : 8'h0;
+  logic [8:0] sum_2130;
+  assign sum_2130 = {{2{select_2128[7]}}, select_2128[7:1]} + {select_2129[7], select_2129};
+  // hls/stages/registration.hpp:208
+  logic [7:0] select_2132;
+  assign select_2132 = inside_v_s19_q[7] ? registration_slope_here_q : 8'h0;
+  logic [7:0] select_2133;
+  assign select_2133 = inside_v_s19_q[8] ? registration_slope_here_q : 8'h0;
+  logic [8:0] difference_2134;
+  assign difference_2134 = {{2{select_2132[7]}}, select_2132[7:1]} - {select_2133[7], select_2133};
   // hls/stages/agreement.hpp:368
-  logic [2:0] select_2307;
-  assign select_2307 = less_2304_s19_q ? (sum_2305_s19_q ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_2309;
-  assign select_2309 = equal_1859_s19_q ? (equal_429_s19_q ? 3'h0 : select_2307) : region_row_q;
+  logic [2:0] select_2310;
+  assign select_2310 = less_2307_s19_q ? (sum_2308_s19_q ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_2312;
+  assign select_2312 = equal_1863_s19_q ? (equal_430_s19_q ? 3'h0 : select_2310) : region_row_q;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_2305_s19_q;
+  assign next = ~sum_2308_s19_q;
   // hls/stages/agreement.hpp:368
-  logic select_2340;
-  assign select_2340 = equal_1859_s19_q ? (equal_429_s19_q | (less_2304_s19_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_2343;
+  assign select_2343 = equal_1863_s19_q ? (equal_430_s19_q | (less_2307_s19_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:1086
-  logic equal_2358;
-  assign equal_2358 = x_s19_q[6:3] == 4'h7;
-  logic equal_2382;
-  assign equal_2382 = x_s19_q[6:3] == 4'h8;
+  logic equal_2361;
+  assign equal_2361 = x_s19_q[6:3] == 4'h7;
+  logic equal_2385;
+  assign equal_2385 = x_s19_q[6:3] == 4'h8;
   // hls/stages/agreement.hpp:1011
-  logic [7:0] select_2395;
-  assign select_2395 = (x_s19_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_2397;
-  assign select_2397 = equal_2382 ? cfg_unproven_skin_limit_i : (equal_2358 ? cfg_unproven_limit_i : select_2395);
+  logic [7:0] select_2398;
+  assign select_2398 = (x_s19_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_2400;
+  assign select_2400 = equal_2385 ? cfg_unproven_skin_limit_i : (equal_2361 ? cfg_unproven_limit_i : select_2398);
   // hls/stages/agreement.hpp:324
-  logic select_2499;
-  assign select_2499 = so_s19_q ? (ends_cell_s19_q ? and_1526_s19_q : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_2503;
-  assign select_2503 = so_s19_q ? (ends_cell_s19_q ? and_2501_s19_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
-  logic select_2505;
-  assign select_2505 = ends_cell_s19_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_2507;
-  assign select_2507 = equal_1337_s19_q ? centres_values_1_textured_q : (so_s19_q ? select_2505 : centres_values_1_textured_q);
+  logic select_2502;
+  assign select_2502 = so_s19_q ? (ends_cell_s19_q ? and_1527_s19_q : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_2506;
+  assign select_2506 = so_s19_q ? (ends_cell_s19_q ? and_2504_s19_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
   logic select_2508;
-  assign select_2508 = ends_cell_s19_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  assign select_2508 = ends_cell_s19_q ? centres_values_0_textured_q : centres_values_1_textured_q;
   logic select_2510;
-  assign select_2510 = equal_1337_s19_q ? centres_values_1_of_skin_q : (so_s19_q ? select_2508 : centres_values_1_of_skin_q);
+  assign select_2510 = equal_1338_s19_q ? centres_values_1_textured_q : (so_s19_q ? select_2508 : centres_values_1_textured_q);
+  logic select_2511;
+  assign select_2511 = ends_cell_s19_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_2513;
+  assign select_2513 = equal_1338_s19_q ? centres_values_1_of_skin_q : (so_s19_q ? select_2511 : centres_values_1_of_skin_q);
 
   // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1250; read in stage 19, written in stage 22: 19 < 22 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4216,9 +4221,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 30'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1455;
+  assign regions_raddr = select_1456;
   logic regions_re;
-  assign regions_re = s19_en & (equal_1337_s19_q ? (x_s19_q[6] & not_1456) : and_1464_s19_q);
+  assign regions_re = s19_en & (equal_1338_s19_q ? (x_s19_q[6] & not_1457) : and_1465_s19_q);
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_rdata_q <= regions_mem[regions_raddr];
@@ -4226,11 +4231,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_333_s19_q;
+  assign averager_memory_waddr = select_334_s19_q;
   logic averager_memory_we;
-  assign averager_memory_we = s19_en & and_343_s19_q;
+  assign averager_memory_we = s19_en & and_344_s19_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_362_s19_q, and_358_s19_q, sum_354_s19_q, sum_350_s19_q};
+    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_363_s19_q, and_359_s19_q, sum_355_s19_q, sum_351_s19_q};
   end
 `ifndef SYNTHESIS
   logic [8:0] averager_memory_raddr_s17_sim;
@@ -4269,9 +4274,9 @@ module horopter_agreement (
   logic [6:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s19_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s19_en & and_1372_s19_q;
+  assign seen_columns_we = s19_en & and_1373_s19_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s19_q, near_s19_q, shown_s19_q, explained_s19_q, and_1485, textured_s19_q};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s19_q, near_s19_q, shown_s19_q, explained_s19_q, and_1486, textured_s19_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] seen_columns_raddr_s17_sim;
@@ -4320,17 +4325,17 @@ module horopter_agreement (
       centres_values_1_textured_q <= 1'b0;
       centres_values_1_of_skin_q <= 1'b0;
     end else if (s19_en) begin
-      averager_mask_q <= select_1653;
-      averager_of_skin_q <= select_1655;
-      registration_displacement_fraction_q <= select_2083;
-      registration_slope_here_q <= equal_1337_s19_q ? registration_slope_here_q : select_2106;
-      region_row_q <= and_368_s19_q ? select_2309 : region_row_q;
+      averager_mask_q <= select_1654;
+      averager_of_skin_q <= select_1656;
+      registration_displacement_fraction_q <= select_2086;
+      registration_slope_here_q <= equal_1338_s19_q ? registration_slope_here_q : select_2109;
+      region_row_q <= and_369_s19_q ? select_2312 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_fresh_q <= and_368_s19_q ? select_2340 : region_fresh_q;
-      centres_values_0_textured_q <= equal_1337_s19_q ? centres_values_0_textured_q : select_2499;
-      centres_values_0_of_skin_q <= equal_1337_s19_q ? centres_values_0_of_skin_q : select_2503;
-      centres_values_1_textured_q <= select_2507;
-      centres_values_1_of_skin_q <= select_2510;
+      region_fresh_q <= and_369_s19_q ? select_2343 : region_fresh_q;
+      centres_values_0_textured_q <= equal_1338_s19_q ? centres_values_0_textured_q : select_2502;
+      centres_values_0_of_skin_q <= equal_1338_s19_q ? centres_values_0_of_skin_q : select_2506;
+      centres_values_1_textured_q <= select_2510;
+      centres_values_1_of_skin_q <= select_2513;
     end
   end
 
@@ -4343,8 +4348,8 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s19_en) begin
-      averager_total_0_q <= select_1630;
-      averager_total_1_q <= select_1632;
+      averager_total_0_q <= select_1631;
+      averager_total_1_q <= select_1633;
     end
   end
 
@@ -4366,64 +4371,64 @@ module horopter_agreement (
   logic centres_values_1_textured_s20_q;
   logic centres_values_1_of_skin_s20_q;
   logic [6:0] column_s20_q;
-  logic and_366_s20_q;
-  logic and_368_s20_q;
+  logic and_367_s20_q;
+  logic and_369_s20_q;
   logic [77:0] census_memory_rdata_s20_q;
   logic [8:0] grey_s20_q;
-  logic equal_371_s20_q;
-  logic [8:0] select_374_s20_q;
+  logic equal_372_s20_q;
+  logic [8:0] select_375_s20_q;
   logic [8:0] grey_2_s20_q;
-  logic [8:0] select_378_s20_q;
+  logic [8:0] select_379_s20_q;
   logic whole_2_s20_q;
-  logic and_386_s20_q;
+  logic and_387_s20_q;
   logic so_s20_q;
-  logic equal_429_s20_q;
-  logic equal_1337_s20_q;
-  logic not_1338_s20_q;
+  logic equal_430_s20_q;
+  logic equal_1338_s20_q;
+  logic not_1339_s20_q;
   logic [1:0] inside_v_s20_q;
-  logic equal_1382_s20_q;
+  logic equal_1383_s20_q;
   logic right_2_s20_q;
-  logic or_1448_s20_q;
-  logic or_1451_s20_q;
-  logic or_1454_s20_q;
-  logic not_1456_s20_q;
+  logic or_1449_s20_q;
+  logic or_1452_s20_q;
+  logic or_1455_s20_q;
+  logic not_1457_s20_q;
   logic textured_s20_q;
   logic explained_s20_q;
-  logic and_1478_s20_q;
-  logic and_1483_s20_q;
-  logic and_1524_s20_q;
+  logic and_1479_s20_q;
+  logic and_1484_s20_q;
   logic and_1525_s20_q;
-  logic [1:0] sum_1529_s20_q;
-  logic or_1542_s20_q;
-  logic or_1545_s20_q;
-  logic or_1548_s20_q;
-  logic and_1559_s20_q;
-  logic [2:0] sum_1565_s20_q;
-  logic and_1575_s20_q;
-  logic [2:0] sum_1581_s20_q;
-  logic and_1598_s20_q;
-  logic equal_1738_s20_q;
-  logic equal_1859_s20_q;
-  logic and_1980_s20_q;
-  logic not_1999_s20_q;
+  logic and_1526_s20_q;
+  logic [1:0] sum_1530_s20_q;
+  logic or_1543_s20_q;
+  logic or_1546_s20_q;
+  logic or_1549_s20_q;
+  logic and_1560_s20_q;
+  logic [2:0] sum_1566_s20_q;
+  logic and_1576_s20_q;
+  logic [2:0] sum_1582_s20_q;
+  logic and_1599_s20_q;
+  logic equal_1739_s20_q;
+  logic equal_1863_s20_q;
+  logic and_1983_s20_q;
+  logic not_2002_s20_q;
   logic [2:0] explained_2_s20_q;
-  logic and_2042_s20_q;
-  logic and_2049_s20_q;
-  logic equal_2084_s20_q;
-  logic and_2113_s20_q;
-  logic or_2116_s20_q;
-  logic [1:0] sum_2117_s20_q;
-  logic less_2118_s20_q;
-  logic [7:0] sum_2124_s20_q;
-  logic select_2125_s20_q;
-  logic [8:0] sum_2127_s20_q;
-  logic select_2129_s20_q;
-  logic [8:0] difference_2131_s20_q;
-  logic equal_2358_s20_q;
-  logic equal_2381_s20_q;
-  logic equal_2382_s20_q;
-  logic [7:0] select_2397_s20_q;
-  logic equal_2511_s20_q;
+  logic and_2045_s20_q;
+  logic and_2052_s20_q;
+  logic equal_2087_s20_q;
+  logic and_2116_s20_q;
+  logic or_2119_s20_q;
+  logic [1:0] sum_2120_s20_q;
+  logic less_2121_s20_q;
+  logic [7:0] sum_2127_s20_q;
+  logic select_2128_s20_q;
+  logic [8:0] sum_2130_s20_q;
+  logic select_2132_s20_q;
+  logic [8:0] difference_2134_s20_q;
+  logic equal_2361_s20_q;
+  logic equal_2384_s20_q;
+  logic equal_2385_s20_q;
+  logic [7:0] select_2400_s20_q;
+  logic equal_2514_s20_q;
   always_ff @(posedge clk_i) begin
     if (s19_en) begin
       pixel_0_s20_q <= pixel_0_s19_q;
@@ -4444,64 +4449,64 @@ module horopter_agreement (
       centres_values_1_textured_s20_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s20_q <= centres_values_1_of_skin_q;
       column_s20_q <= column_s19_q;
-      and_366_s20_q <= and_366_s19_q;
-      and_368_s20_q <= and_368_s19_q;
+      and_367_s20_q <= and_367_s19_q;
+      and_369_s20_q <= and_369_s19_q;
       census_memory_rdata_s20_q <= census_memory_rdata_q;
       grey_s20_q <= grey;
-      equal_371_s20_q <= equal_371_s19_q;
-      select_374_s20_q <= sample_pair_whole_s19_q ? total[10:2] : 9'h0;
+      equal_372_s20_q <= equal_372_s19_q;
+      select_375_s20_q <= sample_pair_whole_s19_q ? total[10:2] : 9'h0;
       grey_2_s20_q <= grey_2;
-      select_378_s20_q <= sample_pair_whole_s19_q ? total_2[10:2] : 9'h0;
+      select_379_s20_q <= sample_pair_whole_s19_q ? total_2[10:2] : 9'h0;
       whole_2_s20_q <= whole_2;
-      and_386_s20_q <= sample_pair_whole_s19_q & select_385;
+      and_387_s20_q <= sample_pair_whole_s19_q & select_386;
       so_s20_q <= so_s19_q;
-      equal_429_s20_q <= equal_429_s19_q;
-      equal_1337_s20_q <= equal_1337_s19_q;
-      not_1338_s20_q <= not_1338_s19_q;
+      equal_430_s20_q <= equal_430_s19_q;
+      equal_1338_s20_q <= equal_1338_s19_q;
+      not_1339_s20_q <= not_1339_s19_q;
       inside_v_s20_q <= {inside_v_s19_q[9], inside_v_s19_q[0]};
-      equal_1382_s20_q <= equal_1382_s19_q;
+      equal_1383_s20_q <= equal_1383_s19_q;
       right_2_s20_q <= right_2_s19_q;
-      or_1448_s20_q <= or_1448_s19_q;
-      or_1451_s20_q <= or_1451_s19_q;
-      or_1454_s20_q <= or_1454_s19_q;
-      not_1456_s20_q <= not_1456;
+      or_1449_s20_q <= or_1449_s19_q;
+      or_1452_s20_q <= or_1452_s19_q;
+      or_1455_s20_q <= or_1455_s19_q;
+      not_1457_s20_q <= not_1457;
       textured_s20_q <= textured_s19_q;
       explained_s20_q <= explained_s19_q;
-      and_1478_s20_q <= and_1478_s19_q;
-      and_1483_s20_q <= not_1338_s19_q & and_1464_s19_q;
-      and_1524_s20_q <= and_1524_s19_q;
-      and_1525_s20_q <= seen_columns_rdata_s19_q[9] & inside_v_s19_q[0];
-      sum_1529_s20_q <= sum_1529;
-      or_1542_s20_q <= or_1542_s19_q;
-      or_1545_s20_q <= or_1545_s19_q;
-      or_1548_s20_q <= or_1548_s19_q;
-      and_1559_s20_q <= and_1559_s19_q;
-      sum_1565_s20_q <= {2'h0, and_1560} + {1'b0, sum_1564};
-      and_1575_s20_q <= and_1575_s19_q;
-      sum_1581_s20_q <= {2'h0, and_1576} + {1'b0, sum_1580};
-      and_1598_s20_q <= and_1598_s19_q;
-      equal_1738_s20_q <= equal_1738_s19_q;
-      equal_1859_s20_q <= equal_1859_s19_q;
-      and_1980_s20_q <= not_1338_s19_q & and_1979;
-      not_1999_s20_q <= not_1999;
+      and_1479_s20_q <= and_1479_s19_q;
+      and_1484_s20_q <= not_1339_s19_q & and_1465_s19_q;
+      and_1525_s20_q <= and_1525_s19_q;
+      and_1526_s20_q <= seen_columns_rdata_s19_q[9] & inside_v_s19_q[0];
+      sum_1530_s20_q <= sum_1530;
+      or_1543_s20_q <= or_1543_s19_q;
+      or_1546_s20_q <= or_1546_s19_q;
+      or_1549_s20_q <= or_1549_s19_q;
+      and_1560_s20_q <= and_1560_s19_q;
+      sum_1566_s20_q <= {2'h0, and_1561} + {1'b0, sum_1565};
+      and_1576_s20_q <= and_1576_s19_q;
+      sum_1582_s20_q <= {2'h0, and_1577} + {1'b0, sum_1581};
+      and_1599_s20_q <= and_1599_s19_q;
+      equal_1739_s20_q <= equal_1739_s19_q;
+      equal_1863_s20_q <= equal_1863_s19_q;
+      and_1983_s20_q <= not_1339_s19_q & and_1982;
+      not_2002_s20_q <= not_2002;
       explained_2_s20_q <= explained_2;
-      and_2042_s20_q <= not_1338_s19_q & (so_s19_q & and_2040);
-      and_2049_s20_q <= not_1338_s19_q & (so_s19_q & (ends_cell_s19_q & and_2046));
-      equal_2084_s20_q <= equal_2084;
-      and_2113_s20_q <= and_2113_s19_q;
-      or_2116_s20_q <= (inside_v_s19_q[11:9] == 3'h0) | (inside_v_s19_q[11:9] == 3'h4);
-      sum_2117_s20_q <= inside_v_s19_q[11:10] + 2'h3;
-      less_2118_s20_q <= less_2118_s19_q;
-      sum_2124_s20_q <= sum_2124[8:1];
-      select_2125_s20_q <= select_2125[0];
-      sum_2127_s20_q <= sum_2127;
-      select_2129_s20_q <= select_2129[0];
-      difference_2131_s20_q <= difference_2131;
-      equal_2358_s20_q <= equal_2358;
-      equal_2381_s20_q <= x_s19_q[6:3] == 4'h9;
-      equal_2382_s20_q <= equal_2382;
-      select_2397_s20_q <= select_2397;
-      equal_2511_s20_q <= equal_2511_s19_q;
+      and_2045_s20_q <= not_1339_s19_q & (so_s19_q & and_2043);
+      and_2052_s20_q <= not_1339_s19_q & (so_s19_q & (ends_cell_s19_q & and_2049));
+      equal_2087_s20_q <= equal_2087;
+      and_2116_s20_q <= and_2116_s19_q;
+      or_2119_s20_q <= (inside_v_s19_q[11:9] == 3'h0) | (inside_v_s19_q[11:9] == 3'h4);
+      sum_2120_s20_q <= inside_v_s19_q[11:10] + 2'h3;
+      less_2121_s20_q <= less_2121_s19_q;
+      sum_2127_s20_q <= sum_2127[8:1];
+      select_2128_s20_q <= select_2128[0];
+      sum_2130_s20_q <= sum_2130;
+      select_2132_s20_q <= select_2132[0];
+      difference_2134_s20_q <= difference_2134;
+      equal_2361_s20_q <= equal_2361;
+      equal_2384_s20_q <= x_s19_q[6:3] == 4'h9;
+      equal_2385_s20_q <= equal_2385;
+      select_2400_s20_q <= select_2400;
+      equal_2514_s20_q <= equal_2514_s19_q;
     end
   end
 
@@ -4573,324 +4578,324 @@ module horopter_agreement (
   logic [2:0] box_nearer_columns_values_3_q;
   logic [2:0] box_nearer_columns_values_4_q;
   // hls/stages/census.hpp:222
-  logic less_402;
-  assign less_402 = census_memory_rdata_s20_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_403;
-  assign less_403 = census_memory_rdata_s20_q[48:40] < census_columns_values_1_cell_2_left_q;
+  assign less_403 = census_memory_rdata_s20_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_404;
-  assign less_404 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_404 = census_memory_rdata_s20_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_405;
-  assign less_405 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_405 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_406;
-  assign less_406 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_406 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_407;
-  assign less_407 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_407 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_408;
-  assign less_408 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_408 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_409;
-  assign less_409 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_409 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_410;
-  assign less_410 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_410 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_411;
-  assign less_411 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_411 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_412;
-  assign less_412 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_412 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_413;
-  assign less_413 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:223
+  assign less_413 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_414;
-  assign less_414 = census_memory_rdata_s20_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_414 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:223
   logic less_415;
-  assign less_415 = census_memory_rdata_s20_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_415 = census_memory_rdata_s20_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_416;
-  assign less_416 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_416 = census_memory_rdata_s20_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_417;
-  assign less_417 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_417 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_418;
-  assign less_418 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_418 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_419;
-  assign less_419 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_419 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_420;
-  assign less_420 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_420 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_421;
-  assign less_421 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_421 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   logic less_422;
-  assign less_422 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_422 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_423;
-  assign less_423 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_423 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_424;
-  assign less_424 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_424 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_425;
-  assign less_425 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_425 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_426;
+  assign less_426 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   // hls/stages/agreement.hpp:363
-  logic equal_426;
-  assign equal_426 = column_s20_q == 7'h0;
-  logic [3:0] select_430;
-  assign select_430 = equal_429_s20_q ? 4'h0 : rows_passed_above_q[3:0];
+  logic equal_427;
+  assign equal_427 = column_s20_q == 7'h0;
+  logic [3:0] select_431;
+  assign select_431 = equal_430_s20_q ? 4'h0 : rows_passed_above_q[3:0];
   // hls/stages/agreement.hpp:364
-  logic [4:0] select_431;
-  assign select_431 = equal_426 ? {select_430, 1'b1} : rows_passed_above_q;
+  logic [4:0] select_432;
+  assign select_432 = equal_427 ? {select_431, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:204
-  logic [3:0] select_432;
-  assign select_432 = equal_426 ? 4'h0 : census_filled_q;
+  logic [3:0] select_433;
+  assign select_433 = equal_427 ? 4'h0 : census_filled_q;
   // hls/stages/census.hpp:214
-  logic and_435;
-  assign and_435 = census_memory_rdata_s20_q[38] & (census_memory_rdata_s20_q[18] & whole_2_s20_q);
-  logic and_437;
-  assign and_437 = census_memory_rdata_s20_q[77] & (census_memory_rdata_s20_q[58] & and_435);
+  logic and_436;
+  assign and_436 = census_memory_rdata_s20_q[38] & (census_memory_rdata_s20_q[18] & whole_2_s20_q);
+  logic and_438;
+  assign and_438 = census_memory_rdata_s20_q[77] & (census_memory_rdata_s20_q[58] & and_436);
   // hls/stages/census.hpp:198
-  logic [9:0] difference_460;
-  assign difference_460 = {1'b0, select_374_s20_q} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [9:0] difference_463;
-  assign difference_463 = {1'b0, census_memory_rdata_s20_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [9:0] difference_467;
-  assign difference_467 = {1'b0, census_memory_rdata_s20_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [9:0] difference_471;
-  assign difference_471 = {1'b0, census_memory_rdata_s20_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [9:0] difference_475;
-  assign difference_475 = {1'b0, census_memory_rdata_s20_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [9:0] difference_461;
+  assign difference_461 = {1'b0, select_375_s20_q} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [9:0] difference_464;
+  assign difference_464 = {1'b0, census_memory_rdata_s20_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [9:0] difference_468;
+  assign difference_468 = {1'b0, census_memory_rdata_s20_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [9:0] difference_472;
+  assign difference_472 = {1'b0, census_memory_rdata_s20_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [9:0] difference_476;
+  assign difference_476 = {1'b0, census_memory_rdata_s20_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
   // hls/stages/registration.hpp:146
   logic all;
   assign all = x_s20_q[5:3] == 3'h4;
   // hls/stages/agreement.hpp:973
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_1524_s20_q} + ({2'h0, and_1525_s20_q} + {1'b0, sum_1529_s20_q});
+  assign textured_2 = {2'h0, and_1525_s20_q} + ({2'h0, and_1526_s20_q} + {1'b0, sum_1530_s20_q});
   // hls/stages/agreement.hpp:975
   logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_1559_s20_q} + sum_1565_s20_q;
+  assign shown_2 = {2'h0, and_1560_s20_q} + sum_1566_s20_q;
   // hls/stages/agreement.hpp:982
-  logic [2:0] select_1567;
-  assign select_1567 = age_s20_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [2:0] select_1568;
+  assign select_1568 = age_s20_q ? box_shown_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:976
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_1575_s20_q} + sum_1581_s20_q;
+  assign near_2 = {2'h0, and_1576_s20_q} + sum_1582_s20_q;
   // hls/stages/agreement.hpp:983
-  logic [2:0] select_1583;
-  assign select_1583 = age_s20_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [2:0] select_1584;
+  assign select_1584 = age_s20_q ? box_nearer_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:226
-  logic [8:0] select_1622;
-  assign select_1622 = sample_pair_whole_s20_q ? (and_366_s20_q ? grey_s20_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_1624;
-  assign select_1624 = sample_pair_whole_s20_q ? (and_366_s20_q ? grey_2_s20_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_1626;
-  assign select_1626 = sample_pair_whole_s20_q ? (and_366_s20_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_1628;
-  assign select_1628 = sample_pair_whole_s20_q ? (and_366_s20_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  logic [8:0] select_1623;
+  assign select_1623 = sample_pair_whole_s20_q ? (and_367_s20_q ? grey_s20_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_1625;
+  assign select_1625 = sample_pair_whole_s20_q ? (and_367_s20_q ? grey_2_s20_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_1627;
+  assign select_1627 = sample_pair_whole_s20_q ? (and_367_s20_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_1629;
+  assign select_1629 = sample_pair_whole_s20_q ? (and_367_s20_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:136
-  logic [9:0] sum_1633;
-  assign sum_1633 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s20_q};
-  logic [9:0] sum_1641;
-  assign sum_1641 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s20_q};
+  logic [9:0] sum_1634;
+  assign sum_1634 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s20_q};
+  logic [9:0] sum_1642;
+  assign sum_1642 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s20_q};
   // hls/stages/agreement.hpp:427
-  logic [8:0] select_1656;
-  assign select_1656 = and_368_s20_q ? select_374_s20_q : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_1657;
-  assign select_1657 = and_368_s20_q ? select_378_s20_q : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_1659;
-  assign select_1659 = and_368_s20_q ? census_memory_rdata_s20_q[8:0] : census_columns_values_0_cell_1_left_q;
+  assign select_1657 = and_369_s20_q ? select_375_s20_q : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_1658;
+  assign select_1658 = and_369_s20_q ? select_379_s20_q : census_columns_values_0_cell_0_right_q;
   logic [8:0] select_1660;
-  assign select_1660 = and_368_s20_q ? census_memory_rdata_s20_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_1661;
-  assign select_1661 = and_368_s20_q ? census_memory_rdata_s20_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_1662;
-  assign select_1662 = and_368_s20_q ? census_memory_rdata_s20_q[28:20] : census_columns_values_0_cell_2_left_q;
+  assign select_1660 = and_369_s20_q ? census_memory_rdata_s20_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_1661;
+  assign select_1661 = and_369_s20_q ? census_memory_rdata_s20_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_1662;
+  assign select_1662 = and_369_s20_q ? census_memory_rdata_s20_q[18] : census_columns_values_0_cell_1_mask_q;
   logic [8:0] select_1663;
-  assign select_1663 = and_368_s20_q ? census_memory_rdata_s20_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_1664;
-  assign select_1664 = and_368_s20_q ? census_memory_rdata_s20_q[38] : census_columns_values_0_cell_2_mask_q;
+  assign select_1663 = and_369_s20_q ? census_memory_rdata_s20_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_1664;
+  assign select_1664 = and_369_s20_q ? census_memory_rdata_s20_q[37:29] : census_columns_values_0_cell_2_right_q;
   logic select_1665;
-  assign select_1665 = and_368_s20_q ? census_memory_rdata_s20_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_1666;
-  assign select_1666 = and_368_s20_q ? census_memory_rdata_s20_q[48:40] : census_columns_values_0_cell_3_left_q;
+  assign select_1665 = and_369_s20_q ? census_memory_rdata_s20_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_1666;
+  assign select_1666 = and_369_s20_q ? census_memory_rdata_s20_q[39] : census_columns_values_0_cell_2_of_skin_q;
   logic [8:0] select_1667;
-  assign select_1667 = and_368_s20_q ? census_memory_rdata_s20_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_1668;
-  assign select_1668 = and_368_s20_q ? census_memory_rdata_s20_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_1669;
-  assign select_1669 = and_368_s20_q ? census_memory_rdata_s20_q[67:59] : census_columns_values_0_cell_4_left_q;
+  assign select_1667 = and_369_s20_q ? census_memory_rdata_s20_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_1668;
+  assign select_1668 = and_369_s20_q ? census_memory_rdata_s20_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_1669;
+  assign select_1669 = and_369_s20_q ? census_memory_rdata_s20_q[58] : census_columns_values_0_cell_3_mask_q;
   logic [8:0] select_1670;
-  assign select_1670 = and_368_s20_q ? census_memory_rdata_s20_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_1671;
-  assign select_1671 = and_368_s20_q ? census_memory_rdata_s20_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_1672;
-  assign select_1672 = and_368_s20_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  assign select_1670 = and_369_s20_q ? census_memory_rdata_s20_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_1671;
+  assign select_1671 = and_369_s20_q ? census_memory_rdata_s20_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_1672;
+  assign select_1672 = and_369_s20_q ? census_memory_rdata_s20_q[77] : census_columns_values_0_cell_4_mask_q;
   logic [8:0] select_1673;
-  assign select_1673 = and_368_s20_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic [8:0] select_1675;
-  assign select_1675 = and_368_s20_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  assign select_1673 = and_369_s20_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_1674;
+  assign select_1674 = and_369_s20_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
   logic [8:0] select_1676;
-  assign select_1676 = and_368_s20_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic [8:0] select_1678;
-  assign select_1678 = and_368_s20_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  assign select_1676 = and_369_s20_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_1677;
+  assign select_1677 = and_369_s20_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
   logic [8:0] select_1679;
-  assign select_1679 = and_368_s20_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_1681;
-  assign select_1681 = and_368_s20_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_1682;
-  assign select_1682 = and_368_s20_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  assign select_1679 = and_369_s20_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_1680;
+  assign select_1680 = and_369_s20_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_1682;
+  assign select_1682 = and_369_s20_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
   logic [8:0] select_1683;
-  assign select_1683 = and_368_s20_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic [8:0] select_1685;
-  assign select_1685 = and_368_s20_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  assign select_1683 = and_369_s20_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_1684;
+  assign select_1684 = and_369_s20_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
   logic [8:0] select_1686;
-  assign select_1686 = and_368_s20_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic [8:0] select_1688;
-  assign select_1688 = and_368_s20_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  assign select_1686 = and_369_s20_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_1687;
+  assign select_1687 = and_369_s20_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
   logic [8:0] select_1689;
-  assign select_1689 = and_368_s20_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic [8:0] select_1691;
-  assign select_1691 = and_368_s20_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  assign select_1689 = and_369_s20_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_1690;
+  assign select_1690 = and_369_s20_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
   logic [8:0] select_1692;
-  assign select_1692 = and_368_s20_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic [8:0] select_1694;
-  assign select_1694 = and_368_s20_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  assign select_1692 = and_369_s20_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_1693;
+  assign select_1693 = and_369_s20_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
   logic [8:0] select_1695;
-  assign select_1695 = and_368_s20_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic [8:0] select_1697;
-  assign select_1697 = and_368_s20_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  assign select_1695 = and_369_s20_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_1696;
+  assign select_1696 = and_369_s20_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
   logic [8:0] select_1698;
-  assign select_1698 = and_368_s20_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic [8:0] select_1700;
-  assign select_1700 = and_368_s20_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  assign select_1698 = and_369_s20_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_1699;
+  assign select_1699 = and_369_s20_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
   logic [8:0] select_1701;
-  assign select_1701 = and_368_s20_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic [8:0] select_1704;
-  assign select_1704 = and_368_s20_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  assign select_1701 = and_369_s20_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_1702;
+  assign select_1702 = and_369_s20_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
   logic [8:0] select_1705;
-  assign select_1705 = and_368_s20_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic [8:0] select_1708;
-  assign select_1708 = and_368_s20_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  assign select_1705 = and_369_s20_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_1706;
+  assign select_1706 = and_369_s20_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
   logic [8:0] select_1709;
-  assign select_1709 = and_368_s20_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  assign select_1709 = and_369_s20_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_1710;
+  assign select_1710 = and_369_s20_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
   // hls/stages/census.hpp:200
-  logic [9:0] difference_1713;
-  assign difference_1713 = {1'b0, select_378_s20_q} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [9:0] difference_1716;
-  assign difference_1716 = {1'b0, census_memory_rdata_s20_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [9:0] difference_1720;
-  assign difference_1720 = {1'b0, census_memory_rdata_s20_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [9:0] difference_1724;
-  assign difference_1724 = {1'b0, census_memory_rdata_s20_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [9:0] difference_1728;
-  assign difference_1728 = {1'b0, census_memory_rdata_s20_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [9:0] difference_1714;
+  assign difference_1714 = {1'b0, select_379_s20_q} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [9:0] difference_1717;
+  assign difference_1717 = {1'b0, census_memory_rdata_s20_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [9:0] difference_1721;
+  assign difference_1721 = {1'b0, census_memory_rdata_s20_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [9:0] difference_1725;
+  assign difference_1725 = {1'b0, census_memory_rdata_s20_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [9:0] difference_1729;
+  assign difference_1729 = {1'b0, census_memory_rdata_s20_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
   // hls/stages/census.hpp:281
-  logic [9:0] difference_1758;
-  assign difference_1758 = {1'b0, select_374_s20_q} - {1'b0, sharpness_last_mean_0_q};
-  logic [9:0] difference_1769;
-  assign difference_1769 = {1'b0, select_378_s20_q} - {1'b0, sharpness_last_mean_1_q};
+  logic [9:0] difference_1760;
+  assign difference_1760 = {1'b0, select_375_s20_q} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_1772;
+  assign difference_1772 = {1'b0, select_379_s20_q} - {1'b0, sharpness_last_mean_1_q};
   // hls/stages/agreement.hpp:427
-  logic and_1976;
-  assign and_1976 = and_368_s20_q & (equal_429_s20_q & equal_1859_s20_q);
+  logic and_1979;
+  assign and_1979 = and_369_s20_q & (equal_430_s20_q & equal_1863_s20_q);
   // hls/stages/agreement.hpp:324
-  logic and_1985;
-  assign and_1985 = not_1338_s20_q & (so_s20_q & (ends_cell_s20_q & textured_s20_q));
+  logic and_1988;
+  assign and_1988 = not_1339_s20_q & (so_s20_q & (ends_cell_s20_q & textured_s20_q));
   // hls/stages/agreement.hpp:981
-  logic [2:0] select_2008;
-  assign select_2008 = age_s20_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [2:0] select_2011;
+  assign select_2011 = age_s20_q ? box_explained_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:836
-  logic [13:0] select_2044;
-  assign select_2044 = and_1976 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2042_s20_q});
-  logic [13:0] select_2051;
-  assign select_2051 = and_1976 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2049_s20_q});
+  logic [13:0] select_2047;
+  assign select_2047 = and_1979 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2045_s20_q});
+  logic [13:0] select_2054;
+  assign select_2054 = and_1979 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2052_s20_q});
   // hls/stages/registration.hpp:47
-  logic [7:0] difference_2119;
-  assign difference_2119 = {sum_2117_s20_q, inside_v_s20_q[1], 5'h0} - {3'h0, registration_displacement_fraction_q};
+  logic [7:0] difference_2122;
+  assign difference_2122 = {sum_2120_s20_q, inside_v_s20_q[1], 5'h0} - {3'h0, registration_displacement_fraction_q};
   // hls/stages/registration.hpp:101
-  logic [7:0] select_2120;
-  assign select_2120 = less_2118_s20_q ? difference_2119 : {sum_2117_s20_q, inside_v_s20_q[1], registration_displacement_fraction_q};
-  logic [7:0] select_2121;
-  assign select_2121 = or_2116_s20_q ? {sum_2117_s20_q, inside_v_s20_q[1], 5'h0} : select_2120;
+  logic [7:0] select_2123;
+  assign select_2123 = less_2121_s20_q ? difference_2122 : {sum_2120_s20_q, inside_v_s20_q[1], registration_displacement_fraction_q};
+  logic [7:0] select_2124;
+  assign select_2124 = or_2119_s20_q ? {sum_2120_s20_q, inside_v_s20_q[1], 5'h0} : select_2123;
   // hls/stages/registration.hpp:209
-  logic [10:0] sum_2128;
-  assign sum_2128 = {{3{sum_2124_s20_q[7]}}, sum_2124_s20_q} + {sum_2127_s20_q[8], sum_2127_s20_q, select_2125_s20_q};
-  logic [9:0] sum_2132;
-  assign sum_2132 = {difference_2131_s20_q, select_2129_s20_q} + {sum_2128[10], sum_2128[10:2]};
+  logic [10:0] sum_2131;
+  assign sum_2131 = {{3{sum_2127_s20_q[7]}}, sum_2127_s20_q} + {sum_2130_s20_q[8], sum_2130_s20_q, select_2128_s20_q};
+  logic [9:0] sum_2135;
+  assign sum_2135 = {difference_2134_s20_q, select_2132_s20_q} + {sum_2131[10], sum_2131[10:2]};
   // hls/stages/agreement.hpp:1092
-  logic equal_2359;
-  assign equal_2359 = x_s20_q[2:0] == 3'h0;
+  logic equal_2362;
+  assign equal_2362 = x_s20_q[2:0] == 3'h0;
   // hls/stages/agreement.hpp:1086
-  logic equal_2379;
-  assign equal_2379 = x_s20_q[6:3] == 4'ha;
+  logic equal_2382;
+  assign equal_2382 = x_s20_q[6:3] == 4'ha;
   // hls/stages/agreement.hpp:1011
   logic [7:0] limit;
-  assign limit = equal_2379 ? cfg_regions_limit_i : (equal_2381_s20_q ? cfg_hidden_limit_i : select_2397_s20_q);
+  assign limit = equal_2382 ? cfg_regions_limit_i : (equal_2384_s20_q ? cfg_hidden_limit_i : select_2400_s20_q);
   // hls/stages/agreement.hpp:1099
-  logic not_2400;
-  assign not_2400 = ~x_s20_q[2];
-  logic [3:0] select_2401;
-  assign select_2401 = x_s20_q[1] ? {x_s20_q[2], 1'b0, not_2400, 1'b0} : {1'b0, x_s20_q[2], 1'b0, not_2400};
-  logic [7:0] select_2402;
-  assign select_2402 = x_s20_q[0] ? {select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0], 1'b0} : {1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0]};
+  logic not_2403;
+  assign not_2403 = ~x_s20_q[2];
+  logic [3:0] select_2404;
+  assign select_2404 = x_s20_q[1] ? {x_s20_q[2], 1'b0, not_2403, 1'b0} : {1'b0, x_s20_q[2], 1'b0, not_2403};
+  logic [7:0] select_2405;
+  assign select_2405 = x_s20_q[0] ? {select_2404[3], 1'b0, select_2404[2], 1'b0, select_2404[1], 1'b0, select_2404[0], 1'b0} : {1'b0, select_2404[3], 1'b0, select_2404[2], 1'b0, select_2404[1], 1'b0, select_2404[0]};
   // hls/stages/agreement.hpp:1011
-  logic [13:0] select_2406;
-  assign select_2406 = equal_2381_s20_q ? counts_skin_supervised_q : (equal_2382_s20_q ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_2409;
+  assign select_2409 = equal_2384_s20_q ? counts_skin_supervised_q : (equal_2385_s20_q ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] of;
-  assign of = equal_2379 ? counts_textured_q : select_2406;
+  assign of = equal_2382 ? counts_textured_q : select_2409;
   // hls/stages/agreement.hpp:324
-  logic [2:0] select_2444;
-  assign select_2444 = ends_cell_s20_q ? explained_2_s20_q : box_explained_columns_values_0_q;
-  logic [2:0] select_2446;
-  assign select_2446 = equal_1337_s20_q ? box_explained_columns_values_0_q : (so_s20_q ? select_2444 : box_explained_columns_values_0_q);
   logic [2:0] select_2447;
-  assign select_2447 = ends_cell_s20_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_2447 = ends_cell_s20_q ? explained_2_s20_q : box_explained_columns_values_0_q;
   logic [2:0] select_2449;
-  assign select_2449 = equal_1337_s20_q ? box_explained_columns_values_1_q : (so_s20_q ? select_2447 : box_explained_columns_values_1_q);
+  assign select_2449 = equal_1338_s20_q ? box_explained_columns_values_0_q : (so_s20_q ? select_2447 : box_explained_columns_values_0_q);
   logic [2:0] select_2450;
-  assign select_2450 = ends_cell_s20_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_2450 = ends_cell_s20_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
   logic [2:0] select_2452;
-  assign select_2452 = equal_1337_s20_q ? box_explained_columns_values_2_q : (so_s20_q ? select_2450 : box_explained_columns_values_2_q);
+  assign select_2452 = equal_1338_s20_q ? box_explained_columns_values_1_q : (so_s20_q ? select_2450 : box_explained_columns_values_1_q);
   logic [2:0] select_2453;
-  assign select_2453 = ends_cell_s20_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  assign select_2453 = ends_cell_s20_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
   logic [2:0] select_2455;
-  assign select_2455 = equal_1337_s20_q ? box_explained_columns_values_3_q : (so_s20_q ? select_2453 : box_explained_columns_values_3_q);
+  assign select_2455 = equal_1338_s20_q ? box_explained_columns_values_2_q : (so_s20_q ? select_2453 : box_explained_columns_values_2_q);
   logic [2:0] select_2456;
-  assign select_2456 = ends_cell_s20_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  assign select_2456 = ends_cell_s20_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
   logic [2:0] select_2458;
-  assign select_2458 = equal_1337_s20_q ? box_explained_columns_values_4_q : (so_s20_q ? select_2456 : box_explained_columns_values_4_q);
-  logic [2:0] select_2463;
-  assign select_2463 = so_s20_q ? (ends_cell_s20_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
-  logic [2:0] select_2465;
-  assign select_2465 = ends_cell_s20_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
-  logic [2:0] select_2467;
-  assign select_2467 = equal_1337_s20_q ? box_shown_columns_values_1_q : (so_s20_q ? select_2465 : box_shown_columns_values_1_q);
+  assign select_2458 = equal_1338_s20_q ? box_explained_columns_values_3_q : (so_s20_q ? select_2456 : box_explained_columns_values_3_q);
+  logic [2:0] select_2459;
+  assign select_2459 = ends_cell_s20_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_2461;
+  assign select_2461 = equal_1338_s20_q ? box_explained_columns_values_4_q : (so_s20_q ? select_2459 : box_explained_columns_values_4_q);
+  logic [2:0] select_2466;
+  assign select_2466 = so_s20_q ? (ends_cell_s20_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
   logic [2:0] select_2468;
-  assign select_2468 = ends_cell_s20_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_2468 = ends_cell_s20_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
   logic [2:0] select_2470;
-  assign select_2470 = equal_1337_s20_q ? box_shown_columns_values_2_q : (so_s20_q ? select_2468 : box_shown_columns_values_2_q);
+  assign select_2470 = equal_1338_s20_q ? box_shown_columns_values_1_q : (so_s20_q ? select_2468 : box_shown_columns_values_1_q);
   logic [2:0] select_2471;
-  assign select_2471 = ends_cell_s20_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  assign select_2471 = ends_cell_s20_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
   logic [2:0] select_2473;
-  assign select_2473 = equal_1337_s20_q ? box_shown_columns_values_3_q : (so_s20_q ? select_2471 : box_shown_columns_values_3_q);
+  assign select_2473 = equal_1338_s20_q ? box_shown_columns_values_2_q : (so_s20_q ? select_2471 : box_shown_columns_values_2_q);
   logic [2:0] select_2474;
-  assign select_2474 = ends_cell_s20_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  assign select_2474 = ends_cell_s20_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
   logic [2:0] select_2476;
-  assign select_2476 = equal_1337_s20_q ? box_shown_columns_values_4_q : (so_s20_q ? select_2474 : box_shown_columns_values_4_q);
-  logic [2:0] select_2481;
-  assign select_2481 = so_s20_q ? (ends_cell_s20_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_2483;
-  assign select_2483 = ends_cell_s20_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [2:0] select_2485;
-  assign select_2485 = equal_1337_s20_q ? box_nearer_columns_values_1_q : (so_s20_q ? select_2483 : box_nearer_columns_values_1_q);
+  assign select_2476 = equal_1338_s20_q ? box_shown_columns_values_3_q : (so_s20_q ? select_2474 : box_shown_columns_values_3_q);
+  logic [2:0] select_2477;
+  assign select_2477 = ends_cell_s20_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_2479;
+  assign select_2479 = equal_1338_s20_q ? box_shown_columns_values_4_q : (so_s20_q ? select_2477 : box_shown_columns_values_4_q);
+  logic [2:0] select_2484;
+  assign select_2484 = so_s20_q ? (ends_cell_s20_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
   logic [2:0] select_2486;
-  assign select_2486 = ends_cell_s20_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_2486 = ends_cell_s20_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
   logic [2:0] select_2488;
-  assign select_2488 = equal_1337_s20_q ? box_nearer_columns_values_2_q : (so_s20_q ? select_2486 : box_nearer_columns_values_2_q);
+  assign select_2488 = equal_1338_s20_q ? box_nearer_columns_values_1_q : (so_s20_q ? select_2486 : box_nearer_columns_values_1_q);
   logic [2:0] select_2489;
-  assign select_2489 = ends_cell_s20_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  assign select_2489 = ends_cell_s20_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
   logic [2:0] select_2491;
-  assign select_2491 = equal_1337_s20_q ? box_nearer_columns_values_3_q : (so_s20_q ? select_2489 : box_nearer_columns_values_3_q);
+  assign select_2491 = equal_1338_s20_q ? box_nearer_columns_values_2_q : (so_s20_q ? select_2489 : box_nearer_columns_values_2_q);
   logic [2:0] select_2492;
-  assign select_2492 = ends_cell_s20_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  assign select_2492 = ends_cell_s20_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
   logic [2:0] select_2494;
-  assign select_2494 = equal_1337_s20_q ? box_nearer_columns_values_4_q : (so_s20_q ? select_2492 : box_nearer_columns_values_4_q);
+  assign select_2494 = equal_1338_s20_q ? box_nearer_columns_values_3_q : (so_s20_q ? select_2492 : box_nearer_columns_values_3_q);
+  logic [2:0] select_2495;
+  assign select_2495 = ends_cell_s20_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_2497;
+  assign select_2497 = equal_1338_s20_q ? box_nearer_columns_values_4_q : (so_s20_q ? select_2495 : box_nearer_columns_values_4_q);
 
   // Memory census_memory, write
   logic [6:0] census_memory_waddr;
   assign census_memory_waddr = column_s20_q;
   logic census_memory_we;
-  assign census_memory_we = s20_en & and_368_s20_q;
+  assign census_memory_we = s20_en & and_369_s20_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_s20_q[58:40], census_memory_rdata_s20_q[38:0], and_386_s20_q, whole_2_s20_q, select_378_s20_q, select_374_s20_q};
+    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_s20_q[58:40], census_memory_rdata_s20_q[38:0], and_387_s20_q, whole_2_s20_q, select_379_s20_q, select_375_s20_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] census_memory_raddr_s19_sim;
@@ -4925,11 +4930,11 @@ module horopter_agreement (
       counts_skin_supervised_q <= 14'h0;
       counts_skin_textured_q <= 14'h0;
     end else if (s20_en) begin
-      census_filled_q <= and_368_s20_q ? {select_432[2:0], 1'b1} : census_filled_q;
-      rows_passed_above_q <= and_368_s20_q ? select_431 : rows_passed_above_q;
-      counts_textured_q <= and_1976 ? 14'h0 : (counts_textured_q + {13'h0, and_1985});
-      counts_skin_supervised_q <= select_2044;
-      counts_skin_textured_q <= select_2051;
+      census_filled_q <= and_369_s20_q ? {select_433[2:0], 1'b1} : census_filled_q;
+      rows_passed_above_q <= and_369_s20_q ? select_432 : rows_passed_above_q;
+      counts_textured_q <= and_1979 ? 14'h0 : (counts_textured_q + {13'h0, and_1988});
+      counts_skin_supervised_q <= select_2047;
+      counts_skin_textured_q <= select_2054;
     end
   end
 
@@ -5001,67 +5006,67 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s20_en) begin
-      averager_quarter_1_0_q <= select_1622;
-      averager_quarter_1_1_q <= select_1624;
-      averager_quarter_2_0_q <= select_1626;
-      averager_quarter_2_1_q <= select_1628;
-      census_columns_values_0_cell_0_left_q <= select_1656;
-      census_columns_values_0_cell_0_right_q <= select_1657;
-      census_columns_values_0_cell_1_left_q <= select_1659;
-      census_columns_values_0_cell_1_right_q <= select_1660;
-      census_columns_values_0_cell_1_mask_q <= select_1661;
-      census_columns_values_0_cell_2_left_q <= select_1662;
-      census_columns_values_0_cell_2_right_q <= select_1663;
-      census_columns_values_0_cell_2_mask_q <= select_1664;
-      census_columns_values_0_cell_2_of_skin_q <= select_1665;
-      census_columns_values_0_cell_3_left_q <= select_1666;
-      census_columns_values_0_cell_3_right_q <= select_1667;
-      census_columns_values_0_cell_3_mask_q <= select_1668;
-      census_columns_values_0_cell_4_left_q <= select_1669;
-      census_columns_values_0_cell_4_right_q <= select_1670;
-      census_columns_values_0_cell_4_mask_q <= select_1671;
-      census_columns_values_1_cell_0_left_q <= select_1672;
-      census_columns_values_1_cell_0_right_q <= select_1673;
-      census_columns_values_1_cell_1_left_q <= select_1675;
-      census_columns_values_1_cell_1_right_q <= select_1676;
-      census_columns_values_1_cell_2_left_q <= select_1678;
-      census_columns_values_1_cell_2_right_q <= select_1679;
-      census_columns_values_1_cell_2_of_skin_q <= select_1681;
-      census_columns_values_1_cell_3_left_q <= select_1682;
-      census_columns_values_1_cell_3_right_q <= select_1683;
-      census_columns_values_1_cell_4_left_q <= select_1685;
-      census_columns_values_1_cell_4_right_q <= select_1686;
-      census_columns_values_2_cell_0_left_q <= select_1688;
-      census_columns_values_2_cell_0_right_q <= select_1689;
-      census_columns_values_2_cell_1_left_q <= select_1691;
-      census_columns_values_2_cell_1_right_q <= select_1692;
-      census_columns_values_2_cell_2_left_q <= select_1694;
-      census_columns_values_2_cell_2_right_q <= select_1695;
-      census_columns_values_2_cell_3_left_q <= select_1697;
-      census_columns_values_2_cell_3_right_q <= select_1698;
-      census_columns_values_2_cell_4_left_q <= select_1700;
-      census_columns_values_2_cell_4_right_q <= select_1701;
-      census_columns_values_3_cell_1_left_q <= select_1704;
-      census_columns_values_3_cell_1_right_q <= select_1705;
-      census_columns_values_3_cell_3_left_q <= select_1708;
-      census_columns_values_3_cell_3_right_q <= select_1709;
-      sharpness_last_mean_0_q <= and_368_s20_q ? select_374_s20_q : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_368_s20_q ? select_378_s20_q : sharpness_last_mean_1_q;
-      box_explained_columns_values_0_q <= select_2446;
-      box_explained_columns_values_1_q <= select_2449;
-      box_explained_columns_values_2_q <= select_2452;
-      box_explained_columns_values_3_q <= select_2455;
-      box_explained_columns_values_4_q <= select_2458;
-      box_shown_columns_values_0_q <= equal_1337_s20_q ? box_shown_columns_values_0_q : select_2463;
-      box_shown_columns_values_1_q <= select_2467;
-      box_shown_columns_values_2_q <= select_2470;
-      box_shown_columns_values_3_q <= select_2473;
-      box_shown_columns_values_4_q <= select_2476;
-      box_nearer_columns_values_0_q <= equal_1337_s20_q ? box_nearer_columns_values_0_q : select_2481;
-      box_nearer_columns_values_1_q <= select_2485;
-      box_nearer_columns_values_2_q <= select_2488;
-      box_nearer_columns_values_3_q <= select_2491;
-      box_nearer_columns_values_4_q <= select_2494;
+      averager_quarter_1_0_q <= select_1623;
+      averager_quarter_1_1_q <= select_1625;
+      averager_quarter_2_0_q <= select_1627;
+      averager_quarter_2_1_q <= select_1629;
+      census_columns_values_0_cell_0_left_q <= select_1657;
+      census_columns_values_0_cell_0_right_q <= select_1658;
+      census_columns_values_0_cell_1_left_q <= select_1660;
+      census_columns_values_0_cell_1_right_q <= select_1661;
+      census_columns_values_0_cell_1_mask_q <= select_1662;
+      census_columns_values_0_cell_2_left_q <= select_1663;
+      census_columns_values_0_cell_2_right_q <= select_1664;
+      census_columns_values_0_cell_2_mask_q <= select_1665;
+      census_columns_values_0_cell_2_of_skin_q <= select_1666;
+      census_columns_values_0_cell_3_left_q <= select_1667;
+      census_columns_values_0_cell_3_right_q <= select_1668;
+      census_columns_values_0_cell_3_mask_q <= select_1669;
+      census_columns_values_0_cell_4_left_q <= select_1670;
+      census_columns_values_0_cell_4_right_q <= select_1671;
+      census_columns_values_0_cell_4_mask_q <= select_1672;
+      census_columns_values_1_cell_0_left_q <= select_1673;
+      census_columns_values_1_cell_0_right_q <= select_1674;
+      census_columns_values_1_cell_1_left_q <= select_1676;
+      census_columns_values_1_cell_1_right_q <= select_1677;
+      census_columns_values_1_cell_2_left_q <= select_1679;
+      census_columns_values_1_cell_2_right_q <= select_1680;
+      census_columns_values_1_cell_2_of_skin_q <= select_1682;
+      census_columns_values_1_cell_3_left_q <= select_1683;
+      census_columns_values_1_cell_3_right_q <= select_1684;
+      census_columns_values_1_cell_4_left_q <= select_1686;
+      census_columns_values_1_cell_4_right_q <= select_1687;
+      census_columns_values_2_cell_0_left_q <= select_1689;
+      census_columns_values_2_cell_0_right_q <= select_1690;
+      census_columns_values_2_cell_1_left_q <= select_1692;
+      census_columns_values_2_cell_1_right_q <= select_1693;
+      census_columns_values_2_cell_2_left_q <= select_1695;
+      census_columns_values_2_cell_2_right_q <= select_1696;
+      census_columns_values_2_cell_3_left_q <= select_1698;
+      census_columns_values_2_cell_3_right_q <= select_1699;
+      census_columns_values_2_cell_4_left_q <= select_1701;
+      census_columns_values_2_cell_4_right_q <= select_1702;
+      census_columns_values_3_cell_1_left_q <= select_1705;
+      census_columns_values_3_cell_1_right_q <= select_1706;
+      census_columns_values_3_cell_3_left_q <= select_1709;
+      census_columns_values_3_cell_3_right_q <= select_1710;
+      sharpness_last_mean_0_q <= and_369_s20_q ? select_375_s20_q : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_369_s20_q ? select_379_s20_q : sharpness_last_mean_1_q;
+      box_explained_columns_values_0_q <= select_2449;
+      box_explained_columns_values_1_q <= select_2452;
+      box_explained_columns_values_2_q <= select_2455;
+      box_explained_columns_values_3_q <= select_2458;
+      box_explained_columns_values_4_q <= select_2461;
+      box_shown_columns_values_0_q <= equal_1338_s20_q ? box_shown_columns_values_0_q : select_2466;
+      box_shown_columns_values_1_q <= select_2470;
+      box_shown_columns_values_2_q <= select_2473;
+      box_shown_columns_values_3_q <= select_2476;
+      box_shown_columns_values_4_q <= select_2479;
+      box_nearer_columns_values_0_q <= equal_1338_s20_q ? box_nearer_columns_values_0_q : select_2484;
+      box_nearer_columns_values_1_q <= select_2488;
+      box_nearer_columns_values_2_q <= select_2491;
+      box_nearer_columns_values_3_q <= select_2494;
+      box_nearer_columns_values_4_q <= select_2497;
     end
   end
 
@@ -5089,12 +5094,11 @@ module horopter_agreement (
   logic centres_values_1_textured_s21_q;
   logic centres_values_1_of_skin_s21_q;
   logic [6:0] column_s21_q;
-  logic and_366_s21_q;
-  logic and_368_s21_q;
-  logic equal_371_s21_q;
+  logic and_367_s21_q;
+  logic and_369_s21_q;
+  logic equal_372_s21_q;
   logic whole_2_s21_q;
   logic so_s21_q;
-  logic less_402_s21_q;
   logic less_403_s21_q;
   logic less_404_s21_q;
   logic less_405_s21_q;
@@ -5118,83 +5122,84 @@ module horopter_agreement (
   logic less_423_s21_q;
   logic less_424_s21_q;
   logic less_425_s21_q;
-  logic and_433_s21_q;
-  logic and_437_s21_q;
-  logic difference_460_s21_q;
-  logic [8:0] xor_461_s21_q;
-  logic difference_463_s21_q;
-  logic [8:0] xor_464_s21_q;
-  logic difference_467_s21_q;
-  logic [8:0] xor_468_s21_q;
-  logic difference_471_s21_q;
-  logic [8:0] xor_472_s21_q;
-  logic difference_475_s21_q;
-  logic [8:0] xor_476_s21_q;
-  logic equal_1337_s21_q;
-  logic not_1338_s21_q;
+  logic less_426_s21_q;
+  logic and_434_s21_q;
+  logic and_438_s21_q;
+  logic difference_461_s21_q;
+  logic [8:0] xor_462_s21_q;
+  logic difference_464_s21_q;
+  logic [8:0] xor_465_s21_q;
+  logic difference_468_s21_q;
+  logic [8:0] xor_469_s21_q;
+  logic difference_472_s21_q;
+  logic [8:0] xor_473_s21_q;
+  logic difference_476_s21_q;
+  logic [8:0] xor_477_s21_q;
+  logic equal_1338_s21_q;
+  logic not_1339_s21_q;
   logic inside_v_s21_q;
-  logic equal_1382_s21_q;
+  logic equal_1383_s21_q;
   logic all_s21_q;
-  logic equal_1396_s21_q;
-  logic equal_1398_s21_q;
-  logic equal_1400_s21_q;
-  logic equal_1402_s21_q;
+  logic equal_1397_s21_q;
+  logic equal_1399_s21_q;
+  logic equal_1401_s21_q;
+  logic equal_1403_s21_q;
   logic right_2_s21_q;
-  logic or_1448_s21_q;
-  logic or_1451_s21_q;
-  logic or_1454_s21_q;
-  logic not_1456_s21_q;
+  logic or_1449_s21_q;
+  logic or_1452_s21_q;
+  logic or_1455_s21_q;
+  logic not_1457_s21_q;
   logic [29:0] regions_rdata_s21_q;
   logic textured_s21_q;
   logic explained_s21_q;
-  logic and_1478_s21_q;
-  logic and_1483_s21_q;
+  logic and_1479_s21_q;
+  logic and_1484_s21_q;
   logic [2:0] textured_2_s21_q;
-  logic equal_1534_s21_q;
-  logic or_1542_s21_q;
-  logic or_1545_s21_q;
-  logic or_1548_s21_q;
-  logic [3:0] difference_1568_s21_q;
-  logic [3:0] difference_1584_s21_q;
-  logic and_1598_s21_q;
-  logic sum_1633_s21_q;
-  logic [9:0] difference_1634_s21_q;
-  logic sum_1641_s21_q;
-  logic [9:0] difference_1642_s21_q;
-  logic difference_1713_s21_q;
-  logic [8:0] xor_1714_s21_q;
-  logic difference_1716_s21_q;
-  logic [8:0] xor_1717_s21_q;
-  logic difference_1720_s21_q;
-  logic [8:0] xor_1721_s21_q;
-  logic difference_1724_s21_q;
-  logic [8:0] xor_1725_s21_q;
-  logic difference_1728_s21_q;
-  logic [8:0] xor_1729_s21_q;
-  logic equal_1738_s21_q;
-  logic difference_1758_s21_q;
-  logic [8:0] xor_1759_s21_q;
-  logic difference_1769_s21_q;
-  logic [8:0] xor_1770_s21_q;
-  logic equal_1859_s21_q;
-  logic and_1976_s21_q;
-  logic and_1980_s21_q;
-  logic and_1985_s21_q;
-  logic not_1999_s21_q;
-  logic [3:0] difference_2009_s21_q;
-  logic equal_2084_s21_q;
-  logic and_2113_s21_q;
-  logic [7:0] select_2121_s21_q;
-  logic sum_2128_s21_q;
-  logic [9:0] sum_2132_s21_q;
-  logic equal_2359_s21_q;
-  logic and_2360_s21_q;
-  logic equal_2379_s21_q;
-  logic equal_2381_s21_q;
+  logic equal_1535_s21_q;
+  logic or_1543_s21_q;
+  logic or_1546_s21_q;
+  logic or_1549_s21_q;
+  logic [3:0] difference_1569_s21_q;
+  logic [3:0] difference_1585_s21_q;
+  logic and_1599_s21_q;
+  logic sum_1634_s21_q;
+  logic [9:0] difference_1635_s21_q;
+  logic sum_1642_s21_q;
+  logic [9:0] difference_1643_s21_q;
+  logic difference_1714_s21_q;
+  logic [8:0] xor_1715_s21_q;
+  logic difference_1717_s21_q;
+  logic [8:0] xor_1718_s21_q;
+  logic difference_1721_s21_q;
+  logic [8:0] xor_1722_s21_q;
+  logic difference_1725_s21_q;
+  logic [8:0] xor_1726_s21_q;
+  logic difference_1729_s21_q;
+  logic [8:0] xor_1730_s21_q;
+  logic equal_1739_s21_q;
+  logic difference_1760_s21_q;
+  logic [8:0] xor_1761_s21_q;
+  logic difference_1772_s21_q;
+  logic [8:0] xor_1773_s21_q;
+  logic equal_1863_s21_q;
+  logic and_1979_s21_q;
+  logic and_1983_s21_q;
+  logic and_1988_s21_q;
+  logic not_2002_s21_q;
+  logic [3:0] difference_2012_s21_q;
+  logic equal_2087_s21_q;
+  logic and_2116_s21_q;
+  logic [7:0] select_2124_s21_q;
+  logic sum_2131_s21_q;
+  logic [9:0] sum_2135_s21_q;
+  logic equal_2362_s21_q;
+  logic and_2363_s21_q;
   logic equal_2382_s21_q;
-  logic equal_2404_s21_q;
+  logic equal_2384_s21_q;
+  logic equal_2385_s21_q;
+  logic equal_2407_s21_q;
   logic [13:0] of_s21_q;
-  logic equal_2511_s21_q;
+  logic equal_2514_s21_q;
   always_ff @(posedge clk_i) begin
     if (s20_en) begin
       pixel_0_s21_q <= pixel_0_s20_q;
@@ -5221,12 +5226,11 @@ module horopter_agreement (
       centres_values_1_textured_s21_q <= centres_values_1_textured_s20_q;
       centres_values_1_of_skin_s21_q <= centres_values_1_of_skin_s20_q;
       column_s21_q <= column_s20_q;
-      and_366_s21_q <= and_366_s20_q;
-      and_368_s21_q <= and_368_s20_q;
-      equal_371_s21_q <= equal_371_s20_q;
+      and_367_s21_q <= and_367_s20_q;
+      and_369_s21_q <= and_369_s20_q;
+      equal_372_s21_q <= equal_372_s20_q;
       whole_2_s21_q <= whole_2_s20_q;
       so_s21_q <= so_s20_q;
-      less_402_s21_q <= less_402;
       less_403_s21_q <= less_403;
       less_404_s21_q <= less_404;
       less_405_s21_q <= less_405;
@@ -5250,83 +5254,84 @@ module horopter_agreement (
       less_423_s21_q <= less_423;
       less_424_s21_q <= less_424;
       less_425_s21_q <= less_425;
-      and_433_s21_q <= select_431[4] & select_432[3];
-      and_437_s21_q <= and_437;
-      difference_460_s21_q <= difference_460[9];
-      xor_461_s21_q <= difference_460[8:0] ^ {9{difference_460[9]}};
-      difference_463_s21_q <= difference_463[9];
-      xor_464_s21_q <= difference_463[8:0] ^ {9{difference_463[9]}};
-      difference_467_s21_q <= difference_467[9];
-      xor_468_s21_q <= difference_467[8:0] ^ {9{difference_467[9]}};
-      difference_471_s21_q <= difference_471[9];
-      xor_472_s21_q <= difference_471[8:0] ^ {9{difference_471[9]}};
-      difference_475_s21_q <= difference_475[9];
-      xor_476_s21_q <= difference_475[8:0] ^ {9{difference_475[9]}};
-      equal_1337_s21_q <= equal_1337_s20_q;
-      not_1338_s21_q <= not_1338_s20_q;
+      less_426_s21_q <= less_426;
+      and_434_s21_q <= select_432[4] & select_433[3];
+      and_438_s21_q <= and_438;
+      difference_461_s21_q <= difference_461[9];
+      xor_462_s21_q <= difference_461[8:0] ^ {9{difference_461[9]}};
+      difference_464_s21_q <= difference_464[9];
+      xor_465_s21_q <= difference_464[8:0] ^ {9{difference_464[9]}};
+      difference_468_s21_q <= difference_468[9];
+      xor_469_s21_q <= difference_468[8:0] ^ {9{difference_468[9]}};
+      difference_472_s21_q <= difference_472[9];
+      xor_473_s21_q <= difference_472[8:0] ^ {9{difference_472[9]}};
+      difference_476_s21_q <= difference_476[9];
+      xor_477_s21_q <= difference_476[8:0] ^ {9{difference_476[9]}};
+      equal_1338_s21_q <= equal_1338_s20_q;
+      not_1339_s21_q <= not_1339_s20_q;
       inside_v_s21_q <= inside_v_s20_q[0];
-      equal_1382_s21_q <= equal_1382_s20_q;
+      equal_1383_s21_q <= equal_1383_s20_q;
       all_s21_q <= all;
-      equal_1396_s21_q <= x_s20_q[5:0] == 6'h3b;
-      equal_1398_s21_q <= x_s20_q[5:0] == 6'h36;
-      equal_1400_s21_q <= x_s20_q[5:0] == 6'h35;
-      equal_1402_s21_q <= x_s20_q[5:0] == 6'h34;
+      equal_1397_s21_q <= x_s20_q[5:0] == 6'h3b;
+      equal_1399_s21_q <= x_s20_q[5:0] == 6'h36;
+      equal_1401_s21_q <= x_s20_q[5:0] == 6'h35;
+      equal_1403_s21_q <= x_s20_q[5:0] == 6'h34;
       right_2_s21_q <= right_2_s20_q;
-      or_1448_s21_q <= or_1448_s20_q;
-      or_1451_s21_q <= or_1451_s20_q;
-      or_1454_s21_q <= or_1454_s20_q;
-      not_1456_s21_q <= not_1456_s20_q;
+      or_1449_s21_q <= or_1449_s20_q;
+      or_1452_s21_q <= or_1452_s20_q;
+      or_1455_s21_q <= or_1455_s20_q;
+      not_1457_s21_q <= not_1457_s20_q;
       regions_rdata_s21_q <= regions_rdata_q;
       textured_s21_q <= textured_s20_q;
       explained_s21_q <= explained_s20_q;
-      and_1478_s21_q <= and_1478_s20_q;
-      and_1483_s21_q <= and_1483_s20_q;
+      and_1479_s21_q <= and_1479_s20_q;
+      and_1484_s21_q <= and_1484_s20_q;
       textured_2_s21_q <= textured_2;
-      equal_1534_s21_q <= x_s20_q == 8'h0;
-      or_1542_s21_q <= or_1542_s20_q;
-      or_1545_s21_q <= or_1545_s20_q;
-      or_1548_s21_q <= or_1548_s20_q;
-      difference_1568_s21_q <= {1'b0, shown_2} - {1'b0, select_1567};
-      difference_1584_s21_q <= {1'b0, near_2} - {1'b0, select_1583};
-      and_1598_s21_q <= and_1598_s20_q;
-      sum_1633_s21_q <= sum_1633[0];
-      difference_1634_s21_q <= {1'b0, sum_1633[9:1]} - {1'b0, averager_quarter_1_0_q};
-      sum_1641_s21_q <= sum_1641[0];
-      difference_1642_s21_q <= {1'b0, sum_1641[9:1]} - {1'b0, averager_quarter_1_1_q};
-      difference_1713_s21_q <= difference_1713[9];
-      xor_1714_s21_q <= difference_1713[8:0] ^ {9{difference_1713[9]}};
-      difference_1716_s21_q <= difference_1716[9];
-      xor_1717_s21_q <= difference_1716[8:0] ^ {9{difference_1716[9]}};
-      difference_1720_s21_q <= difference_1720[9];
-      xor_1721_s21_q <= difference_1720[8:0] ^ {9{difference_1720[9]}};
-      difference_1724_s21_q <= difference_1724[9];
-      xor_1725_s21_q <= difference_1724[8:0] ^ {9{difference_1724[9]}};
-      difference_1728_s21_q <= difference_1728[9];
-      xor_1729_s21_q <= difference_1728[8:0] ^ {9{difference_1728[9]}};
-      equal_1738_s21_q <= equal_1738_s20_q;
-      difference_1758_s21_q <= difference_1758[9];
-      xor_1759_s21_q <= difference_1758[8:0] ^ {9{difference_1758[9]}};
-      difference_1769_s21_q <= difference_1769[9];
-      xor_1770_s21_q <= difference_1769[8:0] ^ {9{difference_1769[9]}};
-      equal_1859_s21_q <= equal_1859_s20_q;
-      and_1976_s21_q <= and_1976;
-      and_1980_s21_q <= and_1980_s20_q;
-      and_1985_s21_q <= and_1985;
-      not_1999_s21_q <= not_1999_s20_q;
-      difference_2009_s21_q <= {1'b0, explained_2_s20_q} - {1'b0, select_2008};
-      equal_2084_s21_q <= equal_2084_s20_q;
-      and_2113_s21_q <= and_2113_s20_q;
-      select_2121_s21_q <= select_2121;
-      sum_2128_s21_q <= sum_2128[1];
-      sum_2132_s21_q <= sum_2132;
-      equal_2359_s21_q <= equal_2359;
-      and_2360_s21_q <= equal_2358_s20_q & equal_2359;
-      equal_2379_s21_q <= equal_2379;
-      equal_2381_s21_q <= equal_2381_s20_q;
-      equal_2382_s21_q <= equal_2382_s20_q;
-      equal_2404_s21_q <= (limit & select_2402) == 8'h0;
+      equal_1535_s21_q <= x_s20_q == 8'h0;
+      or_1543_s21_q <= or_1543_s20_q;
+      or_1546_s21_q <= or_1546_s20_q;
+      or_1549_s21_q <= or_1549_s20_q;
+      difference_1569_s21_q <= {1'b0, shown_2} - {1'b0, select_1568};
+      difference_1585_s21_q <= {1'b0, near_2} - {1'b0, select_1584};
+      and_1599_s21_q <= and_1599_s20_q;
+      sum_1634_s21_q <= sum_1634[0];
+      difference_1635_s21_q <= {1'b0, sum_1634[9:1]} - {1'b0, averager_quarter_1_0_q};
+      sum_1642_s21_q <= sum_1642[0];
+      difference_1643_s21_q <= {1'b0, sum_1642[9:1]} - {1'b0, averager_quarter_1_1_q};
+      difference_1714_s21_q <= difference_1714[9];
+      xor_1715_s21_q <= difference_1714[8:0] ^ {9{difference_1714[9]}};
+      difference_1717_s21_q <= difference_1717[9];
+      xor_1718_s21_q <= difference_1717[8:0] ^ {9{difference_1717[9]}};
+      difference_1721_s21_q <= difference_1721[9];
+      xor_1722_s21_q <= difference_1721[8:0] ^ {9{difference_1721[9]}};
+      difference_1725_s21_q <= difference_1725[9];
+      xor_1726_s21_q <= difference_1725[8:0] ^ {9{difference_1725[9]}};
+      difference_1729_s21_q <= difference_1729[9];
+      xor_1730_s21_q <= difference_1729[8:0] ^ {9{difference_1729[9]}};
+      equal_1739_s21_q <= equal_1739_s20_q;
+      difference_1760_s21_q <= difference_1760[9];
+      xor_1761_s21_q <= difference_1760[8:0] ^ {9{difference_1760[9]}};
+      difference_1772_s21_q <= difference_1772[9];
+      xor_1773_s21_q <= difference_1772[8:0] ^ {9{difference_1772[9]}};
+      equal_1863_s21_q <= equal_1863_s20_q;
+      and_1979_s21_q <= and_1979;
+      and_1983_s21_q <= and_1983_s20_q;
+      and_1988_s21_q <= and_1988;
+      not_2002_s21_q <= not_2002_s20_q;
+      difference_2012_s21_q <= {1'b0, explained_2_s20_q} - {1'b0, select_2011};
+      equal_2087_s21_q <= equal_2087_s20_q;
+      and_2116_s21_q <= and_2116_s20_q;
+      select_2124_s21_q <= select_2124;
+      sum_2131_s21_q <= sum_2131[1];
+      sum_2135_s21_q <= sum_2135;
+      equal_2362_s21_q <= equal_2362;
+      and_2363_s21_q <= equal_2361_s20_q & equal_2362;
+      equal_2382_s21_q <= equal_2382;
+      equal_2384_s21_q <= equal_2384_s20_q;
+      equal_2385_s21_q <= equal_2385_s20_q;
+      equal_2407_s21_q <= (limit & select_2405) == 8'h0;
       of_s21_q <= of;
-      equal_2511_s21_q <= equal_2511_s20_q;
+      equal_2514_s21_q <= equal_2514_s20_q;
     end
   end
 
@@ -5359,7 +5364,7 @@ module horopter_agreement (
   logic line_ended_q;
   // hls/stages/agreement.hpp:364
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_437_s21_q;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_438_s21_q;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_s21_q & whole_3;
   logic whole_5;
@@ -5373,209 +5378,209 @@ module horopter_agreement (
   logic whole_9;
   assign whole_9 = census_columns_values_1_cell_1_mask_q & whole_8;
   // hls/stages/census.hpp:198
-  logic [9:0] sum_462;
-  assign sum_462 = {9'h0, difference_460_s21_q} + {1'b0, xor_461_s21_q};
-  logic [9:0] sum_465;
-  assign sum_465 = {9'h0, difference_463_s21_q} + {1'b0, xor_464_s21_q};
+  logic [9:0] sum_463;
+  assign sum_463 = {9'h0, difference_461_s21_q} + {1'b0, xor_462_s21_q};
+  logic [9:0] sum_466;
+  assign sum_466 = {9'h0, difference_464_s21_q} + {1'b0, xor_465_s21_q};
   // hls/stages/agreement.hpp:1054
   logic [1:0] quarter;
   assign quarter = x_s21_q[1:0] + 2'h1;
   // hls/stages/agreement.hpp:1015
-  logic [1:0] select_1385;
-  assign select_1385 = x_s21_q[4] ? {x_s21_q[3], x_s21_q[0]} : {x_s21_q[0], x_s21_q[3]};
+  logic [1:0] select_1386;
+  assign select_1386 = x_s21_q[4] ? {x_s21_q[3], x_s21_q[0]} : {x_s21_q[0], x_s21_q[3]};
   // hls/stages/agreement.hpp:1027
-  logic [3:0] select_1387;
-  assign select_1387 = equal_1382_s21_q ? {2'h0, quarter} : (all_s21_q ? {1'b0, x_s21_q[2:0]} : {x_s21_q[2:1], select_1385});
+  logic [3:0] select_1388;
+  assign select_1388 = equal_1383_s21_q ? {2'h0, quarter} : (all_s21_q ? {1'b0, x_s21_q[2:0]} : {x_s21_q[2:1], select_1386});
   // hls/stages/registration.hpp:106
-  logic [1:0] sum_1388;
-  assign sum_1388 = slot_s21_q[1:0] + 2'h3;
+  logic [1:0] sum_1389;
+  assign sum_1389 = slot_s21_q[1:0] + 2'h3;
   // hls/stages/agreement.hpp:324
-  logic [3:0] select_1389;
-  assign select_1389 = equal_1337_s21_q ? select_1387 : {sum_1388, lower_half_s21_q, registration_of_right_q};
+  logic [3:0] select_1390;
+  assign select_1390 = equal_1338_s21_q ? select_1388 : {sum_1389, lower_half_s21_q, registration_of_right_q};
   // hls/stages/agreement.hpp:1052
-  logic equal_1390;
-  assign equal_1390 = x_s21_q[5:0] == 6'h3e;
-  logic equal_1392;
-  assign equal_1392 = x_s21_q[5:0] == 6'h3d;
-  logic equal_1394;
-  assign equal_1394 = x_s21_q[5:0] == 6'h3c;
+  logic equal_1391;
+  assign equal_1391 = x_s21_q[5:0] == 6'h3e;
+  logic equal_1393;
+  assign equal_1393 = x_s21_q[5:0] == 6'h3d;
+  logic equal_1395;
+  assign equal_1395 = x_s21_q[5:0] == 6'h3c;
   // hls/stages/agreement.hpp:1054
-  logic and_1405;
-  assign and_1405 = (~equal_1398_s21_q) & ((~equal_1400_s21_q) & (~equal_1402_s21_q));
-  logic and_1408;
-  assign and_1408 = (~equal_1392) & ((~equal_1394) & ((~equal_1396_s21_q) & and_1405));
+  logic and_1406;
+  assign and_1406 = (~equal_1399_s21_q) & ((~equal_1401_s21_q) & (~equal_1403_s21_q));
+  logic and_1409;
+  assign and_1409 = (~equal_1393) & ((~equal_1395) & ((~equal_1397_s21_q) & and_1406));
   // hls/stages/agreement.hpp:1015
-  logic less_1410;
-  assign less_1410 = x_s21_q[5:0] < 6'h29;
+  logic less_1411;
+  assign less_1411 = x_s21_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:147
   logic [1:0] kind;
   assign kind = all_s21_q ? {1'b0, x_s21_q[2]} : x_s21_q[2:1];
   // hls/stages/registration.hpp:159
-  logic or_1414;
-  assign or_1414 = (kind == 2'h3) | (x_s21_q[5:3] == 3'h5);
+  logic or_1415;
+  assign or_1415 = (kind == 2'h3) | (x_s21_q[5:3] == 3'h5);
   // hls/stages/agreement.hpp:1027
-  logic select_1417;
-  assign select_1417 = equal_1382_s21_q ? ((~equal_1390) & and_1408) : (less_1410 & (~or_1414));
+  logic select_1418;
+  assign select_1418 = equal_1383_s21_q ? ((~equal_1391) & and_1409) : (less_1411 & (~or_1415));
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = inside_v_s21_q ? (right_2_s21_q & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:106
-  logic [4:0] sum_1425;
-  assign sum_1425 = {2'h0, slot_s21_q} + 5'h1f;
+  logic [4:0] sum_1426;
+  assign sum_1426 = {2'h0, slot_s21_q} + 5'h1f;
   // hls/stages/registration.hpp:253
-  logic not_1431;
-  assign not_1431 = ~lower_half_s21_q;
-  logic [3:0] select_1432;
-  assign select_1432 = registration_of_right_q ? {lower_half_s21_q, 1'b0, not_1431, 1'b0} : {1'b0, lower_half_s21_q, 1'b0, not_1431};
+  logic not_1432;
+  assign not_1432 = ~lower_half_s21_q;
+  logic [3:0] select_1433;
+  assign select_1433 = registration_of_right_q ? {lower_half_s21_q, 1'b0, not_1432, 1'b0} : {1'b0, lower_half_s21_q, 1'b0, not_1432};
   // hls/stages/agreement.hpp:813
-  logic [6:0] select_1468;
-  assign select_1468 = segment_started_s21_q ? segment_textured_q : 7'h0;
+  logic [6:0] select_1469;
+  assign select_1469 = segment_started_s21_q ? segment_textured_q : 7'h0;
   // hls/stages/agreement.hpp:814
-  logic [6:0] sum_1469;
-  assign sum_1469 = {6'h0, textured_s21_q} + select_1468;
+  logic [6:0] sum_1470;
+  assign sum_1470 = {6'h0, textured_s21_q} + select_1469;
   // hls/stages/agreement.hpp:947
-  logic [9:0] sum_1471;
-  assign sum_1471 = {3'h0, sum_1469} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[9:0]);
+  logic [9:0] sum_1472;
+  assign sum_1472 = {3'h0, sum_1470} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[9:0]);
   // hls/stages/agreement.hpp:813
-  logic [6:0] select_1473;
-  assign select_1473 = segment_started_s21_q ? segment_explained_q : 7'h0;
+  logic [6:0] select_1474;
+  assign select_1474 = segment_started_s21_q ? segment_explained_q : 7'h0;
   // hls/stages/agreement.hpp:814
-  logic [6:0] sum_1474;
-  assign sum_1474 = {6'h0, explained_s21_q} + select_1473;
+  logic [6:0] sum_1475;
+  assign sum_1475 = {6'h0, explained_s21_q} + select_1474;
   // hls/stages/agreement.hpp:948
-  logic [9:0] sum_1476;
-  assign sum_1476 = {3'h0, sum_1474} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[19:10]);
+  logic [9:0] sum_1477;
+  assign sum_1477 = {3'h0, sum_1475} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[19:10]);
   // hls/stages/agreement.hpp:813
-  logic [6:0] select_1479;
-  assign select_1479 = segment_started_s21_q ? segment_nearer_q : 7'h0;
+  logic [6:0] select_1480;
+  assign select_1480 = segment_started_s21_q ? segment_nearer_q : 7'h0;
   // hls/stages/agreement.hpp:815
-  logic [6:0] sum_1480;
-  assign sum_1480 = {6'h0, and_1478_s21_q} + select_1479;
+  logic [6:0] sum_1481;
+  assign sum_1481 = {6'h0, and_1479_s21_q} + select_1480;
   // hls/stages/agreement.hpp:949
-  logic [9:0] sum_1482;
-  assign sum_1482 = {3'h0, sum_1480} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[29:20]);
+  logic [9:0] sum_1483;
+  assign sum_1483 = {3'h0, sum_1481} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[29:20]);
   // hls/stages/agreement.hpp:1139
-  logic or_1492;
-  assign or_1492 = marks_first_s21_q | line_ended_q;
+  logic or_1493;
+  assign or_1493 = marks_first_s21_q | line_ended_q;
   // hls/stages/agreement.hpp:1141
-  logic [13:0] select_1494;
-  assign select_1494 = marks_first_s21_q ? 14'h1 : (or_1492 ? {rows_passed_q[12:0], 1'b1} : rows_passed_q);
+  logic [13:0] select_1495;
+  assign select_1495 = marks_first_s21_q ? 14'h1 : (or_1493 ? {rows_passed_q[12:0], 1'b1} : rows_passed_q);
   // hls/stages/agreement.hpp:1140
-  logic [8:0] select_1496;
-  assign select_1496 = or_1492 ? 9'h0 : columns_passed_q;
+  logic [8:0] select_1497;
+  assign select_1497 = or_1493 ? 9'h0 : columns_passed_q;
   // hls/stages/agreement.hpp:1148
-  logic select_1498;
-  assign select_1498 = cfg_compete_i ? (or_1492 & select_1494[13]) : (select_1496[8] & select_1494[9]);
+  logic select_1499;
+  assign select_1499 = cfg_compete_i ? (or_1493 & select_1495[13]) : (select_1497[8] & select_1495[9]);
   // hls/stages/agreement.hpp:980
-  logic [2:0] select_1532;
-  assign select_1532 = age_s21_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [2:0] select_1533;
+  assign select_1533 = age_s21_q ? box_textured_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:982
   logic [4:0] around;
-  assign around = {difference_1568_s21_q[3], difference_1568_s21_q} + (equal_1534_s21_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  assign around = {difference_1569_s21_q[3], difference_1569_s21_q} + (equal_1535_s21_q ? 5'h0 : box_shown_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:983
   logic [4:0] n;
-  assign n = {difference_1584_s21_q[3], difference_1584_s21_q} + (equal_1534_s21_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  assign n = {difference_1585_s21_q[3], difference_1585_s21_q} + (equal_1535_s21_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/census.hpp:137
-  logic [9:0] xor_1635;
-  assign xor_1635 = {difference_1634_s21_q[8:0], sum_1633_s21_q} ^ {10{difference_1634_s21_q[9]}};
+  logic [9:0] xor_1636;
+  assign xor_1636 = {difference_1635_s21_q[8:0], sum_1634_s21_q} ^ {10{difference_1635_s21_q[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_1634_s21_q[9]} + {1'b0, xor_1635};
-  logic [9:0] xor_1643;
-  assign xor_1643 = {difference_1642_s21_q[8:0], sum_1641_s21_q} ^ {10{difference_1642_s21_q[9]}};
+  assign size = {10'h0, difference_1635_s21_q[9]} + {1'b0, xor_1636};
+  logic [9:0] xor_1644;
+  assign xor_1644 = {difference_1643_s21_q[8:0], sum_1642_s21_q} ^ {10{difference_1643_s21_q[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_1642_s21_q[9]} + {1'b0, xor_1643};
+  assign size_2 = {10'h0, difference_1643_s21_q[9]} + {1'b0, xor_1644};
   // hls/stages/agreement.hpp:427
-  logic select_1658;
-  assign select_1658 = and_368_s21_q ? whole_2_s21_q : census_columns_values_0_cell_0_mask_q;
-  logic select_1674;
-  assign select_1674 = and_368_s21_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic select_1677;
-  assign select_1677 = and_368_s21_q ? census_columns_values_0_cell_1_mask_s21_q : census_columns_values_1_cell_1_mask_q;
-  logic select_1680;
-  assign select_1680 = and_368_s21_q ? census_columns_values_0_cell_2_mask_s21_q : census_columns_values_1_cell_2_mask_q;
-  logic select_1684;
-  assign select_1684 = and_368_s21_q ? census_columns_values_0_cell_3_mask_s21_q : census_columns_values_1_cell_3_mask_q;
-  logic select_1687;
-  assign select_1687 = and_368_s21_q ? census_columns_values_0_cell_4_mask_s21_q : census_columns_values_1_cell_4_mask_q;
-  logic select_1690;
-  assign select_1690 = and_368_s21_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic select_1693;
-  assign select_1693 = and_368_s21_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic select_1659;
+  assign select_1659 = and_369_s21_q ? whole_2_s21_q : census_columns_values_0_cell_0_mask_q;
+  logic select_1675;
+  assign select_1675 = and_369_s21_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic select_1678;
+  assign select_1678 = and_369_s21_q ? census_columns_values_0_cell_1_mask_s21_q : census_columns_values_1_cell_1_mask_q;
+  logic select_1681;
+  assign select_1681 = and_369_s21_q ? census_columns_values_0_cell_2_mask_s21_q : census_columns_values_1_cell_2_mask_q;
+  logic select_1685;
+  assign select_1685 = and_369_s21_q ? census_columns_values_0_cell_3_mask_s21_q : census_columns_values_1_cell_3_mask_q;
+  logic select_1688;
+  assign select_1688 = and_369_s21_q ? census_columns_values_0_cell_4_mask_s21_q : census_columns_values_1_cell_4_mask_q;
+  logic select_1691;
+  assign select_1691 = and_369_s21_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic select_1694;
+  assign select_1694 = and_369_s21_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
   // hls/stages/census.hpp:200
-  logic [9:0] sum_1715;
-  assign sum_1715 = {9'h0, difference_1713_s21_q} + {1'b0, xor_1714_s21_q};
-  logic [9:0] sum_1718;
-  assign sum_1718 = {9'h0, difference_1716_s21_q} + {1'b0, xor_1717_s21_q};
+  logic [9:0] sum_1716;
+  assign sum_1716 = {9'h0, difference_1714_s21_q} + {1'b0, xor_1715_s21_q};
+  logic [9:0] sum_1719;
+  assign sum_1719 = {9'h0, difference_1717_s21_q} + {1'b0, xor_1718_s21_q};
   // hls/stages/census.hpp:281
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_1758_s21_q} + xor_1759_s21_q;
+  assign contrast = {8'h0, difference_1760_s21_q} + xor_1761_s21_q;
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_1769_s21_q} + xor_1770_s21_q;
+  assign contrast_2 = {8'h0, difference_1772_s21_q} + xor_1773_s21_q;
   // hls/stages/agreement.hpp:324
-  logic and_1990;
-  assign and_1990 = not_1338_s21_q & (so_s21_q & (ends_cell_s21_q & explained_s21_q));
+  logic and_1993;
+  assign and_1993 = not_1339_s21_q & (so_s21_q & (ends_cell_s21_q & explained_s21_q));
   // hls/stages/agreement.hpp:836
-  logic [13:0] select_1992;
-  assign select_1992 = and_1976_s21_q ? 14'h0 : (counts_explained_q + {13'h0, and_1990});
+  logic [13:0] select_1995;
+  assign select_1995 = and_1979_s21_q ? 14'h0 : (counts_explained_q + {13'h0, and_1993});
   // hls/stages/agreement.hpp:324
-  logic and_1995;
-  assign and_1995 = not_1338_s21_q & (so_s21_q & (ends_cell_s21_q & and_1478_s21_q));
+  logic and_1998;
+  assign and_1998 = not_1339_s21_q & (so_s21_q & (ends_cell_s21_q & and_1479_s21_q));
   // hls/stages/agreement.hpp:981
   logic [4:0] e;
-  assign e = {difference_2009_s21_q[3], difference_2009_s21_q} + (equal_1534_s21_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  assign e = {difference_2012_s21_q[3], difference_2012_s21_q} + (equal_1535_s21_q ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1017
-  logic less_2024;
-  assign less_2024 = region_row_s21_q < x_s21_q[5:3];
+  logic less_2027;
+  assign less_2027 = region_row_s21_q < x_s21_q[5:3];
   // hls/stages/registration.hpp:107
-  logic equal_2108;
-  assign equal_2108 = slot_s21_q == 3'h4;
+  logic equal_2111;
+  assign equal_2111 = slot_s21_q == 3'h4;
   // hls/stages/registration.hpp:101
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2121_s21_q[7]}}, select_2121_s21_q} - {sum_2132_s21_q[9], sum_2132_s21_q, sum_2128_s21_q};
+  assign value_2 = {{4{select_2124_s21_q[7]}}, select_2124_s21_q} - {sum_2135_s21_q[9], sum_2135_s21_q, sum_2131_s21_q};
   // hls/stages/agreement.hpp:324
-  logic select_2179;
-  assign select_2179 = so_s21_q ? (equal_2108 ? right_2_s21_q : registration_of_right_q) : registration_of_right_q;
   logic select_2182;
-  assign select_2182 = so_s21_q ? (equal_2084_s21_q ? inside_v_s21_q : registration_was_inside_q) : registration_was_inside_q;
+  assign select_2182 = so_s21_q ? (equal_2111 ? right_2_s21_q : registration_of_right_q) : registration_of_right_q;
+  logic select_2185;
+  assign select_2185 = so_s21_q ? (equal_2087_s21_q ? inside_v_s21_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/agreement.hpp:1015
   logic [1:0] quarter_2;
-  assign quarter_2 = all_s21_q ? x_s21_q[1:0] : select_1385;
+  assign quarter_2 = all_s21_q ? x_s21_q[1:0] : select_1386;
   // hls/stages/agreement.hpp:1099
-  logic [13:0] select_2393;
-  assign select_2393 = equal_2359_s21_q ? 14'h0 : product_q;
-  logic [13:0] select_2408;
-  assign select_2408 = equal_2404_s21_q ? 14'h0 : of_s21_q;
+  logic [13:0] select_2396;
+  assign select_2396 = equal_2362_s21_q ? 14'h0 : product_q;
+  logic [13:0] select_2411;
+  assign select_2411 = equal_2407_s21_q ? 14'h0 : of_s21_q;
   logic [14:0] sum_3;
-  assign sum_3 = {1'b0, select_2393} + {1'b0, select_2408};
+  assign sum_3 = {1'b0, select_2396} + {1'b0, select_2411};
   // hls/stages/agreement.hpp:324
-  logic [2:0] select_2426;
-  assign select_2426 = ends_cell_s21_q ? textured_2_s21_q : box_textured_columns_values_0_q;
-  logic [2:0] select_2428;
-  assign select_2428 = equal_1337_s21_q ? box_textured_columns_values_0_q : (so_s21_q ? select_2426 : box_textured_columns_values_0_q);
   logic [2:0] select_2429;
-  assign select_2429 = ends_cell_s21_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  assign select_2429 = ends_cell_s21_q ? textured_2_s21_q : box_textured_columns_values_0_q;
   logic [2:0] select_2431;
-  assign select_2431 = equal_1337_s21_q ? box_textured_columns_values_1_q : (so_s21_q ? select_2429 : box_textured_columns_values_1_q);
+  assign select_2431 = equal_1338_s21_q ? box_textured_columns_values_0_q : (so_s21_q ? select_2429 : box_textured_columns_values_0_q);
   logic [2:0] select_2432;
-  assign select_2432 = ends_cell_s21_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  assign select_2432 = ends_cell_s21_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
   logic [2:0] select_2434;
-  assign select_2434 = equal_1337_s21_q ? box_textured_columns_values_2_q : (so_s21_q ? select_2432 : box_textured_columns_values_2_q);
+  assign select_2434 = equal_1338_s21_q ? box_textured_columns_values_1_q : (so_s21_q ? select_2432 : box_textured_columns_values_1_q);
   logic [2:0] select_2435;
-  assign select_2435 = ends_cell_s21_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  assign select_2435 = ends_cell_s21_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
   logic [2:0] select_2437;
-  assign select_2437 = equal_1337_s21_q ? box_textured_columns_values_3_q : (so_s21_q ? select_2435 : box_textured_columns_values_3_q);
+  assign select_2437 = equal_1338_s21_q ? box_textured_columns_values_2_q : (so_s21_q ? select_2435 : box_textured_columns_values_2_q);
   logic [2:0] select_2438;
-  assign select_2438 = ends_cell_s21_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  assign select_2438 = ends_cell_s21_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
   logic [2:0] select_2440;
-  assign select_2440 = equal_1337_s21_q ? box_textured_columns_values_4_q : (so_s21_q ? select_2438 : box_textured_columns_values_4_q);
-  logic [4:0] select_2460;
-  assign select_2460 = so_s21_q ? (ends_cell_s21_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_2461;
-  assign select_2461 = equal_1337_s21_q ? box_explained_sum_sums_values_0_q : select_2460;
-  logic [4:0] select_2478;
-  assign select_2478 = so_s21_q ? (ends_cell_s21_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [4:0] select_2496;
-  assign select_2496 = so_s21_q ? (ends_cell_s21_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  assign select_2440 = equal_1338_s21_q ? box_textured_columns_values_3_q : (so_s21_q ? select_2438 : box_textured_columns_values_3_q);
+  logic [2:0] select_2441;
+  assign select_2441 = ends_cell_s21_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_2443;
+  assign select_2443 = equal_1338_s21_q ? box_textured_columns_values_4_q : (so_s21_q ? select_2441 : box_textured_columns_values_4_q);
+  logic [4:0] select_2463;
+  assign select_2463 = so_s21_q ? (ends_cell_s21_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_2464;
+  assign select_2464 = equal_1338_s21_q ? box_explained_sum_sums_values_0_q : select_2463;
+  logic [4:0] select_2481;
+  assign select_2481 = so_s21_q ? (ends_cell_s21_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [4:0] select_2499;
+  assign select_2499 = so_s21_q ? (ends_cell_s21_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -5590,15 +5595,15 @@ module horopter_agreement (
       columns_passed_q <= 9'h0;
       line_ended_q <= 1'b1;
     end else if (s21_en) begin
-      counts_explained_q <= select_1992;
-      registration_of_right_q <= equal_1337_s21_q ? registration_of_right_q : select_2179;
-      registration_was_inside_q <= equal_1337_s21_q ? registration_was_inside_q : select_2182;
-      segment_textured_q <= select_1468 + {6'h0, and_1985_s21_q};
-      segment_explained_q <= select_1473 + {6'h0, and_1990};
-      segment_nearer_q <= select_1479 + {6'h0, and_1995};
-      product_q <= equal_1337_s21_q ? sum_3[14:1] : product_q;
-      rows_passed_q <= select_1494;
-      columns_passed_q <= {select_1496[7:0], or_1492};
+      counts_explained_q <= select_1995;
+      registration_of_right_q <= equal_1338_s21_q ? registration_of_right_q : select_2182;
+      registration_was_inside_q <= equal_1338_s21_q ? registration_was_inside_q : select_2185;
+      segment_textured_q <= select_1469 + {6'h0, and_1988_s21_q};
+      segment_explained_q <= select_1474 + {6'h0, and_1993};
+      segment_nearer_q <= select_1480 + {6'h0, and_1998};
+      product_q <= equal_1338_s21_q ? sum_3[14:1] : product_q;
+      rows_passed_q <= select_1495;
+      columns_passed_q <= {select_1497[7:0], or_1493};
       line_ended_q <= marks_last_s21_q;
     end
   end
@@ -5626,22 +5631,22 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s21_en) begin
-      census_columns_values_0_cell_0_mask_q <= select_1658;
-      census_columns_values_1_cell_0_mask_q <= select_1674;
-      census_columns_values_1_cell_1_mask_q <= select_1677;
-      census_columns_values_1_cell_2_mask_q <= select_1680;
-      census_columns_values_1_cell_3_mask_q <= select_1684;
-      census_columns_values_1_cell_4_mask_q <= select_1687;
-      census_columns_values_2_cell_0_mask_q <= select_1690;
-      census_columns_values_2_cell_1_mask_q <= select_1693;
-      box_textured_columns_values_0_q <= select_2428;
-      box_textured_columns_values_1_q <= select_2431;
-      box_textured_columns_values_2_q <= select_2434;
-      box_textured_columns_values_3_q <= select_2437;
-      box_textured_columns_values_4_q <= select_2440;
-      box_explained_sum_sums_values_0_q <= select_2461;
-      box_shown_sum_sums_values_0_q <= equal_1337_s21_q ? box_shown_sum_sums_values_0_q : select_2478;
-      box_nearer_sum_sums_values_0_q <= equal_1337_s21_q ? box_nearer_sum_sums_values_0_q : select_2496;
+      census_columns_values_0_cell_0_mask_q <= select_1659;
+      census_columns_values_1_cell_0_mask_q <= select_1675;
+      census_columns_values_1_cell_1_mask_q <= select_1678;
+      census_columns_values_1_cell_2_mask_q <= select_1681;
+      census_columns_values_1_cell_3_mask_q <= select_1685;
+      census_columns_values_1_cell_4_mask_q <= select_1688;
+      census_columns_values_2_cell_0_mask_q <= select_1691;
+      census_columns_values_2_cell_1_mask_q <= select_1694;
+      box_textured_columns_values_0_q <= select_2431;
+      box_textured_columns_values_1_q <= select_2434;
+      box_textured_columns_values_2_q <= select_2437;
+      box_textured_columns_values_3_q <= select_2440;
+      box_textured_columns_values_4_q <= select_2443;
+      box_explained_sum_sums_values_0_q <= select_2464;
+      box_shown_sum_sums_values_0_q <= equal_1338_s21_q ? box_shown_sum_sums_values_0_q : select_2481;
+      box_nearer_sum_sums_values_0_q <= equal_1338_s21_q ? box_nearer_sum_sums_values_0_q : select_2499;
     end
   end
 
@@ -5669,12 +5674,11 @@ module horopter_agreement (
   logic centres_values_1_textured_s22_q;
   logic centres_values_1_of_skin_s22_q;
   logic [6:0] column_s22_q;
-  logic and_366_s22_q;
-  logic and_368_s22_q;
-  logic equal_371_s22_q;
+  logic and_367_s22_q;
+  logic and_369_s22_q;
+  logic equal_372_s22_q;
   logic whole_2_s22_q;
   logic so_s22_q;
-  logic less_402_s22_q;
   logic less_403_s22_q;
   logic less_404_s22_q;
   logic less_405_s22_q;
@@ -5698,82 +5702,83 @@ module horopter_agreement (
   logic less_423_s22_q;
   logic less_424_s22_q;
   logic less_425_s22_q;
-  logic and_433_s22_q;
+  logic less_426_s22_q;
+  logic and_434_s22_q;
   logic whole_9_s22_q;
-  logic [10:0] sum_466_s22_q;
-  logic [9:0] sum_469_s22_q;
-  logic [9:0] sum_473_s22_q;
-  logic [9:0] sum_477_s22_q;
-  logic equal_1337_s22_q;
-  logic not_1338_s22_q;
-  logic equal_1382_s22_q;
+  logic [10:0] sum_467_s22_q;
+  logic [9:0] sum_470_s22_q;
+  logic [9:0] sum_474_s22_q;
+  logic [9:0] sum_478_s22_q;
+  logic equal_1338_s22_q;
+  logic not_1339_s22_q;
+  logic equal_1383_s22_q;
   logic [1:0] quarter_s22_q;
   logic all_s22_q;
-  logic [1:0] sum_1388_s22_q;
-  logic [3:0] select_1389_s22_q;
-  logic equal_1390_s22_q;
-  logic equal_1392_s22_q;
-  logic equal_1394_s22_q;
-  logic equal_1396_s22_q;
-  logic equal_1398_s22_q;
-  logic equal_1400_s22_q;
-  logic equal_1402_s22_q;
-  logic less_1410_s22_q;
-  logic or_1414_s22_q;
-  logic select_1417_s22_q;
-  logic and_1427_s22_q;
-  logic [3:0] select_1432_s22_q;
-  logic or_1448_s22_q;
-  logic or_1451_s22_q;
-  logic or_1454_s22_q;
-  logic not_1456_s22_q;
-  logic [9:0] sum_1471_s22_q;
-  logic [9:0] sum_1476_s22_q;
-  logic [9:0] sum_1482_s22_q;
-  logic and_1483_s22_q;
-  logic select_1498_s22_q;
-  logic [3:0] difference_1533_s22_q;
-  logic equal_1534_s22_q;
-  logic or_1542_s22_q;
-  logic or_1545_s22_q;
-  logic or_1548_s22_q;
+  logic [1:0] sum_1389_s22_q;
+  logic [3:0] select_1390_s22_q;
+  logic equal_1391_s22_q;
+  logic equal_1393_s22_q;
+  logic equal_1395_s22_q;
+  logic equal_1397_s22_q;
+  logic equal_1399_s22_q;
+  logic equal_1401_s22_q;
+  logic equal_1403_s22_q;
+  logic less_1411_s22_q;
+  logic or_1415_s22_q;
+  logic select_1418_s22_q;
+  logic and_1428_s22_q;
+  logic [3:0] select_1433_s22_q;
+  logic or_1449_s22_q;
+  logic or_1452_s22_q;
+  logic or_1455_s22_q;
+  logic not_1457_s22_q;
+  logic [9:0] sum_1472_s22_q;
+  logic [9:0] sum_1477_s22_q;
+  logic [9:0] sum_1483_s22_q;
+  logic and_1484_s22_q;
+  logic select_1499_s22_q;
+  logic [3:0] difference_1534_s22_q;
+  logic equal_1535_s22_q;
+  logic or_1543_s22_q;
+  logic or_1546_s22_q;
+  logic or_1549_s22_q;
   logic [4:0] around_s22_q;
-  logic less_1587_s22_q;
-  logic and_1598_s22_q;
+  logic less_1588_s22_q;
+  logic and_1599_s22_q;
   logic [10:0] size_s22_q;
   logic [10:0] size_2_s22_q;
-  logic [10:0] sum_1719_s22_q;
-  logic [9:0] sum_1722_s22_q;
-  logic [9:0] sum_1726_s22_q;
-  logic [9:0] sum_1730_s22_q;
-  logic equal_1738_s22_q;
+  logic [10:0] sum_1720_s22_q;
+  logic [9:0] sum_1723_s22_q;
+  logic [9:0] sum_1727_s22_q;
+  logic [9:0] sum_1731_s22_q;
+  logic equal_1739_s22_q;
   logic [8:0] contrast_s22_q;
   logic [8:0] contrast_2_s22_q;
-  logic equal_1859_s22_q;
-  logic and_1976_s22_q;
-  logic and_1980_s22_q;
-  logic and_1995_s22_q;
-  logic not_1999_s22_q;
+  logic equal_1863_s22_q;
+  logic and_1979_s22_q;
+  logic and_1983_s22_q;
+  logic and_1998_s22_q;
+  logic not_2002_s22_q;
   logic [4:0] e_s22_q;
-  logic [9:0] select_2025_s22_q;
   logic [9:0] select_2028_s22_q;
-  logic equal_2084_s22_q;
-  logic and_2111_s22_q;
-  logic and_2113_s22_q;
-  logic [11:0] select_2135_s22_q;
-  logic equal_2184_s22_q;
-  logic [3:0] not_2185_s22_q;
+  logic [9:0] select_2031_s22_q;
+  logic equal_2087_s22_q;
+  logic and_2114_s22_q;
+  logic and_2116_s22_q;
+  logic [11:0] select_2138_s22_q;
+  logic equal_2187_s22_q;
+  logic [3:0] not_2188_s22_q;
   logic [1:0] quarter_2_s22_q;
-  logic equal_2359_s22_q;
-  logic and_2360_s22_q;
-  logic less_2361_s22_q;
   logic equal_2362_s22_q;
-  logic equal_2379_s22_q;
-  logic equal_2381_s22_q;
+  logic and_2363_s22_q;
+  logic less_2364_s22_q;
+  logic equal_2365_s22_q;
   logic equal_2382_s22_q;
+  logic equal_2384_s22_q;
+  logic equal_2385_s22_q;
   logic sum_3_s22_q;
-  logic equal_2511_s22_q;
-  logic [9:0] select_2604_s22_q;
+  logic equal_2514_s22_q;
+  logic [9:0] select_2607_s22_q;
   always_ff @(posedge clk_i) begin
     if (s21_en) begin
       pixel_0_s22_q <= pixel_0_s21_q;
@@ -5800,12 +5805,11 @@ module horopter_agreement (
       centres_values_1_textured_s22_q <= centres_values_1_textured_s21_q;
       centres_values_1_of_skin_s22_q <= centres_values_1_of_skin_s21_q;
       column_s22_q <= column_s21_q;
-      and_366_s22_q <= and_366_s21_q;
-      and_368_s22_q <= and_368_s21_q;
-      equal_371_s22_q <= equal_371_s21_q;
+      and_367_s22_q <= and_367_s21_q;
+      and_369_s22_q <= and_369_s21_q;
+      equal_372_s22_q <= equal_372_s21_q;
       whole_2_s22_q <= whole_2_s21_q;
       so_s22_q <= so_s21_q;
-      less_402_s22_q <= less_402_s21_q;
       less_403_s22_q <= less_403_s21_q;
       less_404_s22_q <= less_404_s21_q;
       less_405_s22_q <= less_405_s21_q;
@@ -5829,82 +5833,83 @@ module horopter_agreement (
       less_423_s22_q <= less_423_s21_q;
       less_424_s22_q <= less_424_s21_q;
       less_425_s22_q <= less_425_s21_q;
-      and_433_s22_q <= and_433_s21_q;
+      less_426_s22_q <= less_426_s21_q;
+      and_434_s22_q <= and_434_s21_q;
       whole_9_s22_q <= whole_9;
-      sum_466_s22_q <= {1'b0, sum_462} + {1'b0, sum_465};
-      sum_469_s22_q <= {9'h0, difference_467_s21_q} + {1'b0, xor_468_s21_q};
-      sum_473_s22_q <= {9'h0, difference_471_s21_q} + {1'b0, xor_472_s21_q};
-      sum_477_s22_q <= {9'h0, difference_475_s21_q} + {1'b0, xor_476_s21_q};
-      equal_1337_s22_q <= equal_1337_s21_q;
-      not_1338_s22_q <= not_1338_s21_q;
-      equal_1382_s22_q <= equal_1382_s21_q;
+      sum_467_s22_q <= {1'b0, sum_463} + {1'b0, sum_466};
+      sum_470_s22_q <= {9'h0, difference_468_s21_q} + {1'b0, xor_469_s21_q};
+      sum_474_s22_q <= {9'h0, difference_472_s21_q} + {1'b0, xor_473_s21_q};
+      sum_478_s22_q <= {9'h0, difference_476_s21_q} + {1'b0, xor_477_s21_q};
+      equal_1338_s22_q <= equal_1338_s21_q;
+      not_1339_s22_q <= not_1339_s21_q;
+      equal_1383_s22_q <= equal_1383_s21_q;
       quarter_s22_q <= quarter;
       all_s22_q <= all_s21_q;
-      sum_1388_s22_q <= sum_1388;
-      select_1389_s22_q <= select_1389;
-      equal_1390_s22_q <= equal_1390;
-      equal_1392_s22_q <= equal_1392;
-      equal_1394_s22_q <= equal_1394;
-      equal_1396_s22_q <= equal_1396_s21_q;
-      equal_1398_s22_q <= equal_1398_s21_q;
-      equal_1400_s22_q <= equal_1400_s21_q;
-      equal_1402_s22_q <= equal_1402_s21_q;
-      less_1410_s22_q <= less_1410;
-      or_1414_s22_q <= or_1414;
-      select_1417_s22_q <= select_1417;
-      and_1427_s22_q <= half_ends & ({{3{sum_1425[4]}}, sum_1425} < 8'h3);
-      select_1432_s22_q <= select_1432;
-      or_1448_s22_q <= or_1448_s21_q;
-      or_1451_s22_q <= or_1451_s21_q;
-      or_1454_s22_q <= or_1454_s21_q;
-      not_1456_s22_q <= not_1456_s21_q;
-      sum_1471_s22_q <= sum_1471;
-      sum_1476_s22_q <= sum_1476;
-      sum_1482_s22_q <= sum_1482;
-      and_1483_s22_q <= and_1483_s21_q;
-      select_1498_s22_q <= select_1498;
-      difference_1533_s22_q <= {1'b0, textured_2_s21_q} - {1'b0, select_1532};
-      equal_1534_s22_q <= equal_1534_s21_q;
-      or_1542_s22_q <= or_1542_s21_q;
-      or_1545_s22_q <= or_1545_s21_q;
-      or_1548_s22_q <= or_1548_s21_q;
+      sum_1389_s22_q <= sum_1389;
+      select_1390_s22_q <= select_1390;
+      equal_1391_s22_q <= equal_1391;
+      equal_1393_s22_q <= equal_1393;
+      equal_1395_s22_q <= equal_1395;
+      equal_1397_s22_q <= equal_1397_s21_q;
+      equal_1399_s22_q <= equal_1399_s21_q;
+      equal_1401_s22_q <= equal_1401_s21_q;
+      equal_1403_s22_q <= equal_1403_s21_q;
+      less_1411_s22_q <= less_1411;
+      or_1415_s22_q <= or_1415;
+      select_1418_s22_q <= select_1418;
+      and_1428_s22_q <= half_ends & ({{3{sum_1426[4]}}, sum_1426} < 8'h3);
+      select_1433_s22_q <= select_1433;
+      or_1449_s22_q <= or_1449_s21_q;
+      or_1452_s22_q <= or_1452_s21_q;
+      or_1455_s22_q <= or_1455_s21_q;
+      not_1457_s22_q <= not_1457_s21_q;
+      sum_1472_s22_q <= sum_1472;
+      sum_1477_s22_q <= sum_1477;
+      sum_1483_s22_q <= sum_1483;
+      and_1484_s22_q <= and_1484_s21_q;
+      select_1499_s22_q <= select_1499;
+      difference_1534_s22_q <= {1'b0, textured_2_s21_q} - {1'b0, select_1533};
+      equal_1535_s22_q <= equal_1535_s21_q;
+      or_1543_s22_q <= or_1543_s21_q;
+      or_1546_s22_q <= or_1546_s21_q;
+      or_1549_s22_q <= or_1549_s21_q;
       around_s22_q <= around;
-      less_1587_s22_q <= {1'b0, around[4:1]} < n;
-      and_1598_s22_q <= and_1598_s21_q;
+      less_1588_s22_q <= {1'b0, around[4:1]} < n;
+      and_1599_s22_q <= and_1599_s21_q;
       size_s22_q <= size;
       size_2_s22_q <= size_2;
-      sum_1719_s22_q <= {1'b0, sum_1715} + {1'b0, sum_1718};
-      sum_1722_s22_q <= {9'h0, difference_1720_s21_q} + {1'b0, xor_1721_s21_q};
-      sum_1726_s22_q <= {9'h0, difference_1724_s21_q} + {1'b0, xor_1725_s21_q};
-      sum_1730_s22_q <= {9'h0, difference_1728_s21_q} + {1'b0, xor_1729_s21_q};
-      equal_1738_s22_q <= equal_1738_s21_q;
+      sum_1720_s22_q <= {1'b0, sum_1716} + {1'b0, sum_1719};
+      sum_1723_s22_q <= {9'h0, difference_1721_s21_q} + {1'b0, xor_1722_s21_q};
+      sum_1727_s22_q <= {9'h0, difference_1725_s21_q} + {1'b0, xor_1726_s21_q};
+      sum_1731_s22_q <= {9'h0, difference_1729_s21_q} + {1'b0, xor_1730_s21_q};
+      equal_1739_s22_q <= equal_1739_s21_q;
       contrast_s22_q <= contrast;
       contrast_2_s22_q <= contrast_2;
-      equal_1859_s22_q <= equal_1859_s21_q;
-      and_1976_s22_q <= and_1976_s21_q;
-      and_1980_s22_q <= and_1980_s21_q;
-      and_1995_s22_q <= and_1995;
-      not_1999_s22_q <= not_1999_s21_q;
+      equal_1863_s22_q <= equal_1863_s21_q;
+      and_1979_s22_q <= and_1979_s21_q;
+      and_1983_s22_q <= and_1983_s21_q;
+      and_1998_s22_q <= and_1998;
+      not_2002_s22_q <= not_2002_s21_q;
       e_s22_q <= e;
-      select_2025_s22_q <= less_2024 ? 10'h0 : regions_rdata_s21_q[9:0];
-      select_2028_s22_q <= less_2024 ? 10'h0 : regions_rdata_s21_q[19:10];
-      equal_2084_s22_q <= equal_2084_s21_q;
-      and_2111_s22_q <= not_1338_s21_q & (so_s21_q & (half_ends & equal_2108));
-      and_2113_s22_q <= and_2113_s21_q;
-      select_2135_s22_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
-      equal_2184_s22_q <= sum_1388 == 2'h2;
-      not_2185_s22_q <= ~select_1432;
+      select_2028_s22_q <= less_2027 ? 10'h0 : regions_rdata_s21_q[9:0];
+      select_2031_s22_q <= less_2027 ? 10'h0 : regions_rdata_s21_q[19:10];
+      equal_2087_s22_q <= equal_2087_s21_q;
+      and_2114_s22_q <= not_1339_s21_q & (so_s21_q & (half_ends & equal_2111));
+      and_2116_s22_q <= and_2116_s21_q;
+      select_2138_s22_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+      equal_2187_s22_q <= sum_1389 == 2'h2;
+      not_2188_s22_q <= ~select_1433;
       quarter_2_s22_q <= quarter_2;
-      equal_2359_s22_q <= equal_2359_s21_q;
-      and_2360_s22_q <= and_2360_s21_q;
-      less_2361_s22_q <= counts_explained_q < product_q;
-      equal_2362_s22_q <= counts_explained_q == product_q;
-      equal_2379_s22_q <= equal_2379_s21_q;
-      equal_2381_s22_q <= equal_2381_s21_q;
+      equal_2362_s22_q <= equal_2362_s21_q;
+      and_2363_s22_q <= and_2363_s21_q;
+      less_2364_s22_q <= counts_explained_q < product_q;
+      equal_2365_s22_q <= counts_explained_q == product_q;
       equal_2382_s22_q <= equal_2382_s21_q;
+      equal_2384_s22_q <= equal_2384_s21_q;
+      equal_2385_s22_q <= equal_2385_s21_q;
       sum_3_s22_q <= sum_3[0];
-      equal_2511_s22_q <= equal_2511_s21_q;
-      select_2604_s22_q <= less_2024 ? 10'h0 : regions_rdata_s21_q[29:20];
+      equal_2514_s22_q <= equal_2514_s21_q;
+      select_2607_s22_q <= less_2027 ? 10'h0 : regions_rdata_s21_q[29:20];
     end
   end
 
@@ -5919,6 +5924,7 @@ module horopter_agreement (
   logic census_columns_values_3_cell_2_mask_q;
   logic census_columns_values_3_cell_3_mask_q;
   logic sharpness_last_mask_q;
+  logic sharpness_before_last_mask_q;
   logic [13:0] counts_supervised_q;
   logic [3:0] registration_fresh_q;
   logic product_rest_q;
@@ -5948,140 +5954,147 @@ module horopter_agreement (
   logic whole_16;
   assign whole_16 = census_columns_values_2_cell_3_mask_q & whole_15;
   // hls/stages/census.hpp:198
-  logic [10:0] sum_470;
-  assign sum_470 = sum_466_s22_q + {1'b0, sum_469_s22_q};
+  logic [10:0] sum_471;
+  assign sum_471 = sum_467_s22_q + {1'b0, sum_470_s22_q};
   // hls/stages/agreement.hpp:324
-  logic and_1428;
-  assign and_1428 = so_s22_q & and_1427_s22_q;
+  logic and_1429;
+  assign and_1429 = so_s22_q & and_1428_s22_q;
   // hls/stages/agreement.hpp:343
   logic next_row;
-  assign next_row = select_1498_s22_q & (began_q & at_cell_end_q);
+  assign next_row = select_1499_s22_q & (began_q & at_cell_end_q);
   // hls/stages/agreement.hpp:1155
-  logic [6:0] select_1501;
-  assign select_1501 = next_row ? cfg_width_i[10:4] : 7'h0;
+  logic [6:0] select_1502;
+  assign select_1502 = next_row ? cfg_width_i[10:4] : 7'h0;
   // hls/stages/agreement.hpp:1165
-  logic equal_1504;
-  assign equal_1504 = seen_x_q == 4'hf;
+  logic equal_1505;
+  assign equal_1505 = seen_x_q == 4'hf;
   // hls/stages/agreement.hpp:1138
-  logic not_1511;
-  assign not_1511 = ~marks_first_s22_q;
+  logic not_1512;
+  assign not_1512 = ~marks_first_s22_q;
   // hls/stages/agreement.hpp:980
   logic [4:0] t;
-  assign t = {difference_1533_s22_q[3], difference_1533_s22_q} + (equal_1534_s22_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  assign t = {difference_1534_s22_q[3], difference_1534_s22_q} + (equal_1535_s22_q ? 5'h0 : box_textured_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:987
-  logic not_1549;
-  assign not_1549 = ~region_row_s22_q[2];
-  logic [2:0] select_1550;
-  assign select_1550 = region_row_s22_q[1] ? {1'b0, not_1549, 1'b0} : {region_row_s22_q[2], 1'b0, not_1549};
-  logic [5:0] select_1551;
-  assign select_1551 = region_row_s22_q[0] ? {select_1550[2], 1'b0, select_1550[1], 1'b0, select_1550[0], 1'b0} : {1'b0, select_1550[2], 1'b0, select_1550[1], 1'b0, select_1550[0]};
-  logic [11:0] select_1552;
-  assign select_1552 = or_1548_s22_q ? {select_1551[5], 1'b0, select_1551[4], 1'b0, select_1551[3], 1'b0, select_1551[2], 1'b0, select_1551[1], 1'b0, select_1551[0], 1'b0} : {1'b0, select_1551[5], 1'b0, select_1551[4], 1'b0, select_1551[3], 1'b0, select_1551[2], 1'b0, select_1551[1], 1'b0, select_1551[0]};
-  logic [23:0] select_1553;
-  assign select_1553 = or_1545_s22_q ? {select_1552[11], 1'b0, select_1552[10], 1'b0, select_1552[9], 1'b0, select_1552[8], 1'b0, select_1552[7], 1'b0, select_1552[6], 1'b0, select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0], 1'b0} : {1'b0, select_1552[11], 1'b0, select_1552[10], 1'b0, select_1552[9], 1'b0, select_1552[8], 1'b0, select_1552[7], 1'b0, select_1552[6], 1'b0, select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0]};
+  logic not_1550;
+  assign not_1550 = ~region_row_s22_q[2];
+  logic [2:0] select_1551;
+  assign select_1551 = region_row_s22_q[1] ? {1'b0, not_1550, 1'b0} : {region_row_s22_q[2], 1'b0, not_1550};
+  logic [5:0] select_1552;
+  assign select_1552 = region_row_s22_q[0] ? {select_1551[2], 1'b0, select_1551[1], 1'b0, select_1551[0], 1'b0} : {1'b0, select_1551[2], 1'b0, select_1551[1], 1'b0, select_1551[0]};
+  logic [11:0] select_1553;
+  assign select_1553 = or_1549_s22_q ? {select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0], 1'b0} : {1'b0, select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0]};
+  logic [23:0] select_1554;
+  assign select_1554 = or_1546_s22_q ? {select_1553[11], 1'b0, select_1553[10], 1'b0, select_1553[9], 1'b0, select_1553[8], 1'b0, select_1553[7], 1'b0, select_1553[6], 1'b0, select_1553[5], 1'b0, select_1553[4], 1'b0, select_1553[3], 1'b0, select_1553[2], 1'b0, select_1553[1], 1'b0, select_1553[0], 1'b0} : {1'b0, select_1553[11], 1'b0, select_1553[10], 1'b0, select_1553[9], 1'b0, select_1553[8], 1'b0, select_1553[7], 1'b0, select_1553[6], 1'b0, select_1553[5], 1'b0, select_1553[4], 1'b0, select_1553[3], 1'b0, select_1553[2], 1'b0, select_1553[1], 1'b0, select_1553[0]};
   // hls/stages/agreement.hpp:989
-  logic [5:0] sum_1571;
-  assign sum_1571 = {1'b0, around_s22_q} + {2'h0, around_s22_q[4:1]};
+  logic [5:0] sum_1572;
+  assign sum_1572 = {1'b0, around_s22_q} + {2'h0, around_s22_q[4:1]};
   // hls/stages/census.hpp:138
   logic [13:0] detail;
-  assign detail = {3'h0, size_s22_q} + (equal_371_s22_q ? 14'h0 : averager_detail_0_q);
+  assign detail = {3'h0, size_s22_q} + (equal_372_s22_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:226
-  logic [13:0] select_1640;
-  assign select_1640 = sample_pair_whole_s22_q ? (and_366_s22_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_1641;
+  assign select_1641 = sample_pair_whole_s22_q ? (and_367_s22_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:138
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2_s22_q} + (equal_371_s22_q ? 14'h0 : averager_detail_1_q);
+  assign detail_2 = {3'h0, size_2_s22_q} + (equal_372_s22_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:226
-  logic [13:0] select_1648;
-  assign select_1648 = sample_pair_whole_s22_q ? (and_366_s22_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_1649;
+  assign select_1649 = sample_pair_whole_s22_q ? (and_367_s22_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/agreement.hpp:427
-  logic select_1696;
-  assign select_1696 = and_368_s22_q ? census_columns_values_1_cell_2_mask_s22_q : census_columns_values_2_cell_2_mask_q;
-  logic select_1699;
-  assign select_1699 = and_368_s22_q ? census_columns_values_1_cell_3_mask_s22_q : census_columns_values_2_cell_3_mask_q;
-  logic select_1702;
-  assign select_1702 = and_368_s22_q ? census_columns_values_1_cell_4_mask_s22_q : census_columns_values_2_cell_4_mask_q;
+  logic select_1697;
+  assign select_1697 = and_369_s22_q ? census_columns_values_1_cell_2_mask_s22_q : census_columns_values_2_cell_2_mask_q;
+  logic select_1700;
+  assign select_1700 = and_369_s22_q ? census_columns_values_1_cell_3_mask_s22_q : census_columns_values_2_cell_3_mask_q;
   logic select_1703;
-  assign select_1703 = and_368_s22_q ? census_columns_values_2_cell_0_mask_s22_q : census_columns_values_3_cell_0_mask_q;
-  logic select_1706;
-  assign select_1706 = and_368_s22_q ? census_columns_values_2_cell_1_mask_s22_q : census_columns_values_3_cell_1_mask_q;
+  assign select_1703 = and_369_s22_q ? census_columns_values_1_cell_4_mask_s22_q : census_columns_values_2_cell_4_mask_q;
+  logic select_1704;
+  assign select_1704 = and_369_s22_q ? census_columns_values_2_cell_0_mask_s22_q : census_columns_values_3_cell_0_mask_q;
   logic select_1707;
-  assign select_1707 = and_368_s22_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic select_1710;
-  assign select_1710 = and_368_s22_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  assign select_1707 = and_369_s22_q ? census_columns_values_2_cell_1_mask_s22_q : census_columns_values_3_cell_1_mask_q;
+  logic select_1708;
+  assign select_1708 = and_369_s22_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic select_1711;
+  assign select_1711 = and_369_s22_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
   // hls/stages/census.hpp:200
-  logic [10:0] sum_1723;
-  assign sum_1723 = sum_1719_s22_q + {1'b0, sum_1722_s22_q};
+  logic [10:0] sum_1724;
+  assign sum_1724 = sum_1720_s22_q + {1'b0, sum_1723_s22_q};
+  // hls/stages/agreement.hpp:427
+  logic select_1756;
+  assign select_1756 = and_369_s22_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:283
-  logic and_1757;
-  assign and_1757 = whole_2_s22_q & (~(column_s22_q[6:1] == 6'h0));
+  logic and_1759;
+  assign and_1759 = whole_2_s22_q & (~(column_s22_q[6:1] == 6'h0));
   // hls/stages/agreement.hpp:365
-  logic and_1763;
-  assign and_1763 = and_1757 & (sharpness_last_mask_q & (7'h2 < contrast_s22_q[8:2]));
-  logic and_1774;
-  assign and_1774 = and_1757 & (sharpness_last_mask_q & (7'h2 < contrast_2_s22_q[8:2]));
-  // hls/stages/census.hpp:336
-  logic not_1791;
-  assign not_1791 = ~x_s22_q[1];
-  logic [2:0] select_1792;
-  assign select_1792 = x_s22_q[0] ? {1'b0, not_1791, 1'b0} : {x_s22_q[1], 1'b0, not_1791};
-  logic [5:0] select_1793;
-  assign select_1793 = slot_s22_q[2] ? {select_1792[2], 1'b0, select_1792[1], 1'b0, select_1792[0], 1'b0} : {1'b0, select_1792[2], 1'b0, select_1792[1], 1'b0, select_1792[0]};
-  logic [11:0] select_1794;
-  assign select_1794 = slot_s22_q[1] ? {select_1793[5], 1'b0, select_1793[4], 1'b0, select_1793[3], 1'b0, select_1793[2], 1'b0, select_1793[1], 1'b0, select_1793[0], 1'b0} : {1'b0, select_1793[5], 1'b0, select_1793[4], 1'b0, select_1793[3], 1'b0, select_1793[2], 1'b0, select_1793[1], 1'b0, select_1793[0]};
+  logic and_1765;
+  assign and_1765 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s22_q[8:2]));
+  logic and_1766;
+  assign and_1766 = and_1759 & and_1765;
+  logic and_1777;
+  assign and_1777 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s22_q[8:2]));
+  logic and_1778;
+  assign and_1778 = and_1759 & and_1777;
+  // hls/stages/census.hpp:337
+  logic not_1795;
+  assign not_1795 = ~x_s22_q[1];
+  logic [2:0] select_1796;
+  assign select_1796 = x_s22_q[0] ? {1'b0, not_1795, 1'b0} : {x_s22_q[1], 1'b0, not_1795};
+  logic [5:0] select_1797;
+  assign select_1797 = slot_s22_q[2] ? {select_1796[2], 1'b0, select_1796[1], 1'b0, select_1796[0], 1'b0} : {1'b0, select_1796[2], 1'b0, select_1796[1], 1'b0, select_1796[0]};
+  logic [11:0] select_1798;
+  assign select_1798 = slot_s22_q[1] ? {select_1797[5], 1'b0, select_1797[4], 1'b0, select_1797[3], 1'b0, select_1797[2], 1'b0, select_1797[1], 1'b0, select_1797[0], 1'b0} : {1'b0, select_1797[5], 1'b0, select_1797[4], 1'b0, select_1797[3], 1'b0, select_1797[2], 1'b0, select_1797[1], 1'b0, select_1797[0]};
   // hls/stages/agreement.hpp:836
-  logic [13:0] select_1982;
-  assign select_1982 = and_1976_s22_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1980_s22_q});
+  logic [13:0] select_1985;
+  assign select_1985 = and_1979_s22_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1983_s22_q});
   // hls/stages/agreement.hpp:988
-  logic [5:0] sum_2012;
-  assign sum_2012 = {1'b0, e_s22_q} + {2'h0, e_s22_q[4:1]};
+  logic [5:0] sum_2015;
+  assign sum_2015 = {1'b0, e_s22_q} + {2'h0, e_s22_q[4:1]};
   // hls/stages/registration.hpp:213
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2135_s22_q[11:7])) ? 12'h7f : select_2135_s22_q;
+  assign residual = ($signed(5'h0) < $signed(select_2138_s22_q[11:7])) ? 12'h7f : select_2138_s22_q;
   // hls/stages/registration.hpp:264
-  logic [3:0] select_2187;
-  assign select_2187 = equal_2184_s22_q ? (registration_fresh_q & not_2185_s22_q) : registration_fresh_q;
+  logic [3:0] select_2190;
+  assign select_2190 = equal_2187_s22_q ? (registration_fresh_q & not_2188_s22_q) : registration_fresh_q;
   // hls/stages/agreement.hpp:324
-  logic [3:0] select_2189;
-  assign select_2189 = so_s22_q ? (and_1427_s22_q ? select_2187 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_2192;
+  assign select_2192 = so_s22_q ? (and_1428_s22_q ? select_2190 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:237
-  logic [3:0] select_2191;
-  assign select_2191 = and_1976_s22_q ? 4'hf : (equal_1337_s22_q ? registration_fresh_q : select_2189);
+  logic [3:0] select_2194;
+  assign select_2194 = and_1979_s22_q ? 4'hf : (equal_1338_s22_q ? registration_fresh_q : select_2192);
   // hls/stages/registration.hpp:253
-  logic not_2212;
-  assign not_2212 = ~quarter_2_s22_q[1];
-  logic [3:0] select_2213;
-  assign select_2213 = quarter_2_s22_q[0] ? {quarter_2_s22_q[1], 1'b0, not_2212, 1'b0} : {1'b0, quarter_2_s22_q[1], 1'b0, not_2212};
+  logic not_2215;
+  assign not_2215 = ~quarter_2_s22_q[1];
+  logic [3:0] select_2216;
+  assign select_2216 = quarter_2_s22_q[0] ? {quarter_2_s22_q[1], 1'b0, not_2215, 1'b0} : {1'b0, quarter_2_s22_q[1], 1'b0, not_2215};
   // hls/stages/agreement.hpp:1064
-  logic or_2356;
-  assign or_2356 = ({counts_textured_s22_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s22_q[13:3] < 11'h5);
+  logic or_2359;
+  assign or_2359 = ({counts_textured_s22_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s22_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1095
   logic too_little;
-  assign too_little = less_2361_s22_q | (product_rest_q & equal_2362_s22_q);
+  assign too_little = less_2364_s22_q | (product_rest_q & equal_2365_s22_q);
   // hls/stages/agreement.hpp:1096
-  logic select_2365;
-  assign select_2365 = and_2360_s22_q ? too_little : disagree_q;
+  logic select_2368;
+  assign select_2368 = and_2363_s22_q ? too_little : disagree_q;
   // hls/stages/agreement.hpp:1020
-  logic [10:0] sum_2368;
-  assign sum_2368 = {1'b0, select_2028_s22_q} + {2'h0, select_2028_s22_q[9:1]};
+  logic [10:0] sum_2371;
+  assign sum_2371 = {1'b0, select_2031_s22_q} + {2'h0, select_2031_s22_q[9:1]};
   // hls/stages/agreement.hpp:324
-  logic select_2413;
-  assign select_2413 = equal_1337_s22_q ? (equal_2359_s22_q ? sum_3_s22_q : (product_rest_q | sum_3_s22_q)) : product_rest_q;
-  logic [4:0] select_2442;
-  assign select_2442 = so_s22_q ? (ends_cell_s22_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [4:0] select_2443;
-  assign select_2443 = equal_1337_s22_q ? box_textured_sum_sums_values_0_q : select_2442;
+  logic select_2416;
+  assign select_2416 = equal_1338_s22_q ? (equal_2362_s22_q ? sum_3_s22_q : (product_rest_q | sum_3_s22_q)) : product_rest_q;
+  logic [4:0] select_2445;
+  assign select_2445 = so_s22_q ? (ends_cell_s22_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [4:0] select_2446;
+  assign select_2446 = equal_1338_s22_q ? box_textured_sum_sums_values_0_q : select_2445;
   // hls/stages/agreement.hpp:1164
-  logic [3:0] select_2528;
-  assign select_2528 = select_1498_s22_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
+  logic [3:0] select_2531;
+  assign select_2531 = select_1499_s22_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:343
-  logic [7:0] select_2534;
-  assign select_2534 = marks_first_s22_q ? (less_2530 ? {sum_2531, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic [7:0] select_2537;
+  assign select_2537 = marks_first_s22_q ? (less_2533 ? {sum_2534, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/registration.hpp:253
-  logic not_2592;
-  assign not_2592 = ~quarter_s22_q[1];
-  logic [3:0] select_2593;
-  assign select_2593 = quarter_s22_q[0] ? {quarter_s22_q[1], 1'b0, not_2592, 1'b0} : {1'b0, quarter_s22_q[1], 1'b0, not_2592};
+  logic not_2595;
+  assign not_2595 = ~quarter_s22_q[1];
+  logic [3:0] select_2596;
+  assign select_2596 = quarter_s22_q[0] ? {quarter_s22_q[1], 1'b0, not_2595, 1'b0} : {1'b0, quarter_s22_q[1], 1'b0, not_2595};
 
   // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:271; read in stage 22, written in stage 26: 22 < 26 < 22 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -6091,9 +6104,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1389_s22_q;
+  assign registration_sums_raddr = select_1390_s22_q;
   logic registration_sums_re;
-  assign registration_sums_re = s22_en & (equal_1337_s22_q ? (x_s22_q[6] & select_1417_s22_q) : and_1428);
+  assign registration_sums_re = s22_en & (equal_1338_s22_q ? (x_s22_q[6] & select_1418_s22_q) : and_1429);
   logic [31:0] registration_sums_rdata_q;
   always_ff @(posedge clk_i) begin
     if (registration_sums_re) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
@@ -6101,11 +6114,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s22_q, or_1454_s22_q, or_1451_s22_q, or_1448_s22_q};
+  assign regions_waddr = {region_row_s22_q, or_1455_s22_q, or_1452_s22_q, or_1449_s22_q};
   logic regions_we;
-  assign regions_we = s22_en & and_1483_s22_q;
+  assign regions_we = s22_en & and_1484_s22_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_1482_s22_q, sum_1476_s22_q, sum_1471_s22_q};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_1483_s22_q, sum_1477_s22_q, sum_1472_s22_q};
   end
 `ifndef SYNTHESIS
   logic [5:0] regions_raddr_s20_sim;
@@ -6140,6 +6153,7 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      sharpness_before_last_mask_q <= 1'b0;
       counts_supervised_q <= 14'h0;
       registration_fresh_q <= 4'hf;
       product_rest_q <= 1'b0;
@@ -6153,18 +6167,19 @@ module horopter_agreement (
       was_next_row_q <= 1'b0;
       seen_base_q <= 13'h0;
     end else if (s22_en) begin
-      counts_supervised_q <= select_1982;
-      registration_fresh_q <= select_2191;
-      product_rest_q <= select_2413;
-      disagree_q <= equal_1337_s22_q ? select_2365 : disagree_q;
-      began_q <= not_1511 & (began_q | select_1498_s22_q);
-      seen_x_q <= select_1498_s22_q ? 4'h0 : (seen_x_q + 4'h1);
-      seen_y_q <= marks_first_s22_q ? 4'h0 : select_2528;
-      seen_column_q <= select_1498_s22_q ? 8'h0 : (seen_column_q + {7'h0, equal_1504});
-      seen_rows_left_q <= select_2534;
+      sharpness_before_last_mask_q <= select_1756;
+      counts_supervised_q <= select_1985;
+      registration_fresh_q <= select_2194;
+      product_rest_q <= select_2416;
+      disagree_q <= equal_1338_s22_q ? select_2368 : disagree_q;
+      began_q <= not_1512 & (began_q | select_1499_s22_q);
+      seen_x_q <= select_1499_s22_q ? 4'h0 : (seen_x_q + 4'h1);
+      seen_y_q <= marks_first_s22_q ? 4'h0 : select_2531;
+      seen_column_q <= select_1499_s22_q ? 8'h0 : (seen_column_q + {7'h0, equal_1505});
+      seen_rows_left_q <= select_2537;
       at_cell_end_q <= (seen_y_q == 4'hf) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= marks_first_s22_q ? 13'h0 : (seen_base_q + {6'h0, select_1501});
+      seen_base_q <= marks_first_s22_q ? 13'h0 : (seen_base_q + {6'h0, select_1502});
     end
   end
 
@@ -6186,17 +6201,17 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s22_en) begin
-      averager_detail_0_q <= select_1640;
-      averager_detail_1_q <= select_1648;
-      census_columns_values_2_cell_2_mask_q <= select_1696;
-      census_columns_values_2_cell_3_mask_q <= select_1699;
-      census_columns_values_2_cell_4_mask_q <= select_1702;
-      census_columns_values_3_cell_0_mask_q <= select_1703;
-      census_columns_values_3_cell_1_mask_q <= select_1706;
-      census_columns_values_3_cell_2_mask_q <= select_1707;
-      census_columns_values_3_cell_3_mask_q <= select_1710;
-      sharpness_last_mask_q <= and_368_s22_q ? whole_2_s22_q : sharpness_last_mask_q;
-      box_textured_sum_sums_values_0_q <= select_2443;
+      averager_detail_0_q <= select_1641;
+      averager_detail_1_q <= select_1649;
+      census_columns_values_2_cell_2_mask_q <= select_1697;
+      census_columns_values_2_cell_3_mask_q <= select_1700;
+      census_columns_values_2_cell_4_mask_q <= select_1703;
+      census_columns_values_3_cell_0_mask_q <= select_1704;
+      census_columns_values_3_cell_1_mask_q <= select_1707;
+      census_columns_values_3_cell_2_mask_q <= select_1708;
+      census_columns_values_3_cell_3_mask_q <= select_1711;
+      sharpness_last_mask_q <= and_369_s22_q ? whole_2_s22_q : sharpness_last_mask_q;
+      box_textured_sum_sums_values_0_q <= select_2446;
     end
   end
 
@@ -6224,9 +6239,8 @@ module horopter_agreement (
   logic centres_values_1_textured_s23_q;
   logic centres_values_1_of_skin_s23_q;
   logic [6:0] column_s23_q;
-  logic and_368_s23_q;
+  logic and_369_s23_q;
   logic so_s23_q;
-  logic less_402_s23_q;
   logic less_403_s23_q;
   logic less_404_s23_q;
   logic less_405_s23_q;
@@ -6250,71 +6264,72 @@ module horopter_agreement (
   logic less_423_s23_q;
   logic less_424_s23_q;
   logic less_425_s23_q;
-  logic and_433_s23_q;
+  logic less_426_s23_q;
+  logic and_434_s23_q;
   logic whole_16_s23_q;
-  logic and_459_s23_q;
-  logic [11:0] sum_474_s23_q;
-  logic [9:0] sum_477_s23_q;
-  logic equal_1337_s23_q;
-  logic not_1338_s23_q;
-  logic equal_1382_s23_q;
+  logic and_460_s23_q;
+  logic [11:0] sum_475_s23_q;
+  logic [9:0] sum_478_s23_q;
+  logic equal_1338_s23_q;
+  logic not_1339_s23_q;
+  logic equal_1383_s23_q;
   logic all_s23_q;
-  logic [1:0] sum_1388_s23_q;
-  logic equal_1390_s23_q;
-  logic equal_1392_s23_q;
-  logic equal_1394_s23_q;
-  logic equal_1396_s23_q;
-  logic equal_1398_s23_q;
-  logic equal_1400_s23_q;
-  logic equal_1402_s23_q;
-  logic less_1410_s23_q;
-  logic or_1414_s23_q;
-  logic equal_1434_s23_q;
-  logic and_1444_s23_q;
-  logic not_1456_s23_q;
-  logic not_1511_s23_q;
-  logic [7:0] sum_1521_s23_q;
-  logic equal_1537_s23_q;
-  logic or_1542_s23_q;
-  logic [23:0] select_1553_s23_q;
-  logic not_1573_s23_q;
-  logic less_1587_s23_q;
-  logic and_1598_s23_q;
-  logic [11:0] sum_1727_s23_q;
-  logic [9:0] sum_1730_s23_q;
-  logic equal_1738_s23_q;
-  logic [27:0] select_1752_s23_q;
-  logic and_1763_s23_q;
-  logic and_1774_s23_q;
-  logic [8:0] select_1781_s23_q;
+  logic [1:0] sum_1389_s23_q;
+  logic equal_1391_s23_q;
+  logic equal_1393_s23_q;
+  logic equal_1395_s23_q;
+  logic equal_1397_s23_q;
+  logic equal_1399_s23_q;
+  logic equal_1401_s23_q;
+  logic equal_1403_s23_q;
+  logic less_1411_s23_q;
+  logic or_1415_s23_q;
+  logic equal_1435_s23_q;
+  logic and_1445_s23_q;
+  logic not_1457_s23_q;
+  logic not_1512_s23_q;
+  logic [7:0] sum_1522_s23_q;
+  logic equal_1538_s23_q;
+  logic or_1543_s23_q;
+  logic [23:0] select_1554_s23_q;
+  logic not_1574_s23_q;
+  logic less_1588_s23_q;
+  logic and_1599_s23_q;
+  logic [11:0] sum_1728_s23_q;
+  logic [9:0] sum_1731_s23_q;
+  logic equal_1739_s23_q;
+  logic [27:0] select_1753_s23_q;
+  logic and_1766_s23_q;
+  logic and_1778_s23_q;
   logic [8:0] select_1785_s23_q;
-  logic equal_1788_s23_q;
-  logic less_1789_s23_q;
-  logic [11:0] select_1794_s23_q;
-  logic equal_1832_s23_q;
-  logic equal_1859_s23_q;
-  logic and_1976_s23_q;
-  logic and_1995_s23_q;
-  logic not_1999_s23_q;
-  logic not_2014_s23_q;
-  logic [9:0] select_2025_s23_q;
+  logic [8:0] select_1789_s23_q;
+  logic equal_1792_s23_q;
+  logic less_1793_s23_q;
+  logic [11:0] select_1798_s23_q;
+  logic equal_1836_s23_q;
+  logic equal_1863_s23_q;
+  logic and_1979_s23_q;
+  logic and_1998_s23_q;
+  logic not_2002_s23_q;
+  logic not_2017_s23_q;
   logic [9:0] select_2028_s23_q;
-  logic equal_2084_s23_q;
-  logic and_2111_s23_q;
-  logic and_2113_s23_q;
+  logic [9:0] select_2031_s23_q;
+  logic equal_2087_s23_q;
+  logic and_2114_s23_q;
+  logic and_2116_s23_q;
   logic [11:0] residual_s23_q;
-  logic equal_2215_s23_q;
-  logic equal_2353_s23_q;
-  logic or_2356_s23_q;
-  logic equal_2359_s23_q;
-  logic select_2365_s23_q;
-  logic not_2370_s23_q;
-  logic equal_2379_s23_q;
-  logic equal_2381_s23_q;
+  logic equal_2218_s23_q;
+  logic equal_2356_s23_q;
+  logic or_2359_s23_q;
+  logic equal_2362_s23_q;
+  logic select_2368_s23_q;
+  logic not_2373_s23_q;
   logic equal_2382_s23_q;
-  logic equal_2511_s23_q;
-  logic equal_2595_s23_q;
-  logic [9:0] select_2604_s23_q;
+  logic equal_2384_s23_q;
+  logic equal_2385_s23_q;
+  logic equal_2514_s23_q;
+  logic equal_2598_s23_q;
+  logic [9:0] select_2607_s23_q;
   always_ff @(posedge clk_i) begin
     if (s22_en) begin
       pixel_0_s23_q <= pixel_0_s22_q;
@@ -6341,9 +6356,8 @@ module horopter_agreement (
       centres_values_1_textured_s23_q <= centres_values_1_textured_s22_q;
       centres_values_1_of_skin_s23_q <= centres_values_1_of_skin_s22_q;
       column_s23_q <= column_s22_q;
-      and_368_s23_q <= and_368_s22_q;
+      and_369_s23_q <= and_369_s22_q;
       so_s23_q <= so_s22_q;
-      less_402_s23_q <= less_402_s22_q;
       less_403_s23_q <= less_403_s22_q;
       less_404_s23_q <= less_404_s22_q;
       less_405_s23_q <= less_405_s22_q;
@@ -6367,71 +6381,72 @@ module horopter_agreement (
       less_423_s23_q <= less_423_s22_q;
       less_424_s23_q <= less_424_s22_q;
       less_425_s23_q <= less_425_s22_q;
-      and_433_s23_q <= and_433_s22_q;
+      less_426_s23_q <= less_426_s22_q;
+      and_434_s23_q <= and_434_s22_q;
       whole_16_s23_q <= whole_16;
-      and_459_s23_q <= census_columns_values_1_cell_2_mask_s22_q & and_433_s22_q;
-      sum_474_s23_q <= {1'b0, sum_470} + {2'h0, sum_473_s22_q};
-      sum_477_s23_q <= sum_477_s22_q;
-      equal_1337_s23_q <= equal_1337_s22_q;
-      not_1338_s23_q <= not_1338_s22_q;
-      equal_1382_s23_q <= equal_1382_s22_q;
+      and_460_s23_q <= census_columns_values_1_cell_2_mask_s22_q & and_434_s22_q;
+      sum_475_s23_q <= {1'b0, sum_471} + {2'h0, sum_474_s22_q};
+      sum_478_s23_q <= sum_478_s22_q;
+      equal_1338_s23_q <= equal_1338_s22_q;
+      not_1339_s23_q <= not_1339_s22_q;
+      equal_1383_s23_q <= equal_1383_s22_q;
       all_s23_q <= all_s22_q;
-      sum_1388_s23_q <= sum_1388_s22_q;
-      equal_1390_s23_q <= equal_1390_s22_q;
-      equal_1392_s23_q <= equal_1392_s22_q;
-      equal_1394_s23_q <= equal_1394_s22_q;
-      equal_1396_s23_q <= equal_1396_s22_q;
-      equal_1398_s23_q <= equal_1398_s22_q;
-      equal_1400_s23_q <= equal_1400_s22_q;
-      equal_1402_s23_q <= equal_1402_s22_q;
-      less_1410_s23_q <= less_1410_s22_q;
-      or_1414_s23_q <= or_1414_s22_q;
-      equal_1434_s23_q <= (registration_fresh_q & select_1432_s22_q) == 4'h0;
-      and_1444_s23_q <= not_1338_s22_q & and_1428;
-      not_1456_s23_q <= not_1456_s22_q;
-      not_1511_s23_q <= not_1511;
-      sum_1521_s23_q <= {2'h0, x_s22_q[7:2]} + 8'hff;
-      equal_1537_s23_q <= t[4:1] == 4'h0;
-      or_1542_s23_q <= or_1542_s22_q;
-      select_1553_s23_q <= select_1553;
-      not_1573_s23_q <= ~({sum_1571, around_s22_q[0]} < {2'h0, t});
-      less_1587_s23_q <= less_1587_s22_q;
-      and_1598_s23_q <= and_1598_s22_q;
-      sum_1727_s23_q <= {1'b0, sum_1723} + {2'h0, sum_1726_s22_q};
-      sum_1730_s23_q <= sum_1730_s22_q;
-      equal_1738_s23_q <= equal_1738_s22_q;
-      select_1752_s23_q <= sample_pair_whole_s22_q ? {detail_2, detail} : 28'h0;
-      and_1763_s23_q <= and_1763;
-      and_1774_s23_q <= and_1774;
-      select_1781_s23_q <= and_1763 ? contrast_s22_q : 9'h0;
-      select_1785_s23_q <= and_1774 ? contrast_2_s22_q : 9'h0;
-      equal_1788_s23_q <= x_s22_q[7:3] == 5'h0;
-      less_1789_s23_q <= 7'h2 < {x_s22_q[4:0], slot_s22_q[2:1]};
-      select_1794_s23_q <= select_1794;
-      equal_1832_s23_q <= {x_s22_q[4:0], slot_s22_q} == 8'h0;
-      equal_1859_s23_q <= equal_1859_s22_q;
-      and_1976_s23_q <= and_1976_s22_q;
-      and_1995_s23_q <= and_1995_s22_q;
-      not_1999_s23_q <= not_1999_s22_q;
-      not_2014_s23_q <= ~({sum_2012, e_s22_q[0]} < {2'h0, t});
-      select_2025_s23_q <= select_2025_s22_q;
+      sum_1389_s23_q <= sum_1389_s22_q;
+      equal_1391_s23_q <= equal_1391_s22_q;
+      equal_1393_s23_q <= equal_1393_s22_q;
+      equal_1395_s23_q <= equal_1395_s22_q;
+      equal_1397_s23_q <= equal_1397_s22_q;
+      equal_1399_s23_q <= equal_1399_s22_q;
+      equal_1401_s23_q <= equal_1401_s22_q;
+      equal_1403_s23_q <= equal_1403_s22_q;
+      less_1411_s23_q <= less_1411_s22_q;
+      or_1415_s23_q <= or_1415_s22_q;
+      equal_1435_s23_q <= (registration_fresh_q & select_1433_s22_q) == 4'h0;
+      and_1445_s23_q <= not_1339_s22_q & and_1429;
+      not_1457_s23_q <= not_1457_s22_q;
+      not_1512_s23_q <= not_1512;
+      sum_1522_s23_q <= {2'h0, x_s22_q[7:2]} + 8'hff;
+      equal_1538_s23_q <= t[4:1] == 4'h0;
+      or_1543_s23_q <= or_1543_s22_q;
+      select_1554_s23_q <= select_1554;
+      not_1574_s23_q <= ~({sum_1572, around_s22_q[0]} < {2'h0, t});
+      less_1588_s23_q <= less_1588_s22_q;
+      and_1599_s23_q <= and_1599_s22_q;
+      sum_1728_s23_q <= {1'b0, sum_1724} + {2'h0, sum_1727_s22_q};
+      sum_1731_s23_q <= sum_1731_s22_q;
+      equal_1739_s23_q <= equal_1739_s22_q;
+      select_1753_s23_q <= sample_pair_whole_s22_q ? {detail_2, detail} : 28'h0;
+      and_1766_s23_q <= and_1766;
+      and_1778_s23_q <= and_1778;
+      select_1785_s23_q <= and_1766 ? contrast_s22_q : 9'h0;
+      select_1789_s23_q <= and_1778 ? contrast_2_s22_q : 9'h0;
+      equal_1792_s23_q <= x_s22_q[7:3] == 5'h0;
+      less_1793_s23_q <= 7'h2 < {x_s22_q[4:0], slot_s22_q[2:1]};
+      select_1798_s23_q <= select_1798;
+      equal_1836_s23_q <= {x_s22_q[4:0], slot_s22_q} == 8'h0;
+      equal_1863_s23_q <= equal_1863_s22_q;
+      and_1979_s23_q <= and_1979_s22_q;
+      and_1998_s23_q <= and_1998_s22_q;
+      not_2002_s23_q <= not_2002_s22_q;
+      not_2017_s23_q <= ~({sum_2015, e_s22_q[0]} < {2'h0, t});
       select_2028_s23_q <= select_2028_s22_q;
-      equal_2084_s23_q <= equal_2084_s22_q;
-      and_2111_s23_q <= and_2111_s22_q;
-      and_2113_s23_q <= and_2113_s22_q;
+      select_2031_s23_q <= select_2031_s22_q;
+      equal_2087_s23_q <= equal_2087_s22_q;
+      and_2114_s23_q <= and_2114_s22_q;
+      and_2116_s23_q <= and_2116_s22_q;
       residual_s23_q <= residual;
-      equal_2215_s23_q <= (registration_fresh_q & select_2213) == 4'h0;
-      equal_2353_s23_q <= select_2025_s22_q[9:3] == 7'h0;
-      or_2356_s23_q <= or_2356;
-      equal_2359_s23_q <= equal_2359_s22_q;
-      select_2365_s23_q <= select_2365;
-      not_2370_s23_q <= ~({sum_2368, select_2028_s22_q[0]} < {2'h0, select_2025_s22_q});
-      equal_2379_s23_q <= equal_2379_s22_q;
-      equal_2381_s23_q <= equal_2381_s22_q;
+      equal_2218_s23_q <= (registration_fresh_q & select_2216) == 4'h0;
+      equal_2356_s23_q <= select_2028_s22_q[9:3] == 7'h0;
+      or_2359_s23_q <= or_2359;
+      equal_2362_s23_q <= equal_2362_s22_q;
+      select_2368_s23_q <= select_2368;
+      not_2373_s23_q <= ~({sum_2371, select_2031_s22_q[0]} < {2'h0, select_2028_s22_q});
       equal_2382_s23_q <= equal_2382_s22_q;
-      equal_2511_s23_q <= equal_2511_s22_q;
-      equal_2595_s23_q <= (registration_fresh_q & select_2593) == 4'h0;
-      select_2604_s23_q <= select_2604_s22_q;
+      equal_2384_s23_q <= equal_2384_s22_q;
+      equal_2385_s23_q <= equal_2385_s22_q;
+      equal_2514_s23_q <= equal_2514_s22_q;
+      equal_2598_s23_q <= (registration_fresh_q & select_2596) == 4'h0;
+      select_2607_s23_q <= select_2607_s22_q;
     end
   end
 
@@ -6468,82 +6483,82 @@ module horopter_agreement (
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
   // hls/stages/census.hpp:198
   logic [11:0] texture;
-  assign texture = sum_474_s23_q + {2'h0, sum_477_s23_q};
+  assign texture = sum_475_s23_q + {2'h0, sum_478_s23_q};
   // hls/stages/agreement.hpp:1168
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
   // hls/stages/agreement.hpp:1139
-  logic select_1509;
-  assign select_1509 = marks_first_s23_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  logic select_1510;
+  assign select_1510 = marks_first_s23_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
   // hls/stages/agreement.hpp:1125
-  logic [10:0] sum_1510;
-  assign sum_1510 = {1'b0, {5{select_1509}}, 1'b0, {2{select_1509}}, 1'b0, select_1509} + {1'b0, index[12:3]};
+  logic [10:0] sum_1511;
+  assign sum_1511 = {1'b0, {5{select_1510}}, 1'b0, {2{select_1510}}, 1'b0, select_1510} + {1'b0, index[12:3]};
   // hls/stages/agreement.hpp:997
   logic [12:0] index_2;
-  assign index_2 = {{3{sum_1521_s23_q[7]}}, sum_1521_s23_q, x_s23_q[1:0]} + map_row_q;
+  assign index_2 = {{3{sum_1522_s23_q[7]}}, sum_1522_s23_q, x_s23_q[1:0]} + map_row_q;
   // hls/stages/agreement.hpp:1125
-  logic [10:0] sum_1523;
-  assign sum_1523 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
+  logic [10:0] sum_1524;
+  assign sum_1524 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
   // hls/stages/agreement.hpp:987
-  logic [47:0] select_1554;
-  assign select_1554 = or_1542_s23_q ? {select_1553_s23_q[23], 1'b0, select_1553_s23_q[22], 1'b0, select_1553_s23_q[21], 1'b0, select_1553_s23_q[20], 1'b0, select_1553_s23_q[19], 1'b0, select_1553_s23_q[18], 1'b0, select_1553_s23_q[17], 1'b0, select_1553_s23_q[16], 1'b0, select_1553_s23_q[15], 1'b0, select_1553_s23_q[14], 1'b0, select_1553_s23_q[13], 1'b0, select_1553_s23_q[12], 1'b0, select_1553_s23_q[11], 1'b0, select_1553_s23_q[10], 1'b0, select_1553_s23_q[9], 1'b0, select_1553_s23_q[8], 1'b0, select_1553_s23_q[7], 1'b0, select_1553_s23_q[6], 1'b0, select_1553_s23_q[5], 1'b0, select_1553_s23_q[4], 1'b0, select_1553_s23_q[3], 1'b0, select_1553_s23_q[2], 1'b0, select_1553_s23_q[1], 1'b0, select_1553_s23_q[0], 1'b0} : {1'b0, select_1553_s23_q[23], 1'b0, select_1553_s23_q[22], 1'b0, select_1553_s23_q[21], 1'b0, select_1553_s23_q[20], 1'b0, select_1553_s23_q[19], 1'b0, select_1553_s23_q[18], 1'b0, select_1553_s23_q[17], 1'b0, select_1553_s23_q[16], 1'b0, select_1553_s23_q[15], 1'b0, select_1553_s23_q[14], 1'b0, select_1553_s23_q[13], 1'b0, select_1553_s23_q[12], 1'b0, select_1553_s23_q[11], 1'b0, select_1553_s23_q[10], 1'b0, select_1553_s23_q[9], 1'b0, select_1553_s23_q[8], 1'b0, select_1553_s23_q[7], 1'b0, select_1553_s23_q[6], 1'b0, select_1553_s23_q[5], 1'b0, select_1553_s23_q[4], 1'b0, select_1553_s23_q[3], 1'b0, select_1553_s23_q[2], 1'b0, select_1553_s23_q[1], 1'b0, select_1553_s23_q[0]};
+  logic [47:0] select_1555;
+  assign select_1555 = or_1543_s23_q ? {select_1554_s23_q[23], 1'b0, select_1554_s23_q[22], 1'b0, select_1554_s23_q[21], 1'b0, select_1554_s23_q[20], 1'b0, select_1554_s23_q[19], 1'b0, select_1554_s23_q[18], 1'b0, select_1554_s23_q[17], 1'b0, select_1554_s23_q[16], 1'b0, select_1554_s23_q[15], 1'b0, select_1554_s23_q[14], 1'b0, select_1554_s23_q[13], 1'b0, select_1554_s23_q[12], 1'b0, select_1554_s23_q[11], 1'b0, select_1554_s23_q[10], 1'b0, select_1554_s23_q[9], 1'b0, select_1554_s23_q[8], 1'b0, select_1554_s23_q[7], 1'b0, select_1554_s23_q[6], 1'b0, select_1554_s23_q[5], 1'b0, select_1554_s23_q[4], 1'b0, select_1554_s23_q[3], 1'b0, select_1554_s23_q[2], 1'b0, select_1554_s23_q[1], 1'b0, select_1554_s23_q[0], 1'b0} : {1'b0, select_1554_s23_q[23], 1'b0, select_1554_s23_q[22], 1'b0, select_1554_s23_q[21], 1'b0, select_1554_s23_q[20], 1'b0, select_1554_s23_q[19], 1'b0, select_1554_s23_q[18], 1'b0, select_1554_s23_q[17], 1'b0, select_1554_s23_q[16], 1'b0, select_1554_s23_q[15], 1'b0, select_1554_s23_q[14], 1'b0, select_1554_s23_q[13], 1'b0, select_1554_s23_q[12], 1'b0, select_1554_s23_q[11], 1'b0, select_1554_s23_q[10], 1'b0, select_1554_s23_q[9], 1'b0, select_1554_s23_q[8], 1'b0, select_1554_s23_q[7], 1'b0, select_1554_s23_q[6], 1'b0, select_1554_s23_q[5], 1'b0, select_1554_s23_q[4], 1'b0, select_1554_s23_q[3], 1'b0, select_1554_s23_q[2], 1'b0, select_1554_s23_q[1], 1'b0, select_1554_s23_q[0]};
   // hls/stages/agreement.hpp:427
-  logic select_1711;
-  assign select_1711 = and_368_s23_q ? census_columns_values_2_cell_4_mask_s23_q : census_columns_values_3_cell_4_mask_q;
+  logic select_1712;
+  assign select_1712 = and_369_s23_q ? census_columns_values_2_cell_4_mask_s23_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:200
-  logic [11:0] sum_1731;
-  assign sum_1731 = sum_1727_s23_q + {2'h0, sum_1730_s23_q};
+  logic [11:0] sum_1732;
+  assign sum_1732 = sum_1728_s23_q + {2'h0, sum_1731_s23_q};
   // hls/stages/agreement.hpp:427
-  logic [11:0] select_1733;
-  assign select_1733 = and_368_s23_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_1734;
-  assign select_1734 = and_368_s23_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [13:0] select_1753;
-  assign select_1753 = and_368_s23_q ? select_1752_s23_q[13:0] : sharpness_last_detail_0_q;
+  assign select_1734 = and_369_s23_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_1735;
+  assign select_1735 = and_369_s23_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
   logic [13:0] select_1754;
-  assign select_1754 = and_368_s23_q ? select_1752_s23_q[27:14] : sharpness_last_detail_1_q;
+  assign select_1754 = and_369_s23_q ? select_1753_s23_q[13:0] : sharpness_last_detail_0_q;
+  logic [13:0] select_1755;
+  assign select_1755 = and_369_s23_q ? select_1753_s23_q[27:14] : sharpness_last_detail_1_q;
   // hls/stages/census.hpp:282
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_1752_s23_q[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_1753_s23_q[13:0]};
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_1752_s23_q[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_1753_s23_q[27:14]};
   // hls/stages/census.hpp:285
-  logic [23:0] sum_1782;
-  assign sum_1782 = (equal_1738_s23_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1781_s23_q};
   logic [23:0] sum_1786;
-  assign sum_1786 = (equal_1738_s23_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1785_s23_q};
-  // hls/stages/census.hpp:336
-  logic less_1790;
-  assign less_1790 = x_s23_q[4:0] < 5'h3;
-  logic [23:0] select_1795;
-  assign select_1795 = slot_s23_q ? {select_1794_s23_q[11], 1'b0, select_1794_s23_q[10], 1'b0, select_1794_s23_q[9], 1'b0, select_1794_s23_q[8], 1'b0, select_1794_s23_q[7], 1'b0, select_1794_s23_q[6], 1'b0, select_1794_s23_q[5], 1'b0, select_1794_s23_q[4], 1'b0, select_1794_s23_q[3], 1'b0, select_1794_s23_q[2], 1'b0, select_1794_s23_q[1], 1'b0, select_1794_s23_q[0], 1'b0} : {1'b0, select_1794_s23_q[11], 1'b0, select_1794_s23_q[10], 1'b0, select_1794_s23_q[9], 1'b0, select_1794_s23_q[8], 1'b0, select_1794_s23_q[7], 1'b0, select_1794_s23_q[6], 1'b0, select_1794_s23_q[5], 1'b0, select_1794_s23_q[4], 1'b0, select_1794_s23_q[3], 1'b0, select_1794_s23_q[2], 1'b0, select_1794_s23_q[1], 1'b0, select_1794_s23_q[0]};
-  // hls/stages/census.hpp:299
-  logic and_1799;
-  assign and_1799 = less_1790 & (~((sharpness_sums_contrast_1_q & select_1795) == 24'h0));
-  logic and_1809;
-  assign and_1809 = less_1790 & (~((sharpness_sums_contrast_0_q & select_1795) == 24'h0));
+  assign sum_1786 = (equal_1739_s23_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1785_s23_q};
+  logic [23:0] sum_1790;
+  assign sum_1790 = (equal_1739_s23_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1789_s23_q};
+  // hls/stages/census.hpp:337
+  logic less_1794;
+  assign less_1794 = x_s23_q[4:0] < 5'h3;
+  logic [23:0] select_1799;
+  assign select_1799 = slot_s23_q ? {select_1798_s23_q[11], 1'b0, select_1798_s23_q[10], 1'b0, select_1798_s23_q[9], 1'b0, select_1798_s23_q[8], 1'b0, select_1798_s23_q[7], 1'b0, select_1798_s23_q[6], 1'b0, select_1798_s23_q[5], 1'b0, select_1798_s23_q[4], 1'b0, select_1798_s23_q[3], 1'b0, select_1798_s23_q[2], 1'b0, select_1798_s23_q[1], 1'b0, select_1798_s23_q[0], 1'b0} : {1'b0, select_1798_s23_q[11], 1'b0, select_1798_s23_q[10], 1'b0, select_1798_s23_q[9], 1'b0, select_1798_s23_q[8], 1'b0, select_1798_s23_q[7], 1'b0, select_1798_s23_q[6], 1'b0, select_1798_s23_q[5], 1'b0, select_1798_s23_q[4], 1'b0, select_1798_s23_q[3], 1'b0, select_1798_s23_q[2], 1'b0, select_1798_s23_q[1], 1'b0, select_1798_s23_q[0]};
+  // hls/stages/census.hpp:300
+  logic and_1803;
+  assign and_1803 = less_1794 & (~((sharpness_sums_contrast_1_q & select_1799) == 24'h0));
+  logic and_1813;
+  assign and_1813 = less_1794 & (~((sharpness_sums_contrast_0_q & select_1799) == 24'h0));
   // hls/stages/agreement.hpp:1018
-  logic [10:0] sum_2029;
-  assign sum_2029 = {1'b0, select_2028_s23_q} + {3'h0, select_2028_s23_q[9:2]};
+  logic [10:0] sum_2032;
+  assign sum_2032 = {1'b0, select_2031_s23_q} + {3'h0, select_2031_s23_q[9:2]};
   // hls/stages/registration.hpp:200
-  logic [12:0] difference_2156;
-  assign difference_2156 = 13'h0 - {residual_s23_q[11], residual_s23_q};
-  logic less_2171;
-  assign less_2171 = $signed(difference_2156) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic [12:0] difference_2159;
+  assign difference_2159 = 13'h0 - {residual_s23_q[11], residual_s23_q};
+  logic less_2174;
+  assign less_2174 = $signed(difference_2159) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/agreement.hpp:1020
-  logic select_2371;
-  assign select_2371 = equal_2353_s23_q ? ((~or_2356_s23_q) & (~select_2365_s23_q)) : not_2370_s23_q;
+  logic select_2374;
+  assign select_2374 = equal_2356_s23_q ? ((~or_2359_s23_q) & (~select_2368_s23_q)) : not_2373_s23_q;
   // hls/stages/agreement.hpp:1027
-  logic [47:0] select_2373;
-  assign select_2373 = x_s23_q[6] ? (equal_1382_s23_q ? good_q : {select_2371, good_q[47:1]}) : good_q;
-  logic equal_2376;
-  assign equal_2376 = x_s23_q == 7'h7f;
+  logic [47:0] select_2376;
+  assign select_2376 = x_s23_q[6] ? (equal_1383_s23_q ? good_q : {select_2374, good_q[47:1]}) : good_q;
+  logic equal_2379;
+  assign equal_2379 = x_s23_q == 7'h7f;
   // hls/stages/agreement.hpp:368
-  logic [12:0] select_2514;
-  assign select_2514 = equal_1859_s23_q ? (equal_2511_s23_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  logic [12:0] select_2517;
+  assign select_2517 = equal_1863_s23_q ? (equal_2514_s23_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:427
-  logic [6:0] select_2517;
-  assign select_2517 = and_368_s23_q ? (equal_1859_s23_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
+  logic [6:0] select_2520;
+  assign select_2520 = and_369_s23_q ? (equal_1863_s23_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -6558,16 +6573,16 @@ module horopter_agreement (
       drew_q <= 1'b0;
       said_q <= 1'b0;
     end else if (s23_en) begin
-      sharpness_sums_contrast_0_q <= and_368_s23_q ? sum_1782 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_368_s23_q ? sum_1786 : sharpness_sums_contrast_1_q;
-      good_q <= equal_1337_s23_q ? select_2373 : good_q;
-      map_row_q <= and_368_s23_q ? select_2514 : map_row_q;
-      map_width_q <= select_2517;
+      sharpness_sums_contrast_0_q <= and_369_s23_q ? sum_1786 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_369_s23_q ? sum_1790 : sharpness_sums_contrast_1_q;
+      good_q <= equal_1338_s23_q ? select_2376 : good_q;
+      map_row_q <= and_369_s23_q ? select_2517 : map_row_q;
+      map_width_q <= select_2520;
       write_half_q <= marks_first_s23_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_1509;
-      done_q <= not_1511_s23_q & ((~drew_q) & (done_q | said_q));
+      read_half_q <= select_1510;
+      done_q <= not_1512_s23_q & ((~drew_q) & (done_q | said_q));
       drew_q <= so_s23_q;
-      said_q <= equal_1337_s23_q & equal_2376;
+      said_q <= equal_1338_s23_q & equal_2379;
     end
   end
 
@@ -6585,13 +6600,13 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s23_en) begin
-      census_columns_values_3_cell_4_mask_q <= select_1711;
-      census_changes_values_0_left_q <= and_368_s23_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_368_s23_q ? sum_1731 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_1733;
-      census_changes_values_1_right_q <= select_1734;
-      sharpness_last_detail_0_q <= select_1753;
-      sharpness_last_detail_1_q <= select_1754;
+      census_columns_values_3_cell_4_mask_q <= select_1712;
+      census_changes_values_0_left_q <= and_369_s23_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_369_s23_q ? sum_1732 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_1734;
+      census_changes_values_1_right_q <= select_1735;
+      sharpness_last_detail_0_q <= select_1754;
+      sharpness_last_detail_1_q <= select_1755;
     end
   end
 
@@ -6618,8 +6633,7 @@ module horopter_agreement (
   logic centres_values_1_of_skin_s24_q;
   logic done_s24_q;
   logic [6:0] column_s24_q;
-  logic and_368_s24_q;
-  logic less_402_s24_q;
+  logic and_369_s24_q;
   logic less_403_s24_q;
   logic less_404_s24_q;
   logic less_405_s24_q;
@@ -6643,71 +6657,72 @@ module horopter_agreement (
   logic less_423_s24_q;
   logic less_424_s24_q;
   logic less_425_s24_q;
-  logic and_433_s24_q;
-  logic and_458_s24_q;
+  logic less_426_s24_q;
+  logic and_434_s24_q;
   logic and_459_s24_q;
-  logic [12:0] sum_479_s24_q;
-  logic equal_1337_s24_q;
-  logic not_1338_s24_q;
-  logic equal_1382_s24_q;
+  logic and_460_s24_q;
+  logic [12:0] sum_480_s24_q;
+  logic equal_1338_s24_q;
+  logic not_1339_s24_q;
+  logic equal_1383_s24_q;
   logic all_s24_q;
-  logic [1:0] sum_1388_s24_q;
-  logic equal_1390_s24_q;
-  logic equal_1392_s24_q;
-  logic equal_1394_s24_q;
-  logic equal_1396_s24_q;
-  logic equal_1398_s24_q;
-  logic equal_1400_s24_q;
-  logic equal_1402_s24_q;
-  logic less_1410_s24_q;
-  logic or_1414_s24_q;
+  logic [1:0] sum_1389_s24_q;
+  logic equal_1391_s24_q;
+  logic equal_1393_s24_q;
+  logic equal_1395_s24_q;
+  logic equal_1397_s24_q;
+  logic equal_1399_s24_q;
+  logic equal_1401_s24_q;
+  logic equal_1403_s24_q;
+  logic less_1411_s24_q;
+  logic or_1415_s24_q;
   logic [31:0] registration_sums_rdata_s24_q;
-  logic equal_1434_s24_q;
-  logic and_1444_s24_q;
-  logic not_1456_s24_q;
+  logic equal_1435_s24_q;
+  logic and_1445_s24_q;
+  logic not_1457_s24_q;
   logic [2:0] index_s24_q;
-  logic [10:0] sum_1510_s24_q;
-  logic and_1517_s24_q;
-  logic less_1518_s24_q;
+  logic [10:0] sum_1511_s24_q;
+  logic and_1518_s24_q;
+  logic less_1519_s24_q;
   logic [2:0] index_2_s24_q;
-  logic [10:0] sum_1523_s24_q;
-  logic equal_1537_s24_q;
-  logic not_1557_s24_q;
-  logic not_1573_s24_q;
-  logic less_1587_s24_q;
-  logic and_1598_s24_q;
-  logic equal_1738_s24_q;
-  logic [12:0] sum_1739_s24_q;
-  logic [12:0] select_1765_s24_q;
-  logic [12:0] select_1776_s24_q;
-  logic equal_1788_s24_q;
-  logic less_1789_s24_q;
-  logic and_1799_s24_q;
-  logic and_1809_s24_q;
-  logic equal_1832_s24_q;
-  logic and_1976_s24_q;
-  logic and_1995_s24_q;
-  logic not_1999_s24_q;
-  logic not_2014_s24_q;
-  logic [9:0] select_2025_s24_q;
+  logic [10:0] sum_1524_s24_q;
+  logic equal_1538_s24_q;
+  logic not_1558_s24_q;
+  logic not_1574_s24_q;
+  logic less_1588_s24_q;
+  logic and_1599_s24_q;
+  logic equal_1739_s24_q;
+  logic [12:0] sum_1740_s24_q;
+  logic [12:0] select_1768_s24_q;
+  logic [12:0] select_1780_s24_q;
+  logic equal_1792_s24_q;
+  logic less_1793_s24_q;
+  logic and_1803_s24_q;
+  logic and_1813_s24_q;
+  logic equal_1836_s24_q;
+  logic and_1979_s24_q;
+  logic and_1998_s24_q;
+  logic not_2002_s24_q;
+  logic not_2017_s24_q;
   logic [9:0] select_2028_s24_q;
-  logic less_2030_s24_q;
-  logic equal_2084_s24_q;
-  logic and_2111_s24_q;
-  logic and_2113_s24_q;
+  logic [9:0] select_2031_s24_q;
+  logic less_2033_s24_q;
+  logic equal_2087_s24_q;
+  logic and_2114_s24_q;
+  logic and_2116_s24_q;
   logic [7:0] residual_s24_q;
-  logic less_2157_s24_q;
-  logic less_2171_s24_q;
-  logic equal_2215_s24_q;
-  logic or_2356_s24_q;
-  logic equal_2359_s24_q;
-  logic select_2365_s24_q;
-  logic equal_2376_s24_q;
+  logic less_2160_s24_q;
+  logic less_2174_s24_q;
+  logic equal_2218_s24_q;
+  logic or_2359_s24_q;
+  logic equal_2362_s24_q;
+  logic select_2368_s24_q;
   logic equal_2379_s24_q;
-  logic equal_2381_s24_q;
   logic equal_2382_s24_q;
-  logic equal_2595_s24_q;
-  logic [9:0] select_2604_s24_q;
+  logic equal_2384_s24_q;
+  logic equal_2385_s24_q;
+  logic equal_2598_s24_q;
+  logic [9:0] select_2607_s24_q;
   always_ff @(posedge clk_i) begin
     if (s23_en) begin
       pixel_0_s24_q <= pixel_0_s23_q;
@@ -6733,8 +6748,7 @@ module horopter_agreement (
       centres_values_1_of_skin_s24_q <= centres_values_1_of_skin_s23_q;
       done_s24_q <= done_q;
       column_s24_q <= column_s23_q;
-      and_368_s24_q <= and_368_s23_q;
-      less_402_s24_q <= less_402_s23_q;
+      and_369_s24_q <= and_369_s23_q;
       less_403_s24_q <= less_403_s23_q;
       less_404_s24_q <= less_404_s23_q;
       less_405_s24_q <= less_405_s23_q;
@@ -6758,71 +6772,72 @@ module horopter_agreement (
       less_423_s24_q <= less_423_s23_q;
       less_424_s24_q <= less_424_s23_q;
       less_425_s24_q <= less_425_s23_q;
-      and_433_s24_q <= and_433_s23_q;
-      and_458_s24_q <= whole_22 & and_433_s23_q;
-      and_459_s24_q <= and_459_s23_q;
-      sum_479_s24_q <= {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-      equal_1337_s24_q <= equal_1337_s23_q;
-      not_1338_s24_q <= not_1338_s23_q;
-      equal_1382_s24_q <= equal_1382_s23_q;
+      less_426_s24_q <= less_426_s23_q;
+      and_434_s24_q <= and_434_s23_q;
+      and_459_s24_q <= whole_22 & and_434_s23_q;
+      and_460_s24_q <= and_460_s23_q;
+      sum_480_s24_q <= {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+      equal_1338_s24_q <= equal_1338_s23_q;
+      not_1339_s24_q <= not_1339_s23_q;
+      equal_1383_s24_q <= equal_1383_s23_q;
       all_s24_q <= all_s23_q;
-      sum_1388_s24_q <= sum_1388_s23_q;
-      equal_1390_s24_q <= equal_1390_s23_q;
-      equal_1392_s24_q <= equal_1392_s23_q;
-      equal_1394_s24_q <= equal_1394_s23_q;
-      equal_1396_s24_q <= equal_1396_s23_q;
-      equal_1398_s24_q <= equal_1398_s23_q;
-      equal_1400_s24_q <= equal_1400_s23_q;
-      equal_1402_s24_q <= equal_1402_s23_q;
-      less_1410_s24_q <= less_1410_s23_q;
-      or_1414_s24_q <= or_1414_s23_q;
+      sum_1389_s24_q <= sum_1389_s23_q;
+      equal_1391_s24_q <= equal_1391_s23_q;
+      equal_1393_s24_q <= equal_1393_s23_q;
+      equal_1395_s24_q <= equal_1395_s23_q;
+      equal_1397_s24_q <= equal_1397_s23_q;
+      equal_1399_s24_q <= equal_1399_s23_q;
+      equal_1401_s24_q <= equal_1401_s23_q;
+      equal_1403_s24_q <= equal_1403_s23_q;
+      less_1411_s24_q <= less_1411_s23_q;
+      or_1415_s24_q <= or_1415_s23_q;
       registration_sums_rdata_s24_q <= registration_sums_rdata_q;
-      equal_1434_s24_q <= equal_1434_s23_q;
-      and_1444_s24_q <= and_1444_s23_q;
-      not_1456_s24_q <= not_1456_s23_q;
+      equal_1435_s24_q <= equal_1435_s23_q;
+      and_1445_s24_q <= and_1445_s23_q;
+      not_1457_s24_q <= not_1457_s23_q;
       index_s24_q <= index[2:0];
-      sum_1510_s24_q <= sum_1510;
-      and_1517_s24_q <= began_q & (seen_x_q == 4'h0);
-      less_1518_s24_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
+      sum_1511_s24_q <= sum_1511;
+      and_1518_s24_q <= began_q & (seen_x_q == 4'h0);
+      less_1519_s24_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
       index_2_s24_q <= index_2[2:0];
-      sum_1523_s24_q <= sum_1523;
-      equal_1537_s24_q <= equal_1537_s23_q;
-      not_1557_s24_q <= ~((good_q & select_1554) == 48'h0);
-      not_1573_s24_q <= not_1573_s23_q;
-      less_1587_s24_q <= less_1587_s23_q;
-      and_1598_s24_q <= and_1598_s23_q;
-      equal_1738_s24_q <= equal_1738_s23_q;
-      sum_1739_s24_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_1731};
-      select_1765_s24_q <= and_1763_s23_q ? detail_3[14:2] : 13'h0;
-      select_1776_s24_q <= and_1774_s23_q ? detail_4[14:2] : 13'h0;
-      equal_1788_s24_q <= equal_1788_s23_q;
-      less_1789_s24_q <= less_1789_s23_q;
-      and_1799_s24_q <= and_1799;
-      and_1809_s24_q <= and_1809;
-      equal_1832_s24_q <= equal_1832_s23_q;
-      and_1976_s24_q <= and_1976_s23_q;
-      and_1995_s24_q <= and_1995_s23_q;
-      not_1999_s24_q <= not_1999_s23_q;
-      not_2014_s24_q <= not_2014_s23_q;
-      select_2025_s24_q <= select_2025_s23_q;
+      sum_1524_s24_q <= sum_1524;
+      equal_1538_s24_q <= equal_1538_s23_q;
+      not_1558_s24_q <= ~((good_q & select_1555) == 48'h0);
+      not_1574_s24_q <= not_1574_s23_q;
+      less_1588_s24_q <= less_1588_s23_q;
+      and_1599_s24_q <= and_1599_s23_q;
+      equal_1739_s24_q <= equal_1739_s23_q;
+      sum_1740_s24_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_1732};
+      select_1768_s24_q <= and_1766_s23_q ? detail_3[14:2] : 13'h0;
+      select_1780_s24_q <= and_1778_s23_q ? detail_4[14:2] : 13'h0;
+      equal_1792_s24_q <= equal_1792_s23_q;
+      less_1793_s24_q <= less_1793_s23_q;
+      and_1803_s24_q <= and_1803;
+      and_1813_s24_q <= and_1813;
+      equal_1836_s24_q <= equal_1836_s23_q;
+      and_1979_s24_q <= and_1979_s23_q;
+      and_1998_s24_q <= and_1998_s23_q;
+      not_2002_s24_q <= not_2002_s23_q;
+      not_2017_s24_q <= not_2017_s23_q;
       select_2028_s24_q <= select_2028_s23_q;
-      less_2030_s24_q <= {sum_2029, select_2028_s23_q[1:0]} < {3'h0, select_2025_s23_q};
-      equal_2084_s24_q <= equal_2084_s23_q;
-      and_2111_s24_q <= and_2111_s23_q;
-      and_2113_s24_q <= and_2113_s23_q;
+      select_2031_s24_q <= select_2031_s23_q;
+      less_2033_s24_q <= {sum_2032, select_2031_s23_q[1:0]} < {3'h0, select_2028_s23_q};
+      equal_2087_s24_q <= equal_2087_s23_q;
+      and_2114_s24_q <= and_2114_s23_q;
+      and_2116_s24_q <= and_2116_s23_q;
       residual_s24_q <= residual_s23_q[7:0];
-      less_2157_s24_q <= $signed(difference_2156) < $signed({7'h0, cfg_moved_limit_i});
-      less_2171_s24_q <= less_2171;
-      equal_2215_s24_q <= equal_2215_s23_q;
-      or_2356_s24_q <= or_2356_s23_q;
-      equal_2359_s24_q <= equal_2359_s23_q;
-      select_2365_s24_q <= select_2365_s23_q;
-      equal_2376_s24_q <= equal_2376;
-      equal_2379_s24_q <= equal_2379_s23_q;
-      equal_2381_s24_q <= equal_2381_s23_q;
+      less_2160_s24_q <= $signed(difference_2159) < $signed({7'h0, cfg_moved_limit_i});
+      less_2174_s24_q <= less_2174;
+      equal_2218_s24_q <= equal_2218_s23_q;
+      or_2359_s24_q <= or_2359_s23_q;
+      equal_2362_s24_q <= equal_2362_s23_q;
+      select_2368_s24_q <= select_2368_s23_q;
+      equal_2379_s24_q <= equal_2379;
       equal_2382_s24_q <= equal_2382_s23_q;
-      equal_2595_s24_q <= equal_2595_s23_q;
-      select_2604_s24_q <= select_2604_s23_q;
+      equal_2384_s24_q <= equal_2384_s23_q;
+      equal_2385_s24_q <= equal_2385_s23_q;
+      equal_2598_s24_q <= equal_2598_s23_q;
+      select_2607_s24_q <= select_2607_s23_q;
     end
   end
 
@@ -6838,129 +6853,129 @@ module horopter_agreement (
   logic [13:0] counts_nearer_q;
   logic good_known_q;
   // hls/stages/census.hpp:209
-  logic [13:0] sum_480;
-  assign sum_480 = {2'h0, census_changes_values_1_left_s24_q} + {1'b0, sum_479_s24_q};
   logic [13:0] sum_481;
-  assign sum_481 = {2'h0, census_changes_values_2_left_q} + sum_480;
+  assign sum_481 = {2'h0, census_changes_values_1_left_s24_q} + {1'b0, sum_480_s24_q};
+  logic [13:0] sum_482;
+  assign sum_482 = {2'h0, census_changes_values_2_left_q} + sum_481;
   // hls/stages/agreement.hpp:920
-  logic and_1558;
-  assign and_1558 = good_known_q & not_1557_s24_q;
+  logic and_1559;
+  assign and_1559 = good_known_q & not_1558_s24_q;
   // hls/stages/agreement.hpp:989
   logic is_seen;
-  assign is_seen = equal_1537_s24_q ? and_1558 : not_1573_s24_q;
+  assign is_seen = equal_1538_s24_q ? and_1559 : not_1574_s24_q;
   // hls/stages/agreement.hpp:427
-  logic [11:0] select_1735;
-  assign select_1735 = and_368_s24_q ? census_changes_values_1_left_s24_q : census_changes_values_2_left_q;
   logic [11:0] select_1736;
-  assign select_1736 = and_368_s24_q ? census_changes_values_1_right_s24_q : census_changes_values_2_right_q;
+  assign select_1736 = and_369_s24_q ? census_changes_values_1_left_s24_q : census_changes_values_2_left_q;
+  logic [11:0] select_1737;
+  assign select_1737 = and_369_s24_q ? census_changes_values_1_right_s24_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:210
-  logic [13:0] sum_1740;
-  assign sum_1740 = {2'h0, census_changes_values_1_right_s24_q} + {1'b0, sum_1739_s24_q};
   logic [13:0] sum_1741;
-  assign sum_1741 = {2'h0, census_changes_values_2_right_q} + sum_1740;
+  assign sum_1741 = {2'h0, census_changes_values_1_right_s24_q} + {1'b0, sum_1740_s24_q};
+  logic [13:0] sum_1742;
+  assign sum_1742 = {2'h0, census_changes_values_2_right_q} + sum_1741;
   // hls/stages/census.hpp:285
-  logic [23:0] select_1767;
-  assign select_1767 = equal_1738_s24_q ? {11'h0, select_1765_s24_q} : (sharpness_sums_detail_0_q + {11'h0, select_1765_s24_q});
-  logic [23:0] select_1778;
-  assign select_1778 = equal_1738_s24_q ? {11'h0, select_1776_s24_q} : (sharpness_sums_detail_1_q + {11'h0, select_1776_s24_q});
-  // hls/stages/census.hpp:304
-  logic [17:0] select_1801;
-  assign select_1801 = (less_1789_s24_q & and_1799_s24_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
-  logic [17:0] select_1811;
-  assign select_1811 = (less_1789_s24_q & and_1809_s24_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [23:0] select_1770;
+  assign select_1770 = equal_1739_s24_q ? {11'h0, select_1768_s24_q} : (sharpness_sums_detail_0_q + {11'h0, select_1768_s24_q});
+  logic [23:0] select_1782;
+  assign select_1782 = equal_1739_s24_q ? {11'h0, select_1780_s24_q} : (sharpness_sums_detail_1_q + {11'h0, select_1780_s24_q});
+  // hls/stages/census.hpp:305
+  logic [17:0] select_1805;
+  assign select_1805 = (less_1793_s24_q & and_1803_s24_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_1815;
+  assign select_1815 = (less_1793_s24_q & and_1813_s24_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   // hls/stages/agreement.hpp:171
-  logic [1:0] select_1820;
-  assign select_1820 = equal_1788_s24_q ? {sharpness_comparing_contrast_0_q[0], and_1809_s24_q} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_1822;
-  assign select_1822 = equal_1788_s24_q ? {sharpness_comparing_contrast_1_q[0], and_1799_s24_q} : sharpness_comparing_contrast_1_q;
-  // hls/stages/census.hpp:313
-  logic xor_1845;
-  assign xor_1845 = sharpness_comparing_contrast_0_q[1] ^ and_1799_s24_q;
-  logic select_1848;
-  assign select_1848 = (equal_1832_s24_q | xor_1845) ? (and_1799_s24_q & xor_1845) : sharpness_comparing_less_contrast_0_q;
+  logic [1:0] select_1824;
+  assign select_1824 = equal_1792_s24_q ? {sharpness_comparing_contrast_0_q[0], and_1813_s24_q} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_1826;
+  assign select_1826 = equal_1792_s24_q ? {sharpness_comparing_contrast_1_q[0], and_1803_s24_q} : sharpness_comparing_contrast_1_q;
+  // hls/stages/census.hpp:314
+  logic xor_1849;
+  assign xor_1849 = sharpness_comparing_contrast_0_q[1] ^ and_1803_s24_q;
+  logic select_1852;
+  assign select_1852 = (equal_1836_s24_q | xor_1849) ? (and_1803_s24_q & xor_1849) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:171
-  logic select_1849;
-  assign select_1849 = equal_1788_s24_q ? select_1848 : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:313
-  logic xor_1851;
-  assign xor_1851 = sharpness_comparing_contrast_1_q[1] ^ and_1809_s24_q;
-  logic select_1854;
-  assign select_1854 = (equal_1832_s24_q | xor_1851) ? (and_1809_s24_q & xor_1851) : sharpness_comparing_less_contrast_1_q;
+  logic select_1853;
+  assign select_1853 = equal_1792_s24_q ? select_1852 : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:314
+  logic xor_1855;
+  assign xor_1855 = sharpness_comparing_contrast_1_q[1] ^ and_1813_s24_q;
+  logic select_1858;
+  assign select_1858 = (equal_1836_s24_q | xor_1855) ? (and_1813_s24_q & xor_1855) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:171
-  logic select_1855;
-  assign select_1855 = equal_1788_s24_q ? select_1854 : sharpness_comparing_less_contrast_1_q;
+  logic select_1859;
+  assign select_1859 = equal_1792_s24_q ? select_1858 : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:836
-  logic [13:0] select_1997;
-  assign select_1997 = and_1976_s24_q ? 14'h0 : (counts_nearer_q + {13'h0, and_1995_s24_q});
+  logic [13:0] select_2000;
+  assign select_2000 = and_1979_s24_q ? 14'h0 : (counts_nearer_q + {13'h0, and_1998_s24_q});
   // hls/stages/agreement.hpp:992
-  logic not_2016;
-  assign not_2016 = ~(equal_1537_s24_q ? and_1558 : not_2014_s24_q);
+  logic not_2019;
+  assign not_2019 = ~(equal_1538_s24_q ? and_1559 : not_2017_s24_q);
   // hls/stages/agreement.hpp:324
-  logic and_2019;
-  assign and_2019 = ends_cell_s24_q & (not_1999_s24_q & (centres_values_1_textured_s24_q & not_2016));
+  logic and_2022;
+  assign and_2022 = ends_cell_s24_q & (not_2002_s24_q & (centres_values_1_textured_s24_q & not_2019));
   // hls/stages/agreement.hpp:1023
-  logic [9:0] select_2032;
-  assign select_2032 = ((~(select_2025_s24_q[9:4] == 6'h0)) & less_2030_s24_q) ? select_2025_s24_q : 10'h0;
-  // hls/stages/agreement.hpp:324
   logic [9:0] select_2035;
-  assign select_2035 = equal_1337_s24_q ? (x_s24_q[6] ? (equal_1382_s24_q ? 10'h0 : select_2032) : 10'h0) : 10'h0;
+  assign select_2035 = ((~(select_2028_s24_q[9:4] == 6'h0)) & less_2033_s24_q) ? select_2028_s24_q : 10'h0;
+  // hls/stages/agreement.hpp:324
+  logic [9:0] select_2038;
+  assign select_2038 = equal_1338_s24_q ? (x_s24_q[6] ? (equal_1383_s24_q ? 10'h0 : select_2035) : 10'h0) : 10'h0;
   // hls/stages/agreement.hpp:996
-  logic and_2053;
-  assign and_2053 = centres_values_1_textured_s24_q & (centres_values_1_of_skin_s24_q & not_2016);
+  logic and_2056;
+  assign and_2056 = centres_values_1_textured_s24_q & (centres_values_1_of_skin_s24_q & not_2019);
   // hls/stages/registration.hpp:106
-  logic [7:0] select_2139;
-  assign select_2139 = equal_2084_s24_q ? (and_2113_s24_q ? residual_s24_q : 8'h0) : 8'h0;
-  logic and_2150;
-  assign and_2150 = and_2113_s24_q & ($signed(residual_s24_q) < $signed({2'h0, cfg_moved_limit_i}));
+  logic [7:0] select_2142;
+  assign select_2142 = equal_2087_s24_q ? (and_2116_s24_q ? residual_s24_q : 8'h0) : 8'h0;
+  logic and_2153;
+  assign and_2153 = and_2116_s24_q & ($signed(residual_s24_q) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:200
-  logic less_2164;
-  assign less_2164 = $signed(residual_s24_q) < $signed({2'h0, cfg_moved_half_limit_i});
+  logic less_2167;
+  assign less_2167 = $signed(residual_s24_q) < $signed({2'h0, cfg_moved_half_limit_i});
   // hls/stages/agreement.hpp:1017
-  logic [11:0] select_2217;
-  assign select_2217 = or_1414_s24_q ? 12'h0 : (equal_2215_s24_q ? registration_sums_rdata_s24_q[11:0] : 12'h0);
+  logic [11:0] select_2220;
+  assign select_2220 = or_1415_s24_q ? 12'h0 : (equal_2218_s24_q ? registration_sums_rdata_s24_q[11:0] : 12'h0);
   // hls/stages/agreement.hpp:1027
-  logic [11:0] select_2219;
-  assign select_2219 = equal_1382_s24_q ? 12'h0 : (less_1410_s24_q ? select_2217 : 12'h0);
+  logic [11:0] select_2222;
+  assign select_2222 = equal_1383_s24_q ? 12'h0 : (less_1411_s24_q ? select_2220 : 12'h0);
   // hls/stages/registration.hpp:152
-  logic and_2222;
-  assign and_2222 = x_s24_q[1] & all_s24_q;
-  // hls/stages/agreement.hpp:1027
   logic and_2225;
-  assign and_2225 = not_1456_s24_q & (less_1410_s24_q & ({and_2222, x_s24_q[0]} == 2'h0));
+  assign and_2225 = x_s24_q[1] & all_s24_q;
+  // hls/stages/agreement.hpp:1027
+  logic and_2228;
+  assign and_2228 = not_1457_s24_q & (less_1411_s24_q & ({and_2225, x_s24_q[0]} == 2'h0));
   // hls/stages/agreement.hpp:1017
-  logic [11:0] select_2232;
-  assign select_2232 = or_1414_s24_q ? 12'h0 : (equal_2215_s24_q ? registration_sums_rdata_s24_q[31:20] : 12'h0);
+  logic [11:0] select_2235;
+  assign select_2235 = or_1415_s24_q ? 12'h0 : (equal_2218_s24_q ? registration_sums_rdata_s24_q[31:20] : 12'h0);
   // hls/stages/agreement.hpp:1027
-  logic [11:0] select_2234;
-  assign select_2234 = equal_1382_s24_q ? 12'h0 : (less_1410_s24_q ? select_2232 : 12'h0);
+  logic [11:0] select_2237;
+  assign select_2237 = equal_1383_s24_q ? 12'h0 : (less_1411_s24_q ? select_2235 : 12'h0);
   // hls/stages/registration.hpp:149
-  logic not_2240;
-  assign not_2240 = ~all_s24_q;
+  logic not_2243;
+  assign not_2243 = ~all_s24_q;
   // hls/stages/agreement.hpp:1027
-  logic and_2243;
-  assign and_2243 = not_1456_s24_q & (less_1410_s24_q & (x_s24_q[2:0] == {all_s24_q, not_2240, 1'b0}));
+  logic and_2246;
+  assign and_2246 = not_1457_s24_q & (less_1411_s24_q & (x_s24_q[2:0] == {all_s24_q, not_2243, 1'b0}));
   // hls/stages/agreement.hpp:324
-  logic and_2249;
-  assign and_2249 = equal_1337_s24_q & (x_s24_q[6] & (not_1456_s24_q & (less_1410_s24_q & all_s24_q)));
+  logic and_2252;
+  assign and_2252 = equal_1338_s24_q & (x_s24_q[6] & (not_1457_s24_q & (less_1411_s24_q & all_s24_q)));
   // hls/stages/registration.hpp:156
-  logic equal_2276;
-  assign equal_2276 = x_s24_q[2:0] == 3'h6;
+  logic equal_2279;
+  assign equal_2279 = x_s24_q[2:0] == 3'h6;
   // hls/stages/agreement.hpp:1027
-  logic and_2279;
-  assign and_2279 = not_1456_s24_q & (less_1410_s24_q & (x_s24_q[5] ? x_s24_q[3] : equal_2276));
-  logic and_2288;
-  assign and_2288 = not_1456_s24_q & (less_1410_s24_q & ((~x_s24_q[5]) & (x_s24_q[3] & equal_2276)));
+  logic and_2282;
+  assign and_2282 = not_1457_s24_q & (less_1411_s24_q & (x_s24_q[5] ? x_s24_q[3] : equal_2279));
+  logic and_2291;
+  assign and_2291 = not_1457_s24_q & (less_1411_s24_q & ((~x_s24_q[5]) & (x_s24_q[3] & equal_2279)));
   // hls/stages/agreement.hpp:324
-  logic select_2378;
-  assign select_2378 = equal_1337_s24_q ? ((x_s24_q[6] & good_known_q) | equal_2376_s24_q) : good_known_q;
+  logic select_2381;
+  assign select_2381 = equal_1338_s24_q ? ((x_s24_q[6] & good_known_q) | equal_2379_s24_q) : good_known_q;
   // hls/stages/agreement.hpp:1168
-  logic and_2540;
-  assign and_2540 = and_1598_s24_q & ({sum_1523_s24_q, index_2_s24_q} == {sum_1510_s24_q, index_s24_q});
+  logic and_2543;
+  assign and_2543 = and_1599_s24_q & ({sum_1524_s24_q, index_2_s24_q} == {sum_1511_s24_q, index_s24_q});
   // hls/stages/agreement.hpp:1025
-  logic [31:0] select_2597;
-  assign select_2597 = equal_1402_s24_q ? {2'h0, counts_explained_s24_q, 2'h0, counts_textured_s24_q} : (equal_2595_s24_q ? registration_sums_rdata_s24_q : 32'h0);
-  logic [31:0] select_2598;
-  assign select_2598 = equal_1400_s24_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_s24_q} : select_2597;
+  logic [31:0] select_2600;
+  assign select_2600 = equal_1403_s24_q ? {2'h0, counts_explained_s24_q, 2'h0, counts_textured_s24_q} : (equal_2598_s24_q ? registration_sums_rdata_s24_q : 32'h0);
+  logic [31:0] select_2601;
+  assign select_2601 = equal_1401_s24_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_s24_q} : select_2600;
 
   // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1261; read in stage 24, written in stage 25: 24 < 25 < 24 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -6970,9 +6985,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 16080; i++) map_mem[i] = 2'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_1510_s24_q, index_s24_q};
+  assign map_raddr = {sum_1511_s24_q, index_s24_q};
   logic map_re;
-  assign map_re = s24_en & (and_1517_s24_q & less_1518_s24_q);
+  assign map_re = s24_en & (and_1518_s24_q & less_1519_s24_q);
   logic [1:0] map_rdata_q;
   always_ff @(posedge clk_i) begin
     if (map_re) map_rdata_q <= map_mem[map_raddr];
@@ -6989,14 +7004,14 @@ module horopter_agreement (
       counts_nearer_q <= 14'h0;
       good_known_q <= 1'b0;
     end else if (s24_en) begin
-      sharpness_sums_detail_0_q <= and_368_s24_q ? select_1767 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_368_s24_q ? select_1778 : sharpness_sums_detail_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_1820 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_1822 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_less_contrast_0_q <= drew_q ? select_1849 : sharpness_comparing_less_contrast_0_q;
-      sharpness_comparing_less_contrast_1_q <= drew_q ? select_1855 : sharpness_comparing_less_contrast_1_q;
-      counts_nearer_q <= select_1997;
-      good_known_q <= select_2378;
+      sharpness_sums_detail_0_q <= and_369_s24_q ? select_1770 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_369_s24_q ? select_1782 : sharpness_sums_detail_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_1824 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_1826 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_less_contrast_0_q <= drew_q ? select_1853 : sharpness_comparing_less_contrast_0_q;
+      sharpness_comparing_less_contrast_1_q <= drew_q ? select_1859 : sharpness_comparing_less_contrast_1_q;
+      counts_nearer_q <= select_2000;
+      good_known_q <= select_2381;
     end
   end
 
@@ -7009,8 +7024,8 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s24_en) begin
-      census_changes_values_2_left_q <= select_1735;
-      census_changes_values_2_right_q <= select_1736;
+      census_changes_values_2_left_q <= select_1736;
+      census_changes_values_2_right_q <= select_1737;
     end
   end
 
@@ -7032,9 +7047,8 @@ module horopter_agreement (
   logic [13:0] product_s25_q;
   logic done_s25_q;
   logic [6:0] column_s25_q;
-  logic and_368_s25_q;
+  logic and_369_s25_q;
   logic so_s25_q;
-  logic less_402_s25_q;
   logic less_403_s25_q;
   logic less_404_s25_q;
   logic less_405_s25_q;
@@ -7058,70 +7072,71 @@ module horopter_agreement (
   logic less_423_s25_q;
   logic less_424_s25_q;
   logic less_425_s25_q;
-  logic and_433_s25_q;
-  logic and_458_s25_q;
+  logic less_426_s25_q;
+  logic and_434_s25_q;
   logic and_459_s25_q;
-  logic [8:0] sum_481_s25_q;
-  logic equal_1337_s25_q;
-  logic not_1338_s25_q;
-  logic equal_1382_s25_q;
-  logic [1:0] sum_1388_s25_q;
-  logic equal_1390_s25_q;
-  logic equal_1392_s25_q;
-  logic equal_1394_s25_q;
-  logic equal_1396_s25_q;
-  logic equal_1398_s25_q;
-  logic less_1410_s25_q;
-  logic [19:0] select_1435_s25_q;
-  logic [11:0] select_1440_s25_q;
-  logic and_1444_s25_q;
-  logic not_1456_s25_q;
-  logic and_1517_s25_q;
-  logic less_1518_s25_q;
+  logic and_460_s25_q;
+  logic [8:0] sum_482_s25_q;
+  logic equal_1338_s25_q;
+  logic not_1339_s25_q;
+  logic equal_1383_s25_q;
+  logic [1:0] sum_1389_s25_q;
+  logic equal_1391_s25_q;
+  logic equal_1393_s25_q;
+  logic equal_1395_s25_q;
+  logic equal_1397_s25_q;
+  logic equal_1399_s25_q;
+  logic less_1411_s25_q;
+  logic [19:0] select_1436_s25_q;
+  logic [11:0] select_1441_s25_q;
+  logic and_1445_s25_q;
+  logic not_1457_s25_q;
+  logic and_1518_s25_q;
+  logic less_1519_s25_q;
   logic [2:0] index_2_s25_q;
-  logic [10:0] sum_1523_s25_q;
+  logic [10:0] sum_1524_s25_q;
   logic is_seen_s25_q;
-  logic and_1588_s25_q;
-  logic and_1598_s25_q;
-  logic equal_1738_s25_q;
-  logic [8:0] sum_1741_s25_q;
-  logic equal_1788_s25_q;
-  logic less_1789_s25_q;
-  logic [17:0] select_1801_s25_q;
-  logic [17:0] select_1811_s25_q;
-  logic equal_1832_s25_q;
-  logic and_1976_s25_q;
-  logic and_2021_s25_q;
-  logic [9:0] select_2025_s25_q;
+  logic and_1589_s25_q;
+  logic and_1599_s25_q;
+  logic equal_1739_s25_q;
+  logic [8:0] sum_1742_s25_q;
+  logic equal_1792_s25_q;
+  logic less_1793_s25_q;
+  logic [17:0] select_1805_s25_q;
+  logic [17:0] select_1815_s25_q;
+  logic equal_1836_s25_q;
+  logic and_1979_s25_q;
+  logic and_2024_s25_q;
   logic [9:0] select_2028_s25_q;
-  logic [9:0] select_2035_s25_q;
-  logic and_2056_s25_q;
-  logic equal_2084_s25_q;
-  logic and_2111_s25_q;
-  logic and_2113_s25_q;
-  logic [7:0] select_2141_s25_q;
-  logic and_2150_s25_q;
-  logic and_2158_s25_q;
-  logic and_2165_s25_q;
-  logic and_2172_s25_q;
-  logic [11:0] select_2219_s25_q;
-  logic and_2227_s25_q;
-  logic [11:0] select_2234_s25_q;
-  logic and_2245_s25_q;
-  logic and_2249_s25_q;
-  logic and_2281_s25_q;
-  logic and_2289_s25_q;
-  logic or_2356_s25_q;
-  logic equal_2359_s25_q;
-  logic select_2365_s25_q;
-  logic equal_2376_s25_q;
+  logic [9:0] select_2031_s25_q;
+  logic [9:0] select_2038_s25_q;
+  logic and_2059_s25_q;
+  logic equal_2087_s25_q;
+  logic and_2114_s25_q;
+  logic and_2116_s25_q;
+  logic [7:0] select_2144_s25_q;
+  logic and_2153_s25_q;
+  logic and_2161_s25_q;
+  logic and_2168_s25_q;
+  logic and_2175_s25_q;
+  logic [11:0] select_2222_s25_q;
+  logic and_2230_s25_q;
+  logic [11:0] select_2237_s25_q;
+  logic and_2248_s25_q;
+  logic and_2252_s25_q;
+  logic and_2284_s25_q;
+  logic and_2292_s25_q;
+  logic or_2359_s25_q;
+  logic equal_2362_s25_q;
+  logic select_2368_s25_q;
   logic equal_2379_s25_q;
-  logic equal_2381_s25_q;
   logic equal_2382_s25_q;
-  logic and_2525_s25_q;
-  logic and_2540_s25_q;
-  logic [31:0] select_2598_s25_q;
-  logic [9:0] select_2604_s25_q;
+  logic equal_2384_s25_q;
+  logic equal_2385_s25_q;
+  logic and_2528_s25_q;
+  logic and_2543_s25_q;
+  logic [31:0] select_2601_s25_q;
+  logic [9:0] select_2607_s25_q;
   always_ff @(posedge clk_i) begin
     if (s24_en) begin
       pixel_0_s25_q <= pixel_0_s24_q;
@@ -7142,9 +7157,8 @@ module horopter_agreement (
       product_s25_q <= product_s24_q;
       done_s25_q <= done_s24_q;
       column_s25_q <= column_s24_q;
-      and_368_s25_q <= and_368_s24_q;
+      and_369_s25_q <= and_369_s24_q;
       so_s25_q <= drew_q;
-      less_402_s25_q <= less_402_s24_q;
       less_403_s25_q <= less_403_s24_q;
       less_404_s25_q <= less_404_s24_q;
       less_405_s25_q <= less_405_s24_q;
@@ -7168,70 +7182,71 @@ module horopter_agreement (
       less_423_s25_q <= less_423_s24_q;
       less_424_s25_q <= less_424_s24_q;
       less_425_s25_q <= less_425_s24_q;
-      and_433_s25_q <= and_433_s24_q;
-      and_458_s25_q <= and_458_s24_q;
+      less_426_s25_q <= less_426_s24_q;
+      and_434_s25_q <= and_434_s24_q;
       and_459_s25_q <= and_459_s24_q;
-      sum_481_s25_q <= sum_481[13:5];
-      equal_1337_s25_q <= equal_1337_s24_q;
-      not_1338_s25_q <= not_1338_s24_q;
-      equal_1382_s25_q <= equal_1382_s24_q;
-      sum_1388_s25_q <= sum_1388_s24_q;
-      equal_1390_s25_q <= equal_1390_s24_q;
-      equal_1392_s25_q <= equal_1392_s24_q;
-      equal_1394_s25_q <= equal_1394_s24_q;
-      equal_1396_s25_q <= equal_1396_s24_q;
-      equal_1398_s25_q <= equal_1398_s24_q;
-      less_1410_s25_q <= less_1410_s24_q;
-      select_1435_s25_q <= equal_1434_s24_q ? registration_sums_rdata_s24_q[19:0] : 20'h0;
-      select_1440_s25_q <= equal_1434_s24_q ? registration_sums_rdata_s24_q[31:20] : 12'h0;
-      and_1444_s25_q <= and_1444_s24_q;
-      not_1456_s25_q <= not_1456_s24_q;
-      and_1517_s25_q <= and_1517_s24_q;
-      less_1518_s25_q <= less_1518_s24_q;
+      and_460_s25_q <= and_460_s24_q;
+      sum_482_s25_q <= sum_482[13:5];
+      equal_1338_s25_q <= equal_1338_s24_q;
+      not_1339_s25_q <= not_1339_s24_q;
+      equal_1383_s25_q <= equal_1383_s24_q;
+      sum_1389_s25_q <= sum_1389_s24_q;
+      equal_1391_s25_q <= equal_1391_s24_q;
+      equal_1393_s25_q <= equal_1393_s24_q;
+      equal_1395_s25_q <= equal_1395_s24_q;
+      equal_1397_s25_q <= equal_1397_s24_q;
+      equal_1399_s25_q <= equal_1399_s24_q;
+      less_1411_s25_q <= less_1411_s24_q;
+      select_1436_s25_q <= equal_1435_s24_q ? registration_sums_rdata_s24_q[19:0] : 20'h0;
+      select_1441_s25_q <= equal_1435_s24_q ? registration_sums_rdata_s24_q[31:20] : 12'h0;
+      and_1445_s25_q <= and_1445_s24_q;
+      not_1457_s25_q <= not_1457_s24_q;
+      and_1518_s25_q <= and_1518_s24_q;
+      less_1519_s25_q <= less_1519_s24_q;
       index_2_s25_q <= index_2_s24_q;
-      sum_1523_s25_q <= sum_1523_s24_q;
+      sum_1524_s25_q <= sum_1524_s24_q;
       is_seen_s25_q <= is_seen;
-      and_1588_s25_q <= is_seen & less_1587_s24_q;
-      and_1598_s25_q <= and_1598_s24_q;
-      equal_1738_s25_q <= equal_1738_s24_q;
-      sum_1741_s25_q <= sum_1741[13:5];
-      equal_1788_s25_q <= equal_1788_s24_q;
-      less_1789_s25_q <= less_1789_s24_q;
-      select_1801_s25_q <= select_1801;
-      select_1811_s25_q <= select_1811;
-      equal_1832_s25_q <= equal_1832_s24_q;
-      and_1976_s25_q <= and_1976_s24_q;
-      and_2021_s25_q <= not_1338_s24_q & (drew_q & and_2019);
-      select_2025_s25_q <= select_2025_s24_q;
+      and_1589_s25_q <= is_seen & less_1588_s24_q;
+      and_1599_s25_q <= and_1599_s24_q;
+      equal_1739_s25_q <= equal_1739_s24_q;
+      sum_1742_s25_q <= sum_1742[13:5];
+      equal_1792_s25_q <= equal_1792_s24_q;
+      less_1793_s25_q <= less_1793_s24_q;
+      select_1805_s25_q <= select_1805;
+      select_1815_s25_q <= select_1815;
+      equal_1836_s25_q <= equal_1836_s24_q;
+      and_1979_s25_q <= and_1979_s24_q;
+      and_2024_s25_q <= not_1339_s24_q & (drew_q & and_2022);
       select_2028_s25_q <= select_2028_s24_q;
-      select_2035_s25_q <= select_2035;
-      and_2056_s25_q <= drew_q & (ends_cell_s24_q & (not_1999_s24_q & and_2053));
-      equal_2084_s25_q <= equal_2084_s24_q;
-      and_2111_s25_q <= and_2111_s24_q;
-      and_2113_s25_q <= and_2113_s24_q;
-      select_2141_s25_q <= equal_1337_s24_q ? 8'h0 : (drew_q ? select_2139 : 8'h0);
-      and_2150_s25_q <= and_2150;
-      and_2158_s25_q <= and_2113_s24_q & less_2157_s24_q;
-      and_2165_s25_q <= and_2113_s24_q & less_2164;
-      and_2172_s25_q <= and_2113_s24_q & less_2171_s24_q;
-      select_2219_s25_q <= select_2219;
-      and_2227_s25_q <= equal_1337_s24_q & (x_s24_q[6] & and_2225);
-      select_2234_s25_q <= select_2234;
-      and_2245_s25_q <= equal_1337_s24_q & (x_s24_q[6] & and_2243);
-      and_2249_s25_q <= and_2249;
-      and_2281_s25_q <= equal_1337_s24_q & (x_s24_q[6] & and_2279);
-      and_2289_s25_q <= x_s24_q[6] & and_2288;
-      or_2356_s25_q <= or_2356_s24_q;
-      equal_2359_s25_q <= equal_2359_s24_q;
-      select_2365_s25_q <= select_2365_s24_q;
-      equal_2376_s25_q <= equal_2376_s24_q;
+      select_2031_s25_q <= select_2031_s24_q;
+      select_2038_s25_q <= select_2038;
+      and_2059_s25_q <= drew_q & (ends_cell_s24_q & (not_2002_s24_q & and_2056));
+      equal_2087_s25_q <= equal_2087_s24_q;
+      and_2114_s25_q <= and_2114_s24_q;
+      and_2116_s25_q <= and_2116_s24_q;
+      select_2144_s25_q <= equal_1338_s24_q ? 8'h0 : (drew_q ? select_2142 : 8'h0);
+      and_2153_s25_q <= and_2153;
+      and_2161_s25_q <= and_2116_s24_q & less_2160_s24_q;
+      and_2168_s25_q <= and_2116_s24_q & less_2167;
+      and_2175_s25_q <= and_2116_s24_q & less_2174_s24_q;
+      select_2222_s25_q <= select_2222;
+      and_2230_s25_q <= equal_1338_s24_q & (x_s24_q[6] & and_2228);
+      select_2237_s25_q <= select_2237;
+      and_2248_s25_q <= equal_1338_s24_q & (x_s24_q[6] & and_2246);
+      and_2252_s25_q <= and_2252;
+      and_2284_s25_q <= equal_1338_s24_q & (x_s24_q[6] & and_2282);
+      and_2292_s25_q <= x_s24_q[6] & and_2291;
+      or_2359_s25_q <= or_2359_s24_q;
+      equal_2362_s25_q <= equal_2362_s24_q;
+      select_2368_s25_q <= select_2368_s24_q;
       equal_2379_s25_q <= equal_2379_s24_q;
-      equal_2381_s25_q <= equal_2381_s24_q;
       equal_2382_s25_q <= equal_2382_s24_q;
-      and_2525_s25_q <= said_q;
-      and_2540_s25_q <= and_2540;
-      select_2598_s25_q <= select_2598;
-      select_2604_s25_q <= select_2604_s24_q;
+      equal_2384_s25_q <= equal_2384_s24_q;
+      equal_2385_s25_q <= equal_2385_s24_q;
+      and_2528_s25_q <= said_q;
+      and_2543_s25_q <= and_2543;
+      select_2601_s25_q <= select_2601;
+      select_2607_s25_q <= select_2607_s24_q;
     end
   end
 
@@ -7257,164 +7272,164 @@ module horopter_agreement (
   logic registration_other_up_q;
   logic proven_q;
   // hls/stages/registration.hpp:260
-  logic equal_1436;
-  assign equal_1436 = sum_1388_s25_q == 2'h0;
+  logic equal_1437;
+  assign equal_1437 = sum_1389_s25_q == 2'h0;
   // hls/stages/registration.hpp:258
   logic [6:0] down;
-  assign down = sum_1388_s25_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_1389_s25_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:260
-  logic [13:0] select_1438;
-  assign select_1438 = equal_1436 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [13:0] select_1439;
+  assign select_1439 = equal_1437 ? registration_half_across_q : {{7{down[6]}}, down};
   // hls/stages/registration.hpp:259
   logic [6:0] up;
-  assign up = sum_1388_s25_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_1389_s25_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:261
-  logic [6:0] select_1442;
-  assign select_1442 = equal_1436 ? {1'b0, registration_half_measured_q} : up;
-  // hls/stages/census.hpp:304
+  logic [6:0] select_1443;
+  assign select_1443 = equal_1437 ? {1'b0, registration_half_measured_q} : up;
+  // hls/stages/census.hpp:305
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_1801_s25_q};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_1805_s25_q};
   // hls/stages/agreement.hpp:171
-  logic [17:0] select_1804;
-  assign select_1804 = equal_1788_s25_q ? (less_1789_s25_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  // hls/stages/census.hpp:304
+  logic [17:0] select_1808;
+  assign select_1808 = equal_1792_s25_q ? (less_1793_s25_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  // hls/stages/census.hpp:305
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_1811_s25_q};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_1815_s25_q};
   // hls/stages/agreement.hpp:171
-  logic [17:0] select_1814;
-  assign select_1814 = equal_1788_s25_q ? (less_1789_s25_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [17:0] select_1818;
+  assign select_1818 = equal_1792_s25_q ? (less_1793_s25_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
   // hls/stages/agreement.hpp:836
-  logic [13:0] select_2023;
-  assign select_2023 = and_1976_s25_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2021_s25_q});
-  logic [13:0] select_2037;
-  assign select_2037 = and_1976_s25_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2035_s25_q});
+  logic [13:0] select_2026;
+  assign select_2026 = and_1979_s25_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2024_s25_q});
+  logic [13:0] select_2040;
+  assign select_2040 = and_1979_s25_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2038_s25_q});
   // hls/stages/agreement.hpp:324
-  logic and_2057;
-  assign and_2057 = not_1338_s25_q & and_2056_s25_q;
+  logic and_2060;
+  assign and_2060 = not_1339_s25_q & and_2059_s25_q;
   // hls/stages/agreement.hpp:836
-  logic [13:0] select_2059;
-  assign select_2059 = and_1976_s25_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2057});
+  logic [13:0] select_2062;
+  assign select_2062 = and_1979_s25_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2060});
   // hls/stages/registration.hpp:132
-  logic [13:0] sum_2142;
-  assign sum_2142 = registration_half_across_q + {{6{select_2141_s25_q[7]}}, select_2141_s25_q};
+  logic [13:0] sum_2145;
+  assign sum_2145 = registration_half_across_q + {{6{select_2144_s25_q[7]}}, select_2144_s25_q};
   // hls/stages/agreement.hpp:324
-  logic and_2146;
-  assign and_2146 = not_1338_s25_q & (so_s25_q & (and_2113_s25_q & equal_2084_s25_q));
+  logic and_2149;
+  assign and_2149 = not_1339_s25_q & (so_s25_q & (and_2116_s25_q & equal_2087_s25_q));
   // hls/stages/registration.hpp:133
-  logic [5:0] select_2148;
-  assign select_2148 = and_2111_s25_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2146});
+  logic [5:0] select_2151;
+  assign select_2151 = and_2114_s25_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2149});
   // hls/stages/agreement.hpp:324
-  logic [1:0] select_2152;
-  assign select_2152 = so_s25_q ? (equal_2084_s25_q ? {and_2150_s25_q, and_2113_s25_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2153;
-  assign select_2153 = equal_1337_s25_q ? 2'h0 : select_2152;
+  logic [1:0] select_2155;
+  assign select_2155 = so_s25_q ? (equal_2087_s25_q ? {and_2153_s25_q, and_2116_s25_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2156;
+  assign select_2156 = equal_1338_s25_q ? 2'h0 : select_2155;
   // hls/stages/registration.hpp:179
-  logic [6:0] sum_2154;
-  assign sum_2154 = registration_half_votes_down_q + {{5{select_2153[1]}}, select_2153};
+  logic [6:0] sum_2157;
+  assign sum_2157 = registration_half_votes_down_q + {{5{select_2156[1]}}, select_2156};
   // hls/stages/agreement.hpp:324
-  logic [1:0] select_2160;
-  assign select_2160 = so_s25_q ? (equal_2084_s25_q ? {and_2158_s25_q, and_2113_s25_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2161;
-  assign select_2161 = equal_1337_s25_q ? 2'h0 : select_2160;
+  logic [1:0] select_2163;
+  assign select_2163 = so_s25_q ? (equal_2087_s25_q ? {and_2161_s25_q, and_2116_s25_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2164;
+  assign select_2164 = equal_1338_s25_q ? 2'h0 : select_2163;
   // hls/stages/registration.hpp:180
-  logic [6:0] sum_2162;
-  assign sum_2162 = registration_half_votes_up_q + {{5{select_2161[1]}}, select_2161};
+  logic [6:0] sum_2165;
+  assign sum_2165 = registration_half_votes_up_q + {{5{select_2164[1]}}, select_2164};
   // hls/stages/agreement.hpp:324
-  logic [1:0] select_2167;
-  assign select_2167 = so_s25_q ? (equal_2084_s25_q ? {and_2165_s25_q, and_2113_s25_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2168;
-  assign select_2168 = equal_1337_s25_q ? 2'h0 : select_2167;
+  logic [1:0] select_2170;
+  assign select_2170 = so_s25_q ? (equal_2087_s25_q ? {and_2168_s25_q, and_2116_s25_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2171;
+  assign select_2171 = equal_1338_s25_q ? 2'h0 : select_2170;
   // hls/stages/registration.hpp:179
-  logic [6:0] sum_2169;
-  assign sum_2169 = registration_half_half_votes_down_q + {{5{select_2168[1]}}, select_2168};
+  logic [6:0] sum_2172;
+  assign sum_2172 = registration_half_half_votes_down_q + {{5{select_2171[1]}}, select_2171};
   // hls/stages/agreement.hpp:324
-  logic [1:0] select_2174;
-  assign select_2174 = so_s25_q ? (equal_2084_s25_q ? {and_2172_s25_q, and_2113_s25_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2175;
-  assign select_2175 = equal_1337_s25_q ? 2'h0 : select_2174;
+  logic [1:0] select_2177;
+  assign select_2177 = so_s25_q ? (equal_2087_s25_q ? {and_2175_s25_q, and_2116_s25_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2178;
+  assign select_2178 = equal_1338_s25_q ? 2'h0 : select_2177;
   // hls/stages/registration.hpp:180
-  logic [6:0] sum_2176;
-  assign sum_2176 = registration_half_half_votes_up_q + {{5{select_2175[1]}}, select_2175};
+  logic [6:0] sum_2179;
+  assign sum_2179 = registration_half_half_votes_up_q + {{5{select_2178[1]}}, select_2178};
   // hls/stages/agreement.hpp:324
-  logic and_2210;
-  assign and_2210 = equal_1337_s25_q & (x_s25_q[6] & (not_1456_s25_q & less_1410_s25_q));
-  logic [11:0] select_2221;
-  assign select_2221 = equal_1337_s25_q ? (x_s25_q[6] ? select_2219_s25_q : 12'h0) : 12'h0;
+  logic and_2213;
+  assign and_2213 = equal_1338_s25_q & (x_s25_q[6] & (not_1457_s25_q & less_1411_s25_q));
+  logic [11:0] select_2224;
+  assign select_2224 = equal_1338_s25_q ? (x_s25_q[6] ? select_2222_s25_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:247
-  logic [13:0] sum_2229;
-  assign sum_2229 = {{2{select_2221[11]}}, select_2221} + (and_2227_s25_q ? 14'h0 : registration_down_q);
+  logic [13:0] sum_2232;
+  assign sum_2232 = {{2{select_2224[11]}}, select_2224} + (and_2230_s25_q ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:324
-  logic [11:0] select_2236;
-  assign select_2236 = equal_1337_s25_q ? (x_s25_q[6] ? select_2234_s25_q : 12'h0) : 12'h0;
+  logic [11:0] select_2239;
+  assign select_2239 = equal_1338_s25_q ? (x_s25_q[6] ? select_2237_s25_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:248
-  logic [13:0] sum_2238;
-  assign sum_2238 = {{2{select_2236[11]}}, select_2236} + (and_2227_s25_q ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2241;
+  assign sum_2241 = {{2{select_2239[11]}}, select_2239} + (and_2230_s25_q ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:241
-  logic not_2250;
-  assign not_2250 = ~and_2249_s25_q;
-  logic less_2251;
-  assign less_2251 = $signed({9'h1, {2{not_2250}}, and_2249_s25_q}) < $signed(registration_up_q[13:2]);
-  logic select_2252;
-  assign select_2252 = and_2245_s25_q ? less_2251 : registration_enough_q;
+  logic not_2253;
+  assign not_2253 = ~and_2252_s25_q;
+  logic less_2254;
+  assign less_2254 = $signed({9'h1, {2{not_2253}}, and_2252_s25_q}) < $signed(registration_up_q[13:2]);
+  logic select_2255;
+  assign select_2255 = and_2248_s25_q ? less_2254 : registration_enough_q;
   // hls/stages/agreement.hpp:1027
-  logic and_2256;
-  assign and_2256 = x_s25_q[6] & (not_1456_s25_q & (less_1410_s25_q & (x_s25_q[2:0] == 3'h4)));
+  logic and_2259;
+  assign and_2259 = x_s25_q[6] & (not_1457_s25_q & (less_1411_s25_q & (x_s25_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:324
-  logic and_2257;
-  assign and_2257 = equal_1337_s25_q & and_2256;
+  logic and_2260;
+  assign and_2260 = equal_1338_s25_q & and_2259;
   // hls/stages/registration.hpp:237
-  logic less_2258;
-  assign less_2258 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_2260;
-  assign less_2260 = $signed(14'h0) < $signed(registration_up_q);
+  logic less_2261;
+  assign less_2261 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2263;
+  assign less_2263 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/agreement.hpp:1027
-  logic and_2265;
-  assign and_2265 = x_s25_q[6] & (not_1456_s25_q & (less_1410_s25_q & (x_s25_q[2:0] == 3'h7)));
+  logic and_2268;
+  assign and_2268 = x_s25_q[6] & (not_1457_s25_q & (less_1411_s25_q & (x_s25_q[2:0] == 3'h7)));
   // hls/stages/agreement.hpp:324
-  logic and_2266;
-  assign and_2266 = equal_1337_s25_q & and_2265;
+  logic and_2269;
+  assign and_2269 = equal_1338_s25_q & and_2268;
   // hls/stages/agreement.hpp:1027
-  logic and_2273;
-  assign and_2273 = x_s25_q[6] & (not_1456_s25_q & (less_1410_s25_q & (x_s25_q[5:0] == 6'h0)));
+  logic and_2276;
+  assign and_2276 = x_s25_q[6] & (not_1457_s25_q & (less_1411_s25_q & (x_s25_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:239
-  logic and_2291;
-  assign and_2291 = registration_votes_up_q & registration_other_down_q;
-  logic select_2293;
-  assign select_2293 = registration_votes_down_q ? (registration_other_up_q | and_2291) : and_2291;
+  logic and_2294;
+  assign and_2294 = registration_votes_up_q & registration_other_down_q;
+  logic select_2296;
+  assign select_2296 = registration_votes_down_q ? (registration_other_up_q | and_2294) : and_2294;
   // hls/stages/registration.hpp:137
-  logic and_2295;
-  assign and_2295 = (equal_1337_s25_q & and_2289_s25_q) & (registration_other_enough_q & select_2293);
-  logic and_2297;
-  assign and_2297 = registration_enough_q & ((and_2281_s25_q & (less_2260 | less_2258)) | and_2295);
+  logic and_2298;
+  assign and_2298 = (equal_1338_s25_q & and_2292_s25_q) & (registration_other_enough_q & select_2296);
+  logic and_2300;
+  assign and_2300 = registration_enough_q & ((and_2284_s25_q & (less_2263 | less_2261)) | and_2298);
   // hls/stages/agreement.hpp:1011
-  logic [13:0] select_2384;
-  assign select_2384 = equal_2381_s25_q ? counts_skin_unproven_q : (equal_2382_s25_q ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_2387;
+  assign select_2387 = equal_2384_s25_q ? counts_skin_unproven_q : (equal_2385_s25_q ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_2379_s25_q ? counts_nearer_s25_q : select_2384;
+  assign before_v_4 = equal_2382_s25_q ? counts_nearer_s25_q : select_2387;
   // hls/stages/agreement.hpp:324
-  logic and_2555;
-  assign and_2555 = equal_1337_s25_q & (equal_2376_s25_q & (cfg_prove_i & (~proven_q)));
-  logic and_2589;
-  assign and_2589 = equal_1337_s25_q & (x_s25_q[6] & (not_1456_s25_q | (4'hc < x_s25_q[5:2])));
+  logic and_2558;
+  assign and_2558 = equal_1338_s25_q & (equal_2379_s25_q & (cfg_prove_i & (~proven_q)));
+  logic and_2592;
+  assign and_2592 = equal_1338_s25_q & (x_s25_q[6] & (not_1457_s25_q | (4'hc < x_s25_q[5:2])));
   // hls/stages/agreement.hpp:1025
-  logic [31:0] select_2599;
-  assign select_2599 = equal_1398_s25_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_2598_s25_q;
-  logic [31:0] select_2600;
-  assign select_2600 = equal_1396_s25_q ? {8'h0, sharpness_sums_detail_0_s25_q} : select_2599;
-  logic [31:0] select_2601;
-  assign select_2601 = equal_1394_s25_q ? {8'h0, sharpness_sums_detail_1_s25_q} : select_2600;
   logic [31:0] select_2602;
-  assign select_2602 = equal_1392_s25_q ? {8'h0, sharpness_sums_contrast_0_s25_q} : select_2601;
+  assign select_2602 = equal_1399_s25_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_2601_s25_q;
   logic [31:0] select_2603;
-  assign select_2603 = equal_1390_s25_q ? {8'h0, sharpness_sums_contrast_1_s25_q} : select_2602;
+  assign select_2603 = equal_1397_s25_q ? {8'h0, sharpness_sums_detail_0_s25_q} : select_2602;
+  logic [31:0] select_2604;
+  assign select_2604 = equal_1395_s25_q ? {8'h0, sharpness_sums_detail_1_s25_q} : select_2603;
+  logic [31:0] select_2605;
+  assign select_2605 = equal_1393_s25_q ? {8'h0, sharpness_sums_contrast_0_s25_q} : select_2604;
+  logic [31:0] select_2606;
+  assign select_2606 = equal_1391_s25_q ? {8'h0, sharpness_sums_contrast_1_s25_q} : select_2605;
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_1523_s25_q, index_2_s25_q};
+  assign map_waddr = {sum_1524_s25_q, index_2_s25_q};
   logic map_we;
-  assign map_we = s25_en & and_1598_s25_q;
+  assign map_we = s25_en & and_1599_s25_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_1588_s25_q, is_seen_s25_q};
+    if (map_we) map_mem[map_waddr] <= {and_1589_s25_q, is_seen_s25_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -7451,25 +7466,25 @@ module horopter_agreement (
       registration_other_up_q <= 1'b0;
       proven_q <= 1'b0;
     end else if (s25_en) begin
-      sharpness_comparing_rest_0_q <= so_s25_q ? select_1804 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= so_s25_q ? select_1814 : sharpness_comparing_rest_1_q;
-      counts_unproven_q <= select_2023;
-      counts_regions_bad_q <= select_2037;
-      counts_skin_unproven_q <= select_2059;
-      registration_half_across_q <= and_2111_s25_q ? 14'h0 : sum_2142;
-      registration_half_measured_q <= select_2148;
-      registration_half_votes_down_q <= and_2111_s25_q ? 7'h0 : sum_2154;
-      registration_half_votes_up_q <= and_2111_s25_q ? 7'h0 : sum_2162;
-      registration_half_half_votes_down_q <= and_2111_s25_q ? 7'h0 : sum_2169;
-      registration_half_half_votes_up_q <= and_2111_s25_q ? 7'h0 : sum_2176;
-      registration_down_q <= and_2210 ? sum_2229 : registration_down_q;
-      registration_up_q <= and_2210 ? sum_2238 : registration_up_q;
-      registration_enough_q <= select_2252;
-      registration_votes_down_q <= and_2257 ? less_2258 : registration_votes_down_q;
-      registration_votes_up_q <= and_2257 ? less_2260 : registration_votes_up_q;
-      registration_other_enough_q <= and_2266 ? select_2252 : registration_other_enough_q;
-      registration_other_down_q <= and_2266 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2266 ? registration_votes_up_q : registration_other_up_q;
+      sharpness_comparing_rest_0_q <= so_s25_q ? select_1808 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= so_s25_q ? select_1818 : sharpness_comparing_rest_1_q;
+      counts_unproven_q <= select_2026;
+      counts_regions_bad_q <= select_2040;
+      counts_skin_unproven_q <= select_2062;
+      registration_half_across_q <= and_2114_s25_q ? 14'h0 : sum_2145;
+      registration_half_measured_q <= select_2151;
+      registration_half_votes_down_q <= and_2114_s25_q ? 7'h0 : sum_2157;
+      registration_half_votes_up_q <= and_2114_s25_q ? 7'h0 : sum_2165;
+      registration_half_half_votes_down_q <= and_2114_s25_q ? 7'h0 : sum_2172;
+      registration_half_half_votes_up_q <= and_2114_s25_q ? 7'h0 : sum_2179;
+      registration_down_q <= and_2213 ? sum_2232 : registration_down_q;
+      registration_up_q <= and_2213 ? sum_2241 : registration_up_q;
+      registration_enough_q <= select_2255;
+      registration_votes_down_q <= and_2260 ? less_2261 : registration_votes_down_q;
+      registration_votes_up_q <= and_2260 ? less_2263 : registration_votes_up_q;
+      registration_other_enough_q <= and_2269 ? select_2255 : registration_other_enough_q;
+      registration_other_down_q <= and_2269 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2269 ? registration_votes_up_q : registration_other_up_q;
       proven_q <= marks_first_s25_q ? done_s25_q : proven_q;
     end
   end
@@ -7486,9 +7501,8 @@ module horopter_agreement (
   logic registration_of_right_s26_q;
   logic [13:0] product_s26_q;
   logic [6:0] column_s26_q;
-  logic and_368_s26_q;
+  logic and_369_s26_q;
   logic so_s26_q;
-  logic less_402_s26_q;
   logic less_403_s26_q;
   logic less_404_s26_q;
   logic less_405_s26_q;
@@ -7512,48 +7526,49 @@ module horopter_agreement (
   logic less_423_s26_q;
   logic less_424_s26_q;
   logic less_425_s26_q;
-  logic and_433_s26_q;
-  logic and_458_s26_q;
+  logic less_426_s26_q;
+  logic and_434_s26_q;
   logic and_459_s26_q;
-  logic less_482_s26_q;
-  logic equal_1337_s26_q;
-  logic equal_1382_s26_q;
-  logic [1:0] sum_1388_s26_q;
-  logic [19:0] sum_1439_s26_q;
-  logic [11:0] sum_1443_s26_q;
-  logic and_1444_s26_q;
-  logic and_1517_s26_q;
-  logic less_1518_s26_q;
+  logic and_460_s26_q;
+  logic less_483_s26_q;
+  logic equal_1338_s26_q;
+  logic equal_1383_s26_q;
+  logic [1:0] sum_1389_s26_q;
+  logic [19:0] sum_1440_s26_q;
+  logic [11:0] sum_1444_s26_q;
+  logic and_1445_s26_q;
+  logic and_1518_s26_q;
+  logic less_1519_s26_q;
   logic [1:0] map_rdata_s26_q;
   logic is_seen_s26_q;
-  logic and_1588_s26_q;
-  logic equal_1738_s26_q;
-  logic and_1743_s26_q;
-  logic equal_1788_s26_q;
+  logic and_1589_s26_q;
+  logic equal_1739_s26_q;
+  logic and_1744_s26_q;
+  logic equal_1792_s26_q;
   logic sum_s26_q;
   logic sum_2_s26_q;
-  logic equal_1832_s26_q;
-  logic select_1850_s26_q;
-  logic select_1856_s26_q;
-  logic [9:0] select_2025_s26_q;
+  logic equal_1836_s26_q;
+  logic select_1854_s26_q;
+  logic select_1860_s26_q;
   logic [9:0] select_2028_s26_q;
-  logic not_2275_s26_q;
-  logic and_2297_s26_q;
-  logic or_2356_s26_q;
-  logic equal_2359_s26_q;
-  logic select_2365_s26_q;
-  logic equal_2376_s26_q;
-  logic and_2380_s26_q;
+  logic [9:0] select_2031_s26_q;
+  logic not_2278_s26_q;
+  logic and_2300_s26_q;
+  logic or_2359_s26_q;
+  logic equal_2362_s26_q;
+  logic select_2368_s26_q;
+  logic equal_2379_s26_q;
+  logic and_2383_s26_q;
   logic [13:0] before_v_4_s26_q;
-  logic not_2417_s26_q;
-  logic or_2421_s26_q;
-  logic and_2525_s26_q;
-  logic and_2540_s26_q;
-  logic and_2555_s26_q;
-  logic and_2589_s26_q;
-  logic [5:0] select_2591_s26_q;
-  logic [31:0] select_2603_s26_q;
-  logic [9:0] select_2604_s26_q;
+  logic not_2420_s26_q;
+  logic or_2424_s26_q;
+  logic and_2528_s26_q;
+  logic and_2543_s26_q;
+  logic and_2558_s26_q;
+  logic and_2592_s26_q;
+  logic [5:0] select_2594_s26_q;
+  logic [31:0] select_2606_s26_q;
+  logic [9:0] select_2607_s26_q;
   always_ff @(posedge clk_i) begin
     if (s25_en) begin
       pixel_0_s26_q <= pixel_0_s25_q;
@@ -7568,9 +7583,8 @@ module horopter_agreement (
       registration_of_right_s26_q <= registration_of_right_s25_q;
       product_s26_q <= product_s25_q;
       column_s26_q <= column_s25_q;
-      and_368_s26_q <= and_368_s25_q;
+      and_369_s26_q <= and_369_s25_q;
       so_s26_q <= so_s25_q;
-      less_402_s26_q <= less_402_s25_q;
       less_403_s26_q <= less_403_s25_q;
       less_404_s26_q <= less_404_s25_q;
       less_405_s26_q <= less_405_s25_q;
@@ -7594,48 +7608,49 @@ module horopter_agreement (
       less_423_s26_q <= less_423_s25_q;
       less_424_s26_q <= less_424_s25_q;
       less_425_s26_q <= less_425_s25_q;
-      and_433_s26_q <= and_433_s25_q;
-      and_458_s26_q <= and_458_s25_q;
+      less_426_s26_q <= less_426_s25_q;
+      and_434_s26_q <= and_434_s25_q;
       and_459_s26_q <= and_459_s25_q;
-      less_482_s26_q <= 9'h4 < sum_481_s25_q;
-      equal_1337_s26_q <= equal_1337_s25_q;
-      equal_1382_s26_q <= equal_1382_s25_q;
-      sum_1388_s26_q <= sum_1388_s25_q;
-      sum_1439_s26_q <= select_1435_s25_q + {{6{select_1438[13]}}, select_1438};
-      sum_1443_s26_q <= select_1440_s25_q + {{5{select_1442[6]}}, select_1442};
-      and_1444_s26_q <= and_1444_s25_q;
-      and_1517_s26_q <= and_1517_s25_q;
-      less_1518_s26_q <= less_1518_s25_q;
+      and_460_s26_q <= and_460_s25_q;
+      less_483_s26_q <= 9'h4 < sum_482_s25_q;
+      equal_1338_s26_q <= equal_1338_s25_q;
+      equal_1383_s26_q <= equal_1383_s25_q;
+      sum_1389_s26_q <= sum_1389_s25_q;
+      sum_1440_s26_q <= select_1436_s25_q + {{6{select_1439[13]}}, select_1439};
+      sum_1444_s26_q <= select_1441_s25_q + {{5{select_1443[6]}}, select_1443};
+      and_1445_s26_q <= and_1445_s25_q;
+      and_1518_s26_q <= and_1518_s25_q;
+      less_1519_s26_q <= less_1519_s25_q;
       map_rdata_s26_q <= map_rdata_q;
       is_seen_s26_q <= is_seen_s25_q;
-      and_1588_s26_q <= and_1588_s25_q;
-      equal_1738_s26_q <= equal_1738_s25_q;
-      and_1743_s26_q <= and_458_s25_q & (9'h4 < sum_1741_s25_q);
-      equal_1788_s26_q <= equal_1788_s25_q;
+      and_1589_s26_q <= and_1589_s25_q;
+      equal_1739_s26_q <= equal_1739_s25_q;
+      and_1744_s26_q <= and_459_s25_q & (9'h4 < sum_1742_s25_q);
+      equal_1792_s26_q <= equal_1792_s25_q;
       sum_s26_q <= sum[0];
       sum_2_s26_q <= sum_2[0];
-      equal_1832_s26_q <= equal_1832_s25_q;
-      select_1850_s26_q <= sharpness_comparing_less_contrast_0_q;
-      select_1856_s26_q <= sharpness_comparing_less_contrast_1_q;
-      select_2025_s26_q <= select_2025_s25_q;
+      equal_1836_s26_q <= equal_1836_s25_q;
+      select_1854_s26_q <= sharpness_comparing_less_contrast_0_q;
+      select_1860_s26_q <= sharpness_comparing_less_contrast_1_q;
       select_2028_s26_q <= select_2028_s25_q;
-      not_2275_s26_q <= ~(equal_1337_s25_q & and_2273);
-      and_2297_s26_q <= and_2297;
-      or_2356_s26_q <= or_2356_s25_q;
-      equal_2359_s26_q <= equal_2359_s25_q;
-      select_2365_s26_q <= select_2365_s25_q;
-      equal_2376_s26_q <= equal_2376_s25_q;
-      and_2380_s26_q <= equal_2379_s25_q & equal_2359_s25_q;
+      select_2031_s26_q <= select_2031_s25_q;
+      not_2278_s26_q <= ~(equal_1338_s25_q & and_2276);
+      and_2300_s26_q <= and_2300;
+      or_2359_s26_q <= or_2359_s25_q;
+      equal_2362_s26_q <= equal_2362_s25_q;
+      select_2368_s26_q <= select_2368_s25_q;
+      equal_2379_s26_q <= equal_2379_s25_q;
+      and_2383_s26_q <= equal_2382_s25_q & equal_2362_s25_q;
       before_v_4_s26_q <= before_v_4;
-      not_2417_s26_q <= ~(equal_2382_s25_q & equal_2359_s25_q);
-      or_2421_s26_q <= (equal_2382_s25_q | equal_2381_s25_q) | (x_s25_q[6:3] == 4'hf);
-      and_2525_s26_q <= and_2525_s25_q;
-      and_2540_s26_q <= and_2540_s25_q;
-      and_2555_s26_q <= and_2555;
-      and_2589_s26_q <= and_2589;
-      select_2591_s26_q <= equal_1337_s25_q ? (x_s25_q[6] ? x_s25_q[5:0] : 6'h0) : 6'h0;
-      select_2603_s26_q <= select_2603;
-      select_2604_s26_q <= select_2604_s25_q;
+      not_2420_s26_q <= ~(equal_2385_s25_q & equal_2362_s25_q);
+      or_2424_s26_q <= (equal_2385_s25_q | equal_2384_s25_q) | (x_s25_q[6:3] == 4'hf);
+      and_2528_s26_q <= and_2528_s25_q;
+      and_2543_s26_q <= and_2543_s25_q;
+      and_2558_s26_q <= and_2558;
+      and_2592_s26_q <= and_2592;
+      select_2594_s26_q <= equal_1338_s25_q ? (x_s25_q[6] ? x_s25_q[5:0] : 6'h0) : 6'h0;
+      select_2606_s26_q <= select_2606;
+      select_2607_s26_q <= select_2607_s25_q;
     end
   end
 
@@ -7648,68 +7663,68 @@ module horopter_agreement (
   logic registration_moved_q;
   logic hides_q;
   // hls/stages/census.hpp:231
-  logic and_483;
-  assign and_483 = and_433_s26_q & less_482_s26_q;
+  logic and_484;
+  assign and_484 = and_434_s26_q & less_483_s26_q;
   // hls/stages/census.hpp:234
-  logic and_1744;
-  assign and_1744 = and_458_s26_q & less_482_s26_q;
+  logic and_1745;
+  assign and_1745 = and_459_s26_q & less_483_s26_q;
   // hls/stages/census.hpp:235
-  logic [19:0] sum_1745;
-  assign sum_1745 = census_left_misses_q + {{17{and_1744}}, and_1743_s26_q, 1'b0, and_1743_s26_q};
+  logic [19:0] sum_1746;
+  assign sum_1746 = census_left_misses_q + {{17{and_1745}}, and_1744_s26_q, 1'b0, and_1744_s26_q};
   // hls/stages/agreement.hpp:427
-  logic [19:0] select_1747;
-  assign select_1747 = and_368_s26_q ? (equal_1738_s26_q ? 20'h0 : sum_1745) : census_left_misses_q;
+  logic [19:0] select_1748;
+  assign select_1748 = and_369_s26_q ? (equal_1739_s26_q ? 20'h0 : sum_1746) : census_left_misses_q;
   // hls/stages/agreement.hpp:171
-  logic [2:0] select_1816;
-  assign select_1816 = equal_1788_s26_q ? {sharpness_comparing_product_0_q[1:0], sum_s26_q} : sharpness_comparing_product_0_q;
-  logic [2:0] select_1818;
-  assign select_1818 = equal_1788_s26_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s26_q} : sharpness_comparing_product_1_q;
-  // hls/stages/census.hpp:310
+  logic [2:0] select_1820;
+  assign select_1820 = equal_1792_s26_q ? {sharpness_comparing_product_0_q[1:0], sum_s26_q} : sharpness_comparing_product_0_q;
+  logic [2:0] select_1822;
+  assign select_1822 = equal_1792_s26_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s26_q} : sharpness_comparing_product_1_q;
+  // hls/stages/census.hpp:311
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s26_q});
   // hls/stages/agreement.hpp:171
-  logic select_1827;
-  assign select_1827 = so_s26_q ? (equal_1788_s26_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
-  // hls/stages/census.hpp:310
+  logic select_1831;
+  assign select_1831 = so_s26_q ? (equal_1792_s26_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  // hls/stages/census.hpp:311
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s26_q});
   // hls/stages/agreement.hpp:171
-  logic select_1830;
-  assign select_1830 = equal_1788_s26_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
-  // hls/stages/census.hpp:312
-  logic xor_1833;
-  assign xor_1833 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic xor_1839;
-  assign xor_1839 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_1834;
+  assign select_1834 = equal_1792_s26_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
+  // hls/stages/census.hpp:313
+  logic xor_1837;
+  assign xor_1837 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic xor_1843;
+  assign xor_1843 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
   // hls/stages/agreement.hpp:1091
   logic [14:0] over;
   assign over = {1'b0, product_s26_q} - {1'b0, before_v_4_s26_q};
   // hls/stages/agreement.hpp:1099
-  logic select_2387;
-  assign select_2387 = and_2380_s26_q ? over[14] : hides_q;
+  logic select_2390;
+  assign select_2390 = and_2383_s26_q ? over[14] : hides_q;
   // hls/stages/agreement.hpp:1168
-  logic [1:0] select_2541;
-  assign select_2541 = and_2540_s26_q ? {and_1588_s26_q, is_seen_s26_q} : map_rdata_s26_q;
+  logic [1:0] select_2544;
+  assign select_2544 = and_2543_s26_q ? {and_1589_s26_q, is_seen_s26_q} : map_rdata_s26_q;
   // hls/stages/agreement.hpp:1169
-  logic and_2542;
-  assign and_2542 = proven_q & less_2530;
+  logic and_2545;
+  assign and_2545 = proven_q & less_2533;
   // hls/stages/agreement.hpp:324
-  logic and_2567;
-  assign and_2567 = equal_1337_s26_q & (equal_2376_s26_q & (cfg_prove_i & registration_moved_q));
+  logic and_2570;
+  assign and_2570 = equal_1338_s26_q & (equal_2379_s26_q & (cfg_prove_i & registration_moved_q));
   // hls/stages/agreement.hpp:1030
-  logic or_2569;
-  assign or_2569 = select_1850_s26_q | ($signed(20'h0) < $signed(census_left_misses_q));
+  logic or_2572;
+  assign or_2572 = select_1854_s26_q | ($signed(20'h0) < $signed(census_left_misses_q));
   // hls/stages/agreement.hpp:1027
-  logic [31:0] select_2605;
-  assign select_2605 = equal_1382_s26_q ? select_2603_s26_q : {2'h0, select_2604_s26_q, select_2028_s26_q, select_2025_s26_q};
+  logic [31:0] select_2608;
+  assign select_2608 = equal_1383_s26_q ? select_2606_s26_q : {2'h0, select_2607_s26_q, select_2031_s26_q, select_2028_s26_q};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
   assign fresh_waddr = column_s26_q;
   logic fresh_we;
-  assign fresh_we = s26_en & and_368_s26_q;
+  assign fresh_we = s26_en & and_369_s26_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s26_q, and_483, and_459_s26_q, and_458_s26_q, and_433_s26_q, less_425_s26_q, less_424_s26_q, less_423_s26_q, less_422_s26_q, less_421_s26_q, less_420_s26_q, less_419_s26_q, less_418_s26_q, less_417_s26_q, less_416_s26_q, less_415_s26_q, less_414_s26_q, less_413_s26_q, less_412_s26_q, less_411_s26_q, less_410_s26_q, less_409_s26_q, less_408_s26_q, less_407_s26_q, less_406_s26_q, less_405_s26_q, less_404_s26_q, less_403_s26_q, less_402_s26_q};
+    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s26_q, and_484, and_460_s26_q, and_459_s26_q, and_434_s26_q, less_426_s26_q, less_425_s26_q, less_424_s26_q, less_423_s26_q, less_422_s26_q, less_421_s26_q, less_420_s26_q, less_419_s26_q, less_418_s26_q, less_417_s26_q, less_416_s26_q, less_415_s26_q, less_414_s26_q, less_413_s26_q, less_412_s26_q, less_411_s26_q, less_410_s26_q, less_409_s26_q, less_408_s26_q, less_407_s26_q, less_406_s26_q, less_405_s26_q, less_404_s26_q, less_403_s26_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] fresh_raddr_s8_sim;
@@ -7874,11 +7889,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1388_s26_q, lower_half_s26_q, registration_of_right_s26_q};
+  assign registration_sums_waddr = {sum_1389_s26_q, lower_half_s26_q, registration_of_right_s26_q};
   logic registration_sums_we;
-  assign registration_sums_we = s26_en & and_1444_s26_q;
+  assign registration_sums_we = s26_en & and_1445_s26_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1443_s26_q, sum_1439_s26_q};
+    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1444_s26_q, sum_1440_s26_q};
   end
 `ifndef SYNTHESIS
   logic [3:0] registration_sums_raddr_s23_sim;
@@ -7931,13 +7946,13 @@ module horopter_agreement (
       registration_moved_q <= 1'b0;
       hides_q <= 1'b0;
     end else if (s26_en) begin
-      census_left_misses_q <= select_1747;
-      sharpness_comparing_product_0_q <= so_s26_q ? select_1816 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= so_s26_q ? select_1818 : sharpness_comparing_product_1_q;
-      sharpness_comparing_carry_0_q <= select_1827;
-      sharpness_comparing_carry_1_q <= so_s26_q ? select_1830 : sharpness_comparing_carry_1_q;
-      registration_moved_q <= not_2275_s26_q & (registration_moved_q | and_2297_s26_q);
-      hides_q <= equal_1337_s26_q ? select_2387 : hides_q;
+      census_left_misses_q <= select_1748;
+      sharpness_comparing_product_0_q <= so_s26_q ? select_1820 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= so_s26_q ? select_1822 : sharpness_comparing_product_1_q;
+      sharpness_comparing_carry_0_q <= select_1831;
+      sharpness_comparing_carry_1_q <= so_s26_q ? select_1834 : sharpness_comparing_carry_1_q;
+      registration_moved_q <= not_2278_s26_q & (registration_moved_q | and_2300_s26_q);
+      hides_q <= equal_1338_s26_q ? select_2390 : hides_q;
     end
   end
 
@@ -7948,31 +7963,31 @@ module horopter_agreement (
   logic marks_first_s27_q;
   logic marks_last_s27_q;
   logic so_s27_q;
-  logic equal_1337_s27_q;
-  logic and_1517_s27_q;
-  logic less_1518_s27_q;
-  logic equal_1788_s27_q;
-  logic or_1834_s27_q;
-  logic and_1835_s27_q;
-  logic or_1840_s27_q;
-  logic and_1841_s27_q;
-  logic select_1856_s27_q;
-  logic or_2356_s27_q;
-  logic select_2365_s27_q;
-  logic equal_2376_s27_q;
-  logic select_2387_s27_q;
-  logic and_2415_s27_q;
-  logic not_2417_s27_q;
-  logic or_2421_s27_q;
-  logic and_2525_s27_q;
-  logic and_2543_s27_q;
+  logic equal_1338_s27_q;
+  logic and_1518_s27_q;
+  logic less_1519_s27_q;
+  logic equal_1792_s27_q;
+  logic or_1838_s27_q;
+  logic and_1839_s27_q;
+  logic or_1844_s27_q;
+  logic and_1845_s27_q;
+  logic select_1860_s27_q;
+  logic or_2359_s27_q;
+  logic select_2368_s27_q;
+  logic equal_2379_s27_q;
+  logic select_2390_s27_q;
+  logic and_2418_s27_q;
+  logic not_2420_s27_q;
+  logic or_2424_s27_q;
+  logic and_2528_s27_q;
   logic and_2546_s27_q;
-  logic and_2555_s27_q;
-  logic and_2567_s27_q;
-  logic or_2569_s27_q;
-  logic and_2589_s27_q;
-  logic [5:0] select_2591_s27_q;
-  logic [31:0] select_2607_s27_q;
+  logic and_2549_s27_q;
+  logic and_2558_s27_q;
+  logic and_2570_s27_q;
+  logic or_2572_s27_q;
+  logic and_2592_s27_q;
+  logic [5:0] select_2594_s27_q;
+  logic [31:0] select_2610_s27_q;
   always_ff @(posedge clk_i) begin
     if (s26_en) begin
       pixel_0_s27_q <= pixel_0_s26_q;
@@ -7982,31 +7997,31 @@ module horopter_agreement (
       marks_first_s27_q <= marks_first_s26_q;
       marks_last_s27_q <= marks_last_s26_q;
       so_s27_q <= so_s26_q;
-      equal_1337_s27_q <= equal_1337_s26_q;
-      and_1517_s27_q <= and_1517_s26_q;
-      less_1518_s27_q <= less_1518_s26_q;
-      equal_1788_s27_q <= equal_1788_s26_q;
-      or_1834_s27_q <= equal_1832_s26_q | xor_1833;
-      and_1835_s27_q <= five_times[0] & xor_1833;
-      or_1840_s27_q <= equal_1832_s26_q | xor_1839;
-      and_1841_s27_q <= five_times_2[0] & xor_1839;
-      select_1856_s27_q <= select_1856_s26_q;
-      or_2356_s27_q <= or_2356_s26_q;
-      select_2365_s27_q <= select_2365_s26_q;
-      equal_2376_s27_q <= equal_2376_s26_q;
-      select_2387_s27_q <= select_2387;
-      and_2415_s27_q <= over[14] & equal_2359_s26_q;
-      not_2417_s27_q <= not_2417_s26_q;
-      or_2421_s27_q <= or_2421_s26_q;
-      and_2525_s27_q <= and_2525_s26_q;
-      and_2543_s27_q <= select_2541[0] & and_2542;
-      and_2546_s27_q <= select_2541[1] & and_2542;
-      and_2555_s27_q <= and_2555_s26_q;
-      and_2567_s27_q <= and_2567;
-      or_2569_s27_q <= or_2569;
-      and_2589_s27_q <= and_2589_s26_q;
-      select_2591_s27_q <= select_2591_s26_q;
-      select_2607_s27_q <= equal_1337_s26_q ? (x_s26_q ? select_2605 : 32'h0) : 32'h0;
+      equal_1338_s27_q <= equal_1338_s26_q;
+      and_1518_s27_q <= and_1518_s26_q;
+      less_1519_s27_q <= less_1519_s26_q;
+      equal_1792_s27_q <= equal_1792_s26_q;
+      or_1838_s27_q <= equal_1836_s26_q | xor_1837;
+      and_1839_s27_q <= five_times[0] & xor_1837;
+      or_1844_s27_q <= equal_1836_s26_q | xor_1843;
+      and_1845_s27_q <= five_times_2[0] & xor_1843;
+      select_1860_s27_q <= select_1860_s26_q;
+      or_2359_s27_q <= or_2359_s26_q;
+      select_2368_s27_q <= select_2368_s26_q;
+      equal_2379_s27_q <= equal_2379_s26_q;
+      select_2390_s27_q <= select_2390;
+      and_2418_s27_q <= over[14] & equal_2362_s26_q;
+      not_2420_s27_q <= not_2420_s26_q;
+      or_2424_s27_q <= or_2424_s26_q;
+      and_2528_s27_q <= and_2528_s26_q;
+      and_2546_s27_q <= select_2544[0] & and_2545;
+      and_2549_s27_q <= select_2544[1] & and_2545;
+      and_2558_s27_q <= and_2558_s26_q;
+      and_2570_s27_q <= and_2570;
+      or_2572_s27_q <= or_2572;
+      and_2592_s27_q <= and_2592_s26_q;
+      select_2594_s27_q <= select_2594_s26_q;
+      select_2610_s27_q <= equal_1338_s26_q ? (x_s26_q ? select_2608 : 32'h0) : 32'h0;
     end
   end
 
@@ -8017,52 +8032,52 @@ module horopter_agreement (
   logic too_much_q;
   logic seen_q;
   logic nearer_q;
-  // hls/stages/census.hpp:312
-  logic select_1836;
-  assign select_1836 = or_1834_s27_q ? and_1835_s27_q : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:313
+  logic select_1840;
+  assign select_1840 = or_1838_s27_q ? and_1839_s27_q : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:171
-  logic select_1837;
-  assign select_1837 = equal_1788_s27_q ? select_1836 : sharpness_comparing_less_detail_0_q;
-  logic select_1838;
-  assign select_1838 = so_s27_q ? select_1837 : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:312
+  logic select_1841;
+  assign select_1841 = equal_1792_s27_q ? select_1840 : sharpness_comparing_less_detail_0_q;
   logic select_1842;
-  assign select_1842 = or_1840_s27_q ? and_1841_s27_q : sharpness_comparing_less_detail_1_q;
+  assign select_1842 = so_s27_q ? select_1841 : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:313
+  logic select_1846;
+  assign select_1846 = or_1844_s27_q ? and_1845_s27_q : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:171
-  logic select_1843;
-  assign select_1843 = equal_1788_s27_q ? select_1842 : sharpness_comparing_less_detail_1_q;
-  logic select_1844;
-  assign select_1844 = so_s27_q ? select_1843 : sharpness_comparing_less_detail_1_q;
+  logic select_1847;
+  assign select_1847 = equal_1792_s27_q ? select_1846 : sharpness_comparing_less_detail_1_q;
+  logic select_1848;
+  assign select_1848 = so_s27_q ? select_1847 : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:1028
-  logic not_2388;
-  assign not_2388 = ~hidden_for_q[7];
-  logic [7:0] select_2390;
-  assign select_2390 = select_2387_s27_q ? (hidden_for_q + {7'h0, not_2388}) : 8'h0;
+  logic not_2391;
+  assign not_2391 = ~hidden_for_q[7];
+  logic [7:0] select_2393;
+  assign select_2393 = select_2390_s27_q ? (hidden_for_q + {7'h0, not_2391}) : 8'h0;
   // hls/stages/agreement.hpp:324
-  logic [7:0] select_2392;
-  assign select_2392 = equal_1337_s27_q ? (equal_2376_s27_q ? select_2390 : hidden_for_q) : hidden_for_q;
+  logic [7:0] select_2395;
+  assign select_2395 = equal_1338_s27_q ? (equal_2379_s27_q ? select_2393 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1097
-  logic and_2418;
-  assign and_2418 = too_much_q & not_2417_s27_q;
+  logic and_2421;
+  assign and_2421 = too_much_q & not_2420_s27_q;
   // hls/stages/agreement.hpp:1098
-  logic select_2423;
-  assign select_2423 = and_2415_s27_q ? (and_2418 | or_2421_s27_q) : and_2418;
+  logic select_2426;
+  assign select_2426 = and_2418_s27_q ? (and_2421 | or_2424_s27_q) : and_2421;
   // hls/stages/agreement.hpp:345
-  logic select_2545;
-  assign select_2545 = and_1517_s27_q ? (less_1518_s27_q ? and_2543_s27_q : seen_q) : seen_q;
   logic select_2548;
-  assign select_2548 = and_1517_s27_q ? (less_1518_s27_q ? and_2546_s27_q : nearer_q) : nearer_q;
+  assign select_2548 = and_1518_s27_q ? (less_1519_s27_q ? and_2546_s27_q : seen_q) : seen_q;
+  logic select_2551;
+  assign select_2551 = and_1518_s27_q ? (less_1519_s27_q ? and_2549_s27_q : nearer_q) : nearer_q;
   // hls/stages/agreement.hpp:324
-  logic and_2558;
-  assign and_2558 = equal_1337_s27_q & (equal_2376_s27_q & (cfg_prove_i & or_2356_s27_q));
+  logic and_2561;
+  assign and_2561 = equal_1338_s27_q & (equal_2379_s27_q & (cfg_prove_i & or_2359_s27_q));
   // hls/stages/agreement.hpp:1108
-  logic not_2560;
-  assign not_2560 = ~(or_2356_s27_q | not_2549);
+  logic not_2563;
+  assign not_2563 = ~(or_2359_s27_q | not_2552);
   // hls/stages/agreement.hpp:324
-  logic and_2563;
-  assign and_2563 = equal_2376_s27_q & (not_2560 & (select_2365_s27_q | select_2423));
-  logic and_2576;
-  assign and_2576 = equal_2376_s27_q & (not_2560 & (select_1844 | select_1856_s27_q));
+  logic and_2566;
+  assign and_2566 = equal_2379_s27_q & (not_2563 & (select_2368_s27_q | select_2426));
+  logic and_2579;
+  assign and_2579 = equal_2379_s27_q & (not_2563 & (select_1848 | select_1860_s27_q));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -8073,12 +8088,12 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s27_en) begin
-      sharpness_comparing_less_detail_0_q <= select_1838;
-      sharpness_comparing_less_detail_1_q <= select_1844;
-      hidden_for_q <= select_2392;
-      too_much_q <= equal_1337_s27_q ? select_2423 : too_much_q;
-      seen_q <= select_2545;
-      nearer_q <= select_2548;
+      sharpness_comparing_less_detail_0_q <= select_1842;
+      sharpness_comparing_less_detail_1_q <= select_1848;
+      hidden_for_q <= select_2395;
+      too_much_q <= equal_1338_s27_q ? select_2426 : too_much_q;
+      seen_q <= select_2548;
+      nearer_q <= select_2551;
     end
   end
 
@@ -8088,19 +8103,19 @@ module horopter_agreement (
   logic mask_s28_q;
   logic marks_first_s28_q;
   logic marks_last_s28_q;
-  logic equal_1337_s28_q;
-  logic equal_2376_s28_q;
-  logic and_2525_s28_q;
-  logic and_2555_s28_q;
+  logic equal_1338_s28_q;
+  logic equal_2379_s28_q;
+  logic and_2528_s28_q;
   logic and_2558_s28_q;
-  logic and_2564_s28_q;
+  logic and_2561_s28_q;
   logic and_2567_s28_q;
-  logic and_2572_s28_q;
-  logic and_2576_s28_q;
-  logic not_2581_s28_q;
-  logic and_2589_s28_q;
-  logic [5:0] select_2591_s28_q;
-  logic [31:0] select_2607_s28_q;
+  logic and_2570_s28_q;
+  logic and_2575_s28_q;
+  logic and_2579_s28_q;
+  logic not_2584_s28_q;
+  logic and_2592_s28_q;
+  logic [5:0] select_2594_s28_q;
+  logic [31:0] select_2610_s28_q;
   always_ff @(posedge clk_i) begin
     if (s27_en) begin
       pixel_0_s28_q <= pixel_0_s27_q;
@@ -8109,26 +8124,26 @@ module horopter_agreement (
       mask_s28_q <= mask_s27_q;
       marks_first_s28_q <= marks_first_s27_q;
       marks_last_s28_q <= marks_last_s27_q;
-      equal_1337_s28_q <= equal_1337_s27_q;
-      equal_2376_s28_q <= equal_2376_s27_q;
-      and_2525_s28_q <= and_2525_s27_q;
-      and_2555_s28_q <= and_2555_s27_q;
-      and_2558_s28_q <= and_2558;
-      and_2564_s28_q <= equal_1337_s27_q & and_2563;
-      and_2567_s28_q <= and_2567_s27_q;
-      and_2572_s28_q <= equal_2376_s27_q & (not_2560 & (select_1838 | or_2569_s27_q));
-      and_2576_s28_q <= and_2576;
-      not_2581_s28_q <= ~(select_2390 < cfg_hidden_frames_i);
-      and_2589_s28_q <= and_2589_s27_q;
-      select_2591_s28_q <= select_2591_s27_q;
-      select_2607_s28_q <= select_2607_s27_q;
+      equal_1338_s28_q <= equal_1338_s27_q;
+      equal_2379_s28_q <= equal_2379_s27_q;
+      and_2528_s28_q <= and_2528_s27_q;
+      and_2558_s28_q <= and_2558_s27_q;
+      and_2561_s28_q <= and_2561;
+      and_2567_s28_q <= equal_1338_s27_q & and_2566;
+      and_2570_s28_q <= and_2570_s27_q;
+      and_2575_s28_q <= equal_2379_s27_q & (not_2563 & (select_1842 | or_2572_s27_q));
+      and_2579_s28_q <= and_2579;
+      not_2584_s28_q <= ~(select_2393 < cfg_hidden_frames_i);
+      and_2592_s28_q <= and_2592_s27_q;
+      select_2594_s28_q <= select_2594_s27_q;
+      select_2610_s28_q <= select_2610_s27_q;
     end
   end
 
   // Stage 28 ----------------------------------------------------------------------------------------------------------
   // hls/stages/agreement.hpp:1030
-  logic and_2583;
-  assign and_2583 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_2581_s28_q);
+  logic and_2586;
+  assign and_2586 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_2584_s28_q);
 
   logic [7:0] pixel_0_s29_q;
   logic [7:0] pixel_1_s29_q;
@@ -8136,19 +8151,19 @@ module horopter_agreement (
   logic mask_s29_q;
   logic marks_first_s29_q;
   logic marks_last_s29_q;
-  logic and_2525_s29_q;
-  logic or_2550_s29_q;
-  logic and_2551_s29_q;
-  logic and_2555_s29_q;
+  logic and_2528_s29_q;
+  logic or_2553_s29_q;
+  logic and_2554_s29_q;
   logic and_2558_s29_q;
-  logic and_2564_s29_q;
+  logic and_2561_s29_q;
   logic and_2567_s29_q;
-  logic and_2573_s29_q;
-  logic and_2577_s29_q;
-  logic and_2585_s29_q;
-  logic and_2589_s29_q;
-  logic [5:0] select_2591_s29_q;
-  logic [31:0] select_2607_s29_q;
+  logic and_2570_s29_q;
+  logic and_2576_s29_q;
+  logic and_2580_s29_q;
+  logic and_2588_s29_q;
+  logic and_2592_s29_q;
+  logic [5:0] select_2594_s29_q;
+  logic [31:0] select_2610_s29_q;
   always_ff @(posedge clk_i) begin
     if (s28_en) begin
       pixel_0_s29_q <= pixel_0_s28_q;
@@ -8157,19 +8172,19 @@ module horopter_agreement (
       mask_s29_q <= mask_s28_q;
       marks_first_s29_q <= marks_first_s28_q;
       marks_last_s29_q <= marks_last_s28_q;
-      and_2525_s29_q <= and_2525_s28_q;
-      or_2550_s29_q <= not_2549 | seen_q;
-      and_2551_s29_q <= cfg_prove_i & nearer_q;
-      and_2555_s29_q <= and_2555_s28_q;
+      and_2528_s29_q <= and_2528_s28_q;
+      or_2553_s29_q <= not_2552 | seen_q;
+      and_2554_s29_q <= cfg_prove_i & nearer_q;
       and_2558_s29_q <= and_2558_s28_q;
-      and_2564_s29_q <= and_2564_s28_q;
+      and_2561_s29_q <= and_2561_s28_q;
       and_2567_s29_q <= and_2567_s28_q;
-      and_2573_s29_q <= equal_1337_s28_q & and_2572_s28_q;
-      and_2577_s29_q <= equal_1337_s28_q & and_2576_s28_q;
-      and_2585_s29_q <= equal_1337_s28_q & (equal_2376_s28_q & and_2583);
-      and_2589_s29_q <= and_2589_s28_q;
-      select_2591_s29_q <= select_2591_s28_q;
-      select_2607_s29_q <= select_2607_s28_q;
+      and_2570_s29_q <= and_2570_s28_q;
+      and_2576_s29_q <= equal_1338_s28_q & and_2575_s28_q;
+      and_2580_s29_q <= equal_1338_s28_q & and_2579_s28_q;
+      and_2588_s29_q <= equal_1338_s28_q & (equal_2379_s28_q & and_2586);
+      and_2592_s29_q <= and_2592_s28_q;
+      select_2594_s29_q <= select_2594_s28_q;
+      select_2610_s29_q <= select_2610_s28_q;
     end
   end
 
@@ -8180,19 +8195,19 @@ module horopter_agreement (
   assign mask_o = mask_s29_q;
   assign marks_first_o = marks_first_s29_q;
   assign marks_last_o = marks_last_s29_q;
-  assign marks_seen_o = or_2550_s29_q;
-  assign marks_nearer_o = and_2551_s29_q;
-  assign verdict_valid_o = and_2525_s29_q;
-  assign verdict_unproven_yet_o = and_2555_s29_q;
-  assign verdict_untextured_o = and_2558_s29_q;
-  assign verdict_disagree_o = and_2564_s29_q;
-  assign verdict_moved_o = and_2567_s29_q;
-  assign verdict_unsharp_left_o = and_2573_s29_q;
-  assign verdict_unsharp_right_o = and_2577_s29_q;
-  assign verdict_hidden_o = and_2585_s29_q;
-  assign frame_valid_o = and_2589_s29_q;
-  assign frame_index_o = select_2591_s29_q;
-  assign frame_word_o = select_2607_s29_q;
+  assign marks_seen_o = or_2553_s29_q;
+  assign marks_nearer_o = and_2554_s29_q;
+  assign verdict_valid_o = and_2528_s29_q;
+  assign verdict_unproven_yet_o = and_2558_s29_q;
+  assign verdict_untextured_o = and_2561_s29_q;
+  assign verdict_disagree_o = and_2567_s29_q;
+  assign verdict_moved_o = and_2570_s29_q;
+  assign verdict_unsharp_left_o = and_2576_s29_q;
+  assign verdict_unsharp_right_o = and_2580_s29_q;
+  assign verdict_hidden_o = and_2588_s29_q;
+  assign frame_valid_o = and_2592_s29_q;
+  assign frame_index_o = select_2594_s29_q;
+  assign frame_word_o = select_2610_s29_q;
   assign valid_o = valid_s29_q;
 
   always_ff @(posedge clk_i) begin
@@ -8261,6 +8276,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], sum_2128[0], sum_2124[0], sum_2099[1:0], sum_2098[1:0], sum_2094[0], sum_2081[0], detail_4[1:0], detail_3[1:0], sum_1741[4:0], sum_481[4:0], cfg_width_i[3:0]};
+  assign unused_bits = ^{over[13:0], sum_2131[0], sum_2127[0], sum_2102[1:0], sum_2101[1:0], sum_2097[0], sum_2084[0], detail_4[1:0], detail_3[1:0], sum_1742[4:0], sum_482[4:0], cfg_width_i[3:0]};
 
 endmodule
