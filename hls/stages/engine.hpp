@@ -16,6 +16,11 @@ class Engine {
   virtual ~Engine() = default;
   virtual FrameResult process(const ImageView& left, const ImageView& right, const TableView& table,
                               const Settings& settings) = 0;
+  /// Expands a table before a frame needs it, which takes as long as some frames. The last 15 tables are kept. `lookahead`:
+  /// of the frames' settings. Throws std::invalid_argument for one that is larger than the profile.
+  virtual void prepare(const TableView& table, int lookahead) = 0;
+  /// Frames that had to wait until their table was expanded.
+  [[nodiscard]] virtual int frames_that_expanded() const = 0;
   [[nodiscard]] virtual const hls::Profile& profile() const = 0;
 };
 

@@ -198,12 +198,22 @@ class Pipeline {
     result.width = left.width / P.subsample;
     result.height = left.height;
     result.states.resize(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
-    const Expansion& sources = expansion(table, settings.lookahead);
+    if (!keep_expansion(table, settings.lookahead)) ++frames_that_expanded_;
+    const Expansion& sources = expansions_.front();
     result.store_misses = sources.misses;
     store(right);
     pass_rows(left.height + P.flush_rows(compete_), {left, right, sources, result});
     return result;
   }
+
+  /// See Engine (engine.hpp).
+  void prepare(const TableView& table, int lookahead) {
+    if (table.width() > P.width || table.height() > P.height) {
+      throw std::invalid_argument("the table is for images larger than the profile");
+    }
+    keep_expansion(table, lookahead);
+  }
+  [[nodiscard]] int frames_that_expanded() const { return frames_that_expanded_; }
 
  private:
   static constexpr std::size_t padded_stride = P.width + 1;
@@ -353,8 +363,8 @@ class Pipeline {
     std::vector<char> mask, present;
   };
 
-  /// As many tables as the hardware has slots are kept, the most recent first.
-  const Expansion& expansion(const TableView& table, int lookahead) {
+  /// As many tables as the hardware has slots are kept, the most recent first. Whether this one was.
+  bool keep_expansion(const TableView& table, int lookahead) {
     const auto known = std::find_if(expansions_.begin(), expansions_.end(), [&](const Expansion& e) {
       return e.lookahead == lookahead && e.words.size() == table.words().size() &&
              e.words.back() == table.words().back() &&
@@ -362,11 +372,11 @@ class Pipeline {
     });
     if (known != expansions_.end()) {
       std::rotate(expansions_.begin(), known, known + 1);
-    } else {
-      if (expansions_.size() == hls::table::slots) expansions_.pop_back();
-      expansions_.insert(expansions_.begin(), expand(table, lookahead));
+      return true;
     }
-    return expansions_.front();
+    if (expansions_.size() == hls::table::slots) expansions_.pop_back();
+    expansions_.insert(expansions_.begin(), expand(table, lookahead));
+    return false;
   }
 
   Expansion expand(const TableView& table, int lookahead) {
@@ -895,6 +905,7 @@ class Pipeline {
   int width_ = 0;  // of the images
   int height_ = 0;
   std::vector<Expansion> expansions_;
+  int frames_that_expanded_ = 0;
   std::vector<std::uint8_t> padded_;
   Taps taps_{};
   FullPairs full_pairs_{};  // before `subsample`

@@ -142,6 +142,32 @@ TEST_CASE("engine: the same results for all instructions and any number of threa
   }
 }
 
+TEST_CASE("engine: a table is expanded once, or before its first frame") {
+  std::mt19937 random(29);
+  const auto engine = native::make_engine("vga");
+  const auto frames = frames_of(engine->profile(), random);
+  const auto process = [&](const Frame& frame) {
+    return engine->process(frame.images.left.view(), frame.images.right.view(), native::TableView(frame.table),
+                           frame.settings);
+  };
+  Frame frame = frames[0];
+  REQUIRE(frames[1].table != frame.table);
+  process(frame);
+  process(frame);
+  CHECK(engine->frames_that_expanded() == 1);
+  engine->prepare(native::TableView(frames[1].table), frames[1].settings.lookahead);
+  process(frames[1]);
+  CHECK(engine->frames_that_expanded() == 1);
+  process(frame);
+  CHECK(engine->frames_that_expanded() == 1);
+  frame.settings.lookahead -= 1;
+  process(frame);
+  CHECK(engine->frames_that_expanded() == 2);
+
+  const auto large = hls::table::write({1280, 720, 6, 6}, {}, [](int, int) { return hls::table::unmapped; });
+  CHECK_THROWS_AS(engine->prepare(native::TableView(large), 8), std::invalid_argument);
+}
+
 TEST_CASE("engine: objects are those of one step a pixel") {
   constexpr hls::Profile kProfile = hls::profiles::vga;
   using Finder = stages::Objects<kProfile>;

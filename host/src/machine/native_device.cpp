@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "horopter/base/crc32.hpp"
@@ -231,6 +232,7 @@ void NativeDevice::write(std::uint32_t address, std::uint32_t value) {
     case reg::control::kAddress:
       stored(address) = value & reg::control::kEnable.mask();
       if (!running()) reset_stream();
+      for (std::size_t slot = 0; slot < tables_.size(); ++slot) prepare(slot);
       return;
     case reg::faults_cameras::kAddress:
       faults_.clear({value, 0});
@@ -375,7 +377,21 @@ void NativeDevice::upload_word(std::uint32_t word) {
   if (crc32_words(std::span(words).first(words.size() - 1)) != words.back()) return end_upload(UploadError::wrong_crc);
   tables_.at(static_cast<std::size_t>(upload_slot_)) = std::move(upload_);
   end_upload(UploadError::none);
+  prepare(static_cast<std::size_t>(upload_slot_));
 }
+
+/// What a frame makes of its table is the same for each, and takes longer than a frame: it is made when both are known.
+void NativeDevice::prepare(std::size_t slot) {
+  const auto& table = tables_.at(slot);
+  if (!running() || !table || !fits(*table)) return;
+  try {
+    engine_->prepare(native::TableView(table->words), static_cast<int>(stored(reg::lookahead::kAddress)));
+  } catch (const std::invalid_argument&) {
+    // The hardware checks less of a table. The frame that needs it says what is wrong.
+  }
+}
+
+int NativeDevice::frames_that_expanded_their_table() const { return engine_->frames_that_expanded(); }
 
 // Streams -------------------------------------------------------------------------------------------------------------
 
@@ -412,10 +428,13 @@ void NativeDevice::send(const Image& left, const Image& right) {
 /// The table is looked up at the start of the output frame.
 void NativeDevice::start_frame() {
   const auto selected = stored(reg::table_select::kAddress);
-  const auto geometry = stored(reg::height::kAddress) << 16 | stored(reg::width::kAddress);
-  const bool fits =
-      selected < tables_.size() && tables_[selected].has_value() && tables_[selected]->words[2] == geometry;
-  active_slot_ = fits ? static_cast<int>(selected) : kNoTable;
+  const bool usable = selected < tables_.size() && tables_[selected].has_value() && fits(*tables_[selected]);
+  active_slot_ = usable ? static_cast<int>(selected) : kNoTable;
+}
+
+bool NativeDevice::fits(const Table& table) const {
+  const auto height = registers_[reg::height::kAddress / 4];
+  return table.words[2] == (height << 16 | registers_[reg::width::kAddress / 4]);
 }
 
 FrameStreams NativeDevice::receive() {

@@ -33,6 +33,8 @@ class NativeDevice : public Device {
   FrameStreams receive() override;
   std::string_view engine() const override { return "native"; }
   bool counts_cycles() const override { return false; }
+  /// Since it was started. None where each table was uploaded before its first frame.
+  int frames_that_expanded_their_table() const;
 
  private:
   struct Table {
@@ -53,12 +55,14 @@ class NativeDevice : public Device {
   void end_upload(UploadError error);
   native::Settings settings() const;
   void reset_stream();
+  void prepare(std::size_t slot);
   bool by_itself() const;
   bool released() const { return restarted_ || by_itself(); }
   bool restart_is_allowed() const;
   void restart(std::uint32_t key);
   void hold();
   void start_frame();
+  bool fits(const Table& table) const;  ///< is it for the frames' size?
 
   const MachineProfile& profile_;
   std::unique_ptr<native::Engine> engine_;
