@@ -83,7 +83,7 @@ class Pairing {
   void lost(Side side) { faults_ |= of(side, MonitorFault::left_camera_lost); }
   /// It was made anew: its numbers and times begin anew.
   void reconnected(Side side);
-  /// The youngest pair; those before it, which nobody took, are dropped.
+  /// The oldest pair that waits. Two may wait; where nobody took one older than these, it was dropped, and this one says so.
   std::optional<ImagePair> take();
   /// Forgets pairs and images that wait: none of them counts as dropped. For the time before the machine runs.
   void clear();
