@@ -183,7 +183,7 @@ class Pipeline {
   explicit Pipeline(int threads = 1, int store_rows = P.store_rows)
       : store_rows_(store_rows),
         workers_(threads),
-        slots_(threads > 1 ? 8 : 1),
+        slots_(threads > 1 ? 4 * rows_at_once : 1),
         pairs_(slots_),
         marks_(slots_),
         states_(slots_),
@@ -214,6 +214,7 @@ class Pipeline {
     keep_expansion(table, lookahead);
   }
   [[nodiscard]] int frames_that_expanded() const { return frames_that_expanded_; }
+  [[nodiscard]] int threads() const { return workers_.count(); }
 
  private:
   static constexpr std::size_t padded_stride = P.width + 1;
@@ -466,6 +467,8 @@ class Pipeline {
 
   // What can be done beside each other: each part takes the rows in order, one thread at a time.
   enum Part : std::size_t { first_half, second_half, agree, finish, look_at_images, parts };
+  /// Rows of which a part does not tell each one: those who sleep are woken for something.
+  static constexpr std::size_t rows_at_once = 8;
 
   /// Rows that a part has done, and whether somebody is at it.
   struct alignas(64) Progress {
@@ -536,6 +539,12 @@ class Pipeline {
     for (Progress& progress : progress_) progress.done = 0;
     std::exception_ptr failure;
     std::atomic<bool> failed = false;
+    /// Changes when there may be something to do again.
+    std::atomic<int> news = 0;
+    const auto tell = [&] {
+      news.fetch_add(1, std::memory_order_release);
+      news.notify_all();
+    };
     const auto rows_of = [&](Part part) { return part == look_at_images ? 1 : rows; };
     /// As many rows as can be done now: what a part keeps stays in one processor's cache.
     const auto take = [&](Part part) {
@@ -547,8 +556,10 @@ class Pipeline {
       for (; y < rows_of(part) && !failed && can_do(part, y); ++y) {
         do_row(part, y, frame);
         progress.done.store(y + 1, std::memory_order_release);
+        if (index(y + 1) % rows_at_once == 0) tell();
       }
       progress.taken.store(false, std::memory_order_release);
+      tell();
       return true;
     };
     const auto finished = [&] {
@@ -566,11 +577,14 @@ class Pipeline {
       }};
       const auto& mine = order[index(worker) % order.size()];
       try {
-        while (!failed && !finished()) {
-          if (std::none_of(mine.begin(), mine.end(), take)) std::this_thread::yield();
+        for (;;) {
+          const int known = news.load(std::memory_order_acquire);
+          if (failed || finished()) return;
+          if (std::none_of(mine.begin(), mine.end(), take)) news.wait(known, std::memory_order_acquire);
         }
       } catch (...) {
         if (!failed.exchange(true)) failure = std::current_exception();
+        tell();
       }
     });
     for (Progress& progress : progress_) progress.taken = false;

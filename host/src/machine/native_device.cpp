@@ -82,8 +82,8 @@ native::ImageView view(const Image& image) { return {image.pixels.data(), image.
 
 }  // namespace
 
-NativeDevice::NativeDevice(const MachineProfile& profile)
-    : profile_(profile), engine_(native::make_engine(profile.name)) {
+NativeDevice::NativeDevice(const MachineProfile& profile, bool live)
+    : profile_(profile), live_(live), engine_(new_engine()) {
   if (engine_ == nullptr) throw UsageError(fmt::format("no native engine for profile {}", profile.name));
   const auto defaults = native::Settings::defaults(profile, profile.width, profile.height);
   write_settings(defaults, [this](std::uint32_t address, std::uint32_t word) { stored(address) = word; });
@@ -309,8 +309,12 @@ void NativeDevice::restart(std::uint32_t key) {
   if (key == reg::kRestartKey && by_register && restart_is_allowed()) restarted_ = true;
 }
 
+std::unique_ptr<native::Engine> NativeDevice::new_engine() const {
+  return native::make_engine(profile_.name, live_ ? native::threads_live : native::threads_usual);
+}
+
 void NativeDevice::reset_stream() {
-  engine_ = native::make_engine(profile_.name);
+  engine_ = new_engine();
   pending_.clear();
   frame_ = {};
   hold();
@@ -528,6 +532,10 @@ FrameStreams NativeDevice::receive() {
 
 std::unique_ptr<Device> make_native_device(const MachineProfile& profile) {
   return std::make_unique<NativeDevice>(profile);
+}
+
+std::unique_ptr<Device> make_live_native_device(const MachineProfile& profile) {
+  return std::make_unique<NativeDevice>(profile, true);
 }
 
 }  // namespace horopter
