@@ -315,6 +315,23 @@ TEST_CASE("Fifteen tables fit, are switched at every frame, and a full pool says
   CHECK_NOTHROW(large.upload(0, dense));
 }
 
+TEST_CASE("The first pair is judged twice, as nothing was shown before it; a live one once, and is unproven") {
+  const MachineProfile& profile = find_profile("vga");
+  SkinFile skin;
+  skin.path = "skin";
+  skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -6, 0, 1, 2, 0, 0, 1});
+  Settings settings;
+  settings.live = GENERATE(false, true);
+  Supervisor supervisor(make_native_device(profile), profile, compile_maps(skin, profile, kWidth, kHeight), settings);
+  for (unsigned pair = 1; pair <= 3; ++pair) {
+    const auto results =
+        supervisor.process(textured(kWidth, kHeight, 2 * pair), textured(kWidth, kHeight, 2 * pair + 1));
+    REQUIRE(results.size() == 1);
+    CHECK(results[0].sequence == (settings.live ? pair : pair + 1));
+    CHECK(results[0].faults.has(Fault::unproven) == (settings.live && pair == 1));
+  }
+}
+
 TEST_CASE("A table is expanded when it is uploaded, and no frame waits for it") {
   const MachineProfile& profile = find_profile("vga");
   auto made = std::make_unique<NativeDevice>(profile);
