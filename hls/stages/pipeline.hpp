@@ -731,7 +731,15 @@ class Pipeline {
     }
     if (first_row) result.agreement.unproven = true;  // until the verdict comes
     const std::size_t n = index(width_) / P.subsample;
-    for (std::size_t x = 0; x < n; ++x) {
+    for (std::size_t x = 0; x < n;) {
+      const std::size_t at = Pairs::before + x;
+      const int passed = agreement_.pass_beats(
+          {&pairs.left[at], &pairs.right[at], &pairs.mask[at], &pairs.present[at], &marks.seen[x], &marks.nearer[x]},
+          static_cast<int>(n - x) - 1, agreement_config_);
+      if (passed > 0) {
+        x += index(passed);
+        continue;
+      }
       InOf<stages::Agreement<P>> in;
       in.saturated = pairs.saturated[Pairs::before + x];
       in.mask = pairs.mask[Pairs::before + x];
@@ -754,6 +762,7 @@ class Pipeline {
       marks.seen[x] = out.marks.seen;
       marks.nearer[x] = out.marks.nearer;
       take_verdict(out, result);
+      ++x;
     }
   }
 

@@ -166,7 +166,7 @@ module horopter_agreement (
   logic [10:0] raster_rows_left_q;
   logic raster_final_row_q;
   logic averager_running_mask_q;
-  // hls/stages/census.hpp:93
+  // hls/stages/census.hpp:109
   logic equal_327;
   assign equal_327 = select_326_s1_q[1:0] == 2'h0;
   // hls/stages/census.hpp:35
@@ -177,16 +177,16 @@ module horopter_agreement (
   assign or_334 = sample_pair_first_s1_q | raster_at_live_q;
   logic [3:0] select_347;
   assign select_347 = sample_pair_first_s1_q ? 4'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:326
+  // hls/stages/agreement.hpp:394
   logic whole;
   assign whole = equal_327 ? sample_present_s1_q : (sample_present_s1_q & averager_running_mask_q);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [6:0] column;
   assign column = sample_pair_whole_s1_q ? select_329 : 7'h0;
   // hls/stages/census.hpp:50
   logic equal_364;
   assign equal_364 = select_326_s1_q == 4'hf;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [3:0] select_1603;
   assign select_1603 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (select_347 + 4'h1) : select_347) : raster_at_y_q;
   logic [6:0] select_1605;
@@ -196,7 +196,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:49
   logic [10:0] select_1614;
   assign select_1614 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic select_1618;
   assign select_1618 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
 
@@ -262,13 +262,13 @@ module horopter_agreement (
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic [6:0] raster_at_row_q;
   logic [8:0] averager_place_q;
-  // hls/stages/census.hpp:100
+  // hls/stages/census.hpp:116
   logic [8:0] select_333;
   assign select_333 = equal_327_s2_q ? (equal_330_s2_q ? 9'h0 : (averager_place_q + 9'h1)) : averager_place_q;
   // hls/stages/census.hpp:41
   logic [6:0] select_427;
   assign select_427 = sample_pair_first_s2_q ? 7'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [6:0] row;
   assign row = sample_pair_whole_s2_q ? select_427 : 7'h0;
   // hls/stages/census.hpp:57
@@ -325,19 +325,19 @@ module horopter_agreement (
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:326
+  // hls/stages/agreement.hpp:394
   logic and_342;
   assign and_342 = not_339_s3_q & (~(select_333_s3_q[8:5] == 4'hf));
-  // hls/stages/census.hpp:110
+  // hls/stages/census.hpp:126
   logic and_366;
   assign and_366 = equal_365_s3_q & and_342;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic and_368;
   assign and_368 = sample_pair_whole_s3_q & (equal_364_s3_q & and_366);
-  // hls/stages/agreement.hpp:367
+  // hls/stages/agreement.hpp:435
   logic equal_1859;
   assign equal_1859 = {last[7], column_s3_q} == {1'b0, last[6:0]};
-  // hls/stages/agreement.hpp:383
+  // hls/stages/agreement.hpp:451
   logic [7:0] sum_1949;
   assign sum_1949 = {1'b0, row_s3_q} + 8'h1;
 
@@ -410,102 +410,102 @@ module horopter_agreement (
   logic ends_cell_q;
   logic ends_q;
   logic final_row_q;
-  // hls/stages/agreement.hpp:152
+  // hls/stages/agreement.hpp:181
   logic so;
   assign so = run_phase_q == 3'h6;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:598
   logic equal_388;
   assign equal_388 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:521
+  // hls/stages/agreement.hpp:589
   logic equal_391;
   assign equal_391 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:522
+  // hls/stages/agreement.hpp:590
   logic equal_393;
   assign equal_393 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:430
+  // hls/stages/agreement.hpp:498
   logic select_1863;
   assign select_1863 = (and_1860_s4_q | (~ends_cell_q)) ? and_1860_s4_q : ends_q;
-  // hls/stages/agreement.hpp:436
+  // hls/stages/agreement.hpp:504
   logic [2:0] now;
   assign now = select_1863 ? (and_1860_s4_q ? 3'h1 : following_phase_q) : run_phase_q;
-  // hls/stages/agreement.hpp:441
+  // hls/stages/agreement.hpp:509
   logic [5:0] select_1867;
   assign select_1867 = select_1863 ? (and_1860_s4_q ? 6'h0 : following_shift_q) : run_shift_q;
   logic select_1870;
   assign select_1870 = select_1863 ? (following_last_shift_q & (~and_1860_s4_q)) : run_last_shift_q;
-  // hls/stages/agreement.hpp:442
+  // hls/stages/agreement.hpp:510
   logic [7:0] select_1872;
   assign select_1872 = select_1863 ? (and_1860_s4_q ? 8'h0 : following_span_q) : run_span_q;
-  // hls/stages/agreement.hpp:514
+  // hls/stages/agreement.hpp:582
   logic and_1873;
   assign and_1873 = run_last_shift_q & equal_391;
-  // hls/stages/agreement.hpp:523
+  // hls/stages/agreement.hpp:591
   logic select_1875;
   assign select_1875 = equal_391 ? (~run_last_shift_q) : equal_393;
-  // hls/stages/agreement.hpp:527
+  // hls/stages/agreement.hpp:595
   logic equal_1876;
   assign equal_1876 = run_phase_q == 3'h1;
   logic not_1879;
   assign not_1879 = ~select_1875;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:598
   logic equal_1881;
   assign equal_1881 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:514
+  // hls/stages/agreement.hpp:582
   logic and_1882;
   assign and_1882 = final_row_q & so;
-  // hls/stages/agreement.hpp:527
+  // hls/stages/agreement.hpp:595
   logic [1:0] select_1883;
   assign select_1883 = equal_1881 ? 2'h1 : {2{and_1882}};
   logic [2:0] select_1885;
   assign select_1885 = (and_1873 | (select_1875 | equal_1876)) ? (equal_1876 ? 3'h2 : {not_1879, {2{select_1875}}}) : (equal_388 ? 3'h6 : {select_1883[0], select_1883});
-  // hls/stages/agreement.hpp:514
+  // hls/stages/agreement.hpp:582
   logic and_1888;
   assign and_1888 = select_1875 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
-  // hls/stages/agreement.hpp:537
+  // hls/stages/agreement.hpp:605
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
   logic [6:0] select_1891;
   assign select_1891 = (plan_shift_q[5] & select_1875) ? value : 7'h0;
   logic [1:0] or_1892;
   assign or_1892 = {2{so}} | select_1891[5:4];
-  // hls/stages/agreement.hpp:540
+  // hls/stages/agreement.hpp:608
   logic [7:0] or_1896;
   assign or_1896 = (select_1875 ? plan_columns_q : 8'h0) | ((equal_1876 | equal_1881) ? whole_q : 8'h0);
   logic [1:0] or_1897;
   assign or_1897 = {2{and_1873}} | or_1896[4:3];
-  // hls/stages/agreement.hpp:541
+  // hls/stages/agreement.hpp:609
   logic [7:0] or_1899;
   assign or_1899 = {or_1896[7:5], or_1897, or_1896[2:0]} | (equal_388 ? drawn_q : 8'h0);
   logic [4:0] or_1900;
   assign or_1900 = {5{so}} | {or_1899[6], or_1899[3:0]};
-  // hls/stages/agreement.hpp:547
+  // hls/stages/agreement.hpp:615
   logic not_1904;
   assign not_1904 = ~run_shift_q[5];
   logic [7:0] select_1907;
   assign select_1907 = equal_391 ? ({{7{not_1904}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
-  // hls/stages/agreement.hpp:430
+  // hls/stages/agreement.hpp:498
   logic [6:0] select_1911;
   assign select_1911 = and_1860_s4_q ? 7'h0 : following_lowest_q;
-  // hls/stages/agreement.hpp:433
+  // hls/stages/agreement.hpp:501
   logic [7:0] select_1913;
   assign select_1913 = select_1863 ? {select_1911[6], select_1911} : (x_q + {7'h0, ends_cell_q});
   logic [7:0] select_1916;
   assign select_1916 = select_1863 ? (and_1860_s4_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [6:0] select_1923;
   assign select_1923 = equal_1859_s4_q ? ((6'he < column_s4_q[6:1]) ? 7'h1d : column_s4_q) : least_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [7:0] select_1927;
   assign select_1927 = and_368_s4_q ? (equal_1859_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h17) : whole_q) : whole_q;
   logic [7:0] select_1930;
   assign select_1930 = and_368_s4_q ? (equal_1859_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h3) : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:438
+  // hls/stages/agreement.hpp:506
   logic select_1944;
   assign select_1944 = (ends_cell_q | select_1863) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_391 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:433
+  // hls/stages/agreement.hpp:501
   logic and_1948;
   assign and_1948 = (~select_1863) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic select_1952;
   assign select_1952 = and_368_s4_q ? (equal_1859_s4_q ? equal_1950_s4_q : final_row_q) : final_row_q;
 
@@ -634,18 +634,18 @@ module horopter_agreement (
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [6:0] age_q;
-  // hls/stages/agreement.hpp:501
+  // hls/stages/agreement.hpp:569
   logic [7:0] select_395;
   assign select_395 = run_shift_s5_q[5] ? x_s5_q : sum_394_s5_q;
   logic less_396;
   assign less_396 = {1'b0, last_s5_q} < select_395;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:209
   logic not_397;
   assign not_397 = ~less_396;
-  // hls/stages/agreement.hpp:720
+  // hls/stages/agreement.hpp:788
   logic [7:0] x;
   assign x = x_s5_q + 8'hfd;
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:503
   logic [6:0] select_1932;
   assign select_1932 = select_1863_s5_q ? 7'h0 : (ends_cell_s5_q ? {age_q[5:0], 1'b1} : age_q);
 
@@ -737,10 +737,10 @@ module horopter_agreement (
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:501
+  // hls/stages/agreement.hpp:569
   logic or_389;
   assign or_389 = so_s6_q | equal_388_s6_q;
-  // hls/stages/agreement.hpp:651
+  // hls/stages/agreement.hpp:719
   logic not_390;
   assign not_390 = ~or_389;
   // hls/stages/agreement.hpp:137
@@ -750,14 +750,14 @@ module horopter_agreement (
   assign and_509 = equal_391_s6_q & and_508_s6_q;
   logic select_510;
   assign select_510 = or_389 ? not_397_s6_q : and_509;
-  // hls/stages/agreement.hpp:729
+  // hls/stages/agreement.hpp:797
   logic or_515;
   assign or_515 = equal_513_s6_q | ($signed(6'h0) < $signed(run_shift_s6_q));
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:809
   logic [6:0] right;
   assign right = sum_394_s6_q + 7'h7d;
 
-  // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1227; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
+  // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1299; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:119];
@@ -773,7 +773,7 @@ module horopter_agreement (
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 120 x 91, DISTANCE 24, hls/stages/agreement.hpp:1228; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
+  // Memory right_codes, 120 x 91, DISTANCE 24, hls/stages/agreement.hpp:1300; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:119];
@@ -789,7 +789,7 @@ module horopter_agreement (
     if (right_codes_re) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 120 x 46, DISTANCE 24, hls/stages/agreement.hpp:1229; read in stage 6, written in stage 17: 6 < 17 < 6 + DISTANCE.
+  // Memory best_left, 120 x 46, DISTANCE 24, hls/stages/agreement.hpp:1301; read in stage 6, written in stage 17: 6 < 17 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [45:0] best_left_mem [0:119];
@@ -890,7 +890,7 @@ module horopter_agreement (
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
 
-  // Memory fresh, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1226; read in stage 7, written in stage 26: 7 < 26 < 7 + DISTANCE.
+  // Memory fresh, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1298; read in stage 7, written in stage 26: 7 < 26 < 7 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:119];
@@ -998,10 +998,10 @@ module horopter_agreement (
   // Stage 8 -----------------------------------------------------------------------------------------------------------
   logic [6:0] row_q;
   logic lower_half_q;
-  // hls/stages/agreement.hpp:573
+  // hls/stages/agreement.hpp:641
   logic not_488;
   assign not_488 = ~(row_q == 7'h0);
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_523;
   assign and_523 = left_rdata_s8_q[44] & not_397_s8_q;
   logic and_524;
@@ -1010,10 +1010,10 @@ module horopter_agreement (
   assign select_525 = less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[37:26];
   logic [11:0] select_526;
   assign select_526 = less_396_s8_q ? 12'h0 : left_rdata_s8_q[43:32];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_530;
   assign select_530 = and_523 ? (and_524 ? (~(select_525 ^ select_526)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_546;
   assign and_546 = left_rdata_s8_q[60] & not_397_s8_q;
   logic and_547;
@@ -1022,10 +1022,10 @@ module horopter_agreement (
   assign select_548 = less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[50:39];
   logic [11:0] select_549;
   assign select_549 = less_396_s8_q ? 12'h0 : left_rdata_s8_q[59:48];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_553;
   assign select_553 = and_546 ? (and_547 ? (~(select_548 ^ select_549)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_563;
   assign and_563 = left_rdata_s8_q[76] & not_397_s8_q;
   logic and_564;
@@ -1034,54 +1034,54 @@ module horopter_agreement (
   assign select_565 = less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[63:52];
   logic [11:0] select_566;
   assign select_566 = less_396_s8_q ? 12'h0 : left_rdata_s8_q[75:64];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_570;
   assign select_570 = and_563 ? (and_564 ? (~(select_565 ^ select_566)) : 12'h0) : 12'h0;
   logic [11:0] select_778;
   assign select_778 = (slot_s8_q[0] ? and_564 : and_547) ? (~(select_526 ^ (slot_s8_q[0] ? select_565 : select_548))) : 12'h0;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_795;
   assign and_795 = right_codes_rdata_s8_q[77] & not_397_s8_q;
   logic [11:0] select_797;
   assign select_797 = less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[76:65];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_801;
   assign select_801 = (slot_s8_q[0] ? and_795 : and_564) ? (~(select_549 ^ (slot_s8_q[0] ? select_797 : select_565))) : 12'h0;
-  // hls/stages/agreement.hpp:665
+  // hls/stages/agreement.hpp:733
   logic select_813;
   assign select_813 = slot_s8_q[0] ? (right_codes_rdata_s8_q[90] & not_397_s8_q) : and_795;
   logic [11:0] select_815;
   assign select_815 = slot_s8_q[0] ? (less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[89:78]) : select_797;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_1024;
   assign and_1024 = right_codes_rdata_s8_q[25] & not_397_s8_q;
-  // hls/stages/agreement.hpp:665
+  // hls/stages/agreement.hpp:733
   logic select_1025;
   assign select_1025 = slot_s8_q[0] ? (right_codes_rdata_s8_q[12] & not_397_s8_q) : and_1024;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic [11:0] select_1027;
   assign select_1027 = less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[24:13];
-  // hls/stages/agreement.hpp:665
+  // hls/stages/agreement.hpp:733
   logic [11:0] select_1028;
   assign select_1028 = slot_s8_q[0] ? (less_396_s8_q ? 12'h0 : right_codes_rdata_s8_q[11:0]) : select_1027;
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1052;
   assign select_1052 = (slot_s8_q[0] ? and_1024 : and_524) ? (~(select_549 ^ (slot_s8_q[0] ? select_1027 : select_525))) : 12'h0;
   logic [11:0] select_1067;
   assign select_1067 = (slot_s8_q[0] ? and_524 : and_547) ? (~(select_566 ^ (slot_s8_q[0] ? select_525 : select_548))) : 12'h0;
-  // hls/stages/agreement.hpp:874
+  // hls/stages/agreement.hpp:942
   logic [5:0] shift;
   assign shift = slot_s8_q[2] ? best_left_rdata_s8_q[5:0] : best_left_rdata_s8_q[45:40];
-  // hls/stages/agreement.hpp:879
+  // hls/stages/agreement.hpp:947
   logic and_1343;
   assign and_1343 = (or_389_s8_q & (left_rdata_s8_q[61] & not_397_s8_q)) & (~(row_q[6:3] == 4'h0));
-  // hls/stages/agreement.hpp:199
+  // hls/stages/agreement.hpp:228
   logic and_1351;
   assign and_1351 = not_397_s8_q & (or_389_s8_q & (left_rdata_s8_q[63] & not_397_s8_q));
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic select_1956;
   assign select_1956 = equal_1859_s8_q ? (~({row_s8_q, 1'b0} < {sum_1953, cfg_height_i[4]})) : lower_half_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic and_2194;
   assign and_2194 = and_368_s8_q & (equal_1859_s8_q & (row_s8_q[6:2] == 5'h0));
 
@@ -1253,7 +1253,7 @@ module horopter_agreement (
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_536;
   assign parity_536 = ^select_530_s9_q[5:3];
   logic parity_539;
@@ -1278,47 +1278,47 @@ module horopter_agreement (
   assign parity_594 = ^{select_570_s9_q[11:9], select_553_s9_q[5:0]};
   logic parity_597;
   assign parity_597 = ^{select_570_s9_q, select_553_s9_q, select_530_s9_q[2:0]};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_602;
   assign or_602 = (select_530_s9_q[1:0] == 2'h3) | (select_530_s9_q[2] & (select_530_s9_q[0] | select_530_s9_q[1]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_606;
   assign or_606 = (select_553_s9_q[7:6] == 2'h3) | (select_553_s9_q[8] & (select_553_s9_q[6] | select_553_s9_q[7]));
   logic or_610;
   assign or_610 = (select_553_s9_q[10:9] == 2'h3) | (select_553_s9_q[11] & (select_553_s9_q[9] | select_553_s9_q[10]));
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_618;
   assign or_618 = (select_570_s9_q[7:6] == 2'h3) | (select_570_s9_q[8] & (~(select_570_s9_q[7:6] == 2'h0)));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_622;
   assign or_622 = (select_570_s9_q[1:0] == 2'h3) | (select_570_s9_q[2] & (select_570_s9_q[0] | select_570_s9_q[1]));
   logic or_626;
   assign or_626 = (select_570_s9_q[4:3] == 2'h3) | (select_570_s9_q[5] & (select_570_s9_q[3] | select_570_s9_q[4]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_629;
   assign parity_629 = ^{or_626, or_622, or_618};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_633;
   assign or_633 = (select_553_s9_q[4:3] == 2'h3) | (select_553_s9_q[5] & (select_553_s9_q[3] | select_553_s9_q[4]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_637;
   assign or_637 = (select_570_s9_q[10:9] == 2'h3) | (select_570_s9_q[11] & (select_570_s9_q[9] | select_570_s9_q[10]));
   logic or_641;
   assign or_641 = (select_553_s9_q[1:0] == 2'h3) | (select_553_s9_q[2] & (select_553_s9_q[0] | select_553_s9_q[1]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_644;
   assign parity_644 = ^{or_641, or_637, or_633};
   logic parity_647;
   assign parity_647 = ^{or_641, or_637, or_633, or_626, or_622, or_618, or_610, or_606, or_602};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_652;
   assign or_652 = (parity_536 & parity_539) | ((^select_530_s9_q[11:9]) & (parity_536 | parity_539));
   logic and_655;
   assign and_655 = (^{select_553_s9_q[11:6], select_530_s9_q[2:0]}) & (parity_582 | parity_594);
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_663;
   assign or_663 = (select_530_s9_q[10:9] == 2'h3) | (select_530_s9_q[11] & (select_530_s9_q[9] | select_530_s9_q[10]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_667;
   assign or_667 = (select_530_s9_q[4:3] == 2'h3) | (select_530_s9_q[5] & (select_530_s9_q[3] | select_530_s9_q[4]));
   logic or_671;
@@ -1329,28 +1329,28 @@ module horopter_agreement (
   assign or_682 = (parity_576 & parity_579) | ((^select_570_s9_q[8:6]) & (parity_576 | parity_579));
   logic or_686;
   assign or_686 = (parity_588 & parity_591) | ((^select_553_s9_q[5:3]) & (parity_588 | parity_591));
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_779;
   assign select_779 = and_523_s9_q ? select_778_s9_q : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_785;
   assign parity_785 = ^select_779[5:3];
   logic parity_788;
   assign parity_788 = ^select_779[8:6];
   logic parity_791;
   assign parity_791 = ^select_779[11:3];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_802;
   assign select_802 = and_546_s9_q ? select_801_s9_q : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_805;
   assign parity_805 = ^select_802[8:6];
   logic parity_808;
   assign parity_808 = ^select_802[11:9];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_819;
   assign select_819 = and_563_s9_q ? select_818_s9_q : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_825;
   assign parity_825 = ^select_819[2:0];
   logic parity_828;
@@ -1365,47 +1365,47 @@ module horopter_agreement (
   assign parity_843 = ^{select_819[11:9], select_802[5:0]};
   logic parity_846;
   assign parity_846 = ^{select_819, select_802, select_779[2:0]};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_851;
   assign or_851 = (select_779[1:0] == 2'h3) | (select_779[2] & (select_779[0] | select_779[1]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_855;
   assign or_855 = (select_802[7:6] == 2'h3) | (select_802[8] & (select_802[6] | select_802[7]));
   logic or_859;
   assign or_859 = (select_802[10:9] == 2'h3) | (select_802[11] & (select_802[9] | select_802[10]));
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_867;
   assign or_867 = (select_819[7:6] == 2'h3) | (select_819[8] & (~(select_819[7:6] == 2'h0)));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_871;
   assign or_871 = (select_819[1:0] == 2'h3) | (select_819[2] & (select_819[0] | select_819[1]));
   logic or_875;
   assign or_875 = (select_819[4:3] == 2'h3) | (select_819[5] & (select_819[3] | select_819[4]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_878;
   assign parity_878 = ^{or_875, or_871, or_867};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_882;
   assign or_882 = (select_802[4:3] == 2'h3) | (select_802[5] & (select_802[3] | select_802[4]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_886;
   assign or_886 = (select_819[10:9] == 2'h3) | (select_819[11] & (select_819[9] | select_819[10]));
   logic or_890;
   assign or_890 = (select_802[1:0] == 2'h3) | (select_802[2] & (select_802[0] | select_802[1]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_893;
   assign parity_893 = ^{or_890, or_886, or_882};
   logic parity_896;
   assign parity_896 = ^{or_890, or_886, or_882, or_875, or_871, or_867, or_859, or_855, or_851};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_901;
   assign or_901 = (parity_785 & parity_788) | ((^select_779[11:9]) & (parity_785 | parity_788));
   logic and_904;
   assign and_904 = (^{select_802[11:6], select_779[2:0]}) & (parity_831 | parity_843);
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_912;
   assign or_912 = (select_779[10:9] == 2'h3) | (select_779[11] & (select_779[9] | select_779[10]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_916;
   assign or_916 = (select_779[4:3] == 2'h3) | (select_779[5] & (select_779[3] | select_779[4]));
   logic or_920;
@@ -1416,28 +1416,28 @@ module horopter_agreement (
   assign or_931 = (parity_825 & parity_828) | ((^select_819[8:6]) & (parity_825 | parity_828));
   logic or_935;
   assign or_935 = (parity_837 & parity_840) | ((^select_802[5:3]) & (parity_837 | parity_840));
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1032;
   assign select_1032 = and_523_s9_q ? select_1031_s9_q : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1038;
   assign parity_1038 = ^select_1032[5:3];
   logic parity_1041;
   assign parity_1041 = ^select_1032[8:6];
   logic parity_1044;
   assign parity_1044 = ^select_1032[11:3];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1053;
   assign select_1053 = and_546_s9_q ? select_1052_s9_q : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1056;
   assign parity_1056 = ^select_1053[8:6];
   logic parity_1059;
   assign parity_1059 = ^select_1053[11:9];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1068;
   assign select_1068 = and_563_s9_q ? select_1067_s9_q : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1074;
   assign parity_1074 = ^select_1068[2:0];
   logic parity_1077;
@@ -1452,47 +1452,47 @@ module horopter_agreement (
   assign parity_1092 = ^{select_1068[11:9], select_1053[5:0]};
   logic parity_1095;
   assign parity_1095 = ^{select_1068, select_1053, select_1032[2:0]};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1100;
   assign or_1100 = (select_1032[1:0] == 2'h3) | (select_1032[2] & (select_1032[0] | select_1032[1]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1104;
   assign or_1104 = (select_1053[7:6] == 2'h3) | (select_1053[8] & (select_1053[6] | select_1053[7]));
   logic or_1108;
   assign or_1108 = (select_1053[10:9] == 2'h3) | (select_1053[11] & (select_1053[9] | select_1053[10]));
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1116;
   assign or_1116 = (select_1068[7:6] == 2'h3) | (select_1068[8] & (~(select_1068[7:6] == 2'h0)));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1120;
   assign or_1120 = (select_1068[1:0] == 2'h3) | (select_1068[2] & (select_1068[0] | select_1068[1]));
   logic or_1124;
   assign or_1124 = (select_1068[4:3] == 2'h3) | (select_1068[5] & (select_1068[3] | select_1068[4]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1127;
   assign parity_1127 = ^{or_1124, or_1120, or_1116};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1131;
   assign or_1131 = (select_1053[4:3] == 2'h3) | (select_1053[5] & (select_1053[3] | select_1053[4]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1135;
   assign or_1135 = (select_1068[10:9] == 2'h3) | (select_1068[11] & (select_1068[9] | select_1068[10]));
   logic or_1139;
   assign or_1139 = (select_1053[1:0] == 2'h3) | (select_1053[2] & (select_1053[0] | select_1053[1]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1142;
   assign parity_1142 = ^{or_1139, or_1135, or_1131};
   logic parity_1145;
   assign parity_1145 = ^{or_1139, or_1135, or_1131, or_1124, or_1120, or_1116, or_1108, or_1104, or_1100};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1150;
   assign or_1150 = (parity_1038 & parity_1041) | ((^select_1032[11:9]) & (parity_1038 | parity_1041));
   logic and_1153;
   assign and_1153 = (^{select_1053[11:6], select_1032[2:0]}) & (parity_1080 | parity_1092);
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1161;
   assign or_1161 = (select_1032[10:9] == 2'h3) | (select_1032[11] & (select_1032[9] | select_1032[10]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1165;
   assign or_1165 = (select_1032[4:3] == 2'h3) | (select_1032[5] & (select_1032[3] | select_1032[4]));
   logic or_1169;
@@ -1503,13 +1503,13 @@ module horopter_agreement (
   assign or_1180 = (parity_1074 & parity_1077) | ((^select_1068[8:6]) & (parity_1074 | parity_1077));
   logic or_1184;
   assign or_1184 = (parity_1086 & parity_1089) | ((^select_1053[5:3]) & (parity_1086 | parity_1089));
-  // hls/stages/agreement.hpp:875
+  // hls/stages/agreement.hpp:943
   logic [7:0] found;
   assign found = x_s9_q + {{2{shift_s9_q[5]}}, shift_s9_q};
-  // hls/stages/agreement.hpp:199
+  // hls/stages/agreement.hpp:228
   logic or_1365;
   assign or_1365 = (cfg_nearer_below_i & shift_s9_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s9_q)));
-  // hls/stages/agreement.hpp:902
+  // hls/stages/agreement.hpp:970
   logic [5:0] sum_1419;
   assign sum_1419 = {1'b0, last_s9_q[6:2]} + 6'h1;
 
@@ -1805,14 +1805,14 @@ module horopter_agreement (
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_674;
   assign parity_674 = ^{or_671_s10_q, or_667_s10_q, or_663_s10_q};
   logic parity_689;
   assign parity_689 = ^{or_686_s10_q, or_682_s10_q, or_678_s10_q};
   logic parity_692;
   assign parity_692 = ^{or_686_s10_q, or_682_s10_q, or_678_s10_q, or_671_s10_q, or_667_s10_q, or_663_s10_q, or_656_s10_q, or_652_s10_q, and_648_s10_q};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_694;
   assign and_694 = parity_647_s10_q & parity_692;
   logic or_698;
@@ -1821,32 +1821,32 @@ module horopter_agreement (
   assign and_701 = (^{or_656_s10_q, or_652_s10_q, and_648_s10_q}) & (parity_674 | parity_689);
   logic or_702;
   assign or_702 = (parity_674 & parity_689) | and_701;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_720;
   assign parity_720 = ^{or_717_s10_q, or_713_s10_q, or_709_s10_q};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_724;
   assign or_724 = (or_652_s10_q & or_656_s10_q) | (and_648_s10_q & (or_652_s10_q | or_656_s10_q));
   logic or_728;
   assign or_728 = (or_667_s10_q & or_671_s10_q) | (or_663_s10_q & (or_667_s10_q | or_671_s10_q));
   logic or_732;
   assign or_732 = (or_682_s10_q & or_686_s10_q) | (or_678_s10_q & (or_682_s10_q | or_686_s10_q));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_735;
   assign parity_735 = ^{or_732, or_728, or_724};
   logic parity_738;
   assign parity_738 = ^{or_732, or_728, or_724, or_717_s10_q, or_713_s10_q, or_709_s10_q, or_702, or_698, and_694};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_750;
   assign or_750 = (or_713_s10_q & or_717_s10_q) | (or_709_s10_q & (or_713_s10_q | or_717_s10_q));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_923;
   assign parity_923 = ^{or_920_s10_q, or_916_s10_q, or_912_s10_q};
   logic parity_938;
   assign parity_938 = ^{or_935_s10_q, or_931_s10_q, or_927_s10_q};
   logic parity_941;
   assign parity_941 = ^{or_935_s10_q, or_931_s10_q, or_927_s10_q, or_920_s10_q, or_916_s10_q, or_912_s10_q, or_905_s10_q, or_901_s10_q, and_897_s10_q};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_943;
   assign and_943 = parity_896_s10_q & parity_941;
   logic or_947;
@@ -1855,32 +1855,32 @@ module horopter_agreement (
   assign and_950 = (^{or_905_s10_q, or_901_s10_q, and_897_s10_q}) & (parity_923 | parity_938);
   logic or_951;
   assign or_951 = (parity_923 & parity_938) | and_950;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_969;
   assign parity_969 = ^{or_966_s10_q, or_962_s10_q, or_958_s10_q};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_973;
   assign or_973 = (or_901_s10_q & or_905_s10_q) | (and_897_s10_q & (or_901_s10_q | or_905_s10_q));
   logic or_977;
   assign or_977 = (or_916_s10_q & or_920_s10_q) | (or_912_s10_q & (or_916_s10_q | or_920_s10_q));
   logic or_981;
   assign or_981 = (or_931_s10_q & or_935_s10_q) | (or_927_s10_q & (or_931_s10_q | or_935_s10_q));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_984;
   assign parity_984 = ^{or_981, or_977, or_973};
   logic parity_987;
   assign parity_987 = ^{or_981, or_977, or_973, or_966_s10_q, or_962_s10_q, or_958_s10_q, or_951, or_947, and_943};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_999;
   assign or_999 = (or_962_s10_q & or_966_s10_q) | (or_958_s10_q & (or_962_s10_q | or_966_s10_q));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1172;
   assign parity_1172 = ^{or_1169_s10_q, or_1165_s10_q, or_1161_s10_q};
   logic parity_1187;
   assign parity_1187 = ^{or_1184_s10_q, or_1180_s10_q, or_1176_s10_q};
   logic parity_1190;
   assign parity_1190 = ^{or_1184_s10_q, or_1180_s10_q, or_1176_s10_q, or_1169_s10_q, or_1165_s10_q, or_1161_s10_q, or_1154_s10_q, or_1150_s10_q, and_1146_s10_q};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_1192;
   assign and_1192 = parity_1145_s10_q & parity_1190;
   logic or_1196;
@@ -1889,29 +1889,29 @@ module horopter_agreement (
   assign and_1199 = (^{or_1154_s10_q, or_1150_s10_q, and_1146_s10_q}) & (parity_1172 | parity_1187);
   logic or_1200;
   assign or_1200 = (parity_1172 & parity_1187) | and_1199;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1218;
   assign parity_1218 = ^{or_1215_s10_q, or_1211_s10_q, or_1207_s10_q};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1222;
   assign or_1222 = (or_1150_s10_q & or_1154_s10_q) | (and_1146_s10_q & (or_1150_s10_q | or_1154_s10_q));
   logic or_1226;
   assign or_1226 = (or_1165_s10_q & or_1169_s10_q) | (or_1161_s10_q & (or_1165_s10_q | or_1169_s10_q));
   logic or_1230;
   assign or_1230 = (or_1180_s10_q & or_1184_s10_q) | (or_1176_s10_q & (or_1180_s10_q | or_1184_s10_q));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1233;
   assign parity_1233 = ^{or_1230, or_1226, or_1222};
   logic parity_1236;
   assign parity_1236 = ^{or_1230, or_1226, or_1222, or_1215_s10_q, or_1211_s10_q, or_1207_s10_q, or_1200, or_1196, and_1192};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1248;
   assign or_1248 = (or_1211_s10_q & or_1215_s10_q) | (or_1207_s10_q & (or_1211_s10_q | or_1215_s10_q));
   // hls/stages/agreement.hpp:137
   logic [6:0] select_1375;
   assign select_1375 = or_389_s10_q ? (less_396_s10_q ? 7'h0 : select_1323_s10_q) : 7'h0;
 
-  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1230; read in stage 10, written in stage 17: 10 < 17 < 10 + DISTANCE.
+  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1302; read in stage 10, written in stage 17: 10 < 17 < 10 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] best_right_mem [0:119];
@@ -2117,23 +2117,23 @@ module horopter_agreement (
   logic [5:0] sums_1_columns_values_11_q;
   logic [5:0] sums_1_columns_values_12_q;
   logic [5:0] sums_1_columns_values_13_q;
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_742;
   assign or_742 = and_739_s11_q | and_741_s11_q;
   logic or_746;
   assign or_746 = and_743_s11_q | and_745_s11_q;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_759;
   assign parity_759 = ^{or_754_s11_q, or_750_s11_q, or_746, or_742};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_763;
   assign or_763 = (or_750_s11_q & or_754_s11_q) | (or_746 & (or_750_s11_q | or_754_s11_q));
   logic and_764;
   assign and_764 = or_742 & (^{or_754_s11_q, or_750_s11_q, or_746});
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic xor_765;
   assign xor_765 = or_763 ^ and_764;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:675
   logic and_766;
   assign and_766 = or_763 & and_764;
   // hls/stages/agreement.hpp:137
@@ -2141,23 +2141,23 @@ module horopter_agreement (
   assign select_767 = equal_391_s11_q ? {and_766, xor_765, parity_759, parity_738_s11_q, xor_693_s11_q, xor_598_s11_q} : 6'h0;
   logic [5:0] column_2;
   assign column_2 = or_389_s11_q ? 6'h0 : select_767;
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_991;
   assign or_991 = and_988_s11_q | and_990_s11_q;
   logic or_995;
   assign or_995 = and_992_s11_q | and_994_s11_q;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1008;
   assign parity_1008 = ^{or_1003_s11_q, or_999_s11_q, or_995, or_991};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1012;
   assign or_1012 = (or_999_s11_q & or_1003_s11_q) | (or_995 & (or_999_s11_q | or_1003_s11_q));
   logic and_1013;
   assign and_1013 = or_991 & (^{or_1003_s11_q, or_999_s11_q, or_995});
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic xor_1014;
   assign xor_1014 = or_1012 ^ and_1013;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:675
   logic and_1015;
   assign and_1015 = or_1012 & and_1013;
   // hls/stages/agreement.hpp:137
@@ -2165,23 +2165,23 @@ module horopter_agreement (
   assign select_1016 = equal_391_s11_q ? {and_1015, xor_1014, parity_1008, parity_987_s11_q, xor_942_s11_q, xor_847_s11_q} : 6'h0;
   logic [5:0] column_3;
   assign column_3 = or_389_s11_q ? 6'h0 : select_1016;
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1240;
   assign or_1240 = and_1237_s11_q | and_1239_s11_q;
   logic or_1244;
   assign or_1244 = and_1241_s11_q | and_1243_s11_q;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1257;
   assign parity_1257 = ^{or_1252_s11_q, or_1248_s11_q, or_1244, or_1240};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1261;
   assign or_1261 = (or_1248_s11_q & or_1252_s11_q) | (or_1244 & (or_1248_s11_q | or_1252_s11_q));
   logic and_1262;
   assign and_1262 = or_1240 & (^{or_1252_s11_q, or_1248_s11_q, or_1244});
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic xor_1263;
   assign xor_1263 = or_1261 ^ and_1262;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:675
   logic and_1264;
   assign and_1264 = or_1261 & and_1262;
   // hls/stages/agreement.hpp:137
@@ -2189,16 +2189,16 @@ module horopter_agreement (
   assign select_1265 = equal_391_s11_q ? {and_1264, xor_1263, parity_1257, parity_1236_s11_q, xor_1191_s11_q, xor_1096_s11_q} : 6'h0;
   logic [5:0] column_4;
   assign column_4 = or_389_s11_q ? 6'h0 : select_1265;
-  // hls/stages/agreement.hpp:710
+  // hls/stages/agreement.hpp:778
   logic [5:0] before_v_2;
   assign before_v_2 = age_s11_q[1] ? sums_0_columns_values_7_q : 6'h0;
-  // hls/stages/agreement.hpp:711
+  // hls/stages/agreement.hpp:779
   logic [6:0] sum_1297;
   assign sum_1297 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
-  // hls/stages/agreement.hpp:710
+  // hls/stages/agreement.hpp:778
   logic [5:0] before_v_3;
   assign before_v_3 = age_s11_q[1] ? sums_1_columns_values_7_q : 6'h0;
-  // hls/stages/agreement.hpp:711
+  // hls/stages/agreement.hpp:779
   logic [6:0] sum_1300;
   assign sum_1300 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
 
@@ -2393,22 +2393,22 @@ module horopter_agreement (
   logic [5:0] middle_sum_columns_values_4_q;
   logic [5:0] middle_sum_columns_values_5_q;
   logic [5:0] middle_sum_columns_values_6_q;
-  // hls/stages/agreement.hpp:709
+  // hls/stages/agreement.hpp:777
   logic [5:0] select_769;
   assign select_769 = age_s12_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  // hls/stages/agreement.hpp:710
+  // hls/stages/agreement.hpp:778
   logic [5:0] before_v;
   assign before_v = age_s12_q[1] ? middle_sum_columns_values_3_q : 6'h0;
-  // hls/stages/agreement.hpp:711
+  // hls/stages/agreement.hpp:779
   logic [6:0] sum_1293;
   assign sum_1293 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic [6:0] select_1303;
   assign select_1303 = (sum_1298_s12_q < sum_1301_s12_q) ? sum_1301_s12_q : sum_1298_s12_q;
-  // hls/stages/agreement.hpp:883
+  // hls/stages/agreement.hpp:951
   logic [6:0] chosen;
   assign chosen = slot_s12_q[2] ? best_right_rdata_s12_q[14:8] : best_right_rdata_s12_q[28:22];
-  // hls/stages/agreement.hpp:191
+  // hls/stages/agreement.hpp:220
   logic [5:0] select_1959;
   assign select_1959 = slot_s12_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
   logic [5:0] select_1960;
@@ -2576,34 +2576,34 @@ module horopter_agreement (
   logic [7:0] sums_1_sum_sums_values_0_q;
   logic [7:0] sums_1_sum_sums_values_1_q;
   logic [6:0] chosen_near_q;
-  // hls/stages/agreement.hpp:719
+  // hls/stages/agreement.hpp:787
   logic less_518;
   assign less_518 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
   logic less_520;
   assign less_520 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
-  // hls/stages/agreement.hpp:709
+  // hls/stages/agreement.hpp:777
   logic [7:0] sum_772;
   assign sum_772 = {difference_770_s13_q[6], difference_770_s13_q} + (age_s13_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
   logic [7:0] sum_1022;
   assign sum_1022 = {difference_1019_s13_q[6], difference_1019_s13_q} + (equal_1020_s13_q ? 8'h0 : sums_0_sum_sums_values_1_q);
   logic [7:0] sum_1270;
   assign sum_1270 = {difference_1268_s13_q[6], difference_1268_s13_q} + (equal_1020_s13_q ? 8'h0 : sums_1_sum_sums_values_1_q);
-  // hls/stages/agreement.hpp:686
+  // hls/stages/agreement.hpp:754
   logic [6:0] select_1295;
   assign select_1295 = slot_s13_q[0] ? chosen_near_q : sum_1294_s13_q;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic [6:0] select_1305;
   assign select_1305 = (select_1295 < select_1303_s13_q) ? select_1303_s13_q : select_1295;
-  // hls/stages/agreement.hpp:882
+  // hls/stages/agreement.hpp:950
   logic select_1354;
   assign select_1354 = slot_s13_q[2] ? less_1352_s13_q : (6'h2a < best_left_rdata_s13_q[39:34]);
-  // hls/stages/agreement.hpp:889
+  // hls/stages/agreement.hpp:957
   logic [8:0] difference_1357;
   assign difference_1357 = {2'h0, chosen_s13_q} - {1'b0, x_s13_q};
-  // hls/stages/agreement.hpp:191
+  // hls/stages/agreement.hpp:220
   logic [6:0] select_1971;
   assign select_1971 = slot_s13_q[0] ? 7'h0 : sum_1294_s13_q;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic [6:0] select_1973;
   assign select_1973 = (select_1971 < select_1303_s13_q) ? select_1303_s13_q : select_1971;
 
@@ -2770,38 +2770,38 @@ module horopter_agreement (
   logic [8:0] region_across_next_q;
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
-  // hls/stages/agreement.hpp:686
+  // hls/stages/agreement.hpp:754
   logic [7:0] select_773;
   assign select_773 = slot_s14_q[0] ? chosen_score_q : sum_772_s14_q;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic [7:0] select_1272;
   assign select_1272 = less_1271_s14_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
   logic less_1273;
   assign less_1273 = select_773 < select_1272;
-  // hls/stages/agreement.hpp:723
+  // hls/stages/agreement.hpp:791
   logic [7:0] of_best;
   assign of_best = and_522_s14_q ? (less_1273 ? select_1272 : select_773) : 8'h0;
-  // hls/stages/agreement.hpp:651
+  // hls/stages/agreement.hpp:719
   logic not_1279;
   assign not_1279 = ~slot_s14_q[0];
-  // hls/stages/agreement.hpp:683
+  // hls/stages/agreement.hpp:751
   logic [1:0] select_1280;
   assign select_1280 = less_1271_s14_q ? {slot_s14_q[0], not_1279} : 2'h0;
   logic [2:0] select_1282;
   assign select_1282 = less_1273 ? {select_1280, not_1279} : (slot_s14_q[0] ? chosen_place_q : 3'h2);
-  // hls/stages/agreement.hpp:724
+  // hls/stages/agreement.hpp:792
   logic [6:0] of_near;
   assign of_near = and_522_s14_q ? select_1305_s14_q : 7'h0;
-  // hls/stages/agreement.hpp:199
+  // hls/stages/agreement.hpp:228
   logic and_1360;
   assign and_1360 = (and_1347_s14_q & select_1354_s14_q) & ({{22{sum_1358_s14_q[9]}}, sum_1358_s14_q} < 32'h3);
   // hls/stages/division.hpp:34
   logic [5:0] sum_1458;
   assign sum_1458 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:191
+  // hls/stages/agreement.hpp:220
   logic [7:0] select_1968;
   assign select_1968 = slot_s14_q[0] ? 8'h0 : sum_772_s14_q;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic less_1969;
   assign less_1969 = select_1968 < select_1272;
   // hls/stages/agreement.hpp:137
@@ -2829,7 +2829,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:124
   logic [27:0] column_5;
   assign column_5 = registration_slope_q + (and_2204_s14_q ? registration_slope_change_q : 28'h0);
-  // hls/stages/agreement.hpp:161
+  // hls/stages/agreement.hpp:190
   logic [8:0] select_2316;
   assign select_2316 = so_s14_q ? (and_2204_s14_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
@@ -2838,7 +2838,7 @@ module horopter_agreement (
   // hls/stages/division.hpp:36
   logic [8:0] select_2319;
   assign select_2319 = sum_1458[5] ? {1'b1, sum_1458[4:0], region_across_rest_q[2:0]} : sum_2318;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [8:0] select_2321;
   assign select_2321 = equal_1859_s14_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
   logic [7:0] select_2324;
@@ -3010,7 +3010,7 @@ module horopter_agreement (
   end
 
   // Stage 15 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:732
+  // hls/stages/agreement.hpp:800
   logic equal_1285;
   assign equal_1285 = select_1282_s15_q == 3'h1;
   logic equal_1286;
@@ -3025,15 +3025,15 @@ module horopter_agreement (
   assign select_1306 = select_1288[0] ? {4'h0, select_1282_s15_q} : select_1305_s15_q;
   logic [7:0] select_1307;
   assign select_1307 = select_1288[1] ? (select_1288[0] ? before_1_s15_q : before_1_q) : {1'b0, select_1306};
-  // hls/stages/agreement.hpp:733
+  // hls/stages/agreement.hpp:801
   logic [1:0] select_1310;
   assign select_1310 = equal_1285 ? 2'h0 : {not_1287, equal_1286};
   logic [7:0] select_1312;
   assign select_1312 = select_1310[1] ? before_2_q : (select_1310[0] ? before_2_s15_q : before_0_s15_q);
-  // hls/stages/agreement.hpp:744
+  // hls/stages/agreement.hpp:812
   logic or_1330;
   assign or_1330 = select_1328_s15_q | (best_right_rdata_s15_q[7:0] < of_best_s15_q);
-  // hls/stages/agreement.hpp:199
+  // hls/stages/agreement.hpp:228
   logic and_1367;
   assign and_1367 = not_397_s15_q & and_1366_s15_q;
   // hls/stages/agreement.hpp:137
@@ -3041,7 +3041,7 @@ module horopter_agreement (
   assign select_1368 = less_396_s15_q ? 9'h0 : best_left_rdata_s15_q[8:0];
   logic [14:0] inside_v;
   assign inside_v = or_389_s15_q ? {select_1368, and_1367, and_1361_s15_q, and_1351_s15_q, and_1348_s15_q, and_1344_s15_q, not_397_s15_q} : 15'h0;
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic right_2;
   assign right_2 = inside_v[0] & less_1420_s15_q;
   logic textured;
@@ -3182,18 +3182,18 @@ module horopter_agreement (
   end
 
   // Stage 16 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/census.hpp:103
+  // hls/stages/census.hpp:119
   logic and_343;
   assign and_343 = sample_pair_whole_s16_q & and_342_s16_q;
-  // hls/stages/agreement.hpp:902
+  // hls/stages/agreement.hpp:970
   logic not_1338;
   assign not_1338 = ~equal_1337_s16_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1370;
   assign and_1370 = ends_cell_s16_q & inside_v_s16_q[0];
   logic and_1372;
   assign and_1372 = not_1338 & (so_s16_q & and_1370);
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:1012
   logic or_1461;
   assign or_1461 = (~sum_1458_s16_q) | equal_1460_s16_q;
   // hls/stages/registration.hpp:35
@@ -3219,7 +3219,7 @@ module horopter_agreement (
   logic [10:0] sum_2097;
   assign sum_2097 = select_2095[11:1] + (inside_v_s16_q[8] ? select_2088_s16_q[10:0] : 11'h0);
 
-  // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:154; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
+  // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:226; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] averager_memory_mem [0:479];
@@ -3235,7 +3235,7 @@ module horopter_agreement (
     if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
-  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1231; read in stage 16, written in stage 17: 16 < 17 < 16 + DISTANCE.
+  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1303; read in stage 16, written in stage 17: 16 < 17 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] shown_right_mem [0:119];
@@ -3251,7 +3251,7 @@ module horopter_agreement (
     if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1257; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
+  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1329; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] seen_columns_mem [0:119];
@@ -3408,21 +3408,21 @@ module horopter_agreement (
   logic [13:0] averager_running_1_q;
   logic averager_running_of_skin_q;
   logic segment_starts_q;
-  // hls/stages/census.hpp:96
+  // hls/stages/census.hpp:112
   logic [13:0] select_346;
   assign select_346 = equal_327_s17_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
   logic [13:0] sum_352;
   assign sum_352 = {6'h0, sample_pair_pixel_1_q} + (equal_327_s17_q ? 14'h0 : averager_running_1_q);
-  // hls/stages/agreement.hpp:326
+  // hls/stages/agreement.hpp:394
   logic all_of_skin;
   assign all_of_skin = equal_327_s17_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
-  // hls/stages/agreement.hpp:157
+  // hls/stages/agreement.hpp:186
   logic not_1377;
   assign not_1377 = ~so_s17_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1378;
   assign and_1378 = not_1377 & inside_v_s17_q[4];
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic select_1651;
   assign select_1651 = sample_pair_whole_s17_q ? all_of_skin : averager_running_of_skin_q;
   // hls/stages/registration.hpp:40
@@ -3435,10 +3435,10 @@ module horopter_agreement (
   assign sum_2098 = sum_2094_s17_q + {sum_2097_s17_q, select_2095_s17_q};
   logic [9:0] sum_2099;
   assign sum_2099 = {difference_2091_s17_q, select_2089_s17_q} + sum_2098[11:2];
-  // hls/stages/agreement.hpp:161
+  // hls/stages/agreement.hpp:190
   logic or_2345;
   assign or_2345 = segment_starts_q | not_1377;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2349;
   assign select_2349 = ends_cell_s17_q ? (inside_v_s17_q[0] ? select_2347_s17_q : or_2345) : or_2345;
 
@@ -3778,47 +3778,47 @@ module horopter_agreement (
   logic [7:0] region_down_back_q;
   logic [8:0] region_down_next_q;
   logic segment_started_q;
-  // hls/stages/census.hpp:105
+  // hls/stages/census.hpp:121
   logic [13:0] sum_350;
   assign sum_350 = select_346_s18_q + (equal_348_s18_q ? 14'h0 : averager_memory_rdata_s18_q[13:0]);
   logic [13:0] sum_354;
   assign sum_354 = sum_352_s18_q + (equal_348_s18_q ? 14'h0 : averager_memory_rdata_s18_q[27:14]);
-  // hls/stages/census.hpp:106
+  // hls/stages/census.hpp:122
   logic and_358;
   assign and_358 = whole_s18_q & (averager_memory_rdata_s18_q[28] | equal_348_s18_q);
-  // hls/stages/census.hpp:107
+  // hls/stages/census.hpp:123
   logic and_362;
   assign and_362 = all_of_skin_s18_q & (averager_memory_rdata_s18_q[29] | equal_348_s18_q);
-  // hls/stages/agreement.hpp:161
+  // hls/stages/agreement.hpp:190
   logic [7:0] select_1445;
   assign select_1445 = so_s18_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:1004
   logic or_1448;
   assign or_1448 = select_1445[7] | (~({select_1445[5], select_1445[3], select_1445[1]} == 3'h0));
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic explained;
   assign explained = inside_v_s18_q[0] & inside_v_s18_q[3];
   logic and_1478;
   assign and_1478 = inside_v_s18_q[0] & ({inside_v_s18_q[4], inside_v_s18_q[2]} == 2'h3);
-  // hls/stages/agreement.hpp:907
+  // hls/stages/agreement.hpp:975
   logic select_1486;
   assign select_1486 = slot_s18_q[2] ? shown_shown_q : inside_v_s18_q[3];
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic shown;
   assign shown = inside_v_s18_q[0] & (shown_right_rdata_s18_q[0] | select_1486);
-  // hls/stages/agreement.hpp:907
+  // hls/stages/agreement.hpp:975
   logic select_1489;
   assign select_1489 = slot_s18_q[2] ? shown_nearer_q : inside_v_s18_q[4];
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic near;
   assign near = inside_v_s18_q[0] & (select_1486 ? select_1489 : shown_right_rdata_s18_q[1]);
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic [7:0] select_1539;
   assign select_1539 = inside_v_s18_q[0] ? (sum_1458_s18_q ? select_1445 : {select_1445[6:0], 1'b0}) : select_1445;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:1004
   logic or_1542;
   assign or_1542 = select_1539[7] | (~({select_1539[5], select_1539[3], select_1539[1]} == 3'h0));
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_2002;
   assign and_2002 = seen_columns_rdata_s18_q[7] & inside_v_s18_q[0];
   logic and_2003;
@@ -3840,7 +3840,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:96
   logic [12:0] sum_2100;
   assign sum_2100 = {registration_slope_s18_q[11], registration_slope_s18_q} + {{5{sum_2099_s18_q[7]}}, sum_2099_s18_q};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2301;
   assign select_2301 = equal_1337_s18_q ? shown_shown_q : (so_s18_q ? select_1486 : shown_shown_q);
   logic select_2303;
@@ -3848,26 +3848,26 @@ module horopter_agreement (
   // hls/stages/division.hpp:34
   logic [7:0] sum_2305;
   assign sum_2305 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [7:0] select_2314;
   assign select_2314 = equal_1337_s18_q ? select_1445 : (so_s18_q ? (ends_cell_s18_q ? select_1539 : select_1445) : 8'h1);
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [8:0] select_2328;
   assign select_2328 = equal_429_s18_q ? {difference_2326[7], difference_2326} : (less_2304_s18_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [8:0] select_2330;
   assign select_2330 = and_368_s18_q ? (equal_1859_s18_q ? select_2328 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [7:0] select_2332;
   assign select_2332 = equal_429_s18_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [7:0] select_2334;
   assign select_2334 = and_368_s18_q ? (equal_1859_s18_q ? select_2332 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:36
   logic [8:0] select_2336;
   assign select_2336 = sum_2305[7] ? {1'b1, sum_2305[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
 
-  // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:262; read in stage 18, written in stage 20: 18 < 20 < 18 + DISTANCE.
+  // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:334; read in stage 18, written in stage 20: 18 < 20 < 18 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [77:0] census_memory_mem [0:119];
@@ -4062,61 +4062,61 @@ module horopter_agreement (
   logic centres_values_0_of_skin_q;
   logic centres_values_1_textured_q;
   logic centres_values_1_of_skin_q;
-  // hls/stages/census.hpp:134
+  // hls/stages/census.hpp:206
   logic [8:0] grey;
   assign grey = and_342_s19_q ? sum_350_s19_q[13:5] : 9'h0;
-  // hls/stages/census.hpp:135
+  // hls/stages/census.hpp:207
   logic [10:0] total;
   assign total = {2'h0, grey} + (equal_371_s19_q ? 11'h0 : averager_total_0_q);
-  // hls/stages/census.hpp:134
+  // hls/stages/census.hpp:206
   logic [8:0] grey_2;
   assign grey_2 = and_342_s19_q ? sum_354_s19_q[13:5] : 9'h0;
-  // hls/stages/census.hpp:135
+  // hls/stages/census.hpp:207
   logic [10:0] total_2;
   assign total_2 = {2'h0, grey_2} + (equal_371_s19_q ? 11'h0 : averager_total_1_q);
-  // hls/stages/census.hpp:134
+  // hls/stages/census.hpp:206
   logic and_379;
   assign and_379 = and_342_s19_q & and_358_s19_q;
-  // hls/stages/census.hpp:110
+  // hls/stages/census.hpp:126
   logic select_381;
   assign select_381 = equal_371_s19_q ? and_379 : (averager_mask_q & and_379);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic whole_2;
   assign whole_2 = sample_pair_whole_s19_q & select_381;
-  // hls/stages/census.hpp:134
+  // hls/stages/census.hpp:206
   logic and_383;
   assign and_383 = and_342_s19_q & and_362_s19_q;
-  // hls/stages/census.hpp:110
+  // hls/stages/census.hpp:126
   logic select_385;
   assign select_385 = equal_371_s19_q ? and_383 : (averager_of_skin_q & and_383);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [5:0] select_1455;
   assign select_1455 = equal_1337_s19_q ? x_s19_q[5:0] : {region_row_q, or_1454_s19_q, or_1451_s19_q, or_1448_s19_q};
-  // hls/stages/agreement.hpp:1014
+  // hls/stages/agreement.hpp:1082
   logic not_1456;
   assign not_1456 = ~equal_1382_s19_q;
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic and_1485;
   assign and_1485 = inside_v_s19_q[0] & inside_v_s19_q[2];
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_1527;
   assign and_1527 = seen_columns_rdata_s19_q[0] & inside_v_s19_q[0];
-  // hls/stages/agreement.hpp:973
+  // hls/stages/agreement.hpp:1041
   logic [1:0] sum_1529;
   assign sum_1529 = {1'b0, and_1526_s19_q} + ({1'b0, textured_s19_q} + {1'b0, and_1527});
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_1560;
   assign and_1560 = seen_columns_rdata_s19_q[11] & inside_v_s19_q[0];
-  // hls/stages/agreement.hpp:975
+  // hls/stages/agreement.hpp:1043
   logic [1:0] sum_1564;
   assign sum_1564 = {1'b0, and_1561_s19_q} + ({1'b0, shown_s19_q} + {1'b0, and_1562_s19_q});
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_1576;
   assign and_1576 = seen_columns_rdata_s19_q[12] & inside_v_s19_q[0];
-  // hls/stages/agreement.hpp:976
+  // hls/stages/agreement.hpp:1044
   logic [1:0] sum_1580;
   assign sum_1580 = {1'b0, and_1577_s19_q} + ({1'b0, near_s19_q} + {1'b0, and_1578_s19_q});
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [10:0] select_1630;
   assign select_1630 = sample_pair_whole_s19_q ? (and_366_s19_q ? total : averager_total_0_q) : averager_total_0_q;
   logic [10:0] select_1632;
@@ -4125,22 +4125,22 @@ module horopter_agreement (
   assign select_1653 = sample_pair_whole_s19_q ? (and_366_s19_q ? select_381 : averager_mask_q) : averager_mask_q;
   logic select_1655;
   assign select_1655 = sample_pair_whole_s19_q ? (and_366_s19_q ? select_385 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1979;
   assign and_1979 = so_s19_q & (ends_cell_s19_q & (inside_v_s19_q[0] & inside_v_s19_q[1]));
-  // hls/stages/agreement.hpp:991
+  // hls/stages/agreement.hpp:1059
   logic not_1999;
   assign not_1999 = ~(x_s19_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:974
+  // hls/stages/agreement.hpp:1042
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, and_2000_s19_q} + ({2'h0, and_2001_s19_q} + {1'b0, sum_2005_s19_q});
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2040;
   assign and_2040 = ends_cell_s19_q & (inside_v_s19_q[0] & (inside_v_s19_q[2:1] == 2'h3));
-  // hls/stages/agreement.hpp:996
+  // hls/stages/agreement.hpp:1064
   logic and_2046;
   assign and_2046 = not_1999 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
-  // hls/stages/agreement.hpp:209
+  // hls/stages/agreement.hpp:238
   logic [4:0] select_2083;
   assign select_2083 = so_s19_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_s19_q} : registration_displacement_fraction_q;
   // hls/stages/registration.hpp:83
@@ -4149,7 +4149,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:213
   logic [7:0] select_2104;
   assign select_2104 = less_2101_s19_q ? 8'h7f : (less_2102_s19_q ? 8'h80 : sum_2100_s19_q);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [7:0] select_2106;
   assign select_2106 = so_s19_q ? (equal_2084 ? registration_slope_here_q : select_2104) : registration_slope_here_q;
   // hls/stages/registration.hpp:206
@@ -4173,7 +4173,7 @@ module horopter_agreement (
   assign select_2130 = inside_v_s19_q[8] ? registration_slope_here_q : 8'h0;
   logic [8:0] difference_2131;
   assign difference_2131 = {{2{select_2129[7]}}, select_2129[7:1]} - {select_2130[7], select_2130};
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [2:0] select_2307;
   assign select_2307 = less_2304_s19_q ? (sum_2305_s19_q ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_2309;
@@ -4181,20 +4181,20 @@ module horopter_agreement (
   // hls/stages/division.hpp:18
   logic next;
   assign next = ~sum_2305_s19_q;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic select_2340;
   assign select_2340 = equal_1859_s19_q ? (equal_429_s19_q | (less_2304_s19_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:1086
+  // hls/stages/agreement.hpp:1154
   logic equal_2358;
   assign equal_2358 = x_s19_q[6:3] == 4'h7;
   logic equal_2382;
   assign equal_2382 = x_s19_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1079
   logic [7:0] select_2395;
   assign select_2395 = (x_s19_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_2397;
   assign select_2397 = equal_2382 ? cfg_unproven_skin_limit_i : (equal_2358 ? cfg_unproven_limit_i : select_2395);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2499;
   assign select_2499 = so_s19_q ? (ends_cell_s19_q ? and_1526_s19_q : centres_values_0_textured_q) : centres_values_0_textured_q;
   logic select_2503;
@@ -4208,7 +4208,7 @@ module horopter_agreement (
   logic select_2510;
   assign select_2510 = equal_1337_s19_q ? centres_values_1_of_skin_q : (so_s19_q ? select_2508 : centres_values_1_of_skin_q);
 
-  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1250; read in stage 19, written in stage 22: 19 < 22 < 19 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1322; read in stage 19, written in stage 22: 19 < 22 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] regions_mem [0:63];
@@ -4572,7 +4572,7 @@ module horopter_agreement (
   logic [2:0] box_nearer_columns_values_2_q;
   logic [2:0] box_nearer_columns_values_3_q;
   logic [2:0] box_nearer_columns_values_4_q;
-  // hls/stages/census.hpp:222
+  // hls/stages/census.hpp:294
   logic less_402;
   assign less_402 = census_memory_rdata_s20_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_403;
@@ -4597,7 +4597,7 @@ module horopter_agreement (
   assign less_412 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_413;
   assign less_413 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:223
+  // hls/stages/census.hpp:295
   logic less_414;
   assign less_414 = census_memory_rdata_s20_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_415;
@@ -4622,23 +4622,23 @@ module horopter_agreement (
   assign less_424 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_425;
   assign less_425 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:363
+  // hls/stages/agreement.hpp:431
   logic equal_426;
   assign equal_426 = column_s20_q == 7'h0;
   logic [3:0] select_430;
   assign select_430 = equal_429_s20_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:364
+  // hls/stages/agreement.hpp:432
   logic [4:0] select_431;
   assign select_431 = equal_426 ? {select_430, 1'b1} : rows_passed_above_q;
-  // hls/stages/census.hpp:204
+  // hls/stages/census.hpp:276
   logic [3:0] select_432;
   assign select_432 = equal_426 ? 4'h0 : census_filled_q;
-  // hls/stages/census.hpp:214
+  // hls/stages/census.hpp:286
   logic and_435;
   assign and_435 = census_memory_rdata_s20_q[38] & (census_memory_rdata_s20_q[18] & whole_2_s20_q);
   logic and_437;
   assign and_437 = census_memory_rdata_s20_q[77] & (census_memory_rdata_s20_q[58] & and_435);
-  // hls/stages/census.hpp:198
+  // hls/stages/census.hpp:270
   logic [9:0] difference_460;
   assign difference_460 = {1'b0, select_374_s20_q} - {1'b0, census_columns_values_0_cell_0_left_q};
   logic [9:0] difference_463;
@@ -4652,22 +4652,22 @@ module horopter_agreement (
   // hls/stages/registration.hpp:146
   logic all;
   assign all = x_s20_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:973
+  // hls/stages/agreement.hpp:1041
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, and_1524_s20_q} + ({2'h0, and_1525_s20_q} + {1'b0, sum_1529_s20_q});
-  // hls/stages/agreement.hpp:975
+  // hls/stages/agreement.hpp:1043
   logic [2:0] shown_2;
   assign shown_2 = {2'h0, and_1559_s20_q} + sum_1565_s20_q;
-  // hls/stages/agreement.hpp:982
+  // hls/stages/agreement.hpp:1050
   logic [2:0] select_1567;
   assign select_1567 = age_s20_q ? box_shown_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:976
+  // hls/stages/agreement.hpp:1044
   logic [2:0] near_2;
   assign near_2 = {2'h0, and_1575_s20_q} + sum_1581_s20_q;
-  // hls/stages/agreement.hpp:983
+  // hls/stages/agreement.hpp:1051
   logic [2:0] select_1583;
   assign select_1583 = age_s20_q ? box_nearer_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [8:0] select_1622;
   assign select_1622 = sample_pair_whole_s20_q ? (and_366_s20_q ? grey_s20_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_1624;
@@ -4676,12 +4676,12 @@ module horopter_agreement (
   assign select_1626 = sample_pair_whole_s20_q ? (and_366_s20_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
   logic [8:0] select_1628;
   assign select_1628 = sample_pair_whole_s20_q ? (and_366_s20_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
-  // hls/stages/census.hpp:136
+  // hls/stages/census.hpp:208
   logic [9:0] sum_1633;
   assign sum_1633 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s20_q};
   logic [9:0] sum_1641;
   assign sum_1641 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s20_q};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [8:0] select_1656;
   assign select_1656 = and_368_s20_q ? select_374_s20_q : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_1657;
@@ -4762,7 +4762,7 @@ module horopter_agreement (
   assign select_1708 = and_368_s20_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
   logic [8:0] select_1709;
   assign select_1709 = and_368_s20_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  // hls/stages/census.hpp:200
+  // hls/stages/census.hpp:272
   logic [9:0] difference_1713;
   assign difference_1713 = {1'b0, select_378_s20_q} - {1'b0, census_columns_values_0_cell_0_right_q};
   logic [9:0] difference_1716;
@@ -4773,21 +4773,21 @@ module horopter_agreement (
   assign difference_1724 = {1'b0, census_memory_rdata_s20_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
   logic [9:0] difference_1728;
   assign difference_1728 = {1'b0, census_memory_rdata_s20_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  // hls/stages/census.hpp:281
+  // hls/stages/census.hpp:353
   logic [9:0] difference_1758;
   assign difference_1758 = {1'b0, select_374_s20_q} - {1'b0, sharpness_last_mean_0_q};
   logic [9:0] difference_1769;
   assign difference_1769 = {1'b0, select_378_s20_q} - {1'b0, sharpness_last_mean_1_q};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic and_1976;
   assign and_1976 = and_368_s20_q & (equal_429_s20_q & equal_1859_s20_q);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1985;
   assign and_1985 = not_1338_s20_q & (so_s20_q & (ends_cell_s20_q & textured_s20_q));
-  // hls/stages/agreement.hpp:981
+  // hls/stages/agreement.hpp:1049
   logic [2:0] select_2008;
   assign select_2008 = age_s20_q ? box_explained_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_2044;
   assign select_2044 = and_1976 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2042_s20_q});
   logic [13:0] select_2051;
@@ -4805,28 +4805,28 @@ module horopter_agreement (
   assign sum_2128 = {{3{sum_2124_s20_q[7]}}, sum_2124_s20_q} + {sum_2127_s20_q[8], sum_2127_s20_q, select_2125_s20_q};
   logic [9:0] sum_2132;
   assign sum_2132 = {difference_2131_s20_q, select_2129_s20_q} + {sum_2128[10], sum_2128[10:2]};
-  // hls/stages/agreement.hpp:1092
+  // hls/stages/agreement.hpp:1160
   logic equal_2359;
   assign equal_2359 = x_s20_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1086
+  // hls/stages/agreement.hpp:1154
   logic equal_2379;
   assign equal_2379 = x_s20_q[6:3] == 4'ha;
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1079
   logic [7:0] limit;
   assign limit = equal_2379 ? cfg_regions_limit_i : (equal_2381_s20_q ? cfg_hidden_limit_i : select_2397_s20_q);
-  // hls/stages/agreement.hpp:1099
+  // hls/stages/agreement.hpp:1167
   logic not_2400;
   assign not_2400 = ~x_s20_q[2];
   logic [3:0] select_2401;
   assign select_2401 = x_s20_q[1] ? {x_s20_q[2], 1'b0, not_2400, 1'b0} : {1'b0, x_s20_q[2], 1'b0, not_2400};
   logic [7:0] select_2402;
   assign select_2402 = x_s20_q[0] ? {select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0], 1'b0} : {1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0]};
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1079
   logic [13:0] select_2406;
   assign select_2406 = equal_2381_s20_q ? counts_skin_supervised_q : (equal_2382_s20_q ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] of;
   assign of = equal_2379 ? counts_textured_q : select_2406;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [2:0] select_2444;
   assign select_2444 = ends_cell_s20_q ? explained_2_s20_q : box_explained_columns_values_0_q;
   logic [2:0] select_2446;
@@ -5357,7 +5357,7 @@ module horopter_agreement (
   logic [13:0] rows_passed_q;
   logic [8:0] columns_passed_q;
   logic line_ended_q;
-  // hls/stages/agreement.hpp:364
+  // hls/stages/agreement.hpp:432
   logic whole_3;
   assign whole_3 = census_columns_values_0_cell_0_mask_q & and_437_s21_q;
   logic whole_4;
@@ -5372,39 +5372,39 @@ module horopter_agreement (
   assign whole_8 = census_columns_values_1_cell_0_mask_q & whole_7;
   logic whole_9;
   assign whole_9 = census_columns_values_1_cell_1_mask_q & whole_8;
-  // hls/stages/census.hpp:198
+  // hls/stages/census.hpp:270
   logic [9:0] sum_462;
   assign sum_462 = {9'h0, difference_460_s21_q} + {1'b0, xor_461_s21_q};
   logic [9:0] sum_465;
   assign sum_465 = {9'h0, difference_463_s21_q} + {1'b0, xor_464_s21_q};
-  // hls/stages/agreement.hpp:1054
+  // hls/stages/agreement.hpp:1122
   logic [1:0] quarter;
   assign quarter = x_s21_q[1:0] + 2'h1;
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1083
   logic [1:0] select_1385;
   assign select_1385 = x_s21_q[4] ? {x_s21_q[3], x_s21_q[0]} : {x_s21_q[0], x_s21_q[3]};
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [3:0] select_1387;
   assign select_1387 = equal_1382_s21_q ? {2'h0, quarter} : (all_s21_q ? {1'b0, x_s21_q[2:0]} : {x_s21_q[2:1], select_1385});
   // hls/stages/registration.hpp:106
   logic [1:0] sum_1388;
   assign sum_1388 = slot_s21_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [3:0] select_1389;
   assign select_1389 = equal_1337_s21_q ? select_1387 : {sum_1388, lower_half_s21_q, registration_of_right_q};
-  // hls/stages/agreement.hpp:1052
+  // hls/stages/agreement.hpp:1120
   logic equal_1390;
   assign equal_1390 = x_s21_q[5:0] == 6'h3e;
   logic equal_1392;
   assign equal_1392 = x_s21_q[5:0] == 6'h3d;
   logic equal_1394;
   assign equal_1394 = x_s21_q[5:0] == 6'h3c;
-  // hls/stages/agreement.hpp:1054
+  // hls/stages/agreement.hpp:1122
   logic and_1405;
   assign and_1405 = (~equal_1398_s21_q) & ((~equal_1400_s21_q) & (~equal_1402_s21_q));
   logic and_1408;
   assign and_1408 = (~equal_1392) & ((~equal_1394) & ((~equal_1396_s21_q) & and_1405));
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1083
   logic less_1410;
   assign less_1410 = x_s21_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:147
@@ -5413,7 +5413,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:159
   logic or_1414;
   assign or_1414 = (kind == 2'h3) | (x_s21_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic select_1417;
   assign select_1417 = equal_1382_s21_q ? ((~equal_1390) & and_1408) : (less_1410 & (~or_1414));
   // hls/stages/registration.hpp:94
@@ -5427,55 +5427,55 @@ module horopter_agreement (
   assign not_1431 = ~lower_half_s21_q;
   logic [3:0] select_1432;
   assign select_1432 = registration_of_right_q ? {lower_half_s21_q, 1'b0, not_1431, 1'b0} : {1'b0, lower_half_s21_q, 1'b0, not_1431};
-  // hls/stages/agreement.hpp:813
+  // hls/stages/agreement.hpp:881
   logic [6:0] select_1468;
   assign select_1468 = segment_started_s21_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:882
   logic [6:0] sum_1469;
   assign sum_1469 = {6'h0, textured_s21_q} + select_1468;
-  // hls/stages/agreement.hpp:947
+  // hls/stages/agreement.hpp:1015
   logic [9:0] sum_1471;
   assign sum_1471 = {3'h0, sum_1469} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[9:0]);
-  // hls/stages/agreement.hpp:813
+  // hls/stages/agreement.hpp:881
   logic [6:0] select_1473;
   assign select_1473 = segment_started_s21_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:882
   logic [6:0] sum_1474;
   assign sum_1474 = {6'h0, explained_s21_q} + select_1473;
-  // hls/stages/agreement.hpp:948
+  // hls/stages/agreement.hpp:1016
   logic [9:0] sum_1476;
   assign sum_1476 = {3'h0, sum_1474} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[19:10]);
-  // hls/stages/agreement.hpp:813
+  // hls/stages/agreement.hpp:881
   logic [6:0] select_1479;
   assign select_1479 = segment_started_s21_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:815
+  // hls/stages/agreement.hpp:883
   logic [6:0] sum_1480;
   assign sum_1480 = {6'h0, and_1478_s21_q} + select_1479;
-  // hls/stages/agreement.hpp:949
+  // hls/stages/agreement.hpp:1017
   logic [9:0] sum_1482;
   assign sum_1482 = {3'h0, sum_1480} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[29:20]);
-  // hls/stages/agreement.hpp:1139
+  // hls/stages/agreement.hpp:1207
   logic or_1492;
   assign or_1492 = marks_first_s21_q | line_ended_q;
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1209
   logic [13:0] select_1494;
   assign select_1494 = marks_first_s21_q ? 14'h1 : (or_1492 ? {rows_passed_q[12:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1140
+  // hls/stages/agreement.hpp:1208
   logic [8:0] select_1496;
   assign select_1496 = or_1492 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1148
+  // hls/stages/agreement.hpp:1216
   logic select_1498;
   assign select_1498 = cfg_compete_i ? (or_1492 & select_1494[13]) : (select_1496[8] & select_1494[9]);
-  // hls/stages/agreement.hpp:980
+  // hls/stages/agreement.hpp:1048
   logic [2:0] select_1532;
   assign select_1532 = age_s21_q ? box_textured_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:982
+  // hls/stages/agreement.hpp:1050
   logic [4:0] around;
   assign around = {difference_1568_s21_q[3], difference_1568_s21_q} + (equal_1534_s21_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:983
+  // hls/stages/agreement.hpp:1051
   logic [4:0] n;
   assign n = {difference_1584_s21_q[3], difference_1584_s21_q} + (equal_1534_s21_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/census.hpp:137
+  // hls/stages/census.hpp:209
   logic [9:0] xor_1635;
   assign xor_1635 = {difference_1634_s21_q[8:0], sum_1633_s21_q} ^ {10{difference_1634_s21_q[9]}};
   logic [10:0] size;
@@ -5484,7 +5484,7 @@ module horopter_agreement (
   assign xor_1643 = {difference_1642_s21_q[8:0], sum_1641_s21_q} ^ {10{difference_1642_s21_q[9]}};
   logic [10:0] size_2;
   assign size_2 = {10'h0, difference_1642_s21_q[9]} + {1'b0, xor_1643};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic select_1658;
   assign select_1658 = and_368_s21_q ? whole_2_s21_q : census_columns_values_0_cell_0_mask_q;
   logic select_1674;
@@ -5501,29 +5501,29 @@ module horopter_agreement (
   assign select_1690 = and_368_s21_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
   logic select_1693;
   assign select_1693 = and_368_s21_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  // hls/stages/census.hpp:200
+  // hls/stages/census.hpp:272
   logic [9:0] sum_1715;
   assign sum_1715 = {9'h0, difference_1713_s21_q} + {1'b0, xor_1714_s21_q};
   logic [9:0] sum_1718;
   assign sum_1718 = {9'h0, difference_1716_s21_q} + {1'b0, xor_1717_s21_q};
-  // hls/stages/census.hpp:281
+  // hls/stages/census.hpp:353
   logic [8:0] contrast;
   assign contrast = {8'h0, difference_1758_s21_q} + xor_1759_s21_q;
   logic [8:0] contrast_2;
   assign contrast_2 = {8'h0, difference_1769_s21_q} + xor_1770_s21_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1990;
   assign and_1990 = not_1338_s21_q & (so_s21_q & (ends_cell_s21_q & explained_s21_q));
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_1992;
   assign select_1992 = and_1976_s21_q ? 14'h0 : (counts_explained_q + {13'h0, and_1990});
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1995;
   assign and_1995 = not_1338_s21_q & (so_s21_q & (ends_cell_s21_q & and_1478_s21_q));
-  // hls/stages/agreement.hpp:981
+  // hls/stages/agreement.hpp:1049
   logic [4:0] e;
   assign e = {difference_2009_s21_q[3], difference_2009_s21_q} + (equal_1534_s21_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1017
+  // hls/stages/agreement.hpp:1085
   logic less_2024;
   assign less_2024 = region_row_s21_q < x_s21_q[5:3];
   // hls/stages/registration.hpp:107
@@ -5532,22 +5532,22 @@ module horopter_agreement (
   // hls/stages/registration.hpp:101
   logic [11:0] value_2;
   assign value_2 = {{4{select_2121_s21_q[7]}}, select_2121_s21_q} - {sum_2132_s21_q[9], sum_2132_s21_q, sum_2128_s21_q};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2179;
   assign select_2179 = so_s21_q ? (equal_2108 ? right_2_s21_q : registration_of_right_q) : registration_of_right_q;
   logic select_2182;
   assign select_2182 = so_s21_q ? (equal_2084_s21_q ? inside_v_s21_q : registration_was_inside_q) : registration_was_inside_q;
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1083
   logic [1:0] quarter_2;
   assign quarter_2 = all_s21_q ? x_s21_q[1:0] : select_1385;
-  // hls/stages/agreement.hpp:1099
+  // hls/stages/agreement.hpp:1167
   logic [13:0] select_2393;
   assign select_2393 = equal_2359_s21_q ? 14'h0 : product_q;
   logic [13:0] select_2408;
   assign select_2408 = equal_2404_s21_q ? 14'h0 : of_s21_q;
   logic [14:0] sum_3;
   assign sum_3 = {1'b0, select_2393} + {1'b0, select_2408};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [2:0] select_2426;
   assign select_2426 = ends_cell_s21_q ? textured_2_s21_q : box_textured_columns_values_0_q;
   logic [2:0] select_2428;
@@ -5932,7 +5932,7 @@ module horopter_agreement (
   logic at_cell_end_q;
   logic was_next_row_q;
   logic [12:0] seen_base_q;
-  // hls/stages/agreement.hpp:364
+  // hls/stages/agreement.hpp:432
   logic whole_10;
   assign whole_10 = census_columns_values_1_cell_2_mask_s22_q & whole_9_s22_q;
   logic whole_11;
@@ -5947,28 +5947,28 @@ module horopter_agreement (
   assign whole_15 = census_columns_values_2_cell_2_mask_q & whole_14;
   logic whole_16;
   assign whole_16 = census_columns_values_2_cell_3_mask_q & whole_15;
-  // hls/stages/census.hpp:198
+  // hls/stages/census.hpp:270
   logic [10:0] sum_470;
   assign sum_470 = sum_466_s22_q + {1'b0, sum_469_s22_q};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1428;
   assign and_1428 = so_s22_q & and_1427_s22_q;
-  // hls/stages/agreement.hpp:343
+  // hls/stages/agreement.hpp:411
   logic next_row;
   assign next_row = select_1498_s22_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1155
+  // hls/stages/agreement.hpp:1223
   logic [6:0] select_1501;
   assign select_1501 = next_row ? cfg_width_i[10:4] : 7'h0;
-  // hls/stages/agreement.hpp:1165
+  // hls/stages/agreement.hpp:1233
   logic equal_1504;
   assign equal_1504 = seen_x_q == 4'hf;
-  // hls/stages/agreement.hpp:1138
+  // hls/stages/agreement.hpp:1206
   logic not_1511;
   assign not_1511 = ~marks_first_s22_q;
-  // hls/stages/agreement.hpp:980
+  // hls/stages/agreement.hpp:1048
   logic [4:0] t;
   assign t = {difference_1533_s22_q[3], difference_1533_s22_q} + (equal_1534_s22_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:987
+  // hls/stages/agreement.hpp:1055
   logic not_1549;
   assign not_1549 = ~region_row_s22_q[2];
   logic [2:0] select_1550;
@@ -5979,22 +5979,22 @@ module horopter_agreement (
   assign select_1552 = or_1548_s22_q ? {select_1551[5], 1'b0, select_1551[4], 1'b0, select_1551[3], 1'b0, select_1551[2], 1'b0, select_1551[1], 1'b0, select_1551[0], 1'b0} : {1'b0, select_1551[5], 1'b0, select_1551[4], 1'b0, select_1551[3], 1'b0, select_1551[2], 1'b0, select_1551[1], 1'b0, select_1551[0]};
   logic [23:0] select_1553;
   assign select_1553 = or_1545_s22_q ? {select_1552[11], 1'b0, select_1552[10], 1'b0, select_1552[9], 1'b0, select_1552[8], 1'b0, select_1552[7], 1'b0, select_1552[6], 1'b0, select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0], 1'b0} : {1'b0, select_1552[11], 1'b0, select_1552[10], 1'b0, select_1552[9], 1'b0, select_1552[8], 1'b0, select_1552[7], 1'b0, select_1552[6], 1'b0, select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0]};
-  // hls/stages/agreement.hpp:989
+  // hls/stages/agreement.hpp:1057
   logic [5:0] sum_1571;
   assign sum_1571 = {1'b0, around_s22_q} + {2'h0, around_s22_q[4:1]};
-  // hls/stages/census.hpp:138
+  // hls/stages/census.hpp:210
   logic [13:0] detail;
   assign detail = {3'h0, size_s22_q} + (equal_371_s22_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [13:0] select_1640;
   assign select_1640 = sample_pair_whole_s22_q ? (and_366_s22_q ? detail : averager_detail_0_q) : averager_detail_0_q;
-  // hls/stages/census.hpp:138
+  // hls/stages/census.hpp:210
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_2_s22_q} + (equal_371_s22_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [13:0] select_1648;
   assign select_1648 = sample_pair_whole_s22_q ? (and_366_s22_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic select_1696;
   assign select_1696 = and_368_s22_q ? census_columns_values_1_cell_2_mask_s22_q : census_columns_values_2_cell_2_mask_q;
   logic select_1699;
@@ -6009,18 +6009,18 @@ module horopter_agreement (
   assign select_1707 = and_368_s22_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
   logic select_1710;
   assign select_1710 = and_368_s22_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  // hls/stages/census.hpp:200
+  // hls/stages/census.hpp:272
   logic [10:0] sum_1723;
   assign sum_1723 = sum_1719_s22_q + {1'b0, sum_1722_s22_q};
-  // hls/stages/census.hpp:283
+  // hls/stages/census.hpp:355
   logic and_1757;
   assign and_1757 = whole_2_s22_q & (~(column_s22_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:365
+  // hls/stages/agreement.hpp:433
   logic and_1763;
   assign and_1763 = and_1757 & (sharpness_last_mask_q & (7'h2 < contrast_s22_q[8:2]));
   logic and_1774;
   assign and_1774 = and_1757 & (sharpness_last_mask_q & (7'h2 < contrast_2_s22_q[8:2]));
-  // hls/stages/census.hpp:336
+  // hls/stages/census.hpp:408
   logic not_1791;
   assign not_1791 = ~x_s22_q[1];
   logic [2:0] select_1792;
@@ -6029,10 +6029,10 @@ module horopter_agreement (
   assign select_1793 = slot_s22_q[2] ? {select_1792[2], 1'b0, select_1792[1], 1'b0, select_1792[0], 1'b0} : {1'b0, select_1792[2], 1'b0, select_1792[1], 1'b0, select_1792[0]};
   logic [11:0] select_1794;
   assign select_1794 = slot_s22_q[1] ? {select_1793[5], 1'b0, select_1793[4], 1'b0, select_1793[3], 1'b0, select_1793[2], 1'b0, select_1793[1], 1'b0, select_1793[0], 1'b0} : {1'b0, select_1793[5], 1'b0, select_1793[4], 1'b0, select_1793[3], 1'b0, select_1793[2], 1'b0, select_1793[1], 1'b0, select_1793[0]};
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_1982;
   assign select_1982 = and_1976_s22_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1980_s22_q});
-  // hls/stages/agreement.hpp:988
+  // hls/stages/agreement.hpp:1056
   logic [5:0] sum_2012;
   assign sum_2012 = {1'b0, e_s22_q} + {2'h0, e_s22_q[4:1]};
   // hls/stages/registration.hpp:213
@@ -6041,7 +6041,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:264
   logic [3:0] select_2187;
   assign select_2187 = equal_2184_s22_q ? (registration_fresh_q & not_2185_s22_q) : registration_fresh_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [3:0] select_2189;
   assign select_2189 = so_s22_q ? (and_1427_s22_q ? select_2187 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:237
@@ -6052,29 +6052,29 @@ module horopter_agreement (
   assign not_2212 = ~quarter_2_s22_q[1];
   logic [3:0] select_2213;
   assign select_2213 = quarter_2_s22_q[0] ? {quarter_2_s22_q[1], 1'b0, not_2212, 1'b0} : {1'b0, quarter_2_s22_q[1], 1'b0, not_2212};
-  // hls/stages/agreement.hpp:1064
+  // hls/stages/agreement.hpp:1132
   logic or_2356;
   assign or_2356 = ({counts_textured_s22_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s22_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1095
+  // hls/stages/agreement.hpp:1163
   logic too_little;
   assign too_little = less_2361_s22_q | (product_rest_q & equal_2362_s22_q);
-  // hls/stages/agreement.hpp:1096
+  // hls/stages/agreement.hpp:1164
   logic select_2365;
   assign select_2365 = and_2360_s22_q ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1020
+  // hls/stages/agreement.hpp:1088
   logic [10:0] sum_2368;
   assign sum_2368 = {1'b0, select_2028_s22_q} + {2'h0, select_2028_s22_q[9:1]};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2413;
   assign select_2413 = equal_1337_s22_q ? (equal_2359_s22_q ? sum_3_s22_q : (product_rest_q | sum_3_s22_q)) : product_rest_q;
   logic [4:0] select_2442;
   assign select_2442 = so_s22_q ? (ends_cell_s22_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   logic [4:0] select_2443;
   assign select_2443 = equal_1337_s22_q ? box_textured_sum_sums_values_0_q : select_2442;
-  // hls/stages/agreement.hpp:1164
+  // hls/stages/agreement.hpp:1232
   logic [3:0] select_2528;
   assign select_2528 = select_1498_s22_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:343
+  // hls/stages/agreement.hpp:411
   logic [7:0] select_2534;
   assign select_2534 = marks_first_s22_q ? (less_2530 ? {sum_2531, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/registration.hpp:253
@@ -6453,7 +6453,7 @@ module horopter_agreement (
   logic done_q;
   logic drew_q;
   logic said_q;
-  // hls/stages/agreement.hpp:364
+  // hls/stages/agreement.hpp:432
   logic whole_17;
   assign whole_17 = census_columns_values_2_cell_4_mask_s23_q & whole_16_s23_q;
   logic whole_18;
@@ -6466,34 +6466,34 @@ module horopter_agreement (
   assign whole_21 = census_columns_values_3_cell_3_mask_s23_q & whole_20;
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
-  // hls/stages/census.hpp:198
+  // hls/stages/census.hpp:270
   logic [11:0] texture;
   assign texture = sum_474_s23_q + {2'h0, sum_477_s23_q};
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1240
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:1139
+  // hls/stages/agreement.hpp:1207
   logic select_1509;
   assign select_1509 = marks_first_s23_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1125
+  // hls/stages/agreement.hpp:1193
   logic [10:0] sum_1510;
   assign sum_1510 = {1'b0, {5{select_1509}}, 1'b0, {2{select_1509}}, 1'b0, select_1509} + {1'b0, index[12:3]};
-  // hls/stages/agreement.hpp:997
+  // hls/stages/agreement.hpp:1065
   logic [12:0] index_2;
   assign index_2 = {{3{sum_1521_s23_q[7]}}, sum_1521_s23_q, x_s23_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1125
+  // hls/stages/agreement.hpp:1193
   logic [10:0] sum_1523;
   assign sum_1523 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
-  // hls/stages/agreement.hpp:987
+  // hls/stages/agreement.hpp:1055
   logic [47:0] select_1554;
   assign select_1554 = or_1542_s23_q ? {select_1553_s23_q[23], 1'b0, select_1553_s23_q[22], 1'b0, select_1553_s23_q[21], 1'b0, select_1553_s23_q[20], 1'b0, select_1553_s23_q[19], 1'b0, select_1553_s23_q[18], 1'b0, select_1553_s23_q[17], 1'b0, select_1553_s23_q[16], 1'b0, select_1553_s23_q[15], 1'b0, select_1553_s23_q[14], 1'b0, select_1553_s23_q[13], 1'b0, select_1553_s23_q[12], 1'b0, select_1553_s23_q[11], 1'b0, select_1553_s23_q[10], 1'b0, select_1553_s23_q[9], 1'b0, select_1553_s23_q[8], 1'b0, select_1553_s23_q[7], 1'b0, select_1553_s23_q[6], 1'b0, select_1553_s23_q[5], 1'b0, select_1553_s23_q[4], 1'b0, select_1553_s23_q[3], 1'b0, select_1553_s23_q[2], 1'b0, select_1553_s23_q[1], 1'b0, select_1553_s23_q[0], 1'b0} : {1'b0, select_1553_s23_q[23], 1'b0, select_1553_s23_q[22], 1'b0, select_1553_s23_q[21], 1'b0, select_1553_s23_q[20], 1'b0, select_1553_s23_q[19], 1'b0, select_1553_s23_q[18], 1'b0, select_1553_s23_q[17], 1'b0, select_1553_s23_q[16], 1'b0, select_1553_s23_q[15], 1'b0, select_1553_s23_q[14], 1'b0, select_1553_s23_q[13], 1'b0, select_1553_s23_q[12], 1'b0, select_1553_s23_q[11], 1'b0, select_1553_s23_q[10], 1'b0, select_1553_s23_q[9], 1'b0, select_1553_s23_q[8], 1'b0, select_1553_s23_q[7], 1'b0, select_1553_s23_q[6], 1'b0, select_1553_s23_q[5], 1'b0, select_1553_s23_q[4], 1'b0, select_1553_s23_q[3], 1'b0, select_1553_s23_q[2], 1'b0, select_1553_s23_q[1], 1'b0, select_1553_s23_q[0]};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic select_1711;
   assign select_1711 = and_368_s23_q ? census_columns_values_2_cell_4_mask_s23_q : census_columns_values_3_cell_4_mask_q;
-  // hls/stages/census.hpp:200
+  // hls/stages/census.hpp:272
   logic [11:0] sum_1731;
   assign sum_1731 = sum_1727_s23_q + {2'h0, sum_1730_s23_q};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [11:0] select_1733;
   assign select_1733 = and_368_s23_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_1734;
@@ -6502,27 +6502,27 @@ module horopter_agreement (
   assign select_1753 = and_368_s23_q ? select_1752_s23_q[13:0] : sharpness_last_detail_0_q;
   logic [13:0] select_1754;
   assign select_1754 = and_368_s23_q ? select_1752_s23_q[27:14] : sharpness_last_detail_1_q;
-  // hls/stages/census.hpp:282
+  // hls/stages/census.hpp:354
   logic [14:0] detail_3;
   assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_1752_s23_q[13:0]};
   logic [14:0] detail_4;
   assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_1752_s23_q[27:14]};
-  // hls/stages/census.hpp:285
+  // hls/stages/census.hpp:357
   logic [23:0] sum_1782;
   assign sum_1782 = (equal_1738_s23_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1781_s23_q};
   logic [23:0] sum_1786;
   assign sum_1786 = (equal_1738_s23_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1785_s23_q};
-  // hls/stages/census.hpp:336
+  // hls/stages/census.hpp:408
   logic less_1790;
   assign less_1790 = x_s23_q[4:0] < 5'h3;
   logic [23:0] select_1795;
   assign select_1795 = slot_s23_q ? {select_1794_s23_q[11], 1'b0, select_1794_s23_q[10], 1'b0, select_1794_s23_q[9], 1'b0, select_1794_s23_q[8], 1'b0, select_1794_s23_q[7], 1'b0, select_1794_s23_q[6], 1'b0, select_1794_s23_q[5], 1'b0, select_1794_s23_q[4], 1'b0, select_1794_s23_q[3], 1'b0, select_1794_s23_q[2], 1'b0, select_1794_s23_q[1], 1'b0, select_1794_s23_q[0], 1'b0} : {1'b0, select_1794_s23_q[11], 1'b0, select_1794_s23_q[10], 1'b0, select_1794_s23_q[9], 1'b0, select_1794_s23_q[8], 1'b0, select_1794_s23_q[7], 1'b0, select_1794_s23_q[6], 1'b0, select_1794_s23_q[5], 1'b0, select_1794_s23_q[4], 1'b0, select_1794_s23_q[3], 1'b0, select_1794_s23_q[2], 1'b0, select_1794_s23_q[1], 1'b0, select_1794_s23_q[0]};
-  // hls/stages/census.hpp:299
+  // hls/stages/census.hpp:371
   logic and_1799;
   assign and_1799 = less_1790 & (~((sharpness_sums_contrast_1_q & select_1795) == 24'h0));
   logic and_1809;
   assign and_1809 = less_1790 & (~((sharpness_sums_contrast_0_q & select_1795) == 24'h0));
-  // hls/stages/agreement.hpp:1018
+  // hls/stages/agreement.hpp:1086
   logic [10:0] sum_2029;
   assign sum_2029 = {1'b0, select_2028_s23_q} + {3'h0, select_2028_s23_q[9:2]};
   // hls/stages/registration.hpp:200
@@ -6530,18 +6530,18 @@ module horopter_agreement (
   assign difference_2156 = 13'h0 - {residual_s23_q[11], residual_s23_q};
   logic less_2171;
   assign less_2171 = $signed(difference_2156) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:1020
+  // hls/stages/agreement.hpp:1088
   logic select_2371;
   assign select_2371 = equal_2353_s23_q ? ((~or_2356_s23_q) & (~select_2365_s23_q)) : not_2370_s23_q;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [47:0] select_2373;
   assign select_2373 = x_s23_q[6] ? (equal_1382_s23_q ? good_q : {select_2371, good_q[47:1]}) : good_q;
   logic equal_2376;
   assign equal_2376 = x_s23_q == 7'h7f;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [12:0] select_2514;
   assign select_2514 = equal_1859_s23_q ? (equal_2511_s23_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [6:0] select_2517;
   assign select_2517 = and_368_s23_q ? (equal_1859_s23_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
 
@@ -6837,74 +6837,74 @@ module horopter_agreement (
   logic sharpness_comparing_less_contrast_1_q;
   logic [13:0] counts_nearer_q;
   logic good_known_q;
-  // hls/stages/census.hpp:209
+  // hls/stages/census.hpp:281
   logic [13:0] sum_480;
   assign sum_480 = {2'h0, census_changes_values_1_left_s24_q} + {1'b0, sum_479_s24_q};
   logic [13:0] sum_481;
   assign sum_481 = {2'h0, census_changes_values_2_left_q} + sum_480;
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_1558;
   assign and_1558 = good_known_q & not_1557_s24_q;
-  // hls/stages/agreement.hpp:989
+  // hls/stages/agreement.hpp:1057
   logic is_seen;
   assign is_seen = equal_1537_s24_q ? and_1558 : not_1573_s24_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [11:0] select_1735;
   assign select_1735 = and_368_s24_q ? census_changes_values_1_left_s24_q : census_changes_values_2_left_q;
   logic [11:0] select_1736;
   assign select_1736 = and_368_s24_q ? census_changes_values_1_right_s24_q : census_changes_values_2_right_q;
-  // hls/stages/census.hpp:210
+  // hls/stages/census.hpp:282
   logic [13:0] sum_1740;
   assign sum_1740 = {2'h0, census_changes_values_1_right_s24_q} + {1'b0, sum_1739_s24_q};
   logic [13:0] sum_1741;
   assign sum_1741 = {2'h0, census_changes_values_2_right_q} + sum_1740;
-  // hls/stages/census.hpp:285
+  // hls/stages/census.hpp:357
   logic [23:0] select_1767;
   assign select_1767 = equal_1738_s24_q ? {11'h0, select_1765_s24_q} : (sharpness_sums_detail_0_q + {11'h0, select_1765_s24_q});
   logic [23:0] select_1778;
   assign select_1778 = equal_1738_s24_q ? {11'h0, select_1776_s24_q} : (sharpness_sums_detail_1_q + {11'h0, select_1776_s24_q});
-  // hls/stages/census.hpp:304
+  // hls/stages/census.hpp:376
   logic [17:0] select_1801;
   assign select_1801 = (less_1789_s24_q & and_1799_s24_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [17:0] select_1811;
   assign select_1811 = (less_1789_s24_q & and_1809_s24_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic [1:0] select_1820;
   assign select_1820 = equal_1788_s24_q ? {sharpness_comparing_contrast_0_q[0], and_1809_s24_q} : sharpness_comparing_contrast_0_q;
   logic [1:0] select_1822;
   assign select_1822 = equal_1788_s24_q ? {sharpness_comparing_contrast_1_q[0], and_1799_s24_q} : sharpness_comparing_contrast_1_q;
-  // hls/stages/census.hpp:313
+  // hls/stages/census.hpp:385
   logic xor_1845;
   assign xor_1845 = sharpness_comparing_contrast_0_q[1] ^ and_1799_s24_q;
   logic select_1848;
   assign select_1848 = (equal_1832_s24_q | xor_1845) ? (and_1799_s24_q & xor_1845) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_1849;
   assign select_1849 = equal_1788_s24_q ? select_1848 : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:313
+  // hls/stages/census.hpp:385
   logic xor_1851;
   assign xor_1851 = sharpness_comparing_contrast_1_q[1] ^ and_1809_s24_q;
   logic select_1854;
   assign select_1854 = (equal_1832_s24_q | xor_1851) ? (and_1809_s24_q & xor_1851) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_1855;
   assign select_1855 = equal_1788_s24_q ? select_1854 : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_1997;
   assign select_1997 = and_1976_s24_q ? 14'h0 : (counts_nearer_q + {13'h0, and_1995_s24_q});
-  // hls/stages/agreement.hpp:992
+  // hls/stages/agreement.hpp:1060
   logic not_2016;
   assign not_2016 = ~(equal_1537_s24_q ? and_1558 : not_2014_s24_q);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2019;
   assign and_2019 = ends_cell_s24_q & (not_1999_s24_q & (centres_values_1_textured_s24_q & not_2016));
-  // hls/stages/agreement.hpp:1023
+  // hls/stages/agreement.hpp:1091
   logic [9:0] select_2032;
   assign select_2032 = ((~(select_2025_s24_q[9:4] == 6'h0)) & less_2030_s24_q) ? select_2025_s24_q : 10'h0;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [9:0] select_2035;
   assign select_2035 = equal_1337_s24_q ? (x_s24_q[6] ? (equal_1382_s24_q ? 10'h0 : select_2032) : 10'h0) : 10'h0;
-  // hls/stages/agreement.hpp:996
+  // hls/stages/agreement.hpp:1064
   logic and_2053;
   assign and_2053 = centres_values_1_textured_s24_q & (centres_values_1_of_skin_s24_q & not_2016);
   // hls/stages/registration.hpp:106
@@ -6915,54 +6915,54 @@ module horopter_agreement (
   // hls/stages/registration.hpp:200
   logic less_2164;
   assign less_2164 = $signed(residual_s24_q) < $signed({2'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:1017
+  // hls/stages/agreement.hpp:1085
   logic [11:0] select_2217;
   assign select_2217 = or_1414_s24_q ? 12'h0 : (equal_2215_s24_q ? registration_sums_rdata_s24_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [11:0] select_2219;
   assign select_2219 = equal_1382_s24_q ? 12'h0 : (less_1410_s24_q ? select_2217 : 12'h0);
   // hls/stages/registration.hpp:152
   logic and_2222;
   assign and_2222 = x_s24_q[1] & all_s24_q;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2225;
   assign and_2225 = not_1456_s24_q & (less_1410_s24_q & ({and_2222, x_s24_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:1017
+  // hls/stages/agreement.hpp:1085
   logic [11:0] select_2232;
   assign select_2232 = or_1414_s24_q ? 12'h0 : (equal_2215_s24_q ? registration_sums_rdata_s24_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [11:0] select_2234;
   assign select_2234 = equal_1382_s24_q ? 12'h0 : (less_1410_s24_q ? select_2232 : 12'h0);
   // hls/stages/registration.hpp:149
   logic not_2240;
   assign not_2240 = ~all_s24_q;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2243;
   assign and_2243 = not_1456_s24_q & (less_1410_s24_q & (x_s24_q[2:0] == {all_s24_q, not_2240, 1'b0}));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2249;
   assign and_2249 = equal_1337_s24_q & (x_s24_q[6] & (not_1456_s24_q & (less_1410_s24_q & all_s24_q)));
   // hls/stages/registration.hpp:156
   logic equal_2276;
   assign equal_2276 = x_s24_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2279;
   assign and_2279 = not_1456_s24_q & (less_1410_s24_q & (x_s24_q[5] ? x_s24_q[3] : equal_2276));
   logic and_2288;
   assign and_2288 = not_1456_s24_q & (less_1410_s24_q & ((~x_s24_q[5]) & (x_s24_q[3] & equal_2276)));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2378;
   assign select_2378 = equal_1337_s24_q ? ((x_s24_q[6] & good_known_q) | equal_2376_s24_q) : good_known_q;
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1240
   logic and_2540;
   assign and_2540 = and_1598_s24_q & ({sum_1523_s24_q, index_2_s24_q} == {sum_1510_s24_q, index_s24_q});
-  // hls/stages/agreement.hpp:1025
+  // hls/stages/agreement.hpp:1093
   logic [31:0] select_2597;
   assign select_2597 = equal_1402_s24_q ? {2'h0, counts_explained_s24_q, 2'h0, counts_textured_s24_q} : (equal_2595_s24_q ? registration_sums_rdata_s24_q : 32'h0);
   logic [31:0] select_2598;
   assign select_2598 = equal_1400_s24_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_s24_q} : select_2597;
 
-  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1261; read in stage 24, written in stage 25: 24 < 25 < 24 + DISTANCE.
+  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1333; read in stage 24, written in stage 25: 24 < 25 < 24 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:16079];
@@ -7271,39 +7271,39 @@ module horopter_agreement (
   // hls/stages/registration.hpp:261
   logic [6:0] select_1442;
   assign select_1442 = equal_1436 ? {1'b0, registration_half_measured_q} : up;
-  // hls/stages/census.hpp:304
+  // hls/stages/census.hpp:376
   logic [18:0] sum;
   assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_1801_s25_q};
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic [17:0] select_1804;
   assign select_1804 = equal_1788_s25_q ? (less_1789_s25_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  // hls/stages/census.hpp:304
+  // hls/stages/census.hpp:376
   logic [18:0] sum_2;
   assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_1811_s25_q};
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic [17:0] select_1814;
   assign select_1814 = equal_1788_s25_q ? (less_1789_s25_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_2023;
   assign select_2023 = and_1976_s25_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2021_s25_q});
   logic [13:0] select_2037;
   assign select_2037 = and_1976_s25_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2035_s25_q});
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2057;
   assign and_2057 = not_1338_s25_q & and_2056_s25_q;
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_2059;
   assign select_2059 = and_1976_s25_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2057});
   // hls/stages/registration.hpp:132
   logic [13:0] sum_2142;
   assign sum_2142 = registration_half_across_q + {{6{select_2141_s25_q[7]}}, select_2141_s25_q};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2146;
   assign and_2146 = not_1338_s25_q & (so_s25_q & (and_2113_s25_q & equal_2084_s25_q));
   // hls/stages/registration.hpp:133
   logic [5:0] select_2148;
   assign select_2148 = and_2111_s25_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2146});
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [1:0] select_2152;
   assign select_2152 = so_s25_q ? (equal_2084_s25_q ? {and_2150_s25_q, and_2113_s25_q} : 2'h0) : 2'h0;
   logic [1:0] select_2153;
@@ -7311,7 +7311,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:179
   logic [6:0] sum_2154;
   assign sum_2154 = registration_half_votes_down_q + {{5{select_2153[1]}}, select_2153};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [1:0] select_2160;
   assign select_2160 = so_s25_q ? (equal_2084_s25_q ? {and_2158_s25_q, and_2113_s25_q} : 2'h0) : 2'h0;
   logic [1:0] select_2161;
@@ -7319,7 +7319,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:180
   logic [6:0] sum_2162;
   assign sum_2162 = registration_half_votes_up_q + {{5{select_2161[1]}}, select_2161};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [1:0] select_2167;
   assign select_2167 = so_s25_q ? (equal_2084_s25_q ? {and_2165_s25_q, and_2113_s25_q} : 2'h0) : 2'h0;
   logic [1:0] select_2168;
@@ -7327,7 +7327,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:179
   logic [6:0] sum_2169;
   assign sum_2169 = registration_half_half_votes_down_q + {{5{select_2168[1]}}, select_2168};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [1:0] select_2174;
   assign select_2174 = so_s25_q ? (equal_2084_s25_q ? {and_2172_s25_q, and_2113_s25_q} : 2'h0) : 2'h0;
   logic [1:0] select_2175;
@@ -7335,7 +7335,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:180
   logic [6:0] sum_2176;
   assign sum_2176 = registration_half_half_votes_up_q + {{5{select_2175[1]}}, select_2175};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2210;
   assign and_2210 = equal_1337_s25_q & (x_s25_q[6] & (not_1456_s25_q & less_1410_s25_q));
   logic [11:0] select_2221;
@@ -7343,7 +7343,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:247
   logic [13:0] sum_2229;
   assign sum_2229 = {{2{select_2221[11]}}, select_2221} + (and_2227_s25_q ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [11:0] select_2236;
   assign select_2236 = equal_1337_s25_q ? (x_s25_q[6] ? select_2234_s25_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:248
@@ -7356,10 +7356,10 @@ module horopter_agreement (
   assign less_2251 = $signed({9'h1, {2{not_2250}}, and_2249_s25_q}) < $signed(registration_up_q[13:2]);
   logic select_2252;
   assign select_2252 = and_2245_s25_q ? less_2251 : registration_enough_q;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2256;
   assign and_2256 = x_s25_q[6] & (not_1456_s25_q & (less_1410_s25_q & (x_s25_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2257;
   assign and_2257 = equal_1337_s25_q & and_2256;
   // hls/stages/registration.hpp:237
@@ -7367,13 +7367,13 @@ module horopter_agreement (
   assign less_2258 = $signed(14'h0) < $signed(registration_down_q);
   logic less_2260;
   assign less_2260 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2265;
   assign and_2265 = x_s25_q[6] & (not_1456_s25_q & (less_1410_s25_q & (x_s25_q[2:0] == 3'h7)));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2266;
   assign and_2266 = equal_1337_s25_q & and_2265;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2273;
   assign and_2273 = x_s25_q[6] & (not_1456_s25_q & (less_1410_s25_q & (x_s25_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:239
@@ -7386,17 +7386,17 @@ module horopter_agreement (
   assign and_2295 = (equal_1337_s25_q & and_2289_s25_q) & (registration_other_enough_q & select_2293);
   logic and_2297;
   assign and_2297 = registration_enough_q & ((and_2281_s25_q & (less_2260 | less_2258)) | and_2295);
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1079
   logic [13:0] select_2384;
   assign select_2384 = equal_2381_s25_q ? counts_skin_unproven_q : (equal_2382_s25_q ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_4;
   assign before_v_4 = equal_2379_s25_q ? counts_nearer_s25_q : select_2384;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2555;
   assign and_2555 = equal_1337_s25_q & (equal_2376_s25_q & (cfg_prove_i & (~proven_q)));
   logic and_2589;
   assign and_2589 = equal_1337_s25_q & (x_s25_q[6] & (not_1456_s25_q | (4'hc < x_s25_q[5:2])));
-  // hls/stages/agreement.hpp:1025
+  // hls/stages/agreement.hpp:1093
   logic [31:0] select_2599;
   assign select_2599 = equal_1398_s25_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_2598_s25_q;
   logic [31:0] select_2600;
@@ -7647,59 +7647,59 @@ module horopter_agreement (
   logic sharpness_comparing_carry_1_q;
   logic registration_moved_q;
   logic hides_q;
-  // hls/stages/census.hpp:231
+  // hls/stages/census.hpp:303
   logic and_483;
   assign and_483 = and_433_s26_q & less_482_s26_q;
-  // hls/stages/census.hpp:234
+  // hls/stages/census.hpp:306
   logic and_1744;
   assign and_1744 = and_458_s26_q & less_482_s26_q;
-  // hls/stages/census.hpp:235
+  // hls/stages/census.hpp:307
   logic [19:0] sum_1745;
   assign sum_1745 = census_left_misses_q + {{17{and_1744}}, and_1743_s26_q, 1'b0, and_1743_s26_q};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [19:0] select_1747;
   assign select_1747 = and_368_s26_q ? (equal_1738_s26_q ? 20'h0 : sum_1745) : census_left_misses_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic [2:0] select_1816;
   assign select_1816 = equal_1788_s26_q ? {sharpness_comparing_product_0_q[1:0], sum_s26_q} : sharpness_comparing_product_0_q;
   logic [2:0] select_1818;
   assign select_1818 = equal_1788_s26_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s26_q} : sharpness_comparing_product_1_q;
-  // hls/stages/census.hpp:310
+  // hls/stages/census.hpp:382
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s26_q});
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_1827;
   assign select_1827 = so_s26_q ? (equal_1788_s26_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
-  // hls/stages/census.hpp:310
+  // hls/stages/census.hpp:382
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s26_q});
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_1830;
   assign select_1830 = equal_1788_s26_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
-  // hls/stages/census.hpp:312
+  // hls/stages/census.hpp:384
   logic xor_1833;
   assign xor_1833 = sharpness_comparing_product_0_q[2] ^ five_times[0];
   logic xor_1839;
   assign xor_1839 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  // hls/stages/agreement.hpp:1091
+  // hls/stages/agreement.hpp:1159
   logic [14:0] over;
   assign over = {1'b0, product_s26_q} - {1'b0, before_v_4_s26_q};
-  // hls/stages/agreement.hpp:1099
+  // hls/stages/agreement.hpp:1167
   logic select_2387;
   assign select_2387 = and_2380_s26_q ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1240
   logic [1:0] select_2541;
   assign select_2541 = and_2540_s26_q ? {and_1588_s26_q, is_seen_s26_q} : map_rdata_s26_q;
-  // hls/stages/agreement.hpp:1169
+  // hls/stages/agreement.hpp:1241
   logic and_2542;
   assign and_2542 = proven_q & less_2530;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2567;
   assign and_2567 = equal_1337_s26_q & (equal_2376_s26_q & (cfg_prove_i & registration_moved_q));
-  // hls/stages/agreement.hpp:1030
+  // hls/stages/agreement.hpp:1098
   logic or_2569;
   assign or_2569 = select_1850_s26_q | ($signed(20'h0) < $signed(census_left_misses_q));
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [31:0] select_2605;
   assign select_2605 = equal_1382_s26_q ? select_2603_s26_q : {2'h0, select_2604_s26_q, select_2028_s26_q, select_2025_s26_q};
 
@@ -8017,48 +8017,48 @@ module horopter_agreement (
   logic too_much_q;
   logic seen_q;
   logic nearer_q;
-  // hls/stages/census.hpp:312
+  // hls/stages/census.hpp:384
   logic select_1836;
   assign select_1836 = or_1834_s27_q ? and_1835_s27_q : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_1837;
   assign select_1837 = equal_1788_s27_q ? select_1836 : sharpness_comparing_less_detail_0_q;
   logic select_1838;
   assign select_1838 = so_s27_q ? select_1837 : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:312
+  // hls/stages/census.hpp:384
   logic select_1842;
   assign select_1842 = or_1840_s27_q ? and_1841_s27_q : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_1843;
   assign select_1843 = equal_1788_s27_q ? select_1842 : sharpness_comparing_less_detail_1_q;
   logic select_1844;
   assign select_1844 = so_s27_q ? select_1843 : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:1028
+  // hls/stages/agreement.hpp:1096
   logic not_2388;
   assign not_2388 = ~hidden_for_q[7];
   logic [7:0] select_2390;
   assign select_2390 = select_2387_s27_q ? (hidden_for_q + {7'h0, not_2388}) : 8'h0;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [7:0] select_2392;
   assign select_2392 = equal_1337_s27_q ? (equal_2376_s27_q ? select_2390 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:1097
+  // hls/stages/agreement.hpp:1165
   logic and_2418;
   assign and_2418 = too_much_q & not_2417_s27_q;
-  // hls/stages/agreement.hpp:1098
+  // hls/stages/agreement.hpp:1166
   logic select_2423;
   assign select_2423 = and_2415_s27_q ? (and_2418 | or_2421_s27_q) : and_2418;
-  // hls/stages/agreement.hpp:345
+  // hls/stages/agreement.hpp:413
   logic select_2545;
   assign select_2545 = and_1517_s27_q ? (less_1518_s27_q ? and_2543_s27_q : seen_q) : seen_q;
   logic select_2548;
   assign select_2548 = and_1517_s27_q ? (less_1518_s27_q ? and_2546_s27_q : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2558;
   assign and_2558 = equal_1337_s27_q & (equal_2376_s27_q & (cfg_prove_i & or_2356_s27_q));
-  // hls/stages/agreement.hpp:1108
+  // hls/stages/agreement.hpp:1176
   logic not_2560;
   assign not_2560 = ~(or_2356_s27_q | not_2549);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2563;
   assign and_2563 = equal_2376_s27_q & (not_2560 & (select_2365_s27_q | select_2423));
   logic and_2576;
@@ -8126,7 +8126,7 @@ module horopter_agreement (
   end
 
   // Stage 28 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:1030
+  // hls/stages/agreement.hpp:1098
   logic and_2583;
   assign and_2583 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_2581_s28_q);
 
