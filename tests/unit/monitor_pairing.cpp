@@ -317,6 +317,20 @@ TEST_CASE("a decision that takes as long as two pairs once: none is dropped, and
   CHECK(cameras.pairing.counts(Side::right).dropped == 0);
 }
 
+TEST_CASE("what came before the machine runs counts as dropped, which is no fault") {
+  Cameras cameras;
+  for (int i = 0; i < 4; ++i) cameras.add(Side::left, i);
+  for (int i = 0; i < 3; ++i) cameras.add(Side::right, i);
+  REQUIRE(cameras.pairing.take());
+  cameras.pairing.clear(1);
+  for (const Side side : {Side::left, Side::right}) {
+    CHECK(cameras.pairing.counts(side).frames == cameras.pairing.counts(side).dropped);
+  }
+  cameras.add(Side::right, 3);  // without its partner, which was forgotten
+  CHECK(cameras.taken() == Names{"no pair"});
+  CHECK(cameras.both(4) == Names{"right_unpaired"});
+}
+
 TEST_CASE("a camera that gives nothing is lost, also one that never gave anything") {
   Cameras cameras;
   const Clock::time_point begin(1h);

@@ -185,9 +185,12 @@ std::optional<ImagePair> Pairing::take() {
   return pair;
 }
 
-void Pairing::clear() {
+void Pairing::clear(std::uint64_t taken) {
+  for (OneSide& side : sides_) {
+    side.counts.dropped += taken + pairs_.size() + side.waiting.size();
+    side.waiting.clear();
+  }
   pairs_.clear();
-  for (OneSide& side : sides_) side.waiting.clear();
   faults_ = {};
 }
 
