@@ -339,7 +339,7 @@ TEST_CASE("more images than it can judge: each is judged or counts as dropped, a
            Live::names(now, "right_dropped");
   }));
   const json last = check_counts(live);
-  for (const json& camera : last["cameras"]) CHECK(camera["dropped"] > last["frame"]);
+  for (const json& camera : last["cameras"]) CHECK(camera["dropped"] > 0);
   for (const json& event : live.monitor().events()) CHECK(event["safe"] == false);
   say_counts("in simulation", last);
 }
