@@ -137,6 +137,35 @@ class Agreement {
     return beat(in, config);
   }
 
+#ifndef __HLSC__
+  /// Beats of a row that follow each other in memory, and what step() would say of them in the marks.
+  struct Beats {
+    const u<8>*left, *right;
+    const bool *mask, *present;
+    bool *seen, *nearer;
+  };
+  /// Takes beats in which nothing happens but that pixels are summed to cells, several at once, none of them the first or
+  /// last of a row. Before `beats` stands the row's beat before. Returns how many, at most `count`; after 0 of them step()
+  /// must take the next one.
+  int pass_beats(const Beats& beats, int count, const Config& config) {
+    if constexpr (!at_once || P.packed()) {
+      return 0;
+    } else {
+      const bool may = !said_ && !drew_ && !sample_.pair.first && !sample_.last && !raster_.begins_row() &&
+                       columns_passed_ == 0 && !was_next_row_ && !line_ended_;
+      if (!may) return 0;
+      const int passed = pass_cells(beats, std::min(count, quiet_beats_), config);
+      if (passed == 0) return 0;
+      quiet_beats_ -= passed;
+      in_row_ = row_starts_ = false;
+      const int last = passed - 1;
+      sample_ = {{{beats.left[last], beats.right[last]}, false, true}, false, beats.present[last], beats.mask[last]};
+      pass_map(beats, passed, config);
+      return passed;
+    }
+  }
+#endif
+
  private:
   static constexpr bool at_once = AT_ONCE;
   Out beat(const In& in, const Config& config) {
@@ -244,6 +273,45 @@ class Agreement {
     pass(in, pair, said, config);
     mark(config, out);
     return out;
+  }
+
+  /// Quarters of cells, of which the first pixel is that of the beat before. How many beats they are.
+  int pass_cells(const Beats& beats, int count, const Config& config) {
+    using Averager = decltype(averager_);
+    constexpr int quarter = Averager::quarter;
+    if (raster_.next().x.value() % quarter != 0) return 0;
+    typename Averager::Pixels pixels{beats.left - 1, beats.right - 1, beats.present - 1, beats.mask - 1};
+    const int quarters = std::max(0, count) / quarter;
+    if (raster_.next().y != cell - 1) {
+      if (quarters == 0) return 0;
+      averager_.pass_quarters(raster_.next(), quarters, pixels);
+      raster_.skip(quarters * quarter);
+      return quarters * quarter;
+    }
+    // With the last cell a row of them is complete.
+    const Index last(cells_of(config.width) - lit<1>());
+    int passed = 0;
+    for (; passed < quarters * quarter && raster_.next().column < last; passed += quarter, pixels += quarter) {
+      const auto at = raster_.next();
+      const CellGrey means = averager_.pass_quarter(at, pixels);
+      raster_.skip(quarter);
+      if (means.valid) take_cell(at, means, config);
+    }
+    return passed;
+  }
+
+  /// read_map() for beats within a row of the result.
+  void pass_map(const Beats& beats, int count, const Config& config) {
+    for (int i = 0; i < count;) {
+      seen_column_ = Index(seen_column_ + u<1>(seen_x_ == cell - 1));
+      seen_x_ = u<bits_for(cell - 1)>(seen_x_ + lit<1>());
+      read_map_cell(cells_of(config.width), Index(shr<bits_for(cell - 1)>(config.height)));
+      const int alike = std::min(count - i, cell - static_cast<int>(seen_x_.value()));
+      std::fill_n(beats.seen + i, alike, config.prove == 0 || seen_);
+      std::fill_n(beats.nearer + i, alike, config.prove != 0 && nearer_);
+      seen_x_ = u<bits_for(cell - 1)>(static_cast<int>(seen_x_.value()) + alike - 1);
+      i += alike;
+    }
   }
 #endif
 
@@ -1164,6 +1232,10 @@ class Agreement {
     began_ = !first && (began_ || begins);
     seen_column_ = begins ? Index(0) : Index(seen_column_ + u<1>(seen_x_ == cell - 1));
     seen_x_ = begins ? u<bits_for(cell - 1)>(0) : u<bits_for(cell - 1)>(seen_x_ + lit<1>());
+    read_map_cell(width, count);
+  }
+
+  void read_map_cell(Index width, Index count) {
     if (began_ && seen_x_ == 0 && seen_column_ < width) {
       const MapCell here = map_.read(place_in_map(read_half_, MapIndex(seen_base_ + seen_column_)));
       const bool known = proven_ && count > first_row;

@@ -58,6 +58,18 @@ class CellRaster {
     return here;
   }
 
+#ifndef __HLSC__
+  /// Where the next pixel stands, if it is neither the first of a row nor of the frame.
+  [[nodiscard]] const Position& next() const { return at_; }
+  [[nodiscard]] bool begins_row() const { return row_ended_; }
+  /// Leaves out pixels, none of them the last of a row.
+  void skip(int pixels) {
+    const int x = CELL * static_cast<int>(at_.column.value()) + static_cast<int>(at_.x.value()) + pixels;
+    at_.column = x / CELL;
+    at_.x = x % CELL;
+  }
+#endif
+
  private:
   Position at_;
   u<bits_for(HEIGHT)> rows_left_{0};
@@ -80,7 +92,11 @@ struct CellGrey {
 template <int CELL, int WIDTH>
 class CellAverager {
   static_assert(CELL == 8 || CELL == 16);
-  static constexpr int quarter = CELL / 4;
+
+ public:
+  static constexpr int quarter = CELL / 4;  // columns, px
+
+ private:
   static constexpr int quarter_bits = bits_for(quarter * CELL * 255);
   using Sum = u<quarter_bits>;
 
@@ -115,6 +131,37 @@ class CellAverager {
     return out;
   }
 
+#ifndef __HLSC__
+  /// Pixels of a row, one after the other.
+  struct Pixels {
+    const u<8>*left, *right;
+    const bool *mask, *of_skin;
+    Pixels& operator+=(int count) {
+      left += count, right += count, mask += count, of_skin += count;
+      return *this;
+    }
+  };
+  /// What the calls of step() come to for the pixels of some quarters of a row, without the last row of a cell; `at`: the
+  /// first of them.
+  template <class Position>
+  void pass_quarters(const Position& at, int count, Pixels pixels) {
+    auto place = next_place(at);
+    place_ = Place(place + static_cast<unsigned>(count) - 1);
+    if (!at.live) return;
+    for (; count > 0 && place < words; --count, ++place, pixels += quarter) sum_quarter(place, at.y == 0, pixels);
+  }
+  /// The same for one quarter, and any row.
+  template <class Position>
+  CellGrey pass_quarter(const Position& at, const Pixels& pixels) {
+    const auto place = next_place(at);
+    place_ = Place(place);
+    if (!at.live || place >= words) return {};
+    CellGrey out = add_quarter(at.x == 0, at.y == CELL - 1, sum_quarter(place, at.y == 0, pixels));
+    out.valid = out.valid && at.x == CELL - quarter;
+    return out;
+  }
+#endif
+
  private:
   static constexpr std::size_t words = static_cast<std::size_t>(WIDTH / quarter);
   using Place = u<bits_for(words)>;
@@ -123,6 +170,31 @@ class CellAverager {
     bool mask = false;
     bool of_skin = false;
   };
+
+#ifndef __HLSC__
+  template <class Position>
+  [[nodiscard]] unsigned next_place(const Position& at) const {
+    return at.column == 0 && at.x == 0 ? 0 : static_cast<unsigned>(place_.value()) + 1;
+  }
+
+  [[gnu::always_inline]] Quarter sum_quarter(unsigned place, bool first_row, const Pixels& pixels) {
+    unsigned left = 0, right = 0;
+    bool whole = true, all_of_skin = true;
+    for (int i = 0; i < quarter; ++i) {
+      left += pixels.left[i].value();
+      right += pixels.right[i].value();
+      whole &= pixels.mask[i];
+      all_of_skin &= pixels.of_skin[i];
+    }
+    Quarter word{{Sum(0), Sum(0)}, true, true};
+    if (!first_row) word = memory_.read(place);
+    word = {{Sum(word.sum[0].value() + left), Sum(word.sum[1].value() + right)},
+            word.mask && whole,
+            word.of_skin && all_of_skin};
+    memory_.write(place, word);
+    return word;
+  }
+#endif
 
   /// `first` of the cell. Without `counts` nothing changes.
   CellGrey add_quarter(bool first, bool counts, const Quarter& word) {

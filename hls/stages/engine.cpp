@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace horopter::native {
 
@@ -53,9 +54,11 @@ const Build& choose(std::optional<Instructions> instructions) {
 
 constexpr int kMostThreads = 16;  // that find something to do
 
-int threads_of_environment() {
+int threads_of(Threads otherwise) {
   const char* const said = std::getenv("HOROPTER_THREADS");
-  if (said == nullptr || *said == '\0') return 1;
+  if (said == nullptr || *said == '\0') {
+    return otherwise == threads_live ? static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 2U)) : 1;
+  }
   char* end = nullptr;
   const long threads = std::strtol(said, &end, 10);
   if (*end != '\0' || threads < 1 || threads > kMostThreads) {
@@ -89,7 +92,7 @@ std::vector<Instructions> available_instructions() {
 
 std::unique_ptr<Engine> make_engine(std::string_view profile_name, int threads,
                                     std::optional<Instructions> instructions) {
-  return choose(instructions).make(profile_name, threads > 0 ? threads : threads_of_environment());
+  return choose(instructions).make(profile_name, threads > 0 ? threads : threads_of(static_cast<Threads>(threads)));
 }
 
 }  // namespace horopter::native

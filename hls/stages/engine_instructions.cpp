@@ -18,6 +18,9 @@ class ProfileEngine final : public Engine {
                       const Settings& settings) override {
     return pipeline_.process(left, right, table, settings);
   }
+  void prepare(const TableView& table, int lookahead) override { pipeline_.prepare(table, lookahead); }
+  [[nodiscard]] int frames_that_expanded() const override { return pipeline_.frames_that_expanded(); }
+  [[nodiscard]] int threads() const override { return pipeline_.threads(); }
   [[nodiscard]] const hls::Profile& profile() const override { return profile_; }
 
  private:

@@ -183,7 +183,7 @@ class Pipeline {
   explicit Pipeline(int threads = 1, int store_rows = P.store_rows)
       : store_rows_(store_rows),
         workers_(threads),
-        slots_(threads > 1 ? 8 : 1),
+        slots_(threads > 1 ? 4 * rows_at_once : 1),
         pairs_(slots_),
         marks_(slots_),
         states_(slots_),
@@ -198,12 +198,23 @@ class Pipeline {
     result.width = left.width / P.subsample;
     result.height = left.height;
     result.states.resize(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
-    const Expansion& sources = expansion(table, settings.lookahead);
+    if (!keep_expansion(table, settings.lookahead)) ++frames_that_expanded_;
+    const Expansion& sources = expansions_.front();
     result.store_misses = sources.misses;
     store(right);
     pass_rows(left.height + P.flush_rows(compete_), {left, right, sources, result});
     return result;
   }
+
+  /// See Engine (engine.hpp).
+  void prepare(const TableView& table, int lookahead) {
+    if (table.width() > P.width || table.height() > P.height) {
+      throw std::invalid_argument("the table is for images larger than the profile");
+    }
+    keep_expansion(table, lookahead);
+  }
+  [[nodiscard]] int frames_that_expanded() const { return frames_that_expanded_; }
+  [[nodiscard]] int threads() const { return workers_.count(); }
 
  private:
   static constexpr std::size_t padded_stride = P.width + 1;
@@ -353,8 +364,8 @@ class Pipeline {
     std::vector<char> mask, present;
   };
 
-  /// As many tables as the hardware has slots are kept, the most recent first.
-  const Expansion& expansion(const TableView& table, int lookahead) {
+  /// As many tables as the hardware has slots are kept, the most recent first. Whether this one was.
+  bool keep_expansion(const TableView& table, int lookahead) {
     const auto known = std::find_if(expansions_.begin(), expansions_.end(), [&](const Expansion& e) {
       return e.lookahead == lookahead && e.words.size() == table.words().size() &&
              e.words.back() == table.words().back() &&
@@ -362,11 +373,11 @@ class Pipeline {
     });
     if (known != expansions_.end()) {
       std::rotate(expansions_.begin(), known, known + 1);
-    } else {
-      if (expansions_.size() == hls::table::slots) expansions_.pop_back();
-      expansions_.insert(expansions_.begin(), expand(table, lookahead));
+      return true;
     }
-    return expansions_.front();
+    if (expansions_.size() == hls::table::slots) expansions_.pop_back();
+    expansions_.insert(expansions_.begin(), expand(table, lookahead));
+    return false;
   }
 
   Expansion expand(const TableView& table, int lookahead) {
@@ -456,6 +467,8 @@ class Pipeline {
 
   // What can be done beside each other: each part takes the rows in order, one thread at a time.
   enum Part : std::size_t { first_half, second_half, agree, finish, look_at_images, parts };
+  /// Rows of which a part does not tell each one: those who sleep are woken for something.
+  static constexpr std::size_t rows_at_once = 8;
 
   /// Rows that a part has done, and whether somebody is at it.
   struct alignas(64) Progress {
@@ -526,6 +539,12 @@ class Pipeline {
     for (Progress& progress : progress_) progress.done = 0;
     std::exception_ptr failure;
     std::atomic<bool> failed = false;
+    /// Changes when there may be something to do again.
+    std::atomic<int> news = 0;
+    const auto tell = [&] {
+      news.fetch_add(1, std::memory_order_release);
+      news.notify_all();
+    };
     const auto rows_of = [&](Part part) { return part == look_at_images ? 1 : rows; };
     /// As many rows as can be done now: what a part keeps stays in one processor's cache.
     const auto take = [&](Part part) {
@@ -537,8 +556,10 @@ class Pipeline {
       for (; y < rows_of(part) && !failed && can_do(part, y); ++y) {
         do_row(part, y, frame);
         progress.done.store(y + 1, std::memory_order_release);
+        if (index(y + 1) % rows_at_once == 0) tell();
       }
       progress.taken.store(false, std::memory_order_release);
+      tell();
       return true;
     };
     const auto finished = [&] {
@@ -556,11 +577,14 @@ class Pipeline {
       }};
       const auto& mine = order[index(worker) % order.size()];
       try {
-        while (!failed && !finished()) {
-          if (std::none_of(mine.begin(), mine.end(), take)) std::this_thread::yield();
+        for (;;) {
+          const int known = news.load(std::memory_order_acquire);
+          if (failed || finished()) return;
+          if (std::none_of(mine.begin(), mine.end(), take)) news.wait(known, std::memory_order_acquire);
         }
       } catch (...) {
         if (!failed.exchange(true)) failure = std::current_exception();
+        tell();
       }
     });
     for (Progress& progress : progress_) progress.taken = false;
@@ -707,7 +731,15 @@ class Pipeline {
     }
     if (first_row) result.agreement.unproven = true;  // until the verdict comes
     const std::size_t n = index(width_) / P.subsample;
-    for (std::size_t x = 0; x < n; ++x) {
+    for (std::size_t x = 0; x < n;) {
+      const std::size_t at = Pairs::before + x;
+      const int passed = agreement_.pass_beats(
+          {&pairs.left[at], &pairs.right[at], &pairs.mask[at], &pairs.present[at], &marks.seen[x], &marks.nearer[x]},
+          static_cast<int>(n - x) - 1, agreement_config_);
+      if (passed > 0) {
+        x += index(passed);
+        continue;
+      }
       InOf<stages::Agreement<P>> in;
       in.saturated = pairs.saturated[Pairs::before + x];
       in.mask = pairs.mask[Pairs::before + x];
@@ -730,6 +762,7 @@ class Pipeline {
       marks.seen[x] = out.marks.seen;
       marks.nearer[x] = out.marks.nearer;
       take_verdict(out, result);
+      ++x;
     }
   }
 
@@ -895,6 +928,7 @@ class Pipeline {
   int width_ = 0;  // of the images
   int height_ = 0;
   std::vector<Expansion> expansions_;
+  int frames_that_expanded_ = 0;
   std::vector<std::uint8_t> padded_;
   Taps taps_{};
   FullPairs full_pairs_{};  // before `subsample`

@@ -15,6 +15,7 @@
 #include "horopter/base/ending.hpp"
 #include "horopter/base/error.hpp"
 #include "horopter/image/frames.hpp"
+#include "horopter/machine/native_device.hpp"
 #include "horopter/monitor/cell.hpp"
 #include "horopter/monitor/part.hpp"
 #include "horopter/monitor/service.hpp"
@@ -114,8 +115,9 @@ monitor::Machine make_machine(const monitor::Cell& cell, const std::optional<cal
   if (!maps.rig.empty()) {
     machine.camera_mm = first_pair(calib::rig_from_yaml(maps.rig, skin), skin).left().world_to_camera.centre();
   }
-  machine.supervisor =
-      std::make_unique<Supervisor>(make_picture_device(cell.engine, *profile), *profile, maps, settings);
+  auto device =
+      cell.engine == "native" ? make_live_native_device(*profile) : make_picture_device(cell.engine, *profile);
+  machine.supervisor = std::make_unique<Supervisor>(std::move(device), *profile, maps, settings);
   machine.maps = std::move(compiled);
   return machine;
 }

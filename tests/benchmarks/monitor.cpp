@@ -20,6 +20,7 @@
 #include "horopter/monitor/service.hpp"
 #include "horopter/skin/skin.hpp"
 #include "output/modbus.hpp"
+#include "stages/engine.hpp"
 
 namespace {
 
@@ -85,8 +86,7 @@ monitor::Machine machine(const Cell& cell, const std::filesystem::path& folder) 
   made.objects =
       std::make_unique<ObjectFollower>(profile, std::vector<const MapTable*>{&maps->maps.at(0).table}, maps->rig);
   made.largest_skew_ms = 1;
-  made.supervisor =
-      std::make_unique<Supervisor>(std::make_unique<NativeDevice>(profile), profile, *maps, cell.settings);
+  made.supervisor = std::make_unique<Supervisor>(make_live_native_device(profile), profile, *maps, cell.settings);
   return made;
 }
 
@@ -167,8 +167,8 @@ void measure(const Load& run, double seconds) {
 
 int main(int argc, char** argv) {
   const double seconds = argc > 1 ? std::atof(argv[1]) : 10;
-  fmt::print("{}x{} px, {} processors, HOROPTER_THREADS {}\n", kWidth, kHeight, std::thread::hardware_concurrency(),
-             std::getenv("HOROPTER_THREADS") != nullptr ? std::getenv("HOROPTER_THREADS") : "1");
+  fmt::print("{}x{} px, {} processors, {} threads a pair\n", kWidth, kHeight, std::thread::hardware_concurrency(),
+             native::make_engine("vga", native::threads_live)->threads());
   fmt::print("                pairs          decision, ms       at the client, ms          CPU\n");
   fmt::print("rule     per s  judged dropped    median    99.9%    median    99.9%      max    ms a pair  cores\n");
   for (const Load& run : {Load{Decision::thesis, 30}, Load{Decision::compete, 30}, Load{Decision::thesis, 60}}) {

@@ -2,6 +2,8 @@
 // `horopter monitor` from outside: recorded pairs as live cameras, events on standard output, Modbus and MQTT by clients that
 // are not ours, cameras that go, a broker that goes. Limits of time are long: a slow computer fails no test.
 #include <catch2/catch.hpp>
+#include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -80,6 +82,32 @@ TEST_CASE("recorded pairs as live cameras: events in JSON, Modbus by pymodbus, a
   CHECK(stopped["objects"][0]["distance_mm"] < 340);
   CHECK(monitor.end(SIGTERM) == 0);
   for (const json& event : monitor.events()) CHECK(event["configuration"] == crc);
+}
+
+TEST_CASE("the hardware in simulation judges live cameras, too") {
+  const CellBox box;
+  const auto has_rtl = box.run({"run", "--help"}).out.find("native, rtl") != std::string::npos;
+  if (!has_rtl) {
+    std::cout << "skipped: this build has no engine rtl\n";
+    return;
+  }
+  std::map<std::string, json> objects;
+  for (const std::string engine : {"native", "rtl"}) {
+    CAPTURE(engine);
+    box.write("cell.yaml", "name: test\nengine: " + engine + "\ncameras:\n" + kFiles +
+                               "  frames_per_s: " + (engine == "rtl" ? "0.7" : "2") +
+                               "\nrig: rig.yaml\nskin: skin.yaml\nrestart: by_itself\nlimits: {decision_ms: 60000}\n");
+    Running monitor = box.start();
+    const json released = monitor.event("released");
+    INFO(monitor.out() << monitor.err());
+    REQUIRE(released.is_object());
+    const json stopped = monitor.event("stopped", [](const json& event) { return has_cause(event, "alarm"); });
+    REQUIRE(stopped.is_object());
+    REQUIRE(stopped["objects"].size() == 1);
+    objects[engine] = stopped["objects"][0];
+    CHECK(monitor.end(SIGTERM) == 0);
+  }
+  for (const char* what : {"pixels", "box", "distance_mm"}) CHECK(objects["rtl"][what] == objects["native"][what]);
 }
 
 TEST_CASE("without a restart it is not safe, however good the images") {

@@ -84,18 +84,21 @@ class Watchdog {
 /// A cell that runs, and an operator at its page.
 class Live : public CellBox {
  public:
-  Live() : watchdog_(*this / "notify") {
+  explicit Live(double images_per_s = rate(), double decision_ms = limit_ms(), const std::string& engine = "native")
+      : watchdog_(*this / "notify") {
     fs::create_directory(*this / "disk");
     REQUIRE(::mount("tmpfs", (*this / "disk").c_str(), "tmpfs", 0, "size=64m") == 0);
     horopter::monitor::set_user(*this / "users", "anna", horopter::monitor::Role::plant_operator, kPassword);
     write("broker.conf", "listener " + std::to_string(kBrokerPort) + " 127.0.0.1\nallow_anonymous true\nuser root\n");
-    const std::string features = "features: {Width: 640, Height: 480, AcquisitionFrameRate: " + number(rate()) + "}}\n";
-    write("cell.yaml", "name: live\ncameras:\n  left: {source: 'gev:127.0.0.1', serial: LEFT, " + features +
+    const std::string features =
+        "features: {Width: 640, Height: 480, AcquisitionFrameRate: " + number(images_per_s) + "}}\n";
+    write("cell.yaml", "name: live\nengine: " + engine +
+                           "\ncameras:\n  left: {source: 'gev:127.0.0.1', serial: LEFT, " + features +
                            "  right: {source: 'gev:127.0.0.2', serial: RIGHT, " + features +
-                           "  frames_per_s: " + number(rate()) +
+                           "  frames_per_s: " + number(images_per_s) +
                            "\n  stamps: camera\n  largest_skew_ms: 0.6\nrig: rig.yaml\nskin: skin.yaml\n"
                            "limits: {decision_ms: " +
-                           number(limit_ms()) +
+                           number(decision_ms) +
                            ", still_scene: true, frozen_frames: 0, hidden_frames: 0}\n"
                            "outputs: {modbus: {port: 1502}, mqtt: {host: 127.0.0.1}}\n"
                            "log: {directory: disk/log, size_mb: 40}\n"
@@ -146,13 +149,17 @@ class Live : public CellBox {
     const auto answer = page_.Get("/api/status", headers_);
     return answer && answer->status == 200 ? json::parse(answer->body) : json();
   }
-  /// By the operator, as soon as the interlock allows it.
+  /// By the operator, where the interlock allows it.
+  void try_to_release() {
+    const json now = status();
+    if (now.is_object() && now["restart"] == "possible") {
+      page_.Post("/api/restart", headers_, json{{"stop", now["stop"]}}.dump(), "application/json");
+    }
+  }
   void release() {
     const bool released = eventually([&] {
+      try_to_release();
       const json now = status();
-      if (now.is_object() && now["restart"] == "possible") {
-        page_.Post("/api/restart", headers_, json{{"stop", now["stop"]}}.dump(), "application/json");
-      }
       return now.is_object() && now["state"] == "safe" && plc_.safe();
     });
     INFO("the page says " << status().dump() << "\n" << monitor_->out() << monitor_->err() << cameras_->err());
@@ -200,6 +207,7 @@ struct Fault {
   std::function<void()> make;
   std::function<void()> unmake;
   double known_after_ms = 0;  ///< beside a time between images and the limit of the decision
+  std::string says = {};      ///< in the causes
 };
 
 void check_fault(Live& live, const Fault& fault) {
@@ -210,7 +218,7 @@ void check_fault(Live& live, const Fault& fault) {
   json seen;
   const bool named = eventually([&] {
     seen = live.status();
-    return Live::names(seen, fault.cause);
+    return Live::names(seen, fault.cause) && seen.dump().find(fault.says) != std::string::npos;
   });
   const auto named_at = Clock::now();
   INFO(fault.what << ": the page says " << seen.dump());
@@ -234,6 +242,31 @@ std::function<void()> telling(Live& live, std::vector<std::string> lines) {
   };
 }
 
+/// Takes the cameras away. What came of each was judged or has been counted as dropped.
+json check_counts(Live& live) {
+  live.tell("off left");
+  live.tell("off right");
+  REQUIRE(eventually([&] { return Live::names(live.status(), "left_camera_lost"); }));
+  REQUIRE(eventually([&] { return Live::names(live.status(), "right_camera_lost"); }));
+  json last = live.status();
+  INFO(last.dump());
+  // Up to eight images of a camera may wait for partners that never came.
+  std::array<int, 2> waiting{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const json& camera = last["cameras"][side];
+    waiting.at(side) = camera["frames"].get<int>() - camera["dropped"].get<int>() - last["frame"].get<int>();
+  }
+  CHECK(std::min(waiting[0], waiting[1]) == 0);
+  CHECK(std::max(waiting[0], waiting[1]) <= 8);
+  return last;
+}
+
+void say_counts(const char* what, const json& last) {
+  std::printf("%-28s %d pairs judged, %d and %d images dropped\n", what, last["frame"].get<int>(),
+              last["cameras"][0]["dropped"].get<int>(), last["cameras"][1]["dropped"].get<int>());
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 TEST_CASE("cameras that go wrong while it runs: not safe in time, and named on the page") {
@@ -255,6 +288,61 @@ TEST_CASE("cameras that go wrong while it runs: not safe in time, and named on t
   check_fault(live, {"both stand still (SIGSTOP)", "left_camera_lost", [&] { live.cameras().send(SIGSTOP); },
                      [&] { live.cameras().send(SIGCONT); }});
   live.release();
+}
+
+TEST_CASE("25 images a second: each is judged or counts as dropped, and what is dropped is a fault") {
+  if (!has_own_network()) return;
+  const int pairs = 200;
+  Live live(25, 20'000);  // however late: it is not about time
+  const auto judged = [&] {
+    const json now = live.status();
+    return now.is_object() ? now["frame"].get<int>() : 0;
+  };
+  REQUIRE(eventually([&] {
+    live.try_to_release();
+    return judged() >= pairs;
+  }));
+  // It stands still: many images come at once when it goes on.
+  live.monitor().send(SIGSTOP);
+  std::this_thread::sleep_for(500ms);
+  live.monitor().send(SIGCONT);
+  REQUIRE(eventually([&] {
+    live.try_to_release();
+    return judged() >= 2 * pairs;
+  }));
+  const json last = check_counts(live);
+  // As long as it is safe none is dropped: the next event says that it was, and why.
+  std::array<int, 2> at_release{-1, -1};
+  for (const json& event : live.monitor().events()) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      const int now = event["cameras"][side]["dropped"];
+      if (at_release.at(side) >= 0 && now != at_release.at(side)) {
+        CAPTURE(event.dump());
+        CHECK(event["event"] == "stopped");
+        CHECK_FALSE(event["causes"].empty());
+      }
+      at_release.at(side) = event["safe"] == true ? now : -1;
+    }
+  }
+  say_counts("25 images a second", last);
+}
+
+TEST_CASE("more images than it can judge: each is judged or counts as dropped, and it is never safe") {
+  if (!has_own_network()) return;
+  if (CellBox().run({"run", "--help"}).out.find("native, rtl") == std::string::npos) {
+    std::cout << "skipped: this build has no engine rtl\n";
+    return;
+  }
+  Live live(25, 60'000, "rtl");
+  REQUIRE(eventually([&] {
+    const json now = live.status();
+    return now.is_object() && now["frame"] >= 8 && Live::names(now, "left_dropped") &&
+           Live::names(now, "right_dropped");
+  }));
+  const json last = check_counts(live);
+  for (const json& camera : last["cameras"]) CHECK(camera["dropped"] > 0);
+  for (const json& event : live.monitor().events()) CHECK(event["safe"] == false);
+  say_counts("in simulation", last);
 }
 
 TEST_CASE("GigE Vision begins to count anew after 65535: that is no fault") {
@@ -284,9 +372,8 @@ TEST_CASE(
   if (!has_own_network()) return;
   Live live;
   check_fault(live, {"broker gone", "output", [&] { live.broker().end(SIGKILL); }, [&] { live.begin_broker(); }});
-  // It is asked for a sign of life every 5 s, and has as long to answer.
   check_fault(live, {"broker hangs (SIGSTOP)", "output", [&] { live.broker().send(SIGSTOP); },
-                     [&] { live.broker().send(SIGCONT); }, 12'000});
+                     [&] { live.broker().send(SIGCONT); }, 12'000, "does not answer"});
   const fs::path filler = live / "disk" / "filler";
   check_fault(live, {"disk full", "output",
                      [&] {
@@ -318,6 +405,8 @@ TEST_CASE(
               oldest_ms, static_cast<std::size_t>(std::ranges::count_if(answers, &Plc::Answer::safe)), answers.size());
   CHECK(decisions > 2 * rate());
   CHECK(oldest_ms < limit_ms());
+  live.broker().send(SIGSTOP);  // it ends all the same
+  CHECK(live.monitor().end(SIGTERM) == 0);
 }
 
 TEST_CASE("the whole program stopped: nobody is answered, systemd hears nothing, and it comes back not safe") {

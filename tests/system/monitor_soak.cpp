@@ -185,8 +185,8 @@ class Soak {
     made.objects = std::make_unique<horopter::ObjectFollower>(
         profile, std::vector<const horopter::MapTable*>{&maps->maps.at(0).table}, maps->rig);
     made.largest_skew_ms = 1;
-    made.supervisor = std::make_unique<horopter::Supervisor>(std::make_unique<horopter::NativeDevice>(profile), profile,
-                                                             *maps, cell_.settings);
+    made.supervisor = std::make_unique<horopter::Supervisor>(horopter::make_live_native_device(profile), profile, *maps,
+                                                             cell_.settings);
     return made;
   }
   CameraFrame image(std::uint64_t number, std::size_t side) const {

@@ -2,6 +2,7 @@
 // The page of a monitor from outside: who may do what, and what hostile requests cost.
 #include <arpa/inet.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -21,6 +22,7 @@
 
 #include "fake_control.hpp"
 #include "horopter/base/error.hpp"
+#include "horopter/draw/overlay.hpp"
 #include "horopter/image/image.hpp"
 #include "horopter/monitor/event_log.hpp"
 #include "horopter/monitor/users.hpp"
@@ -200,6 +202,57 @@ bool wait_for(Condition&& condition) {
 }
 
 }  // namespace
+
+TEST_CASE("The key of colours has those of the pictures") {
+  constexpr int kSide = 64;
+  const horopter::Image left(kSide, kSide, 128);
+  horopter::FrameResult result;
+  result.states = horopter::Image(kSide, kSide);
+  result.blind.assign(result.states.pixels.size(), 0);
+  result.object_limit_pixels = 200;
+  const auto fill = [&](int x, int y, int width, int height, horopter::State state) {
+    for (int row = y; row < y + height; ++row) {
+      for (int column = x; column < x + width; ++column) {
+        result.states.at(column, row) = static_cast<std::uint8_t>(state);
+      }
+    }
+  };
+  fill(0, 0, 20, 20, horopter::State::skin);
+  fill(40, 0, 6, 6, horopter::State::skin);
+  fill(0, 40, 20, 10, horopter::State::undecidable);
+  fill(40, 40, 20, 20, horopter::State::unsupervised);
+  for (int x = 0; x < 20; ++x) result.blind[static_cast<std::size_t>(49 * kSide + x)] = 1;
+  const auto colour_at = [](const horopter::Picture& picture, std::size_t pixel) {
+    const std::uint8_t* bgr = picture.bgr.data() + 3 * pixel;
+    return fmt::format("#{:02x}{:02x}{:02x}", bgr[2], bgr[1], bgr[0]);
+  };
+  const auto has = [&](const horopter::Picture& picture, const std::string& colour) {
+    for (std::size_t i = 0; i < picture.bgr.size() / 3; ++i) {
+      if (colour_at(picture, i) == colour) return true;
+    }
+    return false;
+  };
+  Cell cell(true);
+  Browser nobody(cell);
+  const std::string css = nobody.get("/page.css")->body;
+  const std::string page = nobody.get("/")->body;
+  const auto states = horopter::draw_states(left, result);
+  const auto at = [&](int x, int y) { return colour_at(states, static_cast<std::size_t>(y * kSide + x)); };
+  CHECK_THAT(css, Catch::Contains(".key-clear { background: " + at(30, 30) + ";"));
+  CHECK_THAT(css, Catch::Contains(".key-skin { background: " + at(5, 5) + ";"));
+  CHECK_THAT(css, Catch::Contains(".key-dim { background: " + at(5, 45) + ";"));
+  CHECK_THAT(css, Catch::Contains(".key-blind { background: " + at(5, 49) + ";"));
+  CHECK_THAT(css, Catch::Contains(at(40, 40) + " 0 2px, " + at(41, 40) + " 2px"));
+  const auto overlay = horopter::draw_overlay(left, result);
+  for (const std::string key : {".key-object { border: 3px solid ", ".key-small { border: 3px solid "}) {
+    const auto place = css.find(key);
+    REQUIRE(place != std::string::npos);
+    CHECK(has(overlay, css.substr(place + key.size(), 7)));
+  }
+  for (const char* key : {"clear", "skin", "blind", "dim", "hatched", "object", "small"}) {
+    CHECK_THAT(page, Catch::Contains("<li><span class=\"key key-" + std::string(key) + "\"></span><b>"));
+  }
+}
 
 TEST_CASE("Each role may do what it may, and no more") {
   Cell cell(true);

@@ -2,10 +2,12 @@
 // The program with a machine whose registers are in this computer's memory and whose streams are files.
 #include <sys/file.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,40 @@ std::set<std::string> results_of(const Sandbox& box, const std::string& folder) 
 }
 
 }  // namespace
+
+TEST_CASE("uio: live cameras, judged by a machine that is somewhere") {
+  const auto folder = opencv_images();
+  if (!folder) return;
+  const Sandbox box;
+  const auto calibrated =
+      box.run({"calibrate", "--left", (*folder / "left??.jpg").string(), "--right", (*folder / "right??.jpg").string(),
+               "--target", "chessboard:9x6:30mm", "-o", "rig.yaml"});
+  REQUIRE(calibrated.status == 0);
+  box.write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 300], normal: [0, 0, -1]}\n");
+  UioMachine machine(box, horopter::make_native_device(horopter::find_profile("vga")));
+  const auto source = [&](const std::string& side) {  // of these four the third is an alarm
+    return "  " + side + ": {source: 'files:" + (*folder / (side + "0[1-4].jpg")).string() + "', repeat: true}\n";
+  };
+  box.write("cell.yaml", "name: somewhere\nengine: '" + machine.engine() + "'\ncameras:\n" + source("left") +
+                             source("right") + "  frames_per_s: 2\nrig: rig.yaml\nskin: skin.yaml\n" +
+                             "restart: by_itself\nlimits: {decision_ms: 30000}\n");
+  const int pairs = 14;
+  const auto run = machine.run({"monitor", "cell.yaml", "--json", "--frames", std::to_string(pairs)});
+  INFO(run.out << run.err);
+  CHECK(run.status == 0);
+  CHECK(machine.frames() == pairs);
+  std::vector<json> events;
+  std::istringstream lines(run.out);
+  for (std::string line; std::getline(lines, line);) events.push_back(json::parse(line));
+  const auto has = [&](const std::string& name, const auto& condition) {
+    return std::ranges::any_of(events, [&](const json& event) { return event["event"] == name && condition(event); });
+  };
+  CHECK(has("released", [](const json& event) { return event["safe"] == true; }));
+  CHECK(has("stopped", [](const json& event) {
+    return event["safe"] == false && event["alarm"] == true && event["objects"].size() == 1 &&
+           event["causes"][0]["name"] == "alarm";
+  }));
+}
 
 TEST_CASE("uio: the pictures of the chessboards are those of the native engine") {
   const auto folder = opencv_images();

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace horopter;
@@ -126,7 +127,7 @@ TEST_CASE("engine: the same results for all instructions and any number of threa
   CHECK(std::any_of(expected.begin(), expected.end(), [](const auto& result) { return result.blind_pixels > 100; }));
 
   for (const Instructions instructions : native::available_instructions()) {
-    for (const int threads : {1, 2, 3}) {
+    for (const int threads : {1, 2, 3, 9}) {
       const auto engine = native::make_engine(profile, threads, instructions);
       for (std::size_t i = 0; i < frames.size(); ++i) {
         INFO(profile << ", " << native::name_of(instructions) << ", " << threads << " threads, frame " << i);
@@ -140,6 +141,48 @@ TEST_CASE("engine: the same results for all instructions and any number of threa
       }
     }
   }
+}
+
+TEST_CASE("engine: a table is expanded once, or before its first frame") {
+  std::mt19937 random(29);
+  const auto engine = native::make_engine("vga");
+  const auto frames = frames_of(engine->profile(), random);
+  const auto process = [&](const Frame& frame) {
+    return engine->process(frame.images.left.view(), frame.images.right.view(), native::TableView(frame.table),
+                           frame.settings);
+  };
+  Frame frame = frames[0];
+  REQUIRE(frames[1].table != frame.table);
+  process(frame);
+  process(frame);
+  CHECK(engine->frames_that_expanded() == 1);
+  engine->prepare(native::TableView(frames[1].table), frames[1].settings.lookahead);
+  process(frames[1]);
+  CHECK(engine->frames_that_expanded() == 1);
+  process(frame);
+  CHECK(engine->frames_that_expanded() == 1);
+  frame.settings.lookahead -= 1;
+  process(frame);
+  CHECK(engine->frames_that_expanded() == 2);
+
+  const auto large = hls::table::write({1280, 720, 6, 6}, {}, [](int, int) { return hls::table::unmapped; });
+  CHECK_THROWS_AS(engine->prepare(native::TableView(large), 8), std::invalid_argument);
+}
+
+TEST_CASE("engine: one thread, or two for frames that do not wait, unless the environment says how many") {
+  const char* const before = std::getenv("HOROPTER_THREADS");
+  const std::string restored = before == nullptr ? "" : before;
+  ::unsetenv("HOROPTER_THREADS");
+  CHECK(native::make_engine("vga")->threads() == 1);
+  CHECK(native::make_engine("vga", native::threads_live)->threads() ==
+        std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 2));
+  ::setenv("HOROPTER_THREADS", "3", 1);
+  CHECK(native::make_engine("vga")->threads() == 3);
+  CHECK(native::make_engine("vga", native::threads_live)->threads() == 3);
+  CHECK(native::make_engine("vga", 2)->threads() == 2);
+  ::setenv("HOROPTER_THREADS", "17", 1);
+  CHECK_THROWS_WITH(native::make_engine("vga", native::threads_live), Catch::Contains("17, not 1 to 16"));
+  ::setenv("HOROPTER_THREADS", restored.c_str(), 1);
 }
 
 TEST_CASE("engine: objects are those of one step a pixel") {

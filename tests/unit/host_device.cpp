@@ -315,6 +315,55 @@ TEST_CASE("Fifteen tables fit, are switched at every frame, and a full pool says
   CHECK_NOTHROW(large.upload(0, dense));
 }
 
+TEST_CASE("The first pair is judged twice, as nothing was shown before it; a live one once, and is unproven") {
+  const MachineProfile& profile = find_profile("vga");
+  SkinFile skin;
+  skin.path = "skin";
+  skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -6, 0, 1, 2, 0, 0, 1});
+  Settings settings;
+  settings.live = GENERATE(false, true);
+  Supervisor supervisor(make_native_device(profile), profile, compile_maps(skin, profile, kWidth, kHeight), settings);
+  for (unsigned pair = 1; pair <= 3; ++pair) {
+    const auto results =
+        supervisor.process(textured(kWidth, kHeight, 2 * pair), textured(kWidth, kHeight, 2 * pair + 1));
+    REQUIRE(results.size() == 1);
+    CHECK(results[0].sequence == (settings.live ? pair : pair + 1));
+    CHECK(results[0].faults.has(Fault::unproven) == (settings.live && pair == 1));
+  }
+}
+
+TEST_CASE("A table is expanded when it is uploaded, and no frame waits for it") {
+  const MachineProfile& profile = find_profile("vga");
+  auto made = std::make_unique<NativeDevice>(profile);
+  const NativeDevice& device = *made;
+  Monitor monitor(std::move(made), profile, Settings{}.without_proof());
+  monitor.start(kWidth, kHeight, 8);
+  unsigned seed = 0;
+  const auto crc_of_frame = [&] {
+    const Image left = textured(kWidth, kHeight, ++seed);
+    monitor.device().send(left, moved(left, -6, 2));
+    monitor.device().receive();
+    return monitor.device().read(reg::frame_table_crc::kAddress);
+  };
+  const std::array tables{shift_table(profile, kWidth, kHeight, -6, 2), shift_table(profile, kWidth, kHeight, 5, 2)};
+  for (int slot = 0; slot < 2; ++slot) monitor.upload(slot, tables[static_cast<std::size_t>(slot)]);
+  for (const int slot : {0, 1, 0}) {
+    monitor.select(slot);
+    CHECK(crc_of_frame() == tables[static_cast<std::size_t>(slot)].crc());
+  }
+  CHECK(device.frames_that_expanded_their_table() == 0);
+
+  // Tables stay where they are while it is stopped, but another LOOKAHEAD makes others of them.
+  monitor.device().write(reg::control::kAddress, 0);
+  monitor.device().write(reg::lookahead::kAddress, 9);
+  monitor.device().write(reg::control::kAddress, 1);
+  CHECK(crc_of_frame() == tables[0].crc());
+  monitor.upload(1, tables[0]);
+  monitor.select(1);
+  CHECK(crc_of_frame() == tables[0].crc());
+  CHECK(device.frames_that_expanded_their_table() == 0);
+}
+
 TEST_CASE("Uploads are refused as the hardware refuses them") {
   Small small;
   Device& device = small.monitor.device();

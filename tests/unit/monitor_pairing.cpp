@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which images belong together, and what is wrong with them: against a clock that is simulated.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <random>
@@ -282,18 +283,52 @@ TEST_CASE("exposure may change where that is allowed, of the camera of which it 
   CHECK(cameras.give(left, right) == Names{"right_exposure"});
 }
 
-TEST_CASE("pairs that nobody takes are dropped: counted, and a fault of the next one") {
+TEST_CASE("pairs that nobody takes: two wait, older ones are dropped, counted, and a fault of the next one") {
   Cameras cameras;
   for (int i = 0; i < 10; ++i) {
+    CameraFrame right = cameras.frame(i);
+    if (i == 3) right.taken += 2ms;
     cameras.add(Side::left, i);
-    cameras.add(Side::right, i);
+    cameras.pairing.add(Side::right, std::move(right));
   }
   const auto pair = cameras.pairing.take();
   REQUIRE(pair);
-  CHECK(pair->left.number == 9U);
-  CHECK(pair->faults == (MonitorFault::left_dropped | MonitorFaults(MonitorFault::right_dropped)));
-  CHECK(cameras.pairing.counts(Side::left).dropped == 9);
+  CHECK(pair->left.number == 8U);
+  CHECK(pair->faults == (MonitorFault::left_dropped | MonitorFaults(MonitorFault::right_dropped) | MonitorFault::skew));
+  CHECK(cameras.pairing.counts(Side::left).dropped == 8);
+  CHECK(cameras.taken().empty());
   CHECK(cameras.both(10).empty());
+}
+
+TEST_CASE("a decision that takes as long as two pairs once: none is dropped, and the oldest is judged first") {
+  Cameras cameras;
+  std::vector<std::uint64_t> judged;
+  for (int i = 0; i < 100; ++i) {
+    cameras.add(Side::left, i);
+    cameras.add(Side::right, i);
+    const bool late = i % 10 == 3;  // the decision is not ready for this pair
+    for (auto pair = late ? std::nullopt : cameras.pairing.take(); pair; pair = cameras.pairing.take()) {
+      CHECK_FALSE(pair->faults.any());
+      judged.push_back(*pair->left.number);
+    }
+  }
+  REQUIRE(judged.size() == 100);
+  CHECK(std::ranges::is_sorted(judged));
+  CHECK(cameras.pairing.counts(Side::right).dropped == 0);
+}
+
+TEST_CASE("what came before the machine runs counts as dropped, which is no fault") {
+  Cameras cameras;
+  for (int i = 0; i < 4; ++i) cameras.add(Side::left, i);
+  for (int i = 0; i < 3; ++i) cameras.add(Side::right, i);
+  REQUIRE(cameras.pairing.take());
+  cameras.pairing.clear(1);
+  for (const Side side : {Side::left, Side::right}) {
+    CHECK(cameras.pairing.counts(side).frames == cameras.pairing.counts(side).dropped);
+  }
+  cameras.add(Side::right, 3);  // without its partner, which was forgotten
+  CHECK(cameras.taken() == Names{"no pair"});
+  CHECK(cameras.both(4) == Names{"right_unpaired"});
 }
 
 TEST_CASE("a camera that gives nothing is lost, also one that never gave anything") {

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The decision while it runs: images are given to it one pair after the other, and whoever listens hears what came of it.
 // Its limit is long, so that a slow computer is none of the faults; where a decision hangs it hangs for as long as it takes.
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <condition_variable>
+#include <csignal>
 #include <mutex>
 #include <random>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -16,6 +21,7 @@
 #include "horopter/map/map_compiler.hpp"
 #include "horopter/monitor/service.hpp"
 #include "host_temporary.hpp"
+#include "output/lines.hpp"
 
 using namespace horopter::monitor;
 using namespace std::chrono_literals;
@@ -415,6 +421,51 @@ TEST_CASE("a machine that fails: not safe, told, and the end") {
   while (!bench.ended) std::this_thread::sleep_for(1ms);
   CHECK_THAT(bench.failure, Catch::Contains("it burns"));
   CHECK_FALSE(bench.service->safe_state().at(Clock::now()).safe);
+}
+
+TEST_CASE("standard output that nobody reads holds nobody up: lines are lost, and that is its trouble") {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::array<int, 2> ends{};
+  REQUIRE(::pipe(ends.data()) == 0);
+  const Cell cell;
+  auto lines = make_lines(cell, Lines::json, ends[1]);
+  const int count = 2500;
+  for (int i = 0; i < count; ++i) lines->noted({}, {"anna", ""}, std::to_string(i));
+  CHECK_THAT(lines->trouble(), Catch::Contains("is not read") && Catch::Contains("lines were lost"));
+
+  SECTION("it is read again: whole lines in order, and all is well") {
+    std::string text;
+    std::thread reader([&text, end = ends[0]] {
+      std::array<char, 4096> bytes{};
+      for (ssize_t got = 0; (got = ::read(end, bytes.data(), bytes.size())) > 0;) {
+        text.append(bytes.data(), static_cast<std::size_t>(got));
+      }
+    });
+    CHECK(eventually([&] { return lines->trouble().empty(); }));
+    lines.reset();
+    ::close(ends[1]);
+    reader.join();
+    std::istringstream read(text);
+    int next = 0;
+    for (std::string line; std::getline(read, line); ++next) {
+      const auto event = nlohmann::json::parse(line);
+      if (next < 1000) REQUIRE(event["what"] == std::to_string(next));
+    }
+    CHECK(next >= 1000);
+    CHECK(next < count);
+    ::close(ends[0]);
+  }
+  SECTION("the reader is gone") {
+    ::close(ends[0]);
+    CHECK(eventually([&] { return lines->trouble().find("Broken pipe") != std::string::npos; }));
+    lines.reset();
+    ::close(ends[1]);
+  }
+  SECTION("it is never read: the end comes all the same") {
+    lines.reset();
+    ::close(ends[0]);
+    ::close(ends[1]);
+  }
 }
 
 TEST_CASE("teaching: not safe meanwhile, and said when it has ended") {

@@ -309,7 +309,8 @@ FrameResult Monitor::finish() {
 
 Supervisor::Supervisor(std::unique_ptr<Device> device, const MachineProfile& profile, const MapSet& maps,
                        const Settings& settings)
-    : monitor_(std::move(device), profile, settings_for(settings, profile, maps)), settled_(!settings.proof.needed) {
+    : monitor_(std::move(device), profile, settings_for(settings, profile, maps)),
+      settled_(!settings.proof.needed || settings.live) {
   for (const CompiledMap& map : maps.maps) scans_.push_back(map.table.geometry());
   monitor_.start(scans_.at(0).width, scans_.at(0).height, maps.lookahead());
   for (std::size_t slot = 0; slot < maps.maps.size(); ++slot) {

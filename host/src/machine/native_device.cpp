@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "horopter/base/crc32.hpp"
@@ -81,8 +82,8 @@ native::ImageView view(const Image& image) { return {image.pixels.data(), image.
 
 }  // namespace
 
-NativeDevice::NativeDevice(const MachineProfile& profile)
-    : profile_(profile), engine_(native::make_engine(profile.name)) {
+NativeDevice::NativeDevice(const MachineProfile& profile, bool live)
+    : profile_(profile), live_(live), engine_(new_engine()) {
   if (engine_ == nullptr) throw UsageError(fmt::format("no native engine for profile {}", profile.name));
   const auto defaults = native::Settings::defaults(profile, profile.width, profile.height);
   write_settings(defaults, [this](std::uint32_t address, std::uint32_t word) { stored(address) = word; });
@@ -231,6 +232,7 @@ void NativeDevice::write(std::uint32_t address, std::uint32_t value) {
     case reg::control::kAddress:
       stored(address) = value & reg::control::kEnable.mask();
       if (!running()) reset_stream();
+      for (std::size_t slot = 0; slot < tables_.size(); ++slot) prepare(slot);
       return;
     case reg::faults_cameras::kAddress:
       faults_.clear({value, 0});
@@ -307,8 +309,12 @@ void NativeDevice::restart(std::uint32_t key) {
   if (key == reg::kRestartKey && by_register && restart_is_allowed()) restarted_ = true;
 }
 
+std::unique_ptr<native::Engine> NativeDevice::new_engine() const {
+  return native::make_engine(profile_.name, live_ ? native::threads_live : native::threads_usual);
+}
+
 void NativeDevice::reset_stream() {
-  engine_ = native::make_engine(profile_.name);
+  engine_ = new_engine();
   pending_.clear();
   frame_ = {};
   hold();
@@ -375,7 +381,21 @@ void NativeDevice::upload_word(std::uint32_t word) {
   if (crc32_words(std::span(words).first(words.size() - 1)) != words.back()) return end_upload(UploadError::wrong_crc);
   tables_.at(static_cast<std::size_t>(upload_slot_)) = std::move(upload_);
   end_upload(UploadError::none);
+  prepare(static_cast<std::size_t>(upload_slot_));
 }
+
+/// What a frame makes of its table is the same for each, and takes longer than a frame: it is made when both are known.
+void NativeDevice::prepare(std::size_t slot) {
+  const auto& table = tables_.at(slot);
+  if (!running() || !table || !fits(*table)) return;
+  try {
+    engine_->prepare(native::TableView(table->words), static_cast<int>(stored(reg::lookahead::kAddress)));
+  } catch (const std::invalid_argument&) {
+    // The hardware checks less of a table. The frame that needs it says what is wrong.
+  }
+}
+
+int NativeDevice::frames_that_expanded_their_table() const { return engine_->frames_that_expanded(); }
 
 // Streams -------------------------------------------------------------------------------------------------------------
 
@@ -412,10 +432,13 @@ void NativeDevice::send(const Image& left, const Image& right) {
 /// The table is looked up at the start of the output frame.
 void NativeDevice::start_frame() {
   const auto selected = stored(reg::table_select::kAddress);
-  const auto geometry = stored(reg::height::kAddress) << 16 | stored(reg::width::kAddress);
-  const bool fits =
-      selected < tables_.size() && tables_[selected].has_value() && tables_[selected]->words[2] == geometry;
-  active_slot_ = fits ? static_cast<int>(selected) : kNoTable;
+  const bool usable = selected < tables_.size() && tables_[selected].has_value() && fits(*tables_[selected]);
+  active_slot_ = usable ? static_cast<int>(selected) : kNoTable;
+}
+
+bool NativeDevice::fits(const Table& table) const {
+  const auto height = registers_[reg::height::kAddress / 4];
+  return table.words[2] == (height << 16 | registers_[reg::width::kAddress / 4]);
 }
 
 FrameStreams NativeDevice::receive() {
@@ -509,6 +532,10 @@ FrameStreams NativeDevice::receive() {
 
 std::unique_ptr<Device> make_native_device(const MachineProfile& profile) {
   return std::make_unique<NativeDevice>(profile);
+}
+
+std::unique_ptr<Device> make_live_native_device(const MachineProfile& profile) {
+  return std::make_unique<NativeDevice>(profile, true);
 }
 
 }  // namespace horopter

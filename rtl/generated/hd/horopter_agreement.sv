@@ -166,7 +166,7 @@ module horopter_agreement (
   logic [10:0] raster_rows_left_q;
   logic raster_final_row_q;
   logic averager_running_mask_q;
-  // hls/stages/census.hpp:93
+  // hls/stages/census.hpp:109
   logic equal_328;
   assign equal_328 = select_327_s1_q[1:0] == 2'h0;
   // hls/stages/census.hpp:35
@@ -177,16 +177,16 @@ module horopter_agreement (
   assign or_335 = sample_pair_first_s1_q | raster_at_live_q;
   logic [3:0] select_348;
   assign select_348 = sample_pair_first_s1_q ? 4'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:326
+  // hls/stages/agreement.hpp:394
   logic whole;
   assign whole = equal_328 ? sample_present_s1_q : (sample_present_s1_q & averager_running_mask_q);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [6:0] column;
   assign column = sample_pair_whole_s1_q ? select_330 : 7'h0;
   // hls/stages/census.hpp:50
   logic equal_365;
   assign equal_365 = select_327_s1_q == 4'hf;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [3:0] select_1604;
   assign select_1604 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (select_348 + 4'h1) : select_348) : raster_at_y_q;
   logic [6:0] select_1606;
@@ -196,7 +196,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:49
   logic [10:0] select_1615;
   assign select_1615 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic select_1619;
   assign select_1619 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
 
@@ -262,13 +262,13 @@ module horopter_agreement (
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic [6:0] raster_at_row_q;
   logic [8:0] averager_place_q;
-  // hls/stages/census.hpp:100
+  // hls/stages/census.hpp:116
   logic [8:0] select_334;
   assign select_334 = equal_328_s2_q ? (equal_331_s2_q ? 9'h0 : (averager_place_q + 9'h1)) : averager_place_q;
   // hls/stages/census.hpp:41
   logic [6:0] select_428;
   assign select_428 = sample_pair_first_s2_q ? 7'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [6:0] row;
   assign row = sample_pair_whole_s2_q ? select_428 : 7'h0;
   // hls/stages/census.hpp:57
@@ -325,19 +325,19 @@ module horopter_agreement (
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:326
+  // hls/stages/agreement.hpp:394
   logic and_343;
   assign and_343 = not_340_s3_q & (~(select_334_s3_q[8:5] == 4'hf));
-  // hls/stages/census.hpp:110
+  // hls/stages/census.hpp:126
   logic and_367;
   assign and_367 = equal_366_s3_q & and_343;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic and_369;
   assign and_369 = sample_pair_whole_s3_q & (equal_365_s3_q & and_367);
-  // hls/stages/agreement.hpp:367
+  // hls/stages/agreement.hpp:435
   logic equal_1863;
   assign equal_1863 = {last[7], column_s3_q} == {1'b0, last[6:0]};
-  // hls/stages/agreement.hpp:383
+  // hls/stages/agreement.hpp:451
   logic [7:0] sum_1953;
   assign sum_1953 = {1'b0, row_s3_q} + 8'h1;
 
@@ -410,102 +410,102 @@ module horopter_agreement (
   logic ends_cell_q;
   logic ends_q;
   logic final_row_q;
-  // hls/stages/agreement.hpp:152
+  // hls/stages/agreement.hpp:181
   logic so;
   assign so = run_phase_q == 3'h6;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:598
   logic equal_389;
   assign equal_389 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:521
+  // hls/stages/agreement.hpp:589
   logic equal_392;
   assign equal_392 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:522
+  // hls/stages/agreement.hpp:590
   logic equal_394;
   assign equal_394 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:430
+  // hls/stages/agreement.hpp:498
   logic select_1867;
   assign select_1867 = (and_1864_s4_q | (~ends_cell_q)) ? and_1864_s4_q : ends_q;
-  // hls/stages/agreement.hpp:436
+  // hls/stages/agreement.hpp:504
   logic [2:0] now;
   assign now = select_1867 ? (and_1864_s4_q ? 3'h1 : following_phase_q) : run_phase_q;
-  // hls/stages/agreement.hpp:441
+  // hls/stages/agreement.hpp:509
   logic [5:0] select_1871;
   assign select_1871 = select_1867 ? (and_1864_s4_q ? 6'h0 : following_shift_q) : run_shift_q;
   logic select_1874;
   assign select_1874 = select_1867 ? (following_last_shift_q & (~and_1864_s4_q)) : run_last_shift_q;
-  // hls/stages/agreement.hpp:442
+  // hls/stages/agreement.hpp:510
   logic [7:0] select_1876;
   assign select_1876 = select_1867 ? (and_1864_s4_q ? 8'h0 : following_span_q) : run_span_q;
-  // hls/stages/agreement.hpp:514
+  // hls/stages/agreement.hpp:582
   logic and_1877;
   assign and_1877 = run_last_shift_q & equal_392;
-  // hls/stages/agreement.hpp:523
+  // hls/stages/agreement.hpp:591
   logic select_1879;
   assign select_1879 = equal_392 ? (~run_last_shift_q) : equal_394;
-  // hls/stages/agreement.hpp:527
+  // hls/stages/agreement.hpp:595
   logic equal_1880;
   assign equal_1880 = run_phase_q == 3'h1;
   logic not_1883;
   assign not_1883 = ~select_1879;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:598
   logic equal_1885;
   assign equal_1885 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:514
+  // hls/stages/agreement.hpp:582
   logic and_1886;
   assign and_1886 = final_row_q & so;
-  // hls/stages/agreement.hpp:527
+  // hls/stages/agreement.hpp:595
   logic [1:0] select_1887;
   assign select_1887 = equal_1885 ? 2'h1 : {2{and_1886}};
   logic [2:0] select_1889;
   assign select_1889 = (and_1877 | (select_1879 | equal_1880)) ? (equal_1880 ? 3'h2 : {not_1883, {2{select_1879}}}) : (equal_389 ? 3'h6 : {select_1887[0], select_1887});
-  // hls/stages/agreement.hpp:514
+  // hls/stages/agreement.hpp:582
   logic and_1892;
   assign and_1892 = select_1879 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
-  // hls/stages/agreement.hpp:537
+  // hls/stages/agreement.hpp:605
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
   logic [6:0] select_1895;
   assign select_1895 = (plan_shift_q[5] & select_1879) ? value : 7'h0;
   logic [1:0] or_1896;
   assign or_1896 = {2{so}} | select_1895[5:4];
-  // hls/stages/agreement.hpp:540
+  // hls/stages/agreement.hpp:608
   logic [7:0] or_1900;
   assign or_1900 = (select_1879 ? plan_columns_q : 8'h0) | ((equal_1880 | equal_1885) ? whole_q : 8'h0);
   logic [1:0] or_1901;
   assign or_1901 = {2{and_1877}} | or_1900[4:3];
-  // hls/stages/agreement.hpp:541
+  // hls/stages/agreement.hpp:609
   logic [7:0] or_1903;
   assign or_1903 = {or_1900[7:5], or_1901, or_1900[2:0]} | (equal_389 ? drawn_q : 8'h0);
   logic [4:0] or_1904;
   assign or_1904 = {5{so}} | {or_1903[6], or_1903[3:0]};
-  // hls/stages/agreement.hpp:547
+  // hls/stages/agreement.hpp:615
   logic not_1908;
   assign not_1908 = ~run_shift_q[5];
   logic [7:0] select_1911;
   assign select_1911 = equal_392 ? ({{7{not_1908}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
-  // hls/stages/agreement.hpp:430
+  // hls/stages/agreement.hpp:498
   logic [6:0] select_1915;
   assign select_1915 = and_1864_s4_q ? 7'h0 : following_lowest_q;
-  // hls/stages/agreement.hpp:433
+  // hls/stages/agreement.hpp:501
   logic [7:0] select_1917;
   assign select_1917 = select_1867 ? {select_1915[6], select_1915} : (x_q + {7'h0, ends_cell_q});
   logic [7:0] select_1920;
   assign select_1920 = select_1867 ? (and_1864_s4_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [6:0] select_1927;
   assign select_1927 = equal_1863_s4_q ? ((6'he < column_s4_q[6:1]) ? 7'h1d : column_s4_q) : least_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [7:0] select_1931;
   assign select_1931 = and_369_s4_q ? (equal_1863_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h17) : whole_q) : whole_q;
   logic [7:0] select_1934;
   assign select_1934 = and_369_s4_q ? (equal_1863_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h3) : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:438
+  // hls/stages/agreement.hpp:506
   logic select_1948;
   assign select_1948 = (ends_cell_q | select_1867) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_392 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:433
+  // hls/stages/agreement.hpp:501
   logic and_1952;
   assign and_1952 = (~select_1867) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic select_1956;
   assign select_1956 = and_369_s4_q ? (equal_1863_s4_q ? equal_1954_s4_q : final_row_q) : final_row_q;
 
@@ -634,18 +634,18 @@ module horopter_agreement (
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [6:0] age_q;
-  // hls/stages/agreement.hpp:501
+  // hls/stages/agreement.hpp:569
   logic [7:0] select_396;
   assign select_396 = run_shift_s5_q[5] ? x_s5_q : sum_395_s5_q;
   logic less_397;
   assign less_397 = {1'b0, last_s5_q} < select_396;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:209
   logic not_398;
   assign not_398 = ~less_397;
-  // hls/stages/agreement.hpp:720
+  // hls/stages/agreement.hpp:788
   logic [7:0] x;
   assign x = x_s5_q + 8'hfd;
-  // hls/stages/agreement.hpp:435
+  // hls/stages/agreement.hpp:503
   logic [6:0] select_1936;
   assign select_1936 = select_1867_s5_q ? 7'h0 : (ends_cell_s5_q ? {age_q[5:0], 1'b1} : age_q);
 
@@ -737,10 +737,10 @@ module horopter_agreement (
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:501
+  // hls/stages/agreement.hpp:569
   logic or_390;
   assign or_390 = so_s6_q | equal_389_s6_q;
-  // hls/stages/agreement.hpp:651
+  // hls/stages/agreement.hpp:719
   logic not_391;
   assign not_391 = ~or_390;
   // hls/stages/agreement.hpp:137
@@ -750,14 +750,14 @@ module horopter_agreement (
   assign and_510 = equal_392_s6_q & and_509_s6_q;
   logic select_511;
   assign select_511 = or_390 ? not_398_s6_q : and_510;
-  // hls/stages/agreement.hpp:729
+  // hls/stages/agreement.hpp:797
   logic or_516;
   assign or_516 = equal_514_s6_q | ($signed(6'h0) < $signed(run_shift_s6_q));
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:809
   logic [6:0] right;
   assign right = sum_395_s6_q + 7'h7d;
 
-  // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1227; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
+  // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1299; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:119];
@@ -773,7 +773,7 @@ module horopter_agreement (
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 120 x 91, DISTANCE 24, hls/stages/agreement.hpp:1228; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
+  // Memory right_codes, 120 x 91, DISTANCE 24, hls/stages/agreement.hpp:1300; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:119];
@@ -789,7 +789,7 @@ module horopter_agreement (
     if (right_codes_re) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 120 x 46, DISTANCE 24, hls/stages/agreement.hpp:1229; read in stage 6, written in stage 17: 6 < 17 < 6 + DISTANCE.
+  // Memory best_left, 120 x 46, DISTANCE 24, hls/stages/agreement.hpp:1301; read in stage 6, written in stage 17: 6 < 17 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [45:0] best_left_mem [0:119];
@@ -890,7 +890,7 @@ module horopter_agreement (
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
 
-  // Memory fresh, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1226; read in stage 7, written in stage 26: 7 < 26 < 7 + DISTANCE.
+  // Memory fresh, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1298; read in stage 7, written in stage 26: 7 < 26 < 7 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:119];
@@ -998,10 +998,10 @@ module horopter_agreement (
   // Stage 8 -----------------------------------------------------------------------------------------------------------
   logic [6:0] row_q;
   logic lower_half_q;
-  // hls/stages/agreement.hpp:573
+  // hls/stages/agreement.hpp:641
   logic not_489;
   assign not_489 = ~(row_q == 7'h0);
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_524;
   assign and_524 = left_rdata_s8_q[44] & not_398_s8_q;
   logic and_525;
@@ -1010,10 +1010,10 @@ module horopter_agreement (
   assign select_526 = less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[37:26];
   logic [11:0] select_527;
   assign select_527 = less_397_s8_q ? 12'h0 : left_rdata_s8_q[43:32];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_531;
   assign select_531 = and_524 ? (and_525 ? (~(select_526 ^ select_527)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_547;
   assign and_547 = left_rdata_s8_q[60] & not_398_s8_q;
   logic and_548;
@@ -1022,10 +1022,10 @@ module horopter_agreement (
   assign select_549 = less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[50:39];
   logic [11:0] select_550;
   assign select_550 = less_397_s8_q ? 12'h0 : left_rdata_s8_q[59:48];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_554;
   assign select_554 = and_547 ? (and_548 ? (~(select_549 ^ select_550)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_564;
   assign and_564 = left_rdata_s8_q[76] & not_398_s8_q;
   logic and_565;
@@ -1034,54 +1034,54 @@ module horopter_agreement (
   assign select_566 = less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[63:52];
   logic [11:0] select_567;
   assign select_567 = less_397_s8_q ? 12'h0 : left_rdata_s8_q[75:64];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_571;
   assign select_571 = and_564 ? (and_565 ? (~(select_566 ^ select_567)) : 12'h0) : 12'h0;
   logic [11:0] select_779;
   assign select_779 = (slot_s8_q[0] ? and_565 : and_548) ? (~(select_527 ^ (slot_s8_q[0] ? select_566 : select_549))) : 12'h0;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_796;
   assign and_796 = right_codes_rdata_s8_q[77] & not_398_s8_q;
   logic [11:0] select_798;
   assign select_798 = less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[76:65];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_802;
   assign select_802 = (slot_s8_q[0] ? and_796 : and_565) ? (~(select_550 ^ (slot_s8_q[0] ? select_798 : select_566))) : 12'h0;
-  // hls/stages/agreement.hpp:665
+  // hls/stages/agreement.hpp:733
   logic select_814;
   assign select_814 = slot_s8_q[0] ? (right_codes_rdata_s8_q[90] & not_398_s8_q) : and_796;
   logic [11:0] select_816;
   assign select_816 = slot_s8_q[0] ? (less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[89:78]) : select_798;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_1025;
   assign and_1025 = right_codes_rdata_s8_q[25] & not_398_s8_q;
-  // hls/stages/agreement.hpp:665
+  // hls/stages/agreement.hpp:733
   logic select_1026;
   assign select_1026 = slot_s8_q[0] ? (right_codes_rdata_s8_q[12] & not_398_s8_q) : and_1025;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic [11:0] select_1028;
   assign select_1028 = less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[24:13];
-  // hls/stages/agreement.hpp:665
+  // hls/stages/agreement.hpp:733
   logic [11:0] select_1029;
   assign select_1029 = slot_s8_q[0] ? (less_397_s8_q ? 12'h0 : right_codes_rdata_s8_q[11:0]) : select_1028;
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1053;
   assign select_1053 = (slot_s8_q[0] ? and_1025 : and_525) ? (~(select_550 ^ (slot_s8_q[0] ? select_1028 : select_526))) : 12'h0;
   logic [11:0] select_1068;
   assign select_1068 = (slot_s8_q[0] ? and_525 : and_548) ? (~(select_567 ^ (slot_s8_q[0] ? select_526 : select_549))) : 12'h0;
-  // hls/stages/agreement.hpp:874
+  // hls/stages/agreement.hpp:942
   logic [5:0] shift;
   assign shift = slot_s8_q[2] ? best_left_rdata_s8_q[5:0] : best_left_rdata_s8_q[45:40];
-  // hls/stages/agreement.hpp:879
+  // hls/stages/agreement.hpp:947
   logic and_1344;
   assign and_1344 = (or_390_s8_q & (left_rdata_s8_q[61] & not_398_s8_q)) & (~(row_q[6:3] == 4'h0));
-  // hls/stages/agreement.hpp:199
+  // hls/stages/agreement.hpp:228
   logic and_1352;
   assign and_1352 = not_398_s8_q & (or_390_s8_q & (left_rdata_s8_q[63] & not_398_s8_q));
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic select_1960;
   assign select_1960 = equal_1863_s8_q ? (~({row_s8_q, 1'b0} < {sum_1957, cfg_height_i[4]})) : lower_half_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic and_2197;
   assign and_2197 = and_369_s8_q & (equal_1863_s8_q & (row_s8_q[6:2] == 5'h0));
 
@@ -1253,7 +1253,7 @@ module horopter_agreement (
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_537;
   assign parity_537 = ^select_531_s9_q[5:3];
   logic parity_540;
@@ -1278,47 +1278,47 @@ module horopter_agreement (
   assign parity_595 = ^{select_571_s9_q[11:9], select_554_s9_q[5:0]};
   logic parity_598;
   assign parity_598 = ^{select_571_s9_q, select_554_s9_q, select_531_s9_q[2:0]};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_603;
   assign or_603 = (select_531_s9_q[1:0] == 2'h3) | (select_531_s9_q[2] & (select_531_s9_q[0] | select_531_s9_q[1]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_607;
   assign or_607 = (select_554_s9_q[7:6] == 2'h3) | (select_554_s9_q[8] & (select_554_s9_q[6] | select_554_s9_q[7]));
   logic or_611;
   assign or_611 = (select_554_s9_q[10:9] == 2'h3) | (select_554_s9_q[11] & (select_554_s9_q[9] | select_554_s9_q[10]));
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_619;
   assign or_619 = (select_571_s9_q[7:6] == 2'h3) | (select_571_s9_q[8] & (~(select_571_s9_q[7:6] == 2'h0)));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_623;
   assign or_623 = (select_571_s9_q[1:0] == 2'h3) | (select_571_s9_q[2] & (select_571_s9_q[0] | select_571_s9_q[1]));
   logic or_627;
   assign or_627 = (select_571_s9_q[4:3] == 2'h3) | (select_571_s9_q[5] & (select_571_s9_q[3] | select_571_s9_q[4]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_630;
   assign parity_630 = ^{or_627, or_623, or_619};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_634;
   assign or_634 = (select_554_s9_q[4:3] == 2'h3) | (select_554_s9_q[5] & (select_554_s9_q[3] | select_554_s9_q[4]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_638;
   assign or_638 = (select_571_s9_q[10:9] == 2'h3) | (select_571_s9_q[11] & (select_571_s9_q[9] | select_571_s9_q[10]));
   logic or_642;
   assign or_642 = (select_554_s9_q[1:0] == 2'h3) | (select_554_s9_q[2] & (select_554_s9_q[0] | select_554_s9_q[1]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_645;
   assign parity_645 = ^{or_642, or_638, or_634};
   logic parity_648;
   assign parity_648 = ^{or_642, or_638, or_634, or_627, or_623, or_619, or_611, or_607, or_603};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_653;
   assign or_653 = (parity_537 & parity_540) | ((^select_531_s9_q[11:9]) & (parity_537 | parity_540));
   logic and_656;
   assign and_656 = (^{select_554_s9_q[11:6], select_531_s9_q[2:0]}) & (parity_583 | parity_595);
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_664;
   assign or_664 = (select_531_s9_q[10:9] == 2'h3) | (select_531_s9_q[11] & (select_531_s9_q[9] | select_531_s9_q[10]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_668;
   assign or_668 = (select_531_s9_q[4:3] == 2'h3) | (select_531_s9_q[5] & (select_531_s9_q[3] | select_531_s9_q[4]));
   logic or_672;
@@ -1329,28 +1329,28 @@ module horopter_agreement (
   assign or_683 = (parity_577 & parity_580) | ((^select_571_s9_q[8:6]) & (parity_577 | parity_580));
   logic or_687;
   assign or_687 = (parity_589 & parity_592) | ((^select_554_s9_q[5:3]) & (parity_589 | parity_592));
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_780;
   assign select_780 = and_524_s9_q ? select_779_s9_q : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_786;
   assign parity_786 = ^select_780[5:3];
   logic parity_789;
   assign parity_789 = ^select_780[8:6];
   logic parity_792;
   assign parity_792 = ^select_780[11:3];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_803;
   assign select_803 = and_547_s9_q ? select_802_s9_q : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_806;
   assign parity_806 = ^select_803[8:6];
   logic parity_809;
   assign parity_809 = ^select_803[11:9];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_820;
   assign select_820 = and_564_s9_q ? select_819_s9_q : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_826;
   assign parity_826 = ^select_820[2:0];
   logic parity_829;
@@ -1365,47 +1365,47 @@ module horopter_agreement (
   assign parity_844 = ^{select_820[11:9], select_803[5:0]};
   logic parity_847;
   assign parity_847 = ^{select_820, select_803, select_780[2:0]};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_852;
   assign or_852 = (select_780[1:0] == 2'h3) | (select_780[2] & (select_780[0] | select_780[1]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_856;
   assign or_856 = (select_803[7:6] == 2'h3) | (select_803[8] & (select_803[6] | select_803[7]));
   logic or_860;
   assign or_860 = (select_803[10:9] == 2'h3) | (select_803[11] & (select_803[9] | select_803[10]));
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_868;
   assign or_868 = (select_820[7:6] == 2'h3) | (select_820[8] & (~(select_820[7:6] == 2'h0)));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_872;
   assign or_872 = (select_820[1:0] == 2'h3) | (select_820[2] & (select_820[0] | select_820[1]));
   logic or_876;
   assign or_876 = (select_820[4:3] == 2'h3) | (select_820[5] & (select_820[3] | select_820[4]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_879;
   assign parity_879 = ^{or_876, or_872, or_868};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_883;
   assign or_883 = (select_803[4:3] == 2'h3) | (select_803[5] & (select_803[3] | select_803[4]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_887;
   assign or_887 = (select_820[10:9] == 2'h3) | (select_820[11] & (select_820[9] | select_820[10]));
   logic or_891;
   assign or_891 = (select_803[1:0] == 2'h3) | (select_803[2] & (select_803[0] | select_803[1]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_894;
   assign parity_894 = ^{or_891, or_887, or_883};
   logic parity_897;
   assign parity_897 = ^{or_891, or_887, or_883, or_876, or_872, or_868, or_860, or_856, or_852};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_902;
   assign or_902 = (parity_786 & parity_789) | ((^select_780[11:9]) & (parity_786 | parity_789));
   logic and_905;
   assign and_905 = (^{select_803[11:6], select_780[2:0]}) & (parity_832 | parity_844);
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_913;
   assign or_913 = (select_780[10:9] == 2'h3) | (select_780[11] & (select_780[9] | select_780[10]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_917;
   assign or_917 = (select_780[4:3] == 2'h3) | (select_780[5] & (select_780[3] | select_780[4]));
   logic or_921;
@@ -1416,28 +1416,28 @@ module horopter_agreement (
   assign or_932 = (parity_826 & parity_829) | ((^select_820[8:6]) & (parity_826 | parity_829));
   logic or_936;
   assign or_936 = (parity_838 & parity_841) | ((^select_803[5:3]) & (parity_838 | parity_841));
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1033;
   assign select_1033 = and_524_s9_q ? select_1032_s9_q : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1039;
   assign parity_1039 = ^select_1033[5:3];
   logic parity_1042;
   assign parity_1042 = ^select_1033[8:6];
   logic parity_1045;
   assign parity_1045 = ^select_1033[11:3];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1054;
   assign select_1054 = and_547_s9_q ? select_1053_s9_q : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1057;
   assign parity_1057 = ^select_1054[8:6];
   logic parity_1060;
   assign parity_1060 = ^select_1054[11:9];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1069;
   assign select_1069 = and_564_s9_q ? select_1068_s9_q : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1075;
   assign parity_1075 = ^select_1069[2:0];
   logic parity_1078;
@@ -1452,47 +1452,47 @@ module horopter_agreement (
   assign parity_1093 = ^{select_1069[11:9], select_1054[5:0]};
   logic parity_1096;
   assign parity_1096 = ^{select_1069, select_1054, select_1033[2:0]};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1101;
   assign or_1101 = (select_1033[1:0] == 2'h3) | (select_1033[2] & (select_1033[0] | select_1033[1]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1105;
   assign or_1105 = (select_1054[7:6] == 2'h3) | (select_1054[8] & (select_1054[6] | select_1054[7]));
   logic or_1109;
   assign or_1109 = (select_1054[10:9] == 2'h3) | (select_1054[11] & (select_1054[9] | select_1054[10]));
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1117;
   assign or_1117 = (select_1069[7:6] == 2'h3) | (select_1069[8] & (~(select_1069[7:6] == 2'h0)));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1121;
   assign or_1121 = (select_1069[1:0] == 2'h3) | (select_1069[2] & (select_1069[0] | select_1069[1]));
   logic or_1125;
   assign or_1125 = (select_1069[4:3] == 2'h3) | (select_1069[5] & (select_1069[3] | select_1069[4]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1128;
   assign parity_1128 = ^{or_1125, or_1121, or_1117};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1132;
   assign or_1132 = (select_1054[4:3] == 2'h3) | (select_1054[5] & (select_1054[3] | select_1054[4]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1136;
   assign or_1136 = (select_1069[10:9] == 2'h3) | (select_1069[11] & (select_1069[9] | select_1069[10]));
   logic or_1140;
   assign or_1140 = (select_1054[1:0] == 2'h3) | (select_1054[2] & (select_1054[0] | select_1054[1]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1143;
   assign parity_1143 = ^{or_1140, or_1136, or_1132};
   logic parity_1146;
   assign parity_1146 = ^{or_1140, or_1136, or_1132, or_1125, or_1121, or_1117, or_1109, or_1105, or_1101};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1151;
   assign or_1151 = (parity_1039 & parity_1042) | ((^select_1033[11:9]) & (parity_1039 | parity_1042));
   logic and_1154;
   assign and_1154 = (^{select_1054[11:6], select_1033[2:0]}) & (parity_1081 | parity_1093);
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1162;
   assign or_1162 = (select_1033[10:9] == 2'h3) | (select_1033[11] & (select_1033[9] | select_1033[10]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1166;
   assign or_1166 = (select_1033[4:3] == 2'h3) | (select_1033[5] & (select_1033[3] | select_1033[4]));
   logic or_1170;
@@ -1503,13 +1503,13 @@ module horopter_agreement (
   assign or_1181 = (parity_1075 & parity_1078) | ((^select_1069[8:6]) & (parity_1075 | parity_1078));
   logic or_1185;
   assign or_1185 = (parity_1087 & parity_1090) | ((^select_1054[5:3]) & (parity_1087 | parity_1090));
-  // hls/stages/agreement.hpp:875
+  // hls/stages/agreement.hpp:943
   logic [7:0] found;
   assign found = x_s9_q + {{2{shift_s9_q[5]}}, shift_s9_q};
-  // hls/stages/agreement.hpp:199
+  // hls/stages/agreement.hpp:228
   logic or_1366;
   assign or_1366 = (cfg_nearer_below_i & shift_s9_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s9_q)));
-  // hls/stages/agreement.hpp:902
+  // hls/stages/agreement.hpp:970
   logic [5:0] sum_1420;
   assign sum_1420 = {1'b0, last_s9_q[6:2]} + 6'h1;
 
@@ -1805,14 +1805,14 @@ module horopter_agreement (
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_675;
   assign parity_675 = ^{or_672_s10_q, or_668_s10_q, or_664_s10_q};
   logic parity_690;
   assign parity_690 = ^{or_687_s10_q, or_683_s10_q, or_679_s10_q};
   logic parity_693;
   assign parity_693 = ^{or_687_s10_q, or_683_s10_q, or_679_s10_q, or_672_s10_q, or_668_s10_q, or_664_s10_q, or_657_s10_q, or_653_s10_q, and_649_s10_q};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_695;
   assign and_695 = parity_648_s10_q & parity_693;
   logic or_699;
@@ -1821,32 +1821,32 @@ module horopter_agreement (
   assign and_702 = (^{or_657_s10_q, or_653_s10_q, and_649_s10_q}) & (parity_675 | parity_690);
   logic or_703;
   assign or_703 = (parity_675 & parity_690) | and_702;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_721;
   assign parity_721 = ^{or_718_s10_q, or_714_s10_q, or_710_s10_q};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_725;
   assign or_725 = (or_653_s10_q & or_657_s10_q) | (and_649_s10_q & (or_653_s10_q | or_657_s10_q));
   logic or_729;
   assign or_729 = (or_668_s10_q & or_672_s10_q) | (or_664_s10_q & (or_668_s10_q | or_672_s10_q));
   logic or_733;
   assign or_733 = (or_683_s10_q & or_687_s10_q) | (or_679_s10_q & (or_683_s10_q | or_687_s10_q));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_736;
   assign parity_736 = ^{or_733, or_729, or_725};
   logic parity_739;
   assign parity_739 = ^{or_733, or_729, or_725, or_718_s10_q, or_714_s10_q, or_710_s10_q, or_703, or_699, and_695};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_751;
   assign or_751 = (or_714_s10_q & or_718_s10_q) | (or_710_s10_q & (or_714_s10_q | or_718_s10_q));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_924;
   assign parity_924 = ^{or_921_s10_q, or_917_s10_q, or_913_s10_q};
   logic parity_939;
   assign parity_939 = ^{or_936_s10_q, or_932_s10_q, or_928_s10_q};
   logic parity_942;
   assign parity_942 = ^{or_936_s10_q, or_932_s10_q, or_928_s10_q, or_921_s10_q, or_917_s10_q, or_913_s10_q, or_906_s10_q, or_902_s10_q, and_898_s10_q};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_944;
   assign and_944 = parity_897_s10_q & parity_942;
   logic or_948;
@@ -1855,32 +1855,32 @@ module horopter_agreement (
   assign and_951 = (^{or_906_s10_q, or_902_s10_q, and_898_s10_q}) & (parity_924 | parity_939);
   logic or_952;
   assign or_952 = (parity_924 & parity_939) | and_951;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_970;
   assign parity_970 = ^{or_967_s10_q, or_963_s10_q, or_959_s10_q};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_974;
   assign or_974 = (or_902_s10_q & or_906_s10_q) | (and_898_s10_q & (or_902_s10_q | or_906_s10_q));
   logic or_978;
   assign or_978 = (or_917_s10_q & or_921_s10_q) | (or_913_s10_q & (or_917_s10_q | or_921_s10_q));
   logic or_982;
   assign or_982 = (or_932_s10_q & or_936_s10_q) | (or_928_s10_q & (or_932_s10_q | or_936_s10_q));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_985;
   assign parity_985 = ^{or_982, or_978, or_974};
   logic parity_988;
   assign parity_988 = ^{or_982, or_978, or_974, or_967_s10_q, or_963_s10_q, or_959_s10_q, or_952, or_948, and_944};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1000;
   assign or_1000 = (or_963_s10_q & or_967_s10_q) | (or_959_s10_q & (or_963_s10_q | or_967_s10_q));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1173;
   assign parity_1173 = ^{or_1170_s10_q, or_1166_s10_q, or_1162_s10_q};
   logic parity_1188;
   assign parity_1188 = ^{or_1185_s10_q, or_1181_s10_q, or_1177_s10_q};
   logic parity_1191;
   assign parity_1191 = ^{or_1185_s10_q, or_1181_s10_q, or_1177_s10_q, or_1170_s10_q, or_1166_s10_q, or_1162_s10_q, or_1155_s10_q, or_1151_s10_q, and_1147_s10_q};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_1193;
   assign and_1193 = parity_1146_s10_q & parity_1191;
   logic or_1197;
@@ -1889,29 +1889,29 @@ module horopter_agreement (
   assign and_1200 = (^{or_1155_s10_q, or_1151_s10_q, and_1147_s10_q}) & (parity_1173 | parity_1188);
   logic or_1201;
   assign or_1201 = (parity_1173 & parity_1188) | and_1200;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1219;
   assign parity_1219 = ^{or_1216_s10_q, or_1212_s10_q, or_1208_s10_q};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1223;
   assign or_1223 = (or_1151_s10_q & or_1155_s10_q) | (and_1147_s10_q & (or_1151_s10_q | or_1155_s10_q));
   logic or_1227;
   assign or_1227 = (or_1166_s10_q & or_1170_s10_q) | (or_1162_s10_q & (or_1166_s10_q | or_1170_s10_q));
   logic or_1231;
   assign or_1231 = (or_1181_s10_q & or_1185_s10_q) | (or_1177_s10_q & (or_1181_s10_q | or_1185_s10_q));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1234;
   assign parity_1234 = ^{or_1231, or_1227, or_1223};
   logic parity_1237;
   assign parity_1237 = ^{or_1231, or_1227, or_1223, or_1216_s10_q, or_1212_s10_q, or_1208_s10_q, or_1201, or_1197, and_1193};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1249;
   assign or_1249 = (or_1212_s10_q & or_1216_s10_q) | (or_1208_s10_q & (or_1212_s10_q | or_1216_s10_q));
   // hls/stages/agreement.hpp:137
   logic [6:0] select_1376;
   assign select_1376 = or_390_s10_q ? (less_397_s10_q ? 7'h0 : select_1324_s10_q) : 7'h0;
 
-  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1230; read in stage 10, written in stage 17: 10 < 17 < 10 + DISTANCE.
+  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1302; read in stage 10, written in stage 17: 10 < 17 < 10 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] best_right_mem [0:119];
@@ -2117,23 +2117,23 @@ module horopter_agreement (
   logic [5:0] sums_1_columns_values_11_q;
   logic [5:0] sums_1_columns_values_12_q;
   logic [5:0] sums_1_columns_values_13_q;
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_743;
   assign or_743 = and_740_s11_q | and_742_s11_q;
   logic or_747;
   assign or_747 = and_744_s11_q | and_746_s11_q;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_760;
   assign parity_760 = ^{or_755_s11_q, or_751_s11_q, or_747, or_743};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_764;
   assign or_764 = (or_751_s11_q & or_755_s11_q) | (or_747 & (or_751_s11_q | or_755_s11_q));
   logic and_765;
   assign and_765 = or_743 & (^{or_755_s11_q, or_751_s11_q, or_747});
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic xor_766;
   assign xor_766 = or_764 ^ and_765;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:675
   logic and_767;
   assign and_767 = or_764 & and_765;
   // hls/stages/agreement.hpp:137
@@ -2141,23 +2141,23 @@ module horopter_agreement (
   assign select_768 = equal_392_s11_q ? {and_767, xor_766, parity_760, parity_739_s11_q, xor_694_s11_q, xor_599_s11_q} : 6'h0;
   logic [5:0] column_2;
   assign column_2 = or_390_s11_q ? 6'h0 : select_768;
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_992;
   assign or_992 = and_989_s11_q | and_991_s11_q;
   logic or_996;
   assign or_996 = and_993_s11_q | and_995_s11_q;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1009;
   assign parity_1009 = ^{or_1004_s11_q, or_1000_s11_q, or_996, or_992};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1013;
   assign or_1013 = (or_1000_s11_q & or_1004_s11_q) | (or_996 & (or_1000_s11_q | or_1004_s11_q));
   logic and_1014;
   assign and_1014 = or_992 & (^{or_1004_s11_q, or_1000_s11_q, or_996});
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic xor_1015;
   assign xor_1015 = or_1013 ^ and_1014;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:675
   logic and_1016;
   assign and_1016 = or_1013 & and_1014;
   // hls/stages/agreement.hpp:137
@@ -2165,23 +2165,23 @@ module horopter_agreement (
   assign select_1017 = equal_392_s11_q ? {and_1016, xor_1015, parity_1009, parity_988_s11_q, xor_943_s11_q, xor_848_s11_q} : 6'h0;
   logic [5:0] column_3;
   assign column_3 = or_390_s11_q ? 6'h0 : select_1017;
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1241;
   assign or_1241 = and_1238_s11_q | and_1240_s11_q;
   logic or_1245;
   assign or_1245 = and_1242_s11_q | and_1244_s11_q;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1258;
   assign parity_1258 = ^{or_1253_s11_q, or_1249_s11_q, or_1245, or_1241};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1262;
   assign or_1262 = (or_1249_s11_q & or_1253_s11_q) | (or_1245 & (or_1249_s11_q | or_1253_s11_q));
   logic and_1263;
   assign and_1263 = or_1241 & (^{or_1253_s11_q, or_1249_s11_q, or_1245});
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic xor_1264;
   assign xor_1264 = or_1262 ^ and_1263;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:675
   logic and_1265;
   assign and_1265 = or_1262 & and_1263;
   // hls/stages/agreement.hpp:137
@@ -2189,16 +2189,16 @@ module horopter_agreement (
   assign select_1266 = equal_392_s11_q ? {and_1265, xor_1264, parity_1258, parity_1237_s11_q, xor_1192_s11_q, xor_1097_s11_q} : 6'h0;
   logic [5:0] column_4;
   assign column_4 = or_390_s11_q ? 6'h0 : select_1266;
-  // hls/stages/agreement.hpp:710
+  // hls/stages/agreement.hpp:778
   logic [5:0] before_v_2;
   assign before_v_2 = age_s11_q[1] ? sums_0_columns_values_7_q : 6'h0;
-  // hls/stages/agreement.hpp:711
+  // hls/stages/agreement.hpp:779
   logic [6:0] sum_1306;
   assign sum_1306 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
-  // hls/stages/agreement.hpp:710
+  // hls/stages/agreement.hpp:778
   logic [5:0] before_v_3;
   assign before_v_3 = age_s11_q[1] ? sums_1_columns_values_7_q : 6'h0;
-  // hls/stages/agreement.hpp:711
+  // hls/stages/agreement.hpp:779
   logic [6:0] sum_1309;
   assign sum_1309 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
 
@@ -2393,22 +2393,22 @@ module horopter_agreement (
   logic [5:0] middle_sum_columns_values_4_q;
   logic [5:0] middle_sum_columns_values_5_q;
   logic [5:0] middle_sum_columns_values_6_q;
-  // hls/stages/agreement.hpp:709
+  // hls/stages/agreement.hpp:777
   logic [5:0] select_770;
   assign select_770 = age_s12_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  // hls/stages/agreement.hpp:710
+  // hls/stages/agreement.hpp:778
   logic [5:0] before_v;
   assign before_v = age_s12_q[1] ? middle_sum_columns_values_3_q : 6'h0;
-  // hls/stages/agreement.hpp:711
+  // hls/stages/agreement.hpp:779
   logic [6:0] sum_1302;
   assign sum_1302 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic [6:0] select_1312;
   assign select_1312 = (sum_1307_s12_q < sum_1310_s12_q) ? sum_1310_s12_q : sum_1307_s12_q;
-  // hls/stages/agreement.hpp:883
+  // hls/stages/agreement.hpp:951
   logic [6:0] chosen;
   assign chosen = slot_s12_q[2] ? best_right_rdata_s12_q[14:8] : best_right_rdata_s12_q[28:22];
-  // hls/stages/agreement.hpp:191
+  // hls/stages/agreement.hpp:220
   logic [5:0] select_1963;
   assign select_1963 = slot_s12_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
   logic [5:0] select_1964;
@@ -2576,40 +2576,40 @@ module horopter_agreement (
   logic [7:0] sums_1_sum_sums_values_0_q;
   logic [7:0] sums_1_sum_sums_values_1_q;
   logic [6:0] chosen_near_q;
-  // hls/stages/agreement.hpp:719
+  // hls/stages/agreement.hpp:787
   logic less_519;
   assign less_519 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
   logic less_521;
   assign less_521 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
-  // hls/stages/agreement.hpp:195
+  // hls/stages/agreement.hpp:224
   logic and_523;
   assign and_523 = (~less_519) & (~less_521);
-  // hls/stages/agreement.hpp:709
+  // hls/stages/agreement.hpp:777
   logic [7:0] sum_773;
   assign sum_773 = {difference_771_s13_q[6], difference_771_s13_q} + (age_s13_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
   logic [7:0] sum_1023;
   assign sum_1023 = {difference_1020_s13_q[6], difference_1020_s13_q} + (equal_1021_s13_q ? 8'h0 : sums_0_sum_sums_values_1_q);
   logic [7:0] sum_1271;
   assign sum_1271 = {difference_1269_s13_q[6], difference_1269_s13_q} + (equal_1021_s13_q ? 8'h0 : sums_1_sum_sums_values_1_q);
-  // hls/stages/agreement.hpp:686
+  // hls/stages/agreement.hpp:754
   logic [6:0] select_1304;
   assign select_1304 = slot_s13_q[0] ? chosen_near_q : sum_1303_s13_q;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic [6:0] select_1314;
   assign select_1314 = (select_1304 < select_1312_s13_q) ? select_1312_s13_q : select_1304;
-  // hls/stages/agreement.hpp:724
+  // hls/stages/agreement.hpp:792
   logic [6:0] of_near;
   assign of_near = and_523 ? select_1314 : 7'h0;
-  // hls/stages/agreement.hpp:882
+  // hls/stages/agreement.hpp:950
   logic select_1355;
   assign select_1355 = slot_s13_q[2] ? less_1353_s13_q : (6'h2a < best_left_rdata_s13_q[39:34]);
-  // hls/stages/agreement.hpp:889
+  // hls/stages/agreement.hpp:957
   logic [8:0] difference_1358;
   assign difference_1358 = {2'h0, chosen_s13_q} - {1'b0, x_s13_q};
-  // hls/stages/agreement.hpp:191
+  // hls/stages/agreement.hpp:220
   logic [6:0] select_1974;
   assign select_1974 = slot_s13_q[0] ? 7'h0 : sum_1303_s13_q;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic [6:0] select_1976;
   assign select_1976 = (select_1974 < select_1312_s13_q) ? select_1312_s13_q : select_1974;
 
@@ -2776,41 +2776,41 @@ module horopter_agreement (
   logic [8:0] region_across_next_q;
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
-  // hls/stages/agreement.hpp:686
+  // hls/stages/agreement.hpp:754
   logic [7:0] select_774;
   assign select_774 = slot_s14_q[0] ? chosen_score_q : sum_773_s14_q;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic [7:0] select_1273;
   assign select_1273 = less_1272_s14_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
   logic less_1274;
   assign less_1274 = select_774 < select_1273;
-  // hls/stages/agreement.hpp:723
+  // hls/stages/agreement.hpp:791
   logic [7:0] of_best;
   assign of_best = and_523_s14_q ? (less_1274 ? select_1273 : select_774) : 8'h0;
-  // hls/stages/agreement.hpp:651
+  // hls/stages/agreement.hpp:719
   logic not_1280;
   assign not_1280 = ~slot_s14_q[0];
-  // hls/stages/agreement.hpp:683
+  // hls/stages/agreement.hpp:751
   logic [1:0] select_1281;
   assign select_1281 = less_1272_s14_q ? {slot_s14_q[0], not_1280} : 2'h0;
   logic [2:0] select_1283;
   assign select_1283 = less_1274 ? {select_1281, not_1280} : (slot_s14_q[0] ? chosen_place_q : 3'h2);
-  // hls/stages/agreement.hpp:191
+  // hls/stages/agreement.hpp:220
   logic [7:0] select_1292;
   assign select_1292 = slot_s14_q[0] ? 8'h0 : sum_773_s14_q;
-  // hls/stages/agreement.hpp:735
+  // hls/stages/agreement.hpp:803
   logic or_1317;
   assign or_1317 = select_518_s14_q | (best_left_rdata_s14_q[39:33] < of_near_s14_q);
-  // hls/stages/agreement.hpp:748
+  // hls/stages/agreement.hpp:816
   logic or_1335;
   assign or_1335 = select_1329_s14_q | (best_right_rdata_s14_q[21:15] < of_near_s14_q);
-  // hls/stages/agreement.hpp:199
+  // hls/stages/agreement.hpp:228
   logic and_1361;
   assign and_1361 = (and_1348_s14_q & select_1355_s14_q) & ({{22{sum_1359_s14_q[9]}}, sum_1359_s14_q} < 32'h3);
   // hls/stages/division.hpp:34
   logic [5:0] sum_1459;
   assign sum_1459 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic less_1972;
   assign less_1972 = select_1292 < select_1273;
   // hls/stages/agreement.hpp:137
@@ -2838,7 +2838,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:124
   logic [27:0] column_5;
   assign column_5 = registration_slope_q + (and_2207_s14_q ? registration_slope_change_q : 28'h0);
-  // hls/stages/agreement.hpp:161
+  // hls/stages/agreement.hpp:190
   logic [8:0] select_2319;
   assign select_2319 = so_s14_q ? (and_2207_s14_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
@@ -2847,7 +2847,7 @@ module horopter_agreement (
   // hls/stages/division.hpp:36
   logic [8:0] select_2322;
   assign select_2322 = sum_1459[5] ? {1'b1, sum_1459[4:0], region_across_rest_q[2:0]} : sum_2321;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [8:0] select_2324;
   assign select_2324 = equal_1863_s14_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
   logic [7:0] select_2327;
@@ -3017,7 +3017,7 @@ module horopter_agreement (
   end
 
   // Stage 15 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:732
+  // hls/stages/agreement.hpp:800
   logic equal_1286;
   assign equal_1286 = select_1283_s15_q == 3'h1;
   logic equal_1287;
@@ -3030,15 +3030,15 @@ module horopter_agreement (
   assign select_1294 = select_1289[1] ? (select_1289[0] ? before_1_s15_q : before_1_q) : (select_1289[0] ? before_1_q : before_0_q);
   logic [7:0] select_1295;
   assign select_1295 = select_1289[2] ? (select_1289[0] ? before_2_s15_q : before_0_s15_q) : select_1294;
-  // hls/stages/agreement.hpp:733
+  // hls/stages/agreement.hpp:801
   logic [1:0] select_1297;
   assign select_1297 = equal_1286 ? 2'h0 : {not_1288, equal_1287};
   logic [7:0] select_1299;
   assign select_1299 = select_1297[1] ? before_2_q : (select_1297[0] ? before_2_s15_q : before_0_s15_q);
-  // hls/stages/agreement.hpp:744
+  // hls/stages/agreement.hpp:812
   logic or_1331;
   assign or_1331 = select_1329_s15_q | (best_right_rdata_s15_q[7:0] < of_best_s15_q);
-  // hls/stages/agreement.hpp:199
+  // hls/stages/agreement.hpp:228
   logic and_1368;
   assign and_1368 = not_398_s15_q & and_1367_s15_q;
   // hls/stages/agreement.hpp:137
@@ -3046,7 +3046,7 @@ module horopter_agreement (
   assign select_1369 = less_397_s15_q ? 9'h0 : best_left_rdata_s15_q[8:0];
   logic [14:0] inside_v;
   assign inside_v = or_390_s15_q ? {select_1369, and_1368, and_1362_s15_q, and_1352_s15_q, and_1349_s15_q, and_1345_s15_q, not_398_s15_q} : 15'h0;
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic right_2;
   assign right_2 = inside_v[0] & less_1421_s15_q;
   logic textured;
@@ -3187,18 +3187,18 @@ module horopter_agreement (
   end
 
   // Stage 16 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/census.hpp:103
+  // hls/stages/census.hpp:119
   logic and_344;
   assign and_344 = sample_pair_whole_s16_q & and_343_s16_q;
-  // hls/stages/agreement.hpp:902
+  // hls/stages/agreement.hpp:970
   logic not_1339;
   assign not_1339 = ~equal_1338_s16_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1371;
   assign and_1371 = ends_cell_s16_q & inside_v_s16_q[0];
   logic and_1373;
   assign and_1373 = not_1339 & (so_s16_q & and_1371);
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:1012
   logic or_1462;
   assign or_1462 = (~sum_1459_s16_q) | equal_1461_s16_q;
   // hls/stages/registration.hpp:35
@@ -3224,7 +3224,7 @@ module horopter_agreement (
   logic [10:0] sum_2100;
   assign sum_2100 = select_2098[11:1] + (inside_v_s16_q[8] ? select_2091_s16_q[10:0] : 11'h0);
 
-  // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:154; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
+  // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:226; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] averager_memory_mem [0:479];
@@ -3240,7 +3240,7 @@ module horopter_agreement (
     if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
-  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1231; read in stage 16, written in stage 17: 16 < 17 < 16 + DISTANCE.
+  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1303; read in stage 16, written in stage 17: 16 < 17 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] shown_right_mem [0:119];
@@ -3256,7 +3256,7 @@ module horopter_agreement (
     if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1257; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
+  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1329; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] seen_columns_mem [0:119];
@@ -3413,21 +3413,21 @@ module horopter_agreement (
   logic [13:0] averager_running_1_q;
   logic averager_running_of_skin_q;
   logic segment_starts_q;
-  // hls/stages/census.hpp:96
+  // hls/stages/census.hpp:112
   logic [13:0] select_347;
   assign select_347 = equal_328_s17_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
   logic [13:0] sum_353;
   assign sum_353 = {6'h0, sample_pair_pixel_1_q} + (equal_328_s17_q ? 14'h0 : averager_running_1_q);
-  // hls/stages/agreement.hpp:326
+  // hls/stages/agreement.hpp:394
   logic all_of_skin;
   assign all_of_skin = equal_328_s17_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
-  // hls/stages/agreement.hpp:157
+  // hls/stages/agreement.hpp:186
   logic not_1378;
   assign not_1378 = ~so_s17_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1379;
   assign and_1379 = not_1378 & inside_v_s17_q[4];
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic select_1652;
   assign select_1652 = sample_pair_whole_s17_q ? all_of_skin : averager_running_of_skin_q;
   // hls/stages/registration.hpp:40
@@ -3440,10 +3440,10 @@ module horopter_agreement (
   assign sum_2101 = sum_2097_s17_q + {sum_2100_s17_q, select_2098_s17_q};
   logic [9:0] sum_2102;
   assign sum_2102 = {difference_2094_s17_q, select_2092_s17_q} + sum_2101[11:2];
-  // hls/stages/agreement.hpp:161
+  // hls/stages/agreement.hpp:190
   logic or_2348;
   assign or_2348 = segment_starts_q | not_1378;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2352;
   assign select_2352 = ends_cell_s17_q ? (inside_v_s17_q[0] ? select_2350_s17_q : or_2348) : or_2348;
 
@@ -3783,47 +3783,47 @@ module horopter_agreement (
   logic [7:0] region_down_back_q;
   logic [8:0] region_down_next_q;
   logic segment_started_q;
-  // hls/stages/census.hpp:105
+  // hls/stages/census.hpp:121
   logic [13:0] sum_351;
   assign sum_351 = select_347_s18_q + (equal_349_s18_q ? 14'h0 : averager_memory_rdata_s18_q[13:0]);
   logic [13:0] sum_355;
   assign sum_355 = sum_353_s18_q + (equal_349_s18_q ? 14'h0 : averager_memory_rdata_s18_q[27:14]);
-  // hls/stages/census.hpp:106
+  // hls/stages/census.hpp:122
   logic and_359;
   assign and_359 = whole_s18_q & (averager_memory_rdata_s18_q[28] | equal_349_s18_q);
-  // hls/stages/census.hpp:107
+  // hls/stages/census.hpp:123
   logic and_363;
   assign and_363 = all_of_skin_s18_q & (averager_memory_rdata_s18_q[29] | equal_349_s18_q);
-  // hls/stages/agreement.hpp:161
+  // hls/stages/agreement.hpp:190
   logic [7:0] select_1446;
   assign select_1446 = so_s18_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:1004
   logic or_1449;
   assign or_1449 = select_1446[7] | (~({select_1446[5], select_1446[3], select_1446[1]} == 3'h0));
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic explained;
   assign explained = inside_v_s18_q[0] & inside_v_s18_q[3];
   logic and_1479;
   assign and_1479 = inside_v_s18_q[0] & ({inside_v_s18_q[4], inside_v_s18_q[2]} == 2'h3);
-  // hls/stages/agreement.hpp:907
+  // hls/stages/agreement.hpp:975
   logic select_1487;
   assign select_1487 = slot_s18_q[2] ? shown_shown_q : inside_v_s18_q[3];
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic shown;
   assign shown = inside_v_s18_q[0] & (shown_right_rdata_s18_q[0] | select_1487);
-  // hls/stages/agreement.hpp:907
+  // hls/stages/agreement.hpp:975
   logic select_1490;
   assign select_1490 = slot_s18_q[2] ? shown_nearer_q : inside_v_s18_q[4];
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic near;
   assign near = inside_v_s18_q[0] & (select_1487 ? select_1490 : shown_right_rdata_s18_q[1]);
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic [7:0] select_1540;
   assign select_1540 = inside_v_s18_q[0] ? (sum_1459_s18_q ? select_1446 : {select_1446[6:0], 1'b0}) : select_1446;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:1004
   logic or_1543;
   assign or_1543 = select_1540[7] | (~({select_1540[5], select_1540[3], select_1540[1]} == 3'h0));
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_2005;
   assign and_2005 = seen_columns_rdata_s18_q[7] & inside_v_s18_q[0];
   logic and_2006;
@@ -3845,7 +3845,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:96
   logic [12:0] sum_2103;
   assign sum_2103 = {registration_slope_s18_q[11], registration_slope_s18_q} + {{5{sum_2102_s18_q[7]}}, sum_2102_s18_q};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2304;
   assign select_2304 = equal_1338_s18_q ? shown_shown_q : (so_s18_q ? select_1487 : shown_shown_q);
   logic select_2306;
@@ -3853,26 +3853,26 @@ module horopter_agreement (
   // hls/stages/division.hpp:34
   logic [7:0] sum_2308;
   assign sum_2308 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [7:0] select_2317;
   assign select_2317 = equal_1338_s18_q ? select_1446 : (so_s18_q ? (ends_cell_s18_q ? select_1540 : select_1446) : 8'h1);
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [8:0] select_2331;
   assign select_2331 = equal_430_s18_q ? {difference_2329[7], difference_2329} : (less_2307_s18_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [8:0] select_2333;
   assign select_2333 = and_369_s18_q ? (equal_1863_s18_q ? select_2331 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [7:0] select_2335;
   assign select_2335 = equal_430_s18_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [7:0] select_2337;
   assign select_2337 = and_369_s18_q ? (equal_1863_s18_q ? select_2335 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:36
   logic [8:0] select_2339;
   assign select_2339 = sum_2308[7] ? {1'b1, sum_2308[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
 
-  // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:262; read in stage 18, written in stage 20: 18 < 20 < 18 + DISTANCE.
+  // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:334; read in stage 18, written in stage 20: 18 < 20 < 18 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [77:0] census_memory_mem [0:119];
@@ -4067,61 +4067,61 @@ module horopter_agreement (
   logic centres_values_0_of_skin_q;
   logic centres_values_1_textured_q;
   logic centres_values_1_of_skin_q;
-  // hls/stages/census.hpp:134
+  // hls/stages/census.hpp:206
   logic [8:0] grey;
   assign grey = and_343_s19_q ? sum_351_s19_q[13:5] : 9'h0;
-  // hls/stages/census.hpp:135
+  // hls/stages/census.hpp:207
   logic [10:0] total;
   assign total = {2'h0, grey} + (equal_372_s19_q ? 11'h0 : averager_total_0_q);
-  // hls/stages/census.hpp:134
+  // hls/stages/census.hpp:206
   logic [8:0] grey_2;
   assign grey_2 = and_343_s19_q ? sum_355_s19_q[13:5] : 9'h0;
-  // hls/stages/census.hpp:135
+  // hls/stages/census.hpp:207
   logic [10:0] total_2;
   assign total_2 = {2'h0, grey_2} + (equal_372_s19_q ? 11'h0 : averager_total_1_q);
-  // hls/stages/census.hpp:134
+  // hls/stages/census.hpp:206
   logic and_380;
   assign and_380 = and_343_s19_q & and_359_s19_q;
-  // hls/stages/census.hpp:110
+  // hls/stages/census.hpp:126
   logic select_382;
   assign select_382 = equal_372_s19_q ? and_380 : (averager_mask_q & and_380);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic whole_2;
   assign whole_2 = sample_pair_whole_s19_q & select_382;
-  // hls/stages/census.hpp:134
+  // hls/stages/census.hpp:206
   logic and_384;
   assign and_384 = and_343_s19_q & and_363_s19_q;
-  // hls/stages/census.hpp:110
+  // hls/stages/census.hpp:126
   logic select_386;
   assign select_386 = equal_372_s19_q ? and_384 : (averager_of_skin_q & and_384);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [5:0] select_1456;
   assign select_1456 = equal_1338_s19_q ? x_s19_q[5:0] : {region_row_q, or_1455_s19_q, or_1452_s19_q, or_1449_s19_q};
-  // hls/stages/agreement.hpp:1014
+  // hls/stages/agreement.hpp:1082
   logic not_1457;
   assign not_1457 = ~equal_1383_s19_q;
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic and_1486;
   assign and_1486 = inside_v_s19_q[0] & inside_v_s19_q[2];
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_1528;
   assign and_1528 = seen_columns_rdata_s19_q[0] & inside_v_s19_q[0];
-  // hls/stages/agreement.hpp:973
+  // hls/stages/agreement.hpp:1041
   logic [1:0] sum_1530;
   assign sum_1530 = {1'b0, and_1527_s19_q} + ({1'b0, textured_s19_q} + {1'b0, and_1528});
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_1561;
   assign and_1561 = seen_columns_rdata_s19_q[11] & inside_v_s19_q[0];
-  // hls/stages/agreement.hpp:975
+  // hls/stages/agreement.hpp:1043
   logic [1:0] sum_1565;
   assign sum_1565 = {1'b0, and_1562_s19_q} + ({1'b0, shown_s19_q} + {1'b0, and_1563_s19_q});
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_1577;
   assign and_1577 = seen_columns_rdata_s19_q[12] & inside_v_s19_q[0];
-  // hls/stages/agreement.hpp:976
+  // hls/stages/agreement.hpp:1044
   logic [1:0] sum_1581;
   assign sum_1581 = {1'b0, and_1578_s19_q} + ({1'b0, near_s19_q} + {1'b0, and_1579_s19_q});
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [10:0] select_1631;
   assign select_1631 = sample_pair_whole_s19_q ? (and_367_s19_q ? total : averager_total_0_q) : averager_total_0_q;
   logic [10:0] select_1633;
@@ -4130,22 +4130,22 @@ module horopter_agreement (
   assign select_1654 = sample_pair_whole_s19_q ? (and_367_s19_q ? select_382 : averager_mask_q) : averager_mask_q;
   logic select_1656;
   assign select_1656 = sample_pair_whole_s19_q ? (and_367_s19_q ? select_386 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1982;
   assign and_1982 = so_s19_q & (ends_cell_s19_q & (inside_v_s19_q[0] & inside_v_s19_q[1]));
-  // hls/stages/agreement.hpp:991
+  // hls/stages/agreement.hpp:1059
   logic not_2002;
   assign not_2002 = ~(x_s19_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:974
+  // hls/stages/agreement.hpp:1042
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, and_2003_s19_q} + ({2'h0, and_2004_s19_q} + {1'b0, sum_2008_s19_q});
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2043;
   assign and_2043 = ends_cell_s19_q & (inside_v_s19_q[0] & (inside_v_s19_q[2:1] == 2'h3));
-  // hls/stages/agreement.hpp:996
+  // hls/stages/agreement.hpp:1064
   logic and_2049;
   assign and_2049 = not_2002 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
-  // hls/stages/agreement.hpp:209
+  // hls/stages/agreement.hpp:238
   logic [4:0] select_2086;
   assign select_2086 = so_s19_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_s19_q} : registration_displacement_fraction_q;
   // hls/stages/registration.hpp:83
@@ -4154,7 +4154,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:213
   logic [7:0] select_2107;
   assign select_2107 = less_2104_s19_q ? 8'h7f : (less_2105_s19_q ? 8'h80 : sum_2103_s19_q);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [7:0] select_2109;
   assign select_2109 = so_s19_q ? (equal_2087 ? registration_slope_here_q : select_2107) : registration_slope_here_q;
   // hls/stages/registration.hpp:206
@@ -4178,7 +4178,7 @@ module horopter_agreement (
   assign select_2133 = inside_v_s19_q[8] ? registration_slope_here_q : 8'h0;
   logic [8:0] difference_2134;
   assign difference_2134 = {{2{select_2132[7]}}, select_2132[7:1]} - {select_2133[7], select_2133};
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [2:0] select_2310;
   assign select_2310 = less_2307_s19_q ? (sum_2308_s19_q ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_2312;
@@ -4186,20 +4186,20 @@ module horopter_agreement (
   // hls/stages/division.hpp:18
   logic next;
   assign next = ~sum_2308_s19_q;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic select_2343;
   assign select_2343 = equal_1863_s19_q ? (equal_430_s19_q | (less_2307_s19_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:1086
+  // hls/stages/agreement.hpp:1154
   logic equal_2361;
   assign equal_2361 = x_s19_q[6:3] == 4'h7;
   logic equal_2385;
   assign equal_2385 = x_s19_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1079
   logic [7:0] select_2398;
   assign select_2398 = (x_s19_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_2400;
   assign select_2400 = equal_2385 ? cfg_unproven_skin_limit_i : (equal_2361 ? cfg_unproven_limit_i : select_2398);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2502;
   assign select_2502 = so_s19_q ? (ends_cell_s19_q ? and_1527_s19_q : centres_values_0_textured_q) : centres_values_0_textured_q;
   logic select_2506;
@@ -4213,7 +4213,7 @@ module horopter_agreement (
   logic select_2513;
   assign select_2513 = equal_1338_s19_q ? centres_values_1_of_skin_q : (so_s19_q ? select_2511 : centres_values_1_of_skin_q);
 
-  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1250; read in stage 19, written in stage 22: 19 < 22 < 19 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1322; read in stage 19, written in stage 22: 19 < 22 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] regions_mem [0:63];
@@ -4577,7 +4577,7 @@ module horopter_agreement (
   logic [2:0] box_nearer_columns_values_2_q;
   logic [2:0] box_nearer_columns_values_3_q;
   logic [2:0] box_nearer_columns_values_4_q;
-  // hls/stages/census.hpp:222
+  // hls/stages/census.hpp:294
   logic less_403;
   assign less_403 = census_memory_rdata_s20_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_404;
@@ -4602,7 +4602,7 @@ module horopter_agreement (
   assign less_413 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_414;
   assign less_414 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:223
+  // hls/stages/census.hpp:295
   logic less_415;
   assign less_415 = census_memory_rdata_s20_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_416;
@@ -4627,23 +4627,23 @@ module horopter_agreement (
   assign less_425 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_426;
   assign less_426 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:363
+  // hls/stages/agreement.hpp:431
   logic equal_427;
   assign equal_427 = column_s20_q == 7'h0;
   logic [3:0] select_431;
   assign select_431 = equal_430_s20_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:364
+  // hls/stages/agreement.hpp:432
   logic [4:0] select_432;
   assign select_432 = equal_427 ? {select_431, 1'b1} : rows_passed_above_q;
-  // hls/stages/census.hpp:204
+  // hls/stages/census.hpp:276
   logic [3:0] select_433;
   assign select_433 = equal_427 ? 4'h0 : census_filled_q;
-  // hls/stages/census.hpp:214
+  // hls/stages/census.hpp:286
   logic and_436;
   assign and_436 = census_memory_rdata_s20_q[38] & (census_memory_rdata_s20_q[18] & whole_2_s20_q);
   logic and_438;
   assign and_438 = census_memory_rdata_s20_q[77] & (census_memory_rdata_s20_q[58] & and_436);
-  // hls/stages/census.hpp:198
+  // hls/stages/census.hpp:270
   logic [9:0] difference_461;
   assign difference_461 = {1'b0, select_375_s20_q} - {1'b0, census_columns_values_0_cell_0_left_q};
   logic [9:0] difference_464;
@@ -4657,22 +4657,22 @@ module horopter_agreement (
   // hls/stages/registration.hpp:146
   logic all;
   assign all = x_s20_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:973
+  // hls/stages/agreement.hpp:1041
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, and_1525_s20_q} + ({2'h0, and_1526_s20_q} + {1'b0, sum_1530_s20_q});
-  // hls/stages/agreement.hpp:975
+  // hls/stages/agreement.hpp:1043
   logic [2:0] shown_2;
   assign shown_2 = {2'h0, and_1560_s20_q} + sum_1566_s20_q;
-  // hls/stages/agreement.hpp:982
+  // hls/stages/agreement.hpp:1050
   logic [2:0] select_1568;
   assign select_1568 = age_s20_q ? box_shown_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:976
+  // hls/stages/agreement.hpp:1044
   logic [2:0] near_2;
   assign near_2 = {2'h0, and_1576_s20_q} + sum_1582_s20_q;
-  // hls/stages/agreement.hpp:983
+  // hls/stages/agreement.hpp:1051
   logic [2:0] select_1584;
   assign select_1584 = age_s20_q ? box_nearer_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [8:0] select_1623;
   assign select_1623 = sample_pair_whole_s20_q ? (and_367_s20_q ? grey_s20_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_1625;
@@ -4681,12 +4681,12 @@ module horopter_agreement (
   assign select_1627 = sample_pair_whole_s20_q ? (and_367_s20_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
   logic [8:0] select_1629;
   assign select_1629 = sample_pair_whole_s20_q ? (and_367_s20_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
-  // hls/stages/census.hpp:136
+  // hls/stages/census.hpp:208
   logic [9:0] sum_1634;
   assign sum_1634 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s20_q};
   logic [9:0] sum_1642;
   assign sum_1642 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s20_q};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [8:0] select_1657;
   assign select_1657 = and_369_s20_q ? select_375_s20_q : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_1658;
@@ -4767,7 +4767,7 @@ module horopter_agreement (
   assign select_1709 = and_369_s20_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
   logic [8:0] select_1710;
   assign select_1710 = and_369_s20_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  // hls/stages/census.hpp:200
+  // hls/stages/census.hpp:272
   logic [9:0] difference_1714;
   assign difference_1714 = {1'b0, select_379_s20_q} - {1'b0, census_columns_values_0_cell_0_right_q};
   logic [9:0] difference_1717;
@@ -4778,21 +4778,21 @@ module horopter_agreement (
   assign difference_1725 = {1'b0, census_memory_rdata_s20_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
   logic [9:0] difference_1729;
   assign difference_1729 = {1'b0, census_memory_rdata_s20_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  // hls/stages/census.hpp:281
+  // hls/stages/census.hpp:353
   logic [9:0] difference_1760;
   assign difference_1760 = {1'b0, select_375_s20_q} - {1'b0, sharpness_last_mean_0_q};
   logic [9:0] difference_1772;
   assign difference_1772 = {1'b0, select_379_s20_q} - {1'b0, sharpness_last_mean_1_q};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic and_1979;
   assign and_1979 = and_369_s20_q & (equal_430_s20_q & equal_1863_s20_q);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1988;
   assign and_1988 = not_1339_s20_q & (so_s20_q & (ends_cell_s20_q & textured_s20_q));
-  // hls/stages/agreement.hpp:981
+  // hls/stages/agreement.hpp:1049
   logic [2:0] select_2011;
   assign select_2011 = age_s20_q ? box_explained_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_2047;
   assign select_2047 = and_1979 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2045_s20_q});
   logic [13:0] select_2054;
@@ -4810,28 +4810,28 @@ module horopter_agreement (
   assign sum_2131 = {{3{sum_2127_s20_q[7]}}, sum_2127_s20_q} + {sum_2130_s20_q[8], sum_2130_s20_q, select_2128_s20_q};
   logic [9:0] sum_2135;
   assign sum_2135 = {difference_2134_s20_q, select_2132_s20_q} + {sum_2131[10], sum_2131[10:2]};
-  // hls/stages/agreement.hpp:1092
+  // hls/stages/agreement.hpp:1160
   logic equal_2362;
   assign equal_2362 = x_s20_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1086
+  // hls/stages/agreement.hpp:1154
   logic equal_2382;
   assign equal_2382 = x_s20_q[6:3] == 4'ha;
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1079
   logic [7:0] limit;
   assign limit = equal_2382 ? cfg_regions_limit_i : (equal_2384_s20_q ? cfg_hidden_limit_i : select_2400_s20_q);
-  // hls/stages/agreement.hpp:1099
+  // hls/stages/agreement.hpp:1167
   logic not_2403;
   assign not_2403 = ~x_s20_q[2];
   logic [3:0] select_2404;
   assign select_2404 = x_s20_q[1] ? {x_s20_q[2], 1'b0, not_2403, 1'b0} : {1'b0, x_s20_q[2], 1'b0, not_2403};
   logic [7:0] select_2405;
   assign select_2405 = x_s20_q[0] ? {select_2404[3], 1'b0, select_2404[2], 1'b0, select_2404[1], 1'b0, select_2404[0], 1'b0} : {1'b0, select_2404[3], 1'b0, select_2404[2], 1'b0, select_2404[1], 1'b0, select_2404[0]};
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1079
   logic [13:0] select_2409;
   assign select_2409 = equal_2384_s20_q ? counts_skin_supervised_q : (equal_2385_s20_q ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] of;
   assign of = equal_2382 ? counts_textured_q : select_2409;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [2:0] select_2447;
   assign select_2447 = ends_cell_s20_q ? explained_2_s20_q : box_explained_columns_values_0_q;
   logic [2:0] select_2449;
@@ -5362,7 +5362,7 @@ module horopter_agreement (
   logic [13:0] rows_passed_q;
   logic [8:0] columns_passed_q;
   logic line_ended_q;
-  // hls/stages/agreement.hpp:364
+  // hls/stages/agreement.hpp:432
   logic whole_3;
   assign whole_3 = census_columns_values_0_cell_0_mask_q & and_438_s21_q;
   logic whole_4;
@@ -5377,39 +5377,39 @@ module horopter_agreement (
   assign whole_8 = census_columns_values_1_cell_0_mask_q & whole_7;
   logic whole_9;
   assign whole_9 = census_columns_values_1_cell_1_mask_q & whole_8;
-  // hls/stages/census.hpp:198
+  // hls/stages/census.hpp:270
   logic [9:0] sum_463;
   assign sum_463 = {9'h0, difference_461_s21_q} + {1'b0, xor_462_s21_q};
   logic [9:0] sum_466;
   assign sum_466 = {9'h0, difference_464_s21_q} + {1'b0, xor_465_s21_q};
-  // hls/stages/agreement.hpp:1054
+  // hls/stages/agreement.hpp:1122
   logic [1:0] quarter;
   assign quarter = x_s21_q[1:0] + 2'h1;
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1083
   logic [1:0] select_1386;
   assign select_1386 = x_s21_q[4] ? {x_s21_q[3], x_s21_q[0]} : {x_s21_q[0], x_s21_q[3]};
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [3:0] select_1388;
   assign select_1388 = equal_1383_s21_q ? {2'h0, quarter} : (all_s21_q ? {1'b0, x_s21_q[2:0]} : {x_s21_q[2:1], select_1386});
   // hls/stages/registration.hpp:106
   logic [1:0] sum_1389;
   assign sum_1389 = slot_s21_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [3:0] select_1390;
   assign select_1390 = equal_1338_s21_q ? select_1388 : {sum_1389, lower_half_s21_q, registration_of_right_q};
-  // hls/stages/agreement.hpp:1052
+  // hls/stages/agreement.hpp:1120
   logic equal_1391;
   assign equal_1391 = x_s21_q[5:0] == 6'h3e;
   logic equal_1393;
   assign equal_1393 = x_s21_q[5:0] == 6'h3d;
   logic equal_1395;
   assign equal_1395 = x_s21_q[5:0] == 6'h3c;
-  // hls/stages/agreement.hpp:1054
+  // hls/stages/agreement.hpp:1122
   logic and_1406;
   assign and_1406 = (~equal_1399_s21_q) & ((~equal_1401_s21_q) & (~equal_1403_s21_q));
   logic and_1409;
   assign and_1409 = (~equal_1393) & ((~equal_1395) & ((~equal_1397_s21_q) & and_1406));
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1083
   logic less_1411;
   assign less_1411 = x_s21_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:147
@@ -5418,7 +5418,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:159
   logic or_1415;
   assign or_1415 = (kind == 2'h3) | (x_s21_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic select_1418;
   assign select_1418 = equal_1383_s21_q ? ((~equal_1391) & and_1409) : (less_1411 & (~or_1415));
   // hls/stages/registration.hpp:94
@@ -5432,55 +5432,55 @@ module horopter_agreement (
   assign not_1432 = ~lower_half_s21_q;
   logic [3:0] select_1433;
   assign select_1433 = registration_of_right_q ? {lower_half_s21_q, 1'b0, not_1432, 1'b0} : {1'b0, lower_half_s21_q, 1'b0, not_1432};
-  // hls/stages/agreement.hpp:813
+  // hls/stages/agreement.hpp:881
   logic [6:0] select_1469;
   assign select_1469 = segment_started_s21_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:882
   logic [6:0] sum_1470;
   assign sum_1470 = {6'h0, textured_s21_q} + select_1469;
-  // hls/stages/agreement.hpp:947
+  // hls/stages/agreement.hpp:1015
   logic [9:0] sum_1472;
   assign sum_1472 = {3'h0, sum_1470} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[9:0]);
-  // hls/stages/agreement.hpp:813
+  // hls/stages/agreement.hpp:881
   logic [6:0] select_1474;
   assign select_1474 = segment_started_s21_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:882
   logic [6:0] sum_1475;
   assign sum_1475 = {6'h0, explained_s21_q} + select_1474;
-  // hls/stages/agreement.hpp:948
+  // hls/stages/agreement.hpp:1016
   logic [9:0] sum_1477;
   assign sum_1477 = {3'h0, sum_1475} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[19:10]);
-  // hls/stages/agreement.hpp:813
+  // hls/stages/agreement.hpp:881
   logic [6:0] select_1480;
   assign select_1480 = segment_started_s21_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:815
+  // hls/stages/agreement.hpp:883
   logic [6:0] sum_1481;
   assign sum_1481 = {6'h0, and_1479_s21_q} + select_1480;
-  // hls/stages/agreement.hpp:949
+  // hls/stages/agreement.hpp:1017
   logic [9:0] sum_1483;
   assign sum_1483 = {3'h0, sum_1481} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[29:20]);
-  // hls/stages/agreement.hpp:1139
+  // hls/stages/agreement.hpp:1207
   logic or_1493;
   assign or_1493 = marks_first_s21_q | line_ended_q;
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1209
   logic [13:0] select_1495;
   assign select_1495 = marks_first_s21_q ? 14'h1 : (or_1493 ? {rows_passed_q[12:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1140
+  // hls/stages/agreement.hpp:1208
   logic [8:0] select_1497;
   assign select_1497 = or_1493 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1148
+  // hls/stages/agreement.hpp:1216
   logic select_1499;
   assign select_1499 = cfg_compete_i ? (or_1493 & select_1495[13]) : (select_1497[8] & select_1495[9]);
-  // hls/stages/agreement.hpp:980
+  // hls/stages/agreement.hpp:1048
   logic [2:0] select_1533;
   assign select_1533 = age_s21_q ? box_textured_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:982
+  // hls/stages/agreement.hpp:1050
   logic [4:0] around;
   assign around = {difference_1569_s21_q[3], difference_1569_s21_q} + (equal_1535_s21_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:983
+  // hls/stages/agreement.hpp:1051
   logic [4:0] n;
   assign n = {difference_1585_s21_q[3], difference_1585_s21_q} + (equal_1535_s21_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/census.hpp:137
+  // hls/stages/census.hpp:209
   logic [9:0] xor_1636;
   assign xor_1636 = {difference_1635_s21_q[8:0], sum_1634_s21_q} ^ {10{difference_1635_s21_q[9]}};
   logic [10:0] size;
@@ -5489,7 +5489,7 @@ module horopter_agreement (
   assign xor_1644 = {difference_1643_s21_q[8:0], sum_1642_s21_q} ^ {10{difference_1643_s21_q[9]}};
   logic [10:0] size_2;
   assign size_2 = {10'h0, difference_1643_s21_q[9]} + {1'b0, xor_1644};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic select_1659;
   assign select_1659 = and_369_s21_q ? whole_2_s21_q : census_columns_values_0_cell_0_mask_q;
   logic select_1675;
@@ -5506,29 +5506,29 @@ module horopter_agreement (
   assign select_1691 = and_369_s21_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
   logic select_1694;
   assign select_1694 = and_369_s21_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  // hls/stages/census.hpp:200
+  // hls/stages/census.hpp:272
   logic [9:0] sum_1716;
   assign sum_1716 = {9'h0, difference_1714_s21_q} + {1'b0, xor_1715_s21_q};
   logic [9:0] sum_1719;
   assign sum_1719 = {9'h0, difference_1717_s21_q} + {1'b0, xor_1718_s21_q};
-  // hls/stages/census.hpp:281
+  // hls/stages/census.hpp:353
   logic [8:0] contrast;
   assign contrast = {8'h0, difference_1760_s21_q} + xor_1761_s21_q;
   logic [8:0] contrast_2;
   assign contrast_2 = {8'h0, difference_1772_s21_q} + xor_1773_s21_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1993;
   assign and_1993 = not_1339_s21_q & (so_s21_q & (ends_cell_s21_q & explained_s21_q));
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_1995;
   assign select_1995 = and_1979_s21_q ? 14'h0 : (counts_explained_q + {13'h0, and_1993});
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1998;
   assign and_1998 = not_1339_s21_q & (so_s21_q & (ends_cell_s21_q & and_1479_s21_q));
-  // hls/stages/agreement.hpp:981
+  // hls/stages/agreement.hpp:1049
   logic [4:0] e;
   assign e = {difference_2012_s21_q[3], difference_2012_s21_q} + (equal_1535_s21_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1017
+  // hls/stages/agreement.hpp:1085
   logic less_2027;
   assign less_2027 = region_row_s21_q < x_s21_q[5:3];
   // hls/stages/registration.hpp:107
@@ -5537,22 +5537,22 @@ module horopter_agreement (
   // hls/stages/registration.hpp:101
   logic [11:0] value_2;
   assign value_2 = {{4{select_2124_s21_q[7]}}, select_2124_s21_q} - {sum_2135_s21_q[9], sum_2135_s21_q, sum_2131_s21_q};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2182;
   assign select_2182 = so_s21_q ? (equal_2111 ? right_2_s21_q : registration_of_right_q) : registration_of_right_q;
   logic select_2185;
   assign select_2185 = so_s21_q ? (equal_2087_s21_q ? inside_v_s21_q : registration_was_inside_q) : registration_was_inside_q;
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1083
   logic [1:0] quarter_2;
   assign quarter_2 = all_s21_q ? x_s21_q[1:0] : select_1386;
-  // hls/stages/agreement.hpp:1099
+  // hls/stages/agreement.hpp:1167
   logic [13:0] select_2396;
   assign select_2396 = equal_2362_s21_q ? 14'h0 : product_q;
   logic [13:0] select_2411;
   assign select_2411 = equal_2407_s21_q ? 14'h0 : of_s21_q;
   logic [14:0] sum_3;
   assign sum_3 = {1'b0, select_2396} + {1'b0, select_2411};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [2:0] select_2429;
   assign select_2429 = ends_cell_s21_q ? textured_2_s21_q : box_textured_columns_values_0_q;
   logic [2:0] select_2431;
@@ -5938,7 +5938,7 @@ module horopter_agreement (
   logic at_cell_end_q;
   logic was_next_row_q;
   logic [12:0] seen_base_q;
-  // hls/stages/agreement.hpp:364
+  // hls/stages/agreement.hpp:432
   logic whole_10;
   assign whole_10 = census_columns_values_1_cell_2_mask_s22_q & whole_9_s22_q;
   logic whole_11;
@@ -5953,28 +5953,28 @@ module horopter_agreement (
   assign whole_15 = census_columns_values_2_cell_2_mask_q & whole_14;
   logic whole_16;
   assign whole_16 = census_columns_values_2_cell_3_mask_q & whole_15;
-  // hls/stages/census.hpp:198
+  // hls/stages/census.hpp:270
   logic [10:0] sum_471;
   assign sum_471 = sum_467_s22_q + {1'b0, sum_470_s22_q};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1429;
   assign and_1429 = so_s22_q & and_1428_s22_q;
-  // hls/stages/agreement.hpp:343
+  // hls/stages/agreement.hpp:411
   logic next_row;
   assign next_row = select_1499_s22_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1155
+  // hls/stages/agreement.hpp:1223
   logic [6:0] select_1502;
   assign select_1502 = next_row ? cfg_width_i[10:4] : 7'h0;
-  // hls/stages/agreement.hpp:1165
+  // hls/stages/agreement.hpp:1233
   logic equal_1505;
   assign equal_1505 = seen_x_q == 4'hf;
-  // hls/stages/agreement.hpp:1138
+  // hls/stages/agreement.hpp:1206
   logic not_1512;
   assign not_1512 = ~marks_first_s22_q;
-  // hls/stages/agreement.hpp:980
+  // hls/stages/agreement.hpp:1048
   logic [4:0] t;
   assign t = {difference_1534_s22_q[3], difference_1534_s22_q} + (equal_1535_s22_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:987
+  // hls/stages/agreement.hpp:1055
   logic not_1550;
   assign not_1550 = ~region_row_s22_q[2];
   logic [2:0] select_1551;
@@ -5985,22 +5985,22 @@ module horopter_agreement (
   assign select_1553 = or_1549_s22_q ? {select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0], 1'b0} : {1'b0, select_1552[5], 1'b0, select_1552[4], 1'b0, select_1552[3], 1'b0, select_1552[2], 1'b0, select_1552[1], 1'b0, select_1552[0]};
   logic [23:0] select_1554;
   assign select_1554 = or_1546_s22_q ? {select_1553[11], 1'b0, select_1553[10], 1'b0, select_1553[9], 1'b0, select_1553[8], 1'b0, select_1553[7], 1'b0, select_1553[6], 1'b0, select_1553[5], 1'b0, select_1553[4], 1'b0, select_1553[3], 1'b0, select_1553[2], 1'b0, select_1553[1], 1'b0, select_1553[0], 1'b0} : {1'b0, select_1553[11], 1'b0, select_1553[10], 1'b0, select_1553[9], 1'b0, select_1553[8], 1'b0, select_1553[7], 1'b0, select_1553[6], 1'b0, select_1553[5], 1'b0, select_1553[4], 1'b0, select_1553[3], 1'b0, select_1553[2], 1'b0, select_1553[1], 1'b0, select_1553[0]};
-  // hls/stages/agreement.hpp:989
+  // hls/stages/agreement.hpp:1057
   logic [5:0] sum_1572;
   assign sum_1572 = {1'b0, around_s22_q} + {2'h0, around_s22_q[4:1]};
-  // hls/stages/census.hpp:138
+  // hls/stages/census.hpp:210
   logic [13:0] detail;
   assign detail = {3'h0, size_s22_q} + (equal_372_s22_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [13:0] select_1641;
   assign select_1641 = sample_pair_whole_s22_q ? (and_367_s22_q ? detail : averager_detail_0_q) : averager_detail_0_q;
-  // hls/stages/census.hpp:138
+  // hls/stages/census.hpp:210
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_2_s22_q} + (equal_372_s22_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [13:0] select_1649;
   assign select_1649 = sample_pair_whole_s22_q ? (and_367_s22_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic select_1697;
   assign select_1697 = and_369_s22_q ? census_columns_values_1_cell_2_mask_s22_q : census_columns_values_2_cell_2_mask_q;
   logic select_1700;
@@ -6015,16 +6015,16 @@ module horopter_agreement (
   assign select_1708 = and_369_s22_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
   logic select_1711;
   assign select_1711 = and_369_s22_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  // hls/stages/census.hpp:200
+  // hls/stages/census.hpp:272
   logic [10:0] sum_1724;
   assign sum_1724 = sum_1720_s22_q + {1'b0, sum_1723_s22_q};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic select_1756;
   assign select_1756 = and_369_s22_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
-  // hls/stages/census.hpp:283
+  // hls/stages/census.hpp:355
   logic and_1759;
   assign and_1759 = whole_2_s22_q & (~(column_s22_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:365
+  // hls/stages/agreement.hpp:433
   logic and_1765;
   assign and_1765 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s22_q[8:2]));
   logic and_1766;
@@ -6033,7 +6033,7 @@ module horopter_agreement (
   assign and_1777 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s22_q[8:2]));
   logic and_1778;
   assign and_1778 = and_1759 & and_1777;
-  // hls/stages/census.hpp:337
+  // hls/stages/census.hpp:409
   logic not_1795;
   assign not_1795 = ~x_s22_q[1];
   logic [2:0] select_1796;
@@ -6042,10 +6042,10 @@ module horopter_agreement (
   assign select_1797 = slot_s22_q[2] ? {select_1796[2], 1'b0, select_1796[1], 1'b0, select_1796[0], 1'b0} : {1'b0, select_1796[2], 1'b0, select_1796[1], 1'b0, select_1796[0]};
   logic [11:0] select_1798;
   assign select_1798 = slot_s22_q[1] ? {select_1797[5], 1'b0, select_1797[4], 1'b0, select_1797[3], 1'b0, select_1797[2], 1'b0, select_1797[1], 1'b0, select_1797[0], 1'b0} : {1'b0, select_1797[5], 1'b0, select_1797[4], 1'b0, select_1797[3], 1'b0, select_1797[2], 1'b0, select_1797[1], 1'b0, select_1797[0]};
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_1985;
   assign select_1985 = and_1979_s22_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1983_s22_q});
-  // hls/stages/agreement.hpp:988
+  // hls/stages/agreement.hpp:1056
   logic [5:0] sum_2015;
   assign sum_2015 = {1'b0, e_s22_q} + {2'h0, e_s22_q[4:1]};
   // hls/stages/registration.hpp:213
@@ -6054,7 +6054,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:264
   logic [3:0] select_2190;
   assign select_2190 = equal_2187_s22_q ? (registration_fresh_q & not_2188_s22_q) : registration_fresh_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [3:0] select_2192;
   assign select_2192 = so_s22_q ? (and_1428_s22_q ? select_2190 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:237
@@ -6065,29 +6065,29 @@ module horopter_agreement (
   assign not_2215 = ~quarter_2_s22_q[1];
   logic [3:0] select_2216;
   assign select_2216 = quarter_2_s22_q[0] ? {quarter_2_s22_q[1], 1'b0, not_2215, 1'b0} : {1'b0, quarter_2_s22_q[1], 1'b0, not_2215};
-  // hls/stages/agreement.hpp:1064
+  // hls/stages/agreement.hpp:1132
   logic or_2359;
   assign or_2359 = ({counts_textured_s22_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s22_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1095
+  // hls/stages/agreement.hpp:1163
   logic too_little;
   assign too_little = less_2364_s22_q | (product_rest_q & equal_2365_s22_q);
-  // hls/stages/agreement.hpp:1096
+  // hls/stages/agreement.hpp:1164
   logic select_2368;
   assign select_2368 = and_2363_s22_q ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1020
+  // hls/stages/agreement.hpp:1088
   logic [10:0] sum_2371;
   assign sum_2371 = {1'b0, select_2031_s22_q} + {2'h0, select_2031_s22_q[9:1]};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2416;
   assign select_2416 = equal_1338_s22_q ? (equal_2362_s22_q ? sum_3_s22_q : (product_rest_q | sum_3_s22_q)) : product_rest_q;
   logic [4:0] select_2445;
   assign select_2445 = so_s22_q ? (ends_cell_s22_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   logic [4:0] select_2446;
   assign select_2446 = equal_1338_s22_q ? box_textured_sum_sums_values_0_q : select_2445;
-  // hls/stages/agreement.hpp:1164
+  // hls/stages/agreement.hpp:1232
   logic [3:0] select_2531;
   assign select_2531 = select_1499_s22_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:343
+  // hls/stages/agreement.hpp:411
   logic [7:0] select_2537;
   assign select_2537 = marks_first_s22_q ? (less_2533 ? {sum_2534, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/registration.hpp:253
@@ -6468,7 +6468,7 @@ module horopter_agreement (
   logic done_q;
   logic drew_q;
   logic said_q;
-  // hls/stages/agreement.hpp:364
+  // hls/stages/agreement.hpp:432
   logic whole_17;
   assign whole_17 = census_columns_values_2_cell_4_mask_s23_q & whole_16_s23_q;
   logic whole_18;
@@ -6481,34 +6481,34 @@ module horopter_agreement (
   assign whole_21 = census_columns_values_3_cell_3_mask_s23_q & whole_20;
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
-  // hls/stages/census.hpp:198
+  // hls/stages/census.hpp:270
   logic [11:0] texture;
   assign texture = sum_475_s23_q + {2'h0, sum_478_s23_q};
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1240
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:1139
+  // hls/stages/agreement.hpp:1207
   logic select_1510;
   assign select_1510 = marks_first_s23_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1125
+  // hls/stages/agreement.hpp:1193
   logic [10:0] sum_1511;
   assign sum_1511 = {1'b0, {5{select_1510}}, 1'b0, {2{select_1510}}, 1'b0, select_1510} + {1'b0, index[12:3]};
-  // hls/stages/agreement.hpp:997
+  // hls/stages/agreement.hpp:1065
   logic [12:0] index_2;
   assign index_2 = {{3{sum_1522_s23_q[7]}}, sum_1522_s23_q, x_s23_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1125
+  // hls/stages/agreement.hpp:1193
   logic [10:0] sum_1524;
   assign sum_1524 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
-  // hls/stages/agreement.hpp:987
+  // hls/stages/agreement.hpp:1055
   logic [47:0] select_1555;
   assign select_1555 = or_1543_s23_q ? {select_1554_s23_q[23], 1'b0, select_1554_s23_q[22], 1'b0, select_1554_s23_q[21], 1'b0, select_1554_s23_q[20], 1'b0, select_1554_s23_q[19], 1'b0, select_1554_s23_q[18], 1'b0, select_1554_s23_q[17], 1'b0, select_1554_s23_q[16], 1'b0, select_1554_s23_q[15], 1'b0, select_1554_s23_q[14], 1'b0, select_1554_s23_q[13], 1'b0, select_1554_s23_q[12], 1'b0, select_1554_s23_q[11], 1'b0, select_1554_s23_q[10], 1'b0, select_1554_s23_q[9], 1'b0, select_1554_s23_q[8], 1'b0, select_1554_s23_q[7], 1'b0, select_1554_s23_q[6], 1'b0, select_1554_s23_q[5], 1'b0, select_1554_s23_q[4], 1'b0, select_1554_s23_q[3], 1'b0, select_1554_s23_q[2], 1'b0, select_1554_s23_q[1], 1'b0, select_1554_s23_q[0], 1'b0} : {1'b0, select_1554_s23_q[23], 1'b0, select_1554_s23_q[22], 1'b0, select_1554_s23_q[21], 1'b0, select_1554_s23_q[20], 1'b0, select_1554_s23_q[19], 1'b0, select_1554_s23_q[18], 1'b0, select_1554_s23_q[17], 1'b0, select_1554_s23_q[16], 1'b0, select_1554_s23_q[15], 1'b0, select_1554_s23_q[14], 1'b0, select_1554_s23_q[13], 1'b0, select_1554_s23_q[12], 1'b0, select_1554_s23_q[11], 1'b0, select_1554_s23_q[10], 1'b0, select_1554_s23_q[9], 1'b0, select_1554_s23_q[8], 1'b0, select_1554_s23_q[7], 1'b0, select_1554_s23_q[6], 1'b0, select_1554_s23_q[5], 1'b0, select_1554_s23_q[4], 1'b0, select_1554_s23_q[3], 1'b0, select_1554_s23_q[2], 1'b0, select_1554_s23_q[1], 1'b0, select_1554_s23_q[0]};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic select_1712;
   assign select_1712 = and_369_s23_q ? census_columns_values_2_cell_4_mask_s23_q : census_columns_values_3_cell_4_mask_q;
-  // hls/stages/census.hpp:200
+  // hls/stages/census.hpp:272
   logic [11:0] sum_1732;
   assign sum_1732 = sum_1728_s23_q + {2'h0, sum_1731_s23_q};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [11:0] select_1734;
   assign select_1734 = and_369_s23_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_1735;
@@ -6517,27 +6517,27 @@ module horopter_agreement (
   assign select_1754 = and_369_s23_q ? select_1753_s23_q[13:0] : sharpness_last_detail_0_q;
   logic [13:0] select_1755;
   assign select_1755 = and_369_s23_q ? select_1753_s23_q[27:14] : sharpness_last_detail_1_q;
-  // hls/stages/census.hpp:282
+  // hls/stages/census.hpp:354
   logic [14:0] detail_3;
   assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_1753_s23_q[13:0]};
   logic [14:0] detail_4;
   assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_1753_s23_q[27:14]};
-  // hls/stages/census.hpp:285
+  // hls/stages/census.hpp:357
   logic [23:0] sum_1786;
   assign sum_1786 = (equal_1739_s23_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1785_s23_q};
   logic [23:0] sum_1790;
   assign sum_1790 = (equal_1739_s23_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1789_s23_q};
-  // hls/stages/census.hpp:337
+  // hls/stages/census.hpp:409
   logic less_1794;
   assign less_1794 = x_s23_q[4:0] < 5'h3;
   logic [23:0] select_1799;
   assign select_1799 = slot_s23_q ? {select_1798_s23_q[11], 1'b0, select_1798_s23_q[10], 1'b0, select_1798_s23_q[9], 1'b0, select_1798_s23_q[8], 1'b0, select_1798_s23_q[7], 1'b0, select_1798_s23_q[6], 1'b0, select_1798_s23_q[5], 1'b0, select_1798_s23_q[4], 1'b0, select_1798_s23_q[3], 1'b0, select_1798_s23_q[2], 1'b0, select_1798_s23_q[1], 1'b0, select_1798_s23_q[0], 1'b0} : {1'b0, select_1798_s23_q[11], 1'b0, select_1798_s23_q[10], 1'b0, select_1798_s23_q[9], 1'b0, select_1798_s23_q[8], 1'b0, select_1798_s23_q[7], 1'b0, select_1798_s23_q[6], 1'b0, select_1798_s23_q[5], 1'b0, select_1798_s23_q[4], 1'b0, select_1798_s23_q[3], 1'b0, select_1798_s23_q[2], 1'b0, select_1798_s23_q[1], 1'b0, select_1798_s23_q[0]};
-  // hls/stages/census.hpp:300
+  // hls/stages/census.hpp:372
   logic and_1803;
   assign and_1803 = less_1794 & (~((sharpness_sums_contrast_1_q & select_1799) == 24'h0));
   logic and_1813;
   assign and_1813 = less_1794 & (~((sharpness_sums_contrast_0_q & select_1799) == 24'h0));
-  // hls/stages/agreement.hpp:1018
+  // hls/stages/agreement.hpp:1086
   logic [10:0] sum_2032;
   assign sum_2032 = {1'b0, select_2031_s23_q} + {3'h0, select_2031_s23_q[9:2]};
   // hls/stages/registration.hpp:200
@@ -6545,18 +6545,18 @@ module horopter_agreement (
   assign difference_2159 = 13'h0 - {residual_s23_q[11], residual_s23_q};
   logic less_2174;
   assign less_2174 = $signed(difference_2159) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:1020
+  // hls/stages/agreement.hpp:1088
   logic select_2374;
   assign select_2374 = equal_2356_s23_q ? ((~or_2359_s23_q) & (~select_2368_s23_q)) : not_2373_s23_q;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [47:0] select_2376;
   assign select_2376 = x_s23_q[6] ? (equal_1383_s23_q ? good_q : {select_2374, good_q[47:1]}) : good_q;
   logic equal_2379;
   assign equal_2379 = x_s23_q == 7'h7f;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [12:0] select_2517;
   assign select_2517 = equal_1863_s23_q ? (equal_2514_s23_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [6:0] select_2520;
   assign select_2520 = and_369_s23_q ? (equal_1863_s23_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
 
@@ -6852,74 +6852,74 @@ module horopter_agreement (
   logic sharpness_comparing_less_contrast_1_q;
   logic [13:0] counts_nearer_q;
   logic good_known_q;
-  // hls/stages/census.hpp:209
+  // hls/stages/census.hpp:281
   logic [13:0] sum_481;
   assign sum_481 = {2'h0, census_changes_values_1_left_s24_q} + {1'b0, sum_480_s24_q};
   logic [13:0] sum_482;
   assign sum_482 = {2'h0, census_changes_values_2_left_q} + sum_481;
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_1559;
   assign and_1559 = good_known_q & not_1558_s24_q;
-  // hls/stages/agreement.hpp:989
+  // hls/stages/agreement.hpp:1057
   logic is_seen;
   assign is_seen = equal_1538_s24_q ? and_1559 : not_1574_s24_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [11:0] select_1736;
   assign select_1736 = and_369_s24_q ? census_changes_values_1_left_s24_q : census_changes_values_2_left_q;
   logic [11:0] select_1737;
   assign select_1737 = and_369_s24_q ? census_changes_values_1_right_s24_q : census_changes_values_2_right_q;
-  // hls/stages/census.hpp:210
+  // hls/stages/census.hpp:282
   logic [13:0] sum_1741;
   assign sum_1741 = {2'h0, census_changes_values_1_right_s24_q} + {1'b0, sum_1740_s24_q};
   logic [13:0] sum_1742;
   assign sum_1742 = {2'h0, census_changes_values_2_right_q} + sum_1741;
-  // hls/stages/census.hpp:285
+  // hls/stages/census.hpp:357
   logic [23:0] select_1770;
   assign select_1770 = equal_1739_s24_q ? {11'h0, select_1768_s24_q} : (sharpness_sums_detail_0_q + {11'h0, select_1768_s24_q});
   logic [23:0] select_1782;
   assign select_1782 = equal_1739_s24_q ? {11'h0, select_1780_s24_q} : (sharpness_sums_detail_1_q + {11'h0, select_1780_s24_q});
-  // hls/stages/census.hpp:305
+  // hls/stages/census.hpp:377
   logic [17:0] select_1805;
   assign select_1805 = (less_1793_s24_q & and_1803_s24_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [17:0] select_1815;
   assign select_1815 = (less_1793_s24_q & and_1813_s24_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic [1:0] select_1824;
   assign select_1824 = equal_1792_s24_q ? {sharpness_comparing_contrast_0_q[0], and_1813_s24_q} : sharpness_comparing_contrast_0_q;
   logic [1:0] select_1826;
   assign select_1826 = equal_1792_s24_q ? {sharpness_comparing_contrast_1_q[0], and_1803_s24_q} : sharpness_comparing_contrast_1_q;
-  // hls/stages/census.hpp:314
+  // hls/stages/census.hpp:386
   logic xor_1849;
   assign xor_1849 = sharpness_comparing_contrast_0_q[1] ^ and_1803_s24_q;
   logic select_1852;
   assign select_1852 = (equal_1836_s24_q | xor_1849) ? (and_1803_s24_q & xor_1849) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_1853;
   assign select_1853 = equal_1792_s24_q ? select_1852 : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:314
+  // hls/stages/census.hpp:386
   logic xor_1855;
   assign xor_1855 = sharpness_comparing_contrast_1_q[1] ^ and_1813_s24_q;
   logic select_1858;
   assign select_1858 = (equal_1836_s24_q | xor_1855) ? (and_1813_s24_q & xor_1855) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_1859;
   assign select_1859 = equal_1792_s24_q ? select_1858 : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_2000;
   assign select_2000 = and_1979_s24_q ? 14'h0 : (counts_nearer_q + {13'h0, and_1998_s24_q});
-  // hls/stages/agreement.hpp:992
+  // hls/stages/agreement.hpp:1060
   logic not_2019;
   assign not_2019 = ~(equal_1538_s24_q ? and_1559 : not_2017_s24_q);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2022;
   assign and_2022 = ends_cell_s24_q & (not_2002_s24_q & (centres_values_1_textured_s24_q & not_2019));
-  // hls/stages/agreement.hpp:1023
+  // hls/stages/agreement.hpp:1091
   logic [9:0] select_2035;
   assign select_2035 = ((~(select_2028_s24_q[9:4] == 6'h0)) & less_2033_s24_q) ? select_2028_s24_q : 10'h0;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [9:0] select_2038;
   assign select_2038 = equal_1338_s24_q ? (x_s24_q[6] ? (equal_1383_s24_q ? 10'h0 : select_2035) : 10'h0) : 10'h0;
-  // hls/stages/agreement.hpp:996
+  // hls/stages/agreement.hpp:1064
   logic and_2056;
   assign and_2056 = centres_values_1_textured_s24_q & (centres_values_1_of_skin_s24_q & not_2019);
   // hls/stages/registration.hpp:106
@@ -6930,54 +6930,54 @@ module horopter_agreement (
   // hls/stages/registration.hpp:200
   logic less_2167;
   assign less_2167 = $signed(residual_s24_q) < $signed({2'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:1017
+  // hls/stages/agreement.hpp:1085
   logic [11:0] select_2220;
   assign select_2220 = or_1415_s24_q ? 12'h0 : (equal_2218_s24_q ? registration_sums_rdata_s24_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [11:0] select_2222;
   assign select_2222 = equal_1383_s24_q ? 12'h0 : (less_1411_s24_q ? select_2220 : 12'h0);
   // hls/stages/registration.hpp:152
   logic and_2225;
   assign and_2225 = x_s24_q[1] & all_s24_q;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2228;
   assign and_2228 = not_1457_s24_q & (less_1411_s24_q & ({and_2225, x_s24_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:1017
+  // hls/stages/agreement.hpp:1085
   logic [11:0] select_2235;
   assign select_2235 = or_1415_s24_q ? 12'h0 : (equal_2218_s24_q ? registration_sums_rdata_s24_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [11:0] select_2237;
   assign select_2237 = equal_1383_s24_q ? 12'h0 : (less_1411_s24_q ? select_2235 : 12'h0);
   // hls/stages/registration.hpp:149
   logic not_2243;
   assign not_2243 = ~all_s24_q;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2246;
   assign and_2246 = not_1457_s24_q & (less_1411_s24_q & (x_s24_q[2:0] == {all_s24_q, not_2243, 1'b0}));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2252;
   assign and_2252 = equal_1338_s24_q & (x_s24_q[6] & (not_1457_s24_q & (less_1411_s24_q & all_s24_q)));
   // hls/stages/registration.hpp:156
   logic equal_2279;
   assign equal_2279 = x_s24_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2282;
   assign and_2282 = not_1457_s24_q & (less_1411_s24_q & (x_s24_q[5] ? x_s24_q[3] : equal_2279));
   logic and_2291;
   assign and_2291 = not_1457_s24_q & (less_1411_s24_q & ((~x_s24_q[5]) & (x_s24_q[3] & equal_2279)));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2381;
   assign select_2381 = equal_1338_s24_q ? ((x_s24_q[6] & good_known_q) | equal_2379_s24_q) : good_known_q;
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1240
   logic and_2543;
   assign and_2543 = and_1599_s24_q & ({sum_1524_s24_q, index_2_s24_q} == {sum_1511_s24_q, index_s24_q});
-  // hls/stages/agreement.hpp:1025
+  // hls/stages/agreement.hpp:1093
   logic [31:0] select_2600;
   assign select_2600 = equal_1403_s24_q ? {2'h0, counts_explained_s24_q, 2'h0, counts_textured_s24_q} : (equal_2598_s24_q ? registration_sums_rdata_s24_q : 32'h0);
   logic [31:0] select_2601;
   assign select_2601 = equal_1401_s24_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_s24_q} : select_2600;
 
-  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1261; read in stage 24, written in stage 25: 24 < 25 < 24 + DISTANCE.
+  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1333; read in stage 24, written in stage 25: 24 < 25 < 24 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:16079];
@@ -7286,39 +7286,39 @@ module horopter_agreement (
   // hls/stages/registration.hpp:261
   logic [6:0] select_1443;
   assign select_1443 = equal_1437 ? {1'b0, registration_half_measured_q} : up;
-  // hls/stages/census.hpp:305
+  // hls/stages/census.hpp:377
   logic [18:0] sum;
   assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_1805_s25_q};
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic [17:0] select_1808;
   assign select_1808 = equal_1792_s25_q ? (less_1793_s25_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  // hls/stages/census.hpp:305
+  // hls/stages/census.hpp:377
   logic [18:0] sum_2;
   assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_1815_s25_q};
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic [17:0] select_1818;
   assign select_1818 = equal_1792_s25_q ? (less_1793_s25_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_2026;
   assign select_2026 = and_1979_s25_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2024_s25_q});
   logic [13:0] select_2040;
   assign select_2040 = and_1979_s25_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2038_s25_q});
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2060;
   assign and_2060 = not_1339_s25_q & and_2059_s25_q;
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_2062;
   assign select_2062 = and_1979_s25_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2060});
   // hls/stages/registration.hpp:132
   logic [13:0] sum_2145;
   assign sum_2145 = registration_half_across_q + {{6{select_2144_s25_q[7]}}, select_2144_s25_q};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2149;
   assign and_2149 = not_1339_s25_q & (so_s25_q & (and_2116_s25_q & equal_2087_s25_q));
   // hls/stages/registration.hpp:133
   logic [5:0] select_2151;
   assign select_2151 = and_2114_s25_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2149});
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [1:0] select_2155;
   assign select_2155 = so_s25_q ? (equal_2087_s25_q ? {and_2153_s25_q, and_2116_s25_q} : 2'h0) : 2'h0;
   logic [1:0] select_2156;
@@ -7326,7 +7326,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:179
   logic [6:0] sum_2157;
   assign sum_2157 = registration_half_votes_down_q + {{5{select_2156[1]}}, select_2156};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [1:0] select_2163;
   assign select_2163 = so_s25_q ? (equal_2087_s25_q ? {and_2161_s25_q, and_2116_s25_q} : 2'h0) : 2'h0;
   logic [1:0] select_2164;
@@ -7334,7 +7334,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:180
   logic [6:0] sum_2165;
   assign sum_2165 = registration_half_votes_up_q + {{5{select_2164[1]}}, select_2164};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [1:0] select_2170;
   assign select_2170 = so_s25_q ? (equal_2087_s25_q ? {and_2168_s25_q, and_2116_s25_q} : 2'h0) : 2'h0;
   logic [1:0] select_2171;
@@ -7342,7 +7342,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:179
   logic [6:0] sum_2172;
   assign sum_2172 = registration_half_half_votes_down_q + {{5{select_2171[1]}}, select_2171};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [1:0] select_2177;
   assign select_2177 = so_s25_q ? (equal_2087_s25_q ? {and_2175_s25_q, and_2116_s25_q} : 2'h0) : 2'h0;
   logic [1:0] select_2178;
@@ -7350,7 +7350,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:180
   logic [6:0] sum_2179;
   assign sum_2179 = registration_half_half_votes_up_q + {{5{select_2178[1]}}, select_2178};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2213;
   assign and_2213 = equal_1338_s25_q & (x_s25_q[6] & (not_1457_s25_q & less_1411_s25_q));
   logic [11:0] select_2224;
@@ -7358,7 +7358,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:247
   logic [13:0] sum_2232;
   assign sum_2232 = {{2{select_2224[11]}}, select_2224} + (and_2230_s25_q ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [11:0] select_2239;
   assign select_2239 = equal_1338_s25_q ? (x_s25_q[6] ? select_2237_s25_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:248
@@ -7371,10 +7371,10 @@ module horopter_agreement (
   assign less_2254 = $signed({9'h1, {2{not_2253}}, and_2252_s25_q}) < $signed(registration_up_q[13:2]);
   logic select_2255;
   assign select_2255 = and_2248_s25_q ? less_2254 : registration_enough_q;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2259;
   assign and_2259 = x_s25_q[6] & (not_1457_s25_q & (less_1411_s25_q & (x_s25_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2260;
   assign and_2260 = equal_1338_s25_q & and_2259;
   // hls/stages/registration.hpp:237
@@ -7382,13 +7382,13 @@ module horopter_agreement (
   assign less_2261 = $signed(14'h0) < $signed(registration_down_q);
   logic less_2263;
   assign less_2263 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2268;
   assign and_2268 = x_s25_q[6] & (not_1457_s25_q & (less_1411_s25_q & (x_s25_q[2:0] == 3'h7)));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2269;
   assign and_2269 = equal_1338_s25_q & and_2268;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2276;
   assign and_2276 = x_s25_q[6] & (not_1457_s25_q & (less_1411_s25_q & (x_s25_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:239
@@ -7401,17 +7401,17 @@ module horopter_agreement (
   assign and_2298 = (equal_1338_s25_q & and_2292_s25_q) & (registration_other_enough_q & select_2296);
   logic and_2300;
   assign and_2300 = registration_enough_q & ((and_2284_s25_q & (less_2263 | less_2261)) | and_2298);
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1079
   logic [13:0] select_2387;
   assign select_2387 = equal_2384_s25_q ? counts_skin_unproven_q : (equal_2385_s25_q ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_4;
   assign before_v_4 = equal_2382_s25_q ? counts_nearer_s25_q : select_2387;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2558;
   assign and_2558 = equal_1338_s25_q & (equal_2379_s25_q & (cfg_prove_i & (~proven_q)));
   logic and_2592;
   assign and_2592 = equal_1338_s25_q & (x_s25_q[6] & (not_1457_s25_q | (4'hc < x_s25_q[5:2])));
-  // hls/stages/agreement.hpp:1025
+  // hls/stages/agreement.hpp:1093
   logic [31:0] select_2602;
   assign select_2602 = equal_1399_s25_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_2601_s25_q;
   logic [31:0] select_2603;
@@ -7662,59 +7662,59 @@ module horopter_agreement (
   logic sharpness_comparing_carry_1_q;
   logic registration_moved_q;
   logic hides_q;
-  // hls/stages/census.hpp:231
+  // hls/stages/census.hpp:303
   logic and_484;
   assign and_484 = and_434_s26_q & less_483_s26_q;
-  // hls/stages/census.hpp:234
+  // hls/stages/census.hpp:306
   logic and_1745;
   assign and_1745 = and_459_s26_q & less_483_s26_q;
-  // hls/stages/census.hpp:235
+  // hls/stages/census.hpp:307
   logic [19:0] sum_1746;
   assign sum_1746 = census_left_misses_q + {{17{and_1745}}, and_1744_s26_q, 1'b0, and_1744_s26_q};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [19:0] select_1748;
   assign select_1748 = and_369_s26_q ? (equal_1739_s26_q ? 20'h0 : sum_1746) : census_left_misses_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic [2:0] select_1820;
   assign select_1820 = equal_1792_s26_q ? {sharpness_comparing_product_0_q[1:0], sum_s26_q} : sharpness_comparing_product_0_q;
   logic [2:0] select_1822;
   assign select_1822 = equal_1792_s26_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s26_q} : sharpness_comparing_product_1_q;
-  // hls/stages/census.hpp:311
+  // hls/stages/census.hpp:383
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s26_q});
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_1831;
   assign select_1831 = so_s26_q ? (equal_1792_s26_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
-  // hls/stages/census.hpp:311
+  // hls/stages/census.hpp:383
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s26_q});
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_1834;
   assign select_1834 = equal_1792_s26_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
-  // hls/stages/census.hpp:313
+  // hls/stages/census.hpp:385
   logic xor_1837;
   assign xor_1837 = sharpness_comparing_product_0_q[2] ^ five_times[0];
   logic xor_1843;
   assign xor_1843 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  // hls/stages/agreement.hpp:1091
+  // hls/stages/agreement.hpp:1159
   logic [14:0] over;
   assign over = {1'b0, product_s26_q} - {1'b0, before_v_4_s26_q};
-  // hls/stages/agreement.hpp:1099
+  // hls/stages/agreement.hpp:1167
   logic select_2390;
   assign select_2390 = and_2383_s26_q ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1240
   logic [1:0] select_2544;
   assign select_2544 = and_2543_s26_q ? {and_1589_s26_q, is_seen_s26_q} : map_rdata_s26_q;
-  // hls/stages/agreement.hpp:1169
+  // hls/stages/agreement.hpp:1241
   logic and_2545;
   assign and_2545 = proven_q & less_2533;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2570;
   assign and_2570 = equal_1338_s26_q & (equal_2379_s26_q & (cfg_prove_i & registration_moved_q));
-  // hls/stages/agreement.hpp:1030
+  // hls/stages/agreement.hpp:1098
   logic or_2572;
   assign or_2572 = select_1854_s26_q | ($signed(20'h0) < $signed(census_left_misses_q));
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [31:0] select_2608;
   assign select_2608 = equal_1383_s26_q ? select_2606_s26_q : {2'h0, select_2607_s26_q, select_2031_s26_q, select_2028_s26_q};
 
@@ -8032,48 +8032,48 @@ module horopter_agreement (
   logic too_much_q;
   logic seen_q;
   logic nearer_q;
-  // hls/stages/census.hpp:313
+  // hls/stages/census.hpp:385
   logic select_1840;
   assign select_1840 = or_1838_s27_q ? and_1839_s27_q : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_1841;
   assign select_1841 = equal_1792_s27_q ? select_1840 : sharpness_comparing_less_detail_0_q;
   logic select_1842;
   assign select_1842 = so_s27_q ? select_1841 : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:313
+  // hls/stages/census.hpp:385
   logic select_1846;
   assign select_1846 = or_1844_s27_q ? and_1845_s27_q : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_1847;
   assign select_1847 = equal_1792_s27_q ? select_1846 : sharpness_comparing_less_detail_1_q;
   logic select_1848;
   assign select_1848 = so_s27_q ? select_1847 : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:1028
+  // hls/stages/agreement.hpp:1096
   logic not_2391;
   assign not_2391 = ~hidden_for_q[7];
   logic [7:0] select_2393;
   assign select_2393 = select_2390_s27_q ? (hidden_for_q + {7'h0, not_2391}) : 8'h0;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [7:0] select_2395;
   assign select_2395 = equal_1338_s27_q ? (equal_2379_s27_q ? select_2393 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:1097
+  // hls/stages/agreement.hpp:1165
   logic and_2421;
   assign and_2421 = too_much_q & not_2420_s27_q;
-  // hls/stages/agreement.hpp:1098
+  // hls/stages/agreement.hpp:1166
   logic select_2426;
   assign select_2426 = and_2418_s27_q ? (and_2421 | or_2424_s27_q) : and_2421;
-  // hls/stages/agreement.hpp:345
+  // hls/stages/agreement.hpp:413
   logic select_2548;
   assign select_2548 = and_1518_s27_q ? (less_1519_s27_q ? and_2546_s27_q : seen_q) : seen_q;
   logic select_2551;
   assign select_2551 = and_1518_s27_q ? (less_1519_s27_q ? and_2549_s27_q : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2561;
   assign and_2561 = equal_1338_s27_q & (equal_2379_s27_q & (cfg_prove_i & or_2359_s27_q));
-  // hls/stages/agreement.hpp:1108
+  // hls/stages/agreement.hpp:1176
   logic not_2563;
   assign not_2563 = ~(or_2359_s27_q | not_2552);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2566;
   assign and_2566 = equal_2379_s27_q & (not_2563 & (select_2368_s27_q | select_2426));
   logic and_2579;
@@ -8141,7 +8141,7 @@ module horopter_agreement (
   end
 
   // Stage 28 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:1030
+  // hls/stages/agreement.hpp:1098
   logic and_2586;
   assign and_2586 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_2584_s28_q);
 

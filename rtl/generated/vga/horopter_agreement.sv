@@ -126,25 +126,25 @@ module horopter_agreement (
   assign select_321 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
   logic [6:0] select_323;
   assign select_323 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
-  // hls/stages/census.hpp:99
+  // hls/stages/census.hpp:115
   logic [8:0] select_326;
   assign select_326 = ({select_323, select_321} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
-  // hls/stages/census.hpp:100
+  // hls/stages/census.hpp:116
   logic [8:0] select_327;
   assign select_327 = select_321[0] ? averager_place_q : select_326;
   // hls/stages/census.hpp:41
   logic or_328;
   assign or_328 = sample_pair_first_q | raster_at_live_q;
-  // hls/stages/agreement.hpp:326
+  // hls/stages/agreement.hpp:394
   logic and_334;
   assign and_334 = (~((~or_328) | (~select_321[0]))) & (select_327[8:6] < 3'h5);
   // hls/stages/census.hpp:41
   logic [2:0] select_339;
   assign select_339 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:326
+  // hls/stages/agreement.hpp:394
   logic whole;
   assign whole = select_321[0] ? (sample_present_q & averager_running_mask_q) : sample_present_q;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [6:0] column;
   assign column = sample_pair_whole_q ? select_323 : 7'h0;
   // hls/stages/census.hpp:50
@@ -153,38 +153,38 @@ module horopter_agreement (
   // hls/stages/census.hpp:53
   logic equal_357;
   assign equal_357 = select_339 == 3'h7;
-  // hls/stages/census.hpp:110
+  // hls/stages/census.hpp:126
   logic and_358;
   assign and_358 = equal_357 & and_334;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic and_360;
   assign and_360 = sample_pair_whole_q & (equal_356 & and_358);
-  // hls/stages/agreement.hpp:152
+  // hls/stages/agreement.hpp:181
   logic so;
   assign so = run_phase_q == 3'h6;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:598
   logic equal_380;
   assign equal_380 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:501
+  // hls/stages/agreement.hpp:569
   logic or_381;
   assign or_381 = so | equal_380;
   logic not_382;
   assign not_382 = ~or_381;
-  // hls/stages/agreement.hpp:521
+  // hls/stages/agreement.hpp:589
   logic equal_383;
   assign equal_383 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:522
+  // hls/stages/agreement.hpp:590
   logic equal_385;
   assign equal_385 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:499
+  // hls/stages/agreement.hpp:567
   logic [7:0] sum_386;
   assign sum_386 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
-  // hls/stages/agreement.hpp:501
+  // hls/stages/agreement.hpp:569
   logic [7:0] select_387;
   assign select_387 = run_shift_q[5] ? x_q : sum_386;
   logic less_388;
   assign less_388 = {1'b0, last_q} < select_387;
-  // hls/stages/agreement.hpp:180
+  // hls/stages/agreement.hpp:209
   logic not_389;
   assign not_389 = ~less_388;
   // hls/stages/agreement.hpp:137
@@ -195,13 +195,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:41
   logic [5:0] select_419;
   assign select_419 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [5:0] row;
   assign row = sample_pair_whole_q ? select_419 : 6'h0;
   // hls/stages/agreement.hpp:137
   logic select_476;
   assign select_476 = equal_383 ? not_389 : and_390;
-  // hls/stages/agreement.hpp:720
+  // hls/stages/agreement.hpp:788
   logic [7:0] x;
   assign x = x_q + 8'hfd;
   // hls/stages/agreement.hpp:137
@@ -211,16 +211,16 @@ module horopter_agreement (
   assign and_501 = equal_383 & and_500;
   logic select_502;
   assign select_502 = or_381 ? not_389 : and_501;
-  // hls/stages/agreement.hpp:725
+  // hls/stages/agreement.hpp:793
   logic equal_505;
   assign equal_505 = {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-  // hls/stages/agreement.hpp:729
+  // hls/stages/agreement.hpp:797
   logic or_507;
   assign or_507 = equal_505 | ($signed(6'h0) < $signed(run_shift_q));
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:809
   logic [6:0] right;
   assign right = sum_386[6:0] + 7'h7d;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [2:0] select_2068;
   assign select_2068 = sample_pair_whole_q ? (sample_last_q ? (select_339 + 3'h1) : select_339) : raster_at_y_q;
   logic [6:0] select_2070;
@@ -232,102 +232,102 @@ module horopter_agreement (
   // hls/stages/census.hpp:49
   logic [8:0] select_2079;
   assign select_2079 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic select_2083;
   assign select_2083 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
-  // hls/stages/agreement.hpp:367
+  // hls/stages/agreement.hpp:435
   logic equal_2327;
   assign equal_2327 = {last[7], column} == {1'b0, last[6:0]};
-  // hls/stages/agreement.hpp:372
+  // hls/stages/agreement.hpp:440
   logic and_2328;
   assign and_2328 = and_360 & equal_2327;
-  // hls/stages/agreement.hpp:430
+  // hls/stages/agreement.hpp:498
   logic select_2331;
   assign select_2331 = (and_2328 | (~ends_cell_q)) ? and_2328 : ends_q;
-  // hls/stages/agreement.hpp:436
+  // hls/stages/agreement.hpp:504
   logic [2:0] now;
   assign now = select_2331 ? (and_2328 ? 3'h1 : following_phase_q) : run_phase_q;
-  // hls/stages/agreement.hpp:441
+  // hls/stages/agreement.hpp:509
   logic [5:0] select_2335;
   assign select_2335 = select_2331 ? (and_2328 ? 6'h0 : following_shift_q) : run_shift_q;
   logic select_2338;
   assign select_2338 = select_2331 ? (following_last_shift_q & (~and_2328)) : run_last_shift_q;
-  // hls/stages/agreement.hpp:514
+  // hls/stages/agreement.hpp:582
   logic and_2341;
   assign and_2341 = run_last_shift_q & equal_383;
-  // hls/stages/agreement.hpp:523
+  // hls/stages/agreement.hpp:591
   logic select_2343;
   assign select_2343 = equal_383 ? (~run_last_shift_q) : equal_385;
-  // hls/stages/agreement.hpp:527
+  // hls/stages/agreement.hpp:595
   logic equal_2344;
   assign equal_2344 = run_phase_q == 3'h1;
   logic not_2347;
   assign not_2347 = ~select_2343;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:598
   logic equal_2349;
   assign equal_2349 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:514
+  // hls/stages/agreement.hpp:582
   logic and_2350;
   assign and_2350 = final_row_q & so;
-  // hls/stages/agreement.hpp:527
+  // hls/stages/agreement.hpp:595
   logic [1:0] select_2351;
   assign select_2351 = equal_2349 ? 2'h1 : {2{and_2350}};
   logic [2:0] select_2353;
   assign select_2353 = (and_2341 | (select_2343 | equal_2344)) ? (equal_2344 ? 3'h2 : {not_2347, {2{select_2343}}}) : (equal_380 ? 3'h6 : {select_2351[0], select_2351});
-  // hls/stages/agreement.hpp:514
+  // hls/stages/agreement.hpp:582
   logic and_2356;
   assign and_2356 = select_2343 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
-  // hls/stages/agreement.hpp:537
+  // hls/stages/agreement.hpp:605
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
   logic [6:0] select_2359;
   assign select_2359 = (plan_shift_q[5] & select_2343) ? value : 7'h0;
   logic [1:0] or_2360;
   assign or_2360 = {2{so}} | select_2359[5:4];
-  // hls/stages/agreement.hpp:540
+  // hls/stages/agreement.hpp:608
   logic [7:0] or_2364;
   assign or_2364 = (select_2343 ? plan_columns_q : 8'h0) | ((equal_2344 | equal_2349) ? whole_q : 8'h0);
   logic [1:0] or_2365;
   assign or_2365 = {2{and_2341}} | or_2364[3:2];
-  // hls/stages/agreement.hpp:541
+  // hls/stages/agreement.hpp:609
   logic [7:0] or_2367;
   assign or_2367 = {or_2364[7:4], or_2365, or_2364[1:0]} | (equal_380 ? drawn_q : 8'h0);
   logic [4:0] or_2368;
   assign or_2368 = {5{so}} | {or_2367[6], or_2367[3:0]};
-  // hls/stages/agreement.hpp:547
+  // hls/stages/agreement.hpp:615
   logic not_2372;
   assign not_2372 = ~run_shift_q[5];
   logic [7:0] select_2375;
   assign select_2375 = equal_383 ? ({{7{not_2372}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
-  // hls/stages/agreement.hpp:430
+  // hls/stages/agreement.hpp:498
   logic [6:0] select_2379;
   assign select_2379 = and_2328 ? 7'h0 : following_lowest_q;
-  // hls/stages/agreement.hpp:433
+  // hls/stages/agreement.hpp:501
   logic [7:0] select_2381;
   assign select_2381 = select_2331 ? {select_2379[6], select_2379} : (x_q + {7'h0, ends_cell_q});
   logic [7:0] select_2384;
   assign select_2384 = select_2331 ? (and_2328 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [6:0] select_2392;
   assign select_2392 = and_360 ? (equal_2327 ? ((6'he < column[6:1]) ? 7'h1d : column) : least_q) : least_q;
   logic [7:0] select_2395;
   assign select_2395 = and_360 ? (equal_2327 ? ({1'b0, cfg_width_i[9:3]} + 8'hb) : whole_q) : whole_q;
   logic [7:0] select_2398;
   assign select_2398 = and_360 ? (equal_2327 ? ({1'b0, cfg_width_i[9:3]} + 8'h3) : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:438
+  // hls/stages/agreement.hpp:506
   logic select_2409;
   assign select_2409 = (ends_cell_q | select_2331) ? (~(now == 3'h6)) : (equal_383 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:433
+  // hls/stages/agreement.hpp:501
   logic and_2413;
   assign and_2413 = (~select_2331) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
-  // hls/stages/agreement.hpp:383
+  // hls/stages/agreement.hpp:451
   logic [6:0] sum_2414;
   assign sum_2414 = {1'b0, row} + 7'h1;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic select_2416;
   assign select_2416 = equal_2327 ? ({sum_2414[6], cfg_height_i[8:3]} == {1'b0, sum_2414[5:0]}) : final_row_q;
 
-  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1226; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1298; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] fresh_mem [0:79];
@@ -348,7 +348,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) fresh_read_q <= rst_ni & fresh_re;
   assign fresh_error = fresh_read_q & ^fresh_word_q;
 
-  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:1227; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:1299; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [77:0] left_mem [0:79];
@@ -369,7 +369,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) left_read_q <= rst_ni & left_re;
   assign left_error = left_read_q & ^left_word_q;
 
-  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:1228; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:1300; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [91:0] right_codes_mem [0:79];
@@ -390,7 +390,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) right_codes_read_q <= rst_ni & right_codes_re;
   assign right_codes_error = right_codes_read_q & ^right_codes_word_q;
 
-  // Memory best_left, 80 x 46 and parity, DISTANCE 12, hls/stages/agreement.hpp:1229; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 80 x 46 and parity, DISTANCE 12, hls/stages/agreement.hpp:1301; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [46:0] best_left_mem [0:79];
@@ -615,13 +615,13 @@ module horopter_agreement (
   logic [5:0] sums_3_columns_values_5_q;
   logic [5:0] sums_3_columns_values_6_q;
   logic [7:0] sums_3_sum_sums_values_0_q;
-  // hls/stages/census.hpp:103
+  // hls/stages/census.hpp:119
   logic and_335;
   assign and_335 = sample_pair_whole_s1_q & and_334_s1_q;
-  // hls/stages/agreement.hpp:573
+  // hls/stages/agreement.hpp:641
   logic not_480;
   assign not_480 = ~(row_q == 6'h0);
-  // hls/stages/agreement.hpp:576
+  // hls/stages/agreement.hpp:644
   logic and_481;
   assign and_481 = left_rdata_q[12] & not_480;
   logic and_482;
@@ -630,7 +630,7 @@ module horopter_agreement (
   assign and_483 = left_rdata_q[44] & not_480;
   logic and_484;
   assign and_484 = left_rdata_q[60] & not_480;
-  // hls/stages/agreement.hpp:577
+  // hls/stages/agreement.hpp:645
   logic and_488;
   assign and_488 = right_codes_rdata_q[12] & not_480;
   logic and_489;
@@ -643,7 +643,7 @@ module horopter_agreement (
   assign and_492 = right_codes_rdata_q[64] & not_480;
   logic and_493;
   assign and_493 = right_codes_rdata_q[77] & not_480;
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_515;
   assign and_515 = left_rdata_q[44] & not_389_s1_q;
   logic and_516;
@@ -652,17 +652,17 @@ module horopter_agreement (
   assign select_517 = less_388_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
   logic [11:0] select_518;
   assign select_518 = less_388_s1_q ? 12'h0 : left_rdata_q[43:32];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_522;
   assign select_522 = and_515 ? (and_516 ? (~(select_517 ^ select_518)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_528;
   assign parity_528 = ^select_522[5:3];
   logic parity_531;
   assign parity_531 = ^select_522[8:6];
   logic parity_534;
   assign parity_534 = ^select_522[11:3];
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_538;
   assign and_538 = left_rdata_q[60] & not_389_s1_q;
   logic and_539;
@@ -671,15 +671,15 @@ module horopter_agreement (
   assign select_540 = less_388_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
   logic [11:0] select_541;
   assign select_541 = less_388_s1_q ? 12'h0 : left_rdata_q[59:48];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_545;
   assign select_545 = and_538 ? (and_539 ? (~(select_540 ^ select_541)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_548;
   assign parity_548 = ^select_545[8:6];
   logic parity_551;
   assign parity_551 = ^select_545[11:9];
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_555;
   assign and_555 = left_rdata_q[76] & not_389_s1_q;
   logic and_556;
@@ -688,10 +688,10 @@ module horopter_agreement (
   assign select_557 = less_388_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
   logic [11:0] select_558;
   assign select_558 = less_388_s1_q ? 12'h0 : left_rdata_q[75:64];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_562;
   assign select_562 = and_555 ? (and_556 ? (~(select_557 ^ select_558)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_568;
   assign parity_568 = ^select_562[2:0];
   logic parity_571;
@@ -708,39 +708,39 @@ module horopter_agreement (
   assign parity_589 = ^{select_562, select_545, select_522[2:0]};
   logic xor_590;
   assign xor_590 = parity_534 ^ parity_589;
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_594;
   assign or_594 = (select_522[1:0] == 2'h3) | (select_522[2] & (select_522[0] | select_522[1]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_598;
   assign or_598 = (select_545[7:6] == 2'h3) | (select_545[8] & (select_545[6] | select_545[7]));
   logic or_602;
   assign or_602 = (select_545[10:9] == 2'h3) | (select_545[11] & (select_545[9] | select_545[10]));
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_610;
   assign or_610 = (select_562[7:6] == 2'h3) | (select_562[8] & (~(select_562[7:6] == 2'h0)));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_614;
   assign or_614 = (select_562[1:0] == 2'h3) | (select_562[2] & (select_562[0] | select_562[1]));
   logic or_618;
   assign or_618 = (select_562[4:3] == 2'h3) | (select_562[5] & (select_562[3] | select_562[4]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_621;
   assign parity_621 = ^{or_618, or_614, or_610};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_625;
   assign or_625 = (select_545[4:3] == 2'h3) | (select_545[5] & (select_545[3] | select_545[4]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_629;
   assign or_629 = (select_562[10:9] == 2'h3) | (select_562[11] & (select_562[9] | select_562[10]));
   logic or_633;
   assign or_633 = (select_545[1:0] == 2'h3) | (select_545[2] & (select_545[0] | select_545[1]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_636;
   assign parity_636 = ^{or_633, or_629, or_625};
   logic parity_639;
   assign parity_639 = ^{or_633, or_629, or_625, or_618, or_614, or_610, or_602, or_598, or_594};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_640;
   assign and_640 = parity_534 & parity_589;
   logic or_644;
@@ -749,32 +749,32 @@ module horopter_agreement (
   assign and_647 = (^{select_545[11:6], select_522[2:0]}) & (parity_574 | parity_586);
   logic or_648;
   assign or_648 = (parity_574 & parity_586) | and_647;
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_655;
   assign or_655 = (select_522[10:9] == 2'h3) | (select_522[11] & (select_522[9] | select_522[10]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_659;
   assign or_659 = (select_522[4:3] == 2'h3) | (select_522[5] & (select_522[3] | select_522[4]));
   logic or_663;
   assign or_663 = (select_522[7:6] == 2'h3) | (select_522[8] & (select_522[6] | select_522[7]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_666;
   assign parity_666 = ^{or_663, or_659, or_655};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_670;
   assign or_670 = (parity_548 & parity_551) | ((^select_522[2:0]) & (parity_548 | parity_551));
   logic or_674;
   assign or_674 = (parity_568 & parity_571) | ((^select_562[8:6]) & (parity_568 | parity_571));
   logic or_678;
   assign or_678 = (parity_580 & parity_583) | ((^select_545[5:3]) & (parity_580 | parity_583));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_681;
   assign parity_681 = ^{or_678, or_674, or_670};
   logic parity_684;
   assign parity_684 = ^{or_678, or_674, or_670, or_663, or_659, or_655, or_648, or_644, and_640};
   logic xor_685;
   assign xor_685 = parity_639 ^ parity_684;
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_686;
   assign and_686 = parity_639 & parity_684;
   logic or_690;
@@ -787,22 +787,22 @@ module horopter_agreement (
   assign or_705 = (or_614 & or_618) | (or_610 & (or_614 | or_618));
   logic or_709;
   assign or_709 = (or_629 & or_633) | (or_625 & (or_629 | or_633));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_712;
   assign parity_712 = ^{or_709, or_705, or_701};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_716;
   assign or_716 = (or_644 & or_648) | (and_640 & (or_644 | or_648));
   logic or_720;
   assign or_720 = (or_659 & or_663) | (or_655 & (or_659 | or_663));
   logic or_724;
   assign or_724 = (or_674 & or_678) | (or_670 & (or_674 | or_678));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_727;
   assign parity_727 = ^{or_724, or_720, or_716};
   logic parity_730;
   assign parity_730 = ^{or_724, or_720, or_716, or_709, or_705, or_701, or_694, or_690, and_686};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_734;
   assign or_734 = (parity_712 & parity_727) | ((^{or_694, or_690, and_686}) & (parity_712 | parity_727));
   logic or_738;
@@ -811,18 +811,18 @@ module horopter_agreement (
   assign or_742 = (or_705 & or_709) | (or_701 & (or_705 | or_709));
   logic or_746;
   assign or_746 = (or_720 & or_724) | (or_716 & (or_720 | or_724));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_751;
   assign parity_751 = ^{or_746, or_742, or_738, or_734};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_755;
   assign or_755 = (or_742 & or_746) | (or_738 & (or_742 | or_746));
   logic and_756;
   assign and_756 = or_734 & (^{or_746, or_742, or_738});
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic xor_757;
   assign xor_757 = or_755 ^ and_756;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:675
   logic and_758;
   assign and_758 = or_755 & and_756;
   // hls/stages/agreement.hpp:137
@@ -830,40 +830,40 @@ module horopter_agreement (
   assign select_759 = equal_383_s1_q ? {and_758, xor_757, parity_751, parity_730, xor_685, xor_590} : 6'h0;
   logic [5:0] column_2;
   assign column_2 = or_381_s1_q ? 6'h0 : select_759;
-  // hls/stages/agreement.hpp:709
+  // hls/stages/agreement.hpp:777
   logic [5:0] select_761;
   assign select_761 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
   logic [6:0] difference_762;
   assign difference_762 = {1'b0, column_2} - {1'b0, select_761};
   logic [7:0] sum_764;
   assign sum_764 = {difference_762[6], difference_762} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_768;
   assign select_768 = and_515 ? (and_539 ? (~(select_540 ^ select_518)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_774;
   assign parity_774 = ^select_768[5:3];
   logic parity_777;
   assign parity_777 = ^select_768[8:6];
   logic parity_780;
   assign parity_780 = ^select_768[11:3];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_787;
   assign select_787 = and_538 ? (and_556 ? (~(select_557 ^ select_541)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_790;
   assign parity_790 = ^select_787[8:6];
   logic parity_793;
   assign parity_793 = ^select_787[11:9];
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_797;
   assign and_797 = right_codes_rdata_q[77] & not_389_s1_q;
   logic [11:0] select_798;
   assign select_798 = less_388_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_802;
   assign select_802 = and_555 ? (and_797 ? (~(select_798 ^ select_558)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_808;
   assign parity_808 = ^select_802[2:0];
   logic parity_811;
@@ -880,39 +880,39 @@ module horopter_agreement (
   assign parity_829 = ^{select_802, select_787, select_768[2:0]};
   logic xor_830;
   assign xor_830 = parity_780 ^ parity_829;
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_834;
   assign or_834 = (select_768[1:0] == 2'h3) | (select_768[2] & (select_768[0] | select_768[1]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_838;
   assign or_838 = (select_787[7:6] == 2'h3) | (select_787[8] & (select_787[6] | select_787[7]));
   logic or_842;
   assign or_842 = (select_787[10:9] == 2'h3) | (select_787[11] & (select_787[9] | select_787[10]));
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_850;
   assign or_850 = (select_802[7:6] == 2'h3) | (select_802[8] & (~(select_802[7:6] == 2'h0)));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_854;
   assign or_854 = (select_802[1:0] == 2'h3) | (select_802[2] & (select_802[0] | select_802[1]));
   logic or_858;
   assign or_858 = (select_802[4:3] == 2'h3) | (select_802[5] & (select_802[3] | select_802[4]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_861;
   assign parity_861 = ^{or_858, or_854, or_850};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_865;
   assign or_865 = (select_787[4:3] == 2'h3) | (select_787[5] & (select_787[3] | select_787[4]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_869;
   assign or_869 = (select_802[10:9] == 2'h3) | (select_802[11] & (select_802[9] | select_802[10]));
   logic or_873;
   assign or_873 = (select_787[1:0] == 2'h3) | (select_787[2] & (select_787[0] | select_787[1]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_876;
   assign parity_876 = ^{or_873, or_869, or_865};
   logic parity_879;
   assign parity_879 = ^{or_873, or_869, or_865, or_858, or_854, or_850, or_842, or_838, or_834};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_880;
   assign and_880 = parity_780 & parity_829;
   logic or_884;
@@ -921,32 +921,32 @@ module horopter_agreement (
   assign and_887 = (^{select_787[11:6], select_768[2:0]}) & (parity_814 | parity_826);
   logic or_888;
   assign or_888 = (parity_814 & parity_826) | and_887;
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_895;
   assign or_895 = (select_768[10:9] == 2'h3) | (select_768[11] & (select_768[9] | select_768[10]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_899;
   assign or_899 = (select_768[4:3] == 2'h3) | (select_768[5] & (select_768[3] | select_768[4]));
   logic or_903;
   assign or_903 = (select_768[7:6] == 2'h3) | (select_768[8] & (select_768[6] | select_768[7]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_906;
   assign parity_906 = ^{or_903, or_899, or_895};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_910;
   assign or_910 = (parity_790 & parity_793) | ((^select_768[2:0]) & (parity_790 | parity_793));
   logic or_914;
   assign or_914 = (parity_808 & parity_811) | ((^select_802[8:6]) & (parity_808 | parity_811));
   logic or_918;
   assign or_918 = (parity_820 & parity_823) | ((^select_787[5:3]) & (parity_820 | parity_823));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_921;
   assign parity_921 = ^{or_918, or_914, or_910};
   logic parity_924;
   assign parity_924 = ^{or_918, or_914, or_910, or_903, or_899, or_895, or_888, or_884, and_880};
   logic xor_925;
   assign xor_925 = parity_879 ^ parity_924;
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_926;
   assign and_926 = parity_879 & parity_924;
   logic or_930;
@@ -959,22 +959,22 @@ module horopter_agreement (
   assign or_945 = (or_854 & or_858) | (or_850 & (or_854 | or_858));
   logic or_949;
   assign or_949 = (or_869 & or_873) | (or_865 & (or_869 | or_873));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_952;
   assign parity_952 = ^{or_949, or_945, or_941};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_956;
   assign or_956 = (or_884 & or_888) | (and_880 & (or_884 | or_888));
   logic or_960;
   assign or_960 = (or_899 & or_903) | (or_895 & (or_899 | or_903));
   logic or_964;
   assign or_964 = (or_914 & or_918) | (or_910 & (or_914 | or_918));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_967;
   assign parity_967 = ^{or_964, or_960, or_956};
   logic parity_970;
   assign parity_970 = ^{or_964, or_960, or_956, or_949, or_945, or_941, or_934, or_930, and_926};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_974;
   assign or_974 = (parity_952 & parity_967) | ((^{or_934, or_930, and_926}) & (parity_952 | parity_967));
   logic or_978;
@@ -983,18 +983,18 @@ module horopter_agreement (
   assign or_982 = (or_945 & or_949) | (or_941 & (or_945 | or_949));
   logic or_986;
   assign or_986 = (or_960 & or_964) | (or_956 & (or_960 | or_964));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_991;
   assign parity_991 = ^{or_986, or_982, or_978, or_974};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_995;
   assign or_995 = (or_982 & or_986) | (or_978 & (or_982 | or_986));
   logic and_996;
   assign and_996 = or_974 & (^{or_986, or_982, or_978});
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic xor_997;
   assign xor_997 = or_995 ^ and_996;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:675
   logic and_998;
   assign and_998 = or_995 & and_996;
   // hls/stages/agreement.hpp:137
@@ -1002,40 +1002,40 @@ module horopter_agreement (
   assign select_999 = equal_383_s1_q ? {and_998, xor_997, parity_991, parity_970, xor_925, xor_830} : 6'h0;
   logic [5:0] column_3;
   assign column_3 = or_381_s1_q ? 6'h0 : select_999;
-  // hls/stages/agreement.hpp:709
+  // hls/stages/agreement.hpp:777
   logic [5:0] select_1001;
   assign select_1001 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
   logic [6:0] difference_1002;
   assign difference_1002 = {1'b0, column_3} - {1'b0, select_1001};
   logic [7:0] sum_1004;
   assign sum_1004 = {difference_1002[6], difference_1002} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:176
+  // hls/stages/agreement.hpp:205
   logic and_1005;
   assign and_1005 = right_codes_rdata_q[25] & not_389_s1_q;
   logic [11:0] select_1006;
   assign select_1006 = less_388_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1010;
   assign select_1010 = and_515 ? (and_1005 ? (~(select_1006 ^ select_518)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1016;
   assign parity_1016 = ^select_1010[5:3];
   logic parity_1019;
   assign parity_1019 = ^select_1010[8:6];
   logic parity_1022;
   assign parity_1022 = ^select_1010[11:3];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1029;
   assign select_1029 = and_538 ? (and_516 ? (~(select_517 ^ select_541)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1032;
   assign parity_1032 = ^select_1029[8:6];
   logic parity_1035;
   assign parity_1035 = ^select_1029[11:9];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1042;
   assign select_1042 = and_555 ? (and_539 ? (~(select_540 ^ select_558)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1048;
   assign parity_1048 = ^select_1042[2:0];
   logic parity_1051;
@@ -1052,39 +1052,39 @@ module horopter_agreement (
   assign parity_1069 = ^{select_1042, select_1029, select_1010[2:0]};
   logic xor_1070;
   assign xor_1070 = parity_1022 ^ parity_1069;
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1074;
   assign or_1074 = (select_1010[1:0] == 2'h3) | (select_1010[2] & (select_1010[0] | select_1010[1]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1078;
   assign or_1078 = (select_1029[7:6] == 2'h3) | (select_1029[8] & (select_1029[6] | select_1029[7]));
   logic or_1082;
   assign or_1082 = (select_1029[10:9] == 2'h3) | (select_1029[11] & (select_1029[9] | select_1029[10]));
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1090;
   assign or_1090 = (select_1042[7:6] == 2'h3) | (select_1042[8] & (~(select_1042[7:6] == 2'h0)));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1094;
   assign or_1094 = (select_1042[1:0] == 2'h3) | (select_1042[2] & (select_1042[0] | select_1042[1]));
   logic or_1098;
   assign or_1098 = (select_1042[4:3] == 2'h3) | (select_1042[5] & (select_1042[3] | select_1042[4]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1101;
   assign parity_1101 = ^{or_1098, or_1094, or_1090};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1105;
   assign or_1105 = (select_1029[4:3] == 2'h3) | (select_1029[5] & (select_1029[3] | select_1029[4]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1109;
   assign or_1109 = (select_1042[10:9] == 2'h3) | (select_1042[11] & (select_1042[9] | select_1042[10]));
   logic or_1113;
   assign or_1113 = (select_1029[1:0] == 2'h3) | (select_1029[2] & (select_1029[0] | select_1029[1]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1116;
   assign parity_1116 = ^{or_1113, or_1109, or_1105};
   logic parity_1119;
   assign parity_1119 = ^{or_1113, or_1109, or_1105, or_1098, or_1094, or_1090, or_1082, or_1078, or_1074};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_1120;
   assign and_1120 = parity_1022 & parity_1069;
   logic or_1124;
@@ -1093,32 +1093,32 @@ module horopter_agreement (
   assign and_1127 = (^{select_1029[11:6], select_1010[2:0]}) & (parity_1054 | parity_1066);
   logic or_1128;
   assign or_1128 = (parity_1054 & parity_1066) | and_1127;
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1135;
   assign or_1135 = (select_1010[10:9] == 2'h3) | (select_1010[11] & (select_1010[9] | select_1010[10]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1139;
   assign or_1139 = (select_1010[4:3] == 2'h3) | (select_1010[5] & (select_1010[3] | select_1010[4]));
   logic or_1143;
   assign or_1143 = (select_1010[7:6] == 2'h3) | (select_1010[8] & (select_1010[6] | select_1010[7]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1146;
   assign parity_1146 = ^{or_1143, or_1139, or_1135};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1150;
   assign or_1150 = (parity_1032 & parity_1035) | ((^select_1010[2:0]) & (parity_1032 | parity_1035));
   logic or_1154;
   assign or_1154 = (parity_1048 & parity_1051) | ((^select_1042[8:6]) & (parity_1048 | parity_1051));
   logic or_1158;
   assign or_1158 = (parity_1060 & parity_1063) | ((^select_1029[5:3]) & (parity_1060 | parity_1063));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1161;
   assign parity_1161 = ^{or_1158, or_1154, or_1150};
   logic parity_1164;
   assign parity_1164 = ^{or_1158, or_1154, or_1150, or_1143, or_1139, or_1135, or_1128, or_1124, and_1120};
   logic xor_1165;
   assign xor_1165 = parity_1119 ^ parity_1164;
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_1166;
   assign and_1166 = parity_1119 & parity_1164;
   logic or_1170;
@@ -1131,22 +1131,22 @@ module horopter_agreement (
   assign or_1185 = (or_1094 & or_1098) | (or_1090 & (or_1094 | or_1098));
   logic or_1189;
   assign or_1189 = (or_1109 & or_1113) | (or_1105 & (or_1109 | or_1113));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1192;
   assign parity_1192 = ^{or_1189, or_1185, or_1181};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1196;
   assign or_1196 = (or_1124 & or_1128) | (and_1120 & (or_1124 | or_1128));
   logic or_1200;
   assign or_1200 = (or_1139 & or_1143) | (or_1135 & (or_1139 | or_1143));
   logic or_1204;
   assign or_1204 = (or_1154 & or_1158) | (or_1150 & (or_1154 | or_1158));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1207;
   assign parity_1207 = ^{or_1204, or_1200, or_1196};
   logic parity_1210;
   assign parity_1210 = ^{or_1204, or_1200, or_1196, or_1189, or_1185, or_1181, or_1174, or_1170, and_1166};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1214;
   assign or_1214 = (parity_1192 & parity_1207) | ((^{or_1174, or_1170, and_1166}) & (parity_1192 | parity_1207));
   logic or_1218;
@@ -1155,18 +1155,18 @@ module horopter_agreement (
   assign or_1222 = (or_1185 & or_1189) | (or_1181 & (or_1185 | or_1189));
   logic or_1226;
   assign or_1226 = (or_1200 & or_1204) | (or_1196 & (or_1200 | or_1204));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1231;
   assign parity_1231 = ^{or_1226, or_1222, or_1218, or_1214};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1235;
   assign or_1235 = (or_1222 & or_1226) | (or_1218 & (or_1222 | or_1226));
   logic and_1236;
   assign and_1236 = or_1214 & (^{or_1226, or_1222, or_1218});
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic xor_1237;
   assign xor_1237 = or_1235 ^ and_1236;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:675
   logic and_1238;
   assign and_1238 = or_1235 & and_1236;
   // hls/stages/agreement.hpp:137
@@ -1174,37 +1174,37 @@ module horopter_agreement (
   assign select_1239 = equal_383_s1_q ? {and_1238, xor_1237, parity_1231, parity_1210, xor_1165, xor_1070} : 6'h0;
   logic [5:0] column_4;
   assign column_4 = or_381_s1_q ? 6'h0 : select_1239;
-  // hls/stages/agreement.hpp:709
+  // hls/stages/agreement.hpp:777
   logic [5:0] select_1241;
   assign select_1241 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
   logic [6:0] difference_1242;
   assign difference_1242 = {1'b0, column_4} - {1'b0, select_1241};
   logic [7:0] sum_1244;
   assign sum_1244 = {difference_1242[6], difference_1242} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1252;
   assign select_1252 = and_515 ? (and_556 ? (~(select_557 ^ select_518)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1258;
   assign parity_1258 = ^select_1252[5:3];
   logic parity_1261;
   assign parity_1261 = ^select_1252[8:6];
   logic parity_1264;
   assign parity_1264 = ^select_1252[11:3];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1271;
   assign select_1271 = and_538 ? (and_797 ? (~(select_798 ^ select_541)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1274;
   assign parity_1274 = ^select_1271[8:6];
   logic parity_1277;
   assign parity_1277 = ^select_1271[11:9];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] xor_1283;
   assign xor_1283 = (less_388_s1_q ? 12'h0 : right_codes_rdata_q[89:78]) ^ select_558;
   logic [11:0] select_1286;
   assign select_1286 = and_555 ? ((right_codes_rdata_q[90] & not_389_s1_q) ? (~xor_1283) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1292;
   assign parity_1292 = ^select_1286[2:0];
   logic parity_1295;
@@ -1221,39 +1221,39 @@ module horopter_agreement (
   assign parity_1313 = ^{select_1286, select_1271, select_1252[2:0]};
   logic xor_1314;
   assign xor_1314 = parity_1264 ^ parity_1313;
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1318;
   assign or_1318 = (select_1252[1:0] == 2'h3) | (select_1252[2] & (select_1252[0] | select_1252[1]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1322;
   assign or_1322 = (select_1271[7:6] == 2'h3) | (select_1271[8] & (select_1271[6] | select_1271[7]));
   logic or_1326;
   assign or_1326 = (select_1271[10:9] == 2'h3) | (select_1271[11] & (select_1271[9] | select_1271[10]));
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1334;
   assign or_1334 = (select_1286[7:6] == 2'h3) | (select_1286[8] & (~(select_1286[7:6] == 2'h0)));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1338;
   assign or_1338 = (select_1286[1:0] == 2'h3) | (select_1286[2] & (select_1286[0] | select_1286[1]));
   logic or_1342;
   assign or_1342 = (select_1286[4:3] == 2'h3) | (select_1286[5] & (select_1286[3] | select_1286[4]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1345;
   assign parity_1345 = ^{or_1342, or_1338, or_1334};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1349;
   assign or_1349 = (select_1271[4:3] == 2'h3) | (select_1271[5] & (select_1271[3] | select_1271[4]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1353;
   assign or_1353 = (select_1286[10:9] == 2'h3) | (select_1286[11] & (select_1286[9] | select_1286[10]));
   logic or_1357;
   assign or_1357 = (select_1271[1:0] == 2'h3) | (select_1271[2] & (select_1271[0] | select_1271[1]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1360;
   assign parity_1360 = ^{or_1357, or_1353, or_1349};
   logic parity_1363;
   assign parity_1363 = ^{or_1357, or_1353, or_1349, or_1342, or_1338, or_1334, or_1326, or_1322, or_1318};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_1364;
   assign and_1364 = parity_1264 & parity_1313;
   logic or_1368;
@@ -1262,32 +1262,32 @@ module horopter_agreement (
   assign and_1371 = (^{select_1271[11:6], select_1252[2:0]}) & (parity_1298 | parity_1310);
   logic or_1372;
   assign or_1372 = (parity_1298 & parity_1310) | and_1371;
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1379;
   assign or_1379 = (select_1252[10:9] == 2'h3) | (select_1252[11] & (select_1252[9] | select_1252[10]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1383;
   assign or_1383 = (select_1252[4:3] == 2'h3) | (select_1252[5] & (select_1252[3] | select_1252[4]));
   logic or_1387;
   assign or_1387 = (select_1252[7:6] == 2'h3) | (select_1252[8] & (select_1252[6] | select_1252[7]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1390;
   assign parity_1390 = ^{or_1387, or_1383, or_1379};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1394;
   assign or_1394 = (parity_1274 & parity_1277) | ((^select_1252[2:0]) & (parity_1274 | parity_1277));
   logic or_1398;
   assign or_1398 = (parity_1292 & parity_1295) | ((^select_1286[8:6]) & (parity_1292 | parity_1295));
   logic or_1402;
   assign or_1402 = (parity_1304 & parity_1307) | ((^select_1271[5:3]) & (parity_1304 | parity_1307));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1405;
   assign parity_1405 = ^{or_1402, or_1398, or_1394};
   logic parity_1408;
   assign parity_1408 = ^{or_1402, or_1398, or_1394, or_1387, or_1383, or_1379, or_1372, or_1368, and_1364};
   logic xor_1409;
   assign xor_1409 = parity_1363 ^ parity_1408;
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_1410;
   assign and_1410 = parity_1363 & parity_1408;
   logic or_1414;
@@ -1300,22 +1300,22 @@ module horopter_agreement (
   assign or_1429 = (or_1338 & or_1342) | (or_1334 & (or_1338 | or_1342));
   logic or_1433;
   assign or_1433 = (or_1353 & or_1357) | (or_1349 & (or_1353 | or_1357));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1436;
   assign parity_1436 = ^{or_1433, or_1429, or_1425};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1440;
   assign or_1440 = (or_1368 & or_1372) | (and_1364 & (or_1368 | or_1372));
   logic or_1444;
   assign or_1444 = (or_1383 & or_1387) | (or_1379 & (or_1383 | or_1387));
   logic or_1448;
   assign or_1448 = (or_1398 & or_1402) | (or_1394 & (or_1398 | or_1402));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1451;
   assign parity_1451 = ^{or_1448, or_1444, or_1440};
   logic parity_1454;
   assign parity_1454 = ^{or_1448, or_1444, or_1440, or_1433, or_1429, or_1425, or_1418, or_1414, and_1410};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1458;
   assign or_1458 = (parity_1436 & parity_1451) | ((^{or_1418, or_1414, and_1410}) & (parity_1436 | parity_1451));
   logic or_1462;
@@ -1324,18 +1324,18 @@ module horopter_agreement (
   assign or_1466 = (or_1429 & or_1433) | (or_1425 & (or_1429 | or_1433));
   logic or_1470;
   assign or_1470 = (or_1444 & or_1448) | (or_1440 & (or_1444 | or_1448));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1475;
   assign parity_1475 = ^{or_1470, or_1466, or_1462, or_1458};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1479;
   assign or_1479 = (or_1466 & or_1470) | (or_1462 & (or_1466 | or_1470));
   logic and_1480;
   assign and_1480 = or_1458 & (^{or_1470, or_1466, or_1462});
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic xor_1481;
   assign xor_1481 = or_1479 ^ and_1480;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:675
   logic and_1482;
   assign and_1482 = or_1479 & and_1480;
   // hls/stages/agreement.hpp:137
@@ -1343,37 +1343,37 @@ module horopter_agreement (
   assign select_1483 = equal_383_s1_q ? {and_1482, xor_1481, parity_1475, parity_1454, xor_1409, xor_1314} : 6'h0;
   logic [5:0] column_5;
   assign column_5 = or_381_s1_q ? 6'h0 : select_1483;
-  // hls/stages/agreement.hpp:709
+  // hls/stages/agreement.hpp:777
   logic [5:0] select_1485;
   assign select_1485 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
   logic [6:0] difference_1486;
   assign difference_1486 = {1'b0, column_5} - {1'b0, select_1485};
   logic [7:0] sum_1488;
   assign sum_1488 = {difference_1486[6], difference_1486} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] not_1492;
   assign not_1492 = ~((less_388_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) ^ select_518);
   logic [11:0] select_1494;
   assign select_1494 = and_515 ? ((right_codes_rdata_q[12] & not_389_s1_q) ? not_1492 : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1500;
   assign parity_1500 = ^select_1494[5:3];
   logic parity_1503;
   assign parity_1503 = ^select_1494[8:6];
   logic parity_1506;
   assign parity_1506 = ^select_1494[11:3];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1513;
   assign select_1513 = and_538 ? (and_1005 ? (~(select_1006 ^ select_541)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1516;
   assign parity_1516 = ^select_1513[8:6];
   logic parity_1519;
   assign parity_1519 = ^select_1513[11:9];
-  // hls/stages/agreement.hpp:589
+  // hls/stages/agreement.hpp:657
   logic [11:0] select_1526;
   assign select_1526 = and_555 ? (and_516 ? (~(select_517 ^ select_558)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1532;
   assign parity_1532 = ^select_1526[2:0];
   logic parity_1535;
@@ -1390,39 +1390,39 @@ module horopter_agreement (
   assign parity_1553 = ^{select_1526, select_1513, select_1494[2:0]};
   logic xor_1554;
   assign xor_1554 = parity_1506 ^ parity_1553;
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1558;
   assign or_1558 = (select_1494[1:0] == 2'h3) | (select_1494[2] & (select_1494[0] | select_1494[1]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1562;
   assign or_1562 = (select_1513[7:6] == 2'h3) | (select_1513[8] & (select_1513[6] | select_1513[7]));
   logic or_1566;
   assign or_1566 = (select_1513[10:9] == 2'h3) | (select_1513[11] & (select_1513[9] | select_1513[10]));
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1574;
   assign or_1574 = (select_1526[7:6] == 2'h3) | (select_1526[8] & (~(select_1526[7:6] == 2'h0)));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1578;
   assign or_1578 = (select_1526[1:0] == 2'h3) | (select_1526[2] & (select_1526[0] | select_1526[1]));
   logic or_1582;
   assign or_1582 = (select_1526[4:3] == 2'h3) | (select_1526[5] & (select_1526[3] | select_1526[4]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1585;
   assign parity_1585 = ^{or_1582, or_1578, or_1574};
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1589;
   assign or_1589 = (select_1513[4:3] == 2'h3) | (select_1513[5] & (select_1513[3] | select_1513[4]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1593;
   assign or_1593 = (select_1526[10:9] == 2'h3) | (select_1526[11] & (select_1526[9] | select_1526[10]));
   logic or_1597;
   assign or_1597 = (select_1513[1:0] == 2'h3) | (select_1513[2] & (select_1513[0] | select_1513[1]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1600;
   assign parity_1600 = ^{or_1597, or_1593, or_1589};
   logic parity_1603;
   assign parity_1603 = ^{or_1597, or_1593, or_1589, or_1582, or_1578, or_1574, or_1566, or_1562, or_1558};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_1604;
   assign and_1604 = parity_1506 & parity_1553;
   logic or_1608;
@@ -1431,32 +1431,32 @@ module horopter_agreement (
   assign and_1611 = (^{select_1513[11:6], select_1494[2:0]}) & (parity_1538 | parity_1550);
   logic or_1612;
   assign or_1612 = (parity_1538 & parity_1550) | and_1611;
-  // hls/stages/agreement.hpp:603
+  // hls/stages/agreement.hpp:671
   logic or_1619;
   assign or_1619 = (select_1494[10:9] == 2'h3) | (select_1494[11] & (select_1494[9] | select_1494[10]));
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1623;
   assign or_1623 = (select_1494[4:3] == 2'h3) | (select_1494[5] & (select_1494[3] | select_1494[4]));
   logic or_1627;
   assign or_1627 = (select_1494[7:6] == 2'h3) | (select_1494[8] & (select_1494[6] | select_1494[7]));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1630;
   assign parity_1630 = ^{or_1627, or_1623, or_1619};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1634;
   assign or_1634 = (parity_1516 & parity_1519) | ((^select_1494[2:0]) & (parity_1516 | parity_1519));
   logic or_1638;
   assign or_1638 = (parity_1532 & parity_1535) | ((^select_1526[8:6]) & (parity_1532 | parity_1535));
   logic or_1642;
   assign or_1642 = (parity_1544 & parity_1547) | ((^select_1513[5:3]) & (parity_1544 | parity_1547));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1645;
   assign parity_1645 = ^{or_1642, or_1638, or_1634};
   logic parity_1648;
   assign parity_1648 = ^{or_1642, or_1638, or_1634, or_1627, or_1623, or_1619, or_1612, or_1608, and_1604};
   logic xor_1649;
   assign xor_1649 = parity_1603 ^ parity_1648;
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic and_1650;
   assign and_1650 = parity_1603 & parity_1648;
   logic or_1654;
@@ -1469,22 +1469,22 @@ module horopter_agreement (
   assign or_1669 = (or_1578 & or_1582) | (or_1574 & (or_1578 | or_1582));
   logic or_1673;
   assign or_1673 = (or_1593 & or_1597) | (or_1589 & (or_1593 | or_1597));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1676;
   assign parity_1676 = ^{or_1673, or_1669, or_1665};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1680;
   assign or_1680 = (or_1608 & or_1612) | (and_1604 & (or_1608 | or_1612));
   logic or_1684;
   assign or_1684 = (or_1623 & or_1627) | (or_1619 & (or_1623 | or_1627));
   logic or_1688;
   assign or_1688 = (or_1638 & or_1642) | (or_1634 & (or_1638 | or_1642));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1691;
   assign parity_1691 = ^{or_1688, or_1684, or_1680};
   logic parity_1694;
   assign parity_1694 = ^{or_1688, or_1684, or_1680, or_1673, or_1669, or_1665, or_1658, or_1654, and_1650};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1698;
   assign or_1698 = (parity_1676 & parity_1691) | ((^{or_1658, or_1654, and_1650}) & (parity_1676 | parity_1691));
   logic or_1702;
@@ -1493,18 +1493,18 @@ module horopter_agreement (
   assign or_1706 = (or_1669 & or_1673) | (or_1665 & (or_1669 | or_1673));
   logic or_1710;
   assign or_1710 = (or_1684 & or_1688) | (or_1680 & (or_1684 | or_1688));
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic parity_1715;
   assign parity_1715 = ^{or_1710, or_1706, or_1702, or_1698};
-  // hls/stages/agreement.hpp:605
+  // hls/stages/agreement.hpp:673
   logic or_1719;
   assign or_1719 = (or_1706 & or_1710) | (or_1702 & (or_1706 | or_1710));
   logic and_1720;
   assign and_1720 = or_1698 & (^{or_1710, or_1706, or_1702});
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:672
   logic xor_1721;
   assign xor_1721 = or_1719 ^ and_1720;
-  // hls/stages/agreement.hpp:607
+  // hls/stages/agreement.hpp:675
   logic and_1722;
   assign and_1722 = or_1719 & and_1720;
   // hls/stages/agreement.hpp:137
@@ -1512,48 +1512,48 @@ module horopter_agreement (
   assign select_1723 = equal_383_s1_q ? {and_1722, xor_1721, parity_1715, parity_1694, xor_1649, xor_1554} : 6'h0;
   logic [5:0] column_6;
   assign column_6 = or_381_s1_q ? 6'h0 : select_1723;
-  // hls/stages/agreement.hpp:709
+  // hls/stages/agreement.hpp:777
   logic [5:0] select_1725;
   assign select_1725 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
   logic [6:0] difference_1726;
   assign difference_1726 = {1'b0, column_6} - {1'b0, select_1725};
   logic [7:0] sum_1728;
   assign sum_1728 = {difference_1726[6], difference_1726} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:874
+  // hls/stages/agreement.hpp:942
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
-  // hls/stages/agreement.hpp:875
+  // hls/stages/agreement.hpp:943
   logic [7:0] found;
   assign found = x_s1_q + {{2{shift[5]}}, shift};
-  // hls/stages/agreement.hpp:876
+  // hls/stages/agreement.hpp:944
   logic [6:0] select_1788;
   assign select_1788 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
-  // hls/stages/agreement.hpp:879
+  // hls/stages/agreement.hpp:947
   logic and_1808;
   assign and_1808 = (or_381_s1_q & (left_rdata_q[61] & not_389_s1_q)) & (~(row_q[5:3] == 3'h0));
-  // hls/stages/agreement.hpp:199
+  // hls/stages/agreement.hpp:228
   logic or_1830;
   assign or_1830 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [6:0] select_1841;
   assign select_1841 = so_s1_q ? x_s1_q[6:0] : (or_381_s1_q ? (less_388_s1_q ? 7'h0 : select_1788) : 7'h0);
-  // hls/stages/agreement.hpp:902
+  // hls/stages/agreement.hpp:970
   logic [5:0] sum_1884;
   assign sum_1884 = {1'b0, last_s1_q[6:2]} + 6'h1;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2060;
   assign and_2060 = ((6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0))) & (~({sum_1884, last_s1_q[1:0]} < x_s1_q));
-  // hls/stages/agreement.hpp:364
+  // hls/stages/agreement.hpp:432
   logic [5:0] or_2202;
   assign or_2202 = column_s1_q[5:0] | row_s1_q;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic select_2421;
   assign select_2421 = equal_2327_s1_q ? (~({row_s1_q, 1'b0} < {sum_2418, cfg_height_i[3]})) : lower_half_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic and_2632;
   assign and_2632 = and_360_s1_q & (equal_2327_s1_q & (row_s1_q[5:2] == 4'h0));
 
-  // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:154; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:226; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [26:0] averager_memory_mem [0:319];
@@ -1574,7 +1574,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) averager_memory_read_q <= rst_ni & averager_memory_re;
   assign averager_memory_error = averager_memory_read_q & ^averager_memory_word_q;
 
-  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1230; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1302; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] best_right_mem [0:79];
@@ -1857,55 +1857,55 @@ module horopter_agreement (
   logic averager_of_skin_q;
   logic [9:0] registration_displacement_over_q;
   logic [4:0] registration_displacement_fraction_q;
-  // hls/stages/census.hpp:96
+  // hls/stages/census.hpp:112
   logic [11:0] select_338;
   assign select_338 = select_321_s2_q ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
-  // hls/stages/census.hpp:105
+  // hls/stages/census.hpp:121
   logic [11:0] sum_342;
   assign sum_342 = select_338 + (equal_340_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
-  // hls/stages/census.hpp:96
+  // hls/stages/census.hpp:112
   logic [11:0] sum_344;
   assign sum_344 = {4'h0, sample_pair_pixel_1_q} + (select_321_s2_q ? averager_running_1_q : 12'h0);
-  // hls/stages/census.hpp:105
+  // hls/stages/census.hpp:121
   logic [11:0] sum_346;
   assign sum_346 = sum_344 + (equal_340_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
-  // hls/stages/census.hpp:106
+  // hls/stages/census.hpp:122
   logic and_350;
   assign and_350 = whole_s2_q & (averager_memory_rdata_q[24] | equal_340_s2_q);
-  // hls/stages/agreement.hpp:326
+  // hls/stages/agreement.hpp:394
   logic all_of_skin;
   assign all_of_skin = select_321_s2_q ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
-  // hls/stages/census.hpp:107
+  // hls/stages/census.hpp:123
   logic and_354;
   assign and_354 = all_of_skin & (averager_memory_rdata_q[25] | equal_340_s2_q);
-  // hls/stages/census.hpp:134
+  // hls/stages/census.hpp:206
   logic [8:0] grey;
   assign grey = and_334_s2_q ? sum_342[11:3] : 9'h0;
   logic [8:0] grey_2;
   assign grey_2 = and_334_s2_q ? sum_346[11:3] : 9'h0;
   logic and_371;
   assign and_371 = and_334_s2_q & and_350;
-  // hls/stages/census.hpp:110
+  // hls/stages/census.hpp:126
   logic select_373;
   assign select_373 = equal_363_s2_q ? and_371 : (averager_mask_q & and_371);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic whole_2;
   assign whole_2 = sample_pair_whole_s2_q & select_373;
-  // hls/stages/census.hpp:134
+  // hls/stages/census.hpp:206
   logic and_375;
   assign and_375 = and_334_s2_q & and_354;
-  // hls/stages/census.hpp:110
+  // hls/stages/census.hpp:126
   logic select_377;
   assign select_377 = equal_363_s2_q ? and_375 : (averager_of_skin_q & and_375);
-  // hls/stages/agreement.hpp:719
+  // hls/stages/agreement.hpp:787
   logic not_511;
   assign not_511 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
   logic less_512;
   assign less_512 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
-  // hls/stages/agreement.hpp:195
+  // hls/stages/agreement.hpp:224
   logic and_514;
   assign and_514 = not_511 & (~less_512);
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic less_1245;
   assign less_1245 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
   logic [7:0] select_1246;
@@ -1920,26 +1920,26 @@ module horopter_agreement (
   assign select_1730 = less_1729 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
   logic less_1731;
   assign less_1731 = select_1248 < select_1730;
-  // hls/stages/agreement.hpp:723
+  // hls/stages/agreement.hpp:791
   logic [7:0] of_best;
   assign of_best = and_514 ? (less_1731 ? select_1730 : select_1248) : 8'h0;
-  // hls/stages/agreement.hpp:730
+  // hls/stages/agreement.hpp:798
   logic or_1735;
   assign or_1735 = select_509_s2_q | (best_left_rdata_s2_q[16:9] < of_best);
-  // hls/stages/agreement.hpp:735
+  // hls/stages/agreement.hpp:803
   logic [5:0] select_1736;
   assign select_1736 = or_1735 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
-  // hls/stages/agreement.hpp:683
+  // hls/stages/agreement.hpp:751
   logic or_1738;
   assign or_1738 = less_1245 | (~less_1247);
   logic [2:0] select_1739;
   assign select_1739 = less_1731 ? {less_1729, 2'h0} : {1'b0, or_1738, less_1247};
-  // hls/stages/agreement.hpp:735
+  // hls/stages/agreement.hpp:803
   logic [2:0] select_1740;
   assign select_1740 = or_1735 ? select_1739 : best_left_rdata_s2_q[8:6];
   logic [7:0] select_1741;
   assign select_1741 = or_1735 ? of_best : best_left_rdata_s2_q[16:9];
-  // hls/stages/agreement.hpp:732
+  // hls/stages/agreement.hpp:800
   logic equal_1742;
   assign equal_1742 = select_1739 == 3'h1;
   logic equal_1743;
@@ -1952,10 +1952,10 @@ module horopter_agreement (
   assign select_1746 = select_1745[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
   logic [7:0] select_1747;
   assign select_1747 = select_1745[0] ? sums_0_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:735
+  // hls/stages/agreement.hpp:803
   logic [7:0] select_1749;
   assign select_1749 = or_1735 ? (select_1745[1] ? select_1746 : select_1747) : best_left_rdata_s2_q[24:17];
-  // hls/stages/agreement.hpp:733
+  // hls/stages/agreement.hpp:801
   logic [2:0] select_1750;
   assign select_1750 = equal_1742 ? 3'h2 : {not_1744, {2{equal_1743}}};
   logic [7:0] select_1751;
@@ -1964,102 +1964,102 @@ module horopter_agreement (
   assign select_1752 = select_1750[0] ? sums_0_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
   logic [7:0] select_1754;
   assign select_1754 = select_1750[2] ? sums_3_sum_sums_values_0_q : (select_1750[1] ? select_1751 : select_1752);
-  // hls/stages/agreement.hpp:735
+  // hls/stages/agreement.hpp:803
   logic [7:0] select_1755;
   assign select_1755 = or_1735 ? select_1754 : best_left_rdata_s2_q[32:25];
-  // hls/stages/agreement.hpp:710
+  // hls/stages/agreement.hpp:778
   logic [5:0] before_v;
   assign before_v = age_s2_q[0] ? middle_sum_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:711
+  // hls/stages/agreement.hpp:779
   logic [6:0] sum_1757;
   assign sum_1757 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
   logic [6:0] sum_1758;
   assign sum_1758 = {1'b0, before_v} + sum_1757;
-  // hls/stages/agreement.hpp:710
+  // hls/stages/agreement.hpp:778
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[0] ? sums_0_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:711
+  // hls/stages/agreement.hpp:779
   logic [6:0] sum_1760;
   assign sum_1760 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
   logic [6:0] sum_1761;
   assign sum_1761 = {1'b0, before_v_2} + sum_1760;
-  // hls/stages/agreement.hpp:710
+  // hls/stages/agreement.hpp:778
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[0] ? sums_1_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:711
+  // hls/stages/agreement.hpp:779
   logic [6:0] sum_1763;
   assign sum_1763 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
   logic [6:0] sum_1764;
   assign sum_1764 = {1'b0, before_v_3} + sum_1763;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic [6:0] select_1766;
   assign select_1766 = (sum_1761 < sum_1764) ? sum_1764 : sum_1761;
   logic [6:0] select_1768;
   assign select_1768 = (sum_1758 < select_1766) ? select_1766 : sum_1758;
-  // hls/stages/agreement.hpp:710
+  // hls/stages/agreement.hpp:778
   logic [5:0] before_v_4;
   assign before_v_4 = age_s2_q[0] ? sums_2_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:711
+  // hls/stages/agreement.hpp:779
   logic [6:0] sum_1770;
   assign sum_1770 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
   logic [6:0] sum_1771;
   assign sum_1771 = {1'b0, before_v_4} + sum_1770;
-  // hls/stages/agreement.hpp:710
+  // hls/stages/agreement.hpp:778
   logic [5:0] before_v_5;
   assign before_v_5 = age_s2_q[0] ? sums_3_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:711
+  // hls/stages/agreement.hpp:779
   logic [6:0] sum_1773;
   assign sum_1773 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
   logic [6:0] sum_1774;
   assign sum_1774 = {1'b0, before_v_5} + sum_1773;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:750
   logic [6:0] select_1776;
   assign select_1776 = (sum_1771 < sum_1774) ? sum_1774 : sum_1771;
-  // hls/stages/agreement.hpp:724
+  // hls/stages/agreement.hpp:792
   logic [6:0] of_near;
   assign of_near = and_514 ? ((select_1768 < select_1776) ? select_1776 : select_1768) : 7'h0;
-  // hls/stages/agreement.hpp:735
+  // hls/stages/agreement.hpp:803
   logic or_1781;
   assign or_1781 = select_509_s2_q | (best_left_rdata_s2_q[39:33] < of_near);
-  // hls/stages/agreement.hpp:739
+  // hls/stages/agreement.hpp:807
   logic [6:0] select_1782;
   assign select_1782 = or_1781 ? of_near : best_left_rdata_s2_q[39:33];
   logic [5:0] select_1783;
   assign select_1783 = or_1781 ? run_shift_s2_q : best_left_rdata_s2_q[45:40];
-  // hls/stages/agreement.hpp:744
+  // hls/stages/agreement.hpp:812
   logic or_1795;
   assign or_1795 = select_1793_s2_q | (best_right_rdata_q[7:0] < of_best);
-  // hls/stages/agreement.hpp:748
+  // hls/stages/agreement.hpp:816
   logic [7:0] select_1796;
   assign select_1796 = or_1795 ? of_best : best_right_rdata_q[7:0];
   logic [6:0] select_1797;
   assign select_1797 = or_1795 ? x_s2_2_q : best_right_rdata_q[14:8];
   logic or_1799;
   assign or_1799 = select_1793_s2_q | (best_right_rdata_q[21:15] < of_near);
-  // hls/stages/agreement.hpp:752
+  // hls/stages/agreement.hpp:820
   logic [6:0] select_1800;
   assign select_1800 = or_1799 ? of_near : best_right_rdata_q[21:15];
   logic [6:0] select_1801;
   assign select_1801 = or_1799 ? x_s2_2_q : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:902
+  // hls/stages/agreement.hpp:970
   logic not_1803;
   assign not_1803 = ~equal_1802_s2_q;
-  // hls/stages/agreement.hpp:199
+  // hls/stages/agreement.hpp:228
   logic and_1813;
   assign and_1813 = not_389_s2_q & and_1812_s2_q;
-  // hls/stages/agreement.hpp:882
+  // hls/stages/agreement.hpp:950
   logic select_1819;
   assign select_1819 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
-  // hls/stages/agreement.hpp:883
+  // hls/stages/agreement.hpp:951
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:889
+  // hls/stages/agreement.hpp:957
   logic [8:0] difference_1822;
   assign difference_1822 = {2'h0, chosen} - {1'b0, x_s2_q};
-  // hls/stages/agreement.hpp:890
+  // hls/stages/agreement.hpp:958
   logic [9:0] sum_1823;
   assign sum_1823 = {difference_1822[8], difference_1822} + 10'h1;
-  // hls/stages/agreement.hpp:199
+  // hls/stages/agreement.hpp:228
   logic and_1825;
   assign and_1825 = (and_1812_s2_q & select_1819) & ({{22{sum_1823[9]}}, sum_1823} < 32'h3);
   logic and_1826;
@@ -2071,17 +2071,17 @@ module horopter_agreement (
   assign select_1833 = less_388_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
   logic [14:0] inside_v;
   assign inside_v = or_381_s2_q ? {select_1833, and_1832, and_1826, and_1816_s2_q, and_1813, and_1809_s2_q, not_389_s2_q} : 15'h0;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1835;
   assign and_1835 = ends_cell_s2_q & inside_v[0];
   logic and_1837;
   assign and_1837 = not_1803 & (so_s2_q & and_1835);
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic right_2;
   assign right_2 = inside_v[0] & less_1885_s2_q;
   logic textured;
   assign textured = inside_v[0] & inside_v[2];
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic select_2116;
   assign select_2116 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
   logic select_2118;
@@ -2130,11 +2130,11 @@ module horopter_agreement (
   // hls/stages/registration.hpp:42
   logic [10:0] sum_2529;
   assign sum_2529 = {left, 1'b1} + {taken_2, less_2508};
-  // hls/stages/agreement.hpp:209
+  // hls/stages/agreement.hpp:238
   logic [4:0] select_2531;
   assign select_2531 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
 
-  // Memory census_memory, 80 x 78 and parity, DISTANCE 16, hls/stages/census.hpp:262; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory census_memory, 80 x 78 and parity, DISTANCE 16, hls/stages/census.hpp:334; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [78:0] census_memory_mem [0:79];
@@ -2155,7 +2155,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) census_memory_read_q <= rst_ni & census_memory_re;
   assign census_memory_error = census_memory_read_q & ^census_memory_word_q;
 
-  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1231; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1303; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] shown_right_mem [0:79];
@@ -2176,7 +2176,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) shown_right_read_q <= rst_ni & shown_right_re;
   assign shown_right_error = shown_right_read_q & ^shown_right_word_q;
 
-  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1257; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1329; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [18:0] seen_columns_mem [0:79];
@@ -2523,19 +2523,19 @@ module horopter_agreement (
   logic at_cell_end_q;
   logic was_next_row_q;
   logic [12:0] seen_base_q;
-  // hls/stages/census.hpp:135
+  // hls/stages/census.hpp:207
   logic [10:0] total;
   assign total = {2'h0, grey_s3_q} + (equal_363_s3_q ? 11'h0 : averager_total_0_q);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [8:0] select_366;
   assign select_366 = sample_pair_whole_s3_q ? total[10:2] : 9'h0;
-  // hls/stages/census.hpp:135
+  // hls/stages/census.hpp:207
   logic [10:0] total_2;
   assign total_2 = {2'h0, grey_2_s3_q} + (equal_363_s3_q ? 11'h0 : averager_total_1_q);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [8:0] select_370;
   assign select_370 = sample_pair_whole_s3_q ? total_2[10:2] : 9'h0;
-  // hls/stages/census.hpp:222
+  // hls/stages/census.hpp:294
   logic less_394;
   assign less_394 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_395;
@@ -2560,7 +2560,7 @@ module horopter_agreement (
   assign less_404 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_405;
   assign less_405 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:223
+  // hls/stages/census.hpp:295
   logic less_406;
   assign less_406 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_407;
@@ -2585,26 +2585,26 @@ module horopter_agreement (
   assign less_416 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_417;
   assign less_417 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:363
+  // hls/stages/agreement.hpp:431
   logic equal_418;
   assign equal_418 = column_s3_q == 7'h0;
   logic [3:0] select_422;
   assign select_422 = equal_421_s3_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:364
+  // hls/stages/agreement.hpp:432
   logic [4:0] select_423;
   assign select_423 = equal_418 ? {select_422, 1'b1} : rows_passed_above_q;
-  // hls/stages/census.hpp:204
+  // hls/stages/census.hpp:276
   logic [3:0] select_424;
   assign select_424 = equal_418 ? 4'h0 : census_filled_q;
-  // hls/stages/census.hpp:227
+  // hls/stages/census.hpp:299
   logic and_425;
   assign and_425 = select_423[4] & select_424[3];
-  // hls/stages/census.hpp:214
+  // hls/stages/census.hpp:286
   logic and_427;
   assign and_427 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2_s3_q);
   logic and_429;
   assign and_429 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_427);
-  // hls/stages/agreement.hpp:364
+  // hls/stages/agreement.hpp:432
   logic whole_3;
   assign whole_3 = census_columns_values_0_cell_0_mask_q & and_429;
   logic whole_4;
@@ -2645,7 +2645,7 @@ module horopter_agreement (
   assign whole_21 = census_columns_values_3_cell_3_mask_q & whole_20;
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
-  // hls/stages/census.hpp:198
+  // hls/stages/census.hpp:270
   logic [9:0] difference_452;
   assign difference_452 = {1'b0, select_366} - {1'b0, census_columns_values_0_cell_0_left_q};
   logic [8:0] xor_453;
@@ -2680,34 +2680,34 @@ module horopter_agreement (
   assign sum_469 = {9'h0, difference_467[9]} + {1'b0, xor_468};
   logic [11:0] texture;
   assign texture = ({1'b0, sum_462} + {2'h0, sum_465}) + {2'h0, sum_469};
-  // hls/stages/agreement.hpp:157
+  // hls/stages/agreement.hpp:186
   logic not_1842;
   assign not_1842 = ~so_s3_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1843;
   assign and_1843 = not_1842 & inside_v_s3_q[4];
-  // hls/stages/agreement.hpp:1014
+  // hls/stages/agreement.hpp:1082
   logic equal_1847;
   assign equal_1847 = x_s3_q[6:4] == 3'h7;
-  // hls/stages/agreement.hpp:1054
+  // hls/stages/agreement.hpp:1122
   logic [1:0] quarter;
   assign quarter = x_s3_q[1:0] + 2'h1;
   // hls/stages/registration.hpp:146
   logic all;
   assign all = x_s3_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1083
   logic [1:0] select_1850;
   assign select_1850 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [3:0] select_1852;
   assign select_1852 = equal_1847 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1850});
   // hls/stages/registration.hpp:106
   logic [1:0] sum_1853;
   assign sum_1853 = slot_s3_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [3:0] select_1854;
   assign select_1854 = equal_1802_s3_q ? select_1852 : {sum_1853, lower_half_s3_q, registration_of_right_q};
-  // hls/stages/agreement.hpp:1052
+  // hls/stages/agreement.hpp:1120
   logic equal_1855;
   assign equal_1855 = x_s3_q[5:0] == 6'h3e;
   logic equal_1857;
@@ -2722,10 +2722,10 @@ module horopter_agreement (
   assign equal_1865 = x_s3_q[5:0] == 6'h35;
   logic equal_1867;
   assign equal_1867 = x_s3_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1054
+  // hls/stages/agreement.hpp:1122
   logic and_1871;
   assign and_1871 = (~equal_1861) & ((~equal_1863) & ((~equal_1865) & (~equal_1867)));
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1083
   logic less_1875;
   assign less_1875 = x_s3_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:147
@@ -2734,7 +2734,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:159
   logic or_1879;
   assign or_1879 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic select_1882;
   assign select_1882 = equal_1847 ? ((~equal_1855) & ((~equal_1857) & ((~equal_1859) & and_1871))) : (less_1875 & (~or_1879));
   // hls/stages/registration.hpp:94
@@ -2745,7 +2745,7 @@ module horopter_agreement (
   assign sum_1890 = {2'h0, slot_s3_q} + 5'h1f;
   logic and_1892;
   assign and_1892 = half_ends & ({{3{sum_1890[4]}}, sum_1890} < 8'h3);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1893;
   assign and_1893 = so_s3_q & and_1892;
   // hls/stages/registration.hpp:253
@@ -2753,109 +2753,109 @@ module horopter_agreement (
   assign not_1896 = ~lower_half_s3_q;
   logic [3:0] select_1897;
   assign select_1897 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_1896, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_1896};
-  // hls/stages/agreement.hpp:161
+  // hls/stages/agreement.hpp:190
   logic [7:0] select_1910;
   assign select_1910 = so_s3_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:1004
   logic or_1913;
   assign or_1913 = select_1910[7] | (~({select_1910[5], select_1910[3], select_1910[1]} == 3'h0));
-  // hls/stages/agreement.hpp:935
+  // hls/stages/agreement.hpp:1003
   logic or_1916;
   assign or_1916 = select_1910[7] | (~({select_1910[6], select_1910[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:934
+  // hls/stages/agreement.hpp:1002
   logic or_1919;
   assign or_1919 = select_1910[7] | (~(select_1910[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [5:0] select_1920;
   assign select_1920 = equal_1802_s3_q ? x_s3_q[5:0] : {region_row_q, or_1919, or_1916, or_1913};
-  // hls/stages/agreement.hpp:1014
+  // hls/stages/agreement.hpp:1082
   logic not_1921;
   assign not_1921 = ~equal_1847;
   // hls/stages/division.hpp:34
   logic [5:0] sum_1923;
   assign sum_1923 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:944
+  // hls/stages/agreement.hpp:1012
   logic or_1926;
   assign or_1926 = (~sum_1923[5]) | equal_1925_s3_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_1929;
   assign and_1929 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & or_1926));
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic explained;
   assign explained = inside_v_s3_q[0] & inside_v_s3_q[3];
   logic and_1943;
   assign and_1943 = inside_v_s3_q[0] & ({inside_v_s3_q[4], inside_v_s3_q[2]} == 2'h3);
   logic and_1950;
   assign and_1950 = inside_v_s3_q[0] & inside_v_s3_q[2];
-  // hls/stages/agreement.hpp:907
+  // hls/stages/agreement.hpp:975
   logic select_1951;
   assign select_1951 = slot_s3_q[2] ? shown_shown_q : inside_v_s3_q[3];
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic shown;
   assign shown = inside_v_s3_q[0] & (shown_right_rdata_q[0] | select_1951);
-  // hls/stages/agreement.hpp:907
+  // hls/stages/agreement.hpp:975
   logic select_1954;
   assign select_1954 = slot_s3_q[2] ? shown_nearer_q : inside_v_s3_q[4];
-  // hls/stages/agreement.hpp:214
+  // hls/stages/agreement.hpp:243
   logic near;
   assign near = inside_v_s3_q[0] & (select_1951 ? select_1954 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:1139
+  // hls/stages/agreement.hpp:1207
   logic or_1957;
   assign or_1957 = marks_first_s3_q | line_ended_q;
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1209
   logic [17:0] select_1959;
   assign select_1959 = marks_first_s3_q ? 18'h1 : (or_1957 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1140
+  // hls/stages/agreement.hpp:1208
   logic [8:0] select_1961;
   assign select_1961 = or_1957 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1148
+  // hls/stages/agreement.hpp:1216
   logic select_1963;
   assign select_1963 = cfg_compete_i ? (or_1957 & select_1959[17]) : (select_1961[8] & select_1959[9]);
-  // hls/stages/agreement.hpp:343
+  // hls/stages/agreement.hpp:411
   logic next_row;
   assign next_row = select_1963 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1155
+  // hls/stages/agreement.hpp:1223
   logic [6:0] select_1966;
   assign select_1966 = next_row ? cfg_width_i[9:3] : 7'h0;
   logic [12:0] select_1968;
   assign select_1968 = marks_first_s3_q ? 13'h0 : (seen_base_q + {6'h0, select_1966});
-  // hls/stages/agreement.hpp:1165
+  // hls/stages/agreement.hpp:1233
   logic equal_1969;
   assign equal_1969 = seen_x_q == 3'h7;
   logic [7:0] select_1971;
   assign select_1971 = select_1963 ? 8'h0 : (seen_column_q + {7'h0, equal_1969});
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1240
   logic [12:0] index;
   assign index = select_1968 + {5'h0, select_1971};
-  // hls/stages/agreement.hpp:1139
+  // hls/stages/agreement.hpp:1207
   logic select_1974;
   assign select_1974 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1125
+  // hls/stages/agreement.hpp:1193
   logic [7:0] sum_1975;
   assign sum_1975 = {1'b0, select_1974, 2'h0, select_1974, 1'b0, {2{select_1974}}} + {1'b0, index[12:6]};
-  // hls/stages/agreement.hpp:1138
+  // hls/stages/agreement.hpp:1206
   logic not_1976;
   assign not_1976 = ~marks_first_s3_q;
-  // hls/stages/agreement.hpp:343
+  // hls/stages/agreement.hpp:411
   logic and_1978;
   assign and_1978 = not_1976 & (began_q | select_1963);
-  // hls/stages/agreement.hpp:1166
+  // hls/stages/agreement.hpp:1234
   logic [2:0] select_1980;
   assign select_1980 = select_1963 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:1167
+  // hls/stages/agreement.hpp:1239
   logic and_1982;
   assign and_1982 = and_1978 & (select_1980 == 3'h0);
   logic less_1983;
   assign less_1983 = select_1971 < {1'b0, cfg_width_i[9:3]};
-  // hls/stages/agreement.hpp:997
+  // hls/stages/agreement.hpp:1065
   logic [7:0] sum_1986;
   assign sum_1986 = {2'h0, x_s3_q[7:2]} + 8'hff;
   logic [12:0] index_2;
   assign index_2 = {{3{sum_1986[7]}}, sum_1986, x_s3_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1125
+  // hls/stages/agreement.hpp:1193
   logic [7:0] sum_1988;
   assign sum_1988 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_1989;
   assign and_1989 = seen_columns_rdata_q[14] & inside_v_s3_q[0];
   logic and_1990;
@@ -2864,29 +2864,29 @@ module horopter_agreement (
   assign and_1991 = seen_columns_rdata_q[5] & inside_v_s3_q[0];
   logic and_1992;
   assign and_1992 = seen_columns_rdata_q[0] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:973
+  // hls/stages/agreement.hpp:1041
   logic [1:0] sum_1994;
   assign sum_1994 = {1'b0, and_1991} + ({1'b0, textured_s3_q} + {1'b0, and_1992});
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, and_1989} + ({2'h0, and_1990} + {1'b0, sum_1994});
-  // hls/stages/agreement.hpp:980
+  // hls/stages/agreement.hpp:1048
   logic [2:0] select_1997;
   assign select_1997 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
   logic [3:0] difference_1998;
   assign difference_1998 = {1'b0, textured_2} - {1'b0, select_1997};
-  // hls/stages/agreement.hpp:978
+  // hls/stages/agreement.hpp:1046
   logic equal_1999;
   assign equal_1999 = x_s3_q == 8'h0;
-  // hls/stages/agreement.hpp:980
+  // hls/stages/agreement.hpp:1048
   logic [4:0] t;
   assign t = {difference_1998[3], difference_1998} + (equal_1999 ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic [7:0] select_2004;
   assign select_2004 = inside_v_s3_q[0] ? (sum_1923[5] ? select_1910 : {select_1910[6:0], 1'b0}) : select_1910;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:1004
   logic or_2007;
   assign or_2007 = select_2004[7] | (~({select_2004[5], select_2004[3], select_2004[1]} == 3'h0));
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_2024;
   assign and_2024 = seen_columns_rdata_q[16] & inside_v_s3_q[0];
   logic and_2025;
@@ -2895,22 +2895,22 @@ module horopter_agreement (
   assign and_2026 = seen_columns_rdata_q[8] & inside_v_s3_q[0];
   logic and_2027;
   assign and_2027 = seen_columns_rdata_q[3] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:975
+  // hls/stages/agreement.hpp:1043
   logic [1:0] sum_2029;
   assign sum_2029 = {1'b0, and_2026} + ({1'b0, shown} + {1'b0, and_2027});
   logic [2:0] shown_2;
   assign shown_2 = {2'h0, and_2024} + ({2'h0, and_2025} + {1'b0, sum_2029});
-  // hls/stages/agreement.hpp:982
+  // hls/stages/agreement.hpp:1050
   logic [2:0] select_2032;
   assign select_2032 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
   logic [3:0] difference_2033;
   assign difference_2033 = {1'b0, shown_2} - {1'b0, select_2032};
   logic [4:0] around;
   assign around = {difference_2033[3], difference_2033} + (equal_1999 ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:989
+  // hls/stages/agreement.hpp:1057
   logic [5:0] sum_2036;
   assign sum_2036 = {1'b0, around} + {2'h0, around[4:1]};
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_2040;
   assign and_2040 = seen_columns_rdata_q[17] & inside_v_s3_q[0];
   logic and_2041;
@@ -2919,24 +2919,24 @@ module horopter_agreement (
   assign and_2042 = seen_columns_rdata_q[9] & inside_v_s3_q[0];
   logic and_2043;
   assign and_2043 = seen_columns_rdata_q[4] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:976
+  // hls/stages/agreement.hpp:1044
   logic [1:0] sum_2045;
   assign sum_2045 = {1'b0, and_2042} + ({1'b0, near} + {1'b0, and_2043});
   logic [2:0] near_2;
   assign near_2 = {2'h0, and_2040} + ({2'h0, and_2041} + {1'b0, sum_2045});
-  // hls/stages/agreement.hpp:983
+  // hls/stages/agreement.hpp:1051
   logic [2:0] select_2048;
   assign select_2048 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
   logic [3:0] difference_2049;
   assign difference_2049 = {1'b0, near_2} - {1'b0, select_2048};
   logic [4:0] n;
   assign n = {difference_2049[3], difference_2049} + (equal_1999 ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [10:0] select_2095;
   assign select_2095 = sample_pair_whole_s3_q ? (and_358_s3_q ? total : averager_total_0_q) : averager_total_0_q;
   logic [10:0] select_2097;
   assign select_2097 = sample_pair_whole_s3_q ? (and_358_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [8:0] select_2121;
   assign select_2121 = and_360_s3_q ? select_366 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2122;
@@ -3049,7 +3049,7 @@ module horopter_agreement (
   assign select_2175 = and_360_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
   logic select_2176;
   assign select_2176 = and_360_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
-  // hls/stages/census.hpp:200
+  // hls/stages/census.hpp:272
   logic [9:0] difference_2178;
   assign difference_2178 = {1'b0, select_370} - {1'b0, census_columns_values_0_cell_0_right_q};
   logic [8:0] xor_2179;
@@ -3082,7 +3082,7 @@ module horopter_agreement (
   assign xor_2194 = difference_2193[8:0] ^ {9{difference_2193[9]}};
   logic [9:0] sum_2195;
   assign sum_2195 = {9'h0, difference_2193[9]} + {1'b0, xor_2194};
-  // hls/stages/census.hpp:281
+  // hls/stages/census.hpp:353
   logic [9:0] difference_2224;
   assign difference_2224 = {1'b0, select_366} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
@@ -3091,13 +3091,13 @@ module horopter_agreement (
   assign difference_2236 = {1'b0, select_370} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
   assign contrast_2 = {8'h0, difference_2236[9]} + (difference_2236[8:0] ^ {9{difference_2236[9]}});
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic and_2424;
   assign and_2424 = and_360_s3_q & (equal_421_s3_q & equal_2327_s3_q);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2427;
   assign and_2427 = so_s3_q & (ends_cell_s3_q & (inside_v_s3_q[0] & inside_v_s3_q[1]));
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_2448;
   assign and_2448 = seen_columns_rdata_q[15] & inside_v_s3_q[0];
   logic and_2449;
@@ -3106,22 +3106,22 @@ module horopter_agreement (
   assign and_2450 = seen_columns_rdata_q[7] & inside_v_s3_q[0];
   logic and_2451;
   assign and_2451 = seen_columns_rdata_q[2] & inside_v_s3_q[0];
-  // hls/stages/agreement.hpp:974
+  // hls/stages/agreement.hpp:1042
   logic [1:0] sum_2453;
   assign sum_2453 = {1'b0, and_2450} + ({1'b0, explained} + {1'b0, and_2451});
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, and_2448} + ({2'h0, and_2449} + {1'b0, sum_2453});
-  // hls/stages/agreement.hpp:981
+  // hls/stages/agreement.hpp:1049
   logic [2:0] select_2456;
   assign select_2456 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
   logic [3:0] difference_2457;
   assign difference_2457 = {1'b0, explained_2} - {1'b0, select_2456};
   logic [4:0] e;
   assign e = {difference_2457[3], difference_2457} + (equal_1999 ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:988
+  // hls/stages/agreement.hpp:1056
   logic [5:0] sum_2460;
   assign sum_2460 = {1'b0, e} + {2'h0, e[4:1]};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2488;
   assign and_2488 = ends_cell_s3_q & (inside_v_s3_q[0] & (inside_v_s3_q[2:1] == 2'h3));
   // hls/stages/registration.hpp:83
@@ -3170,7 +3170,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:106
   logic [7:0] select_2554;
   assign select_2554 = equal_2532 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2549[12:7])) ? 8'h7f : select_2552);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [7:0] select_2556;
   assign select_2556 = equal_1802_s3_q ? registration_slope_here_q : (so_s3_q ? select_2554 : registration_slope_here_q);
   // hls/stages/registration.hpp:107
@@ -3194,7 +3194,7 @@ module horopter_agreement (
   assign select_2573 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
   assign residual = ($signed(5'h0) < $signed(select_2573[11:7])) ? 12'h7f : select_2573;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2617;
   assign select_2617 = so_s3_q ? (equal_2557 ? right_2_s3_q : registration_of_right_q) : registration_of_right_q;
   logic select_2620;
@@ -3202,7 +3202,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:264
   logic [3:0] select_2625;
   assign select_2625 = (sum_1853 == 2'h2) ? (registration_fresh_q & (~select_1897)) : registration_fresh_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [3:0] select_2627;
   assign select_2627 = so_s3_q ? (and_1892 ? select_2625 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:237
@@ -3228,7 +3228,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:124
   logic [27:0] column_7;
   assign column_7 = registration_slope_q + (and_2642 ? registration_slope_change_q : 28'h0);
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1083
   logic [1:0] quarter_2;
   assign quarter_2 = all ? x_s3_q[1:0] : select_1850;
   // hls/stages/registration.hpp:253
@@ -3236,7 +3236,7 @@ module horopter_agreement (
   assign not_2650 = ~quarter_2[1];
   logic [3:0] select_2651;
   assign select_2651 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2650, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2650};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2739;
   assign select_2739 = equal_1802_s3_q ? shown_shown_q : (so_s3_q ? select_1951 : shown_shown_q);
   logic select_2741;
@@ -3244,15 +3244,15 @@ module horopter_agreement (
   // hls/stages/division.hpp:34
   logic [7:0] sum_2743;
   assign sum_2743 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [2:0] select_2745;
   assign select_2745 = less_2742_s3_q ? (sum_2743[7] ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_2747;
   assign select_2747 = equal_2327_s3_q ? (equal_421_s3_q ? 3'h0 : select_2745) : region_row_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [7:0] select_2752;
   assign select_2752 = equal_1802_s3_q ? select_1910 : (so_s3_q ? (ends_cell_s3_q ? select_2004 : select_1910) : 8'h1);
-  // hls/stages/agreement.hpp:161
+  // hls/stages/agreement.hpp:190
   logic [8:0] select_2754;
   assign select_2754 = so_s3_q ? (and_2642 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
@@ -3261,20 +3261,20 @@ module horopter_agreement (
   // hls/stages/division.hpp:36
   logic [8:0] select_2757;
   assign select_2757 = sum_1923[5] ? {1'b1, sum_1923[4:0], region_across_rest_q[2:0]} : sum_2756;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [8:0] select_2759;
   assign select_2759 = equal_2327_s3_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
   logic [7:0] select_2762;
   assign select_2762 = equal_2327_s3_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
   logic [8:0] select_2766;
   assign select_2766 = equal_421_s3_q ? {{2{difference_2764[6]}}, difference_2764} : (less_2742_s3_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [8:0] select_2768;
   assign select_2768 = and_360_s3_q ? (equal_2327_s3_q ? select_2766 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [6:0] select_2770;
   assign select_2770 = equal_421_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [6:0] select_2772;
   assign select_2772 = and_360_s3_q ? (equal_2327_s3_q ? select_2770 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
@@ -3286,22 +3286,22 @@ module horopter_agreement (
   // hls/stages/division.hpp:18
   logic next;
   assign next = ~sum_2743[7];
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic select_2778;
   assign select_2778 = equal_2327_s3_q ? (equal_421_s3_q | (less_2742_s3_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:161
+  // hls/stages/agreement.hpp:190
   logic or_2783;
   assign or_2783 = segment_starts_q | not_1842;
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic select_2786;
   assign select_2786 = inside_v_s3_q[0] ? (sum_1923[5] ? (equal_1925_s3_q & or_1926) : or_1926) : or_2783;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2789;
   assign select_2789 = equal_1802_s3_q ? or_2783 : (so_s3_q ? (ends_cell_s3_q ? select_2786 : or_2783) : or_2783);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic equal_2814;
   assign equal_2814 = x_s3_q[6:0] == 7'h7f;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [2:0] select_2865;
   assign select_2865 = so_s3_q ? (ends_cell_s3_q ? textured_2 : box_textured_columns_values_0_q) : box_textured_columns_values_0_q;
   logic [2:0] select_2867;
@@ -3398,19 +3398,19 @@ module horopter_agreement (
   assign select_2946 = ends_cell_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
   logic select_2948;
   assign select_2948 = equal_1802_s3_q ? centres_values_1_of_skin_q : (so_s3_q ? select_2946 : centres_values_1_of_skin_q);
-  // hls/stages/agreement.hpp:368
+  // hls/stages/agreement.hpp:436
   logic [12:0] select_2952;
   assign select_2952 = equal_2327_s3_q ? (equal_2949_s3_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [6:0] select_2955;
   assign select_2955 = and_360_s3_q ? (equal_2327_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:1164
+  // hls/stages/agreement.hpp:1232
   logic [2:0] select_2966;
   assign select_2966 = select_1963 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:343
+  // hls/stages/agreement.hpp:411
   logic [7:0] select_2972;
   assign select_2972 = marks_first_s3_q ? (less_2968 ? {sum_2969, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1240
   logic and_2978;
   assign and_2978 = and_2063_s3_q & ({sum_1988, index_2[5:0]} == {sum_1975, index[5:0]});
   // hls/stages/registration.hpp:253
@@ -3440,7 +3440,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) registration_sums_read_q <= rst_ni & registration_sums_re;
   assign registration_sums_error = registration_sums_read_q & ^registration_sums_word_q;
 
-  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1250; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1322; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [30:0] regions_mem [0:63];
@@ -3461,7 +3461,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) regions_read_q <= rst_ni & regions_re;
   assign regions_error = regions_read_q & ^regions_word_q;
 
-  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1261; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1333; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] map_mem [0:9599];
@@ -4109,12 +4109,12 @@ module horopter_agreement (
   logic hides_q;
   logic seen_q;
   logic nearer_q;
-  // hls/stages/census.hpp:209
+  // hls/stages/census.hpp:281
   logic [12:0] sum_471;
   assign sum_471 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture_s4_q};
   logic [13:0] sum_473;
   assign sum_473 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_471});
-  // hls/stages/census.hpp:231
+  // hls/stages/census.hpp:303
   logic less_474;
   assign less_474 = 9'h4 < sum_473[13:5];
   logic and_475;
@@ -4138,34 +4138,34 @@ module horopter_agreement (
   assign select_1907 = equal_1901 ? {1'b0, registration_half_measured_q} : up;
   logic [11:0] sum_1908;
   assign sum_1908 = (equal_1899_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1907[6]}}, select_1907};
-  // hls/stages/agreement.hpp:813
+  // hls/stages/agreement.hpp:881
   logic [6:0] select_1933;
   assign select_1933 = segment_started_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:882
   logic [6:0] sum_1934;
   assign sum_1934 = {6'h0, textured_s4_q} + select_1933;
-  // hls/stages/agreement.hpp:947
+  // hls/stages/agreement.hpp:1015
   logic [9:0] sum_1936;
   assign sum_1936 = {3'h0, sum_1934} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
-  // hls/stages/agreement.hpp:813
+  // hls/stages/agreement.hpp:881
   logic [6:0] select_1938;
   assign select_1938 = segment_started_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:882
   logic [6:0] sum_1939;
   assign sum_1939 = {6'h0, explained_s4_q} + select_1938;
-  // hls/stages/agreement.hpp:948
+  // hls/stages/agreement.hpp:1016
   logic [9:0] sum_1941;
   assign sum_1941 = {3'h0, sum_1939} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
-  // hls/stages/agreement.hpp:813
+  // hls/stages/agreement.hpp:881
   logic [6:0] select_1944;
   assign select_1944 = segment_started_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:815
+  // hls/stages/agreement.hpp:883
   logic [6:0] sum_1945;
   assign sum_1945 = {6'h0, and_1943_s4_q} + select_1944;
-  // hls/stages/agreement.hpp:949
+  // hls/stages/agreement.hpp:1017
   logic [9:0] sum_1947;
   assign sum_1947 = {3'h0, sum_1945} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
-  // hls/stages/agreement.hpp:987
+  // hls/stages/agreement.hpp:1055
   logic not_2014;
   assign not_2014 = ~region_row_s4_q[2];
   logic [2:0] select_2015;
@@ -4178,16 +4178,16 @@ module horopter_agreement (
   assign select_2018 = or_2010_s4_q ? {select_2017[11], 1'b0, select_2017[10], 1'b0, select_2017[9], 1'b0, select_2017[8], 1'b0, select_2017[7], 1'b0, select_2017[6], 1'b0, select_2017[5], 1'b0, select_2017[4], 1'b0, select_2017[3], 1'b0, select_2017[2], 1'b0, select_2017[1], 1'b0, select_2017[0], 1'b0} : {1'b0, select_2017[11], 1'b0, select_2017[10], 1'b0, select_2017[9], 1'b0, select_2017[8], 1'b0, select_2017[7], 1'b0, select_2017[6], 1'b0, select_2017[5], 1'b0, select_2017[4], 1'b0, select_2017[3], 1'b0, select_2017[2], 1'b0, select_2017[1], 1'b0, select_2017[0]};
   logic [47:0] select_2019;
   assign select_2019 = or_2007_s4_q ? {select_2018[23], 1'b0, select_2018[22], 1'b0, select_2018[21], 1'b0, select_2018[20], 1'b0, select_2018[19], 1'b0, select_2018[18], 1'b0, select_2018[17], 1'b0, select_2018[16], 1'b0, select_2018[15], 1'b0, select_2018[14], 1'b0, select_2018[13], 1'b0, select_2018[12], 1'b0, select_2018[11], 1'b0, select_2018[10], 1'b0, select_2018[9], 1'b0, select_2018[8], 1'b0, select_2018[7], 1'b0, select_2018[6], 1'b0, select_2018[5], 1'b0, select_2018[4], 1'b0, select_2018[3], 1'b0, select_2018[2], 1'b0, select_2018[1], 1'b0, select_2018[0], 1'b0} : {1'b0, select_2018[23], 1'b0, select_2018[22], 1'b0, select_2018[21], 1'b0, select_2018[20], 1'b0, select_2018[19], 1'b0, select_2018[18], 1'b0, select_2018[17], 1'b0, select_2018[16], 1'b0, select_2018[15], 1'b0, select_2018[14], 1'b0, select_2018[13], 1'b0, select_2018[12], 1'b0, select_2018[11], 1'b0, select_2018[10], 1'b0, select_2018[9], 1'b0, select_2018[8], 1'b0, select_2018[7], 1'b0, select_2018[6], 1'b0, select_2018[5], 1'b0, select_2018[4], 1'b0, select_2018[3], 1'b0, select_2018[2], 1'b0, select_2018[1], 1'b0, select_2018[0]};
-  // hls/stages/agreement.hpp:920
+  // hls/stages/agreement.hpp:988
   logic and_2023;
   assign and_2023 = good_known_q & (~((good_q & select_2019) == 48'h0));
-  // hls/stages/agreement.hpp:989
+  // hls/stages/agreement.hpp:1057
   logic is_seen;
   assign is_seen = equal_2002_s4_q ? and_2023 : not_2038_s4_q;
-  // hls/stages/agreement.hpp:998
+  // hls/stages/agreement.hpp:1066
   logic and_2053;
   assign and_2053 = is_seen & less_2052_s4_q;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [8:0] select_2087;
   assign select_2087 = sample_pair_whole_s4_q ? (and_358_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_2089;
@@ -4196,39 +4196,39 @@ module horopter_agreement (
   assign select_2091 = sample_pair_whole_s4_q ? (and_358_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
   logic [8:0] select_2093;
   assign select_2093 = sample_pair_whole_s4_q ? (and_358_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
-  // hls/stages/census.hpp:136
+  // hls/stages/census.hpp:208
   logic [9:0] sum_2098;
   assign sum_2098 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
   logic [9:0] difference_2099;
   assign difference_2099 = {1'b0, sum_2098[9:1]} - {1'b0, averager_quarter_1_0_q};
-  // hls/stages/census.hpp:137
+  // hls/stages/census.hpp:209
   logic [9:0] xor_2100;
   assign xor_2100 = {difference_2099[8:0], sum_2098[0]} ^ {10{difference_2099[9]}};
   logic [10:0] size;
   assign size = {10'h0, difference_2099[9]} + {1'b0, xor_2100};
-  // hls/stages/census.hpp:138
+  // hls/stages/census.hpp:210
   logic [13:0] detail;
   assign detail = {3'h0, size} + (equal_363_s4_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [13:0] select_2105;
   assign select_2105 = sample_pair_whole_s4_q ? (and_358_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
-  // hls/stages/census.hpp:136
+  // hls/stages/census.hpp:208
   logic [9:0] sum_2106;
   assign sum_2106 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
   logic [9:0] difference_2107;
   assign difference_2107 = {1'b0, sum_2106[9:1]} - {1'b0, averager_quarter_1_1_q};
-  // hls/stages/census.hpp:137
+  // hls/stages/census.hpp:209
   logic [9:0] xor_2108;
   assign xor_2108 = {difference_2107[8:0], sum_2106[0]} ^ {10{difference_2107[9]}};
   logic [10:0] size_2;
   assign size_2 = {10'h0, difference_2107[9]} + {1'b0, xor_2108};
-  // hls/stages/census.hpp:138
+  // hls/stages/census.hpp:210
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_2} + (equal_363_s4_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [13:0] select_2113;
   assign select_2113 = sample_pair_whole_s4_q ? (and_358_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [11:0] select_2198;
   assign select_2198 = and_360_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_2199;
@@ -4237,58 +4237,58 @@ module horopter_agreement (
   assign select_2200 = and_360_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
   logic [11:0] select_2201;
   assign select_2201 = and_360_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
-  // hls/stages/census.hpp:210
+  // hls/stages/census.hpp:282
   logic [12:0] sum_2204;
   assign sum_2204 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2196_s4_q};
   logic [13:0] sum_2206;
   assign sum_2206 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2204});
-  // hls/stages/census.hpp:233
+  // hls/stages/census.hpp:305
   logic and_2208;
   assign and_2208 = and_450_s4_q & (9'h4 < sum_2206[13:5]);
-  // hls/stages/census.hpp:234
+  // hls/stages/census.hpp:306
   logic and_2209;
   assign and_2209 = and_450_s4_q & less_474;
-  // hls/stages/census.hpp:235
+  // hls/stages/census.hpp:307
   logic [19:0] sum_2210;
   assign sum_2210 = census_left_misses_q + {{17{and_2209}}, and_2208, 1'b0, and_2208};
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic [19:0] select_2212;
   assign select_2212 = and_360_s4_q ? (equal_2203_s4_q ? 20'h0 : sum_2210) : census_left_misses_q;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:255
   logic [27:0] select_2217;
   assign select_2217 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
-  // hls/stages/agreement.hpp:427
+  // hls/stages/agreement.hpp:495
   logic select_2220;
   assign select_2220 = and_360_s4_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
-  // hls/stages/census.hpp:283
+  // hls/stages/census.hpp:355
   logic and_2223;
   assign and_2223 = whole_2_s4_q & (~(column_s4_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:365
+  // hls/stages/agreement.hpp:433
   logic and_2229;
   assign and_2229 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
   logic and_2230;
   assign and_2230 = and_2223 & and_2229;
-  // hls/stages/census.hpp:282
+  // hls/stages/census.hpp:354
   logic [14:0] detail_3;
   assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2217[13:0]};
-  // hls/stages/census.hpp:284
+  // hls/stages/census.hpp:356
   logic [12:0] select_2232;
   assign select_2232 = and_2230 ? detail_3[14:2] : 13'h0;
-  // hls/stages/census.hpp:285
+  // hls/stages/census.hpp:357
   logic [23:0] select_2234;
   assign select_2234 = equal_2203_s4_q ? {11'h0, select_2232} : (sharpness_sums_detail_0_q + {11'h0, select_2232});
-  // hls/stages/agreement.hpp:365
+  // hls/stages/agreement.hpp:433
   logic and_2241;
   assign and_2241 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
   logic and_2242;
   assign and_2242 = and_2223 & and_2241;
-  // hls/stages/census.hpp:282
+  // hls/stages/census.hpp:354
   logic [14:0] detail_4;
   assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2217[27:14]};
-  // hls/stages/census.hpp:284
+  // hls/stages/census.hpp:356
   logic [12:0] select_2244;
   assign select_2244 = and_2242 ? detail_4[14:2] : 13'h0;
-  // hls/stages/census.hpp:285
+  // hls/stages/census.hpp:357
   logic [23:0] select_2246;
   assign select_2246 = equal_2203_s4_q ? {11'h0, select_2244} : (sharpness_sums_detail_1_q + {11'h0, select_2244});
   logic [8:0] select_2249;
@@ -4299,13 +4299,13 @@ module horopter_agreement (
   assign select_2253 = and_2242 ? contrast_2_s4_q : 9'h0;
   logic [23:0] sum_2254;
   assign sum_2254 = (equal_2203_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2253};
-  // hls/stages/agreement.hpp:167
+  // hls/stages/agreement.hpp:196
   logic equal_2256;
   assign equal_2256 = x_s4_q[7:3] == 5'h0;
-  // hls/stages/census.hpp:298
+  // hls/stages/census.hpp:370
   logic less_2257;
   assign less_2257 = 7'h2 < {x_s4_q[4:0], slot_s4_q[2:1]};
-  // hls/stages/census.hpp:337
+  // hls/stages/census.hpp:409
   logic less_2258;
   assign less_2258 = x_s4_q[4:0] < 5'h3;
   logic not_2259;
@@ -4318,26 +4318,26 @@ module horopter_agreement (
   assign select_2262 = slot_s4_q[1] ? {select_2261[5], 1'b0, select_2261[4], 1'b0, select_2261[3], 1'b0, select_2261[2], 1'b0, select_2261[1], 1'b0, select_2261[0], 1'b0} : {1'b0, select_2261[5], 1'b0, select_2261[4], 1'b0, select_2261[3], 1'b0, select_2261[2], 1'b0, select_2261[1], 1'b0, select_2261[0]};
   logic [23:0] select_2263;
   assign select_2263 = slot_s4_q[0] ? {select_2262[11], 1'b0, select_2262[10], 1'b0, select_2262[9], 1'b0, select_2262[8], 1'b0, select_2262[7], 1'b0, select_2262[6], 1'b0, select_2262[5], 1'b0, select_2262[4], 1'b0, select_2262[3], 1'b0, select_2262[2], 1'b0, select_2262[1], 1'b0, select_2262[0], 1'b0} : {1'b0, select_2262[11], 1'b0, select_2262[10], 1'b0, select_2262[9], 1'b0, select_2262[8], 1'b0, select_2262[7], 1'b0, select_2262[6], 1'b0, select_2262[5], 1'b0, select_2262[4], 1'b0, select_2262[3], 1'b0, select_2262[2], 1'b0, select_2262[1], 1'b0, select_2262[0]};
-  // hls/stages/census.hpp:300
+  // hls/stages/census.hpp:372
   logic and_2267;
   assign and_2267 = less_2258 & (~((sharpness_sums_contrast_1_q & select_2263) == 24'h0));
-  // hls/stages/census.hpp:305
+  // hls/stages/census.hpp:377
   logic [17:0] select_2269;
   assign select_2269 = (less_2257 & and_2267) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
   assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2269};
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic [17:0] select_2272;
   assign select_2272 = equal_2256 ? (less_2257 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  // hls/stages/census.hpp:300
+  // hls/stages/census.hpp:372
   logic and_2277;
   assign and_2277 = less_2258 & (~((sharpness_sums_contrast_0_q & select_2263) == 24'h0));
-  // hls/stages/census.hpp:305
+  // hls/stages/census.hpp:377
   logic [17:0] select_2279;
   assign select_2279 = (less_2257 & and_2277) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
   assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2279};
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic [17:0] select_2282;
   assign select_2282 = equal_2256 ? (less_2257 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
   logic [2:0] select_2284;
@@ -4348,125 +4348,125 @@ module horopter_agreement (
   assign select_2288 = equal_2256 ? {sharpness_comparing_contrast_0_q[0], and_2277} : sharpness_comparing_contrast_0_q;
   logic [1:0] select_2290;
   assign select_2290 = equal_2256 ? {sharpness_comparing_contrast_1_q[0], and_2267} : sharpness_comparing_contrast_1_q;
-  // hls/stages/census.hpp:311
+  // hls/stages/census.hpp:383
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_2295;
   assign select_2295 = drew_q ? (equal_2256 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
-  // hls/stages/census.hpp:311
+  // hls/stages/census.hpp:383
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_2299;
   assign select_2299 = drew_q ? (equal_2256 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
-  // hls/stages/census.hpp:297
+  // hls/stages/census.hpp:369
   logic equal_2300;
   assign equal_2300 = {x_s4_q[4:0], slot_s4_q} == 8'h0;
-  // hls/stages/census.hpp:313
+  // hls/stages/census.hpp:385
   logic xor_2301;
   assign xor_2301 = sharpness_comparing_product_0_q[2] ^ five_times[0];
   logic select_2304;
   assign select_2304 = (equal_2300 | xor_2301) ? (five_times[0] & xor_2301) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_2306;
   assign select_2306 = drew_q ? (equal_2256 ? select_2304 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:313
+  // hls/stages/census.hpp:385
   logic xor_2307;
   assign xor_2307 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
   logic select_2310;
   assign select_2310 = (equal_2300 | xor_2307) ? (five_times_2[0] & xor_2307) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_2312;
   assign select_2312 = drew_q ? (equal_2256 ? select_2310 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/census.hpp:314
+  // hls/stages/census.hpp:386
   logic xor_2313;
   assign xor_2313 = sharpness_comparing_contrast_0_q[1] ^ and_2267;
   logic select_2316;
   assign select_2316 = (equal_2300 | xor_2313) ? (and_2267 & xor_2313) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_2318;
   assign select_2318 = drew_q ? (equal_2256 ? select_2316 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:314
+  // hls/stages/census.hpp:386
   logic xor_2319;
   assign xor_2319 = sharpness_comparing_contrast_1_q[1] ^ and_2277;
   logic select_2322;
   assign select_2322 = (equal_2300 | xor_2319) ? (and_2277 & xor_2319) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:171
+  // hls/stages/agreement.hpp:200
   logic select_2324;
   assign select_2324 = drew_q ? (equal_2256 ? select_2322 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_2430;
   assign select_2430 = and_2424_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2428_s4_q});
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2433;
   assign and_2433 = not_1803_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
   logic and_2438;
   assign and_2438 = not_1803_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
   logic and_2443;
   assign and_2443 = not_1803_s4_q & (drew_q & (ends_cell_s4_q & and_1943_s4_q));
-  // hls/stages/agreement.hpp:991
+  // hls/stages/agreement.hpp:1059
   logic not_2447;
   assign not_2447 = ~(x_s4_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:992
+  // hls/stages/agreement.hpp:1060
   logic not_2464;
   assign not_2464 = ~(equal_2002_s4_q ? and_2023 : not_2462_s4_q);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2467;
   assign and_2467 = ends_cell_s4_q & (not_2447 & (centres_values_1_textured_s4_q & not_2464));
   logic and_2469;
   assign and_2469 = not_1803_s4_q & (drew_q & and_2467);
-  // hls/stages/agreement.hpp:1017
+  // hls/stages/agreement.hpp:1085
   logic less_2472;
   assign less_2472 = region_row_s4_q < x_s4_q[5:3];
   logic [9:0] select_2473;
   assign select_2473 = less_2472 ? 10'h0 : regions_rdata_q[9:0];
   logic [9:0] select_2476;
   assign select_2476 = less_2472 ? 10'h0 : regions_rdata_q[19:10];
-  // hls/stages/agreement.hpp:1018
+  // hls/stages/agreement.hpp:1086
   logic [10:0] sum_2477;
   assign sum_2477 = {1'b0, select_2476} + {3'h0, select_2476[9:2]};
   logic and_2479;
   assign and_2479 = (~(select_2473[9:4] == 6'h0)) & ({sum_2477, select_2476[1:0]} < {3'h0, select_2473});
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [9:0] select_2482;
   assign select_2482 = x_s4_q[6] ? (equal_1847_s4_q ? 10'h0 : (and_2479 ? select_2473 : 10'h0)) : 10'h0;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [9:0] select_2483;
   assign select_2483 = equal_1802_s4_q ? select_2482 : 10'h0;
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_2485;
   assign select_2485 = and_2424_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2483});
   logic [13:0] select_2492;
   assign select_2492 = and_2424_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2490_s4_q});
-  // hls/stages/agreement.hpp:996
+  // hls/stages/agreement.hpp:1064
   logic and_2494;
   assign and_2494 = not_2447 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2497;
   assign and_2497 = not_1803_s4_q & (drew_q & (ends_cell_s4_q & and_2494));
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_2499;
   assign select_2499 = and_2424_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2497});
-  // hls/stages/agreement.hpp:996
+  // hls/stages/agreement.hpp:1064
   logic and_2501;
   assign and_2501 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2464);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2505;
   assign and_2505 = not_1803_s4_q & (drew_q & (ends_cell_s4_q & (not_2447 & and_2501)));
-  // hls/stages/agreement.hpp:836
+  // hls/stages/agreement.hpp:904
   logic [13:0] select_2507;
   assign select_2507 = and_2424_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2505});
   // hls/stages/registration.hpp:106
   logic [7:0] select_2577;
   assign select_2577 = equal_2532_s4_q ? (and_2562_s4_q ? residual_s4_q[7:0] : 8'h0) : 8'h0;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [7:0] select_2579;
   assign select_2579 = equal_1802_s4_q ? 8'h0 : (drew_q ? select_2577 : 8'h0);
   // hls/stages/registration.hpp:133
   logic [13:0] select_2581;
   assign select_2581 = and_2560_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2579[7]}}, select_2579});
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2584;
   assign and_2584 = not_1803_s4_q & (drew_q & (and_2562_s4_q & equal_2532_s4_q));
   // hls/stages/registration.hpp:133
@@ -4475,7 +4475,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:106
   logic and_2588;
   assign and_2588 = and_2562_s4_q & ($signed(residual_s4_q[7:0]) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [1:0] select_2590;
   assign select_2590 = drew_q ? (equal_2532_s4_q ? {and_2588, and_2562_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2591;
@@ -4489,7 +4489,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:106
   logic and_2596;
   assign and_2596 = and_2562_s4_q & ($signed(difference_2594) < $signed({7'h0, cfg_moved_limit_i}));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [1:0] select_2598;
   assign select_2598 = drew_q ? (equal_2532_s4_q ? {and_2596, and_2562_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2599;
@@ -4503,7 +4503,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:106
   logic and_2603;
   assign and_2603 = and_2562_s4_q & less_2602;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [1:0] select_2605;
   assign select_2605 = drew_q ? (equal_2532_s4_q ? {and_2603, and_2562_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2606;
@@ -4517,7 +4517,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:106
   logic and_2610;
   assign and_2610 = and_2562_s4_q & less_2609;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [1:0] select_2612;
   assign select_2612 = drew_q ? (equal_2532_s4_q ? {and_2610, and_2562_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2613;
@@ -4525,37 +4525,37 @@ module horopter_agreement (
   // hls/stages/registration.hpp:180
   logic [6:0] sum_2614;
   assign sum_2614 = registration_half_half_votes_up_q + {{5{select_2613[1]}}, select_2613};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2648;
   assign and_2648 = equal_1802_s4_q & (x_s4_q[6] & (not_1921_s4_q & less_1875_s4_q));
-  // hls/stages/agreement.hpp:1017
+  // hls/stages/agreement.hpp:1085
   logic [11:0] select_2655;
   assign select_2655 = or_1879_s4_q ? 12'h0 : (equal_2653_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [11:0] select_2658;
   assign select_2658 = x_s4_q[6] ? (equal_1847_s4_q ? 12'h0 : (less_1875_s4_q ? select_2655 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [11:0] select_2659;
   assign select_2659 = equal_1802_s4_q ? select_2658 : 12'h0;
   // hls/stages/registration.hpp:152
   logic and_2660;
   assign and_2660 = x_s4_q[1] & all_s4_q;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2663;
   assign and_2663 = not_1921_s4_q & (less_1875_s4_q & ({and_2660, x_s4_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2665;
   assign and_2665 = equal_1802_s4_q & (x_s4_q[6] & and_2663);
   // hls/stages/registration.hpp:247
   logic [13:0] sum_2667;
   assign sum_2667 = {{2{select_2659[11]}}, select_2659} + (and_2665 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:1017
+  // hls/stages/agreement.hpp:1085
   logic [11:0] select_2670;
   assign select_2670 = or_1879_s4_q ? 12'h0 : (equal_2653_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [11:0] select_2673;
   assign select_2673 = x_s4_q[6] ? (equal_1847_s4_q ? 12'h0 : (less_1875_s4_q ? select_2670 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [11:0] select_2674;
   assign select_2674 = equal_1802_s4_q ? select_2673 : 12'h0;
   // hls/stages/registration.hpp:248
@@ -4564,10 +4564,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:149
   logic not_2678;
   assign not_2678 = ~all_s4_q;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2681;
   assign and_2681 = not_1921_s4_q & (less_1875_s4_q & (x_s4_q[2:0] == {all_s4_q, not_2678, 1'b0}));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2687;
   assign and_2687 = equal_1802_s4_q & (x_s4_q[6] & (not_1921_s4_q & (less_1875_s4_q & all_s4_q)));
   // hls/stages/registration.hpp:241
@@ -4577,10 +4577,10 @@ module horopter_agreement (
   assign less_2689 = $signed({9'h1, {2{not_2688}}, and_2687}) < $signed(registration_up_q[13:2]);
   logic select_2690;
   assign select_2690 = (equal_1802_s4_q & (x_s4_q[6] & and_2681)) ? less_2689 : registration_enough_q;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2694;
   assign and_2694 = x_s4_q[6] & (not_1921_s4_q & (less_1875_s4_q & (x_s4_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2695;
   assign and_2695 = equal_1802_s4_q & and_2694;
   // hls/stages/registration.hpp:237
@@ -4588,25 +4588,25 @@ module horopter_agreement (
   assign less_2696 = $signed(14'h0) < $signed(registration_down_q);
   logic less_2698;
   assign less_2698 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2703;
   assign and_2703 = x_s4_q[6] & (not_1921_s4_q & (less_1875_s4_q & (x_s4_q[2:0] == 3'h7)));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_2704;
   assign and_2704 = equal_1802_s4_q & and_2703;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2711;
   assign and_2711 = x_s4_q[6] & (not_1921_s4_q & (less_1875_s4_q & (x_s4_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:156
   logic equal_2714;
   assign equal_2714 = x_s4_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2717;
   assign and_2717 = not_1921_s4_q & (less_1875_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_2714));
   // hls/stages/registration.hpp:239
   logic and_2721;
   assign and_2721 = (equal_1802_s4_q & (x_s4_q[6] & and_2717)) & (less_2698 | less_2696);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic and_2726;
   assign and_2726 = not_1921_s4_q & (less_1875_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_2714)));
   // hls/stages/registration.hpp:239
@@ -4620,126 +4620,126 @@ module horopter_agreement (
   // hls/stages/registration.hpp:240
   logic or_2736;
   assign or_2736 = registration_moved_q | (registration_enough_q & (and_2721 | and_2733));
-  // hls/stages/agreement.hpp:1064
+  // hls/stages/agreement.hpp:1132
   logic or_2794;
   assign or_2794 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1086
+  // hls/stages/agreement.hpp:1154
   logic equal_2796;
   assign equal_2796 = x_s4_q[6:3] == 4'h7;
-  // hls/stages/agreement.hpp:1092
+  // hls/stages/agreement.hpp:1160
   logic equal_2797;
   assign equal_2797 = x_s4_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1095
+  // hls/stages/agreement.hpp:1163
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
-  // hls/stages/agreement.hpp:1096
+  // hls/stages/agreement.hpp:1164
   logic select_2803;
   assign select_2803 = (equal_2796 & equal_2797) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1020
+  // hls/stages/agreement.hpp:1088
   logic [10:0] sum_2806;
   assign sum_2806 = {1'b0, select_2476} + {2'h0, select_2476[9:1]};
   logic select_2809;
   assign select_2809 = (select_2473[9:3] == 7'h0) ? ((~or_2794) & (~select_2803)) : (~({sum_2806, select_2476[0]} < {2'h0, select_2473}));
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [47:0] select_2811;
   assign select_2811 = x_s4_q[6] ? (equal_1847_s4_q ? good_q : {select_2809, good_q[47:1]}) : good_q;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2816;
   assign select_2816 = equal_1802_s4_q ? ((x_s4_q[6] & good_known_q) | equal_2814_s4_q) : good_known_q;
-  // hls/stages/agreement.hpp:1086
+  // hls/stages/agreement.hpp:1154
   logic equal_2817;
   assign equal_2817 = x_s4_q[6:3] == 4'ha;
   logic equal_2819;
   assign equal_2819 = x_s4_q[6:3] == 4'h9;
   logic equal_2820;
   assign equal_2820 = x_s4_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1079
   logic [13:0] select_2822;
   assign select_2822 = equal_2819 ? counts_skin_unproven_q : (equal_2820 ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_6;
   assign before_v_6 = equal_2817 ? counts_nearer_q : select_2822;
-  // hls/stages/agreement.hpp:1091
+  // hls/stages/agreement.hpp:1159
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_6};
-  // hls/stages/agreement.hpp:1099
+  // hls/stages/agreement.hpp:1167
   logic select_2825;
   assign select_2825 = (equal_2817 & equal_2797) ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1028
+  // hls/stages/agreement.hpp:1096
   logic not_2826;
   assign not_2826 = ~hidden_for_q[7];
   logic [7:0] select_2828;
   assign select_2828 = select_2825 ? (hidden_for_q + {7'h0, not_2826}) : 8'h0;
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic [7:0] select_2830;
   assign select_2830 = equal_1802_s4_q ? (equal_2814_s4_q ? select_2828 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:1099
+  // hls/stages/agreement.hpp:1167
   logic [13:0] select_2831;
   assign select_2831 = equal_2797 ? 14'h0 : product_q;
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1079
   logic [7:0] select_2833;
   assign select_2833 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_2835;
   assign select_2835 = equal_2820 ? cfg_unproven_skin_limit_i : (equal_2796 ? cfg_unproven_limit_i : select_2833);
   logic [7:0] limit;
   assign limit = equal_2817 ? cfg_regions_limit_i : (equal_2819 ? cfg_hidden_limit_i : select_2835);
-  // hls/stages/agreement.hpp:1099
+  // hls/stages/agreement.hpp:1167
   logic not_2838;
   assign not_2838 = ~x_s4_q[2];
   logic [3:0] select_2839;
   assign select_2839 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_2838, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_2838};
   logic [7:0] select_2840;
   assign select_2840 = x_s4_q[0] ? {select_2839[3], 1'b0, select_2839[2], 1'b0, select_2839[1], 1'b0, select_2839[0], 1'b0} : {1'b0, select_2839[3], 1'b0, select_2839[2], 1'b0, select_2839[1], 1'b0, select_2839[0]};
-  // hls/stages/agreement.hpp:1011
+  // hls/stages/agreement.hpp:1079
   logic [13:0] select_2844;
   assign select_2844 = equal_2819 ? counts_skin_supervised_q : (equal_2820 ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] of;
   assign of = equal_2817 ? counts_textured_q : select_2844;
-  // hls/stages/agreement.hpp:1099
+  // hls/stages/agreement.hpp:1167
   logic [13:0] select_2846;
   assign select_2846 = ((limit & select_2840) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_3;
   assign sum_3 = {1'b0, select_2831} + {1'b0, select_2846};
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic select_2851;
   assign select_2851 = equal_1802_s4_q ? (equal_2797 ? sum_3[0] : (product_rest_q | sum_3[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:1097
+  // hls/stages/agreement.hpp:1165
   logic and_2856;
   assign and_2856 = too_much_q & (~(equal_2820 & equal_2797));
-  // hls/stages/agreement.hpp:1098
+  // hls/stages/agreement.hpp:1166
   logic select_2861;
   assign select_2861 = (over[14] & equal_2797) ? (and_2856 | ((equal_2820 | equal_2819) | (x_s4_q[6:3] == 4'hf))) : and_2856;
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1240
   logic [1:0] select_2979;
   assign select_2979 = and_2978_s4_q ? {and_2053, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:1169
+  // hls/stages/agreement.hpp:1241
   logic and_2980;
   assign and_2980 = proven_q & less_2968;
-  // hls/stages/agreement.hpp:345
+  // hls/stages/agreement.hpp:413
   logic select_2983;
   assign select_2983 = and_1982_s4_q ? (less_1983_s4_q ? (select_2979[0] & and_2980) : seen_q) : seen_q;
   logic select_2986;
   assign select_2986 = and_1982_s4_q ? (less_1983_s4_q ? (select_2979[1] & and_2980) : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:1108
+  // hls/stages/agreement.hpp:1176
   logic not_2998;
   assign not_2998 = ~(or_2794 | not_2987);
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_3002;
   assign and_3002 = equal_1802_s4_q & (equal_2814_s4_q & (not_2998 & (select_2803 | select_2861)));
   logic and_3005;
   assign and_3005 = equal_1802_s4_q & (equal_2814_s4_q & (cfg_prove_i & registration_moved_q));
-  // hls/stages/agreement.hpp:1030
+  // hls/stages/agreement.hpp:1098
   logic or_3008;
   assign or_3008 = select_2306 | (select_2318 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_3015;
   assign and_3015 = equal_1802_s4_q & (equal_2814_s4_q & (not_2998 & (select_2312 | select_2324)));
-  // hls/stages/agreement.hpp:1030
+  // hls/stages/agreement.hpp:1098
   logic and_3020;
   assign and_3020 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_2828 < cfg_hidden_frames_i));
-  // hls/stages/agreement.hpp:324
+  // hls/stages/agreement.hpp:392
   logic and_3027;
   assign and_3027 = equal_1802_s4_q & (x_s4_q[6] & (not_1921_s4_q | (4'hc < x_s4_q[5:2])));
-  // hls/stages/agreement.hpp:1025
+  // hls/stages/agreement.hpp:1093
   logic [31:0] select_3035;
   assign select_3035 = equal_1867_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_3033_s4_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_3036;
@@ -4754,10 +4754,10 @@ module horopter_agreement (
   assign select_3040 = equal_1857_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_3039;
   logic [31:0] select_3041;
   assign select_3041 = equal_1855_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_3040;
-  // hls/stages/agreement.hpp:1023
+  // hls/stages/agreement.hpp:1091
   logic [9:0] select_3042;
   assign select_3042 = less_2472 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1095
   logic [31:0] select_3043;
   assign select_3043 = equal_1847_s4_q ? select_3041 : {2'h0, select_3042, select_2476, select_2473};
 

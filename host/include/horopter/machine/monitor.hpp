@@ -208,7 +208,8 @@ class Supervisor {
   Supervisor(std::unique_ptr<Device> device, const MachineProfile& profile, const MapSet& maps,
              const Settings& settings = {});
 
-  /// Clear is earned by the frame before: the first pair is given to the machine twice.
+  /// Clear is earned by the frame before: the first pair is given to the machine twice. Not with Settings::live: it is
+  /// `unproven` there, as in a machine with cameras of its own.
   std::vector<FrameResult> process(const Image& left, const Image& right);
   Monitor& monitor() { return monitor_; }
 

@@ -24,7 +24,8 @@ struct Settings;
 
 class NativeDevice : public Device {
  public:
-  explicit NativeDevice(const MachineProfile& profile);
+  /// `live`: two threads share a picture where there are two processors, and HOROPTER_THREADS does not say otherwise.
+  explicit NativeDevice(const MachineProfile& profile, bool live = false);
   ~NativeDevice() override;
 
   std::uint32_t read(std::uint32_t address) override;
@@ -33,6 +34,8 @@ class NativeDevice : public Device {
   FrameStreams receive() override;
   std::string_view engine() const override { return "native"; }
   bool counts_cycles() const override { return false; }
+  /// Since it was started. None where each table was uploaded before its first frame.
+  int frames_that_expanded_their_table() const;
 
  private:
   struct Table {
@@ -52,15 +55,19 @@ class NativeDevice : public Device {
   void upload_word(std::uint32_t word);
   void end_upload(UploadError error);
   native::Settings settings() const;
+  std::unique_ptr<native::Engine> new_engine() const;
   void reset_stream();
+  void prepare(std::size_t slot);
   bool by_itself() const;
   bool released() const { return restarted_ || by_itself(); }
   bool restart_is_allowed() const;
   void restart(std::uint32_t key);
   void hold();
   void start_frame();
+  bool fits(const Table& table) const;  ///< is it for the frames' size?
 
   const MachineProfile& profile_;
+  bool live_;
   std::unique_ptr<native::Engine> engine_;
   std::array<std::uint32_t, 1024> registers_{};  ///< of access rw, by word address
   Faults faults_;
@@ -109,5 +116,7 @@ class NativeDevice : public Device {
 };
 
 std::unique_ptr<Device> make_native_device(const MachineProfile& profile);
+/// For pictures that come by themselves.
+std::unique_ptr<Device> make_live_native_device(const MachineProfile& profile);
 
 }  // namespace horopter

@@ -28,8 +28,8 @@ constexpr std::size_t kWaitingRecords = 1000;
 constexpr std::size_t kMomentsTogether = 10;  // whose pictures one record tells of
 constexpr std::uint64_t kRecordRoom_bytes = 16'384;
 constexpr auto kRetry = milliseconds(500);
-constexpr auto kTick = milliseconds(200);
-constexpr auto kLookAtDisk = milliseconds(500);
+constexpr auto kTick = milliseconds(50);
+constexpr auto kLookAtDisk = milliseconds(50);
 constexpr int kNice = 10;  // the decision goes first
 
 Clock::duration seconds(double value) {

@@ -12,7 +12,7 @@ using std::chrono::nanoseconds;
 
 /// Images of one camera that wait for the other one's.
 constexpr std::size_t kMostWaiting = 8;
-/// Pairs that wait for the decision; an older one is dropped.
+/// Pairs that wait for the decision; where one more comes the oldest is dropped. So one decision may take as long as two.
 constexpr std::size_t kMostPairs = 2;
 /// The camera's clock and ours may differ by so many periods from one image to the next: computers are late at times.
 constexpr int kJumpPeriods = 5;
@@ -180,19 +180,17 @@ void Pairing::reconnected(Side side) {
 
 std::optional<ImagePair> Pairing::take() {
   if (pairs_.empty()) return std::nullopt;
-  ImagePair pair = std::move(pairs_.back());
-  pairs_.pop_back();
-  for (const ImagePair& dropped : pairs_) {
-    pair.faults |= dropped.faults | MonitorFault::left_dropped | MonitorFault::right_dropped;
-    for (OneSide& side : sides_) ++side.counts.dropped;
-  }
-  pairs_.clear();
+  ImagePair pair = std::move(pairs_.front());
+  pairs_.pop_front();
   return pair;
 }
 
-void Pairing::clear() {
+void Pairing::clear(std::uint64_t taken) {
+  for (OneSide& side : sides_) {
+    side.counts.dropped += taken + pairs_.size() + side.waiting.size();
+    side.waiting.clear();
+  }
   pairs_.clear();
-  for (OneSide& side : sides_) side.waiting.clear();
   faults_ = {};
 }
 

@@ -73,7 +73,7 @@ Service::Service(const Cell& cell, MakeMachine make_machine, int width, int heig
     state.source = without_secrets(camera.source);
   }
   state_.not_safe(words_of(MonitorFault::starting, {}));
-  if (width != 0) start_machine(width, height);
+  if (width != 0) start_machine(width, height, 0);
   watch_ = std::thread([this] { watch(); });
 }
 
@@ -83,12 +83,12 @@ Service::~Service() {
   watch_.join();
 }
 
-void Service::start_machine(int width, int height) {
+void Service::start_machine(int width, int height, std::uint64_t taken) {
   machine_ = make_machine_(width, height);
   const std::lock_guard lock(intake_mutex_);
   pairing_.set_size(width, height);
   pairing_.set_largest_skew(milliseconds_of(machine_->largest_skew_ms));
-  pairing_.clear();
+  pairing_.clear(taken);
 }
 
 // Cameras -------------------------------------------------------------------------------------------------------------
@@ -217,7 +217,7 @@ std::vector<Cause> Service::own_causes(MonitorFaults own, std::vector<Cause> cau
 
 void Service::judge(ImagePair pair) {
   if (!machine_) {
-    start_machine(pair.left.image.width, pair.left.image.height);
+    start_machine(pair.left.image.width, pair.left.image.height, 1);
     return;  // it has waited for longer than a decision may
   }
   horopter::Monitor& monitor = machine_->supervisor->monitor();

@@ -3,9 +3,17 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <poll.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cerrno>
+#include <climits>
+#include <condition_variable>
+#include <cstring>
+#include <deque>
+#include <mutex>
+#include <thread>
+#include <utility>
 
 #include "horopter/base/json_text.hpp"
 #include "horopter/map/map_json.hpp"
@@ -52,9 +60,94 @@ std::vector<std::string> names_of(const std::vector<Cause>& causes) {
   return names;
 }
 
+/// Writes lines by a thread of its own, which waits for the reader.
+class LineWriter {
+ public:
+  explicit LineWriter(int file) : file_(file), thread_([this] { run(); }) {}
+  /// What waits is written if it is read.
+  ~LineWriter() {
+    {
+      const std::lock_guard lock(mutex_);
+      ending_ = true;
+    }
+    wake_.notify_all();
+    thread_.join();
+  }
+  LineWriter(const LineWriter&) = delete;
+  LineWriter& operator=(const LineWriter&) = delete;
+
+  void say(std::string line) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (waiting_.size() >= kMostWaiting) {
+        ++lost_;
+        return;
+      }
+      waiting_.push_back(std::move(line));
+    }
+    wake_.notify_all();
+  }
+  [[nodiscard]] std::string trouble() const {
+    const std::lock_guard lock(mutex_);
+    if (failure_ != 0) return fmt::format("standard output: {}", std::strerror(failure_));
+    return lost_ == 0 ? "" : fmt::format("standard output is not read, {} lines were lost", lost_);
+  }
+
+ private:
+  static constexpr std::size_t kMostWaiting = 1000;
+  static constexpr int kLook_ms = 50;
+  static constexpr int kLastLooks = 10;  // at the end, for a reader that hangs
+
+  void run() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
+      if (waiting_.empty()) return;
+      const std::string line = std::move(waiting_.front());
+      waiting_.pop_front();
+      if (waiting_.empty()) lost_ = 0;
+      lock.unlock();
+      const int error = write(line + "\n");
+      lock.lock();
+      if (ending_ && error != 0) return;
+      failure_ = error;
+    }
+  }
+
+  /// What a pipe takes at once, it takes without a wait. 0, or what is wrong.
+  int write(const std::string& text) {
+    int looks = 0;
+    for (std::size_t at = 0; at < text.size();) {
+      pollfd ready{file_, POLLOUT, 0};
+      const int found = ::poll(&ready, 1, kLook_ms);
+      if (found == 0 && is_ending() && ++looks >= kLastLooks) return ETIMEDOUT;
+      if (found <= 0) continue;
+      const ssize_t written = ::write(file_, text.data() + at, std::min<std::size_t>(PIPE_BUF, text.size() - at));
+      if (written < 0 && errno != EINTR && errno != EAGAIN) return errno;
+      if (written > 0) at += static_cast<std::size_t>(written);
+    }
+    return 0;
+  }
+  bool is_ending() const {
+    const std::lock_guard lock(mutex_);
+    return ending_;
+  }
+
+  int file_;
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  std::deque<std::string> waiting_;
+  std::uint64_t lost_ = 0;  // since nothing waited
+  int failure_ = 0;         // of the last line
+  bool ending_ = false;
+  std::thread thread_;  // the last: it uses the others
+};
+
 class LinesPart : public Part {
  public:
-  LinesPart(const Cell& cell, Lines lines) : cell_(cell), lines_(lines) {}
+  LinesPart(const Cell& cell, Lines lines, int file) : cell_(cell), lines_(lines), writer_(file) {}
+
+  [[nodiscard]] std::string trouble() const override { return writer_.trouble(); }
 
   void judged(const MomentPtr& moment) override {
     const Status& status = moment->status;
@@ -89,16 +182,15 @@ class LinesPart : public Part {
       Json json = event_json(event, status, cell_);
       if (!actor.name.empty()) json["by"] = {{"name", actor.name}, {"address", actor.address}};
       if (!what.empty()) json["what"] = what;
-      std::puts(json_line(json).c_str());
+      writer_.say(json_line(json));
     } else {
       std::string line = fmt::format("{}  pair {}  {}: {}", time_text(status.time), status.frame, event,
                                      status.safe ? "SAFE" : "not safe");
       if (!what.empty()) line += "; " + what;
       if (!actor.name.empty()) line += fmt::format("; by {}", actor.name);
       for (const Cause& cause : status.causes) line += fmt::format("; {}: {} {}", cause.name, cause.text, cause.advice);
-      std::puts(line.c_str());
+      writer_.say(std::move(line));
     }
-    std::fflush(stdout);
   }
 
   const Cell& cell_;
@@ -106,6 +198,7 @@ class LinesPart : public Part {
   bool may_restart_ = false;
   std::vector<std::string> told_;
   Clock::time_point told_at_{};
+  LineWriter writer_;
 };
 
 }  // namespace
@@ -160,6 +253,8 @@ Json event_json(const std::string& event, const Status& status, const Cell& cell
   return json;
 }
 
-std::unique_ptr<Part> make_lines(const Cell& cell, Lines lines) { return std::make_unique<LinesPart>(cell, lines); }
+std::unique_ptr<Part> make_lines(const Cell& cell, Lines lines, int file) {
+  return std::make_unique<LinesPart>(cell, lines, file);
+}
 
 }  // namespace horopter::monitor

@@ -2,6 +2,8 @@
 // Events on standard output, a line each: for people, or JSON for programs.
 #pragma once
 
+#include <unistd.h>
+
 #include <nlohmann/json.hpp>
 
 #include "horopter/monitor/part.hpp"
@@ -13,6 +15,8 @@ nlohmann::ordered_json status_json(const Status& status, const Cell& cell);
 /// An event with what it is called, and who did it where somebody did.
 nlohmann::ordered_json event_json(const std::string& event, const Status& status, const Cell& cell);
 
-std::unique_ptr<Part> make_lines(const Cell& cell, Lines lines);
+/// `file`: where they go. Whoever does not read them holds nobody up: 1000 lines wait, then they are lost, and that is its
+/// trouble.
+std::unique_ptr<Part> make_lines(const Cell& cell, Lines lines, int file = STDOUT_FILENO);
 
 }  // namespace horopter::monitor

@@ -23,7 +23,9 @@ constexpr int kKeepAlive_s = 5;  ///< the shortest that libmosquitto takes
 constexpr int kOnce = 1;         ///< QoS: at least once
 /// Though nothing changes, the state is said again that often.
 constexpr auto kAgain = std::chrono::seconds(1);
-/// A broker that takes nothing must not fill the memory.
+/// A broker that takes nothing for so long hangs. It is said something once a second.
+constexpr auto kAnswer = std::chrono::seconds(2);
+/// And it must not fill the memory.
 constexpr int kMostUnsent = 100;
 /// At the end, for the last message.
 constexpr auto kLastWait = std::chrono::milliseconds(500);
@@ -54,6 +56,7 @@ class MqttPart : public Part {
     check(mosquitto_will_set(client_.get(), state_topic_.c_str(), static_cast<int>(gone.size()), gone.data(), kOnce,
                              true));
     mosquitto_connect_callback_set(client_.get(), [](mosquitto*, void* self, int code) {
+      static_cast<MqttPart*>(self)->answered();
       static_cast<MqttPart*>(self)->connected_ = code == 0;
       static_cast<MqttPart*>(self)->changed_ = true;
     });
@@ -77,7 +80,9 @@ class MqttPart : public Part {
   MqttPart& operator=(const MqttPart&) = delete;
 
   [[nodiscard]] std::string trouble() const override {
-    return connected_ ? "" : fmt::format("no connection to the MQTT broker {}:{}", mqtt_.host, mqtt_.port);
+    if (!connected_) return fmt::format("no connection to the MQTT broker {}:{}", mqtt_.host, mqtt_.port);
+    const bool hangs = waiting_ > 0 && Clock::now() - Clock::time_point(Clock::duration(answered_)) > kAnswer;
+    return hangs ? fmt::format("the MQTT broker {}:{} does not answer", mqtt_.host, mqtt_.port) : "";
   }
   void stopped(const Status& status, const MomentPtr& /*moment*/) override { event("stopped", status, {}, ""); }
   void released(const Status& status, const Actor& by) override { event("released", status, by, ""); }
@@ -103,12 +108,17 @@ class MqttPart : public Part {
       check(mosquitto_tls_set(client, mqtt_.ca_file.c_str(), nullptr, own ? mqtt_.certificate_file.c_str() : nullptr,
                               own ? mqtt_.key_file.c_str() : nullptr, nullptr));
     }
-    mosquitto_publish_callback_set(client,
-                                   [](mosquitto*, void* self, int) { --static_cast<MqttPart*>(self)->waiting_; });
+    mosquitto_publish_callback_set(client, [](mosquitto*, void* self, int) {
+      static_cast<MqttPart*>(self)->answered();
+      --static_cast<MqttPart*>(self)->waiting_;
+    });
   }
+
+  void answered() { answered_ = Clock::now().time_since_epoch().count(); }
 
   void publish(const std::string& topic, const std::string& text, bool retain) {
     if (!connected_ || waiting_ >= kMostUnsent) return;
+    if (waiting_ == 0) answered();  // before, it was asked nothing
     ++waiting_;
     const int code = mosquitto_publish(client_.get(), nullptr, topic.c_str(), static_cast<int>(text.size()),
                                        text.data(), kOnce, retain);
@@ -147,7 +157,8 @@ class MqttPart : public Part {
   std::unique_ptr<mosquitto, Destroy> client_;
   std::atomic<bool> connected_ = false, changed_ = true;
   std::atomic<int> waiting_ = 0;
-  bool said_safe_ = false;  // of the ticker's thread
+  std::atomic<Clock::rep> answered_ = 0;  ///< at this time
+  bool said_safe_ = false;                // of the ticker's thread
   Clock::time_point said_at_{};
   std::optional<Ticker> ticker_;
 };

@@ -397,6 +397,11 @@ async function openEvent(eventNumber) {
   if (!at("event").open) at("event").showModal();
 }
 
+const eventKey = at("key").cloneNode(true);
+eventKey.removeAttribute("id");
+eventKey.className = "key-list";
+at("event-key").append(eventKey);
+
 // --- round and round
 
 function forever(work, every) {

@@ -83,10 +83,11 @@ class Pairing {
   void lost(Side side) { faults_ |= of(side, MonitorFault::left_camera_lost); }
   /// It was made anew: its numbers and times begin anew.
   void reconnected(Side side);
-  /// The youngest pair; those before it, which nobody took, are dropped.
+  /// The oldest pair that waits. Two may wait; where nobody took one older than these, it was dropped, and this one says so.
   std::optional<ImagePair> take();
-  /// Forgets pairs and images that wait: none of them counts as dropped. For the time before the machine runs.
-  void clear();
+  /// Forgets pairs and images that wait, and says that so many pairs were taken and not judged. They count as dropped, but
+  /// that is no fault: for the time before the machine runs, in which it is not safe.
+  void clear(std::uint64_t taken);
   /// What is wrong now, without a pair: faults since the last pair or check, and cameras from which nothing comes. Until
   /// the first image of a camera `since` counts.
   MonitorFaults check(Clock::time_point now, Clock::time_point since);

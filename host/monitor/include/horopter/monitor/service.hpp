@@ -86,7 +86,8 @@ class Service final : public Control, public CameraSink {
   void loop(const std::function<bool()>& asked_to_stop, std::uint64_t pairs);
   std::optional<ImagePair> wait_for_pair();
   bool images_ended();
-  void start_machine(int width, int height);
+  /// `taken`: pairs that were taken before, and are not judged.
+  void start_machine(int width, int height, std::uint64_t taken);
   void idle();
   void judge(ImagePair pair);
   std::vector<Cause> own_causes(MonitorFaults own, std::vector<Cause> causes);
