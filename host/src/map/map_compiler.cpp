@@ -36,9 +36,6 @@ constexpr double kFraction = 1.0 / (1 << MapTable::kFractionBits);
 double distance(double x, double y) { return std::sqrt(x * x + y * y); }
 double distance(Point p) { return distance(p.x, p.y); }
 
-/// Never supervised, wherever the source lies.
-bool is_excluded(Reason reason) { return reason != Reason::none && reason != Reason::outside; }
-
 /// As far beyond the image as the control points of a spacing lie.
 int lattice_count(int size, int log2, int spacing_log2) {
   return ((((size - 1) >> spacing_log2) + 1) << (spacing_log2 - log2)) + 1;
@@ -196,9 +193,9 @@ class Forecast {
 class GridFit {
  public:
   /// The lattice holds every pixel, or at least the four samples of each cell. `smooth`: what lies between them follows
-  /// from them.
+  /// from them. With an outline, the table has its spans.
   GridFit(const LookLattice& lattice, const ScanGeometry& geometry, int nx, int ny, int weight_bits,
-          const MapLimits& limits, bool smooth)
+          const MapLimits& limits, bool smooth, const Outline* outline)
       : lattice_(lattice),
         geometry_(geometry),
         limits_(limits),
@@ -207,16 +204,37 @@ class GridFit {
         ny_(ny),
         weight_bits_(weight_bits),
         every_pixel_(lattice.shape.x_log2 == 0 && lattice.shape.y_log2 == 0),
+        outline_(outline),
         cell_columns_(((geometry.width - 1) >> nx) + 1),
         cell_rows_(((geometry.height - 1) >> ny) + 1),
-        controls_(static_cast<std::size_t>(cell_columns_ + 1) * static_cast<std::size_t>(cell_rows_ + 1)),
-        cells_(static_cast<std::size_t>(cell_columns_) * static_cast<std::size_t>(cell_rows_)),
-        errors_(lattice.sources.size(), std::numeric_limits<float>::quiet_NaN()) {
+        controls_(static_cast<std::size_t>(cell_columns_ + 1) * static_cast<std::size_t>(cell_rows_ + 1)) {
     weights_ = {weights(false, false), weights(true, false), weights(false, true), weights(true, true)};
+    fit();
+  }
+
+  const MapReport& report() const { return report_; }
+  CompiledMap take() const {
+    MapTable table(geometry_, nx_, ny_);
+    for (int row = 0; row <= cell_rows_; ++row) {
+      for (int column = 0; column <= cell_columns_; ++column) {
+        const std::size_t at = point(column, row);
+        if (kept_[at] != 0) table.set_control(column, row, controls_.word[at]);
+      }
+    }
+    if (outline_ != nullptr) table.set_spans(outline_->spans);
+    return {std::move(table), report_};
+  }
+
+ private:
+  void fit() {
+    cells_.resize(static_cast<std::size_t>(cell_columns_) * static_cast<std::size_t>(cell_rows_));
+    errors_.resize(lattice_.sources.size(), std::numeric_limits<float>::quiet_NaN());
     set_controls();
     centre_errors();
+    if (outline_ != nullptr) follow_outline();
     find_errors();
     if (!every_pixel_) look_between_samples();
+    if (outline_ != nullptr && !every_pixel_) find_errors_at_ends();
     // The largest bound by which the share that is wanted stays within its own.
     double bound = limits_.largest_error_px;
     keep_within(bound);
@@ -234,19 +252,6 @@ class GridFit {
     measure();
   }
 
-  const MapReport& report() const { return report_; }
-  CompiledMap take() const {
-    MapTable table(geometry_, nx_, ny_);
-    for (int row = 0; row <= cell_rows_; ++row) {
-      for (int column = 0; column <= cell_columns_; ++column) {
-        const std::size_t at = point(column, row);
-        if (kept_[at] != 0) table.set_control(column, row, controls_.word[at]);
-      }
-    }
-    return {std::move(table), report_};
-  }
-
- private:
   static constexpr int kBoundSteps = 6;
   static constexpr float kNever = std::numeric_limits<float>::infinity();  ///< error of what must not be supervised
   static constexpr int kKinds = 4;  ///< of pixels: bit 0 right of the cell's left edge, bit 1 below its upper edge
@@ -272,6 +277,7 @@ class GridFit {
     std::array<std::uint16_t, kKinds> beyond{};   ///< of them further off than the share that is wanted may be
     std::array<std::uint16_t, kKinds> outside{};  ///< of them just outside without the grid
     float beyond_share = -1;                      ///< of all pixels, where it is known better than by counting samples
+    bool cut = false;                             ///< by the outline
   };
 
   /// How many pixels a sample stands for, in cells that the image's right and lower borders cut or not.
@@ -321,6 +327,201 @@ class GridFit {
     calib::vectorised<between>(&controls_.x[top], &controls_.x[bottom], below, columns, x_at.data());
     calib::vectorised<between>(&controls_.y[top], &controls_.y[bottom], below, columns, y_at.data());
     for (std::size_t c = 0; c < columns; ++c) there[c] = mapped[top + c] & mapped[bottom + c];
+  }
+
+  /// A pixel, or for one beyond the image the last of its row and column: whether it is in its row's span.
+  bool in_span(int x, int y) const {
+    return outline_ == nullptr ||
+           outline_->span(std::min(y, geometry_.height - 1)).holds(std::min(x, geometry_.width - 1));
+  }
+  /// A sample on the skin beside the outline, which is followed there: nothing between the two can be missed.
+  bool beside_outline(int x, int y) const {
+    const int across = 1 << lattice_.shape.x_log2;
+    const int down = 1 << lattice_.shape.y_log2;
+    for (const int row : {y - down, y, y + down}) {
+      if (row < 0 || row >= geometry_.height) continue;
+      const hls::table::Span& span = outline_->span(row);
+      const bool left = span.first == 0 || x - across >= span.first;
+      const bool right = span.end == geometry_.width || x + across < span.end;
+      if (span.end == 0 || !left || !right) return true;
+    }
+    return false;
+  }
+  /// A sample in its row's span that must not be supervised.
+  bool is_excluded_at(std::size_t sample, int x, int y) const {
+    const Reason reason = lattice_.reasons[sample];
+    return is_excluded(reason) && !(reason == Reason::grid && outline_ != nullptr && beside_outline(x, y));
+  }
+
+  /// Control points beyond the outline get places that continue the skin inside, so that the cells that the outline cuts
+  /// are right up to it.
+  void follow_outline() {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Point> points(controls_.word.size(), {kNan, kNan});
+    std::vector<std::uint8_t> is_free(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (controls_.mapped[i] != 0) points[i] = {place_of(controls_.x[i]), place_of(controls_.y[i])};
+    }
+    for (int row = 0; row < cell_rows_; ++row) mark_cut(row);
+    ControlFit fit;
+    std::vector<std::size_t> free;
+    for (int row = 0; row < cell_rows_; ++row) {
+      for (int column = 0; column < cell_columns_; ++column) {
+        if (!cells_[index(column, row)].cut) continue;
+        for (const auto& [c, r] :
+             {std::pair{column, row}, {column + 1, row}, {column, row + 1}, {column + 1, row + 1}}) {
+          const std::size_t at = point(c, r);
+          if (is_free[at] != 0 || is_fixed(c, r)) continue;
+          is_free[at] = 1;
+          free.push_back(at);
+        }
+        add_samples(column, row, fit);
+      }
+    }
+    if (!every_pixel_) add_ends(fit);
+    continue_inside(free, is_free, points);
+    std::erase_if(free, [&](std::size_t at) { return is_free[at] == 0; });
+    fit.solve(free, points);
+    for (const std::size_t at : free) controls_.set(at, MapTable::encode(points[at]));
+  }
+  static double place_of(std::int32_t control) {
+    return static_cast<double>(control) / hls::table::control_scale - hls::table::control_offset_px;
+  }
+
+  /// Which cells of a row of them hold pixels of spans and others.
+  void mark_cut(int row) {
+    int least_first = geometry_.width;
+    int largest_first = 0;
+    int least_end = geometry_.width;
+    int largest_end = 0;
+    for (int y = row << ny_; y < std::min((row + 1) << ny_, geometry_.height); ++y) {
+      const hls::table::Span& span = outline_->span(y);
+      const int first = span.end == 0 ? geometry_.width : span.first;
+      least_first = std::min(least_first, first);
+      largest_first = std::max(largest_first, first);
+      least_end = std::min(least_end, span.end);
+      largest_end = std::max(largest_end, span.end);
+    }
+    for (int column = least_first >> nx_; column << nx_ < largest_end; ++column) {
+      const bool whole =
+          column << nx_ >= largest_first && std::min((column + 1) << nx_, geometry_.width) <= least_end;
+      cells_[index(column, row)].cut = !whole;
+    }
+  }
+  /// Whether a control point is on the skin by itself.
+  bool is_fixed(int column, int row) const {
+    const int x = column << nx_;
+    const int y = row << ny_;
+    const Reason reason = lattice_.reasons[lattice_.index(x, y)];
+    return controls_.mapped[point(column, row)] != 0 && (reason == Reason::grid || !is_excluded(reason)) &&
+           in_span(x, y);
+  }
+  void add_equation(int x, int y, Point source, ControlFit& fit) const {
+    const int column = x >> nx_;
+    const int row = y >> ny_;
+    const double right = std::ldexp(x & ((1 << nx_) - 1), -nx_);
+    const double below = std::ldexp(y & ((1 << ny_) - 1), -ny_);
+    const std::size_t top = point(column, row);
+    const std::size_t bottom = point(column, row + 1);
+    fit.add({{top, top + 1, bottom, bottom + 1},
+             {(1 - right) * (1 - below), right * (1 - below), (1 - right) * below, right * below},
+             source});
+  }
+  void add_samples(int column, int row, ControlFit& fit) const {
+    for (int y = row << ny_; y < std::min((row + 1) << ny_, geometry_.height); y += 1 << lattice_.shape.y_log2) {
+      for (int x = column << nx_; x < std::min((column + 1) << nx_, geometry_.width); x += 1 << lattice_.shape.x_log2) {
+        const std::size_t at = lattice_.index(x, y);
+        if (!in_span(x, y) || is_excluded_at(at, x, y) || std::isnan(lattice_.sources[at].x)) continue;
+        add_equation(x, y, lattice_.sources[at], fit);
+      }
+    }
+  }
+  void add_ends(ControlFit& fit) const {
+    for_ends([&](int x, int y, Point source) { add_equation(x, y, source, fit); });
+  }
+  /// Visits the ends of spans in the image: `visit(x, y, source)`.
+  template <class Visit>
+  void for_ends(Visit visit) const {
+    for (int y = 0; y < geometry_.height; ++y) {
+      const hls::table::Span& span = outline_->span(y);
+      const auto& [first, last] = outline_->ends[static_cast<std::size_t>(y)];
+      if (span.first < span.end) visit(span.first, y, first);
+      if (span.first + 1 < span.end) visit(span.end - 1, y, last);
+    }
+  }
+
+  /// Where a free control point would be if the skin went on straight from the two beside it on one side: the mean of all
+  /// sides. Those that have none take it from others; what stays without one is no longer free.
+  void continue_inside(const std::vector<std::size_t>& free, std::vector<std::uint8_t>& is_free,
+                       std::vector<Point>& points) const {
+    constexpr int kRounds = 3;
+    const auto columns = static_cast<std::size_t>(cell_columns_ + 1);
+    std::vector<std::uint8_t> known(points.size());
+    for (int row = 0; row <= cell_rows_; ++row) {
+      for (int column = 0; column <= cell_columns_; ++column) {
+        known[point(column, row)] = is_fixed(column, row) ? 1 : 0;
+      }
+    }
+    std::vector<std::pair<std::size_t, Point>> found;
+    for (int round = 0; round < kRounds; ++round) {
+      found.clear();
+      for (const std::size_t at : free) {
+        if (known[at] != 0) continue;
+        const auto column = static_cast<int>(at % columns);
+        const auto row = static_cast<int>(at / columns);
+        Point sum{0, 0};
+        int count = 0;
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) {
+          if (dx != 0 && dy != 0 && count > 0) break;  // across corners only where there is nothing else
+          if (column + 2 * dx < 0 || column + 2 * dx > cell_columns_ || row + 2 * dy < 0 || row + 2 * dy > cell_rows_)
+            continue;
+          const std::size_t near = point(column + dx, row + dy);
+          const std::size_t far = point(column + 2 * dx, row + 2 * dy);
+          if (known[near] == 0 || known[far] == 0) continue;
+          sum.x += 2 * points[near].x - points[far].x;
+          sum.y += 2 * points[near].y - points[far].y;
+          ++count;
+        }
+        if (count > 0) found.push_back({at, {sum.x / count, sum.y / count}});
+      }
+      for (const auto& [at, place] : found) {
+        points[at] = place;
+        known[at] = 1;
+      }
+    }
+    for (const std::size_t at : free) is_free[at] = known[at];
+  }
+
+  /// At the last pixels on the skin.
+  void find_errors_at_ends() {
+    const std::int32_t half = std::int32_t{1} << (MapTable::kFractionBits - weight_bits_ - 1);
+    const std::int32_t low = kOffset - half;
+    const std::int32_t high_x = kOffset + ((geometry_.width - 1) << MapTable::kFractionBits) + half;
+    const std::int32_t high_y = kOffset + ((geometry_.height - 1) << MapTable::kFractionBits) + half;
+    for_ends([&](int x, int y, Point source) {
+      const int column = x >> nx_;
+      const int row = y >> ny_;
+      const std::int32_t right = (x & ((1 << nx_) - 1)) << (6 - nx_);
+      const std::int32_t below = (y & ((1 << ny_) - 1)) << (6 - ny_);
+      const std::size_t top = point(column, row);
+      const std::size_t bottom = below != 0 ? point(column, row + 1) : top;
+      const std::size_t beside = right != 0 ? 1 : 0;
+      if ((controls_.mapped[top] & controls_.mapped[top + beside] & controls_.mapped[bottom] &
+           controls_.mapped[bottom + beside]) == 0) {
+        return;
+      }
+      const auto between_all = [&](const std::vector<std::int32_t>& c) {
+        return (c[top] * (64 - below) + c[bottom] * below) * (64 - right) +
+               (c[top + beside] * (64 - below) + c[bottom + beside] * below) * right;
+      };
+      const std::int32_t ex = between_all(controls_.x);
+      const std::int32_t ey = between_all(controls_.y);
+      if (ex < low || ey < low || ex >= high_x || ey >= high_y) return;
+      const auto error = static_cast<float>(distance(error_of(ex, ey, source)));
+      Cell& cell = cells_[index(column, row)];
+      const std::size_t kind = (right != 0 ? 1U : 0U) + (below != 0 ? 2U : 0U);
+      cell.worst[kind] = std::max(cell.worst[kind], std::isnan(error) ? kNever : error);
+    });
   }
 
   static constexpr std::int32_t kOffset = hls::table::control_offset_px << MapTable::kFractionBits;
@@ -414,7 +615,7 @@ class GridFit {
             static_cast<double>(y - kOffset) * kFraction - source.y};
   }
 
-  /// Visits the samples whose control points are all there: `visit(cell, kind, sample, y, expanded x, y)`.
+  /// Visits the samples whose control points are all there: `visit(cell, kind, sample, x, y, expanded x, y)`.
   template <class Visit>
   void for_expanded(const std::vector<std::uint8_t>& mapped, Visit visit) const {
     const auto columns = static_cast<std::size_t>(cell_columns_ + 1);
@@ -433,13 +634,14 @@ class GridFit {
       for (std::size_t c = 0; c + 1 < columns; ++c) {
         if (there[c] == 0) continue;
         const std::size_t first = c * across;
-        visit(first_cell + c, kind_y, first_sample + first, y, x_at[c] * 64, y_at[c] * 64);
+        const int x = static_cast<int>(first) << lattice_.shape.x_log2;
+        visit(first_cell + c, kind_y, first_sample + first, x, y, x_at[c] * 64, y_at[c] * 64);
         if (there[c + 1] == 0) continue;
         const std::size_t count = std::min(across, samples - first);
         for (std::size_t i = 1; i < count; ++i) {
           const auto right = static_cast<std::int32_t>(i << (6 - step));
-          visit(first_cell + c, kind_y + 1, first_sample + first + i, y, x_at[c] * (64 - right) + x_at[c + 1] * right,
-                y_at[c] * (64 - right) + y_at[c + 1] * right);
+          visit(first_cell + c, kind_y + 1, first_sample + first + i, x + (static_cast<int>(i) << lattice_.shape.x_log2),
+                y, x_at[c] * (64 - right) + x_at[c + 1] * right, y_at[c] * (64 - right) + y_at[c + 1] * right);
         }
       }
     }
@@ -454,14 +656,14 @@ class GridFit {
     const Reason* const reasons = lattice_.reasons.data();
     const double share_error = limits_.error_px;
     for_expanded(controls_.mapped,
-                 [&](std::size_t at, int kind, std::size_t sample, int, std::int32_t ex, std::int32_t ey) {
-                   if (ex < low || ey < low || ex >= high_x || ey >= high_y) return;
+                 [&](std::size_t at, int kind, std::size_t sample, int x, int y, std::int32_t ex, std::int32_t ey) {
+                   if (ex < low || ey < low || ex >= high_x || ey >= high_y || !in_span(x, y)) return;
                    Cell& cell = cells_[at];
                    const double error = distance(error_of(ex, ey, sources[sample]));
                    const auto rounded = static_cast<float>(error);
                    // A source just outside may be expanded to one just inside; one without a place has no error that
                    // is small.
-                   const bool never = is_excluded(reasons[sample]) || std::isnan(error);
+                   const bool never = is_excluded_at(sample, x, y) || std::isnan(error);
                    cell.worst[kind] = std::max(cell.worst[kind], never ? kNever : rounded);
                    errors_[sample] = rounded;
                    ++cell.inside[kind];
@@ -484,9 +686,12 @@ class GridFit {
       const int top = row * down;
       const int bottom = ny_ == lattice_.shape.y_log2 ? top : last(geometry_.height, lattice_.shape.y_log2, top, down);
       for (int y = top; y <= bottom; ++y) {
-        const Reason* reasons = &lattice_.reasons[static_cast<std::size_t>(y) * samples];
+        const std::size_t first = static_cast<std::size_t>(y) * samples;
         for (std::size_t x = 0; x < samples; ++x) {
-          const std::uint8_t excluded = is_excluded(reasons[x]) ? 1 : 0;
+          const int pixel_x = static_cast<int>(x) << lattice_.shape.x_log2;
+          const int pixel_y = y << lattice_.shape.y_log2;
+          const std::uint8_t excluded =
+              is_excluded_at(first + x, pixel_x, pixel_y) && in_span(pixel_x, pixel_y) ? 1 : 0;
           above[x] = y == top ? excluded : above[x];
           all[x] = y == top ? excluded : all[x] | excluded;
         }
@@ -629,7 +834,7 @@ class GridFit {
     for (int row = 0; row < cell_rows_; ++row) {
       for (int column = 0; column < cell_columns_; ++column) {
         Cell& cell = cells_[index(column, row)];
-        if (cell.beyond[0] + cell.beyond[1] + cell.beyond[2] + cell.beyond[3] == 0) continue;
+        if (cell.cut || cell.beyond[0] + cell.beyond[1] + cell.beyond[2] + cell.beyond[3] == 0) continue;
         const std::size_t top = point(column, row);
         const std::size_t bottom = point(column, row + 1);
         if ((controls_.mapped[top] & controls_.mapped[top + 1] & controls_.mapped[bottom] &
@@ -713,7 +918,7 @@ class GridFit {
   void measure() {
     report_.spacing_x = 1 << nx_;
     report_.spacing_y = 1 << ny_;
-    report_.pool_bytes = MapTable::pool_bytes(geometry_, nx_, ny_);
+    report_.pool_bytes = MapTable::pool_bytes(geometry_, nx_, ny_, outline_ != nullptr);
     report_.pixels = std::int64_t{geometry_.width} * geometry_.height;
     count_pixels();
     if (report_.supervised() == 0) return;
@@ -818,7 +1023,7 @@ class GridFit {
           const auto kept = kept_kinds(column, row);
           const Cell& cell = cells_[index(column, row)];
           bool supervised = false;
-          for (int kind = 0; kind < kKinds; ++kind) supervised |= kept[kind] && cell.inside[kind] > 0;
+          for (int kind = 0; kind < kKinds; ++kind) supervised |= kept[kind] && (cell.inside[kind] > 0 || cell.cut);
           if (!supervised) continue;
           add(y_at[c] * 64);
           const int right = (std::min((column + 1) << nx_, geometry_.width) - 1 - (column << nx_)) << (6 - nx_);
@@ -834,7 +1039,8 @@ class GridFit {
     report_.reach = {-geometry_.height, -geometry_.height};
     const std::int64_t last_x = std::int64_t{geometry_.width - 1} << weight_bits_;
     const std::int64_t last_y = std::int64_t{geometry_.height - 1} << weight_bits_;
-    for_expanded(kept_, [&](std::size_t, int, std::size_t sample, int y, std::int32_t ex, std::int32_t ey) {
+    for_expanded(kept_, [&](std::size_t, int, std::size_t sample, int x, int y, std::int32_t ex, std::int32_t ey) {
+      if (!in_span(x, y)) return;
       const std::int64_t source_x = rounded(ex);
       const std::int64_t source_y = rounded(ey);
       if (source_x < 0 || source_y < 0 || source_x > last_x || source_y > last_y) return;
@@ -854,6 +1060,7 @@ class GridFit {
   bool smooth_;
   int nx_, ny_, weight_bits_;
   bool every_pixel_;
+  const Outline* outline_;  ///< or none
   int cell_columns_, cell_rows_;
   Controls controls_;               ///< before any is given up
   std::vector<std::uint8_t> kept_;  ///< that are not
@@ -871,11 +1078,12 @@ struct Spacing {
 };
 
 /// That fit, fewest bytes first.
-std::vector<Spacing> spacings_of(const ScanGeometry& geometry, int largest_log2, std::size_t largest_bytes) {
+std::vector<Spacing> spacings_of(const ScanGeometry& geometry, int largest_log2, std::size_t largest_bytes,
+                                 bool spans) {
   std::vector<Spacing> spacings;
   for (int nx = 0; nx <= largest_log2; ++nx) {
     for (int ny = 0; ny <= largest_log2; ++ny) {
-      const std::size_t bytes = MapTable::pool_bytes(geometry, nx, ny);
+      const std::size_t bytes = MapTable::pool_bytes(geometry, nx, ny, spans);
       if (bytes <= largest_bytes) spacings.push_back({nx, ny, bytes});
     }
   }
@@ -944,19 +1152,17 @@ void seal(CompiledMap& map, const hls::table::Facts& facts) {
 }
 
 /// The coarsest grid within the limits; where none loses little enough, of those that the forecast says to lose least
-/// the one that does. `fit` tries a spacing; those that the forecast says to be beyond `margin` times the limits are not
+/// the one that does. `fit` tries a spacing, with an outline's spans if there is one, and without where that is not enough; those that the forecast says to be beyond `margin` times the limits are not
 /// tried. To be sealed.
 CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, const MapLimits& limits,
-                   const Forecast& forecast, const std::function<GridFit(int, int)>& fit, double margin) {
+                   const Forecast& forecast, const Outline* outline,
+                   const std::function<GridFit(int, int, const Outline*)>& fit, double margin) {
   const std::size_t largest = limits.largest_bytes != 0 ? limits.largest_bytes : profile.pool_bytes;
-  const std::vector<Spacing> spacings = spacings_of(geometry, limits.largest_spacing_log2, largest);
+  const std::vector<Spacing> spacings = spacings_of(geometry, limits.largest_spacing_log2, largest, outline != nullptr);
   std::optional<CompiledMap> best;
   std::optional<UnseenError> nothing;
   std::vector<const Spacing*> tried;
-  const auto attempt = [&](const Spacing& spacing) {
-    if (std::ranges::find(tried, &spacing) != tried.end()) return false;
-    tried.push_back(&spacing);
-    const GridFit grid = fit(spacing.nx, spacing.ny);
+  const auto consider = [&](const GridFit& grid) {
     const MapReport& report = grid.report();
     if (report.supervised() == 0) {
       nothing = UnseenError(report);
@@ -967,9 +1173,15 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
     if (good || !best || lost < best->report.lost_share()) best = grid.take();
     return good;
   };
+  const auto attempt = [&](const Spacing& spacing) {
+    if (std::ranges::find(tried, &spacing) != tried.end()) return false;
+    tried.push_back(&spacing);
+    return consider(fit(spacing.nx, spacing.ny, outline)) ||
+           (outline != nullptr && consider(fit(spacing.nx, spacing.ny, nullptr)));
+  };
   const auto beyond = [&](const Spacing& s, double error_px) { return forecast.share_beyond(s.nx, s.ny, error_px); };
   const auto likely = [&](const Spacing& s) {
-    return forecast.lost_share(s.nx, s.ny) <= limits.largest_lost_share * margin &&
+    return (outline != nullptr || forecast.lost_share(s.nx, s.ny) <= limits.largest_lost_share * margin) &&
            beyond(s, limits.error_px * margin) <= (1 - limits.share) * margin;
   };
   if (!std::ranges::any_of(spacings, [&](const Spacing& s) { return likely(s) && attempt(s); })) {
@@ -1046,10 +1258,14 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
     take(looks, geometry, first, lattice);
   }
   check_lattice_rows(lattice, geometry, limits.view);
+  const std::optional<Outline> outline = limits.spans ? outline_of(lattice, geometry) : std::nullopt;
   // The forecast only sorts out what is far off.
   CompiledMap map = choose(
-      profile, geometry, limits, Forecast(lattice, geometry),
-      [&](int nx, int ny) { return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits, false); }, 4);
+      profile, geometry, limits, Forecast(lattice, geometry), outline ? &*outline : nullptr,
+      [&](int nx, int ny, const Outline* spans) {
+        return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits, false, spans);
+      },
+      4);
   const LatticeShape shape = control_shape(map.table);
   const std::vector<Point> controls = lattice_points(geometry, shape);
   std::vector<Point> sources(controls.size());
@@ -1125,7 +1341,8 @@ MapCompiler::MapCompiler(CameraPair cameras, const MachineProfile& profile, cons
       profile_(profile),
       geometry_(geometry),
       limits_(limits),
-      scale_(cameras_, profile, geometry) {}
+      scale_(cameras_, profile, geometry),
+      outlines_(cameras_, geometry, limits.view) {}
 
 const Rays& MapCompiler::rays(const LatticeShape& shape) {
   auto rays = rays_.find(shape);
@@ -1152,9 +1369,11 @@ CompiledMap MapCompiler::compile(const Surface& surface) {
   LookLattice coarse;
   look(surface, shape_of(geometry_, kForecastLog2, kForecastLog2, kForecastLog2, kForecastLog2), coarse);
   const Forecast forecast(coarse, geometry_);
+  const std::optional<Outline> outline =
+      limits_.spans ? outlines_.trace(cameras_, surface, coarse) : std::nullopt;
   lattice_.shape = {};
   const int coarsest = surface.simple() ? kSmoothLog2 : kFeatureLog2;
-  const auto fit = [&](int nx, int ny) {
+  const auto fit = [&](int nx, int ny, const Outline* spans) {
     const int x_log2 = std::min(std::max(nx - 1, 0), coarsest);
     const int y_log2 = std::min(std::max(ny - 1, 0), coarsest);
     const LatticeShape shape = shape_of(geometry_, x_log2, y_log2, nx, ny);
@@ -1162,9 +1381,9 @@ CompiledMap MapCompiler::compile(const Surface& surface) {
       look(surface, shape, lattice_);
       if (surface.simple()) keep_clear_of_limits(lattice_);
     }
-    return GridFit(lattice_, geometry_, nx, ny, profile_.weight_bits, limits_, surface.simple());
+    return GridFit(lattice_, geometry_, nx, ny, profile_.weight_bits, limits_, surface.simple(), spans);
   };
-  CompiledMap map = choose(profile_, geometry_, limits_, forecast, fit, 1.1);
+  CompiledMap map = choose(profile_, geometry_, limits_, forecast, outline ? &*outline : nullptr, fit, 1.1);
   const LatticeShape controls = control_shape(map.table);
   std::vector<Point> sources(rays(controls).size());
   cameras_.look_around(surface, rays(controls), sources, without_source(controls, map.table));

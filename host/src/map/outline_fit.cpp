@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/map/outline_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "horopter/map/map_compiler.hpp"
+
+namespace horopter {
+namespace {
+
+using hls::table::Span;
+
+constexpr Point kNowhere{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+bool is_good(Reason reason, const Point& source) { return !is_excluded(reason) && !std::isnan(source.x); }
+
+/// Runs of true among 0 … count - 1: the longest, the first of several.
+template <class Good>
+Span longest_run(int count, Good good) {
+  Span longest;
+  for (int i = 0; i < count; ++i) {
+    if (!good(i)) continue;
+    const int first = i;
+    while (i < count && good(i)) ++i;
+    if (i - first > longest.end - longest.first) longest = {first, i};
+  }
+  return longest;
+}
+
+bool is_empty(const Span& span) { return span.first == span.end; }
+
+bool has_an_end(const Outline& outline, int width) {
+  const auto whole = [&](const Span& span) { return span == Span{0, width}; };
+  return !std::ranges::all_of(outline.spans, whole) && !std::ranges::all_of(outline.spans, is_empty);
+}
+
+void append(Rays& to, const Rays& more) {
+  const auto add = [](auto& all, const auto& some) { all.insert(all.end(), some.begin(), some.end()); };
+  add(to.directions, more.directions);
+  for (std::size_t i = 0; i < to.right_view.size(); ++i) add(to.right_view[i], more.right_view[i]);
+  add(to.over_length, more.over_length);
+  add(to.row_error, more.row_error);
+  to.largest_shift_px = more.largest_shift_px;
+}
+
+}  // namespace
+
+std::optional<Outline> outline_of(const LookLattice& lattice, const ScanGeometry& geometry) {
+  Outline outline;
+  for (int y = 0; y < geometry.height; ++y) {
+    const std::size_t row = lattice.index(0, y);
+    const auto at = [&](int x) { return row + static_cast<std::size_t>(x); };
+    const Span span = longest_run(geometry.width, [&](int x) { return is_good(lattice.reasons[at(x)], lattice.sources[at(x)]); });
+    outline.spans.push_back(span);
+    outline.ends.emplace_back(is_empty(span) ? kNowhere : lattice.sources[at(span.first)],
+                              is_empty(span) ? kNowhere : lattice.sources[at(span.end - 1)]);
+  }
+  if (!has_an_end(outline, geometry.width)) return {};
+  return outline;
+}
+
+OutlineTracer::OutlineTracer(const CameraPair& cameras, const ScanGeometry& geometry, const ViewLimits& view)
+    : geometry_(geometry),
+      view_(view),
+      parts_((geometry.width + kSide - 1) / kSide),
+      first_ray_(static_cast<std::size_t>(parts_) * static_cast<std::size_t>(geometry.height), -1),
+      rays_(cameras.rays({}, view)) {}
+
+std::size_t OutlineTracer::rays_of(const CameraPair& cameras, int part, int y) {
+  std::int32_t& first = first_ray_[static_cast<std::size_t>(y) * static_cast<std::size_t>(parts_) + static_cast<std::size_t>(part)];
+  if (first < 0) {
+    std::array<Point, kSide> pixels;
+    for (int i = 0; i < kSide; ++i) {
+      pixels[static_cast<std::size_t>(i)] = geometry_.to_frame({double(part * kSide + i), double(y)});
+    }
+    first = static_cast<std::int32_t>(rays_.size());
+    append(rays_, cameras.rays(pixels, view_));
+  }
+  return static_cast<std::size_t>(first);
+}
+
+/// What the parts of a row that were looked at last see: one at each end of the span.
+struct OutlineTracer::Seen {
+  std::array<Look, kSide> looks;
+  int part = -1, y = -1;
+};
+
+std::optional<Outline> OutlineTracer::trace(const CameraPair& cameras, const Surface& surface, const LookLattice& coarse) {
+  const int step_y = 1 << coarse.shape.y_log2;
+  const int step_x_log2 = coarse.shape.x_log2;
+  const int coarse_columns = ((geometry_.width - 1) >> step_x_log2) + 1;
+  const int coarse_rows = ((geometry_.height - 1) >> coarse.shape.y_log2) + 1;
+  std::vector<Span> begin;  // by row of the lattice, in pixels that are on the skin: first … end - 1
+  bool all = true;
+  std::size_t longest = 0;
+  for (int row = 0; row < coarse_rows; ++row) {
+    const auto good = [&](int column) {
+      const std::size_t at = coarse.index(column << step_x_log2, row * step_y);
+      return is_good(coarse.reasons[at], coarse.sources[at]);
+    };
+    const Span run = longest_run(coarse_columns, good);
+    all = all && run == Span{0, coarse_columns};
+    begin.push_back(is_empty(run) ? Span{} : Span{run.first << step_x_log2, ((run.end - 1) << step_x_log2) + 1});
+    const auto length = [](const Span& span) { return span.end - span.first; };
+    if (length(begin.back()) > length(begin[longest])) longest = begin.size() - 1;
+  }
+  if (all || is_empty(begin[longest])) return {};
+  if (rays_.size() > kMostRays) {
+    std::ranges::fill(first_ray_, -1);
+    rays_ = cameras.rays({}, view_);
+  }
+
+  std::array<Seen, 2> seen;
+  const auto look = [&](int side, int x, int y) -> const Look& {
+    Seen& s = seen[static_cast<std::size_t>(side)];
+    const int part = x / kSide;
+    if (s.part != part || s.y != y) {
+      cameras.look(surface, rays_, geometry_.row_step(), view_, s.looks, rays_of(cameras, part, y));
+      s.part = part;
+      s.y = y;
+    }
+    return s.looks[static_cast<std::size_t>(x % kSide)];
+  };
+  const auto good = [&](int side, int x, int y) {
+    const Look& seen_there = look(side, x, y);
+    return is_good(seen_there.reason, seen_there.source);
+  };
+  Outline outline;
+  outline.spans.resize(static_cast<std::size_t>(geometry_.height));
+  outline.ends.resize(outline.spans.size(), {kNowhere, kNowhere});
+  // From where it is said to be about.
+  const auto trace_row = [&](int y, Span about) {
+    int first = about.first;
+    int last = about.end - 1;
+    if (good(0, first, y)) {
+      while (first > 0 && good(0, first - 1, y)) --first;
+    } else {
+      do {
+        if (++first > last) return;
+      } while (!good(0, first, y));
+    }
+    if (good(1, last, y)) {
+      while (last + 1 < geometry_.width && good(1, last + 1, y)) ++last;
+    } else {
+      while (!good(1, --last, y)) {
+      }
+    }
+    outline.spans[static_cast<std::size_t>(y)] = {first, last + 1};
+    outline.ends[static_cast<std::size_t>(y)] = {geometry_.from_frame(look(0, first, y).source),
+                                                 geometry_.from_frame(look(1, last, y).source)};
+  };
+  const auto trace_on = [&](int first_y, int direction) {
+    for (int y = first_y; y >= 0 && y < geometry_.height; y += direction) {
+      Span about = y == first_y && direction > 0 ? begin[longest] : outline.span(y - direction);
+      if (is_empty(about)) {  // the next row of the lattice may be on the skin again
+        const int ahead = direction > 0 ? (y + step_y - 1) / step_y : y / step_y;
+        if (ahead >= coarse_rows) continue;
+        about = begin[static_cast<std::size_t>(ahead)];
+        if (is_empty(about)) continue;
+      }
+      trace_row(y, about);
+    }
+  };
+  const int middle = static_cast<int>(longest) * step_y;
+  trace_on(middle, 1);
+  trace_on(middle - 1, -1);
+  if (!has_an_end(outline, geometry_.width)) return {};
+  return outline;
+}
+
+void ControlFit::solve(std::span<const std::size_t> free, std::span<Point> points) const {
+  constexpr int kSweeps = 8;
+  constexpr double kStay = 0.02;  // how much the place from which a point comes counts
+  struct Use {
+    std::size_t equation;
+    double weight;
+  };
+  std::vector<std::int32_t> place(points.size(), -1);
+  for (std::size_t i = 0; i < free.size(); ++i) place[free[i]] = static_cast<std::int32_t>(i);
+  std::vector<std::vector<Use>> uses(free.size());
+  std::vector<Point> rest(equations_.size());  // what an equation lacks
+  for (std::size_t i = 0; i < equations_.size(); ++i) {
+    const Equation& e = equations_[i];
+    const auto is_known = [&](std::size_t k) { return e.weight[k] == 0 || !std::isnan(points[e.at[k]].x); };
+    if (!(is_known(0) && is_known(1) && is_known(2) && is_known(3))) continue;
+    rest[i] = e.source;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (e.weight[k] == 0) continue;
+      rest[i].x -= e.weight[k] * points[e.at[k]].x;
+      rest[i].y -= e.weight[k] * points[e.at[k]].y;
+      if (place[e.at[k]] >= 0) uses[static_cast<std::size_t>(place[e.at[k]])].push_back({i, e.weight[k]});
+    }
+  }
+  std::vector<Point> from(free.size());
+  for (std::size_t i = 0; i < free.size(); ++i) from[i] = points[free[i]];
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      Point& point = points[free[i]];
+      double squares = kStay;
+      Point wanted{kStay * (from[i].x - point.x), kStay * (from[i].y - point.y)};
+      for (const Use& use : uses[i]) {
+        squares += use.weight * use.weight;
+        wanted.x += use.weight * rest[use.equation].x;
+        wanted.y += use.weight * rest[use.equation].y;
+      }
+      const Point move{wanted.x / squares, wanted.y / squares};
+      point.x += move.x;
+      point.y += move.y;
+      for (const Use& use : uses[i]) {
+        rest[use.equation].x -= use.weight * move.x;
+        rest[use.equation].y -= use.weight * move.y;
+      }
+    }
+  }
+}
+
+}  // namespace horopter
