@@ -221,7 +221,7 @@ class GridFit {
         if (kept_[at] != 0) table.set_control(column, row, controls_.word[at]);
       }
     }
-    if (outline_ != nullptr) table.set_spans(outline_->spans);
+    if (outline_ != nullptr) table.set_spans(spans_);
     return {std::move(table), report_};
   }
 
@@ -231,14 +231,14 @@ class GridFit {
     errors_.resize(lattice_.sources.size(), std::numeric_limits<float>::quiet_NaN());
     set_controls();
     centre_errors();
-    if (outline_ != nullptr) follow_outline();
-    find_errors();
-    if (!every_pixel_) look_between_samples();
-    if (outline_ != nullptr && !every_pixel_) find_errors_at_ends();
-    // The largest bound by which the share that is wanted stays within its own.
+    if (outline_ != nullptr) {
+      spans_ = outline_->spans;
+      follow_outline();
+    }
+    find_all_errors();
+    if (outline_ != nullptr && trim()) find_all_errors();
     double bound = limits_.largest_error_px;
-    keep_within(bound);
-    if (!precise() && interpolate_errors()) count_kept();
+    // The largest bound by which the share that is wanted stays within its own.
     if (!precise()) {
       double low = std::min(limits_.error_px, bound);
       double high = bound;
@@ -250,6 +250,16 @@ class GridFit {
       if (bound != low) keep_within(low);
     }
     measure();
+  }
+  /// With all control points that no error beyond the largest forbids.
+  void find_all_errors() {
+    for (Cell& cell : cells_) cell = {.cut = cell.cut, .pixels = cell.pixels};
+    std::ranges::fill(errors_, std::numeric_limits<float>::quiet_NaN());
+    find_errors();
+    if (!every_pixel_) look_between_samples();
+    if (outline_ != nullptr) find_errors_in_cut_cells();
+    keep_within(limits_.largest_error_px);
+    if (!precise() && interpolate_errors()) count_kept();
   }
 
   static constexpr int kBoundSteps = 6;
@@ -278,6 +288,7 @@ class GridFit {
     std::array<std::uint16_t, kKinds> outside{};  ///< of them just outside without the grid
     float beyond_share = -1;                      ///< of all pixels, where it is known better than by counting samples
     bool cut = false;                             ///< by the outline
+    std::int32_t pixels = -1;                     ///< where those of such a cell begin in pixels_ and cut_errors_
   };
 
   /// How many pixels a sample stands for, in cells that the image's right and lower borders cut or not.
@@ -331,8 +342,7 @@ class GridFit {
 
   /// A pixel, or for one beyond the image the last of its row and column: whether it is in its row's span.
   bool in_span(int x, int y) const {
-    return outline_ == nullptr ||
-           outline_->span(std::min(y, geometry_.height - 1)).holds(std::min(x, geometry_.width - 1));
+    return outline_ == nullptr || span(std::min(y, geometry_.height - 1)).holds(std::min(x, geometry_.width - 1));
   }
   /// A sample on the skin beside the outline, which is followed there: nothing between the two can be missed.
   bool beside_outline(int x, int y) const {
@@ -340,7 +350,7 @@ class GridFit {
     const int down = 1 << lattice_.shape.y_log2;
     for (const int row : {y - down, y, y + down}) {
       if (row < 0 || row >= geometry_.height) continue;
-      const hls::table::Span& span = outline_->span(row);
+      const hls::table::Span& span = spans_[static_cast<std::size_t>(row)];
       const bool left = span.first == 0 || x - across >= span.first;
       const bool right = span.end == geometry_.width || x + across < span.end;
       if (span.end == 0 || !left || !right) return true;
@@ -353,6 +363,8 @@ class GridFit {
     return is_excluded(reason) && !(reason == Reason::grid && outline_ != nullptr && beside_outline(x, y));
   }
 
+  const hls::table::Span& span(int row) const { return spans_[static_cast<std::size_t>(row)]; }
+
   /// Control points beyond the outline get places that continue the skin inside, so that the cells that the outline cuts
   /// are right up to it.
   void follow_outline() {
@@ -362,50 +374,55 @@ class GridFit {
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (controls_.mapped[i] != 0) points[i] = {place_of(controls_.x[i]), place_of(controls_.y[i])};
     }
-    for (int row = 0; row < cell_rows_; ++row) mark_cut(row);
-    ControlFit fit;
+    mark_cut();
     std::vector<std::size_t> free;
-    for (int row = 0; row < cell_rows_; ++row) {
-      for (int column = 0; column < cell_columns_; ++column) {
-        if (!cells_[index(column, row)].cut) continue;
-        for (const auto& [c, r] :
-             {std::pair{column, row}, {column + 1, row}, {column, row + 1}, {column + 1, row + 1}}) {
-          const std::size_t at = point(c, r);
-          if (is_free[at] != 0 || is_fixed(c, r)) continue;
-          is_free[at] = 1;
-          free.push_back(at);
-        }
-        add_samples(column, row, fit);
+    for_cut_cells([&](int column, int row) {
+      for (const auto& [c, r] : {std::pair{column, row}, {column + 1, row}, {column, row + 1}, {column + 1, row + 1}}) {
+        const std::size_t at = point(c, r);
+        if (is_free[at] != 0 || is_fixed(c, r)) continue;
+        is_free[at] = 1;
+        free.push_back(at);
       }
-    }
-    if (!every_pixel_) add_ends(fit);
+    });
     continue_inside(free, is_free, points);
     std::erase_if(free, [&](std::size_t at) { return is_free[at] == 0; });
-    fit.solve(free, points);
-    for (const std::size_t at : free) controls_.set(at, MapTable::encode(points[at]));
+    ControlFit fit(std::move(free), points);
+    for_cut_cells([&](int column, int row) { add_equations(column, row, fit); });
+    fit.solve();
+    for (const std::size_t at : fit.free()) controls_.set(at, MapTable::encode(points[at]));
+  }
+  template <class Visit>
+  void for_cut_cells(Visit visit) const {
+    for (int row = 0; row < cell_rows_; ++row) {
+      for (int column = 0; column < cell_columns_; ++column) {
+        if (cells_[index(column, row)].cut) visit(column, row);
+      }
+    }
   }
   static double place_of(std::int32_t control) {
     return static_cast<double>(control) / hls::table::control_scale - hls::table::control_offset_px;
   }
 
-  /// Which cells of a row of them hold pixels of spans and others.
-  void mark_cut(int row) {
-    int least_first = geometry_.width;
-    int largest_first = 0;
-    int least_end = geometry_.width;
-    int largest_end = 0;
-    for (int y = row << ny_; y < std::min((row + 1) << ny_, geometry_.height); ++y) {
-      const hls::table::Span& span = outline_->span(y);
-      const int first = span.end == 0 ? geometry_.width : span.first;
-      least_first = std::min(least_first, first);
-      largest_first = std::max(largest_first, first);
-      least_end = std::min(least_end, span.end);
-      largest_end = std::max(largest_end, span.end);
-    }
-    for (int column = least_first >> nx_; column << nx_ < largest_end; ++column) {
-      const bool whole =
-          column << nx_ >= largest_first && std::min((column + 1) << nx_, geometry_.width) <= least_end;
-      cells_[index(column, row)].cut = !whole;
+  /// Which cells hold pixels of spans and others.
+  void mark_cut() {
+    for (Cell& cell : cells_) cell.cut = false;
+    for (int row = 0; row < cell_rows_; ++row) {
+      int least_first = geometry_.width;
+      int largest_first = 0;
+      int least_end = geometry_.width;
+      int largest_end = 0;
+      for (int y = row << ny_; y < std::min((row + 1) << ny_, geometry_.height); ++y) {
+        const int first = span(y).end == 0 ? geometry_.width : span(y).first;
+        least_first = std::min(least_first, first);
+        largest_first = std::max(largest_first, first);
+        least_end = std::min(least_end, span(y).end);
+        largest_end = std::max(largest_end, span(y).end);
+      }
+      for (int column = least_first >> nx_; column << nx_ < largest_end; ++column) {
+        const bool whole =
+            column << nx_ >= largest_first && std::min((column + 1) << nx_, geometry_.width) <= least_end;
+        cells_[index(column, row)].cut = !whole;
+      }
     }
   }
   /// Whether a control point is on the skin by itself.
@@ -416,38 +433,62 @@ class GridFit {
     return controls_.mapped[point(column, row)] != 0 && (reason == Reason::grid || !is_excluded(reason)) &&
            in_span(x, y);
   }
-  void add_equation(int x, int y, Point source, ControlFit& fit) const {
-    const int column = x >> nx_;
-    const int row = y >> ny_;
-    const double right = std::ldexp(x & ((1 << nx_) - 1), -nx_);
-    const double below = std::ldexp(y & ((1 << ny_) - 1), -ny_);
+  /// Of a cell that the outline cuts, what its pixels see, row by row as if it was whole; NaN outside of the outline.
+  std::size_t pixels_of(int column, int row) {
+    Cell& cell = cells_[index(column, row)];
+    if (cell.pixels < 0) {
+      cell.pixels = static_cast<std::int32_t>(pixels_.size());
+      constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+      pixels_.resize(pixels_.size() + (std::size_t{1} << (nx_ + ny_)), {kNan, kNan});
+      for (int y = row << ny_; y < std::min((row + 1) << ny_, geometry_.height); ++y) {
+        const hls::table::Span& whole = outline_->span(y);
+        const int end = std::min((column + 1) << nx_, whole.end);
+        for (int x = std::max(column << nx_, whole.first); x < end; ++x) {
+          pixels_[pixel(cell, x, y)] = outline_->source(x, y);
+        }
+      }
+    }
+    return static_cast<std::size_t>(cell.pixels);
+  }
+  std::size_t pixel(const Cell& cell, int x, int y) const {
+    const int in_cell_y = y & ((1 << ny_) - 1);
+    return static_cast<std::size_t>(cell.pixels) +
+           static_cast<std::size_t>((in_cell_y << nx_) + (x & ((1 << nx_) - 1)));
+  }
+  /// Pixels of a cell that the outline cuts, eight at most either way.
+  void add_equations(int column, int row, ControlFit& fit) {
     const std::size_t top = point(column, row);
     const std::size_t bottom = point(column, row + 1);
-    fit.add({{top, top + 1, bottom, bottom + 1},
-             {(1 - right) * (1 - below), right * (1 - below), (1 - right) * below, right * below},
-             source});
-  }
-  void add_samples(int column, int row, ControlFit& fit) const {
-    for (int y = row << ny_; y < std::min((row + 1) << ny_, geometry_.height); y += 1 << lattice_.shape.y_log2) {
-      for (int x = column << nx_; x < std::min((column + 1) << nx_, geometry_.width); x += 1 << lattice_.shape.x_log2) {
-        const std::size_t at = lattice_.index(x, y);
-        if (!in_span(x, y) || is_excluded_at(at, x, y) || std::isnan(lattice_.sources[at].x)) continue;
-        add_equation(x, y, lattice_.sources[at], fit);
+    const std::size_t pixels = pixels_of(column, row);
+    const int across_log2 = std::max(0, nx_ - 3);
+    const int down_log2 = std::max(0, ny_ - 3);
+    const double counts = std::ldexp(1.0, across_log2 + down_log2 - nx_ - ny_);
+    for (int y = 0; y < 1 << ny_; y += 1 << down_log2) {
+      for (int x = 0; x < 1 << nx_; x += 1 << across_log2) {
+        const Point& source = pixels_[pixels + static_cast<std::size_t>((y << nx_) + x)];
+        if (std::isnan(source.x)) continue;
+        fit.add({top, top + 1, bottom, bottom + 1}, std::ldexp(x, -nx_), std::ldexp(y, -ny_), source, counts);
       }
     }
   }
-  void add_ends(ControlFit& fit) const {
-    for_ends([&](int x, int y, Point source) { add_equation(x, y, source, fit); });
+  /// The columns of a cell that are in a row's span.
+  std::pair<int, int> in_cell(int column, int y) const {
+    return {std::max(column << nx_, span(y).first), std::min((column + 1) << nx_, span(y).end)};
   }
-  /// Visits the ends of spans in the image: `visit(x, y, source)`.
-  template <class Visit>
-  void for_ends(Visit visit) const {
-    for (int y = 0; y < geometry_.height; ++y) {
-      const hls::table::Span& span = outline_->span(y);
-      const auto& [first, last] = outline_->ends[static_cast<std::size_t>(y)];
-      if (span.first < span.end) visit(span.first, y, first);
-      if (span.first + 1 < span.end) visit(span.end - 1, y, last);
+  static constexpr std::array<double, 3> quadratic_weights(double u) {
+    return {(1 - 2 * u) * (1 - u), 4 * u * (1 - u), u * (2 * u - 1)};
+  }
+  static Point biquadratic(const std::array<std::array<Point, 3>, 3>& nodes, const std::array<double, 3>& across,
+                           const std::array<double, 3>& down) {
+    Point sum{0, 0};
+    for (std::size_t b = 0; b < 3; ++b) {
+      for (std::size_t a = 0; a < 3; ++a) {
+        const double weight = across[a] * down[b];
+        sum.x += weight * nodes[b][a].x;
+        sum.y += weight * nodes[b][a].y;
+      }
     }
+    return sum;
   }
 
   /// Where a free control point would be if the skin went on straight from the two beside it on one side: the mean of all
@@ -492,36 +533,72 @@ class GridFit {
     for (const std::size_t at : free) is_free[at] = known[at];
   }
 
-  /// At the last pixels on the skin.
-  void find_errors_at_ends() {
+  /// At every pixel of the cells that the outline cuts: near it the skin may bend more than samples show.
+  void find_errors_in_cut_cells() {
     const std::int32_t half = std::int32_t{1} << (MapTable::kFractionBits - weight_bits_ - 1);
     const std::int32_t low = kOffset - half;
     const std::int32_t high_x = kOffset + ((geometry_.width - 1) << MapTable::kFractionBits) + half;
     const std::int32_t high_y = kOffset + ((geometry_.height - 1) << MapTable::kFractionBits) + half;
-    for_ends([&](int x, int y, Point source) {
-      const int column = x >> nx_;
-      const int row = y >> ny_;
-      const std::int32_t right = (x & ((1 << nx_) - 1)) << (6 - nx_);
-      const std::int32_t below = (y & ((1 << ny_) - 1)) << (6 - ny_);
-      const std::size_t top = point(column, row);
-      const std::size_t bottom = below != 0 ? point(column, row + 1) : top;
-      const std::size_t beside = right != 0 ? 1 : 0;
-      if ((controls_.mapped[top] & controls_.mapped[top + beside] & controls_.mapped[bottom] &
-           controls_.mapped[bottom + beside]) == 0) {
-        return;
-      }
-      const auto between_all = [&](const std::vector<std::int32_t>& c) {
-        return (c[top] * (64 - below) + c[bottom] * below) * (64 - right) +
-               (c[top + beside] * (64 - below) + c[bottom + beside] * below) * right;
-      };
-      const std::int32_t ex = between_all(controls_.x);
-      const std::int32_t ey = between_all(controls_.y);
-      if (ex < low || ey < low || ex >= high_x || ey >= high_y) return;
-      const auto error = static_cast<float>(distance(error_of(ex, ey, source)));
+    cut_errors_.assign(pixels_.size(), -1);
+    for_cut_cells([&](int column, int row) {
       Cell& cell = cells_[index(column, row)];
-      const std::size_t kind = (right != 0 ? 1U : 0U) + (below != 0 ? 2U : 0U);
-      cell.worst[kind] = std::max(cell.worst[kind], std::isnan(error) ? kNever : error);
+      const std::size_t top = point(column, row);
+      const std::size_t bottom = point(column, row + 1);
+      const auto there = [&](std::size_t a, std::size_t b) { return (controls_.mapped[a] & controls_.mapped[b]) != 0; };
+      for (int y = row << ny_; y < std::min((row + 1) << ny_, geometry_.height); ++y) {
+        const std::int32_t below = (y & ((1 << ny_) - 1)) << (6 - ny_);
+        const std::size_t lower = below != 0 ? bottom : top;
+        if (!there(top, lower)) continue;
+        const auto down = [&](const std::vector<std::int32_t>& c, std::size_t side) {
+          return c[top + side] * (64 - below) + c[lower + side] * below;
+        };
+        const std::int32_t left_x = down(controls_.x, 0);
+        const std::int32_t left_y = down(controls_.y, 0);
+        const std::int32_t right_x = down(controls_.x, 1);
+        const std::int32_t right_y = down(controls_.y, 1);
+        const bool whole = there(top + 1, lower + 1);
+        const auto [begin, end] = in_cell(column, y);
+        for (int x = begin; x < end; ++x) {
+          const std::int32_t right = (x & ((1 << nx_) - 1)) << (6 - nx_);
+          if (right != 0 && !whole) break;
+          const std::int32_t ex = left_x * (64 - right) + right_x * right;
+          const std::int32_t ey = left_y * (64 - right) + right_y * right;
+          if (ex < low || ey < low || ex >= high_x || ey >= high_y) continue;
+          const std::size_t at = pixel(cell, x, y);
+          const double exactly = distance(error_of(ex, ey, pixels_[at]));
+          const float error = std::isnan(exactly) ? kNever : static_cast<float>(exactly);
+          float& worst = cell.worst[(right != 0 ? 1U : 0U) + (below != 0 ? 2U : 0U)];
+          worst = std::max(worst, error);
+          cut_errors_[at] = error;
+        }
+      }
     });
+  }
+
+  /// Takes from the ends of spans, in the cells that the outline cuts, what is off by more than the largest error: a few
+  /// pixels in place of the whole cell. Whether there was such a thing.
+  bool trim() {
+    bool trimmed = false;
+    for (int y = 0; y < geometry_.height; ++y) {
+      hls::table::Span& here = spans_[static_cast<std::size_t>(y)];
+      // How many pixels to take from x on, in a direction.
+      const auto taken = [&](int x, int direction) {
+        int last = 0;
+        for (int count = 1; here.holds(x); ++count, x += direction) {
+          const Cell& cell = cells_[index(x >> nx_, y >> ny_)];
+          if (!cell.cut) break;
+          if (cut_errors_[pixel(cell, x, y)] > limits_.largest_error_px) last = count;
+        }
+        return last;
+      };
+      const int left = taken(here.first, 1);
+      const int right = taken(here.end - 1, -1);
+      if (left + right == 0) continue;
+      trimmed = true;
+      here = left + right < here.end - here.first ? hls::table::Span{here.first + left, here.end - right}
+                                                  : hls::table::Span{};
+    }
+    return trimmed;
   }
 
   static constexpr std::int32_t kOffset = hls::table::control_offset_px << MapTable::kFractionBits;
@@ -538,7 +615,8 @@ class GridFit {
 
   /// Between exact control points a smooth map errs to one side, most in the middle of the cell; half of that error
   /// given to the control points leaves half of it. Where all cells around a control point agree on the side: the mean
-  /// of the largest and the smallest. Cells whose middle is not supervised have no say.
+  /// of the largest and the smallest. Cells whose middle is not supervised have no say. Where half is more than the share
+  /// that is wanted may err, more is given: the middle, where the error changes least, comes back within that.
   void centre_errors() {
     if (nx_ == 0 && ny_ == 0) return;
     // Of a row of cells, with nothing at both ends: the errors of those that have one, for a minimum and a maximum.
@@ -603,11 +681,19 @@ class GridFit {
         const std::size_t at = point(0, row) + c;
         if (controls_.mapped[at] == 0 || (errors[c].x == 0 && errors[c].y == 0)) continue;
         const Point exact = sources[(c << nx_) >> lattice_.shape.x_log2];
-        const auto word = MapTable::encode({exact.x - 0.5 * errors[c].x, exact.y - 0.5 * errors[c].y});
+        const double part = part_given(distance(errors[c]));
+        const auto word = MapTable::encode({exact.x - part * errors[c].x, exact.y - part * errors[c].y});
         if (word != MapTable::kUnmapped) controls_.set(at, word);
       }
       std::swap(above, here);
     }
+  }
+
+  /// Of the error in the middle, to the control points; never so much that these come near the largest error.
+  double part_given(double error_px) const {
+    constexpr double kMost = 0.8;
+    const double wanted = std::min(error_px - limits_.error_px, kMost * limits_.largest_error_px);
+    return std::max(0.5, wanted / error_px);
   }
 
   static Point error_of(std::int32_t x, std::int32_t y, Point source) {
@@ -640,8 +726,9 @@ class GridFit {
         const std::size_t count = std::min(across, samples - first);
         for (std::size_t i = 1; i < count; ++i) {
           const auto right = static_cast<std::int32_t>(i << (6 - step));
-          visit(first_cell + c, kind_y + 1, first_sample + first + i, x + (static_cast<int>(i) << lattice_.shape.x_log2),
-                y, x_at[c] * (64 - right) + x_at[c + 1] * right, y_at[c] * (64 - right) + y_at[c + 1] * right);
+          visit(first_cell + c, kind_y + 1, first_sample + first + i,
+                x + (static_cast<int>(i) << lattice_.shape.x_log2), y, x_at[c] * (64 - right) + x_at[c + 1] * right,
+                y_at[c] * (64 - right) + y_at[c + 1] * right);
         }
       }
     }
@@ -777,8 +864,9 @@ class GridFit {
   }
 
   /// Samples that stand for pixels when errors are ranked: all of them, or those of cells that are whole. The others
-  /// stand for parts of edges.
-  bool ranked(const std::array<bool, kKinds>& kept) const {
+  /// stand for parts of edges. Cells that the outline cuts, where the skin bends most, keep the largest error alone.
+  bool ranked(const Cell& cell, const std::array<bool, kKinds>& kept) const {
+    if (cell.cut) return false;
     return every_pixel_ ? kept[0] : kept[(nx_ > 0 ? 1 : 0) + (ny_ > 0 ? 2 : 0)];
   }
 
@@ -790,8 +878,7 @@ class GridFit {
     static constexpr auto kWeights = [] {
       std::array<std::array<double, 3>, kSide> weights{};
       for (std::size_t i = 0; i < kSide; ++i) {
-        const double u = static_cast<double>(i) / kSide;
-        weights[i] = {(1 - 2 * u) * (1 - u), 4 * u * (1 - u), u * (2 * u - 1)};
+        weights[i] = quadratic_weights(static_cast<double>(i) / kSide);
       }
       return weights;
     }();
@@ -812,15 +899,7 @@ class GridFit {
     CellErrors errors;
     for (std::size_t j = 0; j < kSide; ++j) {
       for (std::size_t i = 0; i < kSide; ++i) {
-        Point error{0, 0};
-        for (std::size_t b = 0; b < 3; ++b) {
-          for (std::size_t a = 0; a < 3; ++a) {
-            const double weight = kWeights[i][a] * kWeights[j][b];
-            error.x += weight * nodes[b][a].x;
-            error.y += weight * nodes[b][a].y;
-          }
-        }
-        errors[kSide * j + i] = static_cast<float>(distance(error));
+        errors[kSide * j + i] = static_cast<float>(distance(biquadratic(nodes, kWeights[i], kWeights[j])));
       }
     }
     return errors;
@@ -867,7 +946,7 @@ class GridFit {
         const auto kept = kept_kinds(column, row);
         const Cell& cell = cells_[index(column, row)];
         const Weights& weight = weights_of(column, row);
-        const bool counts = ranked(kept);
+        const bool counts = ranked(cell, kept);
         for (int kind = 0; kind < kKinds; ++kind) {
           if (!kept[kind]) continue;
           tally_.supervised += weight.kind[kind] * cell.inside[kind];
@@ -948,7 +1027,7 @@ class GridFit {
         const auto& worst = cell.worst;
         if (!(std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3])) > bound)) continue;
         const auto kept = kept_kinds(column, row);
-        if (!ranked(kept)) continue;
+        if (!ranked(cell, kept)) continue;
         if (cell.beyond_share >= 0) {
           const auto samples = static_cast<float>(cell.inside[0] + cell.inside[1] + cell.inside[2] + cell.inside[3]);
           for (const float error : errors_within(column, row)) {
@@ -1068,6 +1147,9 @@ class GridFit {
   std::array<Weights, 4> weights_;
   Tally tally_;
   std::vector<std::uint8_t> bad_;  ///< cells with something that must not be supervised
+  std::vector<hls::table::Span> spans_;
+  std::vector<Point> pixels_;      ///< sources of all pixels of cells that the outline cuts, cell by cell; NaN without
+  std::vector<float> cut_errors_;  ///< of the same; -1 outside of spans, or without all control points
   std::vector<float> errors_;      ///< of the lattice's samples; NaN where none would be read inside the image
   MapReport report_;
 };
@@ -1258,12 +1340,14 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
     take(looks, geometry, first, lattice);
   }
   check_lattice_rows(lattice, geometry, limits.view);
+  const auto* const rig_skin = dynamic_cast<const RigSkin*>(&skin);
+  const bool simple = rig_skin != nullptr && rig_skin->surface()->simple();
   const std::optional<Outline> outline = limits.spans ? outline_of(lattice, geometry) : std::nullopt;
   // The forecast only sorts out what is far off.
   CompiledMap map = choose(
       profile, geometry, limits, Forecast(lattice, geometry), outline ? &*outline : nullptr,
       [&](int nx, int ny, const Outline* spans) {
-        return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits, false, spans);
+        return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits, simple, spans);
       },
       4);
   const LatticeShape shape = control_shape(map.table);
@@ -1272,7 +1356,7 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
   skin.look_around(controls, sources);
   show_around(shape, sources, map.table);
   hls::table::Facts facts = facts_of(map.table, profile);
-  if (const auto* rig_skin = dynamic_cast<const RigSkin*>(&skin)) {
+  if (rig_skin != nullptr) {
     SkinScale(rig_skin->cameras(), profile, geometry).measure(*rig_skin->surface(), facts);
   }
   seal(map, facts);
@@ -1369,8 +1453,7 @@ CompiledMap MapCompiler::compile(const Surface& surface) {
   LookLattice coarse;
   look(surface, shape_of(geometry_, kForecastLog2, kForecastLog2, kForecastLog2, kForecastLog2), coarse);
   const Forecast forecast(coarse, geometry_);
-  const std::optional<Outline> outline =
-      limits_.spans ? outlines_.trace(cameras_, surface, coarse) : std::nullopt;
+  const std::optional<Outline> outline = limits_.spans ? outlines_.trace(cameras_, surface, coarse) : std::nullopt;
   lattice_.shape = {};
   const int coarsest = surface.simple() ? kSmoothLog2 : kFeatureLog2;
   const auto fit = [&](int nx, int ny, const Outline* spans) {

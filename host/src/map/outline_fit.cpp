@@ -52,12 +52,15 @@ std::optional<Outline> outline_of(const LookLattice& lattice, const ScanGeometry
   for (int y = 0; y < geometry.height; ++y) {
     const std::size_t row = lattice.index(0, y);
     const auto at = [&](int x) { return row + static_cast<std::size_t>(x); };
-    const Span span = longest_run(geometry.width, [&](int x) { return is_good(lattice.reasons[at(x)], lattice.sources[at(x)]); });
+    const Span span =
+        longest_run(geometry.width, [&](int x) { return is_good(lattice.reasons[at(x)], lattice.sources[at(x)]); });
     outline.spans.push_back(span);
-    outline.ends.emplace_back(is_empty(span) ? kNowhere : lattice.sources[at(span.first)],
-                              is_empty(span) ? kNowhere : lattice.sources[at(span.end - 1)]);
   }
   if (!has_an_end(outline, geometry.width)) return {};
+  outline.source = [&lattice](int x, int y) {
+    const std::size_t at = lattice.index(x, y);
+    return is_good(lattice.reasons[at], lattice.sources[at]) ? lattice.sources[at] : kNowhere;
+  };
   return outline;
 }
 
@@ -69,7 +72,12 @@ OutlineTracer::OutlineTracer(const CameraPair& cameras, const ScanGeometry& geom
       rays_(cameras.rays({}, view)) {}
 
 std::size_t OutlineTracer::rays_of(const CameraPair& cameras, int part, int y) {
-  std::int32_t& first = first_ray_[static_cast<std::size_t>(y) * static_cast<std::size_t>(parts_) + static_cast<std::size_t>(part)];
+  std::int32_t& first =
+      first_ray_[static_cast<std::size_t>(y) * static_cast<std::size_t>(parts_) + static_cast<std::size_t>(part)];
+  if (first < 0 && rays_.size() > kMostRays) {
+    std::ranges::fill(first_ray_, -1);
+    rays_ = cameras.rays({}, view_);
+  }
   if (first < 0) {
     std::array<Point, kSide> pixels;
     for (int i = 0; i < kSide; ++i) {
@@ -81,13 +89,18 @@ std::size_t OutlineTracer::rays_of(const CameraPair& cameras, int part, int y) {
   return static_cast<std::size_t>(first);
 }
 
-/// What the parts of a row that were looked at last see: one at each end of the span.
-struct OutlineTracer::Seen {
-  std::array<Look, kSide> looks;
-  int part = -1, y = -1;
-};
+const Look& OutlineTracer::look(const CameraPair& cameras, const Surface& surface, int x, int y, Seen& seen) {
+  const int part = x / kSide;
+  if (seen.part != part || seen.y != y) {
+    cameras.look(surface, rays_, geometry_.row_step(), view_, seen.looks, rays_of(cameras, part, y));
+    seen.part = part;
+    seen.y = y;
+  }
+  return seen.looks[static_cast<std::size_t>(x % kSide)];
+}
 
-std::optional<Outline> OutlineTracer::trace(const CameraPair& cameras, const Surface& surface, const LookLattice& coarse) {
+std::optional<Outline> OutlineTracer::trace(const CameraPair& cameras, const Surface& surface,
+                                            const LookLattice& coarse) {
   const int step_y = 1 << coarse.shape.y_log2;
   const int step_x_log2 = coarse.shape.x_log2;
   const int coarse_columns = ((geometry_.width - 1) >> step_x_log2) + 1;
@@ -107,29 +120,14 @@ std::optional<Outline> OutlineTracer::trace(const CameraPair& cameras, const Sur
     if (length(begin.back()) > length(begin[longest])) longest = begin.size() - 1;
   }
   if (all || is_empty(begin[longest])) return {};
-  if (rays_.size() > kMostRays) {
-    std::ranges::fill(first_ray_, -1);
-    rays_ = cameras.rays({}, view_);
-  }
 
-  std::array<Seen, 2> seen;
-  const auto look = [&](int side, int x, int y) -> const Look& {
-    Seen& s = seen[static_cast<std::size_t>(side)];
-    const int part = x / kSide;
-    if (s.part != part || s.y != y) {
-      cameras.look(surface, rays_, geometry_.row_step(), view_, s.looks, rays_of(cameras, part, y));
-      s.part = part;
-      s.y = y;
-    }
-    return s.looks[static_cast<std::size_t>(x % kSide)];
-  };
-  const auto good = [&](int side, int x, int y) {
-    const Look& seen_there = look(side, x, y);
-    return is_good(seen_there.reason, seen_there.source);
+  std::array<Seen, 2> seen;  // one at each end of a span
+  const auto good = [&](std::size_t side, int x, int y) {
+    const Look& there = look(cameras, surface, x, y, seen[side]);
+    return is_good(there.reason, there.source);
   };
   Outline outline;
   outline.spans.resize(static_cast<std::size_t>(geometry_.height));
-  outline.ends.resize(outline.spans.size(), {kNowhere, kNowhere});
   // From where it is said to be about.
   const auto trace_row = [&](int y, Span about) {
     int first = about.first;
@@ -148,8 +146,6 @@ std::optional<Outline> OutlineTracer::trace(const CameraPair& cameras, const Sur
       }
     }
     outline.spans[static_cast<std::size_t>(y)] = {first, last + 1};
-    outline.ends[static_cast<std::size_t>(y)] = {geometry_.from_frame(look(0, first, y).source),
-                                                 geometry_.from_frame(look(1, last, y).source)};
   };
   const auto trace_on = [&](int first_y, int direction) {
     for (int y = first_y; y >= 0 && y < geometry_.height; y += direction) {
@@ -167,50 +163,59 @@ std::optional<Outline> OutlineTracer::trace(const CameraPair& cameras, const Sur
   trace_on(middle, 1);
   trace_on(middle - 1, -1);
   if (!has_an_end(outline, geometry_.width)) return {};
+  outline.source = [this, &cameras, &surface, last = Seen{}](int x, int y) mutable {
+    const Look& there = look(cameras, surface, x, y, last);
+    return is_good(there.reason, there.source) ? geometry_.from_frame(there.source) : kNowhere;
+  };
   return outline;
 }
 
-void ControlFit::solve(std::span<const std::size_t> free, std::span<Point> points) const {
-  constexpr int kSweeps = 8;
-  constexpr double kStay = 0.02;  // how much the place from which a point comes counts
-  struct Use {
-    std::size_t equation;
-    double weight;
-  };
-  std::vector<std::int32_t> place(points.size(), -1);
-  for (std::size_t i = 0; i < free.size(); ++i) place[free[i]] = static_cast<std::int32_t>(i);
-  std::vector<std::vector<Use>> uses(free.size());
-  std::vector<Point> rest(equations_.size());  // what an equation lacks
-  for (std::size_t i = 0; i < equations_.size(); ++i) {
-    const Equation& e = equations_[i];
-    const auto is_known = [&](std::size_t k) { return e.weight[k] == 0 || !std::isnan(points[e.at[k]].x); };
-    if (!(is_known(0) && is_known(1) && is_known(2) && is_known(3))) continue;
-    rest[i] = e.source;
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (e.weight[k] == 0) continue;
-      rest[i].x -= e.weight[k] * points[e.at[k]].x;
-      rest[i].y -= e.weight[k] * points[e.at[k]].y;
-      if (place[e.at[k]] >= 0) uses[static_cast<std::size_t>(place[e.at[k]])].push_back({i, e.weight[k]});
-    }
+ControlFit::ControlFit(std::vector<std::size_t> free, std::vector<Point>& points)
+    : free_(std::move(free)), points_(points), from_(free_.size()), uses_(free_.size()) {
+  place_.assign(points_.size(), -1);
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    place_[free_[i]] = static_cast<std::int32_t>(i);
+    from_[i] = points_[free_[i]];
   }
-  std::vector<Point> from(free.size());
-  for (std::size_t i = 0; i < free.size(); ++i) from[i] = points[free[i]];
+}
+
+void ControlFit::add(const std::array<std::size_t, 4>& at, double right, double below, Point source, double counts) {
+  const std::array<double, 4> weights{(1 - right) * (1 - below), right * (1 - below), (1 - right) * below,
+                                      right * below};
+  bool moves = false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (weights[k] == 0) continue;
+    source.x -= weights[k] * points_[at[k]].x;
+    source.y -= weights[k] * points_[at[k]].y;
+    moves = moves || place_[at[k]] >= 0;
+  }
+  if (!moves || std::isnan(source.x)) return;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (weights[k] == 0 || place_[at[k]] < 0) continue;
+    uses_[static_cast<std::size_t>(place_[at[k]])].push_back({rest_.size(), weights[k], counts});
+  }
+  rest_.push_back(source);
+}
+
+void ControlFit::solve() {
+  constexpr int kSweeps = 6;
+  constexpr double kStay = 1e-3;  // how much the place from which a point comes counts
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      Point& point = points[free[i]];
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      Point& point = points_[free_[i]];
       double squares = kStay;
-      Point wanted{kStay * (from[i].x - point.x), kStay * (from[i].y - point.y)};
-      for (const Use& use : uses[i]) {
-        squares += use.weight * use.weight;
-        wanted.x += use.weight * rest[use.equation].x;
-        wanted.y += use.weight * rest[use.equation].y;
+      Point by{kStay * (from_[i].x - point.x), kStay * (from_[i].y - point.y)};
+      for (const Use& use : uses_[i]) {
+        squares += use.counts * use.weight * use.weight;
+        by.x += use.counts * use.weight * rest_[use.equation].x;
+        by.y += use.counts * use.weight * rest_[use.equation].y;
       }
-      const Point move{wanted.x / squares, wanted.y / squares};
-      point.x += move.x;
-      point.y += move.y;
-      for (const Use& use : uses[i]) {
-        rest[use.equation].x -= use.weight * move.x;
-        rest[use.equation].y -= use.weight * move.y;
+      by = {by.x / squares, by.y / squares};
+      point.x += by.x;
+      point.y += by.y;
+      for (const Use& use : uses_[i]) {
+        rest_[use.equation].x -= use.weight * by.x;
+        rest_[use.equation].y -= use.weight * by.y;
       }
     }
   }

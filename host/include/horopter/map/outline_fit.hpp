@@ -5,9 +5,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "horopter/hls/table_format.hpp"
@@ -26,8 +26,9 @@ constexpr bool is_excluded(Reason reason) { return reason != Reason::none && rea
 /// the one that goes on from row to row.
 struct Outline {
   std::vector<hls::table::Span> spans;
-  /// Sources of the first and the last pixel of each span, in the scan's coordinates; NaN of an empty one.
-  std::vector<std::pair<Point, Point>> ends;
+  /// Of a pixel in the scan's coordinates; NaN where it must not be supervised. Neighbours of a row are quick. As long as
+  /// what the outline was made of lives.
+  std::function<Point(int x, int y)> source;
 
   const hls::table::Span& span(int row) const { return spans[static_cast<std::size_t>(row)]; }
 };
@@ -42,37 +43,51 @@ class OutlineTracer {
   OutlineTracer(const CameraPair& cameras, const ScanGeometry& geometry, const ViewLimits& view);
   /// `coarse`, what every 2^n-th pixel sees, says where to begin; nothing where all or none of that is on the skin. Pixels
   /// between both ends of a span are not looked at.
+  /// The outline lives as long as the tracer, the cameras and the surface.
   std::optional<Outline> trace(const CameraPair& cameras, const Surface& surface, const LookLattice& coarse);
 
  private:
-  static constexpr int kSide = 8;                            ///< pixels of a row that are looked at together
+  static constexpr int kSide = 8;                                 ///< pixels of a row that are looked at together
   static constexpr std::size_t kMostRays = std::size_t{1} << 19;  ///< kept: 60 MB
-  struct Seen;
+  /// The part of a row that was looked at last.
+  struct Seen {
+    std::array<Look, kSide> looks;
+    int part = -1, y = -1;
+  };
+  const Look& look(const CameraPair& cameras, const Surface& surface, int x, int y, Seen& seen);
   std::size_t rays_of(const CameraPair& cameras, int part, int y);
 
   ScanGeometry geometry_;
   ViewLimits view_;
-  int parts_;                          ///< of a row
+  int parts_;                            ///< of a row
   std::vector<std::int32_t> first_ray_;  ///< of each part of each row; -1 where there are none yet
   Rays rays_;
 };
 
-/// Least squares of control points that are on no skin from what is seen beside them.
+/// Control points from what is seen between them: least squares.
 class ControlFit {
  public:
-  /// Four control points, how much each counts, and the source that they must make together.
-  struct Equation {
-    std::array<std::size_t, 4> at;
-    std::array<double, 4> weight;
-    Point source;
-  };
-  void add(const Equation& equation) { equations_.push_back(equation); }
-  /// `free`: the control points that may move, from where they are. `points` has the sources of all, NaN where one is
-  /// missing: equations that need it do not count.
-  void solve(std::span<const std::size_t> free, std::span<Point> points) const;
+  /// The control points that may move, of all `points`; those without a place are NaN, and what needs one of them does not
+  /// count. `points` must live as long.
+  ControlFit(std::vector<std::size_t> free, std::vector<Point>& points);
+  /// Of four control points, the upper two first, what must be seen between them, in parts of a cell right of and below
+  /// the first; it counts as so many.
+  void add(const std::array<std::size_t, 4>& at, double right, double below, Point source, double counts);
+  /// Moves the points.
+  void solve();
+  const std::vector<std::size_t>& free() const { return free_; }
 
  private:
-  std::vector<Equation> equations_;
+  struct Use {
+    std::size_t equation;
+    double weight, counts;
+  };
+  std::vector<std::size_t> free_;
+  std::vector<Point>& points_;
+  std::vector<Point> from_;
+  std::vector<std::int32_t> place_;     ///< of a point among the free ones, or -1
+  std::vector<std::vector<Use>> uses_;  ///< of each free point
+  std::vector<Point> rest_;             ///< what each equation lacks
 };
 
 }  // namespace horopter
