@@ -213,6 +213,15 @@ class GridFit {
   }
 
   const MapReport& report() const { return report_; }
+  /// The share that is wanted leaves out cells that the outline cuts, where the skin bends most. Whether there are any.
+  bool leave_out_cut() {
+    if (outline_ == nullptr) return false;
+    leaves_out_cut_ = true;
+    report_ = {};
+    keep_within(limits_.largest_error_px);
+    keep_precise();
+    return true;
+  }
   CompiledMap take() const {
     MapTable table(geometry_, nx_, ny_);
     for (int row = 0; row <= cell_rows_; ++row) {
@@ -237,8 +246,11 @@ class GridFit {
     }
     find_all_errors();
     if (outline_ != nullptr && trim()) find_all_errors();
+    keep_precise();
+  }
+  /// The largest bound by which the share that is wanted stays within its own.
+  void keep_precise() {
     double bound = limits_.largest_error_px;
-    // The largest bound by which the share that is wanted stays within its own.
     if (!precise()) {
       double low = std::min(limits_.error_px, bound);
       double high = bound;
@@ -259,7 +271,7 @@ class GridFit {
     if (!every_pixel_) look_between_samples();
     if (outline_ != nullptr) find_errors_in_cut_cells();
     keep_within(limits_.largest_error_px);
-    if (!precise() && interpolate_errors()) count_kept();
+    if ((!precise() || outline_ != nullptr) && interpolate_errors()) count_kept();
   }
 
   static constexpr int kBoundSteps = 6;
@@ -288,6 +300,7 @@ class GridFit {
     std::array<std::uint16_t, kKinds> outside{};  ///< of them just outside without the grid
     float beyond_share = -1;                      ///< of all pixels, where it is known better than by counting samples
     bool cut = false;                             ///< by the outline
+    int errors = 0;                               ///< of such a cell: its pixels that have one
     std::int32_t pixels = -1;                     ///< where those of such a cell begin in pixels_ and cut_errors_
   };
 
@@ -545,6 +558,7 @@ class GridFit {
       const std::size_t top = point(column, row);
       const std::size_t bottom = point(column, row + 1);
       const auto there = [&](std::size_t a, std::size_t b) { return (controls_.mapped[a] & controls_.mapped[b]) != 0; };
+      int beyond = 0;
       for (int y = row << ny_; y < std::min((row + 1) << ny_, geometry_.height); ++y) {
         const std::int32_t below = (y & ((1 << ny_) - 1)) << (6 - ny_);
         const std::size_t lower = below != 0 ? bottom : top;
@@ -570,7 +584,13 @@ class GridFit {
           float& worst = cell.worst[(right != 0 ? 1U : 0U) + (below != 0 ? 2U : 0U)];
           worst = std::max(worst, error);
           cut_errors_[at] = error;
+          ++cell.errors;
+          beyond += error > limits_.error_px ? 1 : 0;
         }
+      }
+      // They are all known.
+      if (!every_pixel_ && cell.errors > 0) {
+        cell.beyond_share = static_cast<float>(beyond) / static_cast<float>(cell.errors);
       }
     });
   }
@@ -864,9 +884,9 @@ class GridFit {
   }
 
   /// Samples that stand for pixels when errors are ranked: all of them, or those of cells that are whole. The others
-  /// stand for parts of edges. Cells that the outline cuts, where the skin bends most, keep the largest error alone.
+  /// stand for parts of edges. Those of cells that the outline cuts may be left out.
   bool ranked(const Cell& cell, const std::array<bool, kKinds>& kept) const {
-    if (cell.cut) return false;
+    if (cell.cut && leaves_out_cut_) return false;
     return every_pixel_ ? kept[0] : kept[(nx_ > 0 ? 1 : 0) + (ny_ > 0 ? 2 : 0)];
   }
 
@@ -909,11 +929,17 @@ class GridFit {
   /// samples are the extremes of a cell, so to count them would be to count too many. Whether there are such cells.
   bool interpolate_errors() {
     if (!smooth_ || nx_ - lattice_.shape.x_log2 != 1 || ny_ - lattice_.shape.y_log2 != 1) return false;
+    // Where an outline lets cells be large, more than the samples may be beyond.
+    constexpr int kLargeLog2 = 8;
+    const bool large = outline_ != nullptr && nx_ + ny_ >= kLargeLog2;
+    const auto least = static_cast<float>(large ? 0.5 * limits_.error_px : limits_.error_px);
     bool any = false;
     for (int row = 0; row < cell_rows_; ++row) {
       for (int column = 0; column < cell_columns_; ++column) {
         Cell& cell = cells_[index(column, row)];
-        if (cell.cut || cell.beyond[0] + cell.beyond[1] + cell.beyond[2] + cell.beyond[3] == 0) continue;
+        if (cell.beyond_share >= 0) continue;
+        const float worst = std::max(std::max(cell.worst[0], cell.worst[1]), std::max(cell.worst[2], cell.worst[3]));
+        if (worst <= least) continue;
         const std::size_t top = point(column, row);
         const std::size_t bottom = point(column, row + 1);
         if ((controls_.mapped[top] & controls_.mapped[top + 1] & controls_.mapped[bottom] &
@@ -931,12 +957,18 @@ class GridFit {
     return any;
   }
 
+  /// In a whole cell, or, of one that the outline cuts, as many as its pixels would be.
+  double samples_in(const Cell& cell) const {
+    if (cell.cut) return std::ldexp(cell.errors, -lattice_.shape.x_log2 - lattice_.shape.y_log2);
+    return cell.inside[0] + cell.inside[1] + cell.inside[2] + cell.inside[3];
+  }
+
   /// What is kept.
   struct Tally {
-    double supervised = 0;    ///< pixels, samples standing for those around them
-    double outside = 0;       ///< of them just outside without the grid
-    std::int64_t ranked = 0;  ///< samples
-    double beyond = 0;        ///< of them further off than the share that is wanted may be
+    double supervised = 0;  ///< pixels, samples standing for those around them
+    double outside = 0;     ///< of them just outside without the grid
+    double ranked = 0;      ///< samples
+    double beyond = 0;      ///< of them further off than the share that is wanted may be
   };
   void count_kept() {
     tally_ = {};
@@ -951,16 +983,19 @@ class GridFit {
           if (!kept[kind]) continue;
           tally_.supervised += weight.kind[kind] * cell.inside[kind];
           tally_.outside += weight.kind[kind] * cell.outside[kind];
-          if (!counts) continue;
+          if (!counts || cell.beyond_share >= 0) continue;
           tally_.ranked += cell.inside[kind];
-          tally_.beyond += cell.beyond_share < 0 ? cell.beyond[kind] : cell.beyond_share * cell.inside[kind];
+          tally_.beyond += cell.beyond[kind];
         }
+        if (!counts || cell.beyond_share < 0) continue;
+        tally_.ranked += samples_in(cell);
+        tally_.beyond += cell.beyond_share * samples_in(cell);
       }
     }
   }
 
   /// Whether the share that is wanted lies within its bound.
-  bool precise() const { return tally_.beyond <= (1 - limits_.share) * static_cast<double>(tally_.ranked); }
+  bool precise() const { return tally_.beyond <= (1 - limits_.share) * tally_.ranked; }
 
   /// Pixels by reason, samples standing for those around them.
   void count_pixels() {
@@ -1029,9 +1064,17 @@ class GridFit {
         const auto kept = kept_kinds(column, row);
         if (!ranked(cell, kept)) continue;
         if (cell.beyond_share >= 0) {
-          const auto samples = static_cast<float>(cell.inside[0] + cell.inside[1] + cell.inside[2] + cell.inside[3]);
-          for (const float error : errors_within(column, row)) {
-            if (error > bound) errors.push_back({error, samples / (kSide * kSide)});
+          const auto samples = static_cast<float>(samples_in(cell));
+          const auto add = [&](std::span<const float> all, int count) {
+            for (const float error : all) {
+              if (error > bound && error >= 0) errors.push_back({error, samples / static_cast<float>(count)});
+            }
+          };
+          if (cell.cut) {
+            add(std::span(cut_errors_).subspan(static_cast<std::size_t>(cell.pixels), std::size_t{1} << (nx_ + ny_)),
+                cell.errors);
+          } else {
+            add(errors_within(column, row), kSide * kSide);
           }
           continue;
         }
@@ -1050,7 +1093,7 @@ class GridFit {
   void rank_errors() {
     if (tally_.ranked == 0) return;
     // From the largest on; most are small.
-    const double beyond = (1 - limits_.share) * static_cast<double>(tally_.ranked);
+    const double beyond = (1 - limits_.share) * tally_.ranked;
     for (const double bound : {0.45 * limits_.error_px, 0.25 * limits_.error_px, -1.0}) {
       std::vector<Ranked> errors = errors_above(static_cast<float>(bound));
       std::ranges::sort(errors, std::ranges::greater{}, &Ranked::error);
@@ -1140,6 +1183,7 @@ class GridFit {
   int nx_, ny_, weight_bits_;
   bool every_pixel_;
   const Outline* outline_;  ///< or none
+  bool leaves_out_cut_ = false;
   int cell_columns_, cell_rows_;
   Controls controls_;               ///< before any is given up
   std::vector<std::uint8_t> kept_;  ///< that are not
@@ -1242,6 +1286,7 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
   const std::size_t largest = limits.largest_bytes != 0 ? limits.largest_bytes : profile.pool_bytes;
   const std::vector<Spacing> spacings = spacings_of(geometry, limits.largest_spacing_log2, largest, outline != nullptr);
   std::optional<CompiledMap> best;
+  std::optional<CompiledMap> best_of_whole_cells;  // within the limits, but for cells that the outline cuts
   std::optional<UnseenError> nothing;
   std::vector<const Spacing*> tried;
   const auto consider = [&](const GridFit& grid) {
@@ -1258,15 +1303,21 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
   const auto attempt = [&](const Spacing& spacing) {
     if (std::ranges::find(tried, &spacing) != tried.end()) return false;
     tried.push_back(&spacing);
-    return consider(fit(spacing.nx, spacing.ny, outline)) ||
-           (outline != nullptr && consider(fit(spacing.nx, spacing.ny, nullptr)));
+    GridFit grid = fit(spacing.nx, spacing.ny, outline);
+    if (consider(grid)) return true;
+    if (!best_of_whole_cells && grid.leave_out_cut() && grid.report().lost_share() <= limits.largest_lost_share) {
+      best_of_whole_cells = grid.take();
+    }
+    if (best_of_whole_cells) return false;
+    return outline != nullptr && consider(fit(spacing.nx, spacing.ny, nullptr));
   };
   const auto beyond = [&](const Spacing& s, double error_px) { return forecast.share_beyond(s.nx, s.ny, error_px); };
   const auto likely = [&](const Spacing& s) {
     return (outline != nullptr || forecast.lost_share(s.nx, s.ny) <= limits.largest_lost_share * margin) &&
            beyond(s, limits.error_px * margin) <= (1 - limits.share) * margin;
   };
-  if (!std::ranges::any_of(spacings, [&](const Spacing& s) { return likely(s) && attempt(s); })) {
+  const bool found = std::ranges::any_of(spacings, [&](const Spacing& s) { return likely(s) && attempt(s); });
+  if (!found && !best_of_whole_cells) {
     // Where creases, or the border of what is seen, keep too many pixels off, the grid loses them all.
     std::multimap<double, const Spacing*> last;  // equal ones in the order of `spacings`
     for (const Spacing& s : spacings) {
@@ -1274,8 +1325,11 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
       last.emplace(forecast.lost_share(s.nx, s.ny) + too_many, &s);
     }
     std::ranges::any_of(last | std::views::take(kLastTries), [&](const auto& s) {
-      return s.first <= kWorthATry * last.begin()->first && attempt(*s.second);
+      return s.first <= kWorthATry * last.begin()->first && (attempt(*s.second) || best_of_whole_cells);
     });
+  }
+  if (best_of_whole_cells && !(best && best->report.lost_share() <= limits.largest_lost_share)) {
+    best = std::move(best_of_whole_cells);
   }
   if (!best && nothing) throw UnseenError(*nothing);
   if (!best) {

@@ -33,7 +33,7 @@ class RowError : public std::runtime_error {
 void check_rows(const RowCount& rows, const ViewLimits& view);
 
 struct MapLimits {
-  double share = 0.99;               ///< of the supervised pixels, but for those of cells that an outline cuts, …
+  double share = 0.99;               ///< of the supervised pixels (of whole cells, where none fits the pool else) …
   double error_px = 1.0 / 16;        ///< … stay within this distance of the skin
   double largest_error_px = 0.25;    ///< all do: the grid loses those that would not
   double largest_lost_share = 0.02;  ///< of the pixels that could be supervised; else the table that loses least
