@@ -344,6 +344,14 @@ TEST_CASE("Tables whose CRCs hold and that are not true are refused") {
     maps.maps[1].table.seal(facts);
     maps.maps[1].report.crc = maps.maps[1].table.crc();
   });
+  refused("table 0: facts that are not true", [](MapSet& maps) {  // of a table that supervises less
+    auto& [table, report] = maps.maps[0];
+    const auto facts = table.facts();
+    table.set_spans(std::vector<hls::table::Span>(static_cast<std::size_t>(table.geometry().height), {40, 400}));
+    table.seal(facts);
+    report.crc = table.crc();
+    report.pool_bytes = table.pool_bytes();
+  });
   refused("a report that is not true", [](MapSet& maps) { maps.maps[0].report.lookahead -= 1; });
   refused("a report that is not true", [](MapSet& maps) { maps.maps[0].report.reach.behind -= 1; });
   refused("a report that is not true", [](MapSet& maps) { maps.maps[0].report.by_reason[0] += 1; });
