@@ -30,6 +30,9 @@ constexpr int kFeatureLog2 = 2;
 /// Grids tried where none loses little enough, and how much more than with the first of them may be expected to be lost.
 constexpr int kLastTries = 3;
 constexpr double kWorthATry = 1.05;
+/// The precision of cells that an outline cuts is left out where the limit is kept then, or nearly, and much less is lost.
+constexpr double kMuchLess = 0.75;
+constexpr double kNearly = 1.25;
 
 constexpr double kFraction = 1.0 / (1 << MapTable::kFractionBits);
 
@@ -1305,7 +1308,9 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
     tried.push_back(&spacing);
     GridFit grid = fit(spacing.nx, spacing.ny, outline);
     if (consider(grid)) return true;
-    if (!best_of_whole_cells && grid.leave_out_cut() && grid.report().lost_share() <= limits.largest_lost_share) {
+    const double much_less = std::min(kMuchLess * grid.report().lost_share(), kNearly * limits.largest_lost_share);
+    if (!best_of_whole_cells && grid.leave_out_cut() &&
+        grid.report().lost_share() <= std::max(limits.largest_lost_share, much_less)) {
       best_of_whole_cells = grid.take();
     }
     if (best_of_whole_cells) return false;
