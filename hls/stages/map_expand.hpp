@@ -4,9 +4,11 @@
 // In    a row is one `prime` beat, which brings column 0 of the grid, then one beat per pixel; a pixel with
 //       x mod 2^spacing = 0 has `load` set and brings column x / 2^spacing + 1. `column` holds the control points above
 //       and below the row (swapped: below and above), `row_fraction` the row's place between them in 1/64 of a cell.
+//       `outside`: the pixel is outside of its row's span, so not on the skin, whatever its control points are.
 // Out   none for prime beats; else the top left of the 2×2 source pixels in px, weights of the right and lower ones in
 //       1/2^W. `present` if all control points of non-zero weight have a source and the address is not negative,
-//       `mapped` if they also belong to the skin: others only show what is around it, for `agreement`.
+//       `mapped` if they also belong to the skin and the pixel is not outside: others only show what is around it, for
+//       `agreement`.
 //       Whether the source lies inside the image and in the store is for the store to say.
 // Exact bilinear interpolation: vertical, (64 − f)·top + f·bottom, then along the row by adding the 1/64 part of the
 // difference of two columns per pixel; rounded half up to 1/2^W px at the end only. Error against real arithmetic:
@@ -47,6 +49,7 @@ class MapExpander {
     bool load = false;
     ControlPair column;
     u<6> row_fraction;
+    bool outside = false;
     RasterMarks marks;
   };
   struct Config {
@@ -86,7 +89,7 @@ class MapExpander {
     const bool y_inside = place(y, out.y, out.wy);
     const bool inside = x_inside && y_inside;
     out.present = left_valid_ && right_valid && inside;
-    out.mapped = left_of_skin_ && right_of_skin && inside;
+    out.mapped = left_of_skin_ && right_of_skin && inside && !in.outside;
     out.marks = in.marks;
     return out;
   }

@@ -399,6 +399,7 @@ class Pipeline {
       const auto fetch = [&](int column) {
         return stages::ControlPair{table.control(column, cell_row), table.control(column, cell_row + 1)};
       };
+      const hls::table::Span span = table.span(y);
       in.prime = true;
       in.column = fetch(0);
       map_expand_.step(in, map_config_);
@@ -406,6 +407,7 @@ class Pipeline {
       for (int x = 0; x < table.width(); ++x) {
         in.load = (x & cell_mask) == 0;
         if (in.load) in.column = fetch((x >> table.spacing_x_log2()) + 1);
+        in.outside = !span.holds(x);
         locate(y, map_expand_.step(in, map_config_), table, result);
       }
     }

@@ -21,6 +21,10 @@ class TableView {
   [[nodiscard]] int height() const { return header_.geometry.height; }
   [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
 
+  [[nodiscard]] hls::table::Span span(int row) const {
+    return header_.geometry.spans ? hls::table::Span::of(words_[header_.first_span + static_cast<std::size_t>(row)])
+                                  : hls::table::Span{0, header_.geometry.width};
+  }
   [[nodiscard]] stages::ControlPoint control(int column, int row) const {
     const std::uint32_t word = words_[header_.first_control + header_.geometry.control_index(column, row)];
     using namespace hls::table;

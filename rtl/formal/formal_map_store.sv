@@ -56,6 +56,7 @@ module formal_map_store (
       .table_nx_o(),
       .table_ny_o(),
       .table_columns_o(),
+      .table_spans_o(),
       .table_crc_o(),
       .table_undecidable_limit_o(),
       .table_unsupervised_o(),
@@ -70,6 +71,8 @@ module formal_map_store (
   (* hierconn *) wire [3:0] \dut.state_q ;
   (* hierconn *) wire [3:0] \dut.slot_q ;
   (* hierconn *) wire [15:0] \dut.base_q ;
+  (* hierconn *) wire \dut.spans_q ;
+  (* hierconn *) wire [11:0] \dut.height_q ;
   (* hierconn *) wire [23:0] \dut.size_q ;
   (* hierconn *) wire [23:0] \dut.end_q ;
   (* hierconn *) wire \dut.complete_q ;
@@ -115,6 +118,8 @@ module formal_map_store (
     end
   end
 
+  logic [23:0] behind_spans;  // where the upload's control points begin
+  assign behind_spans = 24'(\dut.base_q ) + (\dut.spans_q ? 24'(\dut.height_q [11:1]) + 24'(\dut.height_q [0]) : 24'd0);
   logic apart;  // the upload's region and the watched table's
   assign apart = 24'(behind) <= 24'(\dut.base_q ) || 24'(first) >= \dut.end_q ;
 
@@ -139,11 +144,14 @@ module formal_map_store (
       if (\dut.checked_q ) assert (\dut.state_q == CHECK && !\dut.waiting_q && !\dut.take );
       if (\dut.state_q == SIZE) begin
         assert (\dut.step_q <= 7'd13);
-        if (\dut.step_q < 7'd12) assert (32'(\dut.size_q ) + 32'd4095 <= 32'd4095 << \dut.step_q );
+        if (\dut.step_q < 7'd12) begin
+          assert (32'(\dut.size_q ) + 32'd4095 <= 32'd4095 << \dut.step_q );
+          assert (\dut.end_q == behind_spans);
+        end
       end
       if (\dut.state_q == SIZE && \dut.step_q == 7'd13) assert (\dut.too_large_q == (\dut.end_q > 24'd16) && (\dut.bad_size_q || \dut.size_q != 24'd0));
       if (\dut.state_q == SIZE && \dut.step_q >= 7'd12 || \dut.state_q == WALK)
-        assert (\dut.end_q == \dut.size_q + 24'(\dut.base_q ) && \dut.size_q < 24'd8388608);
+        assert (\dut.end_q == \dut.size_q + behind_spans && \dut.size_q < 24'd8388608);
       if (\dut.state_q == WALK) assert (\dut.step_q <= 7'd64);
       assert (\dut.state_q <= CHECK);
       if (\dut.state_q >= WALK)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Map store: a pool of control points in two banks, a directory of the tables in it, and the parser of uploads.
+// Map store: a pool of spans and control points in two banks, a directory of the tables in it, and the parser of uploads.
 //
 // Pool: word64 w = control points of an even (bank 0) and of the odd control row below (bank 1) at one column; the
 // banks have their own addresses, so that any two rows above each other are read in one clock. Data comes 2 clocks
-// after the address, 5 with FAST.
+// after the address, 5 with FAST. Before a table's control points lie its spans, if it has them: those of an even row of
+// pixels and of the odd one below in a word64.
 //
-// Upload: start, then the words of hls/include/horopter/hls/table_format.hpp: header, facts, control points, CRC-32. The
+// Upload: start, then the words of hls/include/horopter/hls/table_format.hpp: header, facts, spans, control points, CRC-32. The
 // facts go through the CRC; of them the pixels that no rule can judge are kept. A slot becomes invalid when an upload into it starts and valid when its CRC
 // is right. A table that the new one overlaps becomes invalid. An upload into a slot or a region in use is refused and
 // changes nothing. In use: valid, and selected or made the current output frame, while running.
@@ -55,6 +56,7 @@ module horopter_map_store #(
     output logic [          2:0] table_nx_o,
     output logic [          2:0] table_ny_o,
     output logic [         11:0] table_columns_o,
+    output logic                 table_spans_o,
     output logic [         31:0] table_crc_o,
     output logic [         23:0] table_undecidable_limit_o,
     output logic [         47:0] table_unsupervised_o,  // pixels that thesis (low half), compete cannot judge: words 6, 7
@@ -83,11 +85,11 @@ module horopter_map_store #(
     HEAD0,
     HEAD1,
     HEAD2,
-    SIZE,  // row pairs × columns, and whether the header agrees with itself
+    SIZE,  // row pairs × columns, behind the spans, and whether the header agrees with itself
     WALK,  // which tables it would overlap
     HEAD3,
     FACTS,
-    DATA,
+    DATA,  // spans and control points
     CHECK
   } state_e;
   state_e state_q;
@@ -107,6 +109,7 @@ module horopter_map_store #(
 
   logic [3:0] slot_q;
   logic [2:0] nx_q, ny_q;
+  logic spans_q;
   logic [11:0] columns_q, width_q, height_q;
   logic [10:0] pairs_q;
   logic [15:0] base_q;
@@ -117,7 +120,7 @@ module horopter_map_store #(
   // By slot; the last one, which is none, stays 0, as a power of two needs no bounds.
   logic [15:0] valid_q, overlap_q;
   logic [6:0] step_q;
-  logic [23:0] size_q, end_q;  // words; address after the last
+  logic [23:0] size_q, end_q;  // words of control points; address after the last, before that after the spans
   logic [ADDR_BITS:0] end_addr;  // the same, once it is known to be in the pool
   logic [ADDR_BITS:0] write_addr_q;
   logic odd_q, complete_q;  // data: the odd row's is next; all is there
@@ -219,7 +222,7 @@ module horopter_map_store #(
       case (state_q)
         HEAD0:
         if (take) begin
-          if (data[31:8] != FIRST_WORD || data[7] || data[3] || data[6:4] > LARGEST_SPACING || data[2:0] > LARGEST_SPACING) begin
+          if (data[31:8] != FIRST_WORD || data[3] || data[6:4] > LARGEST_SPACING || data[2:0] > LARGEST_SPACING) begin
             state_q <= IDLE;
             error_o <= BAD_HEADER;
             bad_upload_o <= 1'b1;
@@ -308,6 +311,7 @@ module horopter_map_store #(
       if (take) begin
         nx_q <= data[6:4];
         ny_q <= data[2:0];
+        spans_q <= data[7];
       end
 
       HEAD1:
@@ -325,6 +329,7 @@ module horopter_map_store #(
         cells_x_q <= data[11:0] - 12'd1;
         cells_y_q <= data[27:16] - 12'd1;
         size_q <= 24'd0;
+        end_q <= 24'(base_q) + (spans_q ? 24'(data[27:17]) + 24'(data[16]) : 24'd0);
         step_q <= 7'd0;
       end
 
@@ -338,7 +343,7 @@ module horopter_map_store #(
         end
         if (halve_x_q) cells_x_q <= {1'b0, cells_x_q[11:1]};
         if (halve_y_q) cells_y_q <= {1'b0, cells_y_q[11:1]};
-        if (step_q == 7'd11) end_q <= size_q + 24'(base_q);
+        if (step_q == 7'd11) end_q <= end_q + size_q;
       end
 
       // Four clocks a slot: read, compare, judge, note.
@@ -376,13 +381,13 @@ module horopter_map_store #(
   assign valid_o = valid_q[14:0];
 
   // --- directory: read by a lookup, else of slot_i, what its CRC is ---
-  localparam int unsigned ENTRY_BITS = 32 + 12 + 12 + 12 + 3 + 3 + ADDR_BITS;
+  localparam int unsigned ENTRY_BITS = 32 + 1 + 12 + 12 + 12 + 3 + 3 + ADDR_BITS;
   logic [ENTRY_BITS-1:0] entry;
   logic [31:0] entry_crc;
   logic [11:0] entry_width, entry_height, entry_columns;
   logic [2:0] entry_ny, entry_nx;
   logic [ADDR_BITS-1:0] entry_base;
-  logic lookup_q, lookup_valid_q, slot_read_q;
+  logic entry_spans, lookup_q, lookup_valid_q, slot_read_q;
   horopter_ram #(
       .WIDTH(ENTRY_BITS),
       .DEPTH(16),
@@ -391,13 +396,13 @@ module horopter_map_store #(
       .clk_i(clk_i),
       .write_en_i(store_entry),
       .write_addr_i(slot_q),
-      .write_data_i({data, height_q, width_q, columns_q, ny_q, nx_q, base_q[ADDR_BITS-1:0]}),
+      .write_data_i({data, spans_q, height_q, width_q, columns_q, ny_q, nx_q, base_q[ADDR_BITS-1:0]}),
       .read_en_i(lookup_i || !store_entry),
       .read_addr_i(lookup_i ? lookup_slot_i : slot_i),
       .read_data_o(entry),
       .parity_error_o(entry_error)
   );
-  assign {entry_crc, entry_height, entry_width, entry_columns, entry_ny, entry_nx, entry_base} = entry;
+  assign {entry_crc, entry_spans, entry_height, entry_width, entry_columns, entry_ny, entry_nx, entry_base} = entry;
   always_ff @(posedge clk_i) begin
     lookup_q <= lookup_i;
     // A table that is being stored in this very clock counts from the next lookup on.
@@ -421,11 +426,13 @@ module horopter_map_store #(
       .nx_i(entry_nx),
       .ny_i(entry_ny),
       .columns_i(entry_columns),
+      .spans_i(entry_spans),
       .ok_o(table_ok_o),
       .base_o(table_base_o),
       .nx_o(table_nx_o),
       .ny_o(table_ny_o),
-      .columns_o(table_columns_o)
+      .columns_o(table_columns_o),
+      .spans_o(table_spans_o)
   );
 
   // Kept from the start on, while the slot is invalid; between lookups the output stays.
@@ -475,11 +482,11 @@ module horopter_map_store #(
       .error_o(guard_error[0])
   );
   horopter_guard #(
-      .WIDTH(ADDR_BITS + 18)
+      .WIDTH(ADDR_BITS + 19)
   ) u_geometry_guard (
       .clk_i(clk_i),
       .written_i(looked_up_q),
-      .value_i({table_base_o, table_nx_o, table_ny_o, table_columns_o}),
+      .value_i({table_base_o, table_nx_o, table_ny_o, table_columns_o, table_spans_o}),
       .error_o(guard_error[1])
   );
 

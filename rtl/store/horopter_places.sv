@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where each pixel of the result comes from: the raster generator, the control points that it reads, and the places between
-// them. Ports as those of horopter_raster and, for the beats, those of the stage `map_expand`.
+// Where each pixel of the result comes from: the raster generator, the control points that it reads, the places between
+// them, and the rows' spans. Ports as those of horopter_raster and, for the beats, those of the stage `map_expand`.
 //
 // said_o: with SAYS, all of it in a word, two clocks later, 0 where it means nothing: two of these modules with the same
 // inputs always say the same, unless a register of one of them was upset.
@@ -37,6 +37,7 @@ module horopter_places #(
     input  logic [              2:0] table_nx_i,
     input  logic [              2:0] table_ny_i,
     input  logic [             11:0] table_columns_i,
+    input  logic                     table_spans_i,
     output logic                     map_read_o,
     output logic [MAP_ADDR_BITS-1:0] map_even_addr_o,
     output logic [MAP_ADDR_BITS-1:0] map_odd_addr_o,
@@ -60,7 +61,9 @@ module horopter_places #(
   logic beat_valid, beat_prime, beat_load, beat_first, beat_last, beat_live, beat_swapped, beat_parity_error;
   logic [31:0] beat_even, beat_odd;
   logic [5:0] beat_fraction;
-  assign map_parity_error_o = beat_valid && beat_parity_error;
+  logic setup, row, raster_read, span_error, beat_outside;
+  logic [MAP_ADDR_BITS-1:0] first_control, raster_even_addr, raster_odd_addr;
+  assign map_parity_error_o = (beat_valid && beat_parity_error) || span_error;
   horopter_raster #(
       .WIDTH(horopter_profile_pkg::WIDTH),
       .HEIGHT(horopter_profile_pkg::HEIGHT),
@@ -88,13 +91,15 @@ module horopter_places #(
       .published_i(published_i),
       .lookup_o(lookup_o),
       .table_ok_i(table_ok_i),
-      .table_base_i(table_base_i),
+      .table_base_i(first_control),
       .table_nx_i(table_nx_i),
       .table_ny_i(table_ny_i),
       .table_columns_i(table_columns_i),
-      .map_read_o(map_read_o),
-      .map_even_addr_o(map_even_addr_o),
-      .map_odd_addr_o(map_odd_addr_o),
+      .setup_o(setup),
+      .row_o(row),
+      .map_read_o(raster_read),
+      .map_even_addr_o(raster_even_addr),
+      .map_odd_addr_o(raster_odd_addr),
       .map_even_i(map_even_i),
       .map_odd_i(map_odd_i),
       .map_error_i(map_error_i),
@@ -109,6 +114,33 @@ module horopter_places #(
       .last_o(beat_last),
       .live_o(beat_live),
       .map_parity_error_o(beat_parity_error)
+  );
+  horopter_row_span #(
+      .ADDR_BITS(MAP_ADDR_BITS),
+      .LATENCY(FAST ? 5 : 2)
+  ) u_row_span (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .spans_i(table_spans_i),
+      .table_ok_i(table_ok_i),
+      .base_i(table_base_i),
+      .height_i(height_i),
+      .first_control_o(first_control),
+      .setup_i(setup),
+      .row_i(row),
+      .read_i(raster_read),
+      .even_addr_i(raster_even_addr),
+      .odd_addr_i(raster_odd_addr),
+      .read_o(map_read_o),
+      .even_addr_o(map_even_addr_o),
+      .odd_addr_o(map_odd_addr_o),
+      .even_i(map_even_i),
+      .odd_i(map_odd_i),
+      .error_i(map_error_i),
+      .valid_i(beat_valid),
+      .last_i(beat_last),
+      .outside_o(beat_outside),
+      .error_o(span_error)
   );
 
   logic [15:0] even_x, even_y, odd_x, odd_y;
@@ -144,6 +176,7 @@ module horopter_places #(
       .column_bottom_of_skin_i(odd_of_skin),
       .column_swapped_i(beat_swapped),
       .row_fraction_i(beat_fraction),
+      .outside_i(beat_outside),
       .marks_first_i(beat_first),
       .marks_last_i(beat_last),
       .marks_live_i(beat_live),

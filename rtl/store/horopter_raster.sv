@@ -7,6 +7,7 @@
 // must be able to take IN_FLIGHT beats more. A frame starts when the one before is published and IN_FLIGHT clocks have
 // passed since its last beat, so that frames never share the pipeline.
 //
+// setup_o, row_o: as horopter_row_span takes them; nothing is read then.
 // begin_o: one clock, settings and table may change now; at least 8 clocks before the first beat.
 // The control points of a beat come 2 clocks after their addresses. FAST: the beats are registers, and leave a clock later;
 // FAST = 0 computes where it can what FAST keeps in registers.
@@ -43,6 +44,8 @@ module horopter_raster #(
     input  logic [              2:0] table_nx_i,
     input  logic [              2:0] table_ny_i,
     input  logic [             11:0] table_columns_i,
+    output logic                     setup_o,
+    output logic                     row_o,
     output logic                     map_read_o,
     output logic [MAP_ADDR_BITS-1:0] map_even_addr_o,
     output logic [MAP_ADDR_BITS-1:0] map_odd_addr_o,
@@ -101,6 +104,8 @@ module horopter_raster #(
   assign issue_prime = state_q == PRIME && go;
   assign issue_pixel = state_q == PIXELS && go;
   assign loads = cell_end_x && live_q;
+  assign setup_o = state_q == SETUP;
+  assign row_o = state_q == WAIT_ROW && 32'(count_q) == 1 && live_q;
   assign map_read_o = issue_prime || (issue_pixel && loads);
   // One behind, but rows only ever arrive. Before a frame begins, y_q is 0.
   always_ff @(posedge clk_i) ready_q <= ready;

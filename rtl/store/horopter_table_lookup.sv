@@ -14,11 +14,13 @@ module horopter_table_lookup #(
     input  logic [          2:0] nx_i,
     input  logic [          2:0] ny_i,
     input  logic [         11:0] columns_i,
+    input  logic                 spans_i,
     output logic                 ok_o,
     output logic [ADDR_BITS-1:0] base_o,
     output logic [          2:0] nx_o,
     output logic [          2:0] ny_o,
-    output logic [         11:0] columns_o
+    output logic [         11:0] columns_o,
+    output logic                 spans_o
 );
   always_ff @(posedge clk_i) begin
     if (!rst_ni) ok_o <= 1'b0;
@@ -28,6 +30,7 @@ module horopter_table_lookup #(
       nx_o <= nx_i;
       ny_o <= ny_i;
       columns_o <= columns_i;
+      spans_o <= spans_i;
     end
   end
 endmodule

@@ -653,7 +653,7 @@ module horopter_top #(
   logic [2:0] table_nx, table_ny;
   logic [11:0] table_columns;
   logic [31:0] table_crc, map_even, map_odd;
-  logic map_read, map_parity_error;
+  logic map_read, map_parity_error, table_spans;
   logic go, beat_parity_error;
 
   always_ff @(posedge clk_i) begin
@@ -695,6 +695,7 @@ module horopter_top #(
       .table_nx_o(table_nx),
       .table_ny_o(table_ny),
       .table_columns_o(table_columns),
+      .table_spans_o(table_spans),
       .table_crc_o(table_crc),
       .table_undecidable_limit_o(table_undecidable_limit),
       .table_unsupervised_o(table_unsupervised),
@@ -740,6 +741,7 @@ module horopter_top #(
       .table_nx_i(table_nx),
       .table_ny_i(table_ny),
       .table_columns_i(table_columns),
+      .table_spans_i(table_spans),
       .map_read_o(map_read),
       .map_even_addr_o(map_even_addr),
       .map_odd_addr_o(map_odd_addr),
@@ -796,6 +798,7 @@ module horopter_top #(
         .table_nx_i(table_nx),
         .table_ny_i(table_ny),
         .table_columns_i(table_columns),
+        .table_spans_i(table_spans),
         .map_read_o(unused_map_read),
         .map_even_addr_o(unused_map_even_addr),
         .map_odd_addr_o(unused_map_odd_addr),

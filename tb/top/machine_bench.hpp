@@ -2,8 +2,10 @@
 // horopter_top between two cameras, two sinks and a host, beside the native engine, which says what must come out.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -63,6 +65,32 @@ inline std::vector<std::uint32_t> with_surroundings(std::vector<std::uint32_t> w
   }
   words.back() = crc32_words(std::span(words).first(words.size() - 1));
   return words;
+}
+
+/// The same with spans: an ellipse that the image cuts, with a rough outline; some rows have no pixel, one, or all.
+inline std::vector<std::uint32_t> with_spans(const std::vector<std::uint32_t>& words, Rng& rng) {
+  hls::table::Header header = hls::table::read(words);
+  const int width = header.geometry.width;
+  const int height = header.geometry.height;
+  std::vector<hls::table::Span> spans;
+  for (int y = 0; y < height; ++y) {
+    const double v = (y - 0.45 * height) / (0.5 * height);
+    const auto rough = [&] { return static_cast<int>(rng.below(3)); };
+    const auto reach = static_cast<int>(0.6 * width * std::sqrt(std::max(0.0, 1 - v * v)));
+    hls::table::Span span{std::max(0, width / 2 - reach - rough()), std::min(width, width / 2 + reach + rough())};
+    if (reach == 0 || y % 61 == 60) span = {};
+    if (y % 61 == 59) span = {y % width, y % width + 1};
+    if (y % 61 == 0) span = {0, width};
+    spans.push_back(span);
+  }
+  hls::table::Geometry geometry = header.geometry;
+  geometry.spans = true;
+  auto with = hls::table::write(
+      geometry, header.facts,
+      [&](int column, int row) { return words[header.first_control + header.geometry.control_index(column, row)]; },
+      spans);
+  with.back() = crc32_words(std::span(with).first(with.size() - 1));
+  return with;
 }
 
 struct FramePair {

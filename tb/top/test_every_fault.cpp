@@ -525,6 +525,33 @@ TEMPLATE_TEST_CASE("every fault is named, and not safe", "[faults][every]", Fiel
   }
 }
 
+TEMPLATE_TEST_CASE("a bit of a row's span falls over in the pool: named, not safe, and over when it is back",
+                   "[faults][every]", FieldThesis, VgaThesis, HdThesis) {
+  Rng rng{"spans"};
+  const auto table = with_spans(plane_table(kWidth, kHeight, kShift), rng);
+  Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}, table};
+  for (const unsigned row : {0U, 7U, 30U, 31U}) {
+    const auto flip = [&] {
+      const std::string bank = row % 2 == 0 ? "u_map_store.u_even." : "u_map_store.u_odd.";
+      const auto signals = TestType::signals(bench.machine.model());
+      const auto memory = std::ranges::find_if(signals, [&](const upset::Signal& signal) {
+        return signal.is_memory() && std::string_view(signal.name).starts_with(bank);
+      });
+      REQUIRE(memory != signals.end());
+      memory->flip(std::uint64_t{row / 2} * memory->bits + 18);  // of the span's end; the table begins at 0
+      TestType::settle(bench.machine.model());
+    };
+    CAPTURE(TestType::kProfile, row);
+    bench.raise("internal", [&] {
+      flip();
+      bench.send_scene();
+    });
+    flip();
+    bench.restart();
+    bench.until_safe();
+  }
+}
+
 /// Both images in one stream.
 template <class Model>
 class TestSource final : public Endpoint {

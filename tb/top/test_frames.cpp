@@ -485,6 +485,47 @@ TEST_CASE("15 tables, another one for every frame", "[top]") {
   fifteen_tables(756, 286, 15);
 }
 
+/// Tables with spans and without in turn, at whatever place of the pool.
+template <class Model>
+void tables_with_spans(std::string_view profile, unsigned width, unsigned height, unsigned frames, unsigned pauses) {
+  Rng rng{"spans"};
+  CAPTURE(profile, width, height, pauses);
+  Machine<Model> machine{profile, {width, height, 24, false, 0, pauses, pauses}};
+  const unsigned spacing_log2 = width > 1000 ? 5 : 4;
+  const auto plain = with_surroundings(plane_table(width, height, -6, 0.3, spacing_log2));
+  const std::array tables{with_spans(plain, rng), plain,
+                          with_spans(plane_table(width, height, -6, 0, spacing_log2), rng)};
+  unsigned base = 3;
+  for (unsigned slot = 0; slot < tables.size(); ++slot) {
+    machine.upload(slot, base, tables[slot]);
+    REQUIRE(machine.upload_error() == 0);
+    const auto words64 = static_cast<unsigned>(hls::table::read(tables[slot]).geometry.pool_words() / 2);
+    machine.write(reg::map_slot::kAddress, slot);
+    CHECK(machine.read(reg::map_extent::kAddress) == ((base + words64) << 16 | base));
+    base += words64;
+  }
+  unsigned with_spans_unsupervised = 0;
+  for (unsigned n = 0; n < frames; ++n) {
+    const unsigned slot = n % tables.size();
+    CAPTURE(n, slot);
+    const FramePair pair = random_pair(width, height, -6, rng);
+    machine.select(slot);
+    machine.send(pair);
+    const Published p = machine.receive();
+    machine.check(p, pair, tables[slot]);
+    if (slot == 1) CHECK(p.unsupervised < with_spans_unsupervised);
+    with_spans_unsupervised = p.unsupervised;
+  }
+}
+
+TEST_CASE("tables with spans are bit-exact", "[top]") {
+  tables_with_spans<Vhoropter_machine_field>("field", 128, 49, 6, 20);
+  tables_with_spans<Vhoropter_machine_field>("field", 756, 286, 2, 0);
+  tables_with_spans<Vhoropter_machine_vga>("vga", 131, 64, 6, 0);
+  tables_with_spans<Vhoropter_machine_hd>("hd", 192, 73, 6, 20);
+  tables_with_spans<Vhoropter_machine_hd>("hd", 1920, 128, 3, 0);
+}
+
 TEST_CASE("a camera that stops right after its last pixel hides nothing of that frame", "[top]") {
   Rng rng{"stops"};
   Machine<Vhoropter_machine_vga> machine{"vga", {96, 64, 16, false, 50'000}};

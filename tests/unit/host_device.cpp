@@ -389,6 +389,16 @@ TEST_CASE("Uploads are refused as the hardware refuses them") {
   CHECK(upload(5, 2000, bad_header) == 2);
   CHECK(upload(5, 10239, words) == 3);
   CHECK(upload(15, 2000, words) == 5);
+  // Spans lie in the pool, too.
+  MapTable with_spans = shift_table(small.profile, kWidth, kHeight, 3, 3);
+  const auto without64 = static_cast<std::uint32_t>(with_spans.pool_bytes() / 8);
+  with_spans.set_spans(std::vector<hls::table::Span>(kHeight, {3, kWidth - 5}));
+  with_spans.seal(facts_of(with_spans, small.profile));
+  const auto words64 = static_cast<std::uint32_t>(with_spans.pool_bytes() / 8);
+  CHECK(words64 == without64 + (kHeight + 1) / 2);
+  CHECK(upload(7, 10240 - words64 + 1, with_spans.words()) == 3);
+  CHECK(upload(7, 10240 - words64, with_spans.words()) == 0);
+  CHECK(reg::map_extent::kEndWord64.get(device.read(reg::map_extent::kAddress)) == 10240);
   CHECK(Faults(0, device.read(reg::faults_machine::kAddress)).has(Fault::map_crc));
   CHECK(small.frame(1).faults.names() == std::vector<std::string>{"map_crc"});
   CHECK(!small.frame(2).faults.any());

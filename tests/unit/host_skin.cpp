@@ -344,6 +344,14 @@ TEST_CASE("Tables whose CRCs hold and that are not true are refused") {
     maps.maps[1].table.seal(facts);
     maps.maps[1].report.crc = maps.maps[1].table.crc();
   });
+  refused("table 0: facts that are not true", [](MapSet& maps) {  // of a table that supervises less
+    auto& [table, report] = maps.maps[0];
+    const auto facts = table.facts();
+    table.set_spans(std::vector<hls::table::Span>(static_cast<std::size_t>(table.geometry().height), {40, 400}));
+    table.seal(facts);
+    report.crc = table.crc();
+    report.pool_bytes = table.pool_bytes();
+  });
   refused("a report that is not true", [](MapSet& maps) { maps.maps[0].report.lookahead -= 1; });
   refused("a report that is not true", [](MapSet& maps) { maps.maps[0].report.reach.behind -= 1; });
   refused("a report that is not true", [](MapSet& maps) { maps.maps[0].report.by_reason[0] += 1; });
@@ -387,6 +395,66 @@ TEST_CASE("Upload words are checked before they are used") {
     CAPTURE(at);
     for (const unsigned bit : {0U, 7U, 31U}) CHECK(error_of(at, words[at] ^ 1U << bit, false) != "");
   }
+}
+
+TEST_CASE("Outside of its row's span nothing is supervised, and what a span says is checked") {
+  const ScanGeometry scan{64, 33, Scan::progressive};
+  MapTable table(scan, 3, 3);
+  for (int row = 0; row < table.rows(); ++row) {
+    for (int column = 0; column < table.columns(); ++column) {
+      table.set_control(column, row, MapTable::encode({8.0 * column, 8.0 * row}));
+    }
+  }
+  const MapTable without = table;
+  std::vector<hls::table::Span> spans;
+  for (int y = 0; y < 33; ++y) spans.push_back(y < 32 ? hls::table::Span{y, 64 - y} : hls::table::Span{});
+  spans[5] = {};
+  spans[6] = {0, 64};
+  table.set_spans(spans);
+  table.seal(facts_of(table, find_profile("vga")));
+  CHECK(table.pool_bytes() == without.pool_bytes() + 4 * 34);
+  CHECK(table.pool_bytes() == MapTable::pool_bytes(scan, 3, 3, true));
+  CHECK((table.words()[0] ^ without.words()[0]) == hls::table::has_spans);
+  CHECK(table.words().size() == without.words().size() + 34);
+  const Image supervised = table.supervised(3);
+  int wrong = 0;
+  for (int y = 0; y < 33; ++y) {
+    CHECK(table.span(y) == spans[static_cast<std::size_t>(y)]);
+    for (int x = 0; x < 64; ++x) {
+      const bool inside = y != 5 && (y == 6 || (x >= y && x < 64 - y));
+      wrong += (supervised.at(x, y) != 0) != inside || table.source(x, y, 3).has_value() != inside ? 1 : 0;
+      wrong += table.expand_around(x, y).has_value() ? 0 : 1;  // what both cameras see there is shown as before
+    }
+  }
+  CHECK(wrong == 0);
+  for (int row = 0; row < table.rows(); ++row) {
+    for (int column = 0; column < table.columns(); ++column)
+      wrong += table.control(column, row) != without.control(column, row) ? 1 : 0;
+  }
+  CHECK(wrong == 0);
+  const MapTable again(table.words(), Scan::progressive);
+  CHECK(again.words() == table.words());
+
+  const std::size_t first = hls::table::read(table.words()).first_span;
+  const auto refused = [&](int row, std::uint32_t word, const std::string& message) {
+    CAPTURE(row, word);
+    auto words = table.words();
+    words[first + static_cast<std::size_t>(row)] = word;
+    words.back() = crc32_words(std::span(words).first(words.size() - 1));
+    CHECK_THROWS_WITH(MapTable(words, Scan::progressive), Catch::Contains(message));
+  };
+  refused(3, 9U << 16 | 10, "a span of row 3 from column 10 to before 9 of 64x33 pixels");  // ends before it begins
+  refused(3, 9U << 16 | 9, "a span of row 3");
+  refused(3, 65U << 16 | 9, "to before 65");
+  refused(0, 64U << 16 | 1U << 12, "a span of row 0");
+  refused(32, 1U << 31 | 64U << 16, "a span of row 32");
+  refused(33, 64U << 16, "a span of row 33");  // there are 33 rows
+  auto words = table.words();
+  words[0] ^= hls::table::has_spans;
+  CHECK_THROWS_WITH(MapTable(words, Scan::progressive), Catch::Contains("0 of spans"));
+  CHECK_THROWS_AS(table.set_spans(std::vector<hls::table::Span>(32)), std::invalid_argument);
+  CHECK_THROWS_AS(table.set_spans(std::vector<hls::table::Span>(33, {0, 65})), std::invalid_argument);
+  CHECK(table.words() == again.words());
 }
 
 TEST_CASE("Areas are kept to a sixteenth") {

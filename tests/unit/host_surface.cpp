@@ -120,9 +120,11 @@ void check(const CompiledMap& map, const CameraPair& cameras, const Reference& s
       beyond += error > 1.0 / 16 ? 1 : 0;
     }
   }
-  CHECK(double(beyond) <= 0.01 * double(supervised) + 1);
   const MapReport& report = map.report;
-  if (report.checked == report.pixels) CHECK(report.supervised() == supervised);
+  const bool every_pixel = report.checked == report.pixels;
+  CHECK(double(beyond) <=
+        (every_pixel ? 0.01 : 0.012) * double(supervised) + 1);  // of few samples a share is not exact
+  if (every_pixel) CHECK(report.supervised() == supervised);
   if (smooth) CHECK(report.lost_share() <= 0.02);
 }
 

@@ -48,11 +48,27 @@ struct Picture {
 
 using Map = std::function<std::optional<reference::Point>(int, int)>;
 
-std::vector<std::uint32_t> table_of(int width, int height, int nx, int ny, const Map& source) {
-  return hls::table::write({width, height, nx, ny}, {}, [&](int column, int row) {
-    const auto p = source(column << nx, row << ny);
-    return p ? hls::table::encode_control(p->x, p->y) : hls::table::unmapped;
-  });
+std::vector<std::uint32_t> table_of(int width, int height, int nx, int ny, const Map& source,
+                                    const std::vector<hls::table::Span>& spans = {}) {
+  return hls::table::write(
+      {width, height, nx, ny, !spans.empty()}, {},
+      [&](int column, int row) {
+        const auto p = source(column << nx, row << ny);
+        return p ? hls::table::encode_control(p->x, p->y) : hls::table::unmapped;
+      },
+      spans);
+}
+
+/// An ellipse that the image cuts, with a rough outline and some rows that have nothing.
+std::vector<hls::table::Span> spans_of(int width, int height, std::mt19937& random) {
+  std::vector<hls::table::Span> spans;
+  for (int y = 0; y < height; ++y) {
+    const double v = (y - 0.45 * height) / (0.5 * height);
+    const auto reach = static_cast<int>(0.6 * width * std::sqrt(std::max(0.0, 1 - v * v))) + int(random() % 3);
+    const hls::table::Span span{std::max(0, width / 2 - reach), std::min(width, width / 2 + reach)};
+    spans.push_back(span.first < span.end && y % 61 != 7 ? span : hls::table::Span{});
+  }
+  return spans;
 }
 
 Map shifted(double dx, double dy) {
@@ -83,6 +99,7 @@ class BeatByBeat {
         in.load = (x & ((1 << sx) - 1)) == 0;
         if (in.load) in.column = {table.control((x >> sx) + 1, cell), table.control((x >> sx) + 1, cell + 1)};
         in.marks = {x == 0 && y == 0, x + 1 == left.width, y < left.height};
+        in.outside = y >= left.height || !table.span(y).holds(x);
         const auto s = map_expand.step(in, map_config);
         typename Interpolate<P>::In taps;
         taps.p00 = taps.p01 = taps.p10 = taps.p11 = u<8>(random());
@@ -161,11 +178,18 @@ void check_against_beats(unsigned seed) {
     settings.lookahead = static_cast<int>(random() % (P.store_rows / 2 + 1));
     const int nx = static_cast<int>(random() % 5);
     const int ny = static_cast<int>(random() % 5);
-    const auto words = table_of(width, height, nx, ny, [&](int x, int y) -> std::optional<reference::Point> {
-      if (repetition == 5 && (x / 32 + y / 16) % 5 == 0) return std::nullopt;
-      return reference::Point{x + 1.2 + 0.02 * y, y * 0.97 + 1 - 0.01 * x};
-    });
+    const auto spans = repetition % 3 == 1 ? spans_of(width, height, random) : std::vector<hls::table::Span>();
+    const auto words = table_of(
+        width, height, nx, ny,
+        [&](int x, int y) -> std::optional<reference::Point> {
+          if (repetition == 5 && (x / 32 + y / 16) % 5 == 0) return std::nullopt;
+          return reference::Point{x + 1.2 + 0.02 * y, y * 0.97 + 1 - 0.01 * x};
+        },
+        spans);
     const native::TableView table(words);
+    for (int y = 0; y < height; ++y) {
+      REQUIRE(table.span(y) == (spans.empty() ? hls::table::Span{0, width} : spans[static_cast<std::size_t>(y)]));
+    }
     const auto result = pipeline->process(left.view(), right.view(), table, settings);
     std::vector<std::uint8_t> states;
     std::vector<native::Run> runs;

@@ -359,7 +359,7 @@ void NativeDevice::upload_word(std::uint32_t word) {
   if (words.size() == 3) {
     const auto geometry = hls::table::read_geometry(words);
     if (!geometry) return end_upload(UploadError::bad_header);
-    const std::size_t end = upload_.base_word64 + geometry->control_words() / 2;
+    const std::size_t end = upload_.base_word64 + geometry->pool_words() / 2;
     upload_.end_word64 = end;
     if (end * 8 > static_cast<std::size_t>(profile_.pool_bytes)) return end_upload(UploadError::too_large);
     const auto overlaps = [&](const std::optional<Table>& table) {

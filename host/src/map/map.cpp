@@ -15,8 +15,9 @@ namespace {
 
 constexpr int kSmallestLookahead = 8;  // more than the filters' reach in rows; nothing is won below
 
-hls::table::Geometry table_geometry(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2) {
-  return {geometry.width, geometry.height, spacing_x_log2, spacing_y_log2};
+hls::table::Geometry table_geometry(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2,
+                                    bool spans = false) {
+  return {geometry.width, geometry.height, spacing_x_log2, spacing_y_log2, spans};
 }
 
 }  // namespace
@@ -26,8 +27,8 @@ std::vector<ScanGeometry> scans_of(const MachineProfile& profile, int image_widt
   return {{image_width, (image_height + 1) / 2, Scan::even_field}, {image_width, image_height / 2, Scan::odd_field}};
 }
 
-std::size_t MapTable::pool_bytes(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2) {
-  return table_geometry(geometry, spacing_x_log2, spacing_y_log2).control_words() * sizeof(std::uint32_t);
+std::size_t MapTable::pool_bytes(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2, bool spans) {
+  return table_geometry(geometry, spacing_x_log2, spacing_y_log2, spans).pool_words() * sizeof(std::uint32_t);
 }
 
 MapTable::MapTable(ScanGeometry geometry, int spacing_x_log2, int spacing_y_log2)
@@ -45,11 +46,22 @@ MapTable::MapTable(std::vector<std::uint32_t> words, Scan scan)
   }
 }
 
-void MapTable::seal(const hls::table::Facts& facts) {
+void MapTable::set_spans(std::span<const hls::table::Span> spans) { write(facts(), spans); }
+
+void MapTable::write(const hls::table::Facts& facts, std::span<const hls::table::Span> spans) {
+  hls::table::Geometry geometry = header_.geometry;
+  geometry.spans = !spans.empty();
   // As they come: even and odd row in turn.
   const std::uint32_t* next = &words_[header_.first_control];
-  words_ = hls::table::write(header_.geometry, facts, [&](int, int) { return *next++; });
-  header_ = hls::table::read(words_);
+  std::vector<std::uint32_t> words = hls::table::write(geometry, facts, [&](int, int) { return *next++; }, spans);
+  header_ = hls::table::read(words);
+  words_ = std::move(words);
+}
+
+void MapTable::seal(const hls::table::Facts& facts) {
+  std::vector<hls::table::Span> spans;
+  for (int row = 0; has_spans() && row < geometry_.height; ++row) spans.push_back(span(row));
+  write(facts, spans);
   words_.back() = crc32_words(std::span(words_).first(words_.size() - 1));
 }
 
@@ -78,6 +90,7 @@ std::optional<MapTable::Expanded> MapTable::expand_if(int x, int y, Counts count
 }
 
 std::optional<MapTable::Expanded> MapTable::expand(int x, int y) const {
+  if (!span(y).holds(x)) return std::nullopt;
   return expand_if(x, y, hls::table::is_of_skin);
 }
 
@@ -132,6 +145,12 @@ Image MapTable::supervised(int weight_bits) const {
         for (int x = x0; x < x1; ++x) result.at(x, y) = source(x, y, weight_bits) ? 1 : 0;
       }
     }
+  }
+  for (int y = 0; has_spans() && y < geometry_.height; ++y) {
+    const hls::table::Span held = span(y);
+    std::uint8_t* const pixels = &result.at(0, y);
+    std::fill(pixels, pixels + held.first, std::uint8_t{0});
+    std::fill(pixels + held.end, pixels + geometry_.width, std::uint8_t{0});
   }
   return result;
 }

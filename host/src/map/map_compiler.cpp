@@ -30,14 +30,14 @@ constexpr int kFeatureLog2 = 2;
 /// Grids tried where none loses little enough, and how much more than with the first of them may be expected to be lost.
 constexpr int kLastTries = 3;
 constexpr double kWorthATry = 1.05;
+/// The precision of cells that an outline cuts is left out where the limit is kept then, or nearly, and much less is lost.
+constexpr double kMuchLess = 0.75;
+constexpr double kNearly = 1.25;
 
 constexpr double kFraction = 1.0 / (1 << MapTable::kFractionBits);
 
 double distance(double x, double y) { return std::sqrt(x * x + y * y); }
 double distance(Point p) { return distance(p.x, p.y); }
-
-/// Never supervised, wherever the source lies.
-bool is_excluded(Reason reason) { return reason != Reason::none && reason != Reason::outside; }
 
 /// As far beyond the image as the control points of a spacing lie.
 int lattice_count(int size, int log2, int spacing_log2) {
@@ -196,9 +196,9 @@ class Forecast {
 class GridFit {
  public:
   /// The lattice holds every pixel, or at least the four samples of each cell. `smooth`: what lies between them follows
-  /// from them.
+  /// from them. With an outline, the table has its spans.
   GridFit(const LookLattice& lattice, const ScanGeometry& geometry, int nx, int ny, int weight_bits,
-          const MapLimits& limits, bool smooth)
+          const MapLimits& limits, bool smooth, const Outline* outline)
       : lattice_(lattice),
         geometry_(geometry),
         limits_(limits),
@@ -207,20 +207,53 @@ class GridFit {
         ny_(ny),
         weight_bits_(weight_bits),
         every_pixel_(lattice.shape.x_log2 == 0 && lattice.shape.y_log2 == 0),
+        outline_(outline),
         cell_columns_(((geometry.width - 1) >> nx) + 1),
         cell_rows_(((geometry.height - 1) >> ny) + 1),
-        controls_(static_cast<std::size_t>(cell_columns_ + 1) * static_cast<std::size_t>(cell_rows_ + 1)),
-        cells_(static_cast<std::size_t>(cell_columns_) * static_cast<std::size_t>(cell_rows_)),
-        errors_(lattice.sources.size(), std::numeric_limits<float>::quiet_NaN()) {
+        controls_(static_cast<std::size_t>(cell_columns_ + 1) * static_cast<std::size_t>(cell_rows_ + 1)) {
     weights_ = {weights(false, false), weights(true, false), weights(false, true), weights(true, true)};
+    fit();
+  }
+
+  const MapReport& report() const { return report_; }
+  /// The share that is wanted leaves out cells that the outline cuts, where the skin bends most. Whether there are any.
+  bool leave_out_cut() {
+    if (outline_ == nullptr) return false;
+    leaves_out_cut_ = true;
+    report_ = {};
+    keep_within(limits_.largest_error_px);
+    keep_precise();
+    return true;
+  }
+  CompiledMap take() const {
+    MapTable table(geometry_, nx_, ny_);
+    for (int row = 0; row <= cell_rows_; ++row) {
+      for (int column = 0; column <= cell_columns_; ++column) {
+        const std::size_t at = point(column, row);
+        if (kept_[at] != 0) table.set_control(column, row, controls_.word[at]);
+      }
+    }
+    if (outline_ != nullptr) table.set_spans(spans_);
+    return {std::move(table), report_};
+  }
+
+ private:
+  void fit() {
+    cells_.resize(static_cast<std::size_t>(cell_columns_) * static_cast<std::size_t>(cell_rows_));
+    errors_.resize(lattice_.sources.size(), std::numeric_limits<float>::quiet_NaN());
     set_controls();
     centre_errors();
-    find_errors();
-    if (!every_pixel_) look_between_samples();
-    // The largest bound by which the share that is wanted stays within its own.
+    if (outline_ != nullptr) {
+      spans_ = outline_->spans;
+      follow_outline();
+    }
+    find_all_errors();
+    if (outline_ != nullptr && trim()) find_all_errors();
+    keep_precise();
+  }
+  /// The largest bound by which the share that is wanted stays within its own.
+  void keep_precise() {
     double bound = limits_.largest_error_px;
-    keep_within(bound);
-    if (!precise() && interpolate_errors()) count_kept();
     if (!precise()) {
       double low = std::min(limits_.error_px, bound);
       double high = bound;
@@ -233,20 +266,17 @@ class GridFit {
     }
     measure();
   }
-
-  const MapReport& report() const { return report_; }
-  CompiledMap take() const {
-    MapTable table(geometry_, nx_, ny_);
-    for (int row = 0; row <= cell_rows_; ++row) {
-      for (int column = 0; column <= cell_columns_; ++column) {
-        const std::size_t at = point(column, row);
-        if (kept_[at] != 0) table.set_control(column, row, controls_.word[at]);
-      }
-    }
-    return {std::move(table), report_};
+  /// With all control points that no error beyond the largest forbids.
+  void find_all_errors() {
+    for (Cell& cell : cells_) cell = {.cut = cell.cut, .pixels = cell.pixels};
+    std::ranges::fill(errors_, std::numeric_limits<float>::quiet_NaN());
+    find_errors();
+    if (!every_pixel_) look_between_samples();
+    if (outline_ != nullptr) find_errors_in_cut_cells();
+    keep_within(limits_.largest_error_px);
+    if ((!precise() || outline_ != nullptr) && interpolate_errors()) count_kept();
   }
 
- private:
   static constexpr int kBoundSteps = 6;
   static constexpr float kNever = std::numeric_limits<float>::infinity();  ///< error of what must not be supervised
   static constexpr int kKinds = 4;  ///< of pixels: bit 0 right of the cell's left edge, bit 1 below its upper edge
@@ -272,6 +302,9 @@ class GridFit {
     std::array<std::uint16_t, kKinds> beyond{};   ///< of them further off than the share that is wanted may be
     std::array<std::uint16_t, kKinds> outside{};  ///< of them just outside without the grid
     float beyond_share = -1;                      ///< of all pixels, where it is known better than by counting samples
+    bool cut = false;                             ///< by the outline
+    int errors = 0;                               ///< of such a cell: its pixels that have one
+    std::int32_t pixels = -1;                     ///< where those of such a cell begin in pixels_ and cut_errors_
   };
 
   /// How many pixels a sample stands for, in cells that the image's right and lower borders cut or not.
@@ -323,6 +356,274 @@ class GridFit {
     for (std::size_t c = 0; c < columns; ++c) there[c] = mapped[top + c] & mapped[bottom + c];
   }
 
+  /// A pixel, or for one beyond the image the last of its row and column: whether it is in its row's span.
+  bool in_span(int x, int y) const {
+    return outline_ == nullptr || span(std::min(y, geometry_.height - 1)).holds(std::min(x, geometry_.width - 1));
+  }
+  /// A sample on the skin beside the outline, which is followed there: nothing between the two can be missed.
+  bool beside_outline(int x, int y) const {
+    const int across = 1 << lattice_.shape.x_log2;
+    const int down = 1 << lattice_.shape.y_log2;
+    for (const int row : {y - down, y, y + down}) {
+      if (row < 0 || row >= geometry_.height) continue;
+      const hls::table::Span& span = spans_[static_cast<std::size_t>(row)];
+      const bool left = span.first == 0 || x - across >= span.first;
+      const bool right = span.end == geometry_.width || x + across < span.end;
+      if (span.end == 0 || !left || !right) return true;
+    }
+    return false;
+  }
+  /// A sample in its row's span that must not be supervised.
+  bool is_excluded_at(std::size_t sample, int x, int y) const {
+    const Reason reason = lattice_.reasons[sample];
+    return is_excluded(reason) && !(reason == Reason::grid && outline_ != nullptr && beside_outline(x, y));
+  }
+
+  const hls::table::Span& span(int row) const { return spans_[static_cast<std::size_t>(row)]; }
+
+  /// Control points beyond the outline get places that continue the skin inside, so that the cells that the outline cuts
+  /// are right up to it.
+  void follow_outline() {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Point> points(controls_.word.size(), {kNan, kNan});
+    std::vector<std::uint8_t> is_free(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (controls_.mapped[i] != 0) points[i] = {place_of(controls_.x[i]), place_of(controls_.y[i])};
+    }
+    mark_cut();
+    std::vector<std::size_t> free;
+    for_cut_cells([&](int column, int row) {
+      for (const auto& [c, r] : {std::pair{column, row}, {column + 1, row}, {column, row + 1}, {column + 1, row + 1}}) {
+        const std::size_t at = point(c, r);
+        if (is_free[at] != 0 || is_fixed(c, r)) continue;
+        is_free[at] = 1;
+        free.push_back(at);
+      }
+    });
+    continue_inside(free, is_free, points);
+    std::erase_if(free, [&](std::size_t at) { return is_free[at] == 0; });
+    ControlFit fit(std::move(free), points);
+    for_cut_cells([&](int column, int row) { add_equations(column, row, fit); });
+    fit.solve();
+    for (const std::size_t at : fit.free()) controls_.set(at, MapTable::encode(points[at]));
+  }
+  template <class Visit>
+  void for_cut_cells(Visit visit) const {
+    for (int row = 0; row < cell_rows_; ++row) {
+      for (int column = 0; column < cell_columns_; ++column) {
+        if (cells_[index(column, row)].cut) visit(column, row);
+      }
+    }
+  }
+  static double place_of(std::int32_t control) {
+    return static_cast<double>(control) / hls::table::control_scale - hls::table::control_offset_px;
+  }
+
+  /// Which cells hold pixels of spans and others.
+  void mark_cut() {
+    for (Cell& cell : cells_) cell.cut = false;
+    for (int row = 0; row < cell_rows_; ++row) {
+      int least_first = geometry_.width;
+      int largest_first = 0;
+      int least_end = geometry_.width;
+      int largest_end = 0;
+      for (int y = row << ny_; y < std::min((row + 1) << ny_, geometry_.height); ++y) {
+        const int first = span(y).end == 0 ? geometry_.width : span(y).first;
+        least_first = std::min(least_first, first);
+        largest_first = std::max(largest_first, first);
+        least_end = std::min(least_end, span(y).end);
+        largest_end = std::max(largest_end, span(y).end);
+      }
+      for (int column = least_first >> nx_; column << nx_ < largest_end; ++column) {
+        const bool whole =
+            column << nx_ >= largest_first && std::min((column + 1) << nx_, geometry_.width) <= least_end;
+        cells_[index(column, row)].cut = !whole;
+      }
+    }
+  }
+  /// Whether a control point is on the skin by itself.
+  bool is_fixed(int column, int row) const {
+    const int x = column << nx_;
+    const int y = row << ny_;
+    const Reason reason = lattice_.reasons[lattice_.index(x, y)];
+    return controls_.mapped[point(column, row)] != 0 && (reason == Reason::grid || !is_excluded(reason)) &&
+           in_span(x, y);
+  }
+  /// Of a cell that the outline cuts, what its pixels see, row by row as if it was whole; NaN outside of the outline.
+  std::size_t pixels_of(int column, int row) {
+    Cell& cell = cells_[index(column, row)];
+    if (cell.pixels < 0) {
+      cell.pixels = static_cast<std::int32_t>(pixels_.size());
+      constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+      pixels_.resize(pixels_.size() + (std::size_t{1} << (nx_ + ny_)), {kNan, kNan});
+      for (int y = row << ny_; y < std::min((row + 1) << ny_, geometry_.height); ++y) {
+        const hls::table::Span& whole = outline_->span(y);
+        const int end = std::min((column + 1) << nx_, whole.end);
+        for (int x = std::max(column << nx_, whole.first); x < end; ++x) {
+          pixels_[pixel(cell, x, y)] = outline_->source(x, y);
+        }
+      }
+    }
+    return static_cast<std::size_t>(cell.pixels);
+  }
+  std::size_t pixel(const Cell& cell, int x, int y) const {
+    const int in_cell_y = y & ((1 << ny_) - 1);
+    return static_cast<std::size_t>(cell.pixels) +
+           static_cast<std::size_t>((in_cell_y << nx_) + (x & ((1 << nx_) - 1)));
+  }
+  /// Pixels of a cell that the outline cuts, eight at most either way.
+  void add_equations(int column, int row, ControlFit& fit) {
+    const std::size_t top = point(column, row);
+    const std::size_t bottom = point(column, row + 1);
+    const std::size_t pixels = pixels_of(column, row);
+    const int across_log2 = std::max(0, nx_ - 3);
+    const int down_log2 = std::max(0, ny_ - 3);
+    const double counts = std::ldexp(1.0, across_log2 + down_log2 - nx_ - ny_);
+    for (int y = 0; y < 1 << ny_; y += 1 << down_log2) {
+      for (int x = 0; x < 1 << nx_; x += 1 << across_log2) {
+        const Point& source = pixels_[pixels + static_cast<std::size_t>((y << nx_) + x)];
+        if (std::isnan(source.x)) continue;
+        fit.add({top, top + 1, bottom, bottom + 1}, std::ldexp(x, -nx_), std::ldexp(y, -ny_), source, counts);
+      }
+    }
+  }
+  /// The columns of a cell that are in a row's span.
+  std::pair<int, int> in_cell(int column, int y) const {
+    return {std::max(column << nx_, span(y).first), std::min((column + 1) << nx_, span(y).end)};
+  }
+  static constexpr std::array<double, 3> quadratic_weights(double u) {
+    return {(1 - 2 * u) * (1 - u), 4 * u * (1 - u), u * (2 * u - 1)};
+  }
+  static Point biquadratic(const std::array<std::array<Point, 3>, 3>& nodes, const std::array<double, 3>& across,
+                           const std::array<double, 3>& down) {
+    Point sum{0, 0};
+    for (std::size_t b = 0; b < 3; ++b) {
+      for (std::size_t a = 0; a < 3; ++a) {
+        const double weight = across[a] * down[b];
+        sum.x += weight * nodes[b][a].x;
+        sum.y += weight * nodes[b][a].y;
+      }
+    }
+    return sum;
+  }
+
+  /// Where a free control point would be if the skin went on straight from the two beside it on one side: the mean of all
+  /// sides. Those that have none take it from others; what stays without one is no longer free.
+  void continue_inside(const std::vector<std::size_t>& free, std::vector<std::uint8_t>& is_free,
+                       std::vector<Point>& points) const {
+    constexpr int kRounds = 3;
+    const auto columns = static_cast<std::size_t>(cell_columns_ + 1);
+    std::vector<std::uint8_t> known(points.size());
+    for (int row = 0; row <= cell_rows_; ++row) {
+      for (int column = 0; column <= cell_columns_; ++column) {
+        known[point(column, row)] = is_fixed(column, row) ? 1 : 0;
+      }
+    }
+    std::vector<std::pair<std::size_t, Point>> found;
+    for (int round = 0; round < kRounds; ++round) {
+      found.clear();
+      for (const std::size_t at : free) {
+        if (known[at] != 0) continue;
+        const auto column = static_cast<int>(at % columns);
+        const auto row = static_cast<int>(at / columns);
+        Point sum{0, 0};
+        int count = 0;
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) {
+          if (dx != 0 && dy != 0 && count > 0) break;  // across corners only where there is nothing else
+          if (column + 2 * dx < 0 || column + 2 * dx > cell_columns_ || row + 2 * dy < 0 || row + 2 * dy > cell_rows_)
+            continue;
+          const std::size_t near = point(column + dx, row + dy);
+          const std::size_t far = point(column + 2 * dx, row + 2 * dy);
+          if (known[near] == 0 || known[far] == 0) continue;
+          sum.x += 2 * points[near].x - points[far].x;
+          sum.y += 2 * points[near].y - points[far].y;
+          ++count;
+        }
+        if (count > 0) found.push_back({at, {sum.x / count, sum.y / count}});
+      }
+      for (const auto& [at, place] : found) {
+        points[at] = place;
+        known[at] = 1;
+      }
+    }
+    for (const std::size_t at : free) is_free[at] = known[at];
+  }
+
+  /// At every pixel of the cells that the outline cuts: near it the skin may bend more than samples show.
+  void find_errors_in_cut_cells() {
+    const std::int32_t half = std::int32_t{1} << (MapTable::kFractionBits - weight_bits_ - 1);
+    const std::int32_t low = kOffset - half;
+    const std::int32_t high_x = kOffset + ((geometry_.width - 1) << MapTable::kFractionBits) + half;
+    const std::int32_t high_y = kOffset + ((geometry_.height - 1) << MapTable::kFractionBits) + half;
+    cut_errors_.assign(pixels_.size(), -1);
+    for_cut_cells([&](int column, int row) {
+      Cell& cell = cells_[index(column, row)];
+      const std::size_t top = point(column, row);
+      const std::size_t bottom = point(column, row + 1);
+      const auto there = [&](std::size_t a, std::size_t b) { return (controls_.mapped[a] & controls_.mapped[b]) != 0; };
+      int beyond = 0;
+      for (int y = row << ny_; y < std::min((row + 1) << ny_, geometry_.height); ++y) {
+        const std::int32_t below = (y & ((1 << ny_) - 1)) << (6 - ny_);
+        const std::size_t lower = below != 0 ? bottom : top;
+        if (!there(top, lower)) continue;
+        const auto down = [&](const std::vector<std::int32_t>& c, std::size_t side) {
+          return c[top + side] * (64 - below) + c[lower + side] * below;
+        };
+        const std::int32_t left_x = down(controls_.x, 0);
+        const std::int32_t left_y = down(controls_.y, 0);
+        const std::int32_t right_x = down(controls_.x, 1);
+        const std::int32_t right_y = down(controls_.y, 1);
+        const bool whole = there(top + 1, lower + 1);
+        const auto [begin, end] = in_cell(column, y);
+        for (int x = begin; x < end; ++x) {
+          const std::int32_t right = (x & ((1 << nx_) - 1)) << (6 - nx_);
+          if (right != 0 && !whole) break;
+          const std::int32_t ex = left_x * (64 - right) + right_x * right;
+          const std::int32_t ey = left_y * (64 - right) + right_y * right;
+          if (ex < low || ey < low || ex >= high_x || ey >= high_y) continue;
+          const std::size_t at = pixel(cell, x, y);
+          const double exactly = distance(error_of(ex, ey, pixels_[at]));
+          const float error = std::isnan(exactly) ? kNever : static_cast<float>(exactly);
+          float& worst = cell.worst[(right != 0 ? 1U : 0U) + (below != 0 ? 2U : 0U)];
+          worst = std::max(worst, error);
+          cut_errors_[at] = error;
+          ++cell.errors;
+          beyond += error > limits_.error_px ? 1 : 0;
+        }
+      }
+      // They are all known.
+      if (!every_pixel_ && cell.errors > 0) {
+        cell.beyond_share = static_cast<float>(beyond) / static_cast<float>(cell.errors);
+      }
+    });
+  }
+
+  /// Takes from the ends of spans, in the cells that the outline cuts, what is off by more than the largest error: a few
+  /// pixels in place of the whole cell. Whether there was such a thing.
+  bool trim() {
+    bool trimmed = false;
+    for (int y = 0; y < geometry_.height; ++y) {
+      hls::table::Span& here = spans_[static_cast<std::size_t>(y)];
+      // How many pixels to take from x on, in a direction.
+      const auto taken = [&](int x, int direction) {
+        int last = 0;
+        for (int count = 1; here.holds(x); ++count, x += direction) {
+          const Cell& cell = cells_[index(x >> nx_, y >> ny_)];
+          if (!cell.cut) break;
+          if (cut_errors_[pixel(cell, x, y)] > limits_.largest_error_px) last = count;
+        }
+        return last;
+      };
+      const int left = taken(here.first, 1);
+      const int right = taken(here.end - 1, -1);
+      if (left + right == 0) continue;
+      trimmed = true;
+      here = left + right < here.end - here.first ? hls::table::Span{here.first + left, here.end - right}
+                                                  : hls::table::Span{};
+    }
+    return trimmed;
+  }
+
   static constexpr std::int32_t kOffset = hls::table::control_offset_px << MapTable::kFractionBits;
 
   void set_controls() {
@@ -337,7 +638,8 @@ class GridFit {
 
   /// Between exact control points a smooth map errs to one side, most in the middle of the cell; half of that error
   /// given to the control points leaves half of it. Where all cells around a control point agree on the side: the mean
-  /// of the largest and the smallest. Cells whose middle is not supervised have no say.
+  /// of the largest and the smallest. Cells whose middle is not supervised have no say. Where half is more than the share
+  /// that is wanted may err, more is given: the middle, where the error changes least, comes back within that.
   void centre_errors() {
     if (nx_ == 0 && ny_ == 0) return;
     // Of a row of cells, with nothing at both ends: the errors of those that have one, for a minimum and a maximum.
@@ -402,11 +704,19 @@ class GridFit {
         const std::size_t at = point(0, row) + c;
         if (controls_.mapped[at] == 0 || (errors[c].x == 0 && errors[c].y == 0)) continue;
         const Point exact = sources[(c << nx_) >> lattice_.shape.x_log2];
-        const auto word = MapTable::encode({exact.x - 0.5 * errors[c].x, exact.y - 0.5 * errors[c].y});
+        const double part = part_given(distance(errors[c]));
+        const auto word = MapTable::encode({exact.x - part * errors[c].x, exact.y - part * errors[c].y});
         if (word != MapTable::kUnmapped) controls_.set(at, word);
       }
       std::swap(above, here);
     }
+  }
+
+  /// Of the error in the middle, to the control points; never so much that these come near the largest error.
+  double part_given(double error_px) const {
+    constexpr double kMost = 0.8;
+    const double wanted = std::min(error_px - limits_.error_px, kMost * limits_.largest_error_px);
+    return std::max(0.5, wanted / error_px);
   }
 
   static Point error_of(std::int32_t x, std::int32_t y, Point source) {
@@ -414,7 +724,7 @@ class GridFit {
             static_cast<double>(y - kOffset) * kFraction - source.y};
   }
 
-  /// Visits the samples whose control points are all there: `visit(cell, kind, sample, y, expanded x, y)`.
+  /// Visits the samples whose control points are all there: `visit(cell, kind, sample, x, y, expanded x, y)`.
   template <class Visit>
   void for_expanded(const std::vector<std::uint8_t>& mapped, Visit visit) const {
     const auto columns = static_cast<std::size_t>(cell_columns_ + 1);
@@ -433,12 +743,14 @@ class GridFit {
       for (std::size_t c = 0; c + 1 < columns; ++c) {
         if (there[c] == 0) continue;
         const std::size_t first = c * across;
-        visit(first_cell + c, kind_y, first_sample + first, y, x_at[c] * 64, y_at[c] * 64);
+        const int x = static_cast<int>(first) << lattice_.shape.x_log2;
+        visit(first_cell + c, kind_y, first_sample + first, x, y, x_at[c] * 64, y_at[c] * 64);
         if (there[c + 1] == 0) continue;
         const std::size_t count = std::min(across, samples - first);
         for (std::size_t i = 1; i < count; ++i) {
           const auto right = static_cast<std::int32_t>(i << (6 - step));
-          visit(first_cell + c, kind_y + 1, first_sample + first + i, y, x_at[c] * (64 - right) + x_at[c + 1] * right,
+          visit(first_cell + c, kind_y + 1, first_sample + first + i,
+                x + (static_cast<int>(i) << lattice_.shape.x_log2), y, x_at[c] * (64 - right) + x_at[c + 1] * right,
                 y_at[c] * (64 - right) + y_at[c + 1] * right);
         }
       }
@@ -454,14 +766,14 @@ class GridFit {
     const Reason* const reasons = lattice_.reasons.data();
     const double share_error = limits_.error_px;
     for_expanded(controls_.mapped,
-                 [&](std::size_t at, int kind, std::size_t sample, int, std::int32_t ex, std::int32_t ey) {
-                   if (ex < low || ey < low || ex >= high_x || ey >= high_y) return;
+                 [&](std::size_t at, int kind, std::size_t sample, int x, int y, std::int32_t ex, std::int32_t ey) {
+                   if (ex < low || ey < low || ex >= high_x || ey >= high_y || !in_span(x, y)) return;
                    Cell& cell = cells_[at];
                    const double error = distance(error_of(ex, ey, sources[sample]));
                    const auto rounded = static_cast<float>(error);
                    // A source just outside may be expanded to one just inside; one without a place has no error that
                    // is small.
-                   const bool never = is_excluded(reasons[sample]) || std::isnan(error);
+                   const bool never = is_excluded_at(sample, x, y) || std::isnan(error);
                    cell.worst[kind] = std::max(cell.worst[kind], never ? kNever : rounded);
                    errors_[sample] = rounded;
                    ++cell.inside[kind];
@@ -484,9 +796,12 @@ class GridFit {
       const int top = row * down;
       const int bottom = ny_ == lattice_.shape.y_log2 ? top : last(geometry_.height, lattice_.shape.y_log2, top, down);
       for (int y = top; y <= bottom; ++y) {
-        const Reason* reasons = &lattice_.reasons[static_cast<std::size_t>(y) * samples];
+        const std::size_t first = static_cast<std::size_t>(y) * samples;
         for (std::size_t x = 0; x < samples; ++x) {
-          const std::uint8_t excluded = is_excluded(reasons[x]) ? 1 : 0;
+          const int pixel_x = static_cast<int>(x) << lattice_.shape.x_log2;
+          const int pixel_y = y << lattice_.shape.y_log2;
+          const std::uint8_t excluded =
+              is_excluded_at(first + x, pixel_x, pixel_y) && in_span(pixel_x, pixel_y) ? 1 : 0;
           above[x] = y == top ? excluded : above[x];
           all[x] = y == top ? excluded : all[x] | excluded;
         }
@@ -572,8 +887,9 @@ class GridFit {
   }
 
   /// Samples that stand for pixels when errors are ranked: all of them, or those of cells that are whole. The others
-  /// stand for parts of edges.
-  bool ranked(const std::array<bool, kKinds>& kept) const {
+  /// stand for parts of edges. Those of cells that the outline cuts may be left out.
+  bool ranked(const Cell& cell, const std::array<bool, kKinds>& kept) const {
+    if (cell.cut && leaves_out_cut_) return false;
     return every_pixel_ ? kept[0] : kept[(nx_ > 0 ? 1 : 0) + (ny_ > 0 ? 2 : 0)];
   }
 
@@ -585,8 +901,7 @@ class GridFit {
     static constexpr auto kWeights = [] {
       std::array<std::array<double, 3>, kSide> weights{};
       for (std::size_t i = 0; i < kSide; ++i) {
-        const double u = static_cast<double>(i) / kSide;
-        weights[i] = {(1 - 2 * u) * (1 - u), 4 * u * (1 - u), u * (2 * u - 1)};
+        weights[i] = quadratic_weights(static_cast<double>(i) / kSide);
       }
       return weights;
     }();
@@ -607,15 +922,7 @@ class GridFit {
     CellErrors errors;
     for (std::size_t j = 0; j < kSide; ++j) {
       for (std::size_t i = 0; i < kSide; ++i) {
-        Point error{0, 0};
-        for (std::size_t b = 0; b < 3; ++b) {
-          for (std::size_t a = 0; a < 3; ++a) {
-            const double weight = kWeights[i][a] * kWeights[j][b];
-            error.x += weight * nodes[b][a].x;
-            error.y += weight * nodes[b][a].y;
-          }
-        }
-        errors[kSide * j + i] = static_cast<float>(distance(error));
+        errors[kSide * j + i] = static_cast<float>(distance(biquadratic(nodes, kWeights[i], kWeights[j])));
       }
     }
     return errors;
@@ -625,11 +932,17 @@ class GridFit {
   /// samples are the extremes of a cell, so to count them would be to count too many. Whether there are such cells.
   bool interpolate_errors() {
     if (!smooth_ || nx_ - lattice_.shape.x_log2 != 1 || ny_ - lattice_.shape.y_log2 != 1) return false;
+    // Where an outline lets cells be large, more than the samples may be beyond.
+    constexpr int kLargeLog2 = 8;
+    const bool large = outline_ != nullptr && nx_ + ny_ >= kLargeLog2;
+    const auto least = static_cast<float>(large ? 0.5 * limits_.error_px : limits_.error_px);
     bool any = false;
     for (int row = 0; row < cell_rows_; ++row) {
       for (int column = 0; column < cell_columns_; ++column) {
         Cell& cell = cells_[index(column, row)];
-        if (cell.beyond[0] + cell.beyond[1] + cell.beyond[2] + cell.beyond[3] == 0) continue;
+        if (cell.beyond_share >= 0) continue;
+        const float worst = std::max(std::max(cell.worst[0], cell.worst[1]), std::max(cell.worst[2], cell.worst[3]));
+        if (worst <= least) continue;
         const std::size_t top = point(column, row);
         const std::size_t bottom = point(column, row + 1);
         if ((controls_.mapped[top] & controls_.mapped[top + 1] & controls_.mapped[bottom] &
@@ -647,12 +960,18 @@ class GridFit {
     return any;
   }
 
+  /// In a whole cell, or, of one that the outline cuts, as many as its pixels would be.
+  double samples_in(const Cell& cell) const {
+    if (cell.cut) return std::ldexp(cell.errors, -lattice_.shape.x_log2 - lattice_.shape.y_log2);
+    return cell.inside[0] + cell.inside[1] + cell.inside[2] + cell.inside[3];
+  }
+
   /// What is kept.
   struct Tally {
-    double supervised = 0;    ///< pixels, samples standing for those around them
-    double outside = 0;       ///< of them just outside without the grid
-    std::int64_t ranked = 0;  ///< samples
-    double beyond = 0;        ///< of them further off than the share that is wanted may be
+    double supervised = 0;  ///< pixels, samples standing for those around them
+    double outside = 0;     ///< of them just outside without the grid
+    double ranked = 0;      ///< samples
+    double beyond = 0;      ///< of them further off than the share that is wanted may be
   };
   void count_kept() {
     tally_ = {};
@@ -662,21 +981,24 @@ class GridFit {
         const auto kept = kept_kinds(column, row);
         const Cell& cell = cells_[index(column, row)];
         const Weights& weight = weights_of(column, row);
-        const bool counts = ranked(kept);
+        const bool counts = ranked(cell, kept);
         for (int kind = 0; kind < kKinds; ++kind) {
           if (!kept[kind]) continue;
           tally_.supervised += weight.kind[kind] * cell.inside[kind];
           tally_.outside += weight.kind[kind] * cell.outside[kind];
-          if (!counts) continue;
+          if (!counts || cell.beyond_share >= 0) continue;
           tally_.ranked += cell.inside[kind];
-          tally_.beyond += cell.beyond_share < 0 ? cell.beyond[kind] : cell.beyond_share * cell.inside[kind];
+          tally_.beyond += cell.beyond[kind];
         }
+        if (!counts || cell.beyond_share < 0) continue;
+        tally_.ranked += samples_in(cell);
+        tally_.beyond += cell.beyond_share * samples_in(cell);
       }
     }
   }
 
   /// Whether the share that is wanted lies within its bound.
-  bool precise() const { return tally_.beyond <= (1 - limits_.share) * static_cast<double>(tally_.ranked); }
+  bool precise() const { return tally_.beyond <= (1 - limits_.share) * tally_.ranked; }
 
   /// Pixels by reason, samples standing for those around them.
   void count_pixels() {
@@ -713,7 +1035,7 @@ class GridFit {
   void measure() {
     report_.spacing_x = 1 << nx_;
     report_.spacing_y = 1 << ny_;
-    report_.pool_bytes = MapTable::pool_bytes(geometry_, nx_, ny_);
+    report_.pool_bytes = MapTable::pool_bytes(geometry_, nx_, ny_, outline_ != nullptr);
     report_.pixels = std::int64_t{geometry_.width} * geometry_.height;
     count_pixels();
     if (report_.supervised() == 0) return;
@@ -743,11 +1065,19 @@ class GridFit {
         const auto& worst = cell.worst;
         if (!(std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3])) > bound)) continue;
         const auto kept = kept_kinds(column, row);
-        if (!ranked(kept)) continue;
+        if (!ranked(cell, kept)) continue;
         if (cell.beyond_share >= 0) {
-          const auto samples = static_cast<float>(cell.inside[0] + cell.inside[1] + cell.inside[2] + cell.inside[3]);
-          for (const float error : errors_within(column, row)) {
-            if (error > bound) errors.push_back({error, samples / (kSide * kSide)});
+          const auto samples = static_cast<float>(samples_in(cell));
+          const auto add = [&](std::span<const float> all, int count) {
+            for (const float error : all) {
+              if (error > bound && error >= 0) errors.push_back({error, samples / static_cast<float>(count)});
+            }
+          };
+          if (cell.cut) {
+            add(std::span(cut_errors_).subspan(static_cast<std::size_t>(cell.pixels), std::size_t{1} << (nx_ + ny_)),
+                cell.errors);
+          } else {
+            add(errors_within(column, row), kSide * kSide);
           }
           continue;
         }
@@ -766,7 +1096,7 @@ class GridFit {
   void rank_errors() {
     if (tally_.ranked == 0) return;
     // From the largest on; most are small.
-    const double beyond = (1 - limits_.share) * static_cast<double>(tally_.ranked);
+    const double beyond = (1 - limits_.share) * tally_.ranked;
     for (const double bound : {0.45 * limits_.error_px, 0.25 * limits_.error_px, -1.0}) {
       std::vector<Ranked> errors = errors_above(static_cast<float>(bound));
       std::ranges::sort(errors, std::ranges::greater{}, &Ranked::error);
@@ -818,7 +1148,7 @@ class GridFit {
           const auto kept = kept_kinds(column, row);
           const Cell& cell = cells_[index(column, row)];
           bool supervised = false;
-          for (int kind = 0; kind < kKinds; ++kind) supervised |= kept[kind] && cell.inside[kind] > 0;
+          for (int kind = 0; kind < kKinds; ++kind) supervised |= kept[kind] && (cell.inside[kind] > 0 || cell.cut);
           if (!supervised) continue;
           add(y_at[c] * 64);
           const int right = (std::min((column + 1) << nx_, geometry_.width) - 1 - (column << nx_)) << (6 - nx_);
@@ -834,7 +1164,8 @@ class GridFit {
     report_.reach = {-geometry_.height, -geometry_.height};
     const std::int64_t last_x = std::int64_t{geometry_.width - 1} << weight_bits_;
     const std::int64_t last_y = std::int64_t{geometry_.height - 1} << weight_bits_;
-    for_expanded(kept_, [&](std::size_t, int, std::size_t sample, int y, std::int32_t ex, std::int32_t ey) {
+    for_expanded(kept_, [&](std::size_t, int, std::size_t sample, int x, int y, std::int32_t ex, std::int32_t ey) {
+      if (!in_span(x, y)) return;
       const std::int64_t source_x = rounded(ex);
       const std::int64_t source_y = rounded(ey);
       if (source_x < 0 || source_y < 0 || source_x > last_x || source_y > last_y) return;
@@ -854,6 +1185,8 @@ class GridFit {
   bool smooth_;
   int nx_, ny_, weight_bits_;
   bool every_pixel_;
+  const Outline* outline_;  ///< or none
+  bool leaves_out_cut_ = false;
   int cell_columns_, cell_rows_;
   Controls controls_;               ///< before any is given up
   std::vector<std::uint8_t> kept_;  ///< that are not
@@ -861,6 +1194,9 @@ class GridFit {
   std::array<Weights, 4> weights_;
   Tally tally_;
   std::vector<std::uint8_t> bad_;  ///< cells with something that must not be supervised
+  std::vector<hls::table::Span> spans_;
+  std::vector<Point> pixels_;      ///< sources of all pixels of cells that the outline cuts, cell by cell; NaN without
+  std::vector<float> cut_errors_;  ///< of the same; -1 outside of spans, or without all control points
   std::vector<float> errors_;      ///< of the lattice's samples; NaN where none would be read inside the image
   MapReport report_;
 };
@@ -871,11 +1207,12 @@ struct Spacing {
 };
 
 /// That fit, fewest bytes first.
-std::vector<Spacing> spacings_of(const ScanGeometry& geometry, int largest_log2, std::size_t largest_bytes) {
+std::vector<Spacing> spacings_of(const ScanGeometry& geometry, int largest_log2, std::size_t largest_bytes,
+                                 bool spans) {
   std::vector<Spacing> spacings;
   for (int nx = 0; nx <= largest_log2; ++nx) {
     for (int ny = 0; ny <= largest_log2; ++ny) {
-      const std::size_t bytes = MapTable::pool_bytes(geometry, nx, ny);
+      const std::size_t bytes = MapTable::pool_bytes(geometry, nx, ny, spans);
       if (bytes <= largest_bytes) spacings.push_back({nx, ny, bytes});
     }
   }
@@ -944,19 +1281,18 @@ void seal(CompiledMap& map, const hls::table::Facts& facts) {
 }
 
 /// The coarsest grid within the limits; where none loses little enough, of those that the forecast says to lose least
-/// the one that does. `fit` tries a spacing; those that the forecast says to be beyond `margin` times the limits are not
+/// the one that does. `fit` tries a spacing, with an outline's spans if there is one, and without where that is not enough; those that the forecast says to be beyond `margin` times the limits are not
 /// tried. To be sealed.
 CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, const MapLimits& limits,
-                   const Forecast& forecast, const std::function<GridFit(int, int)>& fit, double margin) {
+                   const Forecast& forecast, const Outline* outline,
+                   const std::function<GridFit(int, int, const Outline*)>& fit, double margin) {
   const std::size_t largest = limits.largest_bytes != 0 ? limits.largest_bytes : profile.pool_bytes;
-  const std::vector<Spacing> spacings = spacings_of(geometry, limits.largest_spacing_log2, largest);
+  const std::vector<Spacing> spacings = spacings_of(geometry, limits.largest_spacing_log2, largest, outline != nullptr);
   std::optional<CompiledMap> best;
+  std::optional<CompiledMap> best_of_whole_cells;  // within the limits, but for cells that the outline cuts
   std::optional<UnseenError> nothing;
   std::vector<const Spacing*> tried;
-  const auto attempt = [&](const Spacing& spacing) {
-    if (std::ranges::find(tried, &spacing) != tried.end()) return false;
-    tried.push_back(&spacing);
-    const GridFit grid = fit(spacing.nx, spacing.ny);
+  const auto consider = [&](const GridFit& grid) {
     const MapReport& report = grid.report();
     if (report.supervised() == 0) {
       nothing = UnseenError(report);
@@ -967,12 +1303,26 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
     if (good || !best || lost < best->report.lost_share()) best = grid.take();
     return good;
   };
+  const auto attempt = [&](const Spacing& spacing) {
+    if (std::ranges::find(tried, &spacing) != tried.end()) return false;
+    tried.push_back(&spacing);
+    GridFit grid = fit(spacing.nx, spacing.ny, outline);
+    if (consider(grid)) return true;
+    const double much_less = std::min(kMuchLess * grid.report().lost_share(), kNearly * limits.largest_lost_share);
+    if (!best_of_whole_cells && grid.leave_out_cut() &&
+        grid.report().lost_share() <= std::max(limits.largest_lost_share, much_less)) {
+      best_of_whole_cells = grid.take();
+    }
+    if (best_of_whole_cells) return false;
+    return outline != nullptr && consider(fit(spacing.nx, spacing.ny, nullptr));
+  };
   const auto beyond = [&](const Spacing& s, double error_px) { return forecast.share_beyond(s.nx, s.ny, error_px); };
   const auto likely = [&](const Spacing& s) {
-    return forecast.lost_share(s.nx, s.ny) <= limits.largest_lost_share * margin &&
+    return (outline != nullptr || forecast.lost_share(s.nx, s.ny) <= limits.largest_lost_share * margin) &&
            beyond(s, limits.error_px * margin) <= (1 - limits.share) * margin;
   };
-  if (!std::ranges::any_of(spacings, [&](const Spacing& s) { return likely(s) && attempt(s); })) {
+  const bool found = std::ranges::any_of(spacings, [&](const Spacing& s) { return likely(s) && attempt(s); });
+  if (!found && !best_of_whole_cells) {
     // Where creases, or the border of what is seen, keep too many pixels off, the grid loses them all.
     std::multimap<double, const Spacing*> last;  // equal ones in the order of `spacings`
     for (const Spacing& s : spacings) {
@@ -980,8 +1330,11 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
       last.emplace(forecast.lost_share(s.nx, s.ny) + too_many, &s);
     }
     std::ranges::any_of(last | std::views::take(kLastTries), [&](const auto& s) {
-      return s.first <= kWorthATry * last.begin()->first && attempt(*s.second);
+      return s.first <= kWorthATry * last.begin()->first && (attempt(*s.second) || best_of_whole_cells);
     });
+  }
+  if (best_of_whole_cells && !(best && best->report.lost_share() <= limits.largest_lost_share)) {
+    best = std::move(best_of_whole_cells);
   }
   if (!best && nothing) throw UnseenError(*nothing);
   if (!best) {
@@ -1046,17 +1399,23 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
     take(looks, geometry, first, lattice);
   }
   check_lattice_rows(lattice, geometry, limits.view);
+  const auto* const rig_skin = dynamic_cast<const RigSkin*>(&skin);
+  const bool simple = rig_skin != nullptr && rig_skin->surface()->simple();
+  const std::optional<Outline> outline = limits.spans ? outline_of(lattice, geometry) : std::nullopt;
   // The forecast only sorts out what is far off.
   CompiledMap map = choose(
-      profile, geometry, limits, Forecast(lattice, geometry),
-      [&](int nx, int ny) { return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits, false); }, 4);
+      profile, geometry, limits, Forecast(lattice, geometry), outline ? &*outline : nullptr,
+      [&](int nx, int ny, const Outline* spans) {
+        return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits, simple, spans);
+      },
+      4);
   const LatticeShape shape = control_shape(map.table);
   const std::vector<Point> controls = lattice_points(geometry, shape);
   std::vector<Point> sources(controls.size());
   skin.look_around(controls, sources);
   show_around(shape, sources, map.table);
   hls::table::Facts facts = facts_of(map.table, profile);
-  if (const auto* rig_skin = dynamic_cast<const RigSkin*>(&skin)) {
+  if (rig_skin != nullptr) {
     SkinScale(rig_skin->cameras(), profile, geometry).measure(*rig_skin->surface(), facts);
   }
   seal(map, facts);
@@ -1125,7 +1484,8 @@ MapCompiler::MapCompiler(CameraPair cameras, const MachineProfile& profile, cons
       profile_(profile),
       geometry_(geometry),
       limits_(limits),
-      scale_(cameras_, profile, geometry) {}
+      scale_(cameras_, profile, geometry),
+      outlines_(cameras_, geometry, limits.view) {}
 
 const Rays& MapCompiler::rays(const LatticeShape& shape) {
   auto rays = rays_.find(shape);
@@ -1152,9 +1512,10 @@ CompiledMap MapCompiler::compile(const Surface& surface) {
   LookLattice coarse;
   look(surface, shape_of(geometry_, kForecastLog2, kForecastLog2, kForecastLog2, kForecastLog2), coarse);
   const Forecast forecast(coarse, geometry_);
+  const std::optional<Outline> outline = limits_.spans ? outlines_.trace(cameras_, surface, coarse) : std::nullopt;
   lattice_.shape = {};
   const int coarsest = surface.simple() ? kSmoothLog2 : kFeatureLog2;
-  const auto fit = [&](int nx, int ny) {
+  const auto fit = [&](int nx, int ny, const Outline* spans) {
     const int x_log2 = std::min(std::max(nx - 1, 0), coarsest);
     const int y_log2 = std::min(std::max(ny - 1, 0), coarsest);
     const LatticeShape shape = shape_of(geometry_, x_log2, y_log2, nx, ny);
@@ -1162,9 +1523,9 @@ CompiledMap MapCompiler::compile(const Surface& surface) {
       look(surface, shape, lattice_);
       if (surface.simple()) keep_clear_of_limits(lattice_);
     }
-    return GridFit(lattice_, geometry_, nx, ny, profile_.weight_bits, limits_, surface.simple());
+    return GridFit(lattice_, geometry_, nx, ny, profile_.weight_bits, limits_, surface.simple(), spans);
   };
-  CompiledMap map = choose(profile_, geometry_, limits_, forecast, fit, 1.1);
+  CompiledMap map = choose(profile_, geometry_, limits_, forecast, outline ? &*outline : nullptr, fit, 1.1);
   const LatticeShape controls = control_shape(map.table);
   std::vector<Point> sources(rays(controls).size());
   cameras_.look_around(surface, rays(controls), sources, without_source(controls, map.table));

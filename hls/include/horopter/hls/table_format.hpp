@@ -2,7 +2,8 @@
 // The format of mapping tables, version 3: what is uploaded into the machine, in words of 32 bits.
 //
 //   word  bits
-//   0     31..8 "HM" and the version, 6..4 and 2..0: control points every 2^n px in x and in y; the others are 0
+//   0     31..8 "HM" and the version, 7 the table has spans, 6..4 and 2..0: control points every 2^n px in x and in y; 3
+//         is 0
 //   1     26..16 pairs of control rows, 11..0 control columns
 //   2     27..16 height, 11..0 width of the incoming images (frames or fields), px
 //   3     11..0 words of facts that follow, 15..12 sub-sampling (pixels of a row that are one pixel of the result),
@@ -18,12 +19,16 @@
 //         sees, mm², as a byte of five bits e and three bits m: (1 + m/8) · 2^(e-12), from 0.00024 to 983,040. Four to
 //         a word, the first lowest; the last word is filled with 0. The mean of the block, or, of a block that does not
 //         meet the skin, that of the nearest one which does
+//   Spans, where the table has them, of each row of the incoming image from 0 on: 11..0 the first column, 27..16 the
+//   column after the last between which pixels are on the skin; 0 of a row without any. The others are 0, and so is a last
+//   word where the height is odd. A pixel outside of its row's span is not supervised, whatever the control points say;
+//   they still show what both cameras see there. So a cell that the outline of a skin cuts is supervised up to it
 //   Control points, pair by pair of rows, column by column, even row first: 31..16 y, 15..0 x of the source in the
 //   right image, (px + 64) · 32; y is below 0xA000. Points around the skin, which show the machine what both cameras see
 //   there, but are not supervised: y is 0xA000 + ⌊(px + 64) · 16⌋. All ones: no source
 //   CRC-32 (IEEE 802.3) of all words before it as little-endian bytes
 //
-// The machine stores the control points, and of the facts words 6 and 7. It reads over the others, which the CRC
+// The machine stores spans and control points, and of the facts words 6 and 7. It reads over the others, which the CRC
 // protects: they cost no memory.
 // A table made without a rig knows no areas and no shifts.
 #pragma once
@@ -65,12 +70,18 @@ struct Geometry {
   int height = 0;
   int spacing_x_log2 = 0;
   int spacing_y_log2 = 0;
+  bool spans = false;  // a row has one
 
   [[nodiscard]] constexpr int columns() const { return control_points(width, spacing_x_log2); }
   [[nodiscard]] constexpr int row_pairs() const { return (control_points(height, spacing_y_log2) + 1) / 2; }
   [[nodiscard]] constexpr std::size_t control_words() const {
     return std::size_t{2} * static_cast<std::size_t>(columns()) * static_cast<std::size_t>(row_pairs());
   }
+  [[nodiscard]] constexpr std::size_t span_words() const {
+    return spans ? 2 * static_cast<std::size_t>((height + 1) / 2) : 0;
+  }
+  /// What the machine's pool holds.
+  [[nodiscard]] constexpr std::size_t pool_words() const { return span_words() + control_words(); }
   /// Of a control point among the control words.
   [[nodiscard]] constexpr std::size_t control_index(int column, int row) const {
     return 2 * (static_cast<std::size_t>(row / 2) * static_cast<std::size_t>(columns()) +
@@ -82,12 +93,29 @@ struct Geometry {
   }
 };
 
+inline constexpr std::uint32_t has_spans = 1U << 7;  // of word 0
+
 /// Whether word 0 is one of this version.
 constexpr bool is_first_word(std::uint32_t word) {
   constexpr int largest = largest_spacing_log2;
-  return word >> 8 == (magic << 8 | version) && static_cast<int>(word >> 4 & 15U) <= largest &&
+  return word >> 8 == (magic << 8 | version) && static_cast<int>(word >> 4 & 7U) <= largest &&
          static_cast<int>(word & 15U) <= largest;
 }
+
+/// Pixels of a row that are on the skin: first … end - 1; none where both are 0.
+struct Span {
+  int first = 0;
+  int end = 0;
+  friend constexpr bool operator==(const Span&, const Span&) = default;
+
+  [[nodiscard]] constexpr bool holds(int x) const { return first <= x && x < end; }
+  [[nodiscard]] constexpr std::uint32_t word() const {
+    return static_cast<std::uint32_t>(end) << 16 | static_cast<std::uint32_t>(first);
+  }
+  static constexpr Span of(std::uint32_t word) {
+    return {static_cast<int>(word & 0xFFFU), static_cast<int>(word >> 16 & 0xFFFU)};
+  }
+};
 
 /// Of words 0 to 2; nothing where they contradict each other. The machine judges them likewise.
 constexpr std::optional<Geometry> read_geometry(std::span<const std::uint32_t> words) {
@@ -95,15 +123,15 @@ constexpr std::optional<Geometry> read_geometry(std::span<const std::uint32_t> w
   const std::uint32_t width = words[2] & 0xFFFFU;
   const std::uint32_t height = words[2] >> 16;
   if (!is_first_word(words[0]) || width == 0 || width > largest_size || height == 0 || height > largest_size) return {};
-  const Geometry geometry{static_cast<int>(width), static_cast<int>(height), static_cast<int>(words[0] >> 4 & 15U),
-                          static_cast<int>(words[0] & 15U)};
+  const Geometry geometry{static_cast<int>(width), static_cast<int>(height), static_cast<int>(words[0] >> 4 & 7U),
+                          static_cast<int>(words[0] & 15U), (words[0] & has_spans) != 0};
   const auto columns = static_cast<std::uint32_t>(geometry.columns());
   const auto pairs = static_cast<std::uint32_t>(geometry.row_pairs());
   if (words[1] != (pairs << 16 | columns)) return {};
   return geometry;
 }
 
-/// Word 3: words between it and the first control point; nothing where there are too few. The machine judges it
+/// Word 3: words between it and the first span, or control point; nothing where there are too few. The machine judges it
 /// likewise.
 constexpr std::optional<std::size_t> read_fact_words(std::uint32_t word) {
   const std::uint32_t count = word & 0xFFFU;
@@ -152,7 +180,7 @@ struct ShiftRange {
   friend constexpr bool operator==(const ShiftRange&, const ShiftRange&) = default;
 };
 
-/// Word 3 and what follows up to the control points.
+/// Word 3 and what follows up to spans and control points.
 struct Facts {
   int subsample = 1;
   std::uint32_t judgeable_by_thesis = 0;  // pixels of the result
@@ -178,14 +206,20 @@ inline constexpr std::uint32_t areas_known = 1U << 16;
 inline constexpr std::uint32_t shifts_known = 1U << 17;
 }  // namespace detail
 
-/// Words of a table, without CRC: 0 stands for it. `control(column, row)` gives the words of the control points.
+/// Words of a table, without CRC: 0 stands for it. `control(column, row)` gives the words of the control points. A
+/// geometry with spans needs one of each row.
 template <class Control>
-std::vector<std::uint32_t> write(const Geometry& geometry, const Facts& facts, Control control) {
+std::vector<std::uint32_t> write(const Geometry& geometry, const Facts& facts, Control control,
+                                 std::span<const Span> spans = {}) {
+  if (spans.size() != (geometry.spans ? static_cast<std::size_t>(geometry.height) : 0)) {
+    throw std::invalid_argument("as many spans as the table has rows");
+  }
   const std::size_t area_words = (facts.areas.size() + 3) / 4;
   const std::uint32_t pixels = facts.result_pixels(geometry);
   const ShiftRange shifts = facts.shifts.value_or(ShiftRange{});
   std::vector<std::uint32_t> words{
-      magic << 16 | version << 8 | static_cast<std::uint32_t>(geometry.spacing_x_log2) << 4 |
+      magic << 16 | version << 8 | (geometry.spans ? has_spans : 0U) |
+          static_cast<std::uint32_t>(geometry.spacing_x_log2) << 4 |
           static_cast<std::uint32_t>(geometry.spacing_y_log2),
       static_cast<std::uint32_t>(geometry.row_pairs()) << 16 | static_cast<std::uint32_t>(geometry.columns()),
       geometry.size_word(),
@@ -200,7 +234,9 @@ std::vector<std::uint32_t> write(const Geometry& geometry, const Facts& facts, C
   for (std::size_t i = 0; i < facts.areas.size(); ++i) {
     words[header_words + fact_words + i / 4] |= std::uint32_t{facts.areas[i]} << (8 * (i % 4));
   }
-  words.reserve(words.size() + geometry.control_words() + 1);
+  words.reserve(words.size() + geometry.pool_words() + 1);
+  for (const Span& span : spans) words.push_back(span.word());
+  if (spans.size() % 2 != 0) words.push_back(0);
   for (int pair = 0; pair < geometry.row_pairs(); ++pair) {
     for (int column = 0; column < geometry.columns(); ++column) {
       words.push_back(control(column, 2 * pair));
@@ -211,10 +247,11 @@ std::vector<std::uint32_t> write(const Geometry& geometry, const Facts& facts, C
   return words;
 }
 
-/// Everything before the control points.
+/// Where everything is before the control points.
 struct Header {
   Geometry geometry;
   Facts facts;
+  std::size_t first_span = 0;     // word
   std::size_t first_control = 0;  // word
 };
 
@@ -233,14 +270,16 @@ inline Header read(std::span<const std::uint32_t> words) {
   const auto geometry = read_geometry(words);
   require(geometry.has_value(), text(words[1] & 0xFFFFU) + " x " + text(2 * (words[1] >> 16)) + " control points for " +
                                     text(words[2] & 0xFFFFU) + "x" + text(words[2] >> 16) + " pixels");
-  Header header{*geometry, {}, 0};
+  Header header{*geometry, {}, 0, 0};
   Facts& facts = header.facts;
   const auto count = read_fact_words(words[3]);
   require(count.has_value(), text(words[3] & 0xFFFU) + " words of facts");
-  header.first_control = header_words + *count;
+  header.first_span = header_words + *count;
+  header.first_control = header.first_span + geometry->span_words();
   require(words.size() == header.first_control + geometry->control_words() + 1,
-          text(words.size()) + " words for " + text(*count) + " words of facts and " + text(geometry->columns()) +
-              " x " + text(2 * geometry->row_pairs()) + " control points");
+          text(words.size()) + " words for " + text(*count) + " words of facts, " + text(geometry->span_words()) +
+              " of spans and " + text(geometry->columns()) + " x " + text(2 * geometry->row_pairs()) +
+              " control points");
   const bool areas_known = (words[3] & detail::areas_known) != 0;
   const bool shifts_known = (words[3] & detail::shifts_known) != 0;
   facts.subsample = static_cast<int>(words[3] >> 12 & 15U);
@@ -261,6 +300,14 @@ inline Header read(std::span<const std::uint32_t> words) {
     const auto code = static_cast<std::uint8_t>(words[header_words + fact_words + i / 4] >> (8 * (i % 4)));
     if (i < areas) facts.areas[i] = code;
     require(i < areas || code == 0, "areas beyond the last block");
+  }
+  for (std::size_t row = 0; row < geometry->span_words(); ++row) {
+    const std::uint32_t word = words[header.first_span + row];
+    const Span span = Span::of(word);
+    const bool in_image = row < static_cast<std::size_t>(geometry->height);
+    require(word == 0 || (in_image && word == span.word() && span.first < span.end && span.end <= geometry->width),
+            "a span of row " + text(row) + " from column " + text(word & 0xFFFFU) + " to before " + text(word >> 16) +
+                " of " + text(geometry->width) + "x" + text(geometry->height) + " pixels");
   }
   return header;
 }

@@ -46,13 +46,22 @@ class MapTable {
   std::int64_t result_pixels() const { return header_.facts.result_pixels(header_.geometry); }
   const std::vector<std::uint32_t>& words() const { return words_; }
   std::uint32_t crc() const { return words_.back(); }
-  /// Control points only: what the pool must hold.
-  std::size_t pool_bytes() const { return header_.geometry.control_words() * sizeof(std::uint32_t); }
-  static std::size_t pool_bytes(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2);
+  /// Spans and control points: what the pool must hold.
+  std::size_t pool_bytes() const { return header_.geometry.pool_words() * sizeof(std::uint32_t); }
+  static std::size_t pool_bytes(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2,
+                                bool spans = false);
 
   std::uint32_t control(int column, int row) const { return words_[index(column, row)]; }
   void set_control(int column, int row, std::uint32_t value) { words_[index(column, row)] = value; }
-  /// To be called when the last control point is set. `facts` must be true of the control points (facts_of in
+  bool has_spans() const { return header_.geometry.spans; }
+  /// The columns of a row that may be supervised: all, of a table without spans.
+  hls::table::Span span(int row) const {
+    return has_spans() ? hls::table::Span::of(words_[header_.first_span + static_cast<std::size_t>(row)])
+                       : hls::table::Span{0, geometry_.width};
+  }
+  /// One of each row; of no pixel {0, 0}. Throws std::invalid_argument for others, or such as leave the row.
+  void set_spans(std::span<const hls::table::Span> spans);
+  /// To be called when the last control point, and the spans are set. `facts` must be true of the control points (facts_of in
   /// table_facts.hpp): the machine's limits depend on them.
   void seal(const hls::table::Facts& facts);
 
@@ -65,7 +74,7 @@ class MapTable {
     std::int64_t x = 0;  ///< in 2^-kFractionBits pixels
     std::int64_t y = 0;
   };
-  /// As the hardware does it, before rounding to the weights. Nothing when a control point with a weight is not one of the skin.
+  /// As the hardware does it, before rounding to the weights. Nothing when a control point with a weight is not one of the skin, or the pixel is outside of its row's span.
   std::optional<Expanded> expand(int x, int y) const;
   /// The same of the skin and of what is around it.
   std::optional<Expanded> expand_around(int x, int y) const;
@@ -82,6 +91,7 @@ class MapTable {
   Image supervised(int weight_bits) const;
 
  private:
+  void write(const hls::table::Facts& facts, std::span<const hls::table::Span> spans);
   template <class Counts>
   std::optional<Expanded> expand_if(int x, int y, Counts counts) const;
   std::size_t index(int column, int row) const {

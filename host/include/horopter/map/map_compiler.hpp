@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "horopter/map/map.hpp"
+#include "horopter/map/outline_fit.hpp"
 #include "horopter/map/table_facts.hpp"
 #include "horopter/skin/rig_skin.hpp"
 #include "horopter/skin/skin_file.hpp"
@@ -32,12 +33,13 @@ class RowError : public std::runtime_error {
 void check_rows(const RowCount& rows, const ViewLimits& view);
 
 struct MapLimits {
-  double share = 0.99;               ///< of the supervised pixels …
+  double share = 0.99;               ///< of the supervised pixels (of whole cells, where none fits the pool else) …
   double error_px = 1.0 / 16;        ///< … stay within this distance of the skin
   double largest_error_px = 0.25;    ///< all do: the grid loses those that would not
   double largest_lost_share = 0.02;  ///< of the pixels that could be supervised; else the table that loses least
   std::size_t largest_bytes = 0;     ///< of a table; 0: the profile's pool. Half of it where two must fit
   int largest_spacing_log2 = MapTable::kLargestSpacingLog2;  ///< 0: the thesis's dense table
+  bool spans = true;  ///< a table may have them, where less is lost with them than without
   ViewLimits view;
 };
 
@@ -79,8 +81,8 @@ struct LookLattice {
 /// The same for skins that move while the cameras stand, a thousand tables a second. The lines of sight are computed
 /// once. Errors and reasons are checked at 4 pixels of each cell: its corner, its middle and the middles between.
 /// Limits of the view are met between the samples of a `simple` surface, by their second differences; on other
-/// surfaces samples are 4 pixels apart or less, and parts smaller than that may be missed. Results do not depend on the
-/// skins before.
+/// surfaces samples are 4 pixels apart or less, and parts smaller than that may be missed. Outlines are followed pixel by
+/// pixel. Results do not depend on the skins before.
 class MapCompiler {
  public:
   MapCompiler(CameraPair cameras, const MachineProfile& profile, const ScanGeometry& geometry,
@@ -100,6 +102,7 @@ class MapCompiler {
   std::map<LatticeShape, Rays> rays_;
   LookLattice lattice_;  ///< of the skin at hand; kept for its memory
   SkinScale scale_;
+  OutlineTracer outlines_;
 };
 
 }  // namespace horopter

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "horopter/map/outline_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "horopter/map/map_compiler.hpp"
+
+namespace horopter {
+namespace {
+
+using hls::table::Span;
+
+constexpr Point kNowhere{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+bool is_good(Reason reason, const Point& source) { return !is_excluded(reason) && !std::isnan(source.x); }
+
+/// Runs of true among 0 … count - 1: the longest, the first of several.
+template <class Good>
+Span longest_run(int count, Good good) {
+  Span longest;
+  for (int i = 0; i < count; ++i) {
+    if (!good(i)) continue;
+    const int first = i;
+    while (i < count && good(i)) ++i;
+    if (i - first > longest.end - longest.first) longest = {first, i};
+  }
+  return longest;
+}
+
+bool is_empty(const Span& span) { return span.first == span.end; }
+
+bool has_an_end(const Outline& outline, int width) {
+  const auto whole = [&](const Span& span) { return span == Span{0, width}; };
+  return !std::ranges::all_of(outline.spans, whole) && !std::ranges::all_of(outline.spans, is_empty);
+}
+
+void append(Rays& to, const Rays& more) {
+  const auto add = [](auto& all, const auto& some) { all.insert(all.end(), some.begin(), some.end()); };
+  add(to.directions, more.directions);
+  for (std::size_t i = 0; i < to.right_view.size(); ++i) add(to.right_view[i], more.right_view[i]);
+  add(to.over_length, more.over_length);
+  add(to.row_error, more.row_error);
+  to.largest_shift_px = more.largest_shift_px;
+}
+
+}  // namespace
+
+std::optional<Outline> outline_of(const LookLattice& lattice, const ScanGeometry& geometry) {
+  Outline outline;
+  for (int y = 0; y < geometry.height; ++y) {
+    const std::size_t row = lattice.index(0, y);
+    const auto at = [&](int x) { return row + static_cast<std::size_t>(x); };
+    const Span span =
+        longest_run(geometry.width, [&](int x) { return is_good(lattice.reasons[at(x)], lattice.sources[at(x)]); });
+    outline.spans.push_back(span);
+  }
+  if (!has_an_end(outline, geometry.width)) return {};
+  outline.source = [&lattice](int x, int y) {
+    const std::size_t at = lattice.index(x, y);
+    return is_good(lattice.reasons[at], lattice.sources[at]) ? lattice.sources[at] : kNowhere;
+  };
+  return outline;
+}
+
+OutlineTracer::OutlineTracer(const CameraPair& cameras, const ScanGeometry& geometry, const ViewLimits& view)
+    : geometry_(geometry),
+      view_(view),
+      parts_((geometry.width + kSide - 1) / kSide),
+      first_ray_(static_cast<std::size_t>(parts_) * static_cast<std::size_t>(geometry.height), -1),
+      rays_(cameras.rays({}, view)) {}
+
+std::size_t OutlineTracer::rays_of(const CameraPair& cameras, int part, int y) {
+  std::int32_t& first =
+      first_ray_[static_cast<std::size_t>(y) * static_cast<std::size_t>(parts_) + static_cast<std::size_t>(part)];
+  if (first < 0 && rays_.size() > kMostRays) {
+    std::ranges::fill(first_ray_, -1);
+    rays_ = cameras.rays({}, view_);
+  }
+  if (first < 0) {
+    std::array<Point, kSide> pixels;
+    for (int i = 0; i < kSide; ++i) {
+      pixels[static_cast<std::size_t>(i)] = geometry_.to_frame({double(part * kSide + i), double(y)});
+    }
+    first = static_cast<std::int32_t>(rays_.size());
+    append(rays_, cameras.rays(pixels, view_));
+  }
+  return static_cast<std::size_t>(first);
+}
+
+const Look& OutlineTracer::look(const CameraPair& cameras, const Surface& surface, int x, int y, Seen& seen) {
+  const int part = x / kSide;
+  if (seen.part != part || seen.y != y) {
+    cameras.look(surface, rays_, geometry_.row_step(), view_, seen.looks, rays_of(cameras, part, y));
+    seen.part = part;
+    seen.y = y;
+  }
+  return seen.looks[static_cast<std::size_t>(x % kSide)];
+}
+
+std::optional<Outline> OutlineTracer::trace(const CameraPair& cameras, const Surface& surface,
+                                            const LookLattice& coarse) {
+  const int step_y = 1 << coarse.shape.y_log2;
+  const int step_x_log2 = coarse.shape.x_log2;
+  const int coarse_columns = ((geometry_.width - 1) >> step_x_log2) + 1;
+  const int coarse_rows = ((geometry_.height - 1) >> coarse.shape.y_log2) + 1;
+  std::vector<Span> begin;  // by row of the lattice, in pixels that are on the skin: first … end - 1
+  bool all = true;
+  std::size_t longest = 0;
+  for (int row = 0; row < coarse_rows; ++row) {
+    const auto good = [&](int column) {
+      const std::size_t at = coarse.index(column << step_x_log2, row * step_y);
+      return is_good(coarse.reasons[at], coarse.sources[at]);
+    };
+    const Span run = longest_run(coarse_columns, good);
+    all = all && run == Span{0, coarse_columns};
+    begin.push_back(is_empty(run) ? Span{} : Span{run.first << step_x_log2, ((run.end - 1) << step_x_log2) + 1});
+    const auto length = [](const Span& span) { return span.end - span.first; };
+    if (length(begin.back()) > length(begin[longest])) longest = begin.size() - 1;
+  }
+  if (all || is_empty(begin[longest])) return {};
+
+  std::array<Seen, 2> seen;  // one at each end of a span
+  const auto good = [&](std::size_t side, int x, int y) {
+    const Look& there = look(cameras, surface, x, y, seen[side]);
+    return is_good(there.reason, there.source);
+  };
+  Outline outline;
+  outline.spans.resize(static_cast<std::size_t>(geometry_.height));
+  // From where it is said to be about.
+  const auto trace_row = [&](int y, Span about) {
+    int first = about.first;
+    int last = about.end - 1;
+    if (good(0, first, y)) {
+      while (first > 0 && good(0, first - 1, y)) --first;
+    } else {
+      do {
+        if (++first > last) return;
+      } while (!good(0, first, y));
+    }
+    if (good(1, last, y)) {
+      while (last + 1 < geometry_.width && good(1, last + 1, y)) ++last;
+    } else {
+      while (!good(1, --last, y)) {
+      }
+    }
+    outline.spans[static_cast<std::size_t>(y)] = {first, last + 1};
+  };
+  const auto trace_on = [&](int first_y, int direction) {
+    for (int y = first_y; y >= 0 && y < geometry_.height; y += direction) {
+      Span about = y == first_y && direction > 0 ? begin[longest] : outline.span(y - direction);
+      if (is_empty(about)) {  // the next row of the lattice may be on the skin again
+        const int ahead = direction > 0 ? (y + step_y - 1) / step_y : y / step_y;
+        if (ahead >= coarse_rows) continue;
+        about = begin[static_cast<std::size_t>(ahead)];
+        if (is_empty(about)) continue;
+      }
+      trace_row(y, about);
+    }
+  };
+  const int middle = static_cast<int>(longest) * step_y;
+  trace_on(middle, 1);
+  trace_on(middle - 1, -1);
+  if (!has_an_end(outline, geometry_.width)) return {};
+  outline.source = [this, &cameras, &surface, last = Seen{}](int x, int y) mutable {
+    const Look& there = look(cameras, surface, x, y, last);
+    return is_good(there.reason, there.source) ? geometry_.from_frame(there.source) : kNowhere;
+  };
+  return outline;
+}
+
+ControlFit::ControlFit(std::vector<std::size_t> free, std::vector<Point>& points)
+    : free_(std::move(free)), points_(points), from_(free_.size()), uses_(free_.size()) {
+  place_.assign(points_.size(), -1);
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    place_[free_[i]] = static_cast<std::int32_t>(i);
+    from_[i] = points_[free_[i]];
+  }
+}
+
+void ControlFit::add(const std::array<std::size_t, 4>& at, double right, double below, Point source, double counts) {
+  const std::array<double, 4> weights{(1 - right) * (1 - below), right * (1 - below), (1 - right) * below,
+                                      right * below};
+  bool moves = false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (weights[k] == 0) continue;
+    source.x -= weights[k] * points_[at[k]].x;
+    source.y -= weights[k] * points_[at[k]].y;
+    moves = moves || place_[at[k]] >= 0;
+  }
+  if (!moves || std::isnan(source.x)) return;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (weights[k] == 0 || place_[at[k]] < 0) continue;
+    uses_[static_cast<std::size_t>(place_[at[k]])].push_back({rest_.size(), weights[k], counts});
+  }
+  rest_.push_back(source);
+}
+
+void ControlFit::solve() {
+  constexpr int kSweeps = 6;
+  constexpr double kStay = 1e-3;  // how much the place from which a point comes counts
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      Point& point = points_[free_[i]];
+      double squares = kStay;
+      Point by{kStay * (from_[i].x - point.x), kStay * (from_[i].y - point.y)};
+      for (const Use& use : uses_[i]) {
+        squares += use.counts * use.weight * use.weight;
+        by.x += use.counts * use.weight * rest_[use.equation].x;
+        by.y += use.counts * use.weight * rest_[use.equation].y;
+      }
+      by = {by.x / squares, by.y / squares};
+      point.x += by.x;
+      point.y += by.y;
+      for (const Use& use : uses_[i]) {
+        rest_[use.equation].x -= use.weight * by.x;
+        rest_[use.equation].y -= use.weight * by.y;
+      }
+    }
+  }
+}
+
+}  // namespace horopter
