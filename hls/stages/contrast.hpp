@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// contrast: what the planes of `compete` are compared by: the x gradient of both images, the right one scaled to the
-// left camera's gain, both clipped to ±31 (4 grey levels per pixel).
+// contrast: what the planes of `compete` are compared by: the gradients of both images, the right ones scaled to the left
+// camera's gain, clipped to ±31 along the row (4 grey levels per pixel) and to ±15 across it.
 //
-// Only x: along a row a horizontal edge looks the same at every shift, so it says nothing of disparity. Clipped before
-// they are compared: two edges agree however strong or blurred they are, and noise, small beside them, costs little.
+// What lies across counts half: along a row an edge that runs with it looks the same at every shift. Clipped before they
+// are compared: two edges agree however strong or blurred they are.
 //
 // Gain: 1/64, 16 … 255, the ratio of the sums of |gx| (each at most 255) of both images where both exist: sums in which
 // a row counts 7/8 of the next one, from 1 at the start of each frame, so that a frame does not depend on those before
 // it. What the rows up to y − 2 say holds for row y: the quotient is formed, a bit in two
 // beats, while row y − 1 passes.
 //
-// In    gradients, and the low-passed left grey level and mask of the same beat, which pass through.
+// In    gradients. The left grey level and the mask pass through.
 // Out   left, right: 0 where saturated. Offset: none. No memory. Rows of at least 19 beats.
 #pragma once
 
-#include "stages/sobel.hpp"
+#include "stages/slopes.hpp"
 
 namespace horopter::stages {
 
@@ -26,28 +26,35 @@ struct Contrast {
   template <int N>
   using S = typename V::template s<N>;
   using Bit = typename V::bit;
-  static constexpr int largest = 31;
+  /// 4 grey levels per pixel.
+  static constexpr int least_edge = 32;
 
   S<6> left;
   S<6> right;
+  S<5> left_y;
+  S<5> right_y;
+  Bit edge = false;  // of the left image: what it shows along the row is more than noise
   Bit mask = false;
   U<8> grey;
-  Bit exists = false;
   Marks marks;
 
   static U<8> magnitude(S<11> gx) { return sat<8>(abs(gx)); }
 
-  static S<6> clipped(S<11> gx, U<8> magnitude, Bit saturated) {
-    const U<5> size = select(saturated, U<5>(0), sat<5>(magnitude));
-    return select(gx.negative(), S<6>(S<6>(0) - size), S<6>(size));
+  template <int N>
+  static S<N + 1> clipped(S<11> gradient, U<8> magnitude, Bit saturated) {
+    const U<N> size = select(saturated, U<N>(0), sat<N>(magnitude));
+    return select(gradient.negative(), S<N + 1>(S<N + 1>(0) - size), S<N + 1>(size));
   }
+  static U<8> scaled(U<8> magnitude, u<8> gain) { return sat<8>(shr<6>(U<16>(magnitude * gain))); }
 
-  void set(const Gradients<2, V, true>& in, u<8> gain) {
-    left = clipped(in.gx[0], magnitude(in.gx[0]), in.saturated);
-    right = clipped(in.gx[1], sat<8>(shr<6>(U<16>(magnitude(in.gx[1]) * gain))), in.saturated);
+  void set(const GradientsAndGrey<V>& in, u<8> gain) {
+    left = clipped<5>(in.gx[0], magnitude(in.gx[0]), in.saturated);
+    right = clipped<5>(in.gx[1], scaled(magnitude(in.gx[1]), gain), in.saturated);
+    left_y = clipped<4>(in.gy[0], magnitude(in.gy[0]), in.saturated);
+    right_y = clipped<4>(in.gy[1], scaled(magnitude(in.gy[1]), gain), in.saturated);
+    edge = magnitude(in.gx[0]) >= lit<least_edge>() && !in.saturated;
     mask = in.mask;
-    grey = in.smooth.grey;
-    exists = in.smooth.exists;
+    grey = in.grey;
     marks = in.marks;
   }
 };
@@ -85,7 +92,7 @@ struct GradientSums {
 template <int BEATS>
 class ContrastFinder {
  public:
-  using In = Gradients<2, Scalar, true>;
+  using In = GradientsAndGrey<>;
   using Out = Contrast<>;
 
   Out step(const In& in) {

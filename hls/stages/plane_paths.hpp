@@ -7,7 +7,7 @@
 // no opinion: 0. A fades by a quarter a row: flat areas learn from above, but not for ever.
 //
 // Out   cost[n] = T(n). evident: known, and min S < 13/16 · evidence: some plane explains what the left image shows.
-//       Or strong: evidence too strong for noise: then what no plane explains is hidden or far from them all, not in
+//       Or strong: more edges than noise makes: then what no plane explains is hidden or far from them all, not in
 //       the skin.
 // The rest passes through. Offset: none. Memory: per column 6 bits for each plane.
 // Without PATHS, T = S and there is no memory.
@@ -35,8 +35,8 @@ class PlanePaths {
   /// sum.
   static constexpr int step_price = 5 * ROWS * COLUMNS / 8;
 
-  /// A mean gradient of 5/4 grey levels per pixel: after the low-pass, that of noise of 6 grey levels.
-  static constexpr int strong_evidence = 10 * ROWS * COLUMNS;
+  /// Pixels of a window with an edge: more of them than noise makes.
+  static constexpr int strong_edges = 8;
 
   using In = typename PlaneSummer<BEATS, PLANES, ROWS, COLUMNS, V>::Out;
   struct Out {
@@ -60,7 +60,7 @@ class PlanePaths {
     out.known = in.known;
     const U<sum_bits + 4> needed(shl<3>(in.evidence) + shl<2>(in.evidence) + in.evidence);
     const Bit explained = shl<4>(smallest(in.sum)) < needed;
-    out.strong = in.evidence >= lit<strong_evidence>();
+    out.strong = in.edges >= lit<strong_edges>();
     out.evident = in.known && (explained || out.strong);
     out.exists = in.exists;
     out.marks = in.marks;

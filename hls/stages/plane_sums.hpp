@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // plane_sums: for each plane the sum over ROWS×COLUMNS of the cost of a pixel, 0 … 31.
 //
-// The cost of a pixel is the difference of the clipped x gradients of both images, at most 31. A pixel whose own
+// The cost of a pixel is the sum of the differences of both images' gradients, along the row and across, at most 31. A pixel whose own
 // gradient is missing costs nothing in any plane; one whose partner of a shifted plane is missing (or in another row)
 // costs 31 there: a plane that cannot be seen cannot win.
 //
-// evidence: the sum over the same window of the left gradient's size: the cost of a plane on which the right image is
-// plain. A plane that costs no less explains nothing of what the left image shows.
+// evidence: the sum over the same window of the left gradients' size: the cost of a plane on which the right image is
+// plain. A plane that costs no less explains nothing of what the left image shows. edges: the pixels of the window with an edge
+// in the left image.
 //
 // In    of `contrast`.
 // Out   of the pixel, not of the beat: marks are delayed with it, so what follows needs no offset in columns.
-//       sum[n] for planes.shift[n]. known: the gradient exists, and the window lies in the row to the right.
-//       grey: left, in 4 grey levels; exists: there is a pixel.
-// Offset: (ROWS − 1) / 2 rows, and that of Sobel and low-pass before it; columns: none after it.
+//       sum[n] for planes.shift[n]. known: the pixel exists, and the window lies in the row to the right.
+//       grey: left, in 4 grey levels; exists: there is a pixel, and its gradient.
+// Offset: (ROWS − 1) / 2 rows, and that of `slopes` before it; columns: none after it.
 // Both directions of shift share one delayed stream: the left features wait for planes.reach() columns, the right ones
 // pass by them. The features are kept for ROWS rows and the costs of the leaving row computed again: less memory than
 // costs of every plane.
-// Memory: per column ROWS rows of 13 bits, (ROWS + 1) / 2 rows of 8 bits, a column sum for each plane and the evidence.
+// Memory: per column ROWS rows of 24 bits, (ROWS − 1) / 2 rows of 7 bits, a column sum for each plane and the evidence,
+// and a count of edges.
 #pragma once
 
 #include "stages/contrast.hpp"
@@ -24,8 +26,8 @@
 
 namespace horopter::stages {
 
-/// Columns by which low-pass and Sobel leave a pixel's gradient late.
-inline constexpr int gradient_delay = 2;
+/// Columns by which `slopes` leaves a pixel's gradient late.
+inline constexpr int gradient_delay = 1;
 
 template <int BEATS, const auto& PLANES, int ROWS, int COLUMNS, class V = Scalar>
 class PlaneSummer {
@@ -49,6 +51,7 @@ class PlaneSummer {
   struct Out {
     std::array<U<sum_bits>, planes> sum{};
     U<sum_bits> evidence;
+    U<bits_for(ROWS* COLUMNS)> edges;
     U<6> grey;
     Bit known = false;
     Bit exists = false;
@@ -84,8 +87,8 @@ class PlaneSummer {
   };
   struct Column {
     std::array<U<column_bits>, planes + 1> sum{};
-    std::array<Seen, half + 1> seen{};
-    std::array<Bit, half> gradient{};
+    U<bits_for(ROWS)> edges;
+    std::array<Seen, half> seen{};
   };
   /// Where the delayed left features stand.
   struct Place {
@@ -104,20 +107,19 @@ class PlaneSummer {
     }
     out.evidence = window_sum(planes, column, at, size(entering_), size(leaving_));
 
-    // Grey value and masks wait for the centre of the window.
-    const Bit gradient = entering_.tap(PLANES.reach()).features.mask;
-    const bool enough = at.rows >= half;
-    const Centre centre{column.seen[half], column.gradient[half - 1] && Bit(enough)};
-    for (std::size_t i = half; i > 0; --i) column.seen[i] = column.seen[i - 1];
-    for (std::size_t i = half - 1; i > 0; --i) column.gradient[i] = column.gradient[i - 1];
+    const U<bits_for(ROWS)> edges_above = at.frame_start_row ? U<bits_for(ROWS)>(0) : column.edges;
+    column.edges = U<bits_for(ROWS)>(edges_above + (edge(entering_) - edge(leaving_)));
+    out.edges = edges_.step(at.row_start, at.column >= COLUMNS, U<bits_for(ROWS * COLUMNS)>(column.edges));
+
+    // Grey value and mask wait for the centre of the window.
+    const Seen centre{column.seen[half - 1].grey, column.seen[half - 1].exists && Bit(at.rows >= half)};
+    for (std::size_t i = half - 1; i > 0; --i) column.seen[i] = column.seen[i - 1];
     column.seen[0] = place.seen;
-    column.gradient[0] = gradient;
-    const Centre pixel = centres_.oldest();
+    const Seen pixel = centres_.oldest();
     centres_.push(centre);
-    out.grey = pixel.seen.grey;
-    out.exists = pixel.seen.exists && Bit(rows_seen_.oldest());
-    rows_seen_.push(at.rows > half);
-    out.known = pixel.gradient && centre.gradient && Bit(at.column >= (COLUMNS - 1) / 2);
+    out.grey = pixel.grey;
+    out.exists = pixel.exists;
+    out.known = pixel.exists && centre.exists && Bit(at.column >= (COLUMNS - 1) / 2);
     out.marks = centre_marks_.oldest();
     centre_marks_.push(place.marks);
     return out;
@@ -138,6 +140,9 @@ class PlaneSummer {
     FeaturePair entering;
     entering.left = in.left;
     entering.right = in.right;
+    entering.left_y = in.left_y;
+    entering.right_y = in.right_y;
+    entering.edge = in.edge;
     entering.mask = in.mask;
     FeaturePair leaving = rows.row[ROWS - 1];
     leaving.mask = leaving.mask && Bit(arriving_at.rows == ROWS);
@@ -154,8 +159,7 @@ class PlaneSummer {
     marks_.push(in.marks);
     const auto at = delayed_.step(marks.first, marks.last);
     running_ = running_ || marks.first;
-    // The low-pass is a row and a column ahead of the gradient.
-    const Seen seen{U<6>(in.grey.template bits<7, 2>()), in.exists};
+    const Seen seen{U<6>(in.grey.template bits<7, 2>()), in.mask};
     const Seen here = seen_.oldest();
     seen_.push(seen);
     return {at, marks, here};
@@ -163,6 +167,8 @@ class PlaneSummer {
 
   struct FeaturePair {
     S<6> left, right;
+    S<5> left_y, right_y;
+    Bit edge = false;
     Bit mask = false;
   };
   struct FeatureRows {
@@ -171,10 +177,6 @@ class PlaneSummer {
   struct Tap {
     FeaturePair features;
     bool row = false;
-  };
-  struct Centre {
-    Seen seen;
-    Bit gradient = false;
   };
   using Taps = DelayLine<Tap, 2 * PLANES.reach() + 1>;
 
@@ -188,14 +190,19 @@ class PlaneSummer {
   static U<5> cost(const Taps& taps, int shift) {
     const Tap& left = taps.tap(PLANES.reach());
     const Tap& right = taps.tap(PLANES.reach() + shift);
-    const U<5> difference = sat<5>(abs(S<7>(left.features.left - right.features.right)));
+    const auto across = abs(S<6>(left.features.left_y - right.features.right_y));
+    const U<5> difference = sat<5>(U<7>(abs(S<7>(left.features.left - right.features.right)) + across));
     const Bit partner = right.features.mask && Bit(left.row == right.row);
     return select(left.features.mask, select(partner, difference, U<5>(largest_cost)), U<5>(0));
   }
 
   static U<5> size(const Taps& taps) {
     const FeaturePair& features = taps.tap(PLANES.reach()).features;
-    return select(features.mask, U<5>(abs(features.left)), U<5>(0));
+    return select(features.mask, sat<5>(U<6>(U<5>(abs(features.left)) + U<4>(abs(features.left_y)))), U<5>(0));
+  }
+  static U<1> edge(const Taps& taps) {
+    const FeaturePair& features = taps.tap(PLANES.reach()).features;
+    return select(features.mask && features.edge, U<1>(1), U<1>(0));
   }
 
   ColumnMemory<FeatureRows, BEATS> feature_memory_;
@@ -207,10 +214,10 @@ class PlaneSummer {
   Taps entering_;
   Taps leaving_;
   DelayLine<Marks, PLANES.reach() + gradient_delay> marks_;
-  DelayLine<Seen, PLANES.reach() + 1> seen_;
+  DelayLine<Seen, PLANES.reach()> seen_;
   std::array<HorizontalSum<COLUMNS, sum_bits, 1, V>, planes + 1> rows_{};
-  DelayLine<Centre, (COLUMNS - 1) / 2> centres_;
-  DelayLine<bool, (COLUMNS - 1) / 2> rows_seen_;
+  HorizontalSum<COLUMNS, bits_for(ROWS* COLUMNS), 1, V> edges_;
+  DelayLine<Seen, (COLUMNS - 1) / 2> centres_;
   DelayLine<Marks, (COLUMNS - 1) / 2> centre_marks_;
 };
 

@@ -4,7 +4,7 @@
 //
 // In    grey values.   Out  gx, gy: −1020 … 1020, 8 per grey level and pixel, exact.
 // mask: all of the 3×3 exist. saturated: all of the 3×3 are (with the low-pass: all of 5×5 camera pixels).
-// Offset: 1 row and 1 column.
+// Offset: 1 row and 1 column. With GREY also the left grey value, low-passed as by `lowpass`: from the same three rows.
 // Memory: per column two rows of pixels, of mask and of saturated; rows of at most BEATS and at least min_row_beats
 // beats.
 #pragma once
@@ -14,18 +14,27 @@
 namespace horopter::stages {
 
 /// Gradients of LANES images.
-template <int LANES, class V = Scalar, bool SMOOTH = false>
+template <int LANES, class V = Scalar>
 struct Gradients {
   std::array<typename V::template s<11>, LANES> gx{};
   std::array<typename V::template s<11>, LANES> gy{};
   typename V::bit saturated = false;
   typename V::bit mask = false;
   Marks marks;
-  SmoothIf<SMOOTH, V> smooth;
 };
 
-/// SMOOTH: the left grey value and mask of the beat travel along.
-template <int BEATS, int LANES = 2, int STRIDE = 1, class V = Scalar, bool SMOOTH = false>
+/// The same of both images, and the left one's grey value.
+template <class V = Scalar>
+struct GradientsAndGrey {
+  std::array<typename V::template s<11>, 2> gx{};
+  std::array<typename V::template s<11>, 2> gy{};
+  typename V::template u<8> grey;
+  typename V::bit saturated = false;
+  typename V::bit mask = false;
+  Marks marks;
+};
+
+template <int BEATS, int LANES = 2, int STRIDE = 1, class V = Scalar, bool GREY = false>
 class SobelFilter {
  public:
   template <int N>
@@ -34,7 +43,7 @@ class SobelFilter {
   using S = typename V::template s<N>;
 
   using In = Grey<LANES, V>;
-  using Out = Gradients<LANES, V, SMOOTH>;
+  using Out = std::conditional_t<GREY, GradientsAndGrey<V>, Gradients<LANES, V>>;
 
   Out step(const In& in) {
     memory_.begin_step();
@@ -50,6 +59,11 @@ class SobelFilter {
       const S<9> slope = in.pixel[i] - above.before_last[i];
       out.gx[i] = S<11>(smooth - smooth_[i]->tap(2 * STRIDE - 1));
       out.gy[i] = S<11>(slope + shl<1>(slope_[i]->tap(STRIDE - 1)) + slope_[i]->tap(2 * STRIDE - 1));
+      if constexpr (GREY) {
+        if (i == 0) {
+          out.grey = U<8>(shr<4>(smooth_[i]->tap(1) + shl<1>(smooth_[i]->tap(0)) + smooth + lit<8>()));
+        }
+      }
       smooth_[i]->push(smooth);
       slope_[i]->push(slope);
       column.before_last[i] = above.last[i];
@@ -58,7 +72,6 @@ class SobelFilter {
     out.mask = mask_.step(at.row_start, in.mask, above.mask, column.mask);
     out.saturated = saturated_.step(at.row_start, in.saturated, above.saturated, column.saturated);
     out.marks = in.marks;
-    if constexpr (SMOOTH) out.smooth = {in.pixel[0], in.mask};
     memory_.write(at.column, column);
     return out;
   }
@@ -80,6 +93,6 @@ class SobelFilter {
 };
 
 template <Profile P, class V = Scalar>
-using Sobel = SobelFilter<P.stream_beats(), P.stream_lanes(), P.stream_stride(), V, P.has_compete()>;
+using Sobel = SobelFilter<P.stream_beats(), P.stream_lanes(), P.stream_stride(), V>;
 
 }  // namespace horopter::stages

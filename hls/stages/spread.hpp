@@ -2,10 +2,10 @@
 // spread: along the row, votes reach as far as the left grey level stays alike from pixel to pixel: what an edge of an
 // object decides holds for the flat area beside it, up to its other edge.
 //
-// Out   vote: Σ over up to 31 px to either side of ρ^distance · vote, ρ = 15/16, ended where neighbours differ by more
+// Out   vote: Σ over up to 15 px to either side of ρ^distance · vote, ρ = 15/16, ended where neighbours differ by more
 //       than `smooth` · 4 grey levels; / 4, clipped to ±127. 0 where there is no pixel.
 //       firm, grey and exists pass through.
-// Sums of 2, 4, … 32 pixels from two of half the length (as many additions as doublings), each only where all of the
+// Sums of 2, 4, 8 and 16 pixels from two of half the length (as many additions as doublings), each only where all of the
 // nearer half are alike. Marks are delayed with the pixel. Offset: none. No memory.
 #pragma once
 
@@ -40,7 +40,7 @@ class VoteSpread {
     Marks marks;
   };
 
-  static constexpr int doublings = 5;
+  static constexpr int doublings = 4;
   static constexpr int reach = (1 << doublings) - 1;
   static constexpr int delay = reach + 1;
 
@@ -57,7 +57,6 @@ class VoteSpread {
     arms = doubled<2>(arms, second_);
     arms = doubled<4>(arms, third_);
     arms = doubled<8>(arms, fourth_);
-    arms = doubled<16>(arms, fifth_);
 
     const In centre = centres_.oldest();
     centres_.push(in);
@@ -110,7 +109,6 @@ class VoteSpread {
   DelayLine<Arms, 4> second_;
   DelayLine<Arms, 8> third_;
   DelayLine<Arms, 16> fourth_;
-  DelayLine<Arms, 32> fifth_;
   DelayLine<In, delay> centres_;
 };
 

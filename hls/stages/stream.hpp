@@ -74,15 +74,4 @@ struct Transformed {
 };
 using GreyPair = Transformed<2>;
 
-/// What `compete` needs of the low-passed left image, and what stages between carry along: of the same beat, which is a
-/// pixel further down and right than their own.
-template <class V = Scalar>
-struct Smooth {
-  typename V::template u<8> grey;
-  typename V::bit exists = false;
-};
-struct NoSmooth {};
-template <bool SMOOTH, class V>
-using SmoothIf = std::conditional_t<SMOOTH, Smooth<V>, NoSmooth>;
-
 }  // namespace horopter::stages

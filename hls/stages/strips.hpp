@@ -119,7 +119,7 @@ class StripContrast {
   using Lanes = hls::Lanes;
 
  public:
-  using In = stages::Gradients<2, Lanes, true>;
+  using In = stages::GradientsAndGrey<Lanes>;
   using Out = stages::Contrast<Lanes>;
 
   /// The beats begin … end − 1 of the row are its pixels, the others those of neighbouring strips.

@@ -352,7 +352,7 @@ module horopter_csr #(
       compete_bias_q <= COMPETE ? 4'd2 : 4'd0;
       compete_smooth_q <= COMPETE ? 3'd2 : 3'd0;
       compete_similar_q <= COMPETE ? 4'd3 : 4'd0;
-      compete_quorum_q <= COMPETE ? 8'd1 : 8'd0;
+      compete_quorum_q <= COMPETE ? 8'd10 : 8'd0;
       compete_clear_quorum_q <= COMPETE ? 8'd50 : 8'd0;
       compete_boundary_q <= COMPETE ? 4'd8 : 4'd0;
       map_slot_slot_q <= 4'd0;

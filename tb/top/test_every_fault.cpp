@@ -439,13 +439,16 @@ void check_that_little_is_decided() {
 template <class Build>
 std::set<std::string> memories_of_stages(typename Build::Model& model) {
   constexpr std::string_view kOfMemory = "_mem", kOfWord = "_word_q";
+  constexpr hls::Rule kRule = Build::kCompete ? hls::Rule::compete : hls::Rule::thesis;
   std::set<std::string> memories, with_parity;
   for (const upset::Signal& signal : Build::signals(model)) {
     const std::string_view name = signal.name;
-    const bool thesis_alone = name.find(".g_dsad.") != name.npos || name.find(".g_texture.") != name.npos ||
-                              name.find(".g_majority.") != name.npos;
-    const bool compete_alone = name.find(".g_") != name.npos && !thesis_alone;
-    if (!name.starts_with("u_stages.") || (Build::kCompete ? thesis_alone : compete_alone)) continue;
+    if (!name.starts_with("u_stages.")) continue;
+    bool used = true;
+#define HOROPTER_STAGE(stage, Class, rule, place) \
+  used = used && (name.find(".g_" #stage ".") == name.npos || hls::Rule::rule == kRule);
+#include "stages/stage_list.def"
+    if (!used) continue;
     if (name.ends_with(kOfMemory)) memories.emplace(name.substr(0, name.size() - kOfMemory.size()));
     if (name.ends_with(kOfWord)) with_parity.emplace(name.substr(0, name.size() - kOfWord.size()));
   }

@@ -79,7 +79,7 @@ class BeatByBeat {
   }
 
  private:
-  Chain<kPlain, Rule::compete, Stage::lowpass> chain_;
+  Chain<kPlain, Rule::compete, Stage::slopes> chain_;
 };
 
 /// Smoothed noise; beyond the image too, so that shifted pictures agree.

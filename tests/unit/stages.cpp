@@ -244,10 +244,12 @@ TEST_CASE("lowpass and sobel against the reference, mask and saturation over the
   std::mt19937 random(14);
   LowpassFilter<48> lowpass;
   SobelFilter<48> sobel;
+  SobelFilter<48, 2, 1, Scalar, true> slopes;
   for (int repetition = 0; repetition < 4; ++repetition) {
     const Frame<GreyPair> frame = random_greys(random, repetition % 2 == 0 ? 48 : 37, 14, 40);
     const auto smooth = pass(lowpass, marked(frame));
     const auto gradients = pass(sobel, marked(frame));
+    const auto with_grey = pass(slopes, marked(frame));
     for (std::size_t lane = 0; lane < 2; ++lane) {
       reference::Image image(frame.width, frame.height);
       for (std::size_t i = 0; i < frame.beats.size(); ++i) {
@@ -264,10 +266,15 @@ TEST_CASE("lowpass and sobel against the reference, mask and saturation over the
           const bool saturated = window_all(frame, x, y, 3, [](const GreyPair& beat) { return beat.saturated; });
           REQUIRE(smooth.at(x, y).saturated == saturated);
           REQUIRE(gradients.at(x, y).saturated == saturated);
+          REQUIRE(with_grey.at(x, y).mask == smooth.at(x, y).mask);
+          REQUIRE(with_grey.at(x, y).saturated == saturated);
           if (std::isnan(value)) continue;
           REQUIRE(std::fabs(smooth.at(x, y).pixel[lane].value() - value) <= 0.5);
           REQUIRE(gradients.at(x, y).gx[lane].value() == gradient.x.at(x - 1, y - 1));
           REQUIRE(gradients.at(x, y).gy[lane].value() == gradient.y.at(x - 1, y - 1));
+          REQUIRE(with_grey.at(x, y).gx[lane] == gradients.at(x, y).gx[lane]);
+          REQUIRE(with_grey.at(x, y).gy[lane] == gradients.at(x, y).gy[lane]);
+          REQUIRE(with_grey.at(x, y).grey == smooth.at(x, y).pixel[0]);
         }
       }
     }

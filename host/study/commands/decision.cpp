@@ -139,7 +139,7 @@ class Variation {
   int clear_quorum_ = 0;
   std::size_t width_ = 0;
   std::deque<Ballot> waiting_;
-  stages::Chain<P, hls::Rule::compete, stages::Stage::lowpass> chain_;
+  stages::Chain<P, hls::Rule::compete, stages::Stage::slopes> chain_;
 };
 
 using States = std::function<Image(const Image& left, const Image& right, int disparity_px)>;
@@ -155,7 +155,9 @@ struct Variant {
 int memory_bits(const Profile& p, const Parts& parts) {
   const int half = (p.sum_rows - 1) / 2;
   const int column_sum = hls::bits_for(static_cast<std::uint64_t>(31 * p.sum_rows));
-  const int sums = 13 * p.sum_rows + (p.planes + 1) * column_sum + 7 * (half + 1) + half;
+  const int edges = hls::bits_for(static_cast<std::uint64_t>(p.sum_rows));
+  const int slopes = 36;
+  const int sums = slopes + 24 * p.sum_rows + (p.planes + 1) * column_sum + edges + 7 * half;
   const int paths = p.paths ? 6 * p.planes : 0;
   const int ballot = parts.ballot ? 2 * p.ballot_reach * 14 + 2 * p.ballot_reach : 0;
   return sums + paths + ballot + 3 * (p.majority_window - 1);

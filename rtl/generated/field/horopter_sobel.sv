@@ -37,13 +37,13 @@ module horopter_sobel (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [9:0] raster_column_q;
   logic raster_row_ended_q;
-  // hls/stages/sobel.hpp:41
+  // hls/stages/sobel.hpp:50
   logic or_23;
   assign or_23 = marks_first_i | raster_row_ended_q;
   logic [9:0] select_25;
   assign select_25 = or_23 ? 10'h0 : (raster_column_q + 10'h1);
 
-  // Memory memory, 756 x 20, DISTANCE 16, hls/stages/sobel.hpp:74; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 756 x 20, DISTANCE 16, hls/stages/sobel.hpp:87; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [19:0] memory_mem [0:755];
@@ -102,34 +102,34 @@ module horopter_sobel (
   logic [1:0] mask_columns_values_1_q;
   logic [1:0] saturated_columns_values_0_q;
   logic [1:0] saturated_columns_values_1_q;
-  // hls/stages/sobel.hpp:41
+  // hls/stages/sobel.hpp:50
   logic and_28;
   assign and_28 = raster_rows_q & (~marks_first_s1_q);
-  // hls/stages/sobel.hpp:58
+  // hls/stages/sobel.hpp:72
   logic [1:0] select_29;
   assign select_29 = and_28 ? memory_rdata_q[17:16] : 2'h0;
-  // hls/stages/sobel.hpp:59
+  // hls/stages/sobel.hpp:73
   logic [1:0] select_30;
   assign select_30 = and_28 ? memory_rdata_q[19:18] : 2'h0;
-  // hls/stages/sobel.hpp:49
+  // hls/stages/sobel.hpp:58
   logic [8:0] sum_32;
   assign sum_32 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[15:9]};
   logic [9:0] smooth;
   assign smooth = {2'h0, pixel_0_s1_q} + {sum_32, memory_rdata_q[8]};
-  // hls/stages/sobel.hpp:50
+  // hls/stages/sobel.hpp:59
   logic [8:0] slope;
   assign slope = {1'b0, pixel_0_s1_q} - {1'b0, memory_rdata_q[15:8]};
-  // hls/stages/sobel.hpp:58
+  // hls/stages/sobel.hpp:72
   logic equal_35;
   assign equal_35 = {select_29, mask_s1_q} == 3'h7;
   logic [1:0] select_36;
   assign select_36 = or_23_s1_q ? 2'h0 : mask_columns_values_1_q;
-  // hls/stages/sobel.hpp:59
+  // hls/stages/sobel.hpp:73
   logic equal_38;
   assign equal_38 = {select_30, saturated_s1_q} == 3'h7;
   logic [1:0] select_39;
   assign select_39 = or_23_s1_q ? 2'h0 : saturated_columns_values_1_q;
-  // hls/stages/sobel.hpp:52
+  // hls/stages/sobel.hpp:61
   logic [9:0] sum_42;
   assign sum_42 = {slope_0_values_1_q[8], slope_0_values_1_q} + {{2{slope[8]}}, slope[8:1]};
   logic [10:0] sum_43;

@@ -21,6 +21,7 @@ rtl/generated/hd/horopter_objects.sv
 rtl/generated/hd/horopter_plane_paths.sv
 rtl/generated/hd/horopter_plane_sums.sv
 rtl/generated/hd/horopter_runs.sv
+rtl/generated/hd/horopter_slopes.sv
 rtl/generated/hd/horopter_sobel.sv
 rtl/generated/hd/horopter_spread.sv
 rtl/generated/hd/horopter_stages.sv

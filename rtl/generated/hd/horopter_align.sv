@@ -38,30 +38,13 @@ module horopter_align (
   assign columns = ~cfg_compete_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic started_q;
   logic row_ended_q;
-  logic [3:0] rows_q;
   logic [3:0] columns_q;
-  // hls/stages/align.hpp:72
-  logic not_19;
-  assign not_19 = ~marks_first_i;
-  logic and_21;
-  assign and_21 = started_q & not_19;
-  logic [3:0] select_23;
-  assign select_23 = marks_first_i ? 4'h0 : rows_q;
   // hls/stages/align.hpp:75
-  logic equal_24;
-  assign equal_24 = {select_23[3], cfg_compete_i, select_23[1:0]} == {1'b1, select_23[2], 2'h1};
   logic [3:0] select_27;
   assign select_27 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
   logic equal_28;
   assign equal_28 = {columns, select_27[2:1], columns} == {select_27[3], 2'h0, select_27[0]};
-  // hls/stages/align.hpp:77
-  logic and_29;
-  assign and_29 = equal_24 & equal_28;
-  // hls/stages/align.hpp:108
-  logic not_46;
-  assign not_46 = ~equal_24;
   // hls/stages/align.hpp:106
   logic not_49;
   assign not_49 = ~equal_28;
@@ -77,27 +60,23 @@ module horopter_align (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      started_q <= 1'b1;
       row_ended_q <= 1'b1;
-      rows_q <= 4'h0;
       columns_q <= 4'h0;
     end else if (s0_en) begin
-      started_q <= and_21 | and_29;
       row_ended_q <= marks_last_i;
-      rows_q <= marks_last_i ? (select_23 + {3'h0, not_46}) : select_23;
       columns_q <= select_27 + {3'h0, not_49};
     end
   end
 
-  logic not_19_s1_q;
-  logic and_30_s1_q;
+  logic marks_first_s1_q;
+  logic equal_28_s1_q;
   logic and_59_s1_q;
   logic and_61_s1_q;
   logic [1:0] select_63_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
-      not_19_s1_q <= not_19;
-      and_30_s1_q <= (~and_21) & and_29;
+      marks_first_s1_q <= marks_first_i;
+      equal_28_s1_q <= equal_28;
       and_59_s1_q <= and_59;
       and_61_s1_q <= and_61;
       select_63_s1_q <= (and_59 | and_61) ? 2'h2 : state_i;
@@ -109,14 +88,30 @@ module horopter_align (
   logic idle_q;
   logic last_q;
   logic final_row_q;
+  logic started_q;
+  logic [3:0] rows_q;
   logic [10:0] columns_left_q;
   logic [10:0] rows_left_q;
   // hls/stages/align.hpp:72
+  logic not_19;
+  assign not_19 = ~marks_first_s1_q;
   logic and_20;
-  assign and_20 = active_q & not_19_s1_q;
+  assign and_20 = active_q & not_19;
+  logic and_21;
+  assign and_21 = started_q & not_19;
+  logic [3:0] select_24;
+  assign select_24 = marks_first_s1_q ? 4'h0 : rows_q;
+  // hls/stages/align.hpp:75
+  logic equal_25;
+  assign equal_25 = {select_24[3], cfg_compete_i, select_24[1], columns} == {1'b1, select_24[2], 1'b0, select_24[0]};
+  // hls/stages/align.hpp:77
+  logic and_29;
+  assign and_29 = equal_25 & equal_28_s1_q;
+  logic and_30;
+  assign and_30 = (~and_21) & and_29;
   // hls/stages/align.hpp:82
   logic or_31;
-  assign or_31 = and_20 | and_30_s1_q;
+  assign or_31 = and_20 | and_30;
   // hls/stages/align.hpp:85
   logic and_32;
   assign and_32 = last_q & and_20;
@@ -124,16 +119,20 @@ module horopter_align (
   assign and_33 = final_row_q & and_32;
   // hls/stages/align.hpp:105
   logic select_40;
-  assign select_40 = and_30_s1_q ? (cfg_width_i == 11'h2) : ((~last_q) & (columns_left_q == 11'h2));
+  assign select_40 = and_30 ? (cfg_width_i == 11'h2) : ((~last_q) & (columns_left_q == 11'h2));
   logic select_44;
-  assign select_44 = and_30_s1_q ? (cfg_height_i == 11'h1) : (last_q ? (rows_left_q == 11'h2) : final_row_q);
+  assign select_44 = and_30 ? (cfg_height_i == 11'h1) : (last_q ? (rows_left_q == 11'h2) : final_row_q);
+  // hls/stages/align.hpp:108
+  logic not_46;
+  assign not_46 = ~equal_25;
+  // hls/stages/align.hpp:105
   logic [10:0] select_54;
-  assign select_54 = and_30_s1_q ? (cfg_width_i + 11'h7ff) : (last_q ? cfg_width_i : (columns_left_q + 11'h7ff));
+  assign select_54 = and_30 ? (cfg_width_i + 11'h7ff) : (last_q ? cfg_width_i : (columns_left_q + 11'h7ff));
   logic [10:0] select_57;
-  assign select_57 = and_30_s1_q ? cfg_height_i : (last_q ? (rows_left_q + 11'h7ff) : rows_left_q);
+  assign select_57 = and_30 ? cfg_height_i : (last_q ? (rows_left_q + 11'h7ff) : rows_left_q);
   // hls/stages/align.hpp:72
   logic and_64;
-  assign and_64 = idle_q & not_19_s1_q;
+  assign and_64 = idle_q & not_19;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -141,6 +140,8 @@ module horopter_align (
       idle_q <= 1'b0;
       last_q <= 1'b0;
       final_row_q <= 1'b0;
+      started_q <= 1'b1;
+      rows_q <= 4'h0;
       columns_left_q <= 11'h0;
       rows_left_q <= 11'h0;
     end else if (s1_en) begin
@@ -148,6 +149,8 @@ module horopter_align (
       idle_q <= and_33;
       last_q <= select_40;
       final_row_q <= select_44;
+      started_q <= and_21 | and_29;
+      rows_q <= row_ended_q ? (select_24 + {3'h0, not_46}) : select_24;
       columns_left_q <= select_54;
       rows_left_q <= select_57;
     end
@@ -161,7 +164,7 @@ module horopter_align (
   logic and_64_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
-      and_30_s2_q <= and_30_s1_q;
+      and_30_s2_q <= and_30;
       and_32_s2_q <= and_32;
       and_59_s2_q <= and_59_s1_q;
       and_61_s2_q <= and_61_s1_q;

@@ -3,7 +3,7 @@
 //
 // Latency 6 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 0 bits, pipeline 1502 bits, memories 0 bits.
+// State 0 bits, pipeline 1506 bits, memories 0 bits.
 module horopter_plane_paths (
   input  logic clk_i,
   input  logic rst_ni,
@@ -29,6 +29,7 @@ module horopter_plane_paths (
   input  logic [10:0] sum_17_i,
   input  logic [10:0] sum_18_i,
   input  logic [10:0] evidence_i,
+  input  logic [5:0] edges_i,
   input  logic [5:0] grey_i,
   input  logic known_i,
   input  logic exists_i,
@@ -106,14 +107,15 @@ module horopter_plane_paths (
   logic marks_last_s1_q;
   logic marks_seen_s1_q;
   logic marks_nearer_s1_q;
-  logic less_32_s1_q;
-  logic less_34_s1_q;
-  logic less_38_s1_q;
-  logic less_40_s1_q;
-  logic less_46_s1_q;
-  logic less_48_s1_q;
-  logic less_52_s1_q;
-  logic less_54_s1_q;
+  logic less_33_s1_q;
+  logic less_35_s1_q;
+  logic less_39_s1_q;
+  logic less_41_s1_q;
+  logic less_47_s1_q;
+  logic less_49_s1_q;
+  logic less_53_s1_q;
+  logic less_55_s1_q;
+  logic not_69_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       sum_0_s1_q <= sum_0_i;
@@ -143,35 +145,36 @@ module horopter_plane_paths (
       marks_last_s1_q <= marks_last_i;
       marks_seen_s1_q <= marks_seen_i;
       marks_nearer_s1_q <= marks_nearer_i;
-      less_32_s1_q <= sum_15_i < sum_14_i;
-      less_34_s1_q <= sum_13_i < sum_12_i;
-      less_38_s1_q <= sum_11_i < sum_10_i;
-      less_40_s1_q <= sum_9_i < sum_8_i;
-      less_46_s1_q <= sum_7_i < sum_6_i;
-      less_48_s1_q <= sum_5_i < sum_4_i;
-      less_52_s1_q <= sum_3_i < sum_2_i;
-      less_54_s1_q <= sum_1_i < sum_0_i;
+      less_33_s1_q <= sum_15_i < sum_14_i;
+      less_35_s1_q <= sum_13_i < sum_12_i;
+      less_39_s1_q <= sum_11_i < sum_10_i;
+      less_41_s1_q <= sum_9_i < sum_8_i;
+      less_47_s1_q <= sum_7_i < sum_6_i;
+      less_49_s1_q <= sum_5_i < sum_4_i;
+      less_53_s1_q <= sum_3_i < sum_2_i;
+      less_55_s1_q <= sum_1_i < sum_0_i;
+      not_69_s1_q <= ~(edges_i[5:3] == 3'h0);
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/plane_paths.hpp:113
-  logic [10:0] select_33;
-  assign select_33 = less_32_s1_q ? sum_15_s1_q : sum_14_s1_q;
-  logic [10:0] select_35;
-  assign select_35 = less_34_s1_q ? sum_13_s1_q : sum_12_s1_q;
-  logic [10:0] select_39;
-  assign select_39 = less_38_s1_q ? sum_11_s1_q : sum_10_s1_q;
-  logic [10:0] select_41;
-  assign select_41 = less_40_s1_q ? sum_9_s1_q : sum_8_s1_q;
-  logic [10:0] select_47;
-  assign select_47 = less_46_s1_q ? sum_7_s1_q : sum_6_s1_q;
-  logic [10:0] select_49;
-  assign select_49 = less_48_s1_q ? sum_5_s1_q : sum_4_s1_q;
-  logic [10:0] select_53;
-  assign select_53 = less_52_s1_q ? sum_3_s1_q : sum_2_s1_q;
-  logic [10:0] select_55;
-  assign select_55 = less_54_s1_q ? sum_1_s1_q : sum_0_s1_q;
+  logic [10:0] select_34;
+  assign select_34 = less_33_s1_q ? sum_15_s1_q : sum_14_s1_q;
+  logic [10:0] select_36;
+  assign select_36 = less_35_s1_q ? sum_13_s1_q : sum_12_s1_q;
+  logic [10:0] select_40;
+  assign select_40 = less_39_s1_q ? sum_11_s1_q : sum_10_s1_q;
+  logic [10:0] select_42;
+  assign select_42 = less_41_s1_q ? sum_9_s1_q : sum_8_s1_q;
+  logic [10:0] select_48;
+  assign select_48 = less_47_s1_q ? sum_7_s1_q : sum_6_s1_q;
+  logic [10:0] select_50;
+  assign select_50 = less_49_s1_q ? sum_5_s1_q : sum_4_s1_q;
+  logic [10:0] select_54;
+  assign select_54 = less_53_s1_q ? sum_3_s1_q : sum_2_s1_q;
+  logic [10:0] select_56;
+  assign select_56 = less_55_s1_q ? sum_1_s1_q : sum_0_s1_q;
 
   logic [10:0] sum_0_s2_q;
   logic [10:0] sum_1_s2_q;
@@ -200,10 +203,11 @@ module horopter_plane_paths (
   logic marks_last_s2_q;
   logic marks_seen_s2_q;
   logic marks_nearer_s2_q;
-  logic [10:0] select_37_s2_q;
-  logic [10:0] select_43_s2_q;
-  logic [10:0] select_51_s2_q;
-  logic [10:0] select_57_s2_q;
+  logic [10:0] select_38_s2_q;
+  logic [10:0] select_44_s2_q;
+  logic [10:0] select_52_s2_q;
+  logic [10:0] select_58_s2_q;
+  logic not_69_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       sum_0_s2_q <= sum_0_s1_q;
@@ -233,19 +237,20 @@ module horopter_plane_paths (
       marks_last_s2_q <= marks_last_s1_q;
       marks_seen_s2_q <= marks_seen_s1_q;
       marks_nearer_s2_q <= marks_nearer_s1_q;
-      select_37_s2_q <= (select_33 < select_35) ? select_33 : select_35;
-      select_43_s2_q <= (select_39 < select_41) ? select_39 : select_41;
-      select_51_s2_q <= (select_47 < select_49) ? select_47 : select_49;
-      select_57_s2_q <= (select_53 < select_55) ? select_53 : select_55;
+      select_38_s2_q <= (select_34 < select_36) ? select_34 : select_36;
+      select_44_s2_q <= (select_40 < select_42) ? select_40 : select_42;
+      select_52_s2_q <= (select_48 < select_50) ? select_48 : select_50;
+      select_58_s2_q <= (select_54 < select_56) ? select_54 : select_56;
+      not_69_s2_q <= not_69_s1_q;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   // hls/stages/plane_paths.hpp:113
-  logic [10:0] select_45;
-  assign select_45 = (select_37_s2_q < select_43_s2_q) ? select_37_s2_q : select_43_s2_q;
-  logic [10:0] select_59;
-  assign select_59 = (select_51_s2_q < select_57_s2_q) ? select_51_s2_q : select_57_s2_q;
+  logic [10:0] select_46;
+  assign select_46 = (select_38_s2_q < select_44_s2_q) ? select_38_s2_q : select_44_s2_q;
+  logic [10:0] select_60;
+  assign select_60 = (select_52_s2_q < select_58_s2_q) ? select_52_s2_q : select_58_s2_q;
 
   logic [10:0] sum_0_s3_q;
   logic [10:0] sum_1_s3_q;
@@ -274,9 +279,10 @@ module horopter_plane_paths (
   logic marks_last_s3_q;
   logic marks_seen_s3_q;
   logic marks_nearer_s3_q;
-  logic less_28_s3_q;
-  logic [10:0] select_45_s3_q;
-  logic [10:0] select_59_s3_q;
+  logic less_29_s3_q;
+  logic [10:0] select_46_s3_q;
+  logic [10:0] select_60_s3_q;
+  logic not_69_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       sum_0_s3_q <= sum_0_s2_q;
@@ -306,18 +312,19 @@ module horopter_plane_paths (
       marks_last_s3_q <= marks_last_s2_q;
       marks_seen_s3_q <= marks_seen_s2_q;
       marks_nearer_s3_q <= marks_nearer_s2_q;
-      less_28_s3_q <= sum_17_s2_q < sum_16_s2_q;
-      select_45_s3_q <= select_45;
-      select_59_s3_q <= select_59;
+      less_29_s3_q <= sum_17_s2_q < sum_16_s2_q;
+      select_46_s3_q <= select_46;
+      select_60_s3_q <= select_60;
+      not_69_s3_q <= not_69_s2_q;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   // hls/stages/plane_paths.hpp:113
-  logic [10:0] select_29;
-  assign select_29 = less_28_s3_q ? sum_17_s3_q : sum_16_s3_q;
-  logic [10:0] select_61;
-  assign select_61 = (select_45_s3_q < select_59_s3_q) ? select_45_s3_q : select_59_s3_q;
+  logic [10:0] select_30;
+  assign select_30 = less_29_s3_q ? sum_17_s3_q : sum_16_s3_q;
+  logic [10:0] select_62;
+  assign select_62 = (select_46_s3_q < select_60_s3_q) ? select_46_s3_q : select_60_s3_q;
 
   logic [10:0] sum_0_s4_q;
   logic [10:0] sum_1_s4_q;
@@ -346,8 +353,9 @@ module horopter_plane_paths (
   logic marks_last_s4_q;
   logic marks_seen_s4_q;
   logic marks_nearer_s4_q;
-  logic [10:0] select_31_s4_q;
-  logic [10:0] select_61_s4_q;
+  logic [10:0] select_32_s4_q;
+  logic [10:0] select_62_s4_q;
+  logic not_69_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       sum_0_s4_q <= sum_0_s3_q;
@@ -377,18 +385,19 @@ module horopter_plane_paths (
       marks_last_s4_q <= marks_last_s3_q;
       marks_seen_s4_q <= marks_seen_s3_q;
       marks_nearer_s4_q <= marks_nearer_s3_q;
-      select_31_s4_q <= (sum_18_s3_q < select_29) ? sum_18_s3_q : select_29;
-      select_61_s4_q <= select_61;
+      select_32_s4_q <= (sum_18_s3_q < select_30) ? sum_18_s3_q : select_30;
+      select_62_s4_q <= select_62;
+      not_69_s4_q <= not_69_s3_q;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   // hls/stages/plane_paths.hpp:113
-  logic [10:0] select_63;
-  assign select_63 = (select_31_s4_q < select_61_s4_q) ? select_31_s4_q : select_61_s4_q;
+  logic [10:0] select_64;
+  assign select_64 = (select_32_s4_q < select_62_s4_q) ? select_32_s4_q : select_62_s4_q;
   // hls/stages/plane_paths.hpp:61
-  logic [11:0] sum_64;
-  assign sum_64 = {1'b0, evidence_s4_q} + {3'h0, evidence_s4_q[10:2]};
+  logic [11:0] sum_65;
+  assign sum_65 = {1'b0, evidence_s4_q} + {3'h0, evidence_s4_q[10:2]};
 
   logic [10:0] sum_0_s5_q;
   logic [10:0] sum_1_s5_q;
@@ -417,10 +426,10 @@ module horopter_plane_paths (
   logic marks_last_s5_q;
   logic marks_seen_s5_q;
   logic marks_nearer_s5_q;
-  logic [10:0] select_63_s5_q;
-  logic sum_64_s5_q;
-  logic [11:0] sum_65_s5_q;
-  logic less_67_s5_q;
+  logic [10:0] select_64_s5_q;
+  logic sum_65_s5_q;
+  logic [11:0] sum_66_s5_q;
+  logic not_69_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       sum_0_s5_q <= sum_0_s4_q;
@@ -450,17 +459,17 @@ module horopter_plane_paths (
       marks_last_s5_q <= marks_last_s4_q;
       marks_seen_s5_q <= marks_seen_s4_q;
       marks_nearer_s5_q <= marks_nearer_s4_q;
-      select_63_s5_q <= select_63;
-      sum_64_s5_q <= sum_64[0];
-      sum_65_s5_q <= {1'b0, evidence_s4_q} + {1'b0, sum_64[11:1]};
-      less_67_s5_q <= 10'h13a < evidence_s4_q[10:1];
+      select_64_s5_q <= select_64;
+      sum_65_s5_q <= sum_65[0];
+      sum_66_s5_q <= {1'b0, evidence_s4_q} + {1'b0, sum_65[11:1]};
+      not_69_s5_q <= not_69_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   // hls/stages/plane_paths.hpp:62
-  logic less_66;
-  assign less_66 = {select_63_s5_q, 4'h0} < {sum_65_s5_q, sum_64_s5_q, evidence_s5_q};
+  logic less_67;
+  assign less_67 = {select_64_s5_q, 4'h0} < {sum_66_s5_q, sum_65_s5_q, evidence_s5_q};
 
   logic [10:0] sum_0_s6_q;
   logic [10:0] sum_1_s6_q;
@@ -488,8 +497,8 @@ module horopter_plane_paths (
   logic marks_last_s6_q;
   logic marks_seen_s6_q;
   logic marks_nearer_s6_q;
-  logic less_67_s6_q;
-  logic and_69_s6_q;
+  logic not_69_s6_q;
+  logic and_71_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       sum_0_s6_q <= sum_0_s5_q;
@@ -518,8 +527,8 @@ module horopter_plane_paths (
       marks_last_s6_q <= marks_last_s5_q;
       marks_seen_s6_q <= marks_seen_s5_q;
       marks_nearer_s6_q <= marks_nearer_s5_q;
-      less_67_s6_q <= less_67_s5_q;
-      and_69_s6_q <= known_s5_q & (less_66 | less_67_s5_q);
+      not_69_s6_q <= not_69_s5_q;
+      and_71_s6_q <= known_s5_q & (less_67 | not_69_s5_q);
     end
   end
 
@@ -545,8 +554,8 @@ module horopter_plane_paths (
   assign cost_18_o = sum_18_s6_q;
   assign grey_o = grey_s6_q;
   assign known_o = known_s6_q;
-  assign evident_o = and_69_s6_q;
-  assign strong_v_o = less_67_s6_q;
+  assign evident_o = and_71_s6_q;
+  assign strong_v_o = not_69_s6_q;
   assign exists_o = exists_s6_q;
   assign marks_first_o = marks_first_s6_q;
   assign marks_last_o = marks_last_s6_q;
@@ -571,5 +580,9 @@ module horopter_plane_paths (
       valid_s6_q <= valid_s5_q;
     end
   end
+
+  // Nothing depends on these bits.
+  logic unused_bits;
+  assign unused_bits = ^edges_i[2:0];
 
 endmodule

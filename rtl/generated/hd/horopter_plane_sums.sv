@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::PlaneSums<horopter::hls::profiles::hd>, hls/stages/plane_sums.hpp. Do not edit.
 //
-// Latency 6 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 3570 bits, pipeline 1366 bits, memories 541440 bits.
+// State 4355 bits, pipeline 1737 bits, memories 675840 bits.
 module horopter_plane_sums (
   input  logic clk_i,
   input  logic rst_ni,
@@ -11,9 +11,11 @@ module horopter_plane_sums (
   input  logic valid_i,
   input  logic signed [5:0] left_i,
   input  logic signed [5:0] right_i,
+  input  logic signed [4:0] left_y_i,
+  input  logic signed [4:0] right_y_i,
+  input  logic edge_v_i,
   input  logic mask_i,
   input  logic [7:0] grey_i,
-  input  logic exists_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
   input  logic marks_seen_i,
@@ -39,6 +41,7 @@ module horopter_plane_sums (
   output logic [10:0] sum_17_o,
   output logic [10:0] sum_18_o,
   output logic [10:0] evidence_o,
+  output logic [5:0] edges_o,
   output logic [5:0] grey_o,
   output logic known_o,
   output logic exists_o,
@@ -49,14 +52,15 @@ module horopter_plane_sums (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
   assign s5_en = en_i & valid_s5_q;
+  assign s6_en = en_i & valid_s6_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] arriving_column_q;
@@ -111,58 +115,30 @@ module horopter_plane_sums (
   logic marks_values_23_nearer_q;
   logic marks_values_24_seen_q;
   logic marks_values_24_nearer_q;
-  logic marks_values_25_seen_q;
-  logic marks_values_25_nearer_q;
   logic [5:0] seen_values_0_grey_q;
-  logic seen_values_0_exists_q;
   logic [5:0] seen_values_1_grey_q;
-  logic seen_values_1_exists_q;
   logic [5:0] seen_values_2_grey_q;
-  logic seen_values_2_exists_q;
   logic [5:0] seen_values_3_grey_q;
-  logic seen_values_3_exists_q;
   logic [5:0] seen_values_4_grey_q;
-  logic seen_values_4_exists_q;
   logic [5:0] seen_values_5_grey_q;
-  logic seen_values_5_exists_q;
   logic [5:0] seen_values_6_grey_q;
-  logic seen_values_6_exists_q;
   logic [5:0] seen_values_7_grey_q;
-  logic seen_values_7_exists_q;
   logic [5:0] seen_values_8_grey_q;
-  logic seen_values_8_exists_q;
   logic [5:0] seen_values_9_grey_q;
-  logic seen_values_9_exists_q;
   logic [5:0] seen_values_10_grey_q;
-  logic seen_values_10_exists_q;
   logic [5:0] seen_values_11_grey_q;
-  logic seen_values_11_exists_q;
   logic [5:0] seen_values_12_grey_q;
-  logic seen_values_12_exists_q;
   logic [5:0] seen_values_13_grey_q;
-  logic seen_values_13_exists_q;
   logic [5:0] seen_values_14_grey_q;
-  logic seen_values_14_exists_q;
   logic [5:0] seen_values_15_grey_q;
-  logic seen_values_15_exists_q;
   logic [5:0] seen_values_16_grey_q;
-  logic seen_values_16_exists_q;
   logic [5:0] seen_values_17_grey_q;
-  logic seen_values_17_exists_q;
   logic [5:0] seen_values_18_grey_q;
-  logic seen_values_18_exists_q;
   logic [5:0] seen_values_19_grey_q;
-  logic seen_values_19_exists_q;
   logic [5:0] seen_values_20_grey_q;
-  logic seen_values_20_exists_q;
   logic [5:0] seen_values_21_grey_q;
-  logic seen_values_21_exists_q;
   logic [5:0] seen_values_22_grey_q;
-  logic seen_values_22_exists_q;
   logic [5:0] seen_values_23_grey_q;
-  logic seen_values_23_exists_q;
-  logic [5:0] seen_values_24_grey_q;
-  logic seen_values_24_exists_q;
   logic centre_marks_values_0_seen_q;
   logic centre_marks_values_0_nearer_q;
   logic centre_marks_values_1_seen_q;
@@ -171,24 +147,24 @@ module horopter_plane_sums (
   logic centre_marks_values_2_nearer_q;
   logic centre_marks_values_3_seen_q;
   logic centre_marks_values_3_nearer_q;
-  // hls/stages/plane_sums.hpp:131
-  logic or_691;
-  assign or_691 = marks_first_i | arriving_row_ended_q;
-  logic [10:0] select_692;
-  assign select_692 = or_691 ? 11'h0 : arriving_column_q;
+  // hls/stages/plane_sums.hpp:133
+  logic or_857;
+  assign or_857 = marks_first_i | arriving_row_ended_q;
+  logic [10:0] select_858;
+  assign select_858 = or_857 ? 11'h0 : arriving_column_q;
 
-  // Memory feature_memory, 1920 x 91, DISTANCE 16, hls/stages/plane_sums.hpp:201; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory feature_memory, 1920 x 168, DISTANCE 16, hls/stages/plane_sums.hpp:208; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [90:0] feature_memory_mem [0:1919];
+  logic [167:0] feature_memory_mem [0:1919];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 1920; i++) feature_memory_mem[i] = 91'h0;
+  initial for (int i = 0; i < 1920; i++) feature_memory_mem[i] = 168'h0;
 `endif
   logic [10:0] feature_memory_raddr;
-  assign feature_memory_raddr = select_692;
+  assign feature_memory_raddr = select_858;
   logic feature_memory_re;
   assign feature_memory_re = s0_en;
-  logic [90:0] feature_memory_rdata_q;
+  logic [167:0] feature_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (feature_memory_re) feature_memory_rdata_q <= feature_memory_mem[feature_memory_raddr];
   end
@@ -247,58 +223,30 @@ module horopter_plane_sums (
       marks_values_23_nearer_q <= 1'b0;
       marks_values_24_seen_q <= 1'b0;
       marks_values_24_nearer_q <= 1'b0;
-      marks_values_25_seen_q <= 1'b0;
-      marks_values_25_nearer_q <= 1'b0;
       seen_values_0_grey_q <= 6'h0;
-      seen_values_0_exists_q <= 1'b0;
       seen_values_1_grey_q <= 6'h0;
-      seen_values_1_exists_q <= 1'b0;
       seen_values_2_grey_q <= 6'h0;
-      seen_values_2_exists_q <= 1'b0;
       seen_values_3_grey_q <= 6'h0;
-      seen_values_3_exists_q <= 1'b0;
       seen_values_4_grey_q <= 6'h0;
-      seen_values_4_exists_q <= 1'b0;
       seen_values_5_grey_q <= 6'h0;
-      seen_values_5_exists_q <= 1'b0;
       seen_values_6_grey_q <= 6'h0;
-      seen_values_6_exists_q <= 1'b0;
       seen_values_7_grey_q <= 6'h0;
-      seen_values_7_exists_q <= 1'b0;
       seen_values_8_grey_q <= 6'h0;
-      seen_values_8_exists_q <= 1'b0;
       seen_values_9_grey_q <= 6'h0;
-      seen_values_9_exists_q <= 1'b0;
       seen_values_10_grey_q <= 6'h0;
-      seen_values_10_exists_q <= 1'b0;
       seen_values_11_grey_q <= 6'h0;
-      seen_values_11_exists_q <= 1'b0;
       seen_values_12_grey_q <= 6'h0;
-      seen_values_12_exists_q <= 1'b0;
       seen_values_13_grey_q <= 6'h0;
-      seen_values_13_exists_q <= 1'b0;
       seen_values_14_grey_q <= 6'h0;
-      seen_values_14_exists_q <= 1'b0;
       seen_values_15_grey_q <= 6'h0;
-      seen_values_15_exists_q <= 1'b0;
       seen_values_16_grey_q <= 6'h0;
-      seen_values_16_exists_q <= 1'b0;
       seen_values_17_grey_q <= 6'h0;
-      seen_values_17_exists_q <= 1'b0;
       seen_values_18_grey_q <= 6'h0;
-      seen_values_18_exists_q <= 1'b0;
       seen_values_19_grey_q <= 6'h0;
-      seen_values_19_exists_q <= 1'b0;
       seen_values_20_grey_q <= 6'h0;
-      seen_values_20_exists_q <= 1'b0;
       seen_values_21_grey_q <= 6'h0;
-      seen_values_21_exists_q <= 1'b0;
       seen_values_22_grey_q <= 6'h0;
-      seen_values_22_exists_q <= 1'b0;
       seen_values_23_grey_q <= 6'h0;
-      seen_values_23_exists_q <= 1'b0;
-      seen_values_24_grey_q <= 6'h0;
-      seen_values_24_exists_q <= 1'b0;
       centre_marks_values_0_seen_q <= 1'b0;
       centre_marks_values_0_nearer_q <= 1'b0;
       centre_marks_values_1_seen_q <= 1'b0;
@@ -308,7 +256,7 @@ module horopter_plane_sums (
       centre_marks_values_3_seen_q <= 1'b0;
       centre_marks_values_3_nearer_q <= 1'b0;
     end else if (s0_en) begin
-      arriving_column_q <= select_692 + 11'h1;
+      arriving_column_q <= select_858 + 11'h1;
       arriving_row_ended_q <= marks_last_i;
       marks_values_0_seen_q <= marks_seen_i;
       marks_values_0_nearer_q <= marks_nearer_i;
@@ -360,60 +308,32 @@ module horopter_plane_sums (
       marks_values_23_nearer_q <= marks_values_22_nearer_q;
       marks_values_24_seen_q <= marks_values_23_seen_q;
       marks_values_24_nearer_q <= marks_values_23_nearer_q;
-      marks_values_25_seen_q <= marks_values_24_seen_q;
-      marks_values_25_nearer_q <= marks_values_24_nearer_q;
       seen_values_0_grey_q <= grey_i[7:2];
-      seen_values_0_exists_q <= exists_i;
       seen_values_1_grey_q <= seen_values_0_grey_q;
-      seen_values_1_exists_q <= seen_values_0_exists_q;
       seen_values_2_grey_q <= seen_values_1_grey_q;
-      seen_values_2_exists_q <= seen_values_1_exists_q;
       seen_values_3_grey_q <= seen_values_2_grey_q;
-      seen_values_3_exists_q <= seen_values_2_exists_q;
       seen_values_4_grey_q <= seen_values_3_grey_q;
-      seen_values_4_exists_q <= seen_values_3_exists_q;
       seen_values_5_grey_q <= seen_values_4_grey_q;
-      seen_values_5_exists_q <= seen_values_4_exists_q;
       seen_values_6_grey_q <= seen_values_5_grey_q;
-      seen_values_6_exists_q <= seen_values_5_exists_q;
       seen_values_7_grey_q <= seen_values_6_grey_q;
-      seen_values_7_exists_q <= seen_values_6_exists_q;
       seen_values_8_grey_q <= seen_values_7_grey_q;
-      seen_values_8_exists_q <= seen_values_7_exists_q;
       seen_values_9_grey_q <= seen_values_8_grey_q;
-      seen_values_9_exists_q <= seen_values_8_exists_q;
       seen_values_10_grey_q <= seen_values_9_grey_q;
-      seen_values_10_exists_q <= seen_values_9_exists_q;
       seen_values_11_grey_q <= seen_values_10_grey_q;
-      seen_values_11_exists_q <= seen_values_10_exists_q;
       seen_values_12_grey_q <= seen_values_11_grey_q;
-      seen_values_12_exists_q <= seen_values_11_exists_q;
       seen_values_13_grey_q <= seen_values_12_grey_q;
-      seen_values_13_exists_q <= seen_values_12_exists_q;
       seen_values_14_grey_q <= seen_values_13_grey_q;
-      seen_values_14_exists_q <= seen_values_13_exists_q;
       seen_values_15_grey_q <= seen_values_14_grey_q;
-      seen_values_15_exists_q <= seen_values_14_exists_q;
       seen_values_16_grey_q <= seen_values_15_grey_q;
-      seen_values_16_exists_q <= seen_values_15_exists_q;
       seen_values_17_grey_q <= seen_values_16_grey_q;
-      seen_values_17_exists_q <= seen_values_16_exists_q;
       seen_values_18_grey_q <= seen_values_17_grey_q;
-      seen_values_18_exists_q <= seen_values_17_exists_q;
       seen_values_19_grey_q <= seen_values_18_grey_q;
-      seen_values_19_exists_q <= seen_values_18_exists_q;
       seen_values_20_grey_q <= seen_values_19_grey_q;
-      seen_values_20_exists_q <= seen_values_19_exists_q;
       seen_values_21_grey_q <= seen_values_20_grey_q;
-      seen_values_21_exists_q <= seen_values_20_exists_q;
       seen_values_22_grey_q <= seen_values_21_grey_q;
-      seen_values_22_exists_q <= seen_values_21_exists_q;
       seen_values_23_grey_q <= seen_values_22_grey_q;
-      seen_values_23_exists_q <= seen_values_22_exists_q;
-      seen_values_24_grey_q <= seen_values_23_grey_q;
-      seen_values_24_exists_q <= seen_values_23_exists_q;
-      centre_marks_values_0_seen_q <= marks_values_25_seen_q;
-      centre_marks_values_0_nearer_q <= marks_values_25_nearer_q;
+      centre_marks_values_0_seen_q <= marks_values_24_seen_q;
+      centre_marks_values_0_nearer_q <= marks_values_24_nearer_q;
       centre_marks_values_1_seen_q <= centre_marks_values_0_seen_q;
       centre_marks_values_1_nearer_q <= centre_marks_values_0_nearer_q;
       centre_marks_values_2_seen_q <= centre_marks_values_1_seen_q;
@@ -425,177 +345,190 @@ module horopter_plane_sums (
 
   logic [5:0] left_s1_q;
   logic [5:0] right_s1_q;
+  logic [4:0] left_y_s1_q;
+  logic [4:0] right_y_s1_q;
+  logic edge_v_s1_q;
   logic mask_s1_q;
   logic marks_first_s1_q;
-  logic [5:0] seen_values_24_grey_s1_q;
-  logic seen_values_24_exists_s1_q;
+  logic [5:0] seen_values_23_grey_s1_q;
   logic centre_marks_values_3_seen_s1_q;
   logic centre_marks_values_3_nearer_s1_q;
-  logic or_691_s1_q;
-  logic [10:0] select_692_s1_q;
+  logic or_857_s1_q;
+  logic [10:0] select_858_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       left_s1_q <= $unsigned(left_i);
       right_s1_q <= $unsigned(right_i);
+      left_y_s1_q <= $unsigned(left_y_i);
+      right_y_s1_q <= $unsigned(right_y_i);
+      edge_v_s1_q <= edge_v_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
-      seen_values_24_grey_s1_q <= seen_values_24_grey_q;
-      seen_values_24_exists_s1_q <= seen_values_24_exists_q;
+      seen_values_23_grey_s1_q <= seen_values_23_grey_q;
       centre_marks_values_3_seen_s1_q <= centre_marks_values_3_seen_q;
       centre_marks_values_3_nearer_s1_q <= centre_marks_values_3_nearer_q;
-      or_691_s1_q <= or_691;
-      select_692_s1_q <= select_692;
+      or_857_s1_q <= or_857;
+      select_858_s1_q <= select_858;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
-  logic [10:0] delayed_column_q;
-  logic delayed_row_ended_q;
-  logic running_q;
   logic [5:0] entering_values_0_features_left_q;
-  logic [5:0] entering_values_0_features_right_q;
+  logic [4:0] entering_values_0_features_left_y_q;
+  logic entering_values_0_features_edge_q;
   logic [5:0] entering_values_1_features_left_q;
-  logic [5:0] entering_values_1_features_right_q;
+  logic [4:0] entering_values_1_features_left_y_q;
+  logic entering_values_1_features_edge_q;
   logic [5:0] entering_values_2_features_left_q;
-  logic [5:0] entering_values_2_features_right_q;
+  logic [4:0] entering_values_2_features_left_y_q;
+  logic entering_values_2_features_edge_q;
   logic [5:0] entering_values_3_features_left_q;
-  logic [5:0] entering_values_3_features_right_q;
+  logic [4:0] entering_values_3_features_left_y_q;
+  logic entering_values_3_features_edge_q;
   logic [5:0] entering_values_4_features_left_q;
-  logic [5:0] entering_values_4_features_right_q;
+  logic [4:0] entering_values_4_features_left_y_q;
+  logic entering_values_4_features_edge_q;
   logic [5:0] entering_values_5_features_left_q;
-  logic [5:0] entering_values_5_features_right_q;
+  logic [4:0] entering_values_5_features_left_y_q;
+  logic entering_values_5_features_edge_q;
   logic [5:0] entering_values_6_features_left_q;
-  logic [5:0] entering_values_6_features_right_q;
+  logic [4:0] entering_values_6_features_left_y_q;
+  logic entering_values_6_features_edge_q;
   logic [5:0] entering_values_7_features_left_q;
-  logic [5:0] entering_values_7_features_right_q;
+  logic [4:0] entering_values_7_features_left_y_q;
+  logic entering_values_7_features_edge_q;
   logic [5:0] entering_values_8_features_left_q;
-  logic [5:0] entering_values_8_features_right_q;
+  logic [4:0] entering_values_8_features_left_y_q;
+  logic entering_values_8_features_edge_q;
   logic [5:0] entering_values_9_features_left_q;
-  logic [5:0] entering_values_9_features_right_q;
+  logic [4:0] entering_values_9_features_left_y_q;
+  logic entering_values_9_features_edge_q;
   logic [5:0] entering_values_10_features_left_q;
-  logic [5:0] entering_values_10_features_right_q;
+  logic [4:0] entering_values_10_features_left_y_q;
+  logic entering_values_10_features_edge_q;
   logic [5:0] entering_values_11_features_left_q;
-  logic [5:0] entering_values_11_features_right_q;
+  logic [4:0] entering_values_11_features_left_y_q;
+  logic entering_values_11_features_edge_q;
   logic [5:0] entering_values_12_features_left_q;
-  logic [5:0] entering_values_12_features_right_q;
+  logic [4:0] entering_values_12_features_left_y_q;
+  logic entering_values_12_features_edge_q;
   logic [5:0] entering_values_13_features_left_q;
-  logic [5:0] entering_values_13_features_right_q;
+  logic [4:0] entering_values_13_features_left_y_q;
+  logic entering_values_13_features_edge_q;
   logic [5:0] entering_values_14_features_left_q;
-  logic [5:0] entering_values_14_features_right_q;
+  logic [4:0] entering_values_14_features_left_y_q;
+  logic entering_values_14_features_edge_q;
   logic [5:0] entering_values_15_features_left_q;
-  logic [5:0] entering_values_15_features_right_q;
+  logic [4:0] entering_values_15_features_left_y_q;
+  logic entering_values_15_features_edge_q;
   logic [5:0] entering_values_16_features_left_q;
-  logic [5:0] entering_values_16_features_right_q;
+  logic [4:0] entering_values_16_features_left_y_q;
+  logic entering_values_16_features_edge_q;
   logic [5:0] entering_values_17_features_left_q;
-  logic [5:0] entering_values_17_features_right_q;
+  logic [4:0] entering_values_17_features_left_y_q;
+  logic entering_values_17_features_edge_q;
   logic [5:0] entering_values_18_features_left_q;
-  logic [5:0] entering_values_18_features_right_q;
+  logic [4:0] entering_values_18_features_left_y_q;
+  logic entering_values_18_features_edge_q;
   logic [5:0] entering_values_19_features_left_q;
-  logic [5:0] entering_values_19_features_right_q;
+  logic [4:0] entering_values_19_features_left_y_q;
+  logic entering_values_19_features_edge_q;
   logic [5:0] entering_values_20_features_left_q;
-  logic [5:0] entering_values_20_features_right_q;
+  logic [4:0] entering_values_20_features_left_y_q;
+  logic entering_values_20_features_edge_q;
   logic [5:0] entering_values_21_features_left_q;
-  logic [5:0] entering_values_21_features_right_q;
+  logic [4:0] entering_values_21_features_left_y_q;
+  logic entering_values_21_features_edge_q;
   logic [5:0] entering_values_22_features_left_q;
-  logic [5:0] entering_values_22_features_right_q;
+  logic [4:0] entering_values_22_features_left_y_q;
+  logic entering_values_22_features_edge_q;
   logic [5:0] entering_values_23_features_left_q;
-  logic [5:0] entering_values_23_features_right_q;
-  logic [5:0] entering_values_24_features_right_q;
-  logic [5:0] entering_values_25_features_right_q;
-  logic [5:0] entering_values_26_features_right_q;
-  logic [5:0] entering_values_27_features_right_q;
-  logic [5:0] entering_values_28_features_right_q;
-  logic [5:0] entering_values_29_features_right_q;
-  logic [5:0] entering_values_30_features_right_q;
-  logic [5:0] entering_values_31_features_right_q;
-  logic [5:0] entering_values_32_features_right_q;
-  logic [5:0] entering_values_33_features_right_q;
-  logic [5:0] entering_values_34_features_right_q;
-  logic [5:0] entering_values_35_features_right_q;
-  logic [5:0] entering_values_36_features_right_q;
-  logic [5:0] entering_values_37_features_right_q;
-  logic [5:0] entering_values_38_features_right_q;
-  logic [5:0] entering_values_39_features_right_q;
-  logic [5:0] entering_values_40_features_right_q;
-  logic [5:0] entering_values_41_features_right_q;
-  logic [5:0] entering_values_42_features_right_q;
-  logic [5:0] entering_values_43_features_right_q;
-  logic [5:0] entering_values_44_features_right_q;
-  logic [5:0] entering_values_45_features_right_q;
-  logic [5:0] entering_values_46_features_right_q;
-  logic [5:0] entering_values_47_features_right_q;
+  logic [4:0] entering_values_23_features_left_y_q;
+  logic entering_values_23_features_edge_q;
   logic [5:0] leaving_values_0_features_left_q;
   logic [5:0] leaving_values_0_features_right_q;
+  logic [4:0] leaving_values_0_features_left_y_q;
+  logic [4:0] leaving_values_0_features_right_y_q;
+  logic leaving_values_0_features_edge_q;
   logic [5:0] leaving_values_1_features_left_q;
   logic [5:0] leaving_values_1_features_right_q;
+  logic [4:0] leaving_values_1_features_left_y_q;
+  logic [4:0] leaving_values_1_features_right_y_q;
+  logic leaving_values_1_features_edge_q;
   logic [5:0] leaving_values_2_features_left_q;
   logic [5:0] leaving_values_2_features_right_q;
+  logic [4:0] leaving_values_2_features_left_y_q;
+  logic [4:0] leaving_values_2_features_right_y_q;
+  logic leaving_values_2_features_edge_q;
   logic [5:0] leaving_values_3_features_left_q;
   logic [5:0] leaving_values_3_features_right_q;
+  logic [4:0] leaving_values_3_features_left_y_q;
+  logic [4:0] leaving_values_3_features_right_y_q;
+  logic leaving_values_3_features_edge_q;
   logic [5:0] leaving_values_4_features_left_q;
   logic [5:0] leaving_values_4_features_right_q;
+  logic [4:0] leaving_values_4_features_left_y_q;
+  logic [4:0] leaving_values_4_features_right_y_q;
+  logic leaving_values_4_features_edge_q;
   logic [5:0] leaving_values_5_features_left_q;
   logic [5:0] leaving_values_5_features_right_q;
+  logic [4:0] leaving_values_5_features_left_y_q;
+  logic [4:0] leaving_values_5_features_right_y_q;
+  logic leaving_values_5_features_edge_q;
   logic [5:0] leaving_values_6_features_left_q;
-  logic [5:0] leaving_values_6_features_right_q;
+  logic [4:0] leaving_values_6_features_left_y_q;
+  logic leaving_values_6_features_edge_q;
   logic [5:0] leaving_values_7_features_left_q;
-  logic [5:0] leaving_values_7_features_right_q;
+  logic [4:0] leaving_values_7_features_left_y_q;
+  logic leaving_values_7_features_edge_q;
   logic [5:0] leaving_values_8_features_left_q;
-  logic [5:0] leaving_values_8_features_right_q;
+  logic [4:0] leaving_values_8_features_left_y_q;
+  logic leaving_values_8_features_edge_q;
   logic [5:0] leaving_values_9_features_left_q;
-  logic [5:0] leaving_values_9_features_right_q;
+  logic [4:0] leaving_values_9_features_left_y_q;
+  logic leaving_values_9_features_edge_q;
   logic [5:0] leaving_values_10_features_left_q;
-  logic [5:0] leaving_values_10_features_right_q;
+  logic [4:0] leaving_values_10_features_left_y_q;
+  logic leaving_values_10_features_edge_q;
   logic [5:0] leaving_values_11_features_left_q;
-  logic [5:0] leaving_values_11_features_right_q;
+  logic [4:0] leaving_values_11_features_left_y_q;
+  logic leaving_values_11_features_edge_q;
   logic [5:0] leaving_values_12_features_left_q;
-  logic [5:0] leaving_values_12_features_right_q;
+  logic [4:0] leaving_values_12_features_left_y_q;
+  logic leaving_values_12_features_edge_q;
   logic [5:0] leaving_values_13_features_left_q;
-  logic [5:0] leaving_values_13_features_right_q;
+  logic [4:0] leaving_values_13_features_left_y_q;
+  logic leaving_values_13_features_edge_q;
   logic [5:0] leaving_values_14_features_left_q;
-  logic [5:0] leaving_values_14_features_right_q;
+  logic [4:0] leaving_values_14_features_left_y_q;
+  logic leaving_values_14_features_edge_q;
   logic [5:0] leaving_values_15_features_left_q;
-  logic [5:0] leaving_values_15_features_right_q;
+  logic [4:0] leaving_values_15_features_left_y_q;
+  logic leaving_values_15_features_edge_q;
   logic [5:0] leaving_values_16_features_left_q;
-  logic [5:0] leaving_values_16_features_right_q;
+  logic [4:0] leaving_values_16_features_left_y_q;
+  logic leaving_values_16_features_edge_q;
   logic [5:0] leaving_values_17_features_left_q;
-  logic [5:0] leaving_values_17_features_right_q;
+  logic [4:0] leaving_values_17_features_left_y_q;
+  logic leaving_values_17_features_edge_q;
   logic [5:0] leaving_values_18_features_left_q;
-  logic [5:0] leaving_values_18_features_right_q;
+  logic [4:0] leaving_values_18_features_left_y_q;
+  logic leaving_values_18_features_edge_q;
   logic [5:0] leaving_values_19_features_left_q;
-  logic [5:0] leaving_values_19_features_right_q;
+  logic [4:0] leaving_values_19_features_left_y_q;
+  logic leaving_values_19_features_edge_q;
   logic [5:0] leaving_values_20_features_left_q;
-  logic [5:0] leaving_values_20_features_right_q;
+  logic [4:0] leaving_values_20_features_left_y_q;
+  logic leaving_values_20_features_edge_q;
   logic [5:0] leaving_values_21_features_left_q;
-  logic [5:0] leaving_values_21_features_right_q;
+  logic [4:0] leaving_values_21_features_left_y_q;
+  logic leaving_values_21_features_edge_q;
   logic [5:0] leaving_values_22_features_left_q;
-  logic [5:0] leaving_values_22_features_right_q;
+  logic [4:0] leaving_values_22_features_left_y_q;
+  logic leaving_values_22_features_edge_q;
   logic [5:0] leaving_values_23_features_left_q;
-  logic [5:0] leaving_values_23_features_right_q;
-  logic [5:0] leaving_values_24_features_right_q;
-  logic [5:0] leaving_values_25_features_right_q;
-  logic [5:0] leaving_values_26_features_right_q;
-  logic [5:0] leaving_values_27_features_right_q;
-  logic [5:0] leaving_values_28_features_right_q;
-  logic [5:0] leaving_values_29_features_right_q;
-  logic [5:0] leaving_values_30_features_right_q;
-  logic [5:0] leaving_values_31_features_right_q;
-  logic [5:0] leaving_values_32_features_right_q;
-  logic [5:0] leaving_values_33_features_right_q;
-  logic [5:0] leaving_values_34_features_right_q;
-  logic [5:0] leaving_values_35_features_right_q;
-  logic [5:0] leaving_values_36_features_right_q;
-  logic [5:0] leaving_values_37_features_right_q;
-  logic [5:0] leaving_values_38_features_right_q;
-  logic [5:0] leaving_values_39_features_right_q;
-  logic [5:0] leaving_values_40_features_right_q;
-  logic [5:0] leaving_values_41_features_right_q;
-  logic [5:0] leaving_values_42_features_right_q;
-  logic [5:0] leaving_values_43_features_right_q;
-  logic [5:0] leaving_values_44_features_right_q;
-  logic [5:0] leaving_values_45_features_right_q;
-  logic [5:0] leaving_values_46_features_right_q;
-  logic [5:0] leaving_values_47_features_right_q;
+  logic [4:0] leaving_values_23_features_left_y_q;
+  logic leaving_values_23_features_edge_q;
   logic marks_values_0_first_q;
   logic marks_values_0_last_q;
   logic marks_values_1_first_q;
@@ -646,191 +579,165 @@ module horopter_plane_sums (
   logic marks_values_23_last_q;
   logic marks_values_24_first_q;
   logic marks_values_24_last_q;
-  logic marks_values_25_first_q;
-  logic marks_values_25_last_q;
-  // hls/stages/plane_sums.hpp:155
-  logic or_694;
-  assign or_694 = delayed_row_ended_q | marks_values_25_first_q;
-  logic [10:0] select_695;
-  assign select_695 = or_694 ? 11'h0 : delayed_column_q;
-  // hls/stages/plane_sums.hpp:156
-  logic or_696;
-  assign or_696 = running_q | marks_values_25_first_q;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_1099;
-  assign difference_1099 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
-  logic [5:0] xor_1100;
-  assign xor_1100 = difference_1099[5:0] ^ {6{difference_1099[6]}};
-  logic [6:0] difference_1109;
-  assign difference_1109 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
-  logic [5:0] xor_1110;
-  assign xor_1110 = difference_1109[5:0] ^ {6{difference_1109[6]}};
-
-  // Memory column_memory, 1920 x 191, DISTANCE 16, hls/stages/plane_sums.hpp:202; read in stage 1, written in stage 5: 1 < 5 < 1 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [190:0] column_memory_mem [0:1919];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 1920; i++) column_memory_mem[i] = 191'h0;
-`endif
-  logic [10:0] column_memory_raddr;
-  assign column_memory_raddr = select_695;
-  logic column_memory_re;
-  assign column_memory_re = s1_en & or_696;
-  logic [190:0] column_memory_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (column_memory_re) column_memory_rdata_q <= column_memory_mem[column_memory_raddr];
-  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      delayed_column_q <= 11'h0;
-      delayed_row_ended_q <= 1'b1;
-      running_q <= 1'b0;
       entering_values_0_features_left_q <= 6'h0;
-      entering_values_0_features_right_q <= 6'h0;
+      entering_values_0_features_left_y_q <= 5'h0;
+      entering_values_0_features_edge_q <= 1'b0;
       entering_values_1_features_left_q <= 6'h0;
-      entering_values_1_features_right_q <= 6'h0;
+      entering_values_1_features_left_y_q <= 5'h0;
+      entering_values_1_features_edge_q <= 1'b0;
       entering_values_2_features_left_q <= 6'h0;
-      entering_values_2_features_right_q <= 6'h0;
+      entering_values_2_features_left_y_q <= 5'h0;
+      entering_values_2_features_edge_q <= 1'b0;
       entering_values_3_features_left_q <= 6'h0;
-      entering_values_3_features_right_q <= 6'h0;
+      entering_values_3_features_left_y_q <= 5'h0;
+      entering_values_3_features_edge_q <= 1'b0;
       entering_values_4_features_left_q <= 6'h0;
-      entering_values_4_features_right_q <= 6'h0;
+      entering_values_4_features_left_y_q <= 5'h0;
+      entering_values_4_features_edge_q <= 1'b0;
       entering_values_5_features_left_q <= 6'h0;
-      entering_values_5_features_right_q <= 6'h0;
+      entering_values_5_features_left_y_q <= 5'h0;
+      entering_values_5_features_edge_q <= 1'b0;
       entering_values_6_features_left_q <= 6'h0;
-      entering_values_6_features_right_q <= 6'h0;
+      entering_values_6_features_left_y_q <= 5'h0;
+      entering_values_6_features_edge_q <= 1'b0;
       entering_values_7_features_left_q <= 6'h0;
-      entering_values_7_features_right_q <= 6'h0;
+      entering_values_7_features_left_y_q <= 5'h0;
+      entering_values_7_features_edge_q <= 1'b0;
       entering_values_8_features_left_q <= 6'h0;
-      entering_values_8_features_right_q <= 6'h0;
+      entering_values_8_features_left_y_q <= 5'h0;
+      entering_values_8_features_edge_q <= 1'b0;
       entering_values_9_features_left_q <= 6'h0;
-      entering_values_9_features_right_q <= 6'h0;
+      entering_values_9_features_left_y_q <= 5'h0;
+      entering_values_9_features_edge_q <= 1'b0;
       entering_values_10_features_left_q <= 6'h0;
-      entering_values_10_features_right_q <= 6'h0;
+      entering_values_10_features_left_y_q <= 5'h0;
+      entering_values_10_features_edge_q <= 1'b0;
       entering_values_11_features_left_q <= 6'h0;
-      entering_values_11_features_right_q <= 6'h0;
+      entering_values_11_features_left_y_q <= 5'h0;
+      entering_values_11_features_edge_q <= 1'b0;
       entering_values_12_features_left_q <= 6'h0;
-      entering_values_12_features_right_q <= 6'h0;
+      entering_values_12_features_left_y_q <= 5'h0;
+      entering_values_12_features_edge_q <= 1'b0;
       entering_values_13_features_left_q <= 6'h0;
-      entering_values_13_features_right_q <= 6'h0;
+      entering_values_13_features_left_y_q <= 5'h0;
+      entering_values_13_features_edge_q <= 1'b0;
       entering_values_14_features_left_q <= 6'h0;
-      entering_values_14_features_right_q <= 6'h0;
+      entering_values_14_features_left_y_q <= 5'h0;
+      entering_values_14_features_edge_q <= 1'b0;
       entering_values_15_features_left_q <= 6'h0;
-      entering_values_15_features_right_q <= 6'h0;
+      entering_values_15_features_left_y_q <= 5'h0;
+      entering_values_15_features_edge_q <= 1'b0;
       entering_values_16_features_left_q <= 6'h0;
-      entering_values_16_features_right_q <= 6'h0;
+      entering_values_16_features_left_y_q <= 5'h0;
+      entering_values_16_features_edge_q <= 1'b0;
       entering_values_17_features_left_q <= 6'h0;
-      entering_values_17_features_right_q <= 6'h0;
+      entering_values_17_features_left_y_q <= 5'h0;
+      entering_values_17_features_edge_q <= 1'b0;
       entering_values_18_features_left_q <= 6'h0;
-      entering_values_18_features_right_q <= 6'h0;
+      entering_values_18_features_left_y_q <= 5'h0;
+      entering_values_18_features_edge_q <= 1'b0;
       entering_values_19_features_left_q <= 6'h0;
-      entering_values_19_features_right_q <= 6'h0;
+      entering_values_19_features_left_y_q <= 5'h0;
+      entering_values_19_features_edge_q <= 1'b0;
       entering_values_20_features_left_q <= 6'h0;
-      entering_values_20_features_right_q <= 6'h0;
+      entering_values_20_features_left_y_q <= 5'h0;
+      entering_values_20_features_edge_q <= 1'b0;
       entering_values_21_features_left_q <= 6'h0;
-      entering_values_21_features_right_q <= 6'h0;
+      entering_values_21_features_left_y_q <= 5'h0;
+      entering_values_21_features_edge_q <= 1'b0;
       entering_values_22_features_left_q <= 6'h0;
-      entering_values_22_features_right_q <= 6'h0;
+      entering_values_22_features_left_y_q <= 5'h0;
+      entering_values_22_features_edge_q <= 1'b0;
       entering_values_23_features_left_q <= 6'h0;
-      entering_values_23_features_right_q <= 6'h0;
-      entering_values_24_features_right_q <= 6'h0;
-      entering_values_25_features_right_q <= 6'h0;
-      entering_values_26_features_right_q <= 6'h0;
-      entering_values_27_features_right_q <= 6'h0;
-      entering_values_28_features_right_q <= 6'h0;
-      entering_values_29_features_right_q <= 6'h0;
-      entering_values_30_features_right_q <= 6'h0;
-      entering_values_31_features_right_q <= 6'h0;
-      entering_values_32_features_right_q <= 6'h0;
-      entering_values_33_features_right_q <= 6'h0;
-      entering_values_34_features_right_q <= 6'h0;
-      entering_values_35_features_right_q <= 6'h0;
-      entering_values_36_features_right_q <= 6'h0;
-      entering_values_37_features_right_q <= 6'h0;
-      entering_values_38_features_right_q <= 6'h0;
-      entering_values_39_features_right_q <= 6'h0;
-      entering_values_40_features_right_q <= 6'h0;
-      entering_values_41_features_right_q <= 6'h0;
-      entering_values_42_features_right_q <= 6'h0;
-      entering_values_43_features_right_q <= 6'h0;
-      entering_values_44_features_right_q <= 6'h0;
-      entering_values_45_features_right_q <= 6'h0;
-      entering_values_46_features_right_q <= 6'h0;
-      entering_values_47_features_right_q <= 6'h0;
+      entering_values_23_features_left_y_q <= 5'h0;
+      entering_values_23_features_edge_q <= 1'b0;
       leaving_values_0_features_left_q <= 6'h0;
       leaving_values_0_features_right_q <= 6'h0;
+      leaving_values_0_features_left_y_q <= 5'h0;
+      leaving_values_0_features_right_y_q <= 5'h0;
+      leaving_values_0_features_edge_q <= 1'b0;
       leaving_values_1_features_left_q <= 6'h0;
       leaving_values_1_features_right_q <= 6'h0;
+      leaving_values_1_features_left_y_q <= 5'h0;
+      leaving_values_1_features_right_y_q <= 5'h0;
+      leaving_values_1_features_edge_q <= 1'b0;
       leaving_values_2_features_left_q <= 6'h0;
       leaving_values_2_features_right_q <= 6'h0;
+      leaving_values_2_features_left_y_q <= 5'h0;
+      leaving_values_2_features_right_y_q <= 5'h0;
+      leaving_values_2_features_edge_q <= 1'b0;
       leaving_values_3_features_left_q <= 6'h0;
       leaving_values_3_features_right_q <= 6'h0;
+      leaving_values_3_features_left_y_q <= 5'h0;
+      leaving_values_3_features_right_y_q <= 5'h0;
+      leaving_values_3_features_edge_q <= 1'b0;
       leaving_values_4_features_left_q <= 6'h0;
       leaving_values_4_features_right_q <= 6'h0;
+      leaving_values_4_features_left_y_q <= 5'h0;
+      leaving_values_4_features_right_y_q <= 5'h0;
+      leaving_values_4_features_edge_q <= 1'b0;
       leaving_values_5_features_left_q <= 6'h0;
       leaving_values_5_features_right_q <= 6'h0;
+      leaving_values_5_features_left_y_q <= 5'h0;
+      leaving_values_5_features_right_y_q <= 5'h0;
+      leaving_values_5_features_edge_q <= 1'b0;
       leaving_values_6_features_left_q <= 6'h0;
-      leaving_values_6_features_right_q <= 6'h0;
+      leaving_values_6_features_left_y_q <= 5'h0;
+      leaving_values_6_features_edge_q <= 1'b0;
       leaving_values_7_features_left_q <= 6'h0;
-      leaving_values_7_features_right_q <= 6'h0;
+      leaving_values_7_features_left_y_q <= 5'h0;
+      leaving_values_7_features_edge_q <= 1'b0;
       leaving_values_8_features_left_q <= 6'h0;
-      leaving_values_8_features_right_q <= 6'h0;
+      leaving_values_8_features_left_y_q <= 5'h0;
+      leaving_values_8_features_edge_q <= 1'b0;
       leaving_values_9_features_left_q <= 6'h0;
-      leaving_values_9_features_right_q <= 6'h0;
+      leaving_values_9_features_left_y_q <= 5'h0;
+      leaving_values_9_features_edge_q <= 1'b0;
       leaving_values_10_features_left_q <= 6'h0;
-      leaving_values_10_features_right_q <= 6'h0;
+      leaving_values_10_features_left_y_q <= 5'h0;
+      leaving_values_10_features_edge_q <= 1'b0;
       leaving_values_11_features_left_q <= 6'h0;
-      leaving_values_11_features_right_q <= 6'h0;
+      leaving_values_11_features_left_y_q <= 5'h0;
+      leaving_values_11_features_edge_q <= 1'b0;
       leaving_values_12_features_left_q <= 6'h0;
-      leaving_values_12_features_right_q <= 6'h0;
+      leaving_values_12_features_left_y_q <= 5'h0;
+      leaving_values_12_features_edge_q <= 1'b0;
       leaving_values_13_features_left_q <= 6'h0;
-      leaving_values_13_features_right_q <= 6'h0;
+      leaving_values_13_features_left_y_q <= 5'h0;
+      leaving_values_13_features_edge_q <= 1'b0;
       leaving_values_14_features_left_q <= 6'h0;
-      leaving_values_14_features_right_q <= 6'h0;
+      leaving_values_14_features_left_y_q <= 5'h0;
+      leaving_values_14_features_edge_q <= 1'b0;
       leaving_values_15_features_left_q <= 6'h0;
-      leaving_values_15_features_right_q <= 6'h0;
+      leaving_values_15_features_left_y_q <= 5'h0;
+      leaving_values_15_features_edge_q <= 1'b0;
       leaving_values_16_features_left_q <= 6'h0;
-      leaving_values_16_features_right_q <= 6'h0;
+      leaving_values_16_features_left_y_q <= 5'h0;
+      leaving_values_16_features_edge_q <= 1'b0;
       leaving_values_17_features_left_q <= 6'h0;
-      leaving_values_17_features_right_q <= 6'h0;
+      leaving_values_17_features_left_y_q <= 5'h0;
+      leaving_values_17_features_edge_q <= 1'b0;
       leaving_values_18_features_left_q <= 6'h0;
-      leaving_values_18_features_right_q <= 6'h0;
+      leaving_values_18_features_left_y_q <= 5'h0;
+      leaving_values_18_features_edge_q <= 1'b0;
       leaving_values_19_features_left_q <= 6'h0;
-      leaving_values_19_features_right_q <= 6'h0;
+      leaving_values_19_features_left_y_q <= 5'h0;
+      leaving_values_19_features_edge_q <= 1'b0;
       leaving_values_20_features_left_q <= 6'h0;
-      leaving_values_20_features_right_q <= 6'h0;
+      leaving_values_20_features_left_y_q <= 5'h0;
+      leaving_values_20_features_edge_q <= 1'b0;
       leaving_values_21_features_left_q <= 6'h0;
-      leaving_values_21_features_right_q <= 6'h0;
+      leaving_values_21_features_left_y_q <= 5'h0;
+      leaving_values_21_features_edge_q <= 1'b0;
       leaving_values_22_features_left_q <= 6'h0;
-      leaving_values_22_features_right_q <= 6'h0;
+      leaving_values_22_features_left_y_q <= 5'h0;
+      leaving_values_22_features_edge_q <= 1'b0;
       leaving_values_23_features_left_q <= 6'h0;
-      leaving_values_23_features_right_q <= 6'h0;
-      leaving_values_24_features_right_q <= 6'h0;
-      leaving_values_25_features_right_q <= 6'h0;
-      leaving_values_26_features_right_q <= 6'h0;
-      leaving_values_27_features_right_q <= 6'h0;
-      leaving_values_28_features_right_q <= 6'h0;
-      leaving_values_29_features_right_q <= 6'h0;
-      leaving_values_30_features_right_q <= 6'h0;
-      leaving_values_31_features_right_q <= 6'h0;
-      leaving_values_32_features_right_q <= 6'h0;
-      leaving_values_33_features_right_q <= 6'h0;
-      leaving_values_34_features_right_q <= 6'h0;
-      leaving_values_35_features_right_q <= 6'h0;
-      leaving_values_36_features_right_q <= 6'h0;
-      leaving_values_37_features_right_q <= 6'h0;
-      leaving_values_38_features_right_q <= 6'h0;
-      leaving_values_39_features_right_q <= 6'h0;
-      leaving_values_40_features_right_q <= 6'h0;
-      leaving_values_41_features_right_q <= 6'h0;
-      leaving_values_42_features_right_q <= 6'h0;
-      leaving_values_43_features_right_q <= 6'h0;
-      leaving_values_44_features_right_q <= 6'h0;
-      leaving_values_45_features_right_q <= 6'h0;
-      leaving_values_46_features_right_q <= 6'h0;
-      leaving_values_47_features_right_q <= 6'h0;
+      leaving_values_23_features_left_y_q <= 5'h0;
+      leaving_values_23_features_edge_q <= 1'b0;
       marks_values_0_first_q <= 1'b0;
       marks_values_0_last_q <= 1'b0;
       marks_values_1_first_q <= 1'b0;
@@ -881,156 +788,163 @@ module horopter_plane_sums (
       marks_values_23_last_q <= 1'b0;
       marks_values_24_first_q <= 1'b0;
       marks_values_24_last_q <= 1'b0;
-      marks_values_25_first_q <= 1'b0;
-      marks_values_25_last_q <= 1'b0;
     end else if (s1_en) begin
-      delayed_column_q <= select_695 + 11'h1;
-      delayed_row_ended_q <= marks_values_25_last_q;
-      running_q <= or_696;
       entering_values_0_features_left_q <= left_s1_q;
-      entering_values_0_features_right_q <= right_s1_q;
+      entering_values_0_features_left_y_q <= left_y_s1_q;
+      entering_values_0_features_edge_q <= edge_v_s1_q;
       entering_values_1_features_left_q <= entering_values_0_features_left_q;
-      entering_values_1_features_right_q <= entering_values_0_features_right_q;
+      entering_values_1_features_left_y_q <= entering_values_0_features_left_y_q;
+      entering_values_1_features_edge_q <= entering_values_0_features_edge_q;
       entering_values_2_features_left_q <= entering_values_1_features_left_q;
-      entering_values_2_features_right_q <= entering_values_1_features_right_q;
+      entering_values_2_features_left_y_q <= entering_values_1_features_left_y_q;
+      entering_values_2_features_edge_q <= entering_values_1_features_edge_q;
       entering_values_3_features_left_q <= entering_values_2_features_left_q;
-      entering_values_3_features_right_q <= entering_values_2_features_right_q;
+      entering_values_3_features_left_y_q <= entering_values_2_features_left_y_q;
+      entering_values_3_features_edge_q <= entering_values_2_features_edge_q;
       entering_values_4_features_left_q <= entering_values_3_features_left_q;
-      entering_values_4_features_right_q <= entering_values_3_features_right_q;
+      entering_values_4_features_left_y_q <= entering_values_3_features_left_y_q;
+      entering_values_4_features_edge_q <= entering_values_3_features_edge_q;
       entering_values_5_features_left_q <= entering_values_4_features_left_q;
-      entering_values_5_features_right_q <= entering_values_4_features_right_q;
+      entering_values_5_features_left_y_q <= entering_values_4_features_left_y_q;
+      entering_values_5_features_edge_q <= entering_values_4_features_edge_q;
       entering_values_6_features_left_q <= entering_values_5_features_left_q;
-      entering_values_6_features_right_q <= entering_values_5_features_right_q;
+      entering_values_6_features_left_y_q <= entering_values_5_features_left_y_q;
+      entering_values_6_features_edge_q <= entering_values_5_features_edge_q;
       entering_values_7_features_left_q <= entering_values_6_features_left_q;
-      entering_values_7_features_right_q <= entering_values_6_features_right_q;
+      entering_values_7_features_left_y_q <= entering_values_6_features_left_y_q;
+      entering_values_7_features_edge_q <= entering_values_6_features_edge_q;
       entering_values_8_features_left_q <= entering_values_7_features_left_q;
-      entering_values_8_features_right_q <= entering_values_7_features_right_q;
+      entering_values_8_features_left_y_q <= entering_values_7_features_left_y_q;
+      entering_values_8_features_edge_q <= entering_values_7_features_edge_q;
       entering_values_9_features_left_q <= entering_values_8_features_left_q;
-      entering_values_9_features_right_q <= entering_values_8_features_right_q;
+      entering_values_9_features_left_y_q <= entering_values_8_features_left_y_q;
+      entering_values_9_features_edge_q <= entering_values_8_features_edge_q;
       entering_values_10_features_left_q <= entering_values_9_features_left_q;
-      entering_values_10_features_right_q <= entering_values_9_features_right_q;
+      entering_values_10_features_left_y_q <= entering_values_9_features_left_y_q;
+      entering_values_10_features_edge_q <= entering_values_9_features_edge_q;
       entering_values_11_features_left_q <= entering_values_10_features_left_q;
-      entering_values_11_features_right_q <= entering_values_10_features_right_q;
+      entering_values_11_features_left_y_q <= entering_values_10_features_left_y_q;
+      entering_values_11_features_edge_q <= entering_values_10_features_edge_q;
       entering_values_12_features_left_q <= entering_values_11_features_left_q;
-      entering_values_12_features_right_q <= entering_values_11_features_right_q;
+      entering_values_12_features_left_y_q <= entering_values_11_features_left_y_q;
+      entering_values_12_features_edge_q <= entering_values_11_features_edge_q;
       entering_values_13_features_left_q <= entering_values_12_features_left_q;
-      entering_values_13_features_right_q <= entering_values_12_features_right_q;
+      entering_values_13_features_left_y_q <= entering_values_12_features_left_y_q;
+      entering_values_13_features_edge_q <= entering_values_12_features_edge_q;
       entering_values_14_features_left_q <= entering_values_13_features_left_q;
-      entering_values_14_features_right_q <= entering_values_13_features_right_q;
+      entering_values_14_features_left_y_q <= entering_values_13_features_left_y_q;
+      entering_values_14_features_edge_q <= entering_values_13_features_edge_q;
       entering_values_15_features_left_q <= entering_values_14_features_left_q;
-      entering_values_15_features_right_q <= entering_values_14_features_right_q;
+      entering_values_15_features_left_y_q <= entering_values_14_features_left_y_q;
+      entering_values_15_features_edge_q <= entering_values_14_features_edge_q;
       entering_values_16_features_left_q <= entering_values_15_features_left_q;
-      entering_values_16_features_right_q <= entering_values_15_features_right_q;
+      entering_values_16_features_left_y_q <= entering_values_15_features_left_y_q;
+      entering_values_16_features_edge_q <= entering_values_15_features_edge_q;
       entering_values_17_features_left_q <= entering_values_16_features_left_q;
-      entering_values_17_features_right_q <= entering_values_16_features_right_q;
+      entering_values_17_features_left_y_q <= entering_values_16_features_left_y_q;
+      entering_values_17_features_edge_q <= entering_values_16_features_edge_q;
       entering_values_18_features_left_q <= entering_values_17_features_left_q;
-      entering_values_18_features_right_q <= entering_values_17_features_right_q;
+      entering_values_18_features_left_y_q <= entering_values_17_features_left_y_q;
+      entering_values_18_features_edge_q <= entering_values_17_features_edge_q;
       entering_values_19_features_left_q <= entering_values_18_features_left_q;
-      entering_values_19_features_right_q <= entering_values_18_features_right_q;
+      entering_values_19_features_left_y_q <= entering_values_18_features_left_y_q;
+      entering_values_19_features_edge_q <= entering_values_18_features_edge_q;
       entering_values_20_features_left_q <= entering_values_19_features_left_q;
-      entering_values_20_features_right_q <= entering_values_19_features_right_q;
+      entering_values_20_features_left_y_q <= entering_values_19_features_left_y_q;
+      entering_values_20_features_edge_q <= entering_values_19_features_edge_q;
       entering_values_21_features_left_q <= entering_values_20_features_left_q;
-      entering_values_21_features_right_q <= entering_values_20_features_right_q;
+      entering_values_21_features_left_y_q <= entering_values_20_features_left_y_q;
+      entering_values_21_features_edge_q <= entering_values_20_features_edge_q;
       entering_values_22_features_left_q <= entering_values_21_features_left_q;
-      entering_values_22_features_right_q <= entering_values_21_features_right_q;
+      entering_values_22_features_left_y_q <= entering_values_21_features_left_y_q;
+      entering_values_22_features_edge_q <= entering_values_21_features_edge_q;
       entering_values_23_features_left_q <= entering_values_22_features_left_q;
-      entering_values_23_features_right_q <= entering_values_22_features_right_q;
-      entering_values_24_features_right_q <= entering_values_23_features_right_q;
-      entering_values_25_features_right_q <= entering_values_24_features_right_q;
-      entering_values_26_features_right_q <= entering_values_25_features_right_q;
-      entering_values_27_features_right_q <= entering_values_26_features_right_q;
-      entering_values_28_features_right_q <= entering_values_27_features_right_q;
-      entering_values_29_features_right_q <= entering_values_28_features_right_q;
-      entering_values_30_features_right_q <= entering_values_29_features_right_q;
-      entering_values_31_features_right_q <= entering_values_30_features_right_q;
-      entering_values_32_features_right_q <= entering_values_31_features_right_q;
-      entering_values_33_features_right_q <= entering_values_32_features_right_q;
-      entering_values_34_features_right_q <= entering_values_33_features_right_q;
-      entering_values_35_features_right_q <= entering_values_34_features_right_q;
-      entering_values_36_features_right_q <= entering_values_35_features_right_q;
-      entering_values_37_features_right_q <= entering_values_36_features_right_q;
-      entering_values_38_features_right_q <= entering_values_37_features_right_q;
-      entering_values_39_features_right_q <= entering_values_38_features_right_q;
-      entering_values_40_features_right_q <= entering_values_39_features_right_q;
-      entering_values_41_features_right_q <= entering_values_40_features_right_q;
-      entering_values_42_features_right_q <= entering_values_41_features_right_q;
-      entering_values_43_features_right_q <= entering_values_42_features_right_q;
-      entering_values_44_features_right_q <= entering_values_43_features_right_q;
-      entering_values_45_features_right_q <= entering_values_44_features_right_q;
-      entering_values_46_features_right_q <= entering_values_45_features_right_q;
-      entering_values_47_features_right_q <= entering_values_46_features_right_q;
-      leaving_values_0_features_left_q <= feature_memory_rdata_q[83:78];
-      leaving_values_0_features_right_q <= feature_memory_rdata_q[89:84];
+      entering_values_23_features_left_y_q <= entering_values_22_features_left_y_q;
+      entering_values_23_features_edge_q <= entering_values_22_features_edge_q;
+      leaving_values_0_features_left_q <= feature_memory_rdata_q[149:144];
+      leaving_values_0_features_right_q <= feature_memory_rdata_q[155:150];
+      leaving_values_0_features_left_y_q <= feature_memory_rdata_q[160:156];
+      leaving_values_0_features_right_y_q <= feature_memory_rdata_q[165:161];
+      leaving_values_0_features_edge_q <= feature_memory_rdata_q[166];
       leaving_values_1_features_left_q <= leaving_values_0_features_left_q;
       leaving_values_1_features_right_q <= leaving_values_0_features_right_q;
+      leaving_values_1_features_left_y_q <= leaving_values_0_features_left_y_q;
+      leaving_values_1_features_right_y_q <= leaving_values_0_features_right_y_q;
+      leaving_values_1_features_edge_q <= leaving_values_0_features_edge_q;
       leaving_values_2_features_left_q <= leaving_values_1_features_left_q;
       leaving_values_2_features_right_q <= leaving_values_1_features_right_q;
+      leaving_values_2_features_left_y_q <= leaving_values_1_features_left_y_q;
+      leaving_values_2_features_right_y_q <= leaving_values_1_features_right_y_q;
+      leaving_values_2_features_edge_q <= leaving_values_1_features_edge_q;
       leaving_values_3_features_left_q <= leaving_values_2_features_left_q;
       leaving_values_3_features_right_q <= leaving_values_2_features_right_q;
+      leaving_values_3_features_left_y_q <= leaving_values_2_features_left_y_q;
+      leaving_values_3_features_right_y_q <= leaving_values_2_features_right_y_q;
+      leaving_values_3_features_edge_q <= leaving_values_2_features_edge_q;
       leaving_values_4_features_left_q <= leaving_values_3_features_left_q;
       leaving_values_4_features_right_q <= leaving_values_3_features_right_q;
+      leaving_values_4_features_left_y_q <= leaving_values_3_features_left_y_q;
+      leaving_values_4_features_right_y_q <= leaving_values_3_features_right_y_q;
+      leaving_values_4_features_edge_q <= leaving_values_3_features_edge_q;
       leaving_values_5_features_left_q <= leaving_values_4_features_left_q;
       leaving_values_5_features_right_q <= leaving_values_4_features_right_q;
+      leaving_values_5_features_left_y_q <= leaving_values_4_features_left_y_q;
+      leaving_values_5_features_right_y_q <= leaving_values_4_features_right_y_q;
+      leaving_values_5_features_edge_q <= leaving_values_4_features_edge_q;
       leaving_values_6_features_left_q <= leaving_values_5_features_left_q;
-      leaving_values_6_features_right_q <= leaving_values_5_features_right_q;
+      leaving_values_6_features_left_y_q <= leaving_values_5_features_left_y_q;
+      leaving_values_6_features_edge_q <= leaving_values_5_features_edge_q;
       leaving_values_7_features_left_q <= leaving_values_6_features_left_q;
-      leaving_values_7_features_right_q <= leaving_values_6_features_right_q;
+      leaving_values_7_features_left_y_q <= leaving_values_6_features_left_y_q;
+      leaving_values_7_features_edge_q <= leaving_values_6_features_edge_q;
       leaving_values_8_features_left_q <= leaving_values_7_features_left_q;
-      leaving_values_8_features_right_q <= leaving_values_7_features_right_q;
+      leaving_values_8_features_left_y_q <= leaving_values_7_features_left_y_q;
+      leaving_values_8_features_edge_q <= leaving_values_7_features_edge_q;
       leaving_values_9_features_left_q <= leaving_values_8_features_left_q;
-      leaving_values_9_features_right_q <= leaving_values_8_features_right_q;
+      leaving_values_9_features_left_y_q <= leaving_values_8_features_left_y_q;
+      leaving_values_9_features_edge_q <= leaving_values_8_features_edge_q;
       leaving_values_10_features_left_q <= leaving_values_9_features_left_q;
-      leaving_values_10_features_right_q <= leaving_values_9_features_right_q;
+      leaving_values_10_features_left_y_q <= leaving_values_9_features_left_y_q;
+      leaving_values_10_features_edge_q <= leaving_values_9_features_edge_q;
       leaving_values_11_features_left_q <= leaving_values_10_features_left_q;
-      leaving_values_11_features_right_q <= leaving_values_10_features_right_q;
+      leaving_values_11_features_left_y_q <= leaving_values_10_features_left_y_q;
+      leaving_values_11_features_edge_q <= leaving_values_10_features_edge_q;
       leaving_values_12_features_left_q <= leaving_values_11_features_left_q;
-      leaving_values_12_features_right_q <= leaving_values_11_features_right_q;
+      leaving_values_12_features_left_y_q <= leaving_values_11_features_left_y_q;
+      leaving_values_12_features_edge_q <= leaving_values_11_features_edge_q;
       leaving_values_13_features_left_q <= leaving_values_12_features_left_q;
-      leaving_values_13_features_right_q <= leaving_values_12_features_right_q;
+      leaving_values_13_features_left_y_q <= leaving_values_12_features_left_y_q;
+      leaving_values_13_features_edge_q <= leaving_values_12_features_edge_q;
       leaving_values_14_features_left_q <= leaving_values_13_features_left_q;
-      leaving_values_14_features_right_q <= leaving_values_13_features_right_q;
+      leaving_values_14_features_left_y_q <= leaving_values_13_features_left_y_q;
+      leaving_values_14_features_edge_q <= leaving_values_13_features_edge_q;
       leaving_values_15_features_left_q <= leaving_values_14_features_left_q;
-      leaving_values_15_features_right_q <= leaving_values_14_features_right_q;
+      leaving_values_15_features_left_y_q <= leaving_values_14_features_left_y_q;
+      leaving_values_15_features_edge_q <= leaving_values_14_features_edge_q;
       leaving_values_16_features_left_q <= leaving_values_15_features_left_q;
-      leaving_values_16_features_right_q <= leaving_values_15_features_right_q;
+      leaving_values_16_features_left_y_q <= leaving_values_15_features_left_y_q;
+      leaving_values_16_features_edge_q <= leaving_values_15_features_edge_q;
       leaving_values_17_features_left_q <= leaving_values_16_features_left_q;
-      leaving_values_17_features_right_q <= leaving_values_16_features_right_q;
+      leaving_values_17_features_left_y_q <= leaving_values_16_features_left_y_q;
+      leaving_values_17_features_edge_q <= leaving_values_16_features_edge_q;
       leaving_values_18_features_left_q <= leaving_values_17_features_left_q;
-      leaving_values_18_features_right_q <= leaving_values_17_features_right_q;
+      leaving_values_18_features_left_y_q <= leaving_values_17_features_left_y_q;
+      leaving_values_18_features_edge_q <= leaving_values_17_features_edge_q;
       leaving_values_19_features_left_q <= leaving_values_18_features_left_q;
-      leaving_values_19_features_right_q <= leaving_values_18_features_right_q;
+      leaving_values_19_features_left_y_q <= leaving_values_18_features_left_y_q;
+      leaving_values_19_features_edge_q <= leaving_values_18_features_edge_q;
       leaving_values_20_features_left_q <= leaving_values_19_features_left_q;
-      leaving_values_20_features_right_q <= leaving_values_19_features_right_q;
+      leaving_values_20_features_left_y_q <= leaving_values_19_features_left_y_q;
+      leaving_values_20_features_edge_q <= leaving_values_19_features_edge_q;
       leaving_values_21_features_left_q <= leaving_values_20_features_left_q;
-      leaving_values_21_features_right_q <= leaving_values_20_features_right_q;
+      leaving_values_21_features_left_y_q <= leaving_values_20_features_left_y_q;
+      leaving_values_21_features_edge_q <= leaving_values_20_features_edge_q;
       leaving_values_22_features_left_q <= leaving_values_21_features_left_q;
-      leaving_values_22_features_right_q <= leaving_values_21_features_right_q;
+      leaving_values_22_features_left_y_q <= leaving_values_21_features_left_y_q;
+      leaving_values_22_features_edge_q <= leaving_values_21_features_edge_q;
       leaving_values_23_features_left_q <= leaving_values_22_features_left_q;
-      leaving_values_23_features_right_q <= leaving_values_22_features_right_q;
-      leaving_values_24_features_right_q <= leaving_values_23_features_right_q;
-      leaving_values_25_features_right_q <= leaving_values_24_features_right_q;
-      leaving_values_26_features_right_q <= leaving_values_25_features_right_q;
-      leaving_values_27_features_right_q <= leaving_values_26_features_right_q;
-      leaving_values_28_features_right_q <= leaving_values_27_features_right_q;
-      leaving_values_29_features_right_q <= leaving_values_28_features_right_q;
-      leaving_values_30_features_right_q <= leaving_values_29_features_right_q;
-      leaving_values_31_features_right_q <= leaving_values_30_features_right_q;
-      leaving_values_32_features_right_q <= leaving_values_31_features_right_q;
-      leaving_values_33_features_right_q <= leaving_values_32_features_right_q;
-      leaving_values_34_features_right_q <= leaving_values_33_features_right_q;
-      leaving_values_35_features_right_q <= leaving_values_34_features_right_q;
-      leaving_values_36_features_right_q <= leaving_values_35_features_right_q;
-      leaving_values_37_features_right_q <= leaving_values_36_features_right_q;
-      leaving_values_38_features_right_q <= leaving_values_37_features_right_q;
-      leaving_values_39_features_right_q <= leaving_values_38_features_right_q;
-      leaving_values_40_features_right_q <= leaving_values_39_features_right_q;
-      leaving_values_41_features_right_q <= leaving_values_40_features_right_q;
-      leaving_values_42_features_right_q <= leaving_values_41_features_right_q;
-      leaving_values_43_features_right_q <= leaving_values_42_features_right_q;
-      leaving_values_44_features_right_q <= leaving_values_43_features_right_q;
-      leaving_values_45_features_right_q <= leaving_values_44_features_right_q;
-      leaving_values_46_features_right_q <= leaving_values_45_features_right_q;
-      leaving_values_47_features_right_q <= leaving_values_46_features_right_q;
+      leaving_values_23_features_left_y_q <= leaving_values_22_features_left_y_q;
+      leaving_values_23_features_edge_q <= leaving_values_22_features_edge_q;
       marks_values_0_first_q <= marks_first_s1_q;
       marks_values_0_last_q <= arriving_row_ended_q;
       marks_values_1_first_q <= marks_values_0_first_q;
@@ -1081,48 +995,793 @@ module horopter_plane_sums (
       marks_values_23_last_q <= marks_values_22_last_q;
       marks_values_24_first_q <= marks_values_23_first_q;
       marks_values_24_last_q <= marks_values_23_last_q;
-      marks_values_25_first_q <= marks_values_24_first_q;
-      marks_values_25_last_q <= marks_values_24_last_q;
     end
   end
 
+  logic [5:0] right_s2_q;
+  logic [4:0] right_y_s2_q;
   logic mask_s2_q;
   logic [5:0] entering_values_23_features_left_s2_q;
+  logic [4:0] entering_values_23_features_left_y_s2_q;
+  logic entering_values_23_features_edge_s2_q;
+  logic [5:0] leaving_values_5_features_right_s2_q;
+  logic [4:0] leaving_values_5_features_right_y_s2_q;
   logic [5:0] leaving_values_23_features_left_s2_q;
-  logic marks_values_25_first_s2_q;
-  logic [5:0] seen_values_24_grey_s2_q;
-  logic seen_values_24_exists_s2_q;
+  logic [4:0] leaving_values_23_features_left_y_s2_q;
+  logic leaving_values_23_features_edge_s2_q;
+  logic marks_values_24_first_s2_q;
+  logic marks_values_24_last_s2_q;
+  logic [5:0] seen_values_23_grey_s2_q;
   logic centre_marks_values_3_seen_s2_q;
   logic centre_marks_values_3_nearer_s2_q;
-  logic or_691_s2_q;
-  logic [10:0] select_692_s2_q;
-  logic [78:0] feature_memory_rdata_s2_q;
-  logic or_694_s2_q;
-  logic [10:0] select_695_s2_q;
-  logic [6:0] sum_1101_s2_q;
-  logic [6:0] sum_1111_s2_q;
+  logic or_857_s2_q;
+  logic [10:0] select_858_s2_q;
+  logic [144:0] feature_memory_rdata_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
+      right_s2_q <= right_s1_q;
+      right_y_s2_q <= right_y_s1_q;
       mask_s2_q <= mask_s1_q;
       entering_values_23_features_left_s2_q <= entering_values_23_features_left_q;
+      entering_values_23_features_left_y_s2_q <= entering_values_23_features_left_y_q;
+      entering_values_23_features_edge_s2_q <= entering_values_23_features_edge_q;
+      leaving_values_5_features_right_s2_q <= leaving_values_5_features_right_q;
+      leaving_values_5_features_right_y_s2_q <= leaving_values_5_features_right_y_q;
       leaving_values_23_features_left_s2_q <= leaving_values_23_features_left_q;
-      marks_values_25_first_s2_q <= marks_values_25_first_q;
-      seen_values_24_grey_s2_q <= seen_values_24_grey_s1_q;
-      seen_values_24_exists_s2_q <= seen_values_24_exists_s1_q;
+      leaving_values_23_features_left_y_s2_q <= leaving_values_23_features_left_y_q;
+      leaving_values_23_features_edge_s2_q <= leaving_values_23_features_edge_q;
+      marks_values_24_first_s2_q <= marks_values_24_first_q;
+      marks_values_24_last_s2_q <= marks_values_24_last_q;
+      seen_values_23_grey_s2_q <= seen_values_23_grey_s1_q;
       centre_marks_values_3_seen_s2_q <= centre_marks_values_3_seen_s1_q;
       centre_marks_values_3_nearer_s2_q <= centre_marks_values_3_nearer_s1_q;
-      or_691_s2_q <= or_691_s1_q;
-      select_692_s2_q <= select_692_s1_q;
-      feature_memory_rdata_s2_q <= {feature_memory_rdata_q[90], feature_memory_rdata_q[77:0]};
-      or_694_s2_q <= or_694;
-      select_695_s2_q <= select_695;
-      sum_1101_s2_q <= {6'h0, difference_1099[6]} + {1'b0, xor_1100};
-      sum_1111_s2_q <= {6'h0, difference_1109[6]} + {1'b0, xor_1110};
+      or_857_s2_q <= or_857_s1_q;
+      select_858_s2_q <= select_858_s1_q;
+      feature_memory_rdata_s2_q <= {feature_memory_rdata_q[167], feature_memory_rdata_q[143:0]};
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic [2:0] arriving_rows_q;
+  logic [10:0] delayed_column_q;
+  logic delayed_row_ended_q;
+  logic running_q;
+  logic [5:0] entering_values_0_features_right_q;
+  logic [4:0] entering_values_0_features_right_y_q;
+  logic [5:0] entering_values_1_features_right_q;
+  logic [4:0] entering_values_1_features_right_y_q;
+  logic [5:0] entering_values_2_features_right_q;
+  logic [4:0] entering_values_2_features_right_y_q;
+  logic [5:0] entering_values_3_features_right_q;
+  logic [4:0] entering_values_3_features_right_y_q;
+  logic [5:0] entering_values_4_features_right_q;
+  logic [4:0] entering_values_4_features_right_y_q;
+  logic [5:0] entering_values_5_features_right_q;
+  logic [4:0] entering_values_5_features_right_y_q;
+  logic [5:0] entering_values_6_features_right_q;
+  logic [4:0] entering_values_6_features_right_y_q;
+  logic [5:0] entering_values_7_features_right_q;
+  logic [4:0] entering_values_7_features_right_y_q;
+  logic [5:0] entering_values_8_features_right_q;
+  logic [4:0] entering_values_8_features_right_y_q;
+  logic [5:0] entering_values_9_features_right_q;
+  logic [4:0] entering_values_9_features_right_y_q;
+  logic [5:0] entering_values_10_features_right_q;
+  logic [4:0] entering_values_10_features_right_y_q;
+  logic [5:0] entering_values_11_features_right_q;
+  logic [4:0] entering_values_11_features_right_y_q;
+  logic [5:0] entering_values_12_features_right_q;
+  logic [4:0] entering_values_12_features_right_y_q;
+  logic [5:0] entering_values_13_features_right_q;
+  logic [4:0] entering_values_13_features_right_y_q;
+  logic [5:0] entering_values_14_features_right_q;
+  logic [4:0] entering_values_14_features_right_y_q;
+  logic [5:0] entering_values_15_features_right_q;
+  logic [4:0] entering_values_15_features_right_y_q;
+  logic [5:0] entering_values_16_features_right_q;
+  logic [4:0] entering_values_16_features_right_y_q;
+  logic [5:0] entering_values_17_features_right_q;
+  logic [4:0] entering_values_17_features_right_y_q;
+  logic [5:0] entering_values_18_features_right_q;
+  logic [4:0] entering_values_18_features_right_y_q;
+  logic [5:0] entering_values_19_features_right_q;
+  logic [4:0] entering_values_19_features_right_y_q;
+  logic [5:0] entering_values_20_features_right_q;
+  logic [4:0] entering_values_20_features_right_y_q;
+  logic [5:0] entering_values_21_features_right_q;
+  logic [4:0] entering_values_21_features_right_y_q;
+  logic [5:0] entering_values_22_features_right_q;
+  logic [4:0] entering_values_22_features_right_y_q;
+  logic [5:0] entering_values_23_features_right_q;
+  logic [4:0] entering_values_23_features_right_y_q;
+  logic [5:0] entering_values_24_features_right_q;
+  logic [4:0] entering_values_24_features_right_y_q;
+  logic [5:0] entering_values_25_features_right_q;
+  logic [4:0] entering_values_25_features_right_y_q;
+  logic [5:0] entering_values_26_features_right_q;
+  logic [4:0] entering_values_26_features_right_y_q;
+  logic [5:0] entering_values_27_features_right_q;
+  logic [4:0] entering_values_27_features_right_y_q;
+  logic [5:0] entering_values_28_features_right_q;
+  logic [4:0] entering_values_28_features_right_y_q;
+  logic [5:0] entering_values_29_features_right_q;
+  logic [4:0] entering_values_29_features_right_y_q;
+  logic [5:0] entering_values_30_features_right_q;
+  logic [4:0] entering_values_30_features_right_y_q;
+  logic [5:0] entering_values_31_features_right_q;
+  logic [4:0] entering_values_31_features_right_y_q;
+  logic [5:0] entering_values_32_features_right_q;
+  logic [4:0] entering_values_32_features_right_y_q;
+  logic [5:0] entering_values_33_features_right_q;
+  logic [4:0] entering_values_33_features_right_y_q;
+  logic [5:0] entering_values_34_features_right_q;
+  logic [4:0] entering_values_34_features_right_y_q;
+  logic [5:0] entering_values_35_features_right_q;
+  logic [4:0] entering_values_35_features_right_y_q;
+  logic [5:0] entering_values_36_features_right_q;
+  logic [4:0] entering_values_36_features_right_y_q;
+  logic [5:0] entering_values_37_features_right_q;
+  logic [4:0] entering_values_37_features_right_y_q;
+  logic [5:0] entering_values_38_features_right_q;
+  logic [4:0] entering_values_38_features_right_y_q;
+  logic [5:0] entering_values_39_features_right_q;
+  logic [4:0] entering_values_39_features_right_y_q;
+  logic [5:0] entering_values_40_features_right_q;
+  logic [4:0] entering_values_40_features_right_y_q;
+  logic [5:0] entering_values_41_features_right_q;
+  logic [4:0] entering_values_41_features_right_y_q;
+  logic [5:0] entering_values_42_features_right_q;
+  logic [4:0] entering_values_42_features_right_y_q;
+  logic [5:0] entering_values_43_features_right_q;
+  logic [4:0] entering_values_43_features_right_y_q;
+  logic [5:0] entering_values_44_features_right_q;
+  logic [4:0] entering_values_44_features_right_y_q;
+  logic [5:0] entering_values_45_features_right_q;
+  logic [4:0] entering_values_45_features_right_y_q;
+  logic [5:0] entering_values_46_features_right_q;
+  logic [4:0] entering_values_46_features_right_y_q;
+  logic [5:0] entering_values_47_features_right_q;
+  logic [4:0] entering_values_47_features_right_y_q;
+  logic [5:0] leaving_values_6_features_right_q;
+  logic [4:0] leaving_values_6_features_right_y_q;
+  logic [5:0] leaving_values_7_features_right_q;
+  logic [4:0] leaving_values_7_features_right_y_q;
+  logic [5:0] leaving_values_8_features_right_q;
+  logic [4:0] leaving_values_8_features_right_y_q;
+  logic [5:0] leaving_values_9_features_right_q;
+  logic [4:0] leaving_values_9_features_right_y_q;
+  logic [5:0] leaving_values_10_features_right_q;
+  logic [4:0] leaving_values_10_features_right_y_q;
+  logic [5:0] leaving_values_11_features_right_q;
+  logic [4:0] leaving_values_11_features_right_y_q;
+  logic [5:0] leaving_values_12_features_right_q;
+  logic [4:0] leaving_values_12_features_right_y_q;
+  logic [5:0] leaving_values_13_features_right_q;
+  logic [4:0] leaving_values_13_features_right_y_q;
+  logic [5:0] leaving_values_14_features_right_q;
+  logic [4:0] leaving_values_14_features_right_y_q;
+  logic [5:0] leaving_values_15_features_right_q;
+  logic [4:0] leaving_values_15_features_right_y_q;
+  logic [5:0] leaving_values_16_features_right_q;
+  logic [4:0] leaving_values_16_features_right_y_q;
+  logic [5:0] leaving_values_17_features_right_q;
+  logic [4:0] leaving_values_17_features_right_y_q;
+  logic [5:0] leaving_values_18_features_right_q;
+  logic [4:0] leaving_values_18_features_right_y_q;
+  logic [5:0] leaving_values_19_features_right_q;
+  logic [4:0] leaving_values_19_features_right_y_q;
+  logic [5:0] leaving_values_20_features_right_q;
+  logic [4:0] leaving_values_20_features_right_y_q;
+  logic [5:0] leaving_values_21_features_right_q;
+  logic [4:0] leaving_values_21_features_right_y_q;
+  logic [5:0] leaving_values_22_features_right_q;
+  logic [4:0] leaving_values_22_features_right_y_q;
+  logic [5:0] leaving_values_23_features_right_q;
+  logic [4:0] leaving_values_23_features_right_y_q;
+  logic [5:0] leaving_values_24_features_right_q;
+  logic [4:0] leaving_values_24_features_right_y_q;
+  logic [5:0] leaving_values_25_features_right_q;
+  logic [4:0] leaving_values_25_features_right_y_q;
+  logic [5:0] leaving_values_26_features_right_q;
+  logic [4:0] leaving_values_26_features_right_y_q;
+  logic [5:0] leaving_values_27_features_right_q;
+  logic [4:0] leaving_values_27_features_right_y_q;
+  logic [5:0] leaving_values_28_features_right_q;
+  logic [4:0] leaving_values_28_features_right_y_q;
+  logic [5:0] leaving_values_29_features_right_q;
+  logic [4:0] leaving_values_29_features_right_y_q;
+  logic [5:0] leaving_values_30_features_right_q;
+  logic [4:0] leaving_values_30_features_right_y_q;
+  logic [5:0] leaving_values_31_features_right_q;
+  logic [4:0] leaving_values_31_features_right_y_q;
+  logic [5:0] leaving_values_32_features_right_q;
+  logic [4:0] leaving_values_32_features_right_y_q;
+  logic [5:0] leaving_values_33_features_right_q;
+  logic [4:0] leaving_values_33_features_right_y_q;
+  logic [5:0] leaving_values_34_features_right_q;
+  logic [4:0] leaving_values_34_features_right_y_q;
+  logic [5:0] leaving_values_35_features_right_q;
+  logic [4:0] leaving_values_35_features_right_y_q;
+  logic [5:0] leaving_values_36_features_right_q;
+  logic [4:0] leaving_values_36_features_right_y_q;
+  logic [5:0] leaving_values_37_features_right_q;
+  logic [4:0] leaving_values_37_features_right_y_q;
+  logic [5:0] leaving_values_38_features_right_q;
+  logic [4:0] leaving_values_38_features_right_y_q;
+  logic [5:0] leaving_values_39_features_right_q;
+  logic [4:0] leaving_values_39_features_right_y_q;
+  logic [5:0] leaving_values_40_features_right_q;
+  logic [4:0] leaving_values_40_features_right_y_q;
+  logic [5:0] leaving_values_41_features_right_q;
+  logic [4:0] leaving_values_41_features_right_y_q;
+  logic [5:0] leaving_values_42_features_right_q;
+  logic [4:0] leaving_values_42_features_right_y_q;
+  logic [5:0] leaving_values_43_features_right_q;
+  logic [4:0] leaving_values_43_features_right_y_q;
+  logic [5:0] leaving_values_44_features_right_q;
+  logic [4:0] leaving_values_44_features_right_y_q;
+  logic [5:0] leaving_values_45_features_right_q;
+  logic [4:0] leaving_values_45_features_right_y_q;
+  logic [5:0] leaving_values_46_features_right_q;
+  logic [4:0] leaving_values_46_features_right_y_q;
+  logic [5:0] leaving_values_47_features_right_q;
+  logic [4:0] leaving_values_47_features_right_y_q;
+  // hls/stages/plane_sums.hpp:160
+  logic or_860;
+  assign or_860 = delayed_row_ended_q | marks_values_24_first_s2_q;
+  logic [10:0] select_861;
+  assign select_861 = or_860 ? 11'h0 : delayed_column_q;
+  // hls/stages/plane_sums.hpp:161
+  logic or_862;
+  assign or_862 = running_q | marks_values_24_first_s2_q;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_884;
+  assign difference_884 = {leaving_values_23_features_left_y_s2_q[4], leaving_values_23_features_left_y_s2_q} - {leaving_values_0_features_right_y_q[4], leaving_values_0_features_right_y_q};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_887;
+  assign difference_887 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_0_features_right_q[5], leaving_values_0_features_right_q};
+  // hls/stages/plane_sums.hpp:133
+  logic [2:0] select_892;
+  assign select_892 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
+  logic equal_893;
+  assign equal_893 = select_892 == 3'h7;
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1379;
+  assign difference_1379 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_41_features_right_q[5], entering_values_41_features_right_q};
+  logic [5:0] xor_1380;
+  assign xor_1380 = difference_1379[5:0] ^ {6{difference_1379[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1382;
+  assign difference_1382 = {entering_values_23_features_left_y_s2_q[4], entering_values_23_features_left_y_s2_q} - {entering_values_41_features_right_y_q[4], entering_values_41_features_right_y_q};
+  logic [4:0] xor_1383;
+  assign xor_1383 = difference_1382[4:0] ^ {5{difference_1382[5]}};
+  logic [5:0] across_35;
+  assign across_35 = {5'h0, difference_1382[5]} + {1'b0, xor_1383};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1393;
+  assign difference_1393 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_41_features_right_q[5], leaving_values_41_features_right_q};
+  logic [5:0] xor_1394;
+  assign xor_1394 = difference_1393[5:0] ^ {6{difference_1393[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1396;
+  assign difference_1396 = {leaving_values_23_features_left_y_s2_q[4], leaving_values_23_features_left_y_s2_q} - {leaving_values_41_features_right_y_q[4], leaving_values_41_features_right_y_q};
+  logic [4:0] xor_1397;
+  assign xor_1397 = difference_1396[4:0] ^ {5{difference_1396[5]}};
+  logic [5:0] across_36;
+  assign across_36 = {5'h0, difference_1396[5]} + {1'b0, xor_1397};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1409;
+  assign difference_1409 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
+  logic [5:0] xor_1410;
+  assign xor_1410 = difference_1409[5:0] ^ {6{difference_1409[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1412;
+  assign difference_1412 = {entering_values_23_features_left_y_s2_q[4], entering_values_23_features_left_y_s2_q} - {entering_values_47_features_right_y_q[4], entering_values_47_features_right_y_q};
+  logic [4:0] xor_1413;
+  assign xor_1413 = difference_1412[4:0] ^ {5{difference_1412[5]}};
+  logic [5:0] across_37;
+  assign across_37 = {5'h0, difference_1412[5]} + {1'b0, xor_1413};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1423;
+  assign difference_1423 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
+  logic [5:0] xor_1424;
+  assign xor_1424 = difference_1423[5:0] ^ {6{difference_1423[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1426;
+  assign difference_1426 = {leaving_values_23_features_left_y_s2_q[4], leaving_values_23_features_left_y_s2_q} - {leaving_values_47_features_right_y_q[4], leaving_values_47_features_right_y_q};
+  logic [4:0] xor_1427;
+  assign xor_1427 = difference_1426[4:0] ^ {5{difference_1426[5]}};
+  logic [5:0] across_38;
+  assign across_38 = {5'h0, difference_1426[5]} + {1'b0, xor_1427};
+  // hls/stages/plane_sums.hpp:133
+  logic not_1464;
+  assign not_1464 = ~equal_893;
+  logic [2:0] select_1466;
+  assign select_1466 = marks_values_0_last_q ? (select_892 + {2'h0, not_1464}) : select_892;
+
+  // Memory column_memory, 1920 x 184, DISTANCE 16, hls/stages/plane_sums.hpp:209; read in stage 2, written in stage 6: 2 < 6 < 2 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [183:0] column_memory_mem [0:1919];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 1920; i++) column_memory_mem[i] = 184'h0;
+`endif
+  logic [10:0] column_memory_raddr;
+  assign column_memory_raddr = select_861;
+  logic column_memory_re;
+  assign column_memory_re = s2_en & or_862;
+  logic [183:0] column_memory_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (column_memory_re) column_memory_rdata_q <= column_memory_mem[column_memory_raddr];
+  end
+
+  // Memory feature_memory, write
+  logic [10:0] feature_memory_waddr;
+  assign feature_memory_waddr = select_858_s2_q;
+  logic feature_memory_we;
+  assign feature_memory_we = s2_en;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (feature_memory_we) feature_memory_mem[feature_memory_waddr] <= {feature_memory_rdata_s2_q[143:0], mask_s2_q, entering_values_0_features_edge_q, right_y_s2_q, entering_values_0_features_left_y_q, right_s2_q, entering_values_0_features_left_q};
+  end
+`ifndef SYNTHESIS
+  logic [10:0] feature_memory_raddr_s1_sim;
+  logic feature_memory_re_s1_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      feature_memory_re_s1_sim <= 1'b0;
+    end else if (en_i) begin
+      feature_memory_re_s1_sim <= feature_memory_re;
+      feature_memory_raddr_s1_sim <= feature_memory_raddr;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && feature_memory_we) begin
+      if (feature_memory_re && feature_memory_raddr == feature_memory_waddr) begin
+        $error("feature_memory: address %0d is read less than DISTANCE steps after its write", feature_memory_waddr);
+      end
+      if (feature_memory_re_s1_sim && feature_memory_raddr_s1_sim == feature_memory_waddr) begin
+        $error("feature_memory: address %0d is read less than DISTANCE steps after its write", feature_memory_waddr);
+      end
+      if (feature_memory_waddr >= 11'd1920) $error("feature_memory: write outside, address %0d", feature_memory_waddr);
+    end
+    if (rst_ni && feature_memory_re && feature_memory_raddr >= 11'd1920) $error("feature_memory: read outside, address %0d", feature_memory_raddr);
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      arriving_rows_q <= 3'h0;
+      delayed_column_q <= 11'h0;
+      delayed_row_ended_q <= 1'b1;
+      running_q <= 1'b0;
+      entering_values_0_features_right_q <= 6'h0;
+      entering_values_0_features_right_y_q <= 5'h0;
+      entering_values_1_features_right_q <= 6'h0;
+      entering_values_1_features_right_y_q <= 5'h0;
+      entering_values_2_features_right_q <= 6'h0;
+      entering_values_2_features_right_y_q <= 5'h0;
+      entering_values_3_features_right_q <= 6'h0;
+      entering_values_3_features_right_y_q <= 5'h0;
+      entering_values_4_features_right_q <= 6'h0;
+      entering_values_4_features_right_y_q <= 5'h0;
+      entering_values_5_features_right_q <= 6'h0;
+      entering_values_5_features_right_y_q <= 5'h0;
+      entering_values_6_features_right_q <= 6'h0;
+      entering_values_6_features_right_y_q <= 5'h0;
+      entering_values_7_features_right_q <= 6'h0;
+      entering_values_7_features_right_y_q <= 5'h0;
+      entering_values_8_features_right_q <= 6'h0;
+      entering_values_8_features_right_y_q <= 5'h0;
+      entering_values_9_features_right_q <= 6'h0;
+      entering_values_9_features_right_y_q <= 5'h0;
+      entering_values_10_features_right_q <= 6'h0;
+      entering_values_10_features_right_y_q <= 5'h0;
+      entering_values_11_features_right_q <= 6'h0;
+      entering_values_11_features_right_y_q <= 5'h0;
+      entering_values_12_features_right_q <= 6'h0;
+      entering_values_12_features_right_y_q <= 5'h0;
+      entering_values_13_features_right_q <= 6'h0;
+      entering_values_13_features_right_y_q <= 5'h0;
+      entering_values_14_features_right_q <= 6'h0;
+      entering_values_14_features_right_y_q <= 5'h0;
+      entering_values_15_features_right_q <= 6'h0;
+      entering_values_15_features_right_y_q <= 5'h0;
+      entering_values_16_features_right_q <= 6'h0;
+      entering_values_16_features_right_y_q <= 5'h0;
+      entering_values_17_features_right_q <= 6'h0;
+      entering_values_17_features_right_y_q <= 5'h0;
+      entering_values_18_features_right_q <= 6'h0;
+      entering_values_18_features_right_y_q <= 5'h0;
+      entering_values_19_features_right_q <= 6'h0;
+      entering_values_19_features_right_y_q <= 5'h0;
+      entering_values_20_features_right_q <= 6'h0;
+      entering_values_20_features_right_y_q <= 5'h0;
+      entering_values_21_features_right_q <= 6'h0;
+      entering_values_21_features_right_y_q <= 5'h0;
+      entering_values_22_features_right_q <= 6'h0;
+      entering_values_22_features_right_y_q <= 5'h0;
+      entering_values_23_features_right_q <= 6'h0;
+      entering_values_23_features_right_y_q <= 5'h0;
+      entering_values_24_features_right_q <= 6'h0;
+      entering_values_24_features_right_y_q <= 5'h0;
+      entering_values_25_features_right_q <= 6'h0;
+      entering_values_25_features_right_y_q <= 5'h0;
+      entering_values_26_features_right_q <= 6'h0;
+      entering_values_26_features_right_y_q <= 5'h0;
+      entering_values_27_features_right_q <= 6'h0;
+      entering_values_27_features_right_y_q <= 5'h0;
+      entering_values_28_features_right_q <= 6'h0;
+      entering_values_28_features_right_y_q <= 5'h0;
+      entering_values_29_features_right_q <= 6'h0;
+      entering_values_29_features_right_y_q <= 5'h0;
+      entering_values_30_features_right_q <= 6'h0;
+      entering_values_30_features_right_y_q <= 5'h0;
+      entering_values_31_features_right_q <= 6'h0;
+      entering_values_31_features_right_y_q <= 5'h0;
+      entering_values_32_features_right_q <= 6'h0;
+      entering_values_32_features_right_y_q <= 5'h0;
+      entering_values_33_features_right_q <= 6'h0;
+      entering_values_33_features_right_y_q <= 5'h0;
+      entering_values_34_features_right_q <= 6'h0;
+      entering_values_34_features_right_y_q <= 5'h0;
+      entering_values_35_features_right_q <= 6'h0;
+      entering_values_35_features_right_y_q <= 5'h0;
+      entering_values_36_features_right_q <= 6'h0;
+      entering_values_36_features_right_y_q <= 5'h0;
+      entering_values_37_features_right_q <= 6'h0;
+      entering_values_37_features_right_y_q <= 5'h0;
+      entering_values_38_features_right_q <= 6'h0;
+      entering_values_38_features_right_y_q <= 5'h0;
+      entering_values_39_features_right_q <= 6'h0;
+      entering_values_39_features_right_y_q <= 5'h0;
+      entering_values_40_features_right_q <= 6'h0;
+      entering_values_40_features_right_y_q <= 5'h0;
+      entering_values_41_features_right_q <= 6'h0;
+      entering_values_41_features_right_y_q <= 5'h0;
+      entering_values_42_features_right_q <= 6'h0;
+      entering_values_42_features_right_y_q <= 5'h0;
+      entering_values_43_features_right_q <= 6'h0;
+      entering_values_43_features_right_y_q <= 5'h0;
+      entering_values_44_features_right_q <= 6'h0;
+      entering_values_44_features_right_y_q <= 5'h0;
+      entering_values_45_features_right_q <= 6'h0;
+      entering_values_45_features_right_y_q <= 5'h0;
+      entering_values_46_features_right_q <= 6'h0;
+      entering_values_46_features_right_y_q <= 5'h0;
+      entering_values_47_features_right_q <= 6'h0;
+      entering_values_47_features_right_y_q <= 5'h0;
+      leaving_values_6_features_right_q <= 6'h0;
+      leaving_values_6_features_right_y_q <= 5'h0;
+      leaving_values_7_features_right_q <= 6'h0;
+      leaving_values_7_features_right_y_q <= 5'h0;
+      leaving_values_8_features_right_q <= 6'h0;
+      leaving_values_8_features_right_y_q <= 5'h0;
+      leaving_values_9_features_right_q <= 6'h0;
+      leaving_values_9_features_right_y_q <= 5'h0;
+      leaving_values_10_features_right_q <= 6'h0;
+      leaving_values_10_features_right_y_q <= 5'h0;
+      leaving_values_11_features_right_q <= 6'h0;
+      leaving_values_11_features_right_y_q <= 5'h0;
+      leaving_values_12_features_right_q <= 6'h0;
+      leaving_values_12_features_right_y_q <= 5'h0;
+      leaving_values_13_features_right_q <= 6'h0;
+      leaving_values_13_features_right_y_q <= 5'h0;
+      leaving_values_14_features_right_q <= 6'h0;
+      leaving_values_14_features_right_y_q <= 5'h0;
+      leaving_values_15_features_right_q <= 6'h0;
+      leaving_values_15_features_right_y_q <= 5'h0;
+      leaving_values_16_features_right_q <= 6'h0;
+      leaving_values_16_features_right_y_q <= 5'h0;
+      leaving_values_17_features_right_q <= 6'h0;
+      leaving_values_17_features_right_y_q <= 5'h0;
+      leaving_values_18_features_right_q <= 6'h0;
+      leaving_values_18_features_right_y_q <= 5'h0;
+      leaving_values_19_features_right_q <= 6'h0;
+      leaving_values_19_features_right_y_q <= 5'h0;
+      leaving_values_20_features_right_q <= 6'h0;
+      leaving_values_20_features_right_y_q <= 5'h0;
+      leaving_values_21_features_right_q <= 6'h0;
+      leaving_values_21_features_right_y_q <= 5'h0;
+      leaving_values_22_features_right_q <= 6'h0;
+      leaving_values_22_features_right_y_q <= 5'h0;
+      leaving_values_23_features_right_q <= 6'h0;
+      leaving_values_23_features_right_y_q <= 5'h0;
+      leaving_values_24_features_right_q <= 6'h0;
+      leaving_values_24_features_right_y_q <= 5'h0;
+      leaving_values_25_features_right_q <= 6'h0;
+      leaving_values_25_features_right_y_q <= 5'h0;
+      leaving_values_26_features_right_q <= 6'h0;
+      leaving_values_26_features_right_y_q <= 5'h0;
+      leaving_values_27_features_right_q <= 6'h0;
+      leaving_values_27_features_right_y_q <= 5'h0;
+      leaving_values_28_features_right_q <= 6'h0;
+      leaving_values_28_features_right_y_q <= 5'h0;
+      leaving_values_29_features_right_q <= 6'h0;
+      leaving_values_29_features_right_y_q <= 5'h0;
+      leaving_values_30_features_right_q <= 6'h0;
+      leaving_values_30_features_right_y_q <= 5'h0;
+      leaving_values_31_features_right_q <= 6'h0;
+      leaving_values_31_features_right_y_q <= 5'h0;
+      leaving_values_32_features_right_q <= 6'h0;
+      leaving_values_32_features_right_y_q <= 5'h0;
+      leaving_values_33_features_right_q <= 6'h0;
+      leaving_values_33_features_right_y_q <= 5'h0;
+      leaving_values_34_features_right_q <= 6'h0;
+      leaving_values_34_features_right_y_q <= 5'h0;
+      leaving_values_35_features_right_q <= 6'h0;
+      leaving_values_35_features_right_y_q <= 5'h0;
+      leaving_values_36_features_right_q <= 6'h0;
+      leaving_values_36_features_right_y_q <= 5'h0;
+      leaving_values_37_features_right_q <= 6'h0;
+      leaving_values_37_features_right_y_q <= 5'h0;
+      leaving_values_38_features_right_q <= 6'h0;
+      leaving_values_38_features_right_y_q <= 5'h0;
+      leaving_values_39_features_right_q <= 6'h0;
+      leaving_values_39_features_right_y_q <= 5'h0;
+      leaving_values_40_features_right_q <= 6'h0;
+      leaving_values_40_features_right_y_q <= 5'h0;
+      leaving_values_41_features_right_q <= 6'h0;
+      leaving_values_41_features_right_y_q <= 5'h0;
+      leaving_values_42_features_right_q <= 6'h0;
+      leaving_values_42_features_right_y_q <= 5'h0;
+      leaving_values_43_features_right_q <= 6'h0;
+      leaving_values_43_features_right_y_q <= 5'h0;
+      leaving_values_44_features_right_q <= 6'h0;
+      leaving_values_44_features_right_y_q <= 5'h0;
+      leaving_values_45_features_right_q <= 6'h0;
+      leaving_values_45_features_right_y_q <= 5'h0;
+      leaving_values_46_features_right_q <= 6'h0;
+      leaving_values_46_features_right_y_q <= 5'h0;
+      leaving_values_47_features_right_q <= 6'h0;
+      leaving_values_47_features_right_y_q <= 5'h0;
+    end else if (s2_en) begin
+      arriving_rows_q <= select_1466;
+      delayed_column_q <= select_861 + 11'h1;
+      delayed_row_ended_q <= marks_values_24_last_s2_q;
+      running_q <= or_862;
+      entering_values_0_features_right_q <= right_s2_q;
+      entering_values_0_features_right_y_q <= right_y_s2_q;
+      entering_values_1_features_right_q <= entering_values_0_features_right_q;
+      entering_values_1_features_right_y_q <= entering_values_0_features_right_y_q;
+      entering_values_2_features_right_q <= entering_values_1_features_right_q;
+      entering_values_2_features_right_y_q <= entering_values_1_features_right_y_q;
+      entering_values_3_features_right_q <= entering_values_2_features_right_q;
+      entering_values_3_features_right_y_q <= entering_values_2_features_right_y_q;
+      entering_values_4_features_right_q <= entering_values_3_features_right_q;
+      entering_values_4_features_right_y_q <= entering_values_3_features_right_y_q;
+      entering_values_5_features_right_q <= entering_values_4_features_right_q;
+      entering_values_5_features_right_y_q <= entering_values_4_features_right_y_q;
+      entering_values_6_features_right_q <= entering_values_5_features_right_q;
+      entering_values_6_features_right_y_q <= entering_values_5_features_right_y_q;
+      entering_values_7_features_right_q <= entering_values_6_features_right_q;
+      entering_values_7_features_right_y_q <= entering_values_6_features_right_y_q;
+      entering_values_8_features_right_q <= entering_values_7_features_right_q;
+      entering_values_8_features_right_y_q <= entering_values_7_features_right_y_q;
+      entering_values_9_features_right_q <= entering_values_8_features_right_q;
+      entering_values_9_features_right_y_q <= entering_values_8_features_right_y_q;
+      entering_values_10_features_right_q <= entering_values_9_features_right_q;
+      entering_values_10_features_right_y_q <= entering_values_9_features_right_y_q;
+      entering_values_11_features_right_q <= entering_values_10_features_right_q;
+      entering_values_11_features_right_y_q <= entering_values_10_features_right_y_q;
+      entering_values_12_features_right_q <= entering_values_11_features_right_q;
+      entering_values_12_features_right_y_q <= entering_values_11_features_right_y_q;
+      entering_values_13_features_right_q <= entering_values_12_features_right_q;
+      entering_values_13_features_right_y_q <= entering_values_12_features_right_y_q;
+      entering_values_14_features_right_q <= entering_values_13_features_right_q;
+      entering_values_14_features_right_y_q <= entering_values_13_features_right_y_q;
+      entering_values_15_features_right_q <= entering_values_14_features_right_q;
+      entering_values_15_features_right_y_q <= entering_values_14_features_right_y_q;
+      entering_values_16_features_right_q <= entering_values_15_features_right_q;
+      entering_values_16_features_right_y_q <= entering_values_15_features_right_y_q;
+      entering_values_17_features_right_q <= entering_values_16_features_right_q;
+      entering_values_17_features_right_y_q <= entering_values_16_features_right_y_q;
+      entering_values_18_features_right_q <= entering_values_17_features_right_q;
+      entering_values_18_features_right_y_q <= entering_values_17_features_right_y_q;
+      entering_values_19_features_right_q <= entering_values_18_features_right_q;
+      entering_values_19_features_right_y_q <= entering_values_18_features_right_y_q;
+      entering_values_20_features_right_q <= entering_values_19_features_right_q;
+      entering_values_20_features_right_y_q <= entering_values_19_features_right_y_q;
+      entering_values_21_features_right_q <= entering_values_20_features_right_q;
+      entering_values_21_features_right_y_q <= entering_values_20_features_right_y_q;
+      entering_values_22_features_right_q <= entering_values_21_features_right_q;
+      entering_values_22_features_right_y_q <= entering_values_21_features_right_y_q;
+      entering_values_23_features_right_q <= entering_values_22_features_right_q;
+      entering_values_23_features_right_y_q <= entering_values_22_features_right_y_q;
+      entering_values_24_features_right_q <= entering_values_23_features_right_q;
+      entering_values_24_features_right_y_q <= entering_values_23_features_right_y_q;
+      entering_values_25_features_right_q <= entering_values_24_features_right_q;
+      entering_values_25_features_right_y_q <= entering_values_24_features_right_y_q;
+      entering_values_26_features_right_q <= entering_values_25_features_right_q;
+      entering_values_26_features_right_y_q <= entering_values_25_features_right_y_q;
+      entering_values_27_features_right_q <= entering_values_26_features_right_q;
+      entering_values_27_features_right_y_q <= entering_values_26_features_right_y_q;
+      entering_values_28_features_right_q <= entering_values_27_features_right_q;
+      entering_values_28_features_right_y_q <= entering_values_27_features_right_y_q;
+      entering_values_29_features_right_q <= entering_values_28_features_right_q;
+      entering_values_29_features_right_y_q <= entering_values_28_features_right_y_q;
+      entering_values_30_features_right_q <= entering_values_29_features_right_q;
+      entering_values_30_features_right_y_q <= entering_values_29_features_right_y_q;
+      entering_values_31_features_right_q <= entering_values_30_features_right_q;
+      entering_values_31_features_right_y_q <= entering_values_30_features_right_y_q;
+      entering_values_32_features_right_q <= entering_values_31_features_right_q;
+      entering_values_32_features_right_y_q <= entering_values_31_features_right_y_q;
+      entering_values_33_features_right_q <= entering_values_32_features_right_q;
+      entering_values_33_features_right_y_q <= entering_values_32_features_right_y_q;
+      entering_values_34_features_right_q <= entering_values_33_features_right_q;
+      entering_values_34_features_right_y_q <= entering_values_33_features_right_y_q;
+      entering_values_35_features_right_q <= entering_values_34_features_right_q;
+      entering_values_35_features_right_y_q <= entering_values_34_features_right_y_q;
+      entering_values_36_features_right_q <= entering_values_35_features_right_q;
+      entering_values_36_features_right_y_q <= entering_values_35_features_right_y_q;
+      entering_values_37_features_right_q <= entering_values_36_features_right_q;
+      entering_values_37_features_right_y_q <= entering_values_36_features_right_y_q;
+      entering_values_38_features_right_q <= entering_values_37_features_right_q;
+      entering_values_38_features_right_y_q <= entering_values_37_features_right_y_q;
+      entering_values_39_features_right_q <= entering_values_38_features_right_q;
+      entering_values_39_features_right_y_q <= entering_values_38_features_right_y_q;
+      entering_values_40_features_right_q <= entering_values_39_features_right_q;
+      entering_values_40_features_right_y_q <= entering_values_39_features_right_y_q;
+      entering_values_41_features_right_q <= entering_values_40_features_right_q;
+      entering_values_41_features_right_y_q <= entering_values_40_features_right_y_q;
+      entering_values_42_features_right_q <= entering_values_41_features_right_q;
+      entering_values_42_features_right_y_q <= entering_values_41_features_right_y_q;
+      entering_values_43_features_right_q <= entering_values_42_features_right_q;
+      entering_values_43_features_right_y_q <= entering_values_42_features_right_y_q;
+      entering_values_44_features_right_q <= entering_values_43_features_right_q;
+      entering_values_44_features_right_y_q <= entering_values_43_features_right_y_q;
+      entering_values_45_features_right_q <= entering_values_44_features_right_q;
+      entering_values_45_features_right_y_q <= entering_values_44_features_right_y_q;
+      entering_values_46_features_right_q <= entering_values_45_features_right_q;
+      entering_values_46_features_right_y_q <= entering_values_45_features_right_y_q;
+      entering_values_47_features_right_q <= entering_values_46_features_right_q;
+      entering_values_47_features_right_y_q <= entering_values_46_features_right_y_q;
+      leaving_values_6_features_right_q <= leaving_values_5_features_right_s2_q;
+      leaving_values_6_features_right_y_q <= leaving_values_5_features_right_y_s2_q;
+      leaving_values_7_features_right_q <= leaving_values_6_features_right_q;
+      leaving_values_7_features_right_y_q <= leaving_values_6_features_right_y_q;
+      leaving_values_8_features_right_q <= leaving_values_7_features_right_q;
+      leaving_values_8_features_right_y_q <= leaving_values_7_features_right_y_q;
+      leaving_values_9_features_right_q <= leaving_values_8_features_right_q;
+      leaving_values_9_features_right_y_q <= leaving_values_8_features_right_y_q;
+      leaving_values_10_features_right_q <= leaving_values_9_features_right_q;
+      leaving_values_10_features_right_y_q <= leaving_values_9_features_right_y_q;
+      leaving_values_11_features_right_q <= leaving_values_10_features_right_q;
+      leaving_values_11_features_right_y_q <= leaving_values_10_features_right_y_q;
+      leaving_values_12_features_right_q <= leaving_values_11_features_right_q;
+      leaving_values_12_features_right_y_q <= leaving_values_11_features_right_y_q;
+      leaving_values_13_features_right_q <= leaving_values_12_features_right_q;
+      leaving_values_13_features_right_y_q <= leaving_values_12_features_right_y_q;
+      leaving_values_14_features_right_q <= leaving_values_13_features_right_q;
+      leaving_values_14_features_right_y_q <= leaving_values_13_features_right_y_q;
+      leaving_values_15_features_right_q <= leaving_values_14_features_right_q;
+      leaving_values_15_features_right_y_q <= leaving_values_14_features_right_y_q;
+      leaving_values_16_features_right_q <= leaving_values_15_features_right_q;
+      leaving_values_16_features_right_y_q <= leaving_values_15_features_right_y_q;
+      leaving_values_17_features_right_q <= leaving_values_16_features_right_q;
+      leaving_values_17_features_right_y_q <= leaving_values_16_features_right_y_q;
+      leaving_values_18_features_right_q <= leaving_values_17_features_right_q;
+      leaving_values_18_features_right_y_q <= leaving_values_17_features_right_y_q;
+      leaving_values_19_features_right_q <= leaving_values_18_features_right_q;
+      leaving_values_19_features_right_y_q <= leaving_values_18_features_right_y_q;
+      leaving_values_20_features_right_q <= leaving_values_19_features_right_q;
+      leaving_values_20_features_right_y_q <= leaving_values_19_features_right_y_q;
+      leaving_values_21_features_right_q <= leaving_values_20_features_right_q;
+      leaving_values_21_features_right_y_q <= leaving_values_20_features_right_y_q;
+      leaving_values_22_features_right_q <= leaving_values_21_features_right_q;
+      leaving_values_22_features_right_y_q <= leaving_values_21_features_right_y_q;
+      leaving_values_23_features_right_q <= leaving_values_22_features_right_q;
+      leaving_values_23_features_right_y_q <= leaving_values_22_features_right_y_q;
+      leaving_values_24_features_right_q <= leaving_values_23_features_right_q;
+      leaving_values_24_features_right_y_q <= leaving_values_23_features_right_y_q;
+      leaving_values_25_features_right_q <= leaving_values_24_features_right_q;
+      leaving_values_25_features_right_y_q <= leaving_values_24_features_right_y_q;
+      leaving_values_26_features_right_q <= leaving_values_25_features_right_q;
+      leaving_values_26_features_right_y_q <= leaving_values_25_features_right_y_q;
+      leaving_values_27_features_right_q <= leaving_values_26_features_right_q;
+      leaving_values_27_features_right_y_q <= leaving_values_26_features_right_y_q;
+      leaving_values_28_features_right_q <= leaving_values_27_features_right_q;
+      leaving_values_28_features_right_y_q <= leaving_values_27_features_right_y_q;
+      leaving_values_29_features_right_q <= leaving_values_28_features_right_q;
+      leaving_values_29_features_right_y_q <= leaving_values_28_features_right_y_q;
+      leaving_values_30_features_right_q <= leaving_values_29_features_right_q;
+      leaving_values_30_features_right_y_q <= leaving_values_29_features_right_y_q;
+      leaving_values_31_features_right_q <= leaving_values_30_features_right_q;
+      leaving_values_31_features_right_y_q <= leaving_values_30_features_right_y_q;
+      leaving_values_32_features_right_q <= leaving_values_31_features_right_q;
+      leaving_values_32_features_right_y_q <= leaving_values_31_features_right_y_q;
+      leaving_values_33_features_right_q <= leaving_values_32_features_right_q;
+      leaving_values_33_features_right_y_q <= leaving_values_32_features_right_y_q;
+      leaving_values_34_features_right_q <= leaving_values_33_features_right_q;
+      leaving_values_34_features_right_y_q <= leaving_values_33_features_right_y_q;
+      leaving_values_35_features_right_q <= leaving_values_34_features_right_q;
+      leaving_values_35_features_right_y_q <= leaving_values_34_features_right_y_q;
+      leaving_values_36_features_right_q <= leaving_values_35_features_right_q;
+      leaving_values_36_features_right_y_q <= leaving_values_35_features_right_y_q;
+      leaving_values_37_features_right_q <= leaving_values_36_features_right_q;
+      leaving_values_37_features_right_y_q <= leaving_values_36_features_right_y_q;
+      leaving_values_38_features_right_q <= leaving_values_37_features_right_q;
+      leaving_values_38_features_right_y_q <= leaving_values_37_features_right_y_q;
+      leaving_values_39_features_right_q <= leaving_values_38_features_right_q;
+      leaving_values_39_features_right_y_q <= leaving_values_38_features_right_y_q;
+      leaving_values_40_features_right_q <= leaving_values_39_features_right_q;
+      leaving_values_40_features_right_y_q <= leaving_values_39_features_right_y_q;
+      leaving_values_41_features_right_q <= leaving_values_40_features_right_q;
+      leaving_values_41_features_right_y_q <= leaving_values_40_features_right_y_q;
+      leaving_values_42_features_right_q <= leaving_values_41_features_right_q;
+      leaving_values_42_features_right_y_q <= leaving_values_41_features_right_y_q;
+      leaving_values_43_features_right_q <= leaving_values_42_features_right_q;
+      leaving_values_43_features_right_y_q <= leaving_values_42_features_right_y_q;
+      leaving_values_44_features_right_q <= leaving_values_43_features_right_q;
+      leaving_values_44_features_right_y_q <= leaving_values_43_features_right_y_q;
+      leaving_values_45_features_right_q <= leaving_values_44_features_right_q;
+      leaving_values_45_features_right_y_q <= leaving_values_44_features_right_y_q;
+      leaving_values_46_features_right_q <= leaving_values_45_features_right_q;
+      leaving_values_46_features_right_y_q <= leaving_values_45_features_right_y_q;
+      leaving_values_47_features_right_q <= leaving_values_46_features_right_q;
+      leaving_values_47_features_right_y_q <= leaving_values_46_features_right_y_q;
+    end
+  end
+
+  logic mask_s3_q;
+  logic [5:0] entering_values_23_features_left_s3_q;
+  logic [4:0] entering_values_23_features_left_y_s3_q;
+  logic entering_values_23_features_edge_s3_q;
+  logic [5:0] leaving_values_23_features_left_s3_q;
+  logic [4:0] leaving_values_23_features_left_y_s3_q;
+  logic leaving_values_23_features_edge_s3_q;
+  logic marks_values_24_first_s3_q;
+  logic [5:0] seen_values_23_grey_s3_q;
+  logic centre_marks_values_3_seen_s3_q;
+  logic centre_marks_values_3_nearer_s3_q;
+  logic or_857_s3_q;
+  logic or_860_s3_q;
+  logic [10:0] select_861_s3_q;
+  logic difference_884_s3_q;
+  logic [4:0] xor_885_s3_q;
+  logic difference_887_s3_q;
+  logic [5:0] xor_888_s3_q;
+  logic and_894_s3_q;
+  logic [6:0] sum_1381_s3_q;
+  logic [5:0] across_35_s3_q;
+  logic [6:0] sum_1395_s3_q;
+  logic [5:0] across_36_s3_q;
+  logic [6:0] sum_1411_s3_q;
+  logic [5:0] across_37_s3_q;
+  logic [6:0] sum_1425_s3_q;
+  logic [5:0] across_38_s3_q;
+  always_ff @(posedge clk_i) begin
+    if (s2_en) begin
+      mask_s3_q <= mask_s2_q;
+      entering_values_23_features_left_s3_q <= entering_values_23_features_left_s2_q;
+      entering_values_23_features_left_y_s3_q <= entering_values_23_features_left_y_s2_q;
+      entering_values_23_features_edge_s3_q <= entering_values_23_features_edge_s2_q;
+      leaving_values_23_features_left_s3_q <= leaving_values_23_features_left_s2_q;
+      leaving_values_23_features_left_y_s3_q <= leaving_values_23_features_left_y_s2_q;
+      leaving_values_23_features_edge_s3_q <= leaving_values_23_features_edge_s2_q;
+      marks_values_24_first_s3_q <= marks_values_24_first_s2_q;
+      seen_values_23_grey_s3_q <= seen_values_23_grey_s2_q;
+      centre_marks_values_3_seen_s3_q <= centre_marks_values_3_seen_s2_q;
+      centre_marks_values_3_nearer_s3_q <= centre_marks_values_3_nearer_s2_q;
+      or_857_s3_q <= or_857_s2_q;
+      or_860_s3_q <= or_860;
+      select_861_s3_q <= select_861;
+      difference_884_s3_q <= difference_884[5];
+      xor_885_s3_q <= difference_884[4:0] ^ {5{difference_884[5]}};
+      difference_887_s3_q <= difference_887[6];
+      xor_888_s3_q <= difference_887[5:0] ^ {6{difference_887[6]}};
+      and_894_s3_q <= feature_memory_rdata_s2_q[144] & equal_893;
+      sum_1381_s3_q <= {6'h0, difference_1379[6]} + {1'b0, xor_1380};
+      across_35_s3_q <= across_35;
+      sum_1395_s3_q <= {6'h0, difference_1393[6]} + {1'b0, xor_1394};
+      across_36_s3_q <= across_36;
+      sum_1411_s3_q <= {6'h0, difference_1409[6]} + {1'b0, xor_1410};
+      across_37_s3_q <= across_37;
+      sum_1425_s3_q <= {6'h0, difference_1423[6]} + {1'b0, xor_1424};
+      across_38_s3_q <= across_38;
+    end
+  end
+
+  // Stage 3 -----------------------------------------------------------------------------------------------------------
   logic row_parity_q;
   logic entering_values_0_features_mask_q;
   logic entering_values_1_features_mask_q;
@@ -1171,53 +1830,29 @@ module horopter_plane_sums (
   logic entering_values_22_row_q;
   logic entering_values_23_features_mask_q;
   logic entering_values_23_row_q;
-  logic entering_values_24_features_mask_q;
   logic entering_values_24_row_q;
-  logic entering_values_25_features_mask_q;
   logic entering_values_25_row_q;
-  logic entering_values_26_features_mask_q;
   logic entering_values_26_row_q;
-  logic entering_values_27_features_mask_q;
   logic entering_values_27_row_q;
-  logic entering_values_28_features_mask_q;
   logic entering_values_28_row_q;
-  logic entering_values_29_features_mask_q;
   logic entering_values_29_row_q;
-  logic entering_values_30_features_mask_q;
   logic entering_values_30_row_q;
-  logic entering_values_31_features_mask_q;
   logic entering_values_31_row_q;
-  logic entering_values_32_features_mask_q;
   logic entering_values_32_row_q;
-  logic entering_values_33_features_mask_q;
   logic entering_values_33_row_q;
-  logic entering_values_34_features_mask_q;
   logic entering_values_34_row_q;
-  logic entering_values_35_features_mask_q;
   logic entering_values_35_row_q;
-  logic entering_values_36_features_mask_q;
   logic entering_values_36_row_q;
-  logic entering_values_37_features_mask_q;
   logic entering_values_37_row_q;
-  logic entering_values_38_features_mask_q;
   logic entering_values_38_row_q;
-  logic entering_values_39_features_mask_q;
   logic entering_values_39_row_q;
-  logic entering_values_40_features_mask_q;
   logic entering_values_40_row_q;
-  logic entering_values_41_features_mask_q;
   logic entering_values_41_row_q;
-  logic entering_values_42_features_mask_q;
   logic entering_values_42_row_q;
-  logic entering_values_43_features_mask_q;
   logic entering_values_43_row_q;
-  logic entering_values_44_features_mask_q;
   logic entering_values_44_row_q;
-  logic entering_values_45_features_mask_q;
   logic entering_values_45_row_q;
-  logic entering_values_46_features_mask_q;
   logic entering_values_46_row_q;
-  logic entering_values_47_features_mask_q;
   logic entering_values_47_row_q;
   logic leaving_values_0_features_mask_q;
   logic leaving_values_1_features_mask_q;
@@ -1243,30 +1878,6 @@ module horopter_plane_sums (
   logic leaving_values_21_features_mask_q;
   logic leaving_values_22_features_mask_q;
   logic leaving_values_23_features_mask_q;
-  logic leaving_values_24_features_mask_q;
-  logic leaving_values_25_features_mask_q;
-  logic leaving_values_26_features_mask_q;
-  logic leaving_values_27_features_mask_q;
-  logic leaving_values_28_features_mask_q;
-  logic leaving_values_29_features_mask_q;
-  logic leaving_values_30_features_mask_q;
-  logic leaving_values_31_features_mask_q;
-  logic leaving_values_32_features_mask_q;
-  logic leaving_values_33_features_mask_q;
-  logic leaving_values_34_features_mask_q;
-  logic leaving_values_35_features_mask_q;
-  logic leaving_values_36_features_mask_q;
-  logic leaving_values_37_features_mask_q;
-  logic leaving_values_38_features_mask_q;
-  logic leaving_values_39_features_mask_q;
-  logic leaving_values_40_features_mask_q;
-  logic leaving_values_41_features_mask_q;
-  logic leaving_values_42_features_mask_q;
-  logic leaving_values_43_features_mask_q;
-  logic leaving_values_44_features_mask_q;
-  logic leaving_values_45_features_mask_q;
-  logic leaving_values_46_features_mask_q;
-  logic leaving_values_47_features_mask_q;
   logic centre_marks_values_0_first_q;
   logic centre_marks_values_0_last_q;
   logic centre_marks_values_1_first_q;
@@ -1275,221 +1886,449 @@ module horopter_plane_sums (
   logic centre_marks_values_2_last_q;
   logic centre_marks_values_3_first_q;
   logic centre_marks_values_3_last_q;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_702;
-  assign difference_702 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
-  logic [5:0] xor_703;
-  assign xor_703 = difference_702[5:0] ^ {6{difference_702[6]}};
-  logic [6:0] difference_714;
-  assign difference_714 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_0_features_right_q[5], leaving_values_0_features_right_q};
-  // hls/stages/plane_sums.hpp:131
-  logic [2:0] select_718;
-  assign select_718 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
-  logic equal_719;
-  assign equal_719 = select_718 == 3'h7;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_729;
-  assign difference_729 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
-  logic [5:0] xor_730;
-  assign xor_730 = difference_729[5:0] ^ {6{difference_729[6]}};
-  logic [6:0] difference_739;
-  assign difference_739 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_6_features_right_q[5], leaving_values_6_features_right_q};
-  logic [5:0] xor_740;
-  assign xor_740 = difference_739[5:0] ^ {6{difference_739[6]}};
-  logic [6:0] difference_751;
-  assign difference_751 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
-  logic [5:0] xor_752;
-  assign xor_752 = difference_751[5:0] ^ {6{difference_751[6]}};
-  logic [6:0] difference_761;
-  assign difference_761 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_11_features_right_q[5], leaving_values_11_features_right_q};
-  logic [5:0] xor_762;
-  assign xor_762 = difference_761[5:0] ^ {6{difference_761[6]}};
-  logic [6:0] difference_773;
-  assign difference_773 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
-  logic [5:0] xor_774;
-  assign xor_774 = difference_773[5:0] ^ {6{difference_773[6]}};
-  logic [6:0] difference_783;
-  assign difference_783 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_15_features_right_q[5], leaving_values_15_features_right_q};
-  logic [5:0] xor_784;
-  assign xor_784 = difference_783[5:0] ^ {6{difference_783[6]}};
-  logic [6:0] difference_795;
-  assign difference_795 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
-  logic [5:0] xor_796;
-  assign xor_796 = difference_795[5:0] ^ {6{difference_795[6]}};
-  logic [6:0] difference_805;
-  assign difference_805 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_18_features_right_q[5], leaving_values_18_features_right_q};
-  logic [5:0] xor_806;
-  assign xor_806 = difference_805[5:0] ^ {6{difference_805[6]}};
-  logic [6:0] difference_817;
-  assign difference_817 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
-  logic [5:0] xor_818;
-  assign xor_818 = difference_817[5:0] ^ {6{difference_817[6]}};
-  logic [6:0] difference_827;
-  assign difference_827 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
-  logic [5:0] xor_828;
-  assign xor_828 = difference_827[5:0] ^ {6{difference_827[6]}};
-  logic [6:0] difference_839;
-  assign difference_839 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
-  logic [5:0] xor_840;
-  assign xor_840 = difference_839[5:0] ^ {6{difference_839[6]}};
-  logic [6:0] difference_849;
-  assign difference_849 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
-  logic [5:0] xor_850;
-  assign xor_850 = difference_849[5:0] ^ {6{difference_849[6]}};
-  logic [6:0] difference_861;
-  assign difference_861 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
-  logic [5:0] xor_862;
-  assign xor_862 = difference_861[5:0] ^ {6{difference_861[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_868;
+  assign difference_868 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_0_features_right_y_q[4], entering_values_0_features_right_y_q};
+  logic [4:0] xor_869;
+  assign xor_869 = difference_868[4:0] ^ {5{difference_868[5]}};
+  logic [5:0] across;
+  assign across = {5'h0, difference_868[5]} + {1'b0, xor_869};
+  // hls/stages/plane_sums.hpp:194
   logic [6:0] difference_871;
-  assign difference_871 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
+  assign difference_871 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
   logic [5:0] xor_872;
   assign xor_872 = difference_871[5:0] ^ {6{difference_871[6]}};
-  logic [6:0] difference_883;
-  assign difference_883 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
-  logic [5:0] xor_884;
-  assign xor_884 = difference_883[5:0] ^ {6{difference_883[6]}};
-  logic [6:0] difference_893;
-  assign difference_893 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
-  logic [5:0] xor_894;
-  assign xor_894 = difference_893[5:0] ^ {6{difference_893[6]}};
-  logic [6:0] difference_905;
-  assign difference_905 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
-  logic [5:0] xor_906;
-  assign xor_906 = difference_905[5:0] ^ {6{difference_905[6]}};
-  logic [6:0] difference_912;
-  assign difference_912 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
-  logic [5:0] xor_913;
-  assign xor_913 = difference_912[5:0] ^ {6{difference_912[6]}};
-  logic [6:0] difference_923;
-  assign difference_923 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
-  logic [5:0] xor_924;
-  assign xor_924 = difference_923[5:0] ^ {6{difference_923[6]}};
-  logic [6:0] difference_933;
-  assign difference_933 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
-  logic [5:0] xor_934;
-  assign xor_934 = difference_933[5:0] ^ {6{difference_933[6]}};
-  logic [6:0] difference_945;
-  assign difference_945 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
-  logic [5:0] xor_946;
-  assign xor_946 = difference_945[5:0] ^ {6{difference_945[6]}};
-  logic [6:0] difference_955;
-  assign difference_955 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
-  logic [5:0] xor_956;
-  assign xor_956 = difference_955[5:0] ^ {6{difference_955[6]}};
-  logic [6:0] difference_967;
-  assign difference_967 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
-  logic [5:0] xor_968;
-  assign xor_968 = difference_967[5:0] ^ {6{difference_967[6]}};
-  logic [6:0] difference_977;
-  assign difference_977 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
-  logic [5:0] xor_978;
-  assign xor_978 = difference_977[5:0] ^ {6{difference_977[6]}};
-  logic [6:0] difference_989;
-  assign difference_989 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
-  logic [5:0] xor_990;
-  assign xor_990 = difference_989[5:0] ^ {6{difference_989[6]}};
-  logic [6:0] difference_999;
-  assign difference_999 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_28_features_right_q[5], leaving_values_28_features_right_q};
-  logic [5:0] xor_1000;
-  assign xor_1000 = difference_999[5:0] ^ {6{difference_999[6]}};
-  logic [6:0] difference_1011;
-  assign difference_1011 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
-  logic [5:0] xor_1012;
-  assign xor_1012 = difference_1011[5:0] ^ {6{difference_1011[6]}};
-  logic [6:0] difference_1021;
-  assign difference_1021 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_30_features_right_q[5], leaving_values_30_features_right_q};
-  logic [5:0] xor_1022;
-  assign xor_1022 = difference_1021[5:0] ^ {6{difference_1021[6]}};
-  logic [6:0] difference_1033;
-  assign difference_1033 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
-  logic [5:0] xor_1034;
-  assign xor_1034 = difference_1033[5:0] ^ {6{difference_1033[6]}};
-  logic [6:0] difference_1043;
-  assign difference_1043 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_33_features_right_q[5], leaving_values_33_features_right_q};
-  logic [5:0] xor_1044;
-  assign xor_1044 = difference_1043[5:0] ^ {6{difference_1043[6]}};
-  logic [6:0] difference_1055;
-  assign difference_1055 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
-  logic [5:0] xor_1056;
-  assign xor_1056 = difference_1055[5:0] ^ {6{difference_1055[6]}};
-  logic [6:0] difference_1065;
-  assign difference_1065 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_37_features_right_q[5], leaving_values_37_features_right_q};
-  logic [5:0] xor_1066;
-  assign xor_1066 = difference_1065[5:0] ^ {6{difference_1065[6]}};
-  logic [6:0] difference_1077;
-  assign difference_1077 = {entering_values_23_features_left_s2_q[5], entering_values_23_features_left_s2_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
-  logic [5:0] xor_1078;
-  assign xor_1078 = difference_1077[5:0] ^ {6{difference_1077[6]}};
-  logic [6:0] difference_1087;
-  assign difference_1087 = {leaving_values_23_features_left_s2_q[5], leaving_values_23_features_left_s2_q} - {leaving_values_42_features_right_q[5], leaving_values_42_features_right_q};
-  logic [5:0] xor_1088;
-  assign xor_1088 = difference_1087[5:0] ^ {6{difference_1087[6]}};
-  // hls/stages/plane_sums.hpp:192
-  logic not_1104;
-  assign not_1104 = ~(entering_values_23_row_q ^ entering_values_47_row_q);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1106;
-  assign select_1106 = ((sum_1101_s2_q[6:5] == 2'h0) & not_1104) ? sum_1101_s2_q[4:0] : 5'h1f;
-  logic [4:0] select_1108;
-  assign select_1108 = entering_values_23_features_mask_q ? (entering_values_47_features_mask_q ? select_1106 : 5'h1f) : 5'h0;
-  logic [4:0] select_1114;
-  assign select_1114 = (not_1104 & (sum_1111_s2_q[6:5] == 2'h0)) ? sum_1111_s2_q[4:0] : 5'h1f;
-  logic [4:0] select_1116;
-  assign select_1116 = leaving_values_23_features_mask_q ? (leaving_values_47_features_mask_q ? select_1114 : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:198
-  logic [4:0] xor_1121;
-  assign xor_1121 = entering_values_23_features_left_s2_q[4:0] ^ {5{entering_values_23_features_left_s2_q[5]}};
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1123;
-  assign select_1123 = entering_values_23_features_mask_q ? ({4'h0, entering_values_23_features_left_s2_q[5]} + xor_1121) : 5'h0;
-  // hls/stages/plane_sums.hpp:198
-  logic [4:0] xor_1124;
-  assign xor_1124 = leaving_values_23_features_left_s2_q[4:0] ^ {5{leaving_values_23_features_left_s2_q[5]}};
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1126;
-  assign select_1126 = leaving_values_23_features_mask_q ? ({4'h0, leaving_values_23_features_left_s2_q[5]} + xor_1124) : 5'h0;
-  // hls/stages/plane_sums.hpp:131
-  logic not_1135;
-  assign not_1135 = ~equal_719;
-  logic [2:0] select_1137;
-  assign select_1137 = marks_values_0_last_q ? (select_718 + {2'h0, not_1135}) : select_718;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] across_2;
+  assign across_2 = {5'h0, difference_884_s3_q} + {1'b0, xor_885_s3_q};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_890;
+  assign sum_890 = {1'b0, across_2} + ({6'h0, difference_887_s3_q} + {1'b0, xor_888_s3_q});
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_903;
+  assign difference_903 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_6_features_right_y_q[4], entering_values_6_features_right_y_q};
+  logic [4:0] xor_904;
+  assign xor_904 = difference_903[4:0] ^ {5{difference_903[5]}};
+  logic [5:0] across_3;
+  assign across_3 = {5'h0, difference_903[5]} + {1'b0, xor_904};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_906;
+  assign difference_906 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
+  logic [5:0] xor_907;
+  assign xor_907 = difference_906[5:0] ^ {6{difference_906[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_917;
+  assign difference_917 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_6_features_right_y_q[4], leaving_values_6_features_right_y_q};
+  logic [4:0] xor_918;
+  assign xor_918 = difference_917[4:0] ^ {5{difference_917[5]}};
+  logic [5:0] across_4;
+  assign across_4 = {5'h0, difference_917[5]} + {1'b0, xor_918};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_920;
+  assign difference_920 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_6_features_right_q[5], leaving_values_6_features_right_q};
+  logic [5:0] xor_921;
+  assign xor_921 = difference_920[5:0] ^ {6{difference_920[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_933;
+  assign difference_933 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_11_features_right_y_q[4], entering_values_11_features_right_y_q};
+  logic [4:0] xor_934;
+  assign xor_934 = difference_933[4:0] ^ {5{difference_933[5]}};
+  logic [5:0] across_5;
+  assign across_5 = {5'h0, difference_933[5]} + {1'b0, xor_934};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_936;
+  assign difference_936 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
+  logic [5:0] xor_937;
+  assign xor_937 = difference_936[5:0] ^ {6{difference_936[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_947;
+  assign difference_947 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_11_features_right_y_q[4], leaving_values_11_features_right_y_q};
+  logic [4:0] xor_948;
+  assign xor_948 = difference_947[4:0] ^ {5{difference_947[5]}};
+  logic [5:0] across_6;
+  assign across_6 = {5'h0, difference_947[5]} + {1'b0, xor_948};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_950;
+  assign difference_950 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_11_features_right_q[5], leaving_values_11_features_right_q};
+  logic [5:0] xor_951;
+  assign xor_951 = difference_950[5:0] ^ {6{difference_950[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_963;
+  assign difference_963 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_15_features_right_y_q[4], entering_values_15_features_right_y_q};
+  logic [4:0] xor_964;
+  assign xor_964 = difference_963[4:0] ^ {5{difference_963[5]}};
+  logic [5:0] across_7;
+  assign across_7 = {5'h0, difference_963[5]} + {1'b0, xor_964};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_966;
+  assign difference_966 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
+  logic [5:0] xor_967;
+  assign xor_967 = difference_966[5:0] ^ {6{difference_966[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_977;
+  assign difference_977 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_15_features_right_y_q[4], leaving_values_15_features_right_y_q};
+  logic [4:0] xor_978;
+  assign xor_978 = difference_977[4:0] ^ {5{difference_977[5]}};
+  logic [5:0] across_8;
+  assign across_8 = {5'h0, difference_977[5]} + {1'b0, xor_978};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_980;
+  assign difference_980 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_15_features_right_q[5], leaving_values_15_features_right_q};
+  logic [5:0] xor_981;
+  assign xor_981 = difference_980[5:0] ^ {6{difference_980[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_993;
+  assign difference_993 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_18_features_right_y_q[4], entering_values_18_features_right_y_q};
+  logic [4:0] xor_994;
+  assign xor_994 = difference_993[4:0] ^ {5{difference_993[5]}};
+  logic [5:0] across_9;
+  assign across_9 = {5'h0, difference_993[5]} + {1'b0, xor_994};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_996;
+  assign difference_996 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
+  logic [5:0] xor_997;
+  assign xor_997 = difference_996[5:0] ^ {6{difference_996[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1007;
+  assign difference_1007 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_18_features_right_y_q[4], leaving_values_18_features_right_y_q};
+  logic [4:0] xor_1008;
+  assign xor_1008 = difference_1007[4:0] ^ {5{difference_1007[5]}};
+  logic [5:0] across_10;
+  assign across_10 = {5'h0, difference_1007[5]} + {1'b0, xor_1008};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1010;
+  assign difference_1010 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_18_features_right_q[5], leaving_values_18_features_right_q};
+  logic [5:0] xor_1011;
+  assign xor_1011 = difference_1010[5:0] ^ {6{difference_1010[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1023;
+  assign difference_1023 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_20_features_right_y_q[4], entering_values_20_features_right_y_q};
+  logic [4:0] xor_1024;
+  assign xor_1024 = difference_1023[4:0] ^ {5{difference_1023[5]}};
+  logic [5:0] across_11;
+  assign across_11 = {5'h0, difference_1023[5]} + {1'b0, xor_1024};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1026;
+  assign difference_1026 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
+  logic [5:0] xor_1027;
+  assign xor_1027 = difference_1026[5:0] ^ {6{difference_1026[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1037;
+  assign difference_1037 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_20_features_right_y_q[4], leaving_values_20_features_right_y_q};
+  logic [4:0] xor_1038;
+  assign xor_1038 = difference_1037[4:0] ^ {5{difference_1037[5]}};
+  logic [5:0] across_12;
+  assign across_12 = {5'h0, difference_1037[5]} + {1'b0, xor_1038};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1040;
+  assign difference_1040 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
+  logic [5:0] xor_1041;
+  assign xor_1041 = difference_1040[5:0] ^ {6{difference_1040[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1053;
+  assign difference_1053 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_21_features_right_y_q[4], entering_values_21_features_right_y_q};
+  logic [4:0] xor_1054;
+  assign xor_1054 = difference_1053[4:0] ^ {5{difference_1053[5]}};
+  logic [5:0] across_13;
+  assign across_13 = {5'h0, difference_1053[5]} + {1'b0, xor_1054};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1056;
+  assign difference_1056 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
+  logic [5:0] xor_1057;
+  assign xor_1057 = difference_1056[5:0] ^ {6{difference_1056[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1067;
+  assign difference_1067 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_21_features_right_y_q[4], leaving_values_21_features_right_y_q};
+  logic [4:0] xor_1068;
+  assign xor_1068 = difference_1067[4:0] ^ {5{difference_1067[5]}};
+  logic [5:0] across_14;
+  assign across_14 = {5'h0, difference_1067[5]} + {1'b0, xor_1068};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1070;
+  assign difference_1070 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
+  logic [5:0] xor_1071;
+  assign xor_1071 = difference_1070[5:0] ^ {6{difference_1070[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1083;
+  assign difference_1083 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_22_features_right_y_q[4], entering_values_22_features_right_y_q};
+  logic [4:0] xor_1084;
+  assign xor_1084 = difference_1083[4:0] ^ {5{difference_1083[5]}};
+  logic [5:0] across_15;
+  assign across_15 = {5'h0, difference_1083[5]} + {1'b0, xor_1084};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1086;
+  assign difference_1086 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
+  logic [5:0] xor_1087;
+  assign xor_1087 = difference_1086[5:0] ^ {6{difference_1086[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1097;
+  assign difference_1097 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_22_features_right_y_q[4], leaving_values_22_features_right_y_q};
+  logic [4:0] xor_1098;
+  assign xor_1098 = difference_1097[4:0] ^ {5{difference_1097[5]}};
+  logic [5:0] across_16;
+  assign across_16 = {5'h0, difference_1097[5]} + {1'b0, xor_1098};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1100;
+  assign difference_1100 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
+  logic [5:0] xor_1101;
+  assign xor_1101 = difference_1100[5:0] ^ {6{difference_1100[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1113;
+  assign difference_1113 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_23_features_right_y_q[4], entering_values_23_features_right_y_q};
+  logic [4:0] xor_1114;
+  assign xor_1114 = difference_1113[4:0] ^ {5{difference_1113[5]}};
+  logic [5:0] across_17;
+  assign across_17 = {5'h0, difference_1113[5]} + {1'b0, xor_1114};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1116;
+  assign difference_1116 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
+  logic [5:0] xor_1117;
+  assign xor_1117 = difference_1116[5:0] ^ {6{difference_1116[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1127;
+  assign difference_1127 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_23_features_right_y_q[4], leaving_values_23_features_right_y_q};
+  logic [4:0] xor_1128;
+  assign xor_1128 = difference_1127[4:0] ^ {5{difference_1127[5]}};
+  logic [5:0] across_18;
+  assign across_18 = {5'h0, difference_1127[5]} + {1'b0, xor_1128};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1130;
+  assign difference_1130 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
+  logic [5:0] xor_1131;
+  assign xor_1131 = difference_1130[5:0] ^ {6{difference_1130[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1143;
+  assign difference_1143 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_24_features_right_y_q[4], entering_values_24_features_right_y_q};
+  logic [4:0] xor_1144;
+  assign xor_1144 = difference_1143[4:0] ^ {5{difference_1143[5]}};
+  logic [5:0] across_19;
+  assign across_19 = {5'h0, difference_1143[5]} + {1'b0, xor_1144};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1146;
+  assign difference_1146 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
+  logic [5:0] xor_1147;
+  assign xor_1147 = difference_1146[5:0] ^ {6{difference_1146[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1154;
+  assign difference_1154 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_24_features_right_y_q[4], leaving_values_24_features_right_y_q};
+  logic [4:0] xor_1155;
+  assign xor_1155 = difference_1154[4:0] ^ {5{difference_1154[5]}};
+  logic [5:0] across_20;
+  assign across_20 = {5'h0, difference_1154[5]} + {1'b0, xor_1155};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1157;
+  assign difference_1157 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
+  logic [5:0] xor_1158;
+  assign xor_1158 = difference_1157[5:0] ^ {6{difference_1157[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1169;
+  assign difference_1169 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_25_features_right_y_q[4], entering_values_25_features_right_y_q};
+  logic [4:0] xor_1170;
+  assign xor_1170 = difference_1169[4:0] ^ {5{difference_1169[5]}};
+  logic [5:0] across_21;
+  assign across_21 = {5'h0, difference_1169[5]} + {1'b0, xor_1170};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1172;
+  assign difference_1172 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
+  logic [5:0] xor_1173;
+  assign xor_1173 = difference_1172[5:0] ^ {6{difference_1172[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1183;
+  assign difference_1183 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_25_features_right_y_q[4], leaving_values_25_features_right_y_q};
+  logic [4:0] xor_1184;
+  assign xor_1184 = difference_1183[4:0] ^ {5{difference_1183[5]}};
+  logic [5:0] across_22;
+  assign across_22 = {5'h0, difference_1183[5]} + {1'b0, xor_1184};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1186;
+  assign difference_1186 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
+  logic [5:0] xor_1187;
+  assign xor_1187 = difference_1186[5:0] ^ {6{difference_1186[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1199;
+  assign difference_1199 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_26_features_right_y_q[4], entering_values_26_features_right_y_q};
+  logic [4:0] xor_1200;
+  assign xor_1200 = difference_1199[4:0] ^ {5{difference_1199[5]}};
+  logic [5:0] across_23;
+  assign across_23 = {5'h0, difference_1199[5]} + {1'b0, xor_1200};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1202;
+  assign difference_1202 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
+  logic [5:0] xor_1203;
+  assign xor_1203 = difference_1202[5:0] ^ {6{difference_1202[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1213;
+  assign difference_1213 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_26_features_right_y_q[4], leaving_values_26_features_right_y_q};
+  logic [4:0] xor_1214;
+  assign xor_1214 = difference_1213[4:0] ^ {5{difference_1213[5]}};
+  logic [5:0] across_24;
+  assign across_24 = {5'h0, difference_1213[5]} + {1'b0, xor_1214};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1216;
+  assign difference_1216 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
+  logic [5:0] xor_1217;
+  assign xor_1217 = difference_1216[5:0] ^ {6{difference_1216[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1229;
+  assign difference_1229 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_27_features_right_y_q[4], entering_values_27_features_right_y_q};
+  logic [4:0] xor_1230;
+  assign xor_1230 = difference_1229[4:0] ^ {5{difference_1229[5]}};
+  logic [5:0] across_25;
+  assign across_25 = {5'h0, difference_1229[5]} + {1'b0, xor_1230};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1232;
+  assign difference_1232 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
+  logic [5:0] xor_1233;
+  assign xor_1233 = difference_1232[5:0] ^ {6{difference_1232[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1243;
+  assign difference_1243 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_27_features_right_y_q[4], leaving_values_27_features_right_y_q};
+  logic [4:0] xor_1244;
+  assign xor_1244 = difference_1243[4:0] ^ {5{difference_1243[5]}};
+  logic [5:0] across_26;
+  assign across_26 = {5'h0, difference_1243[5]} + {1'b0, xor_1244};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1246;
+  assign difference_1246 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
+  logic [5:0] xor_1247;
+  assign xor_1247 = difference_1246[5:0] ^ {6{difference_1246[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1259;
+  assign difference_1259 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_28_features_right_y_q[4], entering_values_28_features_right_y_q};
+  logic [4:0] xor_1260;
+  assign xor_1260 = difference_1259[4:0] ^ {5{difference_1259[5]}};
+  logic [5:0] across_27;
+  assign across_27 = {5'h0, difference_1259[5]} + {1'b0, xor_1260};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1262;
+  assign difference_1262 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
+  logic [5:0] xor_1263;
+  assign xor_1263 = difference_1262[5:0] ^ {6{difference_1262[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1273;
+  assign difference_1273 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_28_features_right_y_q[4], leaving_values_28_features_right_y_q};
+  logic [4:0] xor_1274;
+  assign xor_1274 = difference_1273[4:0] ^ {5{difference_1273[5]}};
+  logic [5:0] across_28;
+  assign across_28 = {5'h0, difference_1273[5]} + {1'b0, xor_1274};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1276;
+  assign difference_1276 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_28_features_right_q[5], leaving_values_28_features_right_q};
+  logic [5:0] xor_1277;
+  assign xor_1277 = difference_1276[5:0] ^ {6{difference_1276[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1289;
+  assign difference_1289 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_30_features_right_y_q[4], entering_values_30_features_right_y_q};
+  logic [4:0] xor_1290;
+  assign xor_1290 = difference_1289[4:0] ^ {5{difference_1289[5]}};
+  logic [5:0] across_29;
+  assign across_29 = {5'h0, difference_1289[5]} + {1'b0, xor_1290};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1292;
+  assign difference_1292 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
+  logic [5:0] xor_1293;
+  assign xor_1293 = difference_1292[5:0] ^ {6{difference_1292[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1303;
+  assign difference_1303 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_30_features_right_y_q[4], leaving_values_30_features_right_y_q};
+  logic [4:0] xor_1304;
+  assign xor_1304 = difference_1303[4:0] ^ {5{difference_1303[5]}};
+  logic [5:0] across_30;
+  assign across_30 = {5'h0, difference_1303[5]} + {1'b0, xor_1304};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1306;
+  assign difference_1306 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_30_features_right_q[5], leaving_values_30_features_right_q};
+  logic [5:0] xor_1307;
+  assign xor_1307 = difference_1306[5:0] ^ {6{difference_1306[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1319;
+  assign difference_1319 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_33_features_right_y_q[4], entering_values_33_features_right_y_q};
+  logic [4:0] xor_1320;
+  assign xor_1320 = difference_1319[4:0] ^ {5{difference_1319[5]}};
+  logic [5:0] across_31;
+  assign across_31 = {5'h0, difference_1319[5]} + {1'b0, xor_1320};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1322;
+  assign difference_1322 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
+  logic [5:0] xor_1323;
+  assign xor_1323 = difference_1322[5:0] ^ {6{difference_1322[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1333;
+  assign difference_1333 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_33_features_right_y_q[4], leaving_values_33_features_right_y_q};
+  logic [4:0] xor_1334;
+  assign xor_1334 = difference_1333[4:0] ^ {5{difference_1333[5]}};
+  logic [5:0] across_32;
+  assign across_32 = {5'h0, difference_1333[5]} + {1'b0, xor_1334};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1336;
+  assign difference_1336 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_33_features_right_q[5], leaving_values_33_features_right_q};
+  logic [5:0] xor_1337;
+  assign xor_1337 = difference_1336[5:0] ^ {6{difference_1336[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1349;
+  assign difference_1349 = {entering_values_23_features_left_y_s3_q[4], entering_values_23_features_left_y_s3_q} - {entering_values_37_features_right_y_q[4], entering_values_37_features_right_y_q};
+  logic [4:0] xor_1350;
+  assign xor_1350 = difference_1349[4:0] ^ {5{difference_1349[5]}};
+  logic [5:0] across_33;
+  assign across_33 = {5'h0, difference_1349[5]} + {1'b0, xor_1350};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1352;
+  assign difference_1352 = {entering_values_23_features_left_s3_q[5], entering_values_23_features_left_s3_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
+  logic [5:0] xor_1353;
+  assign xor_1353 = difference_1352[5:0] ^ {6{difference_1352[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1363;
+  assign difference_1363 = {leaving_values_23_features_left_y_s3_q[4], leaving_values_23_features_left_y_s3_q} - {leaving_values_37_features_right_y_q[4], leaving_values_37_features_right_y_q};
+  logic [4:0] xor_1364;
+  assign xor_1364 = difference_1363[4:0] ^ {5{difference_1363[5]}};
+  logic [5:0] across_34;
+  assign across_34 = {5'h0, difference_1363[5]} + {1'b0, xor_1364};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1366;
+  assign difference_1366 = {leaving_values_23_features_left_s3_q[5], leaving_values_23_features_left_s3_q} - {leaving_values_37_features_right_q[5], leaving_values_37_features_right_q};
+  logic [5:0] xor_1367;
+  assign xor_1367 = difference_1366[5:0] ^ {6{difference_1366[6]}};
+  logic [6:0] sum_1385;
+  assign sum_1385 = sum_1381_s3_q + {1'b0, across_35_s3_q};
+  // hls/stages/plane_sums.hpp:195
+  logic not_1388;
+  assign not_1388 = ~(entering_values_23_row_q ^ entering_values_41_row_q);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1399;
+  assign sum_1399 = sum_1395_s3_q + {1'b0, across_36_s3_q};
+  logic [6:0] sum_1415;
+  assign sum_1415 = sum_1411_s3_q + {1'b0, across_37_s3_q};
+  // hls/stages/plane_sums.hpp:195
+  logic not_1418;
+  assign not_1418 = ~(entering_values_23_row_q ^ entering_values_47_row_q);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1429;
+  assign sum_1429 = sum_1425_s3_q + {1'b0, across_38_s3_q};
+  // hls/stages/plane_sums.hpp:201
+  logic [4:0] xor_1439;
+  assign xor_1439 = entering_values_23_features_left_s3_q[4:0] ^ {5{entering_values_23_features_left_s3_q[5]}};
+  logic [4:0] sum_1440;
+  assign sum_1440 = {4'h0, entering_values_23_features_left_s3_q[5]} + xor_1439;
+  logic [3:0] xor_1441;
+  assign xor_1441 = entering_values_23_features_left_y_s3_q[3:0] ^ {4{entering_values_23_features_left_y_s3_q[4]}};
+  logic [3:0] sum_1442;
+  assign sum_1442 = {3'h0, entering_values_23_features_left_y_s3_q[4]} + xor_1441;
+  logic [4:0] xor_1446;
+  assign xor_1446 = leaving_values_23_features_left_s3_q[4:0] ^ {5{leaving_values_23_features_left_s3_q[5]}};
+  logic [4:0] sum_1447;
+  assign sum_1447 = {4'h0, leaving_values_23_features_left_s3_q[5]} + xor_1446;
+  logic [3:0] xor_1448;
+  assign xor_1448 = leaving_values_23_features_left_y_s3_q[3:0] ^ {4{leaving_values_23_features_left_y_s3_q[4]}};
+  logic [3:0] sum_1449;
+  assign sum_1449 = {3'h0, leaving_values_23_features_left_y_s3_q[4]} + xor_1448;
+  // hls/stages/plane_sums.hpp:111
+  logic and_1457;
+  assign and_1457 = entering_values_23_features_edge_s3_q & entering_values_23_features_mask_q;
+  logic and_1458;
+  assign and_1458 = leaving_values_23_features_edge_s3_q & leaving_values_23_features_mask_q;
 
-  // Memory feature_memory, write
-  logic [10:0] feature_memory_waddr;
-  assign feature_memory_waddr = select_692_s2_q;
-  logic feature_memory_we;
-  assign feature_memory_we = s2_en;
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (feature_memory_we) feature_memory_mem[feature_memory_waddr] <= {feature_memory_rdata_s2_q[77:0], mask_s2_q, entering_values_0_features_right_q, entering_values_0_features_left_q};
-  end
-`ifndef SYNTHESIS
-  logic [10:0] feature_memory_raddr_s1_sim;
-  logic feature_memory_re_s1_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      feature_memory_re_s1_sim <= 1'b0;
-    end else if (en_i) begin
-      feature_memory_re_s1_sim <= feature_memory_re;
-      feature_memory_raddr_s1_sim <= feature_memory_raddr;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && feature_memory_we) begin
-      if (feature_memory_re && feature_memory_raddr == feature_memory_waddr) begin
-        $error("feature_memory: address %0d is read less than DISTANCE steps after its write", feature_memory_waddr);
-      end
-      if (feature_memory_re_s1_sim && feature_memory_raddr_s1_sim == feature_memory_waddr) begin
-        $error("feature_memory: address %0d is read less than DISTANCE steps after its write", feature_memory_waddr);
-      end
-      if (feature_memory_waddr >= 11'd1920) $error("feature_memory: write outside, address %0d", feature_memory_waddr);
-    end
-    if (rst_ni && feature_memory_re && feature_memory_raddr >= 11'd1920) $error("feature_memory: read outside, address %0d", feature_memory_raddr);
-  end
-`endif
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      arriving_rows_q <= 3'h0;
       row_parity_q <= 1'b0;
       entering_values_0_features_mask_q <= 1'b0;
       entering_values_1_features_mask_q <= 1'b0;
@@ -1538,53 +2377,29 @@ module horopter_plane_sums (
       entering_values_22_row_q <= 1'b0;
       entering_values_23_features_mask_q <= 1'b0;
       entering_values_23_row_q <= 1'b0;
-      entering_values_24_features_mask_q <= 1'b0;
       entering_values_24_row_q <= 1'b0;
-      entering_values_25_features_mask_q <= 1'b0;
       entering_values_25_row_q <= 1'b0;
-      entering_values_26_features_mask_q <= 1'b0;
       entering_values_26_row_q <= 1'b0;
-      entering_values_27_features_mask_q <= 1'b0;
       entering_values_27_row_q <= 1'b0;
-      entering_values_28_features_mask_q <= 1'b0;
       entering_values_28_row_q <= 1'b0;
-      entering_values_29_features_mask_q <= 1'b0;
       entering_values_29_row_q <= 1'b0;
-      entering_values_30_features_mask_q <= 1'b0;
       entering_values_30_row_q <= 1'b0;
-      entering_values_31_features_mask_q <= 1'b0;
       entering_values_31_row_q <= 1'b0;
-      entering_values_32_features_mask_q <= 1'b0;
       entering_values_32_row_q <= 1'b0;
-      entering_values_33_features_mask_q <= 1'b0;
       entering_values_33_row_q <= 1'b0;
-      entering_values_34_features_mask_q <= 1'b0;
       entering_values_34_row_q <= 1'b0;
-      entering_values_35_features_mask_q <= 1'b0;
       entering_values_35_row_q <= 1'b0;
-      entering_values_36_features_mask_q <= 1'b0;
       entering_values_36_row_q <= 1'b0;
-      entering_values_37_features_mask_q <= 1'b0;
       entering_values_37_row_q <= 1'b0;
-      entering_values_38_features_mask_q <= 1'b0;
       entering_values_38_row_q <= 1'b0;
-      entering_values_39_features_mask_q <= 1'b0;
       entering_values_39_row_q <= 1'b0;
-      entering_values_40_features_mask_q <= 1'b0;
       entering_values_40_row_q <= 1'b0;
-      entering_values_41_features_mask_q <= 1'b0;
       entering_values_41_row_q <= 1'b0;
-      entering_values_42_features_mask_q <= 1'b0;
       entering_values_42_row_q <= 1'b0;
-      entering_values_43_features_mask_q <= 1'b0;
       entering_values_43_row_q <= 1'b0;
-      entering_values_44_features_mask_q <= 1'b0;
       entering_values_44_row_q <= 1'b0;
-      entering_values_45_features_mask_q <= 1'b0;
       entering_values_45_row_q <= 1'b0;
-      entering_values_46_features_mask_q <= 1'b0;
       entering_values_46_row_q <= 1'b0;
-      entering_values_47_features_mask_q <= 1'b0;
       entering_values_47_row_q <= 1'b0;
       leaving_values_0_features_mask_q <= 1'b0;
       leaving_values_1_features_mask_q <= 1'b0;
@@ -1610,30 +2425,6 @@ module horopter_plane_sums (
       leaving_values_21_features_mask_q <= 1'b0;
       leaving_values_22_features_mask_q <= 1'b0;
       leaving_values_23_features_mask_q <= 1'b0;
-      leaving_values_24_features_mask_q <= 1'b0;
-      leaving_values_25_features_mask_q <= 1'b0;
-      leaving_values_26_features_mask_q <= 1'b0;
-      leaving_values_27_features_mask_q <= 1'b0;
-      leaving_values_28_features_mask_q <= 1'b0;
-      leaving_values_29_features_mask_q <= 1'b0;
-      leaving_values_30_features_mask_q <= 1'b0;
-      leaving_values_31_features_mask_q <= 1'b0;
-      leaving_values_32_features_mask_q <= 1'b0;
-      leaving_values_33_features_mask_q <= 1'b0;
-      leaving_values_34_features_mask_q <= 1'b0;
-      leaving_values_35_features_mask_q <= 1'b0;
-      leaving_values_36_features_mask_q <= 1'b0;
-      leaving_values_37_features_mask_q <= 1'b0;
-      leaving_values_38_features_mask_q <= 1'b0;
-      leaving_values_39_features_mask_q <= 1'b0;
-      leaving_values_40_features_mask_q <= 1'b0;
-      leaving_values_41_features_mask_q <= 1'b0;
-      leaving_values_42_features_mask_q <= 1'b0;
-      leaving_values_43_features_mask_q <= 1'b0;
-      leaving_values_44_features_mask_q <= 1'b0;
-      leaving_values_45_features_mask_q <= 1'b0;
-      leaving_values_46_features_mask_q <= 1'b0;
-      leaving_values_47_features_mask_q <= 1'b0;
       centre_marks_values_0_first_q <= 1'b0;
       centre_marks_values_0_last_q <= 1'b0;
       centre_marks_values_1_first_q <= 1'b0;
@@ -1642,10 +2433,9 @@ module horopter_plane_sums (
       centre_marks_values_2_last_q <= 1'b0;
       centre_marks_values_3_first_q <= 1'b0;
       centre_marks_values_3_last_q <= 1'b0;
-    end else if (s2_en) begin
-      arriving_rows_q <= select_1137;
-      row_parity_q <= row_parity_q ^ or_691_s2_q;
-      entering_values_0_features_mask_q <= mask_s2_q;
+    end else if (s3_en) begin
+      row_parity_q <= row_parity_q ^ or_857_s3_q;
+      entering_values_0_features_mask_q <= mask_s3_q;
       entering_values_1_features_mask_q <= entering_values_0_features_mask_q;
       entering_values_1_row_q <= row_parity_q;
       entering_values_2_features_mask_q <= entering_values_1_features_mask_q;
@@ -1692,55 +2482,31 @@ module horopter_plane_sums (
       entering_values_22_row_q <= entering_values_21_row_q;
       entering_values_23_features_mask_q <= entering_values_22_features_mask_q;
       entering_values_23_row_q <= entering_values_22_row_q;
-      entering_values_24_features_mask_q <= entering_values_23_features_mask_q;
       entering_values_24_row_q <= entering_values_23_row_q;
-      entering_values_25_features_mask_q <= entering_values_24_features_mask_q;
       entering_values_25_row_q <= entering_values_24_row_q;
-      entering_values_26_features_mask_q <= entering_values_25_features_mask_q;
       entering_values_26_row_q <= entering_values_25_row_q;
-      entering_values_27_features_mask_q <= entering_values_26_features_mask_q;
       entering_values_27_row_q <= entering_values_26_row_q;
-      entering_values_28_features_mask_q <= entering_values_27_features_mask_q;
       entering_values_28_row_q <= entering_values_27_row_q;
-      entering_values_29_features_mask_q <= entering_values_28_features_mask_q;
       entering_values_29_row_q <= entering_values_28_row_q;
-      entering_values_30_features_mask_q <= entering_values_29_features_mask_q;
       entering_values_30_row_q <= entering_values_29_row_q;
-      entering_values_31_features_mask_q <= entering_values_30_features_mask_q;
       entering_values_31_row_q <= entering_values_30_row_q;
-      entering_values_32_features_mask_q <= entering_values_31_features_mask_q;
       entering_values_32_row_q <= entering_values_31_row_q;
-      entering_values_33_features_mask_q <= entering_values_32_features_mask_q;
       entering_values_33_row_q <= entering_values_32_row_q;
-      entering_values_34_features_mask_q <= entering_values_33_features_mask_q;
       entering_values_34_row_q <= entering_values_33_row_q;
-      entering_values_35_features_mask_q <= entering_values_34_features_mask_q;
       entering_values_35_row_q <= entering_values_34_row_q;
-      entering_values_36_features_mask_q <= entering_values_35_features_mask_q;
       entering_values_36_row_q <= entering_values_35_row_q;
-      entering_values_37_features_mask_q <= entering_values_36_features_mask_q;
       entering_values_37_row_q <= entering_values_36_row_q;
-      entering_values_38_features_mask_q <= entering_values_37_features_mask_q;
       entering_values_38_row_q <= entering_values_37_row_q;
-      entering_values_39_features_mask_q <= entering_values_38_features_mask_q;
       entering_values_39_row_q <= entering_values_38_row_q;
-      entering_values_40_features_mask_q <= entering_values_39_features_mask_q;
       entering_values_40_row_q <= entering_values_39_row_q;
-      entering_values_41_features_mask_q <= entering_values_40_features_mask_q;
       entering_values_41_row_q <= entering_values_40_row_q;
-      entering_values_42_features_mask_q <= entering_values_41_features_mask_q;
       entering_values_42_row_q <= entering_values_41_row_q;
-      entering_values_43_features_mask_q <= entering_values_42_features_mask_q;
       entering_values_43_row_q <= entering_values_42_row_q;
-      entering_values_44_features_mask_q <= entering_values_43_features_mask_q;
       entering_values_44_row_q <= entering_values_43_row_q;
-      entering_values_45_features_mask_q <= entering_values_44_features_mask_q;
       entering_values_45_row_q <= entering_values_44_row_q;
-      entering_values_46_features_mask_q <= entering_values_45_features_mask_q;
       entering_values_46_row_q <= entering_values_45_row_q;
-      entering_values_47_features_mask_q <= entering_values_46_features_mask_q;
       entering_values_47_row_q <= entering_values_46_row_q;
-      leaving_values_0_features_mask_q <= feature_memory_rdata_s2_q[78] & equal_719;
+      leaving_values_0_features_mask_q <= and_894_s3_q;
       leaving_values_1_features_mask_q <= leaving_values_0_features_mask_q;
       leaving_values_2_features_mask_q <= leaving_values_1_features_mask_q;
       leaving_values_3_features_mask_q <= leaving_values_2_features_mask_q;
@@ -1764,7 +2530,670 @@ module horopter_plane_sums (
       leaving_values_21_features_mask_q <= leaving_values_20_features_mask_q;
       leaving_values_22_features_mask_q <= leaving_values_21_features_mask_q;
       leaving_values_23_features_mask_q <= leaving_values_22_features_mask_q;
-      leaving_values_24_features_mask_q <= leaving_values_23_features_mask_q;
+      centre_marks_values_0_first_q <= marks_values_24_first_s3_q;
+      centre_marks_values_0_last_q <= delayed_row_ended_q;
+      centre_marks_values_1_first_q <= centre_marks_values_0_first_q;
+      centre_marks_values_1_last_q <= centre_marks_values_0_last_q;
+      centre_marks_values_2_first_q <= centre_marks_values_1_first_q;
+      centre_marks_values_2_last_q <= centre_marks_values_1_last_q;
+      centre_marks_values_3_first_q <= centre_marks_values_2_first_q;
+      centre_marks_values_3_last_q <= centre_marks_values_2_last_q;
+    end
+  end
+
+  logic entering_values_23_features_mask_s4_q;
+  logic leaving_values_23_features_mask_s4_q;
+  logic [5:0] seen_values_23_grey_s4_q;
+  logic centre_marks_values_3_first_s4_q;
+  logic centre_marks_values_3_last_s4_q;
+  logic centre_marks_values_3_seen_s4_q;
+  logic centre_marks_values_3_nearer_s4_q;
+  logic or_860_s4_q;
+  logic [10:0] select_861_s4_q;
+  logic or_862_s4_q;
+  logic [183:0] column_memory_rdata_s4_q;
+  logic [5:0] across_s4_q;
+  logic [6:0] sum_873_s4_q;
+  logic not_879_s4_q;
+  logic [6:0] sum_890_s4_q;
+  logic [5:0] across_3_s4_q;
+  logic [6:0] sum_908_s4_q;
+  logic [5:0] across_4_s4_q;
+  logic [6:0] sum_922_s4_q;
+  logic [5:0] across_5_s4_q;
+  logic [6:0] sum_938_s4_q;
+  logic [5:0] across_6_s4_q;
+  logic [6:0] sum_952_s4_q;
+  logic [5:0] across_7_s4_q;
+  logic [6:0] sum_968_s4_q;
+  logic [5:0] across_8_s4_q;
+  logic [6:0] sum_982_s4_q;
+  logic [5:0] across_9_s4_q;
+  logic [6:0] sum_998_s4_q;
+  logic [5:0] across_10_s4_q;
+  logic [6:0] sum_1012_s4_q;
+  logic [5:0] across_11_s4_q;
+  logic [6:0] sum_1028_s4_q;
+  logic [5:0] across_12_s4_q;
+  logic [6:0] sum_1042_s4_q;
+  logic [5:0] across_13_s4_q;
+  logic [6:0] sum_1058_s4_q;
+  logic [5:0] across_14_s4_q;
+  logic [6:0] sum_1072_s4_q;
+  logic [5:0] across_15_s4_q;
+  logic [6:0] sum_1088_s4_q;
+  logic [5:0] across_16_s4_q;
+  logic [6:0] sum_1102_s4_q;
+  logic [5:0] across_17_s4_q;
+  logic [6:0] sum_1118_s4_q;
+  logic [5:0] across_18_s4_q;
+  logic [6:0] sum_1132_s4_q;
+  logic [5:0] across_19_s4_q;
+  logic [6:0] sum_1148_s4_q;
+  logic [5:0] across_20_s4_q;
+  logic [6:0] sum_1159_s4_q;
+  logic [5:0] across_21_s4_q;
+  logic [6:0] sum_1174_s4_q;
+  logic [5:0] across_22_s4_q;
+  logic [6:0] sum_1188_s4_q;
+  logic [5:0] across_23_s4_q;
+  logic [6:0] sum_1204_s4_q;
+  logic [5:0] across_24_s4_q;
+  logic [6:0] sum_1218_s4_q;
+  logic [5:0] across_25_s4_q;
+  logic [6:0] sum_1234_s4_q;
+  logic [5:0] across_26_s4_q;
+  logic [6:0] sum_1248_s4_q;
+  logic [5:0] across_27_s4_q;
+  logic [6:0] sum_1264_s4_q;
+  logic [5:0] across_28_s4_q;
+  logic [6:0] sum_1278_s4_q;
+  logic [5:0] across_29_s4_q;
+  logic [6:0] sum_1294_s4_q;
+  logic [5:0] across_30_s4_q;
+  logic [6:0] sum_1308_s4_q;
+  logic [5:0] across_31_s4_q;
+  logic [6:0] sum_1324_s4_q;
+  logic [5:0] across_32_s4_q;
+  logic [6:0] sum_1338_s4_q;
+  logic [5:0] across_33_s4_q;
+  logic [6:0] sum_1354_s4_q;
+  logic [5:0] across_34_s4_q;
+  logic [6:0] sum_1368_s4_q;
+  logic [4:0] select_1390_s4_q;
+  logic [4:0] select_1402_s4_q;
+  logic [4:0] select_1420_s4_q;
+  logic [4:0] select_1432_s4_q;
+  logic [5:0] sum_1443_s4_q;
+  logic [5:0] sum_1450_s4_q;
+  logic [1:0] difference_1459_s4_q;
+  always_ff @(posedge clk_i) begin
+    if (s3_en) begin
+      entering_values_23_features_mask_s4_q <= entering_values_23_features_mask_q;
+      leaving_values_23_features_mask_s4_q <= leaving_values_23_features_mask_q;
+      seen_values_23_grey_s4_q <= seen_values_23_grey_s3_q;
+      centre_marks_values_3_first_s4_q <= centre_marks_values_3_first_q;
+      centre_marks_values_3_last_s4_q <= centre_marks_values_3_last_q;
+      centre_marks_values_3_seen_s4_q <= centre_marks_values_3_seen_s3_q;
+      centre_marks_values_3_nearer_s4_q <= centre_marks_values_3_nearer_s3_q;
+      or_860_s4_q <= or_860_s3_q;
+      select_861_s4_q <= select_861_s3_q;
+      or_862_s4_q <= running_q;
+      column_memory_rdata_s4_q <= column_memory_rdata_q;
+      across_s4_q <= across;
+      sum_873_s4_q <= {6'h0, difference_871[6]} + {1'b0, xor_872};
+      not_879_s4_q <= ~(^{or_857_s3_q, entering_values_23_row_q, row_parity_q});
+      sum_890_s4_q <= sum_890;
+      across_3_s4_q <= across_3;
+      sum_908_s4_q <= {6'h0, difference_906[6]} + {1'b0, xor_907};
+      across_4_s4_q <= across_4;
+      sum_922_s4_q <= {6'h0, difference_920[6]} + {1'b0, xor_921};
+      across_5_s4_q <= across_5;
+      sum_938_s4_q <= {6'h0, difference_936[6]} + {1'b0, xor_937};
+      across_6_s4_q <= across_6;
+      sum_952_s4_q <= {6'h0, difference_950[6]} + {1'b0, xor_951};
+      across_7_s4_q <= across_7;
+      sum_968_s4_q <= {6'h0, difference_966[6]} + {1'b0, xor_967};
+      across_8_s4_q <= across_8;
+      sum_982_s4_q <= {6'h0, difference_980[6]} + {1'b0, xor_981};
+      across_9_s4_q <= across_9;
+      sum_998_s4_q <= {6'h0, difference_996[6]} + {1'b0, xor_997};
+      across_10_s4_q <= across_10;
+      sum_1012_s4_q <= {6'h0, difference_1010[6]} + {1'b0, xor_1011};
+      across_11_s4_q <= across_11;
+      sum_1028_s4_q <= {6'h0, difference_1026[6]} + {1'b0, xor_1027};
+      across_12_s4_q <= across_12;
+      sum_1042_s4_q <= {6'h0, difference_1040[6]} + {1'b0, xor_1041};
+      across_13_s4_q <= across_13;
+      sum_1058_s4_q <= {6'h0, difference_1056[6]} + {1'b0, xor_1057};
+      across_14_s4_q <= across_14;
+      sum_1072_s4_q <= {6'h0, difference_1070[6]} + {1'b0, xor_1071};
+      across_15_s4_q <= across_15;
+      sum_1088_s4_q <= {6'h0, difference_1086[6]} + {1'b0, xor_1087};
+      across_16_s4_q <= across_16;
+      sum_1102_s4_q <= {6'h0, difference_1100[6]} + {1'b0, xor_1101};
+      across_17_s4_q <= across_17;
+      sum_1118_s4_q <= {6'h0, difference_1116[6]} + {1'b0, xor_1117};
+      across_18_s4_q <= across_18;
+      sum_1132_s4_q <= {6'h0, difference_1130[6]} + {1'b0, xor_1131};
+      across_19_s4_q <= across_19;
+      sum_1148_s4_q <= {6'h0, difference_1146[6]} + {1'b0, xor_1147};
+      across_20_s4_q <= across_20;
+      sum_1159_s4_q <= {6'h0, difference_1157[6]} + {1'b0, xor_1158};
+      across_21_s4_q <= across_21;
+      sum_1174_s4_q <= {6'h0, difference_1172[6]} + {1'b0, xor_1173};
+      across_22_s4_q <= across_22;
+      sum_1188_s4_q <= {6'h0, difference_1186[6]} + {1'b0, xor_1187};
+      across_23_s4_q <= across_23;
+      sum_1204_s4_q <= {6'h0, difference_1202[6]} + {1'b0, xor_1203};
+      across_24_s4_q <= across_24;
+      sum_1218_s4_q <= {6'h0, difference_1216[6]} + {1'b0, xor_1217};
+      across_25_s4_q <= across_25;
+      sum_1234_s4_q <= {6'h0, difference_1232[6]} + {1'b0, xor_1233};
+      across_26_s4_q <= across_26;
+      sum_1248_s4_q <= {6'h0, difference_1246[6]} + {1'b0, xor_1247};
+      across_27_s4_q <= across_27;
+      sum_1264_s4_q <= {6'h0, difference_1262[6]} + {1'b0, xor_1263};
+      across_28_s4_q <= across_28;
+      sum_1278_s4_q <= {6'h0, difference_1276[6]} + {1'b0, xor_1277};
+      across_29_s4_q <= across_29;
+      sum_1294_s4_q <= {6'h0, difference_1292[6]} + {1'b0, xor_1293};
+      across_30_s4_q <= across_30;
+      sum_1308_s4_q <= {6'h0, difference_1306[6]} + {1'b0, xor_1307};
+      across_31_s4_q <= across_31;
+      sum_1324_s4_q <= {6'h0, difference_1322[6]} + {1'b0, xor_1323};
+      across_32_s4_q <= across_32;
+      sum_1338_s4_q <= {6'h0, difference_1336[6]} + {1'b0, xor_1337};
+      across_33_s4_q <= across_33;
+      sum_1354_s4_q <= {6'h0, difference_1352[6]} + {1'b0, xor_1353};
+      across_34_s4_q <= across_34;
+      sum_1368_s4_q <= {6'h0, difference_1366[6]} + {1'b0, xor_1367};
+      select_1390_s4_q <= ((sum_1385[6:5] == 2'h0) & not_1388) ? sum_1385[4:0] : 5'h1f;
+      select_1402_s4_q <= (not_1388 & (sum_1399[6:5] == 2'h0)) ? sum_1399[4:0] : 5'h1f;
+      select_1420_s4_q <= ((sum_1415[6:5] == 2'h0) & not_1418) ? sum_1415[4:0] : 5'h1f;
+      select_1432_s4_q <= (not_1418 & (sum_1429[6:5] == 2'h0)) ? sum_1429[4:0] : 5'h1f;
+      sum_1443_s4_q <= {1'b0, sum_1440} + {2'h0, sum_1442};
+      sum_1450_s4_q <= {1'b0, sum_1447} + {2'h0, sum_1449};
+      difference_1459_s4_q <= {1'b0, and_1457} - {1'b0, and_1458};
+    end
+  end
+
+  // Stage 4 -----------------------------------------------------------------------------------------------------------
+  logic [2:0] delayed_rows_q;
+  logic entering_values_24_features_mask_q;
+  logic entering_values_25_features_mask_q;
+  logic entering_values_26_features_mask_q;
+  logic entering_values_27_features_mask_q;
+  logic entering_values_28_features_mask_q;
+  logic entering_values_29_features_mask_q;
+  logic entering_values_30_features_mask_q;
+  logic entering_values_31_features_mask_q;
+  logic entering_values_32_features_mask_q;
+  logic entering_values_33_features_mask_q;
+  logic entering_values_34_features_mask_q;
+  logic entering_values_35_features_mask_q;
+  logic entering_values_36_features_mask_q;
+  logic entering_values_37_features_mask_q;
+  logic entering_values_38_features_mask_q;
+  logic entering_values_39_features_mask_q;
+  logic entering_values_40_features_mask_q;
+  logic entering_values_41_features_mask_q;
+  logic entering_values_42_features_mask_q;
+  logic entering_values_43_features_mask_q;
+  logic entering_values_44_features_mask_q;
+  logic entering_values_45_features_mask_q;
+  logic entering_values_46_features_mask_q;
+  logic entering_values_47_features_mask_q;
+  logic leaving_values_24_features_mask_q;
+  logic leaving_values_25_features_mask_q;
+  logic leaving_values_26_features_mask_q;
+  logic leaving_values_27_features_mask_q;
+  logic leaving_values_28_features_mask_q;
+  logic leaving_values_29_features_mask_q;
+  logic leaving_values_30_features_mask_q;
+  logic leaving_values_31_features_mask_q;
+  logic leaving_values_32_features_mask_q;
+  logic leaving_values_33_features_mask_q;
+  logic leaving_values_34_features_mask_q;
+  logic leaving_values_35_features_mask_q;
+  logic leaving_values_36_features_mask_q;
+  logic leaving_values_37_features_mask_q;
+  logic leaving_values_38_features_mask_q;
+  logic leaving_values_39_features_mask_q;
+  logic leaving_values_40_features_mask_q;
+  logic leaving_values_41_features_mask_q;
+  logic leaving_values_42_features_mask_q;
+  logic leaving_values_43_features_mask_q;
+  logic leaving_values_44_features_mask_q;
+  logic leaving_values_45_features_mask_q;
+  logic leaving_values_46_features_mask_q;
+  logic leaving_values_47_features_mask_q;
+  logic [5:0] centres_values_0_grey_q;
+  logic [5:0] centres_values_1_grey_q;
+  logic [5:0] centres_values_2_grey_q;
+  logic [5:0] centres_values_3_grey_q;
+  // hls/stages/plane_sums.hpp:160
+  logic [2:0] select_864;
+  assign select_864 = centre_marks_values_0_first_q ? 3'h0 : delayed_rows_q;
+  logic equal_865;
+  assign equal_865 = select_864 == 3'h0;
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above;
+  assign above = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[7:0] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_874;
+  assign sum_874 = {1'b0, across_s4_q} + sum_873_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_881;
+  assign and_881 = (sum_874[6:5] == 2'h0) & (entering_values_0_features_mask_q & not_879_s4_q);
+  logic and_896;
+  assign and_896 = (sum_890_s4_q[6:5] == 2'h0) & (leaving_values_0_features_mask_q & not_879_s4_q);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_898;
+  assign select_898 = leaving_values_23_features_mask_s4_q ? (and_896 ? sum_890_s4_q[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_2;
+  assign above_2 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[15:8] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_909;
+  assign sum_909 = {1'b0, across_3_s4_q} + sum_908_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_912;
+  assign not_912 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_914;
+  assign and_914 = (sum_909[6:5] == 2'h0) & (entering_values_6_features_mask_q & not_912);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_923;
+  assign sum_923 = {1'b0, across_4_s4_q} + sum_922_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_926;
+  assign and_926 = (sum_923[6:5] == 2'h0) & (leaving_values_6_features_mask_q & not_912);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_3;
+  assign above_3 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[23:16] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_939;
+  assign sum_939 = {1'b0, across_5_s4_q} + sum_938_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_942;
+  assign not_942 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_944;
+  assign and_944 = (sum_939[6:5] == 2'h0) & (entering_values_11_features_mask_q & not_942);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_953;
+  assign sum_953 = {1'b0, across_6_s4_q} + sum_952_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_956;
+  assign and_956 = (sum_953[6:5] == 2'h0) & (leaving_values_11_features_mask_q & not_942);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_4;
+  assign above_4 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[31:24] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_969;
+  assign sum_969 = {1'b0, across_7_s4_q} + sum_968_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_972;
+  assign not_972 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_974;
+  assign and_974 = (sum_969[6:5] == 2'h0) & (entering_values_15_features_mask_q & not_972);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_983;
+  assign sum_983 = {1'b0, across_8_s4_q} + sum_982_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_986;
+  assign and_986 = (sum_983[6:5] == 2'h0) & (leaving_values_15_features_mask_q & not_972);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_5;
+  assign above_5 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[39:32] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_999;
+  assign sum_999 = {1'b0, across_9_s4_q} + sum_998_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_1002;
+  assign not_1002 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1004;
+  assign and_1004 = (sum_999[6:5] == 2'h0) & (entering_values_18_features_mask_q & not_1002);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1013;
+  assign sum_1013 = {1'b0, across_10_s4_q} + sum_1012_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_1016;
+  assign and_1016 = (sum_1013[6:5] == 2'h0) & (leaving_values_18_features_mask_q & not_1002);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_6;
+  assign above_6 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[47:40] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1029;
+  assign sum_1029 = {1'b0, across_11_s4_q} + sum_1028_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_1032;
+  assign not_1032 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1034;
+  assign and_1034 = (sum_1029[6:5] == 2'h0) & (entering_values_20_features_mask_q & not_1032);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1043;
+  assign sum_1043 = {1'b0, across_12_s4_q} + sum_1042_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_1046;
+  assign and_1046 = (sum_1043[6:5] == 2'h0) & (leaving_values_20_features_mask_q & not_1032);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_7;
+  assign above_7 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[55:48] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1059;
+  assign sum_1059 = {1'b0, across_13_s4_q} + sum_1058_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_1062;
+  assign not_1062 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1064;
+  assign and_1064 = (sum_1059[6:5] == 2'h0) & (entering_values_21_features_mask_q & not_1062);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1073;
+  assign sum_1073 = {1'b0, across_14_s4_q} + sum_1072_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_1076;
+  assign and_1076 = (sum_1073[6:5] == 2'h0) & (leaving_values_21_features_mask_q & not_1062);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_8;
+  assign above_8 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[63:56] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1089;
+  assign sum_1089 = {1'b0, across_15_s4_q} + sum_1088_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_1092;
+  assign not_1092 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1094;
+  assign and_1094 = (sum_1089[6:5] == 2'h0) & (entering_values_22_features_mask_q & not_1092);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1103;
+  assign sum_1103 = {1'b0, across_16_s4_q} + sum_1102_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_1106;
+  assign and_1106 = (sum_1103[6:5] == 2'h0) & (leaving_values_22_features_mask_q & not_1092);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_9;
+  assign above_9 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[71:64] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1119;
+  assign sum_1119 = {1'b0, across_17_s4_q} + sum_1118_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_1122;
+  assign not_1122 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1124;
+  assign and_1124 = (sum_1119[6:5] == 2'h0) & (entering_values_23_features_mask_q & not_1122);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1133;
+  assign sum_1133 = {1'b0, across_18_s4_q} + sum_1132_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_1136;
+  assign and_1136 = (sum_1133[6:5] == 2'h0) & (leaving_values_23_features_mask_q & not_1122);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_10;
+  assign above_10 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[79:72] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1149;
+  assign sum_1149 = {1'b0, across_19_s4_q} + sum_1148_s4_q;
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1152;
+  assign select_1152 = (entering_values_23_features_mask_s4_q & (sum_1149[6:5] == 2'h0)) ? sum_1149[4:0] : 5'h1f;
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1160;
+  assign sum_1160 = {1'b0, across_20_s4_q} + sum_1159_s4_q;
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1163;
+  assign select_1163 = (leaving_values_23_features_mask_s4_q & (sum_1160[6:5] == 2'h0)) ? sum_1160[4:0] : 5'h1f;
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_11;
+  assign above_11 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[87:80] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1175;
+  assign sum_1175 = {1'b0, across_21_s4_q} + sum_1174_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_1178;
+  assign not_1178 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1180;
+  assign and_1180 = (sum_1175[6:5] == 2'h0) & (entering_values_24_features_mask_q & not_1178);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1189;
+  assign sum_1189 = {1'b0, across_22_s4_q} + sum_1188_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_1192;
+  assign and_1192 = (sum_1189[6:5] == 2'h0) & (leaving_values_24_features_mask_q & not_1178);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_12;
+  assign above_12 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[95:88] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1205;
+  assign sum_1205 = {1'b0, across_23_s4_q} + sum_1204_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_1208;
+  assign not_1208 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1210;
+  assign and_1210 = (sum_1205[6:5] == 2'h0) & (entering_values_25_features_mask_q & not_1208);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1219;
+  assign sum_1219 = {1'b0, across_24_s4_q} + sum_1218_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_1222;
+  assign and_1222 = (sum_1219[6:5] == 2'h0) & (leaving_values_25_features_mask_q & not_1208);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_13;
+  assign above_13 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[103:96] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1235;
+  assign sum_1235 = {1'b0, across_25_s4_q} + sum_1234_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_1238;
+  assign not_1238 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1240;
+  assign and_1240 = (sum_1235[6:5] == 2'h0) & (entering_values_26_features_mask_q & not_1238);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1249;
+  assign sum_1249 = {1'b0, across_26_s4_q} + sum_1248_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_1252;
+  assign and_1252 = (sum_1249[6:5] == 2'h0) & (leaving_values_26_features_mask_q & not_1238);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_14;
+  assign above_14 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[111:104] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1265;
+  assign sum_1265 = {1'b0, across_27_s4_q} + sum_1264_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_1268;
+  assign not_1268 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1270;
+  assign and_1270 = (sum_1265[6:5] == 2'h0) & (entering_values_27_features_mask_q & not_1268);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1279;
+  assign sum_1279 = {1'b0, across_28_s4_q} + sum_1278_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_1282;
+  assign and_1282 = (sum_1279[6:5] == 2'h0) & (leaving_values_27_features_mask_q & not_1268);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_15;
+  assign above_15 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[119:112] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1295;
+  assign sum_1295 = {1'b0, across_29_s4_q} + sum_1294_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_1298;
+  assign not_1298 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1300;
+  assign and_1300 = (sum_1295[6:5] == 2'h0) & (entering_values_29_features_mask_q & not_1298);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1309;
+  assign sum_1309 = {1'b0, across_30_s4_q} + sum_1308_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_1312;
+  assign and_1312 = (sum_1309[6:5] == 2'h0) & (leaving_values_29_features_mask_q & not_1298);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_16;
+  assign above_16 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[127:120] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1325;
+  assign sum_1325 = {1'b0, across_31_s4_q} + sum_1324_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_1328;
+  assign not_1328 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1330;
+  assign and_1330 = (sum_1325[6:5] == 2'h0) & (entering_values_32_features_mask_q & not_1328);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1339;
+  assign sum_1339 = {1'b0, across_32_s4_q} + sum_1338_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_1342;
+  assign and_1342 = (sum_1339[6:5] == 2'h0) & (leaving_values_32_features_mask_q & not_1328);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_17;
+  assign above_17 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[135:128] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1355;
+  assign sum_1355 = {1'b0, across_33_s4_q} + sum_1354_s4_q;
+  // hls/stages/plane_sums.hpp:195
+  logic not_1358;
+  assign not_1358 = ~(entering_values_24_row_q ^ entering_values_37_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1360;
+  assign and_1360 = (sum_1355[6:5] == 2'h0) & (entering_values_36_features_mask_q & not_1358);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1369;
+  assign sum_1369 = {1'b0, across_34_s4_q} + sum_1368_s4_q;
+  // hls/stages/plane_sums.hpp:196
+  logic and_1372;
+  assign and_1372 = (sum_1369[6:5] == 2'h0) & (leaving_values_36_features_mask_q & not_1358);
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_18;
+  assign above_18 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[143:136] : 8'h0);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1392;
+  assign select_1392 = entering_values_23_features_mask_s4_q ? (entering_values_41_features_mask_q ? select_1390_s4_q : 5'h1f) : 5'h0;
+  logic [4:0] select_1404;
+  assign select_1404 = leaving_values_23_features_mask_s4_q ? (leaving_values_41_features_mask_q ? select_1402_s4_q : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_19;
+  assign above_19 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[151:144] : 8'h0);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1422;
+  assign select_1422 = entering_values_23_features_mask_s4_q ? (entering_values_47_features_mask_q ? select_1420_s4_q : 5'h1f) : 5'h0;
+  logic [4:0] select_1434;
+  assign select_1434 = leaving_values_23_features_mask_s4_q ? (leaving_values_47_features_mask_q ? select_1432_s4_q : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_20;
+  assign above_20 = equal_865 ? 8'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[159:152] : 8'h0);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1445;
+  assign select_1445 = entering_values_23_features_mask_s4_q ? (sum_1443_s4_q[5] ? 5'h1f : sum_1443_s4_q[4:0]) : 5'h0;
+  logic [4:0] select_1452;
+  assign select_1452 = leaving_values_23_features_mask_s4_q ? (sum_1450_s4_q[5] ? 5'h1f : sum_1450_s4_q[4:0]) : 5'h0;
+  // hls/stages/plane_sums.hpp:110
+  logic [2:0] edges_above;
+  assign edges_above = equal_865 ? 3'h0 : (or_862_s4_q ? column_memory_rdata_s4_q[162:160] : 3'h0);
+  // hls/stages/plane_sums.hpp:160
+  logic not_1469;
+  assign not_1469 = ~(select_864 == 3'h7);
+  logic [2:0] select_1471;
+  assign select_1471 = centre_marks_values_0_last_q ? (select_864 + {2'h0, not_1469}) : select_864;
+  // hls/stages/plane_sums.hpp:115
+  logic and_1560;
+  assign and_1560 = (column_memory_rdata_s4_q[183] & or_862_s4_q) & (3'h2 < select_864);
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      delayed_rows_q <= 3'h0;
+      entering_values_24_features_mask_q <= 1'b0;
+      entering_values_25_features_mask_q <= 1'b0;
+      entering_values_26_features_mask_q <= 1'b0;
+      entering_values_27_features_mask_q <= 1'b0;
+      entering_values_28_features_mask_q <= 1'b0;
+      entering_values_29_features_mask_q <= 1'b0;
+      entering_values_30_features_mask_q <= 1'b0;
+      entering_values_31_features_mask_q <= 1'b0;
+      entering_values_32_features_mask_q <= 1'b0;
+      entering_values_33_features_mask_q <= 1'b0;
+      entering_values_34_features_mask_q <= 1'b0;
+      entering_values_35_features_mask_q <= 1'b0;
+      entering_values_36_features_mask_q <= 1'b0;
+      entering_values_37_features_mask_q <= 1'b0;
+      entering_values_38_features_mask_q <= 1'b0;
+      entering_values_39_features_mask_q <= 1'b0;
+      entering_values_40_features_mask_q <= 1'b0;
+      entering_values_41_features_mask_q <= 1'b0;
+      entering_values_42_features_mask_q <= 1'b0;
+      entering_values_43_features_mask_q <= 1'b0;
+      entering_values_44_features_mask_q <= 1'b0;
+      entering_values_45_features_mask_q <= 1'b0;
+      entering_values_46_features_mask_q <= 1'b0;
+      entering_values_47_features_mask_q <= 1'b0;
+      leaving_values_24_features_mask_q <= 1'b0;
+      leaving_values_25_features_mask_q <= 1'b0;
+      leaving_values_26_features_mask_q <= 1'b0;
+      leaving_values_27_features_mask_q <= 1'b0;
+      leaving_values_28_features_mask_q <= 1'b0;
+      leaving_values_29_features_mask_q <= 1'b0;
+      leaving_values_30_features_mask_q <= 1'b0;
+      leaving_values_31_features_mask_q <= 1'b0;
+      leaving_values_32_features_mask_q <= 1'b0;
+      leaving_values_33_features_mask_q <= 1'b0;
+      leaving_values_34_features_mask_q <= 1'b0;
+      leaving_values_35_features_mask_q <= 1'b0;
+      leaving_values_36_features_mask_q <= 1'b0;
+      leaving_values_37_features_mask_q <= 1'b0;
+      leaving_values_38_features_mask_q <= 1'b0;
+      leaving_values_39_features_mask_q <= 1'b0;
+      leaving_values_40_features_mask_q <= 1'b0;
+      leaving_values_41_features_mask_q <= 1'b0;
+      leaving_values_42_features_mask_q <= 1'b0;
+      leaving_values_43_features_mask_q <= 1'b0;
+      leaving_values_44_features_mask_q <= 1'b0;
+      leaving_values_45_features_mask_q <= 1'b0;
+      leaving_values_46_features_mask_q <= 1'b0;
+      leaving_values_47_features_mask_q <= 1'b0;
+      centres_values_0_grey_q <= 6'h0;
+      centres_values_1_grey_q <= 6'h0;
+      centres_values_2_grey_q <= 6'h0;
+      centres_values_3_grey_q <= 6'h0;
+    end else if (s4_en) begin
+      delayed_rows_q <= select_1471;
+      entering_values_24_features_mask_q <= entering_values_23_features_mask_s4_q;
+      entering_values_25_features_mask_q <= entering_values_24_features_mask_q;
+      entering_values_26_features_mask_q <= entering_values_25_features_mask_q;
+      entering_values_27_features_mask_q <= entering_values_26_features_mask_q;
+      entering_values_28_features_mask_q <= entering_values_27_features_mask_q;
+      entering_values_29_features_mask_q <= entering_values_28_features_mask_q;
+      entering_values_30_features_mask_q <= entering_values_29_features_mask_q;
+      entering_values_31_features_mask_q <= entering_values_30_features_mask_q;
+      entering_values_32_features_mask_q <= entering_values_31_features_mask_q;
+      entering_values_33_features_mask_q <= entering_values_32_features_mask_q;
+      entering_values_34_features_mask_q <= entering_values_33_features_mask_q;
+      entering_values_35_features_mask_q <= entering_values_34_features_mask_q;
+      entering_values_36_features_mask_q <= entering_values_35_features_mask_q;
+      entering_values_37_features_mask_q <= entering_values_36_features_mask_q;
+      entering_values_38_features_mask_q <= entering_values_37_features_mask_q;
+      entering_values_39_features_mask_q <= entering_values_38_features_mask_q;
+      entering_values_40_features_mask_q <= entering_values_39_features_mask_q;
+      entering_values_41_features_mask_q <= entering_values_40_features_mask_q;
+      entering_values_42_features_mask_q <= entering_values_41_features_mask_q;
+      entering_values_43_features_mask_q <= entering_values_42_features_mask_q;
+      entering_values_44_features_mask_q <= entering_values_43_features_mask_q;
+      entering_values_45_features_mask_q <= entering_values_44_features_mask_q;
+      entering_values_46_features_mask_q <= entering_values_45_features_mask_q;
+      entering_values_47_features_mask_q <= entering_values_46_features_mask_q;
+      leaving_values_24_features_mask_q <= leaving_values_23_features_mask_s4_q;
       leaving_values_25_features_mask_q <= leaving_values_24_features_mask_q;
       leaving_values_26_features_mask_q <= leaving_values_25_features_mask_q;
       leaving_values_27_features_mask_q <= leaving_values_26_features_mask_q;
@@ -1788,673 +3217,163 @@ module horopter_plane_sums (
       leaving_values_45_features_mask_q <= leaving_values_44_features_mask_q;
       leaving_values_46_features_mask_q <= leaving_values_45_features_mask_q;
       leaving_values_47_features_mask_q <= leaving_values_46_features_mask_q;
-      centre_marks_values_0_first_q <= marks_values_25_first_s2_q;
-      centre_marks_values_0_last_q <= delayed_row_ended_q;
-      centre_marks_values_1_first_q <= centre_marks_values_0_first_q;
-      centre_marks_values_1_last_q <= centre_marks_values_0_last_q;
-      centre_marks_values_2_first_q <= centre_marks_values_1_first_q;
-      centre_marks_values_2_last_q <= centre_marks_values_1_last_q;
-      centre_marks_values_3_first_q <= centre_marks_values_2_first_q;
-      centre_marks_values_3_last_q <= centre_marks_values_2_last_q;
+      centres_values_0_grey_q <= or_862_s4_q ? column_memory_rdata_s4_q[182:177] : 6'h0;
+      centres_values_1_grey_q <= centres_values_0_grey_q;
+      centres_values_2_grey_q <= centres_values_1_grey_q;
+      centres_values_3_grey_q <= centres_values_2_grey_q;
     end
   end
 
-  logic [5:0] seen_values_24_grey_s3_q;
-  logic seen_values_24_exists_s3_q;
-  logic centre_marks_values_3_first_s3_q;
-  logic centre_marks_values_3_last_s3_q;
-  logic centre_marks_values_3_seen_s3_q;
-  logic centre_marks_values_3_nearer_s3_q;
-  logic or_694_s3_q;
-  logic [10:0] select_695_s3_q;
-  logic or_696_s3_q;
-  logic [190:0] column_memory_rdata_s3_q;
-  logic [6:0] sum_704_s3_q;
-  logic not_709_s3_q;
-  logic difference_714_s3_q;
-  logic [5:0] xor_715_s3_q;
-  logic [6:0] sum_731_s3_q;
-  logic [6:0] sum_741_s3_q;
-  logic [6:0] sum_753_s3_q;
-  logic [6:0] sum_763_s3_q;
-  logic [6:0] sum_775_s3_q;
-  logic [6:0] sum_785_s3_q;
-  logic [6:0] sum_797_s3_q;
-  logic [6:0] sum_807_s3_q;
-  logic [6:0] sum_819_s3_q;
-  logic [6:0] sum_829_s3_q;
-  logic [6:0] sum_841_s3_q;
-  logic [6:0] sum_851_s3_q;
-  logic [6:0] sum_863_s3_q;
-  logic [6:0] sum_873_s3_q;
-  logic [6:0] sum_885_s3_q;
-  logic [6:0] sum_895_s3_q;
-  logic [6:0] sum_907_s3_q;
-  logic [6:0] sum_914_s3_q;
-  logic [6:0] sum_925_s3_q;
-  logic [6:0] sum_935_s3_q;
-  logic [6:0] sum_947_s3_q;
-  logic [6:0] sum_957_s3_q;
-  logic [6:0] sum_969_s3_q;
-  logic [6:0] sum_979_s3_q;
-  logic [6:0] sum_991_s3_q;
-  logic [6:0] sum_1001_s3_q;
-  logic [6:0] sum_1013_s3_q;
-  logic [6:0] sum_1023_s3_q;
-  logic [6:0] sum_1035_s3_q;
-  logic [6:0] sum_1045_s3_q;
-  logic [6:0] sum_1057_s3_q;
-  logic [6:0] sum_1067_s3_q;
-  logic [6:0] sum_1079_s3_q;
-  logic [6:0] sum_1089_s3_q;
-  logic [4:0] select_1108_s3_q;
-  logic [4:0] select_1116_s3_q;
-  logic [4:0] select_1123_s3_q;
-  logic [4:0] select_1126_s3_q;
+  logic [5:0] seen_values_23_grey_s5_q;
+  logic [5:0] centres_values_3_grey_s5_q;
+  logic centre_marks_values_3_first_s5_q;
+  logic centre_marks_values_3_last_s5_q;
+  logic centre_marks_values_3_seen_s5_q;
+  logic centre_marks_values_3_nearer_s5_q;
+  logic or_860_s5_q;
+  logic [10:0] select_861_s5_q;
+  logic or_862_s5_q;
+  logic [11:0] column_memory_rdata_s5_q;
+  logic [7:0] above_s5_q;
+  logic [4:0] select_882_s5_q;
+  logic [4:0] select_898_s5_q;
+  logic [7:0] above_2_s5_q;
+  logic [4:0] select_915_s5_q;
+  logic [4:0] select_927_s5_q;
+  logic [7:0] above_3_s5_q;
+  logic [4:0] select_945_s5_q;
+  logic [4:0] select_957_s5_q;
+  logic [7:0] above_4_s5_q;
+  logic [4:0] select_975_s5_q;
+  logic [4:0] select_987_s5_q;
+  logic [7:0] above_5_s5_q;
+  logic [4:0] select_1005_s5_q;
+  logic [4:0] select_1017_s5_q;
+  logic [7:0] above_6_s5_q;
+  logic [4:0] select_1035_s5_q;
+  logic [4:0] select_1047_s5_q;
+  logic [7:0] above_7_s5_q;
+  logic [4:0] select_1065_s5_q;
+  logic [4:0] select_1077_s5_q;
+  logic [7:0] above_8_s5_q;
+  logic [4:0] select_1095_s5_q;
+  logic [4:0] select_1107_s5_q;
+  logic [7:0] above_9_s5_q;
+  logic [4:0] select_1125_s5_q;
+  logic [4:0] select_1137_s5_q;
+  logic [7:0] above_10_s5_q;
+  logic [4:0] select_1152_s5_q;
+  logic [4:0] select_1163_s5_q;
+  logic [7:0] above_11_s5_q;
+  logic [4:0] select_1181_s5_q;
+  logic [4:0] select_1193_s5_q;
+  logic [7:0] above_12_s5_q;
+  logic [4:0] select_1211_s5_q;
+  logic [4:0] select_1223_s5_q;
+  logic [7:0] above_13_s5_q;
+  logic [4:0] select_1241_s5_q;
+  logic [4:0] select_1253_s5_q;
+  logic [7:0] above_14_s5_q;
+  logic [4:0] select_1271_s5_q;
+  logic [4:0] select_1283_s5_q;
+  logic [7:0] above_15_s5_q;
+  logic [4:0] select_1301_s5_q;
+  logic [4:0] select_1313_s5_q;
+  logic [7:0] above_16_s5_q;
+  logic [4:0] select_1331_s5_q;
+  logic [4:0] select_1343_s5_q;
+  logic [7:0] above_17_s5_q;
+  logic [4:0] select_1361_s5_q;
+  logic [4:0] select_1373_s5_q;
+  logic [7:0] above_18_s5_q;
+  logic [5:0] difference_1405_s5_q;
+  logic [7:0] above_19_s5_q;
+  logic [5:0] difference_1435_s5_q;
+  logic [7:0] above_20_s5_q;
+  logic [5:0] difference_1453_s5_q;
+  logic [2:0] edges_above_s5_q;
+  logic [1:0] difference_1459_s5_q;
+  logic and_1461_s5_q;
+  logic and_1462_s5_q;
+  logic and_1560_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
-      seen_values_24_grey_s3_q <= seen_values_24_grey_s2_q;
-      seen_values_24_exists_s3_q <= seen_values_24_exists_s2_q;
-      centre_marks_values_3_first_s3_q <= centre_marks_values_3_first_q;
-      centre_marks_values_3_last_s3_q <= centre_marks_values_3_last_q;
-      centre_marks_values_3_seen_s3_q <= centre_marks_values_3_seen_s2_q;
-      centre_marks_values_3_nearer_s3_q <= centre_marks_values_3_nearer_s2_q;
-      or_694_s3_q <= or_694_s2_q;
-      select_695_s3_q <= select_695_s2_q;
-      or_696_s3_q <= running_q;
-      column_memory_rdata_s3_q <= column_memory_rdata_q;
-      sum_704_s3_q <= {6'h0, difference_702[6]} + {1'b0, xor_703};
-      not_709_s3_q <= ~(^{or_691_s2_q, entering_values_23_row_q, row_parity_q});
-      difference_714_s3_q <= difference_714[6];
-      xor_715_s3_q <= difference_714[5:0] ^ {6{difference_714[6]}};
-      sum_731_s3_q <= {6'h0, difference_729[6]} + {1'b0, xor_730};
-      sum_741_s3_q <= {6'h0, difference_739[6]} + {1'b0, xor_740};
-      sum_753_s3_q <= {6'h0, difference_751[6]} + {1'b0, xor_752};
-      sum_763_s3_q <= {6'h0, difference_761[6]} + {1'b0, xor_762};
-      sum_775_s3_q <= {6'h0, difference_773[6]} + {1'b0, xor_774};
-      sum_785_s3_q <= {6'h0, difference_783[6]} + {1'b0, xor_784};
-      sum_797_s3_q <= {6'h0, difference_795[6]} + {1'b0, xor_796};
-      sum_807_s3_q <= {6'h0, difference_805[6]} + {1'b0, xor_806};
-      sum_819_s3_q <= {6'h0, difference_817[6]} + {1'b0, xor_818};
-      sum_829_s3_q <= {6'h0, difference_827[6]} + {1'b0, xor_828};
-      sum_841_s3_q <= {6'h0, difference_839[6]} + {1'b0, xor_840};
-      sum_851_s3_q <= {6'h0, difference_849[6]} + {1'b0, xor_850};
-      sum_863_s3_q <= {6'h0, difference_861[6]} + {1'b0, xor_862};
-      sum_873_s3_q <= {6'h0, difference_871[6]} + {1'b0, xor_872};
-      sum_885_s3_q <= {6'h0, difference_883[6]} + {1'b0, xor_884};
-      sum_895_s3_q <= {6'h0, difference_893[6]} + {1'b0, xor_894};
-      sum_907_s3_q <= {6'h0, difference_905[6]} + {1'b0, xor_906};
-      sum_914_s3_q <= {6'h0, difference_912[6]} + {1'b0, xor_913};
-      sum_925_s3_q <= {6'h0, difference_923[6]} + {1'b0, xor_924};
-      sum_935_s3_q <= {6'h0, difference_933[6]} + {1'b0, xor_934};
-      sum_947_s3_q <= {6'h0, difference_945[6]} + {1'b0, xor_946};
-      sum_957_s3_q <= {6'h0, difference_955[6]} + {1'b0, xor_956};
-      sum_969_s3_q <= {6'h0, difference_967[6]} + {1'b0, xor_968};
-      sum_979_s3_q <= {6'h0, difference_977[6]} + {1'b0, xor_978};
-      sum_991_s3_q <= {6'h0, difference_989[6]} + {1'b0, xor_990};
-      sum_1001_s3_q <= {6'h0, difference_999[6]} + {1'b0, xor_1000};
-      sum_1013_s3_q <= {6'h0, difference_1011[6]} + {1'b0, xor_1012};
-      sum_1023_s3_q <= {6'h0, difference_1021[6]} + {1'b0, xor_1022};
-      sum_1035_s3_q <= {6'h0, difference_1033[6]} + {1'b0, xor_1034};
-      sum_1045_s3_q <= {6'h0, difference_1043[6]} + {1'b0, xor_1044};
-      sum_1057_s3_q <= {6'h0, difference_1055[6]} + {1'b0, xor_1056};
-      sum_1067_s3_q <= {6'h0, difference_1065[6]} + {1'b0, xor_1066};
-      sum_1079_s3_q <= {6'h0, difference_1077[6]} + {1'b0, xor_1078};
-      sum_1089_s3_q <= {6'h0, difference_1087[6]} + {1'b0, xor_1088};
-      select_1108_s3_q <= select_1108;
-      select_1116_s3_q <= select_1116;
-      select_1123_s3_q <= select_1123;
-      select_1126_s3_q <= select_1126;
+    if (s4_en) begin
+      seen_values_23_grey_s5_q <= seen_values_23_grey_s4_q;
+      centres_values_3_grey_s5_q <= centres_values_3_grey_q;
+      centre_marks_values_3_first_s5_q <= centre_marks_values_3_first_s4_q;
+      centre_marks_values_3_last_s5_q <= centre_marks_values_3_last_s4_q;
+      centre_marks_values_3_seen_s5_q <= centre_marks_values_3_seen_s4_q;
+      centre_marks_values_3_nearer_s5_q <= centre_marks_values_3_nearer_s4_q;
+      or_860_s5_q <= or_860_s4_q;
+      select_861_s5_q <= select_861_s4_q;
+      or_862_s5_q <= or_862_s4_q;
+      column_memory_rdata_s5_q <= {column_memory_rdata_s4_q[175:170], column_memory_rdata_s4_q[168:163]};
+      above_s5_q <= above;
+      select_882_s5_q <= and_881 ? sum_874[4:0] : 5'h1f;
+      select_898_s5_q <= select_898;
+      above_2_s5_q <= above_2;
+      select_915_s5_q <= and_914 ? sum_909[4:0] : 5'h1f;
+      select_927_s5_q <= and_926 ? sum_923[4:0] : 5'h1f;
+      above_3_s5_q <= above_3;
+      select_945_s5_q <= and_944 ? sum_939[4:0] : 5'h1f;
+      select_957_s5_q <= and_956 ? sum_953[4:0] : 5'h1f;
+      above_4_s5_q <= above_4;
+      select_975_s5_q <= and_974 ? sum_969[4:0] : 5'h1f;
+      select_987_s5_q <= and_986 ? sum_983[4:0] : 5'h1f;
+      above_5_s5_q <= above_5;
+      select_1005_s5_q <= and_1004 ? sum_999[4:0] : 5'h1f;
+      select_1017_s5_q <= and_1016 ? sum_1013[4:0] : 5'h1f;
+      above_6_s5_q <= above_6;
+      select_1035_s5_q <= and_1034 ? sum_1029[4:0] : 5'h1f;
+      select_1047_s5_q <= and_1046 ? sum_1043[4:0] : 5'h1f;
+      above_7_s5_q <= above_7;
+      select_1065_s5_q <= and_1064 ? sum_1059[4:0] : 5'h1f;
+      select_1077_s5_q <= and_1076 ? sum_1073[4:0] : 5'h1f;
+      above_8_s5_q <= above_8;
+      select_1095_s5_q <= and_1094 ? sum_1089[4:0] : 5'h1f;
+      select_1107_s5_q <= and_1106 ? sum_1103[4:0] : 5'h1f;
+      above_9_s5_q <= above_9;
+      select_1125_s5_q <= and_1124 ? sum_1119[4:0] : 5'h1f;
+      select_1137_s5_q <= and_1136 ? sum_1133[4:0] : 5'h1f;
+      above_10_s5_q <= above_10;
+      select_1152_s5_q <= select_1152;
+      select_1163_s5_q <= select_1163;
+      above_11_s5_q <= above_11;
+      select_1181_s5_q <= and_1180 ? sum_1175[4:0] : 5'h1f;
+      select_1193_s5_q <= and_1192 ? sum_1189[4:0] : 5'h1f;
+      above_12_s5_q <= above_12;
+      select_1211_s5_q <= and_1210 ? sum_1205[4:0] : 5'h1f;
+      select_1223_s5_q <= and_1222 ? sum_1219[4:0] : 5'h1f;
+      above_13_s5_q <= above_13;
+      select_1241_s5_q <= and_1240 ? sum_1235[4:0] : 5'h1f;
+      select_1253_s5_q <= and_1252 ? sum_1249[4:0] : 5'h1f;
+      above_14_s5_q <= above_14;
+      select_1271_s5_q <= and_1270 ? sum_1265[4:0] : 5'h1f;
+      select_1283_s5_q <= and_1282 ? sum_1279[4:0] : 5'h1f;
+      above_15_s5_q <= above_15;
+      select_1301_s5_q <= and_1300 ? sum_1295[4:0] : 5'h1f;
+      select_1313_s5_q <= and_1312 ? sum_1309[4:0] : 5'h1f;
+      above_16_s5_q <= above_16;
+      select_1331_s5_q <= and_1330 ? sum_1325[4:0] : 5'h1f;
+      select_1343_s5_q <= and_1342 ? sum_1339[4:0] : 5'h1f;
+      above_17_s5_q <= above_17;
+      select_1361_s5_q <= and_1360 ? sum_1355[4:0] : 5'h1f;
+      select_1373_s5_q <= and_1372 ? sum_1369[4:0] : 5'h1f;
+      above_18_s5_q <= above_18;
+      difference_1405_s5_q <= {1'b0, select_1392} - {1'b0, select_1404};
+      above_19_s5_q <= above_19;
+      difference_1435_s5_q <= {1'b0, select_1422} - {1'b0, select_1434};
+      above_20_s5_q <= above_20;
+      difference_1453_s5_q <= {1'b0, select_1445} - {1'b0, select_1452};
+      edges_above_s5_q <= edges_above;
+      difference_1459_s5_q <= difference_1459_s4_q;
+      and_1461_s5_q <= column_memory_rdata_s4_q[169] & or_862_s4_q;
+      and_1462_s5_q <= column_memory_rdata_s4_q[176] & or_862_s4_q;
+      and_1560_s5_q <= and_1560;
     end
   end
 
-  // Stage 3 -----------------------------------------------------------------------------------------------------------
-  logic [2:0] delayed_rows_q;
-  logic [5:0] centres_values_0_seen_grey_q;
-  logic centres_values_0_seen_exists_q;
-  logic centres_values_0_gradient_q;
-  logic [5:0] centres_values_1_seen_grey_q;
-  logic centres_values_1_seen_exists_q;
-  logic centres_values_1_gradient_q;
-  logic [5:0] centres_values_2_seen_grey_q;
-  logic centres_values_2_seen_exists_q;
-  logic centres_values_2_gradient_q;
-  logic [5:0] centres_values_3_seen_grey_q;
-  logic centres_values_3_seen_exists_q;
-  logic centres_values_3_gradient_q;
-  logic rows_seen_values_0_q;
-  logic rows_seen_values_1_q;
-  logic rows_seen_values_2_q;
-  logic rows_seen_values_3_q;
-  // hls/stages/plane_sums.hpp:155
-  logic [2:0] select_698;
-  assign select_698 = centre_marks_values_0_first_q ? 3'h0 : delayed_rows_q;
-  logic equal_699;
-  assign equal_699 = select_698 == 3'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above;
-  assign above = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[7:0] : 8'h0);
-  // hls/stages/plane_sums.hpp:193
-  logic and_711;
-  assign and_711 = (sum_704_s3_q[6:5] == 2'h0) & (entering_values_0_features_mask_q & not_709_s3_q);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_713;
-  assign select_713 = entering_values_24_features_mask_q ? (and_711 ? sum_704_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] sum_716;
-  assign sum_716 = {6'h0, difference_714_s3_q} + {1'b0, xor_715_s3_q};
-  // hls/stages/plane_sums.hpp:193
-  logic and_722;
-  assign and_722 = (sum_716[6:5] == 2'h0) & (leaving_values_0_features_mask_q & not_709_s3_q);
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_2;
-  assign above_2 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[15:8] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_734;
-  assign not_734 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_736;
-  assign and_736 = (sum_731_s3_q[6:5] == 2'h0) & (entering_values_6_features_mask_q & not_734);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_738;
-  assign select_738 = entering_values_24_features_mask_q ? (and_736 ? sum_731_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_744;
-  assign and_744 = (sum_741_s3_q[6:5] == 2'h0) & (leaving_values_6_features_mask_q & not_734);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_746;
-  assign select_746 = leaving_values_24_features_mask_q ? (and_744 ? sum_741_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_3;
-  assign above_3 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[23:16] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_756;
-  assign not_756 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_758;
-  assign and_758 = (sum_753_s3_q[6:5] == 2'h0) & (entering_values_11_features_mask_q & not_756);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_760;
-  assign select_760 = entering_values_24_features_mask_q ? (and_758 ? sum_753_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_766;
-  assign and_766 = (sum_763_s3_q[6:5] == 2'h0) & (leaving_values_11_features_mask_q & not_756);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_768;
-  assign select_768 = leaving_values_24_features_mask_q ? (and_766 ? sum_763_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_4;
-  assign above_4 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[31:24] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_778;
-  assign not_778 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_780;
-  assign and_780 = (sum_775_s3_q[6:5] == 2'h0) & (entering_values_15_features_mask_q & not_778);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_782;
-  assign select_782 = entering_values_24_features_mask_q ? (and_780 ? sum_775_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_788;
-  assign and_788 = (sum_785_s3_q[6:5] == 2'h0) & (leaving_values_15_features_mask_q & not_778);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_790;
-  assign select_790 = leaving_values_24_features_mask_q ? (and_788 ? sum_785_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_5;
-  assign above_5 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[39:32] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_800;
-  assign not_800 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_802;
-  assign and_802 = (sum_797_s3_q[6:5] == 2'h0) & (entering_values_18_features_mask_q & not_800);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_804;
-  assign select_804 = entering_values_24_features_mask_q ? (and_802 ? sum_797_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_810;
-  assign and_810 = (sum_807_s3_q[6:5] == 2'h0) & (leaving_values_18_features_mask_q & not_800);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_812;
-  assign select_812 = leaving_values_24_features_mask_q ? (and_810 ? sum_807_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_6;
-  assign above_6 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[47:40] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_822;
-  assign not_822 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_824;
-  assign and_824 = (sum_819_s3_q[6:5] == 2'h0) & (entering_values_20_features_mask_q & not_822);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_826;
-  assign select_826 = entering_values_24_features_mask_q ? (and_824 ? sum_819_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_832;
-  assign and_832 = (sum_829_s3_q[6:5] == 2'h0) & (leaving_values_20_features_mask_q & not_822);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_834;
-  assign select_834 = leaving_values_24_features_mask_q ? (and_832 ? sum_829_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_7;
-  assign above_7 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[55:48] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_844;
-  assign not_844 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_846;
-  assign and_846 = (sum_841_s3_q[6:5] == 2'h0) & (entering_values_21_features_mask_q & not_844);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_848;
-  assign select_848 = entering_values_24_features_mask_q ? (and_846 ? sum_841_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_854;
-  assign and_854 = (sum_851_s3_q[6:5] == 2'h0) & (leaving_values_21_features_mask_q & not_844);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_856;
-  assign select_856 = leaving_values_24_features_mask_q ? (and_854 ? sum_851_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_8;
-  assign above_8 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[63:56] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_866;
-  assign not_866 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_868;
-  assign and_868 = (sum_863_s3_q[6:5] == 2'h0) & (entering_values_22_features_mask_q & not_866);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_870;
-  assign select_870 = entering_values_24_features_mask_q ? (and_868 ? sum_863_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_876;
-  assign and_876 = (sum_873_s3_q[6:5] == 2'h0) & (leaving_values_22_features_mask_q & not_866);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_878;
-  assign select_878 = leaving_values_24_features_mask_q ? (and_876 ? sum_873_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_9;
-  assign above_9 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[71:64] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_888;
-  assign not_888 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_890;
-  assign and_890 = (sum_885_s3_q[6:5] == 2'h0) & (entering_values_23_features_mask_q & not_888);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_892;
-  assign select_892 = entering_values_24_features_mask_q ? (and_890 ? sum_885_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_898;
-  assign and_898 = (sum_895_s3_q[6:5] == 2'h0) & (leaving_values_23_features_mask_q & not_888);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_900;
-  assign select_900 = leaving_values_24_features_mask_q ? (and_898 ? sum_895_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_10;
-  assign above_10 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[79:72] : 8'h0);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_910;
-  assign select_910 = (entering_values_24_features_mask_q & (sum_907_s3_q[6:5] == 2'h0)) ? sum_907_s3_q[4:0] : 5'h1f;
-  logic [4:0] select_917;
-  assign select_917 = (leaving_values_24_features_mask_q & (sum_914_s3_q[6:5] == 2'h0)) ? sum_914_s3_q[4:0] : 5'h1f;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_11;
-  assign above_11 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[87:80] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_928;
-  assign not_928 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_930;
-  assign and_930 = (sum_925_s3_q[6:5] == 2'h0) & (entering_values_25_features_mask_q & not_928);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_932;
-  assign select_932 = entering_values_24_features_mask_q ? (and_930 ? sum_925_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_938;
-  assign and_938 = (sum_935_s3_q[6:5] == 2'h0) & (leaving_values_25_features_mask_q & not_928);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_940;
-  assign select_940 = leaving_values_24_features_mask_q ? (and_938 ? sum_935_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_12;
-  assign above_12 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[95:88] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_950;
-  assign not_950 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_952;
-  assign and_952 = (sum_947_s3_q[6:5] == 2'h0) & (entering_values_26_features_mask_q & not_950);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_954;
-  assign select_954 = entering_values_24_features_mask_q ? (and_952 ? sum_947_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_960;
-  assign and_960 = (sum_957_s3_q[6:5] == 2'h0) & (leaving_values_26_features_mask_q & not_950);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_962;
-  assign select_962 = leaving_values_24_features_mask_q ? (and_960 ? sum_957_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_13;
-  assign above_13 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[103:96] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_972;
-  assign not_972 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_974;
-  assign and_974 = (sum_969_s3_q[6:5] == 2'h0) & (entering_values_27_features_mask_q & not_972);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_976;
-  assign select_976 = entering_values_24_features_mask_q ? (and_974 ? sum_969_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_982;
-  assign and_982 = (sum_979_s3_q[6:5] == 2'h0) & (leaving_values_27_features_mask_q & not_972);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_984;
-  assign select_984 = leaving_values_24_features_mask_q ? (and_982 ? sum_979_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_14;
-  assign above_14 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[111:104] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_994;
-  assign not_994 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_996;
-  assign and_996 = (sum_991_s3_q[6:5] == 2'h0) & (entering_values_28_features_mask_q & not_994);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_998;
-  assign select_998 = entering_values_24_features_mask_q ? (and_996 ? sum_991_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_1004;
-  assign and_1004 = (sum_1001_s3_q[6:5] == 2'h0) & (leaving_values_28_features_mask_q & not_994);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1006;
-  assign select_1006 = leaving_values_24_features_mask_q ? (and_1004 ? sum_1001_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_15;
-  assign above_15 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[119:112] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_1016;
-  assign not_1016 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_1018;
-  assign and_1018 = (sum_1013_s3_q[6:5] == 2'h0) & (entering_values_30_features_mask_q & not_1016);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1020;
-  assign select_1020 = entering_values_24_features_mask_q ? (and_1018 ? sum_1013_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_1026;
-  assign and_1026 = (sum_1023_s3_q[6:5] == 2'h0) & (leaving_values_30_features_mask_q & not_1016);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1028;
-  assign select_1028 = leaving_values_24_features_mask_q ? (and_1026 ? sum_1023_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_16;
-  assign above_16 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[127:120] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_1038;
-  assign not_1038 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_1040;
-  assign and_1040 = (sum_1035_s3_q[6:5] == 2'h0) & (entering_values_33_features_mask_q & not_1038);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1042;
-  assign select_1042 = entering_values_24_features_mask_q ? (and_1040 ? sum_1035_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:193
-  logic and_1048;
-  assign and_1048 = (sum_1045_s3_q[6:5] == 2'h0) & (leaving_values_33_features_mask_q & not_1038);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1050;
-  assign select_1050 = leaving_values_24_features_mask_q ? (and_1048 ? sum_1045_s3_q[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_17;
-  assign above_17 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[135:128] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_1060;
-  assign not_1060 = ~(entering_values_24_row_q ^ entering_values_37_row_q);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1062;
-  assign select_1062 = ((sum_1057_s3_q[6:5] == 2'h0) & not_1060) ? sum_1057_s3_q[4:0] : 5'h1f;
-  logic [4:0] select_1064;
-  assign select_1064 = entering_values_24_features_mask_q ? (entering_values_37_features_mask_q ? select_1062 : 5'h1f) : 5'h0;
-  logic [4:0] select_1070;
-  assign select_1070 = (not_1060 & (sum_1067_s3_q[6:5] == 2'h0)) ? sum_1067_s3_q[4:0] : 5'h1f;
-  logic [4:0] select_1072;
-  assign select_1072 = leaving_values_24_features_mask_q ? (leaving_values_37_features_mask_q ? select_1070 : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_18;
-  assign above_18 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[143:136] : 8'h0);
-  // hls/stages/plane_sums.hpp:192
-  logic not_1082;
-  assign not_1082 = ~(entering_values_24_row_q ^ entering_values_42_row_q);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1084;
-  assign select_1084 = ((sum_1079_s3_q[6:5] == 2'h0) & not_1082) ? sum_1079_s3_q[4:0] : 5'h1f;
-  logic [4:0] select_1086;
-  assign select_1086 = entering_values_24_features_mask_q ? (entering_values_42_features_mask_q ? select_1084 : 5'h1f) : 5'h0;
-  logic [4:0] select_1092;
-  assign select_1092 = (not_1082 & (sum_1089_s3_q[6:5] == 2'h0)) ? sum_1089_s3_q[4:0] : 5'h1f;
-  logic [4:0] select_1094;
-  assign select_1094 = leaving_values_24_features_mask_q ? (leaving_values_42_features_mask_q ? select_1092 : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_19;
-  assign above_19 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[151:144] : 8'h0);
-  logic [7:0] above_20;
-  assign above_20 = equal_699 ? 8'h0 : (or_696_s3_q ? column_memory_rdata_s3_q[159:152] : 8'h0);
-  // hls/stages/plane_sums.hpp:155
-  logic not_1140;
-  assign not_1140 = ~(select_698 == 3'h7);
-  logic [2:0] select_1142;
-  assign select_1142 = centre_marks_values_0_last_q ? (select_698 + {2'h0, not_1140}) : select_698;
-  // hls/stages/plane_sums.hpp:110
-  logic and_1228;
-  assign and_1228 = (column_memory_rdata_s3_q[190] & or_696_s3_q) & (3'h2 < select_698);
-  // hls/stages/plane_sums.hpp:120
-  logic and_1232;
-  assign and_1232 = (centres_values_3_gradient_q & and_1228) & (~(select_695_s3_q[10:2] == 9'h0));
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      delayed_rows_q <= 3'h0;
-      centres_values_0_seen_grey_q <= 6'h0;
-      centres_values_0_seen_exists_q <= 1'b0;
-      centres_values_0_gradient_q <= 1'b0;
-      centres_values_1_seen_grey_q <= 6'h0;
-      centres_values_1_seen_exists_q <= 1'b0;
-      centres_values_1_gradient_q <= 1'b0;
-      centres_values_2_seen_grey_q <= 6'h0;
-      centres_values_2_seen_exists_q <= 1'b0;
-      centres_values_2_gradient_q <= 1'b0;
-      centres_values_3_seen_grey_q <= 6'h0;
-      centres_values_3_seen_exists_q <= 1'b0;
-      centres_values_3_gradient_q <= 1'b0;
-      rows_seen_values_0_q <= 1'b0;
-      rows_seen_values_1_q <= 1'b0;
-      rows_seen_values_2_q <= 1'b0;
-      rows_seen_values_3_q <= 1'b0;
-    end else if (s3_en) begin
-      delayed_rows_q <= select_1142;
-      centres_values_0_seen_grey_q <= or_696_s3_q ? column_memory_rdata_s3_q[186:181] : 6'h0;
-      centres_values_0_seen_exists_q <= column_memory_rdata_s3_q[187] & or_696_s3_q;
-      centres_values_0_gradient_q <= and_1228;
-      centres_values_1_seen_grey_q <= centres_values_0_seen_grey_q;
-      centres_values_1_seen_exists_q <= centres_values_0_seen_exists_q;
-      centres_values_1_gradient_q <= centres_values_0_gradient_q;
-      centres_values_2_seen_grey_q <= centres_values_1_seen_grey_q;
-      centres_values_2_seen_exists_q <= centres_values_1_seen_exists_q;
-      centres_values_2_gradient_q <= centres_values_1_gradient_q;
-      centres_values_3_seen_grey_q <= centres_values_2_seen_grey_q;
-      centres_values_3_seen_exists_q <= centres_values_2_seen_exists_q;
-      centres_values_3_gradient_q <= centres_values_2_gradient_q;
-      rows_seen_values_0_q <= select_698[2];
-      rows_seen_values_1_q <= rows_seen_values_0_q;
-      rows_seen_values_2_q <= rows_seen_values_1_q;
-      rows_seen_values_3_q <= rows_seen_values_2_q;
-    end
-  end
-
-  logic entering_values_23_features_mask_s4_q;
-  logic leaving_values_23_features_mask_s4_q;
-  logic [5:0] seen_values_24_grey_s4_q;
-  logic seen_values_24_exists_s4_q;
-  logic [5:0] centres_values_3_seen_grey_s4_q;
-  logic centre_marks_values_3_first_s4_q;
-  logic centre_marks_values_3_last_s4_q;
-  logic centre_marks_values_3_seen_s4_q;
-  logic centre_marks_values_3_nearer_s4_q;
-  logic or_694_s4_q;
-  logic [10:0] select_695_s4_q;
-  logic or_696_s4_q;
-  logic [17:0] column_memory_rdata_s4_q;
-  logic [7:0] above_s4_q;
-  logic [4:0] select_713_s4_q;
-  logic [4:0] select_723_s4_q;
-  logic [7:0] above_2_s4_q;
-  logic [4:0] select_738_s4_q;
-  logic [4:0] select_746_s4_q;
-  logic [7:0] above_3_s4_q;
-  logic [4:0] select_760_s4_q;
-  logic [4:0] select_768_s4_q;
-  logic [7:0] above_4_s4_q;
-  logic [4:0] select_782_s4_q;
-  logic [4:0] select_790_s4_q;
-  logic [7:0] above_5_s4_q;
-  logic [4:0] select_804_s4_q;
-  logic [4:0] select_812_s4_q;
-  logic [7:0] above_6_s4_q;
-  logic [4:0] select_826_s4_q;
-  logic [4:0] select_834_s4_q;
-  logic [7:0] above_7_s4_q;
-  logic [4:0] select_848_s4_q;
-  logic [4:0] select_856_s4_q;
-  logic [7:0] above_8_s4_q;
-  logic [4:0] select_870_s4_q;
-  logic [4:0] select_878_s4_q;
-  logic [7:0] above_9_s4_q;
-  logic [4:0] select_892_s4_q;
-  logic [4:0] select_900_s4_q;
-  logic [7:0] above_10_s4_q;
-  logic [4:0] select_911_s4_q;
-  logic [4:0] select_918_s4_q;
-  logic [7:0] above_11_s4_q;
-  logic [4:0] select_932_s4_q;
-  logic [4:0] select_940_s4_q;
-  logic [7:0] above_12_s4_q;
-  logic [4:0] select_954_s4_q;
-  logic [4:0] select_962_s4_q;
-  logic [7:0] above_13_s4_q;
-  logic [4:0] select_976_s4_q;
-  logic [4:0] select_984_s4_q;
-  logic [7:0] above_14_s4_q;
-  logic [4:0] select_998_s4_q;
-  logic [4:0] select_1006_s4_q;
-  logic [7:0] above_15_s4_q;
-  logic [4:0] select_1020_s4_q;
-  logic [4:0] select_1028_s4_q;
-  logic [7:0] above_16_s4_q;
-  logic [4:0] select_1042_s4_q;
-  logic [4:0] select_1050_s4_q;
-  logic [7:0] above_17_s4_q;
-  logic [4:0] select_1064_s4_q;
-  logic [4:0] select_1072_s4_q;
-  logic [7:0] above_18_s4_q;
-  logic [4:0] select_1086_s4_q;
-  logic [4:0] select_1094_s4_q;
-  logic [7:0] above_19_s4_q;
-  logic [5:0] difference_1117_s4_q;
-  logic [7:0] above_20_s4_q;
-  logic [5:0] difference_1127_s4_q;
-  logic and_1129_s4_q;
-  logic and_1130_s4_q;
-  logic and_1131_s4_q;
-  logic and_1132_s4_q;
-  logic and_1133_s4_q;
-  logic and_1232_s4_q;
-  logic and_1233_s4_q;
-  always_ff @(posedge clk_i) begin
-    if (s3_en) begin
-      entering_values_23_features_mask_s4_q <= entering_values_24_features_mask_q;
-      leaving_values_23_features_mask_s4_q <= leaving_values_24_features_mask_q;
-      seen_values_24_grey_s4_q <= seen_values_24_grey_s3_q;
-      seen_values_24_exists_s4_q <= seen_values_24_exists_s3_q;
-      centres_values_3_seen_grey_s4_q <= centres_values_3_seen_grey_q;
-      centre_marks_values_3_first_s4_q <= centre_marks_values_3_first_s3_q;
-      centre_marks_values_3_last_s4_q <= centre_marks_values_3_last_s3_q;
-      centre_marks_values_3_seen_s4_q <= centre_marks_values_3_seen_s3_q;
-      centre_marks_values_3_nearer_s4_q <= centre_marks_values_3_nearer_s3_q;
-      or_694_s4_q <= or_694_s3_q;
-      select_695_s4_q <= select_695_s3_q;
-      or_696_s4_q <= or_696_s3_q;
-      column_memory_rdata_s4_q <= {column_memory_rdata_s3_q[179:174], column_memory_rdata_s3_q[172:167], column_memory_rdata_s3_q[165:160]};
-      above_s4_q <= above;
-      select_713_s4_q <= select_713;
-      select_723_s4_q <= and_722 ? sum_716[4:0] : 5'h1f;
-      above_2_s4_q <= above_2;
-      select_738_s4_q <= select_738;
-      select_746_s4_q <= select_746;
-      above_3_s4_q <= above_3;
-      select_760_s4_q <= select_760;
-      select_768_s4_q <= select_768;
-      above_4_s4_q <= above_4;
-      select_782_s4_q <= select_782;
-      select_790_s4_q <= select_790;
-      above_5_s4_q <= above_5;
-      select_804_s4_q <= select_804;
-      select_812_s4_q <= select_812;
-      above_6_s4_q <= above_6;
-      select_826_s4_q <= select_826;
-      select_834_s4_q <= select_834;
-      above_7_s4_q <= above_7;
-      select_848_s4_q <= select_848;
-      select_856_s4_q <= select_856;
-      above_8_s4_q <= above_8;
-      select_870_s4_q <= select_870;
-      select_878_s4_q <= select_878;
-      above_9_s4_q <= above_9;
-      select_892_s4_q <= select_892;
-      select_900_s4_q <= select_900;
-      above_10_s4_q <= above_10;
-      select_911_s4_q <= entering_values_24_features_mask_q ? select_910 : 5'h0;
-      select_918_s4_q <= leaving_values_24_features_mask_q ? select_917 : 5'h0;
-      above_11_s4_q <= above_11;
-      select_932_s4_q <= select_932;
-      select_940_s4_q <= select_940;
-      above_12_s4_q <= above_12;
-      select_954_s4_q <= select_954;
-      select_962_s4_q <= select_962;
-      above_13_s4_q <= above_13;
-      select_976_s4_q <= select_976;
-      select_984_s4_q <= select_984;
-      above_14_s4_q <= above_14;
-      select_998_s4_q <= select_998;
-      select_1006_s4_q <= select_1006;
-      above_15_s4_q <= above_15;
-      select_1020_s4_q <= select_1020;
-      select_1028_s4_q <= select_1028;
-      above_16_s4_q <= above_16;
-      select_1042_s4_q <= select_1042;
-      select_1050_s4_q <= select_1050;
-      above_17_s4_q <= above_17;
-      select_1064_s4_q <= select_1064;
-      select_1072_s4_q <= select_1072;
-      above_18_s4_q <= above_18;
-      select_1086_s4_q <= select_1086;
-      select_1094_s4_q <= select_1094;
-      above_19_s4_q <= above_19;
-      difference_1117_s4_q <= {1'b0, select_1108_s3_q} - {1'b0, select_1116_s3_q};
-      above_20_s4_q <= above_20;
-      difference_1127_s4_q <= {1'b0, select_1123_s3_q} - {1'b0, select_1126_s3_q};
-      and_1129_s4_q <= column_memory_rdata_s3_q[166] & or_696_s3_q;
-      and_1130_s4_q <= column_memory_rdata_s3_q[173] & or_696_s3_q;
-      and_1131_s4_q <= column_memory_rdata_s3_q[180] & or_696_s3_q;
-      and_1132_s4_q <= column_memory_rdata_s3_q[188] & or_696_s3_q;
-      and_1133_s4_q <= column_memory_rdata_s3_q[189] & or_696_s3_q;
-      and_1232_s4_q <= and_1232;
-      and_1233_s4_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
-    end
-  end
-
-  // Stage 4 -----------------------------------------------------------------------------------------------------------
+  // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [10:0] rows_0_columns_values_0_q;
   logic [10:0] rows_0_columns_values_1_q;
   logic [10:0] rows_0_columns_values_2_q;
@@ -2635,88 +3554,171 @@ module horopter_plane_sums (
   logic [10:0] rows_19_columns_values_6_q;
   logic [10:0] rows_19_columns_values_7_q;
   logic [10:0] rows_19_columns_values_8_q;
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_724;
-  assign select_724 = leaving_values_23_features_mask_s4_q ? select_723_s4_q : 5'h0;
-  logic [5:0] difference_725;
-  assign difference_725 = {1'b0, select_713_s4_q} - {1'b0, select_724};
-  logic [7:0] sum_726;
-  assign sum_726 = above_s4_q + {{2{difference_725[5]}}, difference_725};
-  logic [5:0] difference_747;
-  assign difference_747 = {1'b0, select_738_s4_q} - {1'b0, select_746_s4_q};
-  logic [7:0] sum_748;
-  assign sum_748 = above_2_s4_q + {{2{difference_747[5]}}, difference_747};
-  logic [5:0] difference_769;
-  assign difference_769 = {1'b0, select_760_s4_q} - {1'b0, select_768_s4_q};
-  logic [7:0] sum_770;
-  assign sum_770 = above_3_s4_q + {{2{difference_769[5]}}, difference_769};
-  logic [5:0] difference_791;
-  assign difference_791 = {1'b0, select_782_s4_q} - {1'b0, select_790_s4_q};
-  logic [7:0] sum_792;
-  assign sum_792 = above_4_s4_q + {{2{difference_791[5]}}, difference_791};
-  logic [5:0] difference_813;
-  assign difference_813 = {1'b0, select_804_s4_q} - {1'b0, select_812_s4_q};
-  logic [7:0] sum_814;
-  assign sum_814 = above_5_s4_q + {{2{difference_813[5]}}, difference_813};
-  logic [5:0] difference_835;
-  assign difference_835 = {1'b0, select_826_s4_q} - {1'b0, select_834_s4_q};
-  logic [7:0] sum_836;
-  assign sum_836 = above_6_s4_q + {{2{difference_835[5]}}, difference_835};
-  logic [5:0] difference_857;
-  assign difference_857 = {1'b0, select_848_s4_q} - {1'b0, select_856_s4_q};
-  logic [7:0] sum_858;
-  assign sum_858 = above_7_s4_q + {{2{difference_857[5]}}, difference_857};
-  logic [5:0] difference_879;
-  assign difference_879 = {1'b0, select_870_s4_q} - {1'b0, select_878_s4_q};
-  logic [7:0] sum_880;
-  assign sum_880 = above_8_s4_q + {{2{difference_879[5]}}, difference_879};
-  logic [5:0] difference_901;
-  assign difference_901 = {1'b0, select_892_s4_q} - {1'b0, select_900_s4_q};
-  logic [7:0] sum_902;
-  assign sum_902 = above_9_s4_q + {{2{difference_901[5]}}, difference_901};
-  logic [5:0] difference_919;
-  assign difference_919 = {1'b0, select_911_s4_q} - {1'b0, select_918_s4_q};
-  logic [7:0] sum_920;
-  assign sum_920 = above_10_s4_q + {{2{difference_919[5]}}, difference_919};
-  logic [5:0] difference_941;
-  assign difference_941 = {1'b0, select_932_s4_q} - {1'b0, select_940_s4_q};
-  logic [7:0] sum_942;
-  assign sum_942 = above_11_s4_q + {{2{difference_941[5]}}, difference_941};
-  logic [5:0] difference_963;
-  assign difference_963 = {1'b0, select_954_s4_q} - {1'b0, select_962_s4_q};
-  logic [7:0] sum_964;
-  assign sum_964 = above_12_s4_q + {{2{difference_963[5]}}, difference_963};
-  logic [5:0] difference_985;
-  assign difference_985 = {1'b0, select_976_s4_q} - {1'b0, select_984_s4_q};
-  logic [7:0] sum_986;
-  assign sum_986 = above_13_s4_q + {{2{difference_985[5]}}, difference_985};
-  logic [5:0] difference_1007;
-  assign difference_1007 = {1'b0, select_998_s4_q} - {1'b0, select_1006_s4_q};
-  logic [7:0] sum_1008;
-  assign sum_1008 = above_14_s4_q + {{2{difference_1007[5]}}, difference_1007};
-  logic [5:0] difference_1029;
-  assign difference_1029 = {1'b0, select_1020_s4_q} - {1'b0, select_1028_s4_q};
-  logic [7:0] sum_1030;
-  assign sum_1030 = above_15_s4_q + {{2{difference_1029[5]}}, difference_1029};
-  logic [5:0] difference_1051;
-  assign difference_1051 = {1'b0, select_1042_s4_q} - {1'b0, select_1050_s4_q};
-  logic [7:0] sum_1052;
-  assign sum_1052 = above_16_s4_q + {{2{difference_1051[5]}}, difference_1051};
-  logic [5:0] difference_1073;
-  assign difference_1073 = {1'b0, select_1064_s4_q} - {1'b0, select_1072_s4_q};
-  logic [7:0] sum_1074;
-  assign sum_1074 = above_17_s4_q + {{2{difference_1073[5]}}, difference_1073};
-  logic [5:0] difference_1095;
-  assign difference_1095 = {1'b0, select_1086_s4_q} - {1'b0, select_1094_s4_q};
-  logic [7:0] sum_1096;
-  assign sum_1096 = above_18_s4_q + {{2{difference_1095[5]}}, difference_1095};
-  logic [7:0] sum_1118;
-  assign sum_1118 = above_19_s4_q + {{2{difference_1117_s4_q[5]}}, difference_1117_s4_q};
-  logic [7:0] sum_1128;
-  assign sum_1128 = above_20_s4_q + {{2{difference_1127_s4_q[5]}}, difference_1127_s4_q};
-  // hls/stages/plane_sums.hpp:185
-  logic less_1143;
-  assign less_1143 = 11'h8 < select_695_s4_q;
+  logic centres_values_0_exists_q;
+  logic centres_values_1_exists_q;
+  logic centres_values_2_exists_q;
+  logic centres_values_3_exists_q;
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_883;
+  assign select_883 = entering_values_24_features_mask_q ? select_882_s5_q : 5'h0;
+  logic [5:0] difference_899;
+  assign difference_899 = {1'b0, select_883} - {1'b0, select_898_s5_q};
+  logic [7:0] sum_900;
+  assign sum_900 = above_s5_q + {{2{difference_899[5]}}, difference_899};
+  logic [4:0] select_916;
+  assign select_916 = entering_values_24_features_mask_q ? select_915_s5_q : 5'h0;
+  logic [4:0] select_928;
+  assign select_928 = leaving_values_24_features_mask_q ? select_927_s5_q : 5'h0;
+  logic [5:0] difference_929;
+  assign difference_929 = {1'b0, select_916} - {1'b0, select_928};
+  logic [7:0] sum_930;
+  assign sum_930 = above_2_s5_q + {{2{difference_929[5]}}, difference_929};
+  logic [4:0] select_946;
+  assign select_946 = entering_values_24_features_mask_q ? select_945_s5_q : 5'h0;
+  logic [4:0] select_958;
+  assign select_958 = leaving_values_24_features_mask_q ? select_957_s5_q : 5'h0;
+  logic [5:0] difference_959;
+  assign difference_959 = {1'b0, select_946} - {1'b0, select_958};
+  logic [7:0] sum_960;
+  assign sum_960 = above_3_s5_q + {{2{difference_959[5]}}, difference_959};
+  logic [4:0] select_976;
+  assign select_976 = entering_values_24_features_mask_q ? select_975_s5_q : 5'h0;
+  logic [4:0] select_988;
+  assign select_988 = leaving_values_24_features_mask_q ? select_987_s5_q : 5'h0;
+  logic [5:0] difference_989;
+  assign difference_989 = {1'b0, select_976} - {1'b0, select_988};
+  logic [7:0] sum_990;
+  assign sum_990 = above_4_s5_q + {{2{difference_989[5]}}, difference_989};
+  logic [4:0] select_1006;
+  assign select_1006 = entering_values_24_features_mask_q ? select_1005_s5_q : 5'h0;
+  logic [4:0] select_1018;
+  assign select_1018 = leaving_values_24_features_mask_q ? select_1017_s5_q : 5'h0;
+  logic [5:0] difference_1019;
+  assign difference_1019 = {1'b0, select_1006} - {1'b0, select_1018};
+  logic [7:0] sum_1020;
+  assign sum_1020 = above_5_s5_q + {{2{difference_1019[5]}}, difference_1019};
+  logic [4:0] select_1036;
+  assign select_1036 = entering_values_24_features_mask_q ? select_1035_s5_q : 5'h0;
+  logic [4:0] select_1048;
+  assign select_1048 = leaving_values_24_features_mask_q ? select_1047_s5_q : 5'h0;
+  logic [5:0] difference_1049;
+  assign difference_1049 = {1'b0, select_1036} - {1'b0, select_1048};
+  logic [7:0] sum_1050;
+  assign sum_1050 = above_6_s5_q + {{2{difference_1049[5]}}, difference_1049};
+  logic [4:0] select_1066;
+  assign select_1066 = entering_values_24_features_mask_q ? select_1065_s5_q : 5'h0;
+  logic [4:0] select_1078;
+  assign select_1078 = leaving_values_24_features_mask_q ? select_1077_s5_q : 5'h0;
+  logic [5:0] difference_1079;
+  assign difference_1079 = {1'b0, select_1066} - {1'b0, select_1078};
+  logic [7:0] sum_1080;
+  assign sum_1080 = above_7_s5_q + {{2{difference_1079[5]}}, difference_1079};
+  logic [4:0] select_1096;
+  assign select_1096 = entering_values_24_features_mask_q ? select_1095_s5_q : 5'h0;
+  logic [4:0] select_1108;
+  assign select_1108 = leaving_values_24_features_mask_q ? select_1107_s5_q : 5'h0;
+  logic [5:0] difference_1109;
+  assign difference_1109 = {1'b0, select_1096} - {1'b0, select_1108};
+  logic [7:0] sum_1110;
+  assign sum_1110 = above_8_s5_q + {{2{difference_1109[5]}}, difference_1109};
+  logic [4:0] select_1126;
+  assign select_1126 = entering_values_24_features_mask_q ? select_1125_s5_q : 5'h0;
+  logic [4:0] select_1138;
+  assign select_1138 = leaving_values_24_features_mask_q ? select_1137_s5_q : 5'h0;
+  logic [5:0] difference_1139;
+  assign difference_1139 = {1'b0, select_1126} - {1'b0, select_1138};
+  logic [7:0] sum_1140;
+  assign sum_1140 = above_9_s5_q + {{2{difference_1139[5]}}, difference_1139};
+  logic [4:0] select_1153;
+  assign select_1153 = entering_values_24_features_mask_q ? select_1152_s5_q : 5'h0;
+  logic [4:0] select_1164;
+  assign select_1164 = leaving_values_24_features_mask_q ? select_1163_s5_q : 5'h0;
+  logic [5:0] difference_1165;
+  assign difference_1165 = {1'b0, select_1153} - {1'b0, select_1164};
+  logic [7:0] sum_1166;
+  assign sum_1166 = above_10_s5_q + {{2{difference_1165[5]}}, difference_1165};
+  logic [4:0] select_1182;
+  assign select_1182 = entering_values_24_features_mask_q ? select_1181_s5_q : 5'h0;
+  logic [4:0] select_1194;
+  assign select_1194 = leaving_values_24_features_mask_q ? select_1193_s5_q : 5'h0;
+  logic [5:0] difference_1195;
+  assign difference_1195 = {1'b0, select_1182} - {1'b0, select_1194};
+  logic [7:0] sum_1196;
+  assign sum_1196 = above_11_s5_q + {{2{difference_1195[5]}}, difference_1195};
+  logic [4:0] select_1212;
+  assign select_1212 = entering_values_24_features_mask_q ? select_1211_s5_q : 5'h0;
+  logic [4:0] select_1224;
+  assign select_1224 = leaving_values_24_features_mask_q ? select_1223_s5_q : 5'h0;
+  logic [5:0] difference_1225;
+  assign difference_1225 = {1'b0, select_1212} - {1'b0, select_1224};
+  logic [7:0] sum_1226;
+  assign sum_1226 = above_12_s5_q + {{2{difference_1225[5]}}, difference_1225};
+  logic [4:0] select_1242;
+  assign select_1242 = entering_values_24_features_mask_q ? select_1241_s5_q : 5'h0;
+  logic [4:0] select_1254;
+  assign select_1254 = leaving_values_24_features_mask_q ? select_1253_s5_q : 5'h0;
+  logic [5:0] difference_1255;
+  assign difference_1255 = {1'b0, select_1242} - {1'b0, select_1254};
+  logic [7:0] sum_1256;
+  assign sum_1256 = above_13_s5_q + {{2{difference_1255[5]}}, difference_1255};
+  logic [4:0] select_1272;
+  assign select_1272 = entering_values_24_features_mask_q ? select_1271_s5_q : 5'h0;
+  logic [4:0] select_1284;
+  assign select_1284 = leaving_values_24_features_mask_q ? select_1283_s5_q : 5'h0;
+  logic [5:0] difference_1285;
+  assign difference_1285 = {1'b0, select_1272} - {1'b0, select_1284};
+  logic [7:0] sum_1286;
+  assign sum_1286 = above_14_s5_q + {{2{difference_1285[5]}}, difference_1285};
+  logic [4:0] select_1302;
+  assign select_1302 = entering_values_24_features_mask_q ? select_1301_s5_q : 5'h0;
+  logic [4:0] select_1314;
+  assign select_1314 = leaving_values_24_features_mask_q ? select_1313_s5_q : 5'h0;
+  logic [5:0] difference_1315;
+  assign difference_1315 = {1'b0, select_1302} - {1'b0, select_1314};
+  logic [7:0] sum_1316;
+  assign sum_1316 = above_15_s5_q + {{2{difference_1315[5]}}, difference_1315};
+  logic [4:0] select_1332;
+  assign select_1332 = entering_values_24_features_mask_q ? select_1331_s5_q : 5'h0;
+  logic [4:0] select_1344;
+  assign select_1344 = leaving_values_24_features_mask_q ? select_1343_s5_q : 5'h0;
+  logic [5:0] difference_1345;
+  assign difference_1345 = {1'b0, select_1332} - {1'b0, select_1344};
+  logic [7:0] sum_1346;
+  assign sum_1346 = above_16_s5_q + {{2{difference_1345[5]}}, difference_1345};
+  logic [4:0] select_1362;
+  assign select_1362 = entering_values_24_features_mask_q ? select_1361_s5_q : 5'h0;
+  logic [4:0] select_1374;
+  assign select_1374 = leaving_values_24_features_mask_q ? select_1373_s5_q : 5'h0;
+  logic [5:0] difference_1375;
+  assign difference_1375 = {1'b0, select_1362} - {1'b0, select_1374};
+  logic [7:0] sum_1376;
+  assign sum_1376 = above_17_s5_q + {{2{difference_1375[5]}}, difference_1375};
+  logic [7:0] sum_1406;
+  assign sum_1406 = above_18_s5_q + {{2{difference_1405_s5_q[5]}}, difference_1405_s5_q};
+  logic [7:0] sum_1436;
+  assign sum_1436 = above_19_s5_q + {{2{difference_1435_s5_q[5]}}, difference_1435_s5_q};
+  logic [7:0] sum_1454;
+  assign sum_1454 = above_20_s5_q + {{2{difference_1453_s5_q[5]}}, difference_1453_s5_q};
+  // hls/stages/plane_sums.hpp:111
+  logic [2:0] sum_1460;
+  assign sum_1460 = edges_above_s5_q + {difference_1459_s5_q[1], difference_1459_s5_q};
+  // hls/stages/plane_sums.hpp:187
+  logic less_1472;
+  assign less_1472 = 11'h8 < select_861_s5_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      centres_values_0_exists_q <= 1'b0;
+      centres_values_1_exists_q <= 1'b0;
+      centres_values_2_exists_q <= 1'b0;
+      centres_values_3_exists_q <= 1'b0;
+    end else if (s5_en) begin
+      centres_values_0_exists_q <= and_1560_s5_q;
+      centres_values_1_exists_q <= centres_values_0_exists_q;
+      centres_values_2_exists_q <= centres_values_1_exists_q;
+      centres_values_3_exists_q <= centres_values_2_exists_q;
+    end
+  end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -2904,8 +3906,8 @@ module horopter_plane_sums (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s4_en) begin
-      rows_0_columns_values_0_q <= {3'h0, sum_726};
+    if (s5_en) begin
+      rows_0_columns_values_0_q <= {3'h0, sum_900};
       rows_0_columns_values_1_q <= rows_0_columns_values_0_q;
       rows_0_columns_values_2_q <= rows_0_columns_values_1_q;
       rows_0_columns_values_3_q <= rows_0_columns_values_2_q;
@@ -2914,7 +3916,7 @@ module horopter_plane_sums (
       rows_0_columns_values_6_q <= rows_0_columns_values_5_q;
       rows_0_columns_values_7_q <= rows_0_columns_values_6_q;
       rows_0_columns_values_8_q <= rows_0_columns_values_7_q;
-      rows_1_columns_values_0_q <= {3'h0, sum_748};
+      rows_1_columns_values_0_q <= {3'h0, sum_930};
       rows_1_columns_values_1_q <= rows_1_columns_values_0_q;
       rows_1_columns_values_2_q <= rows_1_columns_values_1_q;
       rows_1_columns_values_3_q <= rows_1_columns_values_2_q;
@@ -2923,7 +3925,7 @@ module horopter_plane_sums (
       rows_1_columns_values_6_q <= rows_1_columns_values_5_q;
       rows_1_columns_values_7_q <= rows_1_columns_values_6_q;
       rows_1_columns_values_8_q <= rows_1_columns_values_7_q;
-      rows_2_columns_values_0_q <= {3'h0, sum_770};
+      rows_2_columns_values_0_q <= {3'h0, sum_960};
       rows_2_columns_values_1_q <= rows_2_columns_values_0_q;
       rows_2_columns_values_2_q <= rows_2_columns_values_1_q;
       rows_2_columns_values_3_q <= rows_2_columns_values_2_q;
@@ -2932,7 +3934,7 @@ module horopter_plane_sums (
       rows_2_columns_values_6_q <= rows_2_columns_values_5_q;
       rows_2_columns_values_7_q <= rows_2_columns_values_6_q;
       rows_2_columns_values_8_q <= rows_2_columns_values_7_q;
-      rows_3_columns_values_0_q <= {3'h0, sum_792};
+      rows_3_columns_values_0_q <= {3'h0, sum_990};
       rows_3_columns_values_1_q <= rows_3_columns_values_0_q;
       rows_3_columns_values_2_q <= rows_3_columns_values_1_q;
       rows_3_columns_values_3_q <= rows_3_columns_values_2_q;
@@ -2941,7 +3943,7 @@ module horopter_plane_sums (
       rows_3_columns_values_6_q <= rows_3_columns_values_5_q;
       rows_3_columns_values_7_q <= rows_3_columns_values_6_q;
       rows_3_columns_values_8_q <= rows_3_columns_values_7_q;
-      rows_4_columns_values_0_q <= {3'h0, sum_814};
+      rows_4_columns_values_0_q <= {3'h0, sum_1020};
       rows_4_columns_values_1_q <= rows_4_columns_values_0_q;
       rows_4_columns_values_2_q <= rows_4_columns_values_1_q;
       rows_4_columns_values_3_q <= rows_4_columns_values_2_q;
@@ -2950,7 +3952,7 @@ module horopter_plane_sums (
       rows_4_columns_values_6_q <= rows_4_columns_values_5_q;
       rows_4_columns_values_7_q <= rows_4_columns_values_6_q;
       rows_4_columns_values_8_q <= rows_4_columns_values_7_q;
-      rows_5_columns_values_0_q <= {3'h0, sum_836};
+      rows_5_columns_values_0_q <= {3'h0, sum_1050};
       rows_5_columns_values_1_q <= rows_5_columns_values_0_q;
       rows_5_columns_values_2_q <= rows_5_columns_values_1_q;
       rows_5_columns_values_3_q <= rows_5_columns_values_2_q;
@@ -2959,7 +3961,7 @@ module horopter_plane_sums (
       rows_5_columns_values_6_q <= rows_5_columns_values_5_q;
       rows_5_columns_values_7_q <= rows_5_columns_values_6_q;
       rows_5_columns_values_8_q <= rows_5_columns_values_7_q;
-      rows_6_columns_values_0_q <= {3'h0, sum_858};
+      rows_6_columns_values_0_q <= {3'h0, sum_1080};
       rows_6_columns_values_1_q <= rows_6_columns_values_0_q;
       rows_6_columns_values_2_q <= rows_6_columns_values_1_q;
       rows_6_columns_values_3_q <= rows_6_columns_values_2_q;
@@ -2968,7 +3970,7 @@ module horopter_plane_sums (
       rows_6_columns_values_6_q <= rows_6_columns_values_5_q;
       rows_6_columns_values_7_q <= rows_6_columns_values_6_q;
       rows_6_columns_values_8_q <= rows_6_columns_values_7_q;
-      rows_7_columns_values_0_q <= {3'h0, sum_880};
+      rows_7_columns_values_0_q <= {3'h0, sum_1110};
       rows_7_columns_values_1_q <= rows_7_columns_values_0_q;
       rows_7_columns_values_2_q <= rows_7_columns_values_1_q;
       rows_7_columns_values_3_q <= rows_7_columns_values_2_q;
@@ -2977,7 +3979,7 @@ module horopter_plane_sums (
       rows_7_columns_values_6_q <= rows_7_columns_values_5_q;
       rows_7_columns_values_7_q <= rows_7_columns_values_6_q;
       rows_7_columns_values_8_q <= rows_7_columns_values_7_q;
-      rows_8_columns_values_0_q <= {3'h0, sum_902};
+      rows_8_columns_values_0_q <= {3'h0, sum_1140};
       rows_8_columns_values_1_q <= rows_8_columns_values_0_q;
       rows_8_columns_values_2_q <= rows_8_columns_values_1_q;
       rows_8_columns_values_3_q <= rows_8_columns_values_2_q;
@@ -2986,7 +3988,7 @@ module horopter_plane_sums (
       rows_8_columns_values_6_q <= rows_8_columns_values_5_q;
       rows_8_columns_values_7_q <= rows_8_columns_values_6_q;
       rows_8_columns_values_8_q <= rows_8_columns_values_7_q;
-      rows_9_columns_values_0_q <= {3'h0, sum_920};
+      rows_9_columns_values_0_q <= {3'h0, sum_1166};
       rows_9_columns_values_1_q <= rows_9_columns_values_0_q;
       rows_9_columns_values_2_q <= rows_9_columns_values_1_q;
       rows_9_columns_values_3_q <= rows_9_columns_values_2_q;
@@ -2995,7 +3997,7 @@ module horopter_plane_sums (
       rows_9_columns_values_6_q <= rows_9_columns_values_5_q;
       rows_9_columns_values_7_q <= rows_9_columns_values_6_q;
       rows_9_columns_values_8_q <= rows_9_columns_values_7_q;
-      rows_10_columns_values_0_q <= {3'h0, sum_942};
+      rows_10_columns_values_0_q <= {3'h0, sum_1196};
       rows_10_columns_values_1_q <= rows_10_columns_values_0_q;
       rows_10_columns_values_2_q <= rows_10_columns_values_1_q;
       rows_10_columns_values_3_q <= rows_10_columns_values_2_q;
@@ -3004,7 +4006,7 @@ module horopter_plane_sums (
       rows_10_columns_values_6_q <= rows_10_columns_values_5_q;
       rows_10_columns_values_7_q <= rows_10_columns_values_6_q;
       rows_10_columns_values_8_q <= rows_10_columns_values_7_q;
-      rows_11_columns_values_0_q <= {3'h0, sum_964};
+      rows_11_columns_values_0_q <= {3'h0, sum_1226};
       rows_11_columns_values_1_q <= rows_11_columns_values_0_q;
       rows_11_columns_values_2_q <= rows_11_columns_values_1_q;
       rows_11_columns_values_3_q <= rows_11_columns_values_2_q;
@@ -3013,7 +4015,7 @@ module horopter_plane_sums (
       rows_11_columns_values_6_q <= rows_11_columns_values_5_q;
       rows_11_columns_values_7_q <= rows_11_columns_values_6_q;
       rows_11_columns_values_8_q <= rows_11_columns_values_7_q;
-      rows_12_columns_values_0_q <= {3'h0, sum_986};
+      rows_12_columns_values_0_q <= {3'h0, sum_1256};
       rows_12_columns_values_1_q <= rows_12_columns_values_0_q;
       rows_12_columns_values_2_q <= rows_12_columns_values_1_q;
       rows_12_columns_values_3_q <= rows_12_columns_values_2_q;
@@ -3022,7 +4024,7 @@ module horopter_plane_sums (
       rows_12_columns_values_6_q <= rows_12_columns_values_5_q;
       rows_12_columns_values_7_q <= rows_12_columns_values_6_q;
       rows_12_columns_values_8_q <= rows_12_columns_values_7_q;
-      rows_13_columns_values_0_q <= {3'h0, sum_1008};
+      rows_13_columns_values_0_q <= {3'h0, sum_1286};
       rows_13_columns_values_1_q <= rows_13_columns_values_0_q;
       rows_13_columns_values_2_q <= rows_13_columns_values_1_q;
       rows_13_columns_values_3_q <= rows_13_columns_values_2_q;
@@ -3031,7 +4033,7 @@ module horopter_plane_sums (
       rows_13_columns_values_6_q <= rows_13_columns_values_5_q;
       rows_13_columns_values_7_q <= rows_13_columns_values_6_q;
       rows_13_columns_values_8_q <= rows_13_columns_values_7_q;
-      rows_14_columns_values_0_q <= {3'h0, sum_1030};
+      rows_14_columns_values_0_q <= {3'h0, sum_1316};
       rows_14_columns_values_1_q <= rows_14_columns_values_0_q;
       rows_14_columns_values_2_q <= rows_14_columns_values_1_q;
       rows_14_columns_values_3_q <= rows_14_columns_values_2_q;
@@ -3040,7 +4042,7 @@ module horopter_plane_sums (
       rows_14_columns_values_6_q <= rows_14_columns_values_5_q;
       rows_14_columns_values_7_q <= rows_14_columns_values_6_q;
       rows_14_columns_values_8_q <= rows_14_columns_values_7_q;
-      rows_15_columns_values_0_q <= {3'h0, sum_1052};
+      rows_15_columns_values_0_q <= {3'h0, sum_1346};
       rows_15_columns_values_1_q <= rows_15_columns_values_0_q;
       rows_15_columns_values_2_q <= rows_15_columns_values_1_q;
       rows_15_columns_values_3_q <= rows_15_columns_values_2_q;
@@ -3049,7 +4051,7 @@ module horopter_plane_sums (
       rows_15_columns_values_6_q <= rows_15_columns_values_5_q;
       rows_15_columns_values_7_q <= rows_15_columns_values_6_q;
       rows_15_columns_values_8_q <= rows_15_columns_values_7_q;
-      rows_16_columns_values_0_q <= {3'h0, sum_1074};
+      rows_16_columns_values_0_q <= {3'h0, sum_1376};
       rows_16_columns_values_1_q <= rows_16_columns_values_0_q;
       rows_16_columns_values_2_q <= rows_16_columns_values_1_q;
       rows_16_columns_values_3_q <= rows_16_columns_values_2_q;
@@ -3058,7 +4060,7 @@ module horopter_plane_sums (
       rows_16_columns_values_6_q <= rows_16_columns_values_5_q;
       rows_16_columns_values_7_q <= rows_16_columns_values_6_q;
       rows_16_columns_values_8_q <= rows_16_columns_values_7_q;
-      rows_17_columns_values_0_q <= {3'h0, sum_1096};
+      rows_17_columns_values_0_q <= {3'h0, sum_1406};
       rows_17_columns_values_1_q <= rows_17_columns_values_0_q;
       rows_17_columns_values_2_q <= rows_17_columns_values_1_q;
       rows_17_columns_values_3_q <= rows_17_columns_values_2_q;
@@ -3067,7 +4069,7 @@ module horopter_plane_sums (
       rows_17_columns_values_6_q <= rows_17_columns_values_5_q;
       rows_17_columns_values_7_q <= rows_17_columns_values_6_q;
       rows_17_columns_values_8_q <= rows_17_columns_values_7_q;
-      rows_18_columns_values_0_q <= {3'h0, sum_1118};
+      rows_18_columns_values_0_q <= {3'h0, sum_1436};
       rows_18_columns_values_1_q <= rows_18_columns_values_0_q;
       rows_18_columns_values_2_q <= rows_18_columns_values_1_q;
       rows_18_columns_values_3_q <= rows_18_columns_values_2_q;
@@ -3076,7 +4078,7 @@ module horopter_plane_sums (
       rows_18_columns_values_6_q <= rows_18_columns_values_5_q;
       rows_18_columns_values_7_q <= rows_18_columns_values_6_q;
       rows_18_columns_values_8_q <= rows_18_columns_values_7_q;
-      rows_19_columns_values_0_q <= {3'h0, sum_1128};
+      rows_19_columns_values_0_q <= {3'h0, sum_1454};
       rows_19_columns_values_1_q <= rows_19_columns_values_0_q;
       rows_19_columns_values_2_q <= rows_19_columns_values_1_q;
       rows_19_columns_values_3_q <= rows_19_columns_values_2_q;
@@ -3088,90 +4090,84 @@ module horopter_plane_sums (
     end
   end
 
-  logic entering_values_23_features_mask_s5_q;
-  logic [5:0] seen_values_24_grey_s5_q;
-  logic seen_values_24_exists_s5_q;
-  logic [5:0] centres_values_3_seen_grey_s5_q;
-  logic centre_marks_values_3_first_s5_q;
-  logic centre_marks_values_3_last_s5_q;
-  logic centre_marks_values_3_seen_s5_q;
-  logic centre_marks_values_3_nearer_s5_q;
-  logic or_694_s5_q;
-  logic [10:0] select_695_s5_q;
-  logic or_696_s5_q;
-  logic [17:0] column_memory_rdata_s5_q;
-  logic and_1129_s5_q;
-  logic and_1130_s5_q;
-  logic and_1131_s5_q;
-  logic and_1132_s5_q;
-  logic and_1133_s5_q;
-  logic [10:0] select_1144_s5_q;
-  logic [10:0] select_1148_s5_q;
-  logic [10:0] select_1152_s5_q;
-  logic [10:0] select_1156_s5_q;
-  logic [10:0] select_1160_s5_q;
-  logic [10:0] select_1164_s5_q;
-  logic [10:0] select_1168_s5_q;
-  logic [10:0] select_1172_s5_q;
-  logic [10:0] select_1176_s5_q;
-  logic [10:0] select_1180_s5_q;
-  logic [10:0] select_1184_s5_q;
-  logic [10:0] select_1188_s5_q;
-  logic [10:0] select_1192_s5_q;
-  logic [10:0] select_1196_s5_q;
-  logic [10:0] select_1200_s5_q;
-  logic [10:0] select_1204_s5_q;
-  logic [10:0] select_1208_s5_q;
-  logic [10:0] select_1212_s5_q;
-  logic [10:0] select_1216_s5_q;
-  logic [10:0] select_1220_s5_q;
-  logic and_1232_s5_q;
-  logic and_1233_s5_q;
+  logic entering_values_23_features_mask_s6_q;
+  logic [5:0] seen_values_23_grey_s6_q;
+  logic [5:0] centres_values_3_grey_s6_q;
+  logic centres_values_3_exists_s6_q;
+  logic centre_marks_values_3_first_s6_q;
+  logic centre_marks_values_3_last_s6_q;
+  logic centre_marks_values_3_seen_s6_q;
+  logic centre_marks_values_3_nearer_s6_q;
+  logic or_860_s6_q;
+  logic [10:0] select_861_s6_q;
+  logic or_862_s6_q;
+  logic [11:0] column_memory_rdata_s6_q;
+  logic [2:0] sum_1460_s6_q;
+  logic and_1461_s6_q;
+  logic and_1462_s6_q;
+  logic less_1472_s6_q;
+  logic [10:0] select_1473_s6_q;
+  logic [10:0] select_1477_s6_q;
+  logic [10:0] select_1481_s6_q;
+  logic [10:0] select_1485_s6_q;
+  logic [10:0] select_1489_s6_q;
+  logic [10:0] select_1493_s6_q;
+  logic [10:0] select_1497_s6_q;
+  logic [10:0] select_1501_s6_q;
+  logic [10:0] select_1505_s6_q;
+  logic [10:0] select_1509_s6_q;
+  logic [10:0] select_1513_s6_q;
+  logic [10:0] select_1517_s6_q;
+  logic [10:0] select_1521_s6_q;
+  logic [10:0] select_1525_s6_q;
+  logic [10:0] select_1529_s6_q;
+  logic [10:0] select_1533_s6_q;
+  logic [10:0] select_1537_s6_q;
+  logic [10:0] select_1541_s6_q;
+  logic [10:0] select_1545_s6_q;
+  logic [10:0] select_1549_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
-      entering_values_23_features_mask_s5_q <= entering_values_23_features_mask_s4_q;
-      seen_values_24_grey_s5_q <= seen_values_24_grey_s4_q;
-      seen_values_24_exists_s5_q <= seen_values_24_exists_s4_q;
-      centres_values_3_seen_grey_s5_q <= centres_values_3_seen_grey_s4_q;
-      centre_marks_values_3_first_s5_q <= centre_marks_values_3_first_s4_q;
-      centre_marks_values_3_last_s5_q <= centre_marks_values_3_last_s4_q;
-      centre_marks_values_3_seen_s5_q <= centre_marks_values_3_seen_s4_q;
-      centre_marks_values_3_nearer_s5_q <= centre_marks_values_3_nearer_s4_q;
-      or_694_s5_q <= or_694_s4_q;
-      select_695_s5_q <= select_695_s4_q;
-      or_696_s5_q <= or_696_s4_q;
-      column_memory_rdata_s5_q <= column_memory_rdata_s4_q;
-      and_1129_s5_q <= and_1129_s4_q;
-      and_1130_s5_q <= and_1130_s4_q;
-      and_1131_s5_q <= and_1131_s4_q;
-      and_1132_s5_q <= and_1132_s4_q;
-      and_1133_s5_q <= and_1133_s4_q;
-      select_1144_s5_q <= less_1143 ? rows_0_columns_values_8_q : 11'h0;
-      select_1148_s5_q <= less_1143 ? rows_1_columns_values_8_q : 11'h0;
-      select_1152_s5_q <= less_1143 ? rows_2_columns_values_8_q : 11'h0;
-      select_1156_s5_q <= less_1143 ? rows_3_columns_values_8_q : 11'h0;
-      select_1160_s5_q <= less_1143 ? rows_4_columns_values_8_q : 11'h0;
-      select_1164_s5_q <= less_1143 ? rows_5_columns_values_8_q : 11'h0;
-      select_1168_s5_q <= less_1143 ? rows_6_columns_values_8_q : 11'h0;
-      select_1172_s5_q <= less_1143 ? rows_7_columns_values_8_q : 11'h0;
-      select_1176_s5_q <= less_1143 ? rows_8_columns_values_8_q : 11'h0;
-      select_1180_s5_q <= less_1143 ? rows_9_columns_values_8_q : 11'h0;
-      select_1184_s5_q <= less_1143 ? rows_10_columns_values_8_q : 11'h0;
-      select_1188_s5_q <= less_1143 ? rows_11_columns_values_8_q : 11'h0;
-      select_1192_s5_q <= less_1143 ? rows_12_columns_values_8_q : 11'h0;
-      select_1196_s5_q <= less_1143 ? rows_13_columns_values_8_q : 11'h0;
-      select_1200_s5_q <= less_1143 ? rows_14_columns_values_8_q : 11'h0;
-      select_1204_s5_q <= less_1143 ? rows_15_columns_values_8_q : 11'h0;
-      select_1208_s5_q <= less_1143 ? rows_16_columns_values_8_q : 11'h0;
-      select_1212_s5_q <= less_1143 ? rows_17_columns_values_8_q : 11'h0;
-      select_1216_s5_q <= less_1143 ? rows_18_columns_values_8_q : 11'h0;
-      select_1220_s5_q <= less_1143 ? rows_19_columns_values_8_q : 11'h0;
-      and_1232_s5_q <= and_1232_s4_q;
-      and_1233_s5_q <= and_1233_s4_q;
+    if (s5_en) begin
+      entering_values_23_features_mask_s6_q <= entering_values_24_features_mask_q;
+      seen_values_23_grey_s6_q <= seen_values_23_grey_s5_q;
+      centres_values_3_grey_s6_q <= centres_values_3_grey_s5_q;
+      centres_values_3_exists_s6_q <= centres_values_3_exists_q;
+      centre_marks_values_3_first_s6_q <= centre_marks_values_3_first_s5_q;
+      centre_marks_values_3_last_s6_q <= centre_marks_values_3_last_s5_q;
+      centre_marks_values_3_seen_s6_q <= centre_marks_values_3_seen_s5_q;
+      centre_marks_values_3_nearer_s6_q <= centre_marks_values_3_nearer_s5_q;
+      or_860_s6_q <= or_860_s5_q;
+      select_861_s6_q <= select_861_s5_q;
+      or_862_s6_q <= or_862_s5_q;
+      column_memory_rdata_s6_q <= column_memory_rdata_s5_q;
+      sum_1460_s6_q <= sum_1460;
+      and_1461_s6_q <= and_1461_s5_q;
+      and_1462_s6_q <= and_1462_s5_q;
+      less_1472_s6_q <= less_1472;
+      select_1473_s6_q <= less_1472 ? rows_0_columns_values_8_q : 11'h0;
+      select_1477_s6_q <= less_1472 ? rows_1_columns_values_8_q : 11'h0;
+      select_1481_s6_q <= less_1472 ? rows_2_columns_values_8_q : 11'h0;
+      select_1485_s6_q <= less_1472 ? rows_3_columns_values_8_q : 11'h0;
+      select_1489_s6_q <= less_1472 ? rows_4_columns_values_8_q : 11'h0;
+      select_1493_s6_q <= less_1472 ? rows_5_columns_values_8_q : 11'h0;
+      select_1497_s6_q <= less_1472 ? rows_6_columns_values_8_q : 11'h0;
+      select_1501_s6_q <= less_1472 ? rows_7_columns_values_8_q : 11'h0;
+      select_1505_s6_q <= less_1472 ? rows_8_columns_values_8_q : 11'h0;
+      select_1509_s6_q <= less_1472 ? rows_9_columns_values_8_q : 11'h0;
+      select_1513_s6_q <= less_1472 ? rows_10_columns_values_8_q : 11'h0;
+      select_1517_s6_q <= less_1472 ? rows_11_columns_values_8_q : 11'h0;
+      select_1521_s6_q <= less_1472 ? rows_12_columns_values_8_q : 11'h0;
+      select_1525_s6_q <= less_1472 ? rows_13_columns_values_8_q : 11'h0;
+      select_1529_s6_q <= less_1472 ? rows_14_columns_values_8_q : 11'h0;
+      select_1533_s6_q <= less_1472 ? rows_15_columns_values_8_q : 11'h0;
+      select_1537_s6_q <= less_1472 ? rows_16_columns_values_8_q : 11'h0;
+      select_1541_s6_q <= less_1472 ? rows_17_columns_values_8_q : 11'h0;
+      select_1545_s6_q <= less_1472 ? rows_18_columns_values_8_q : 11'h0;
+      select_1549_s6_q <= less_1472 ? rows_19_columns_values_8_q : 11'h0;
     end
   end
 
-  // Stage 5 -----------------------------------------------------------------------------------------------------------
+  // Stage 6 -----------------------------------------------------------------------------------------------------------
   logic [10:0] rows_0_sum_sums_values_0_q;
   logic [10:0] rows_1_sum_sums_values_0_q;
   logic [10:0] rows_2_sum_sums_values_0_q;
@@ -3192,75 +4188,93 @@ module horopter_plane_sums (
   logic [10:0] rows_17_sum_sums_values_0_q;
   logic [10:0] rows_18_sum_sums_values_0_q;
   logic [10:0] rows_19_sum_sums_values_0_q;
-  // hls/stages/plane_sums.hpp:185
-  logic [10:0] sum_1147;
-  assign sum_1147 = ({3'h0, rows_0_columns_values_0_q[7:0]} - select_1144_s5_q) + (or_694_s5_q ? 11'h0 : rows_0_sum_sums_values_0_q);
-  logic [10:0] sum_1151;
-  assign sum_1151 = ({3'h0, rows_1_columns_values_0_q[7:0]} - select_1148_s5_q) + (or_694_s5_q ? 11'h0 : rows_1_sum_sums_values_0_q);
-  logic [10:0] sum_1155;
-  assign sum_1155 = ({3'h0, rows_2_columns_values_0_q[7:0]} - select_1152_s5_q) + (or_694_s5_q ? 11'h0 : rows_2_sum_sums_values_0_q);
-  logic [10:0] sum_1159;
-  assign sum_1159 = ({3'h0, rows_3_columns_values_0_q[7:0]} - select_1156_s5_q) + (or_694_s5_q ? 11'h0 : rows_3_sum_sums_values_0_q);
-  logic [10:0] sum_1163;
-  assign sum_1163 = ({3'h0, rows_4_columns_values_0_q[7:0]} - select_1160_s5_q) + (or_694_s5_q ? 11'h0 : rows_4_sum_sums_values_0_q);
-  logic [10:0] sum_1167;
-  assign sum_1167 = ({3'h0, rows_5_columns_values_0_q[7:0]} - select_1164_s5_q) + (or_694_s5_q ? 11'h0 : rows_5_sum_sums_values_0_q);
-  logic [10:0] sum_1171;
-  assign sum_1171 = ({3'h0, rows_6_columns_values_0_q[7:0]} - select_1168_s5_q) + (or_694_s5_q ? 11'h0 : rows_6_sum_sums_values_0_q);
-  logic [10:0] sum_1175;
-  assign sum_1175 = ({3'h0, rows_7_columns_values_0_q[7:0]} - select_1172_s5_q) + (or_694_s5_q ? 11'h0 : rows_7_sum_sums_values_0_q);
-  logic [10:0] sum_1179;
-  assign sum_1179 = ({3'h0, rows_8_columns_values_0_q[7:0]} - select_1176_s5_q) + (or_694_s5_q ? 11'h0 : rows_8_sum_sums_values_0_q);
-  logic [10:0] sum_1183;
-  assign sum_1183 = ({3'h0, rows_9_columns_values_0_q[7:0]} - select_1180_s5_q) + (or_694_s5_q ? 11'h0 : rows_9_sum_sums_values_0_q);
-  logic [10:0] sum_1187;
-  assign sum_1187 = ({3'h0, rows_10_columns_values_0_q[7:0]} - select_1184_s5_q) + (or_694_s5_q ? 11'h0 : rows_10_sum_sums_values_0_q);
-  logic [10:0] sum_1191;
-  assign sum_1191 = ({3'h0, rows_11_columns_values_0_q[7:0]} - select_1188_s5_q) + (or_694_s5_q ? 11'h0 : rows_11_sum_sums_values_0_q);
-  logic [10:0] sum_1195;
-  assign sum_1195 = ({3'h0, rows_12_columns_values_0_q[7:0]} - select_1192_s5_q) + (or_694_s5_q ? 11'h0 : rows_12_sum_sums_values_0_q);
-  logic [10:0] sum_1199;
-  assign sum_1199 = ({3'h0, rows_13_columns_values_0_q[7:0]} - select_1196_s5_q) + (or_694_s5_q ? 11'h0 : rows_13_sum_sums_values_0_q);
-  logic [10:0] sum_1203;
-  assign sum_1203 = ({3'h0, rows_14_columns_values_0_q[7:0]} - select_1200_s5_q) + (or_694_s5_q ? 11'h0 : rows_14_sum_sums_values_0_q);
-  logic [10:0] sum_1207;
-  assign sum_1207 = ({3'h0, rows_15_columns_values_0_q[7:0]} - select_1204_s5_q) + (or_694_s5_q ? 11'h0 : rows_15_sum_sums_values_0_q);
-  logic [10:0] sum_1211;
-  assign sum_1211 = ({3'h0, rows_16_columns_values_0_q[7:0]} - select_1208_s5_q) + (or_694_s5_q ? 11'h0 : rows_16_sum_sums_values_0_q);
-  logic [10:0] sum_1215;
-  assign sum_1215 = ({3'h0, rows_17_columns_values_0_q[7:0]} - select_1212_s5_q) + (or_694_s5_q ? 11'h0 : rows_17_sum_sums_values_0_q);
-  logic [10:0] sum_1219;
-  assign sum_1219 = ({3'h0, rows_18_columns_values_0_q[7:0]} - select_1216_s5_q) + (or_694_s5_q ? 11'h0 : rows_18_sum_sums_values_0_q);
-  logic [10:0] sum_1223;
-  assign sum_1223 = ({3'h0, rows_19_columns_values_0_q[7:0]} - select_1220_s5_q) + (or_694_s5_q ? 11'h0 : rows_19_sum_sums_values_0_q);
+  logic [5:0] edges_columns_values_0_q;
+  logic [5:0] edges_columns_values_1_q;
+  logic [5:0] edges_columns_values_2_q;
+  logic [5:0] edges_columns_values_3_q;
+  logic [5:0] edges_columns_values_4_q;
+  logic [5:0] edges_columns_values_5_q;
+  logic [5:0] edges_columns_values_6_q;
+  logic [5:0] edges_columns_values_7_q;
+  logic [5:0] edges_columns_values_8_q;
+  logic [5:0] edges_sum_sums_values_0_q;
+  // hls/stages/plane_sums.hpp:187
+  logic [10:0] sum_1476;
+  assign sum_1476 = ({3'h0, rows_0_columns_values_0_q[7:0]} - select_1473_s6_q) + (or_860_s6_q ? 11'h0 : rows_0_sum_sums_values_0_q);
+  logic [10:0] sum_1480;
+  assign sum_1480 = ({3'h0, rows_1_columns_values_0_q[7:0]} - select_1477_s6_q) + (or_860_s6_q ? 11'h0 : rows_1_sum_sums_values_0_q);
+  logic [10:0] sum_1484;
+  assign sum_1484 = ({3'h0, rows_2_columns_values_0_q[7:0]} - select_1481_s6_q) + (or_860_s6_q ? 11'h0 : rows_2_sum_sums_values_0_q);
+  logic [10:0] sum_1488;
+  assign sum_1488 = ({3'h0, rows_3_columns_values_0_q[7:0]} - select_1485_s6_q) + (or_860_s6_q ? 11'h0 : rows_3_sum_sums_values_0_q);
+  logic [10:0] sum_1492;
+  assign sum_1492 = ({3'h0, rows_4_columns_values_0_q[7:0]} - select_1489_s6_q) + (or_860_s6_q ? 11'h0 : rows_4_sum_sums_values_0_q);
+  logic [10:0] sum_1496;
+  assign sum_1496 = ({3'h0, rows_5_columns_values_0_q[7:0]} - select_1493_s6_q) + (or_860_s6_q ? 11'h0 : rows_5_sum_sums_values_0_q);
+  logic [10:0] sum_1500;
+  assign sum_1500 = ({3'h0, rows_6_columns_values_0_q[7:0]} - select_1497_s6_q) + (or_860_s6_q ? 11'h0 : rows_6_sum_sums_values_0_q);
+  logic [10:0] sum_1504;
+  assign sum_1504 = ({3'h0, rows_7_columns_values_0_q[7:0]} - select_1501_s6_q) + (or_860_s6_q ? 11'h0 : rows_7_sum_sums_values_0_q);
+  logic [10:0] sum_1508;
+  assign sum_1508 = ({3'h0, rows_8_columns_values_0_q[7:0]} - select_1505_s6_q) + (or_860_s6_q ? 11'h0 : rows_8_sum_sums_values_0_q);
+  logic [10:0] sum_1512;
+  assign sum_1512 = ({3'h0, rows_9_columns_values_0_q[7:0]} - select_1509_s6_q) + (or_860_s6_q ? 11'h0 : rows_9_sum_sums_values_0_q);
+  logic [10:0] sum_1516;
+  assign sum_1516 = ({3'h0, rows_10_columns_values_0_q[7:0]} - select_1513_s6_q) + (or_860_s6_q ? 11'h0 : rows_10_sum_sums_values_0_q);
+  logic [10:0] sum_1520;
+  assign sum_1520 = ({3'h0, rows_11_columns_values_0_q[7:0]} - select_1517_s6_q) + (or_860_s6_q ? 11'h0 : rows_11_sum_sums_values_0_q);
+  logic [10:0] sum_1524;
+  assign sum_1524 = ({3'h0, rows_12_columns_values_0_q[7:0]} - select_1521_s6_q) + (or_860_s6_q ? 11'h0 : rows_12_sum_sums_values_0_q);
+  logic [10:0] sum_1528;
+  assign sum_1528 = ({3'h0, rows_13_columns_values_0_q[7:0]} - select_1525_s6_q) + (or_860_s6_q ? 11'h0 : rows_13_sum_sums_values_0_q);
+  logic [10:0] sum_1532;
+  assign sum_1532 = ({3'h0, rows_14_columns_values_0_q[7:0]} - select_1529_s6_q) + (or_860_s6_q ? 11'h0 : rows_14_sum_sums_values_0_q);
+  logic [10:0] sum_1536;
+  assign sum_1536 = ({3'h0, rows_15_columns_values_0_q[7:0]} - select_1533_s6_q) + (or_860_s6_q ? 11'h0 : rows_15_sum_sums_values_0_q);
+  logic [10:0] sum_1540;
+  assign sum_1540 = ({3'h0, rows_16_columns_values_0_q[7:0]} - select_1537_s6_q) + (or_860_s6_q ? 11'h0 : rows_16_sum_sums_values_0_q);
+  logic [10:0] sum_1544;
+  assign sum_1544 = ({3'h0, rows_17_columns_values_0_q[7:0]} - select_1541_s6_q) + (or_860_s6_q ? 11'h0 : rows_17_sum_sums_values_0_q);
+  logic [10:0] sum_1548;
+  assign sum_1548 = ({3'h0, rows_18_columns_values_0_q[7:0]} - select_1545_s6_q) + (or_860_s6_q ? 11'h0 : rows_18_sum_sums_values_0_q);
+  logic [10:0] sum_1552;
+  assign sum_1552 = ({3'h0, rows_19_columns_values_0_q[7:0]} - select_1549_s6_q) + (or_860_s6_q ? 11'h0 : rows_19_sum_sums_values_0_q);
+  // hls/stages/plane_sums.hpp:112
+  logic [5:0] difference_1554;
+  assign difference_1554 = {3'h0, sum_1460_s6_q} - (less_1472_s6_q ? edges_columns_values_8_q : 6'h0);
+  logic [5:0] sum_1556;
+  assign sum_1556 = difference_1554 + (or_860_s6_q ? 6'h0 : edges_sum_sums_values_0_q);
+  // hls/stages/plane_sums.hpp:122
+  logic and_1564;
+  assign and_1564 = (centres_values_3_exists_s6_q & centres_values_0_exists_q) & (~(select_861_s6_q[10:2] == 9'h0));
 
   // Memory column_memory, write
   logic [10:0] column_memory_waddr;
-  assign column_memory_waddr = select_695_s5_q;
+  assign column_memory_waddr = select_861_s6_q;
   logic column_memory_we;
-  assign column_memory_we = s5_en & or_696_s5_q;
+  assign column_memory_we = s6_en & or_862_s6_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1133_s5_q, and_1132_s5_q, entering_values_23_features_mask_s5_q, and_1131_s5_q, column_memory_rdata_s5_q[17:12], and_1130_s5_q, column_memory_rdata_s5_q[11:6], and_1129_s5_q, column_memory_rdata_s5_q[5:0], seen_values_24_exists_s5_q, seen_values_24_grey_s5_q, rows_19_columns_values_0_q[7:0], rows_18_columns_values_0_q[7:0], rows_17_columns_values_0_q[7:0], rows_16_columns_values_0_q[7:0], rows_15_columns_values_0_q[7:0], rows_14_columns_values_0_q[7:0], rows_13_columns_values_0_q[7:0], rows_12_columns_values_0_q[7:0], rows_11_columns_values_0_q[7:0], rows_10_columns_values_0_q[7:0], rows_9_columns_values_0_q[7:0], rows_8_columns_values_0_q[7:0], rows_7_columns_values_0_q[7:0], rows_6_columns_values_0_q[7:0], rows_5_columns_values_0_q[7:0], rows_4_columns_values_0_q[7:0], rows_3_columns_values_0_q[7:0], rows_2_columns_values_0_q[7:0], rows_1_columns_values_0_q[7:0], rows_0_columns_values_0_q[7:0]};
+    if (column_memory_we) column_memory_mem[column_memory_waddr] <= {and_1462_s6_q, column_memory_rdata_s6_q[11:6], and_1461_s6_q, column_memory_rdata_s6_q[5:0], entering_values_23_features_mask_s6_q, seen_values_23_grey_s6_q, sum_1460_s6_q, rows_19_columns_values_0_q[7:0], rows_18_columns_values_0_q[7:0], rows_17_columns_values_0_q[7:0], rows_16_columns_values_0_q[7:0], rows_15_columns_values_0_q[7:0], rows_14_columns_values_0_q[7:0], rows_13_columns_values_0_q[7:0], rows_12_columns_values_0_q[7:0], rows_11_columns_values_0_q[7:0], rows_10_columns_values_0_q[7:0], rows_9_columns_values_0_q[7:0], rows_8_columns_values_0_q[7:0], rows_7_columns_values_0_q[7:0], rows_6_columns_values_0_q[7:0], rows_5_columns_values_0_q[7:0], rows_4_columns_values_0_q[7:0], rows_3_columns_values_0_q[7:0], rows_2_columns_values_0_q[7:0], rows_1_columns_values_0_q[7:0], rows_0_columns_values_0_q[7:0]};
   end
 `ifndef SYNTHESIS
-  logic [10:0] column_memory_raddr_s2_sim;
-  logic column_memory_re_s2_sim;
   logic [10:0] column_memory_raddr_s3_sim;
   logic column_memory_re_s3_sim;
   logic [10:0] column_memory_raddr_s4_sim;
   logic column_memory_re_s4_sim;
+  logic [10:0] column_memory_raddr_s5_sim;
+  logic column_memory_re_s5_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      column_memory_re_s2_sim <= 1'b0;
       column_memory_re_s3_sim <= 1'b0;
       column_memory_re_s4_sim <= 1'b0;
+      column_memory_re_s5_sim <= 1'b0;
     end else if (en_i) begin
-      column_memory_re_s2_sim <= column_memory_re;
-      column_memory_raddr_s2_sim <= column_memory_raddr;
-      column_memory_re_s3_sim <= column_memory_re_s2_sim;
-      column_memory_raddr_s3_sim <= column_memory_raddr_s2_sim;
+      column_memory_re_s3_sim <= column_memory_re;
+      column_memory_raddr_s3_sim <= column_memory_raddr;
       column_memory_re_s4_sim <= column_memory_re_s3_sim;
       column_memory_raddr_s4_sim <= column_memory_raddr_s3_sim;
+      column_memory_re_s5_sim <= column_memory_re_s4_sim;
+      column_memory_raddr_s5_sim <= column_memory_raddr_s4_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -3268,13 +4282,13 @@ module horopter_plane_sums (
       if (column_memory_re && column_memory_raddr == column_memory_waddr) begin
         $error("column_memory: address %0d is read less than DISTANCE steps after its write", column_memory_waddr);
       end
-      if (column_memory_re_s2_sim && column_memory_raddr_s2_sim == column_memory_waddr) begin
-        $error("column_memory: address %0d is read less than DISTANCE steps after its write", column_memory_waddr);
-      end
       if (column_memory_re_s3_sim && column_memory_raddr_s3_sim == column_memory_waddr) begin
         $error("column_memory: address %0d is read less than DISTANCE steps after its write", column_memory_waddr);
       end
       if (column_memory_re_s4_sim && column_memory_raddr_s4_sim == column_memory_waddr) begin
+        $error("column_memory: address %0d is read less than DISTANCE steps after its write", column_memory_waddr);
+      end
+      if (column_memory_re_s5_sim && column_memory_raddr_s5_sim == column_memory_waddr) begin
         $error("column_memory: address %0d is read less than DISTANCE steps after its write", column_memory_waddr);
       end
       if (column_memory_waddr >= 11'd1920) $error("column_memory: write outside, address %0d", column_memory_waddr);
@@ -3306,49 +4320,69 @@ module horopter_plane_sums (
     rows_17_sum_sums_values_0_q = 11'h0;
     rows_18_sum_sums_values_0_q = 11'h0;
     rows_19_sum_sums_values_0_q = 11'h0;
+    edges_columns_values_0_q = 6'h0;
+    edges_columns_values_1_q = 6'h0;
+    edges_columns_values_2_q = 6'h0;
+    edges_columns_values_3_q = 6'h0;
+    edges_columns_values_4_q = 6'h0;
+    edges_columns_values_5_q = 6'h0;
+    edges_columns_values_6_q = 6'h0;
+    edges_columns_values_7_q = 6'h0;
+    edges_columns_values_8_q = 6'h0;
+    edges_sum_sums_values_0_q = 6'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s5_en) begin
-      rows_0_sum_sums_values_0_q <= sum_1147;
-      rows_1_sum_sums_values_0_q <= sum_1151;
-      rows_2_sum_sums_values_0_q <= sum_1155;
-      rows_3_sum_sums_values_0_q <= sum_1159;
-      rows_4_sum_sums_values_0_q <= sum_1163;
-      rows_5_sum_sums_values_0_q <= sum_1167;
-      rows_6_sum_sums_values_0_q <= sum_1171;
-      rows_7_sum_sums_values_0_q <= sum_1175;
-      rows_8_sum_sums_values_0_q <= sum_1179;
-      rows_9_sum_sums_values_0_q <= sum_1183;
-      rows_10_sum_sums_values_0_q <= sum_1187;
-      rows_11_sum_sums_values_0_q <= sum_1191;
-      rows_12_sum_sums_values_0_q <= sum_1195;
-      rows_13_sum_sums_values_0_q <= sum_1199;
-      rows_14_sum_sums_values_0_q <= sum_1203;
-      rows_15_sum_sums_values_0_q <= sum_1207;
-      rows_16_sum_sums_values_0_q <= sum_1211;
-      rows_17_sum_sums_values_0_q <= sum_1215;
-      rows_18_sum_sums_values_0_q <= sum_1219;
-      rows_19_sum_sums_values_0_q <= sum_1223;
+    if (s6_en) begin
+      rows_0_sum_sums_values_0_q <= sum_1476;
+      rows_1_sum_sums_values_0_q <= sum_1480;
+      rows_2_sum_sums_values_0_q <= sum_1484;
+      rows_3_sum_sums_values_0_q <= sum_1488;
+      rows_4_sum_sums_values_0_q <= sum_1492;
+      rows_5_sum_sums_values_0_q <= sum_1496;
+      rows_6_sum_sums_values_0_q <= sum_1500;
+      rows_7_sum_sums_values_0_q <= sum_1504;
+      rows_8_sum_sums_values_0_q <= sum_1508;
+      rows_9_sum_sums_values_0_q <= sum_1512;
+      rows_10_sum_sums_values_0_q <= sum_1516;
+      rows_11_sum_sums_values_0_q <= sum_1520;
+      rows_12_sum_sums_values_0_q <= sum_1524;
+      rows_13_sum_sums_values_0_q <= sum_1528;
+      rows_14_sum_sums_values_0_q <= sum_1532;
+      rows_15_sum_sums_values_0_q <= sum_1536;
+      rows_16_sum_sums_values_0_q <= sum_1540;
+      rows_17_sum_sums_values_0_q <= sum_1544;
+      rows_18_sum_sums_values_0_q <= sum_1548;
+      rows_19_sum_sums_values_0_q <= sum_1552;
+      edges_columns_values_0_q <= {3'h0, sum_1460_s6_q};
+      edges_columns_values_1_q <= edges_columns_values_0_q;
+      edges_columns_values_2_q <= edges_columns_values_1_q;
+      edges_columns_values_3_q <= edges_columns_values_2_q;
+      edges_columns_values_4_q <= edges_columns_values_3_q;
+      edges_columns_values_5_q <= edges_columns_values_4_q;
+      edges_columns_values_6_q <= edges_columns_values_5_q;
+      edges_columns_values_7_q <= edges_columns_values_6_q;
+      edges_columns_values_8_q <= edges_columns_values_7_q;
+      edges_sum_sums_values_0_q <= sum_1556;
     end
   end
 
-  logic [5:0] centres_values_3_seen_grey_s6_q;
-  logic centre_marks_values_3_first_s6_q;
-  logic centre_marks_values_3_last_s6_q;
-  logic centre_marks_values_3_seen_s6_q;
-  logic centre_marks_values_3_nearer_s6_q;
-  logic and_1232_s6_q;
-  logic and_1233_s6_q;
+  logic [5:0] centres_values_3_grey_s7_q;
+  logic centres_values_3_exists_s7_q;
+  logic centre_marks_values_3_first_s7_q;
+  logic centre_marks_values_3_last_s7_q;
+  logic centre_marks_values_3_seen_s7_q;
+  logic centre_marks_values_3_nearer_s7_q;
+  logic and_1564_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
-      centres_values_3_seen_grey_s6_q <= centres_values_3_seen_grey_s5_q;
-      centre_marks_values_3_first_s6_q <= centre_marks_values_3_first_s5_q;
-      centre_marks_values_3_last_s6_q <= centre_marks_values_3_last_s5_q;
-      centre_marks_values_3_seen_s6_q <= centre_marks_values_3_seen_s5_q;
-      centre_marks_values_3_nearer_s6_q <= centre_marks_values_3_nearer_s5_q;
-      and_1232_s6_q <= and_1232_s5_q;
-      and_1233_s6_q <= and_1233_s5_q;
+    if (s6_en) begin
+      centres_values_3_grey_s7_q <= centres_values_3_grey_s6_q;
+      centres_values_3_exists_s7_q <= centres_values_3_exists_s6_q;
+      centre_marks_values_3_first_s7_q <= centre_marks_values_3_first_s6_q;
+      centre_marks_values_3_last_s7_q <= centre_marks_values_3_last_s6_q;
+      centre_marks_values_3_seen_s7_q <= centre_marks_values_3_seen_s6_q;
+      centre_marks_values_3_nearer_s7_q <= centre_marks_values_3_nearer_s6_q;
+      and_1564_s7_q <= and_1564;
     end
   end
 
@@ -3373,14 +4407,15 @@ module horopter_plane_sums (
   assign sum_17_o = rows_17_sum_sums_values_0_q;
   assign sum_18_o = rows_18_sum_sums_values_0_q;
   assign evidence_o = rows_19_sum_sums_values_0_q;
-  assign grey_o = centres_values_3_seen_grey_s6_q;
-  assign known_o = and_1232_s6_q;
-  assign exists_o = and_1233_s6_q;
-  assign marks_first_o = centre_marks_values_3_first_s6_q;
-  assign marks_last_o = centre_marks_values_3_last_s6_q;
-  assign marks_seen_o = centre_marks_values_3_seen_s6_q;
-  assign marks_nearer_o = centre_marks_values_3_nearer_s6_q;
-  assign valid_o = valid_s6_q;
+  assign edges_o = edges_sum_sums_values_0_q;
+  assign grey_o = centres_values_3_grey_s7_q;
+  assign known_o = and_1564_s7_q;
+  assign exists_o = centres_values_3_exists_s7_q;
+  assign marks_first_o = centre_marks_values_3_first_s7_q;
+  assign marks_last_o = centre_marks_values_3_last_s7_q;
+  assign marks_seen_o = centre_marks_values_3_seen_s7_q;
+  assign marks_nearer_o = centre_marks_values_3_nearer_s7_q;
+  assign valid_o = valid_s7_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -3390,6 +4425,7 @@ module horopter_plane_sums (
       valid_s4_q <= 1'b0;
       valid_s5_q <= 1'b0;
       valid_s6_q <= 1'b0;
+      valid_s7_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -3397,6 +4433,7 @@ module horopter_plane_sums (
       valid_s4_q <= valid_s3_q;
       valid_s5_q <= valid_s4_q;
       valid_s6_q <= valid_s5_q;
+      valid_s7_q <= valid_s6_q;
     end
   end
 

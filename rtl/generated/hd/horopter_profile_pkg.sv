@@ -22,6 +22,6 @@ package horopter_profile_pkg;
   localparam int unsigned OFFSET = 2 + (DSAD_WINDOW - 1) / 2 + (MAJORITY_WINDOW - 1) / 2;  // a state belongs to the px this far up and left of the beat
   localparam int unsigned FLUSH_ROWS = OFFSET + 1;  // rows after the last of a frame that empty the windows
   localparam int unsigned CELL = WIDTH > 1024 ? 16 : 8;  // side of the cells on whose means whole images are compared, px
-  localparam int unsigned COMPETE_OFFSET = 2 + (SUM_ROWS - 1) / 2 + BALLOT_REACH + (MAJORITY_WINDOW - 1) / 2;  // rows, as OFFSET, with `compete`
+  localparam int unsigned COMPETE_OFFSET = 1 + (SUM_ROWS - 1) / 2 + BALLOT_REACH + (MAJORITY_WINDOW - 1) / 2;  // rows, as OFFSET, with `compete`
   localparam int unsigned COMPETE_FLUSH_ROWS = COMPETE_OFFSET + 3;  // as FLUSH_ROWS, with `compete`
 endpackage

@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 93 bits, pipeline 307 bits, memories 69120 bits.
+// State 93 bits, pipeline 289 bits, memories 69120 bits.
 module horopter_sobel (
   input  logic clk_i,
   input  logic rst_ni,
@@ -27,9 +27,7 @@ module horopter_sobel (
   output logic marks_first_o,
   output logic marks_last_o,
   output logic marks_seen_o,
-  output logic marks_nearer_o,
-  output logic [7:0] smooth_grey_o,
-  output logic smooth_exists_o
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -44,13 +42,13 @@ module horopter_sobel (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] raster_column_q;
   logic raster_row_ended_q;
-  // hls/stages/sobel.hpp:41
+  // hls/stages/sobel.hpp:50
   logic or_22;
   assign or_22 = marks_first_i | raster_row_ended_q;
   logic [10:0] select_23;
   assign select_23 = or_22 ? 11'h0 : raster_column_q;
 
-  // Memory memory, 1920 x 36, DISTANCE 16, hls/stages/sobel.hpp:74; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory memory, 1920 x 36, DISTANCE 16, hls/stages/sobel.hpp:87; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [35:0] memory_mem [0:1919];
@@ -132,26 +130,26 @@ module horopter_sobel (
   logic raster_rows_q;
   logic [1:0] mask_columns_values_0_q;
   logic [1:0] saturated_columns_values_0_q;
-  // hls/stages/sobel.hpp:41
+  // hls/stages/sobel.hpp:50
   logic and_26;
   assign and_26 = raster_rows_q & (~marks_first_s2_q);
-  // hls/stages/sobel.hpp:58
+  // hls/stages/sobel.hpp:72
   logic [1:0] select_27;
   assign select_27 = and_26 ? memory_rdata_s2_q[33:32] : 2'h0;
-  // hls/stages/sobel.hpp:59
+  // hls/stages/sobel.hpp:73
   logic [1:0] select_28;
   assign select_28 = and_26 ? memory_rdata_s2_q[35:34] : 2'h0;
-  // hls/stages/sobel.hpp:49
+  // hls/stages/sobel.hpp:58
   logic [8:0] sum_31;
   assign sum_31 = {1'b0, memory_rdata_s2_q[7:0]} + {2'h0, memory_rdata_s2_q[23:17]};
   logic [8:0] sum_33;
   assign sum_33 = {1'b0, memory_rdata_s2_q[15:8]} + {2'h0, memory_rdata_s2_q[31:25]};
-  // hls/stages/sobel.hpp:58
+  // hls/stages/sobel.hpp:72
   logic equal_37;
   assign equal_37 = {select_27, mask_s2_q} == 3'h7;
   logic [1:0] select_38;
   assign select_38 = or_22_s2_q ? 2'h0 : mask_columns_values_0_q;
-  // hls/stages/sobel.hpp:59
+  // hls/stages/sobel.hpp:73
   logic equal_39;
   assign equal_39 = {select_28, saturated_s2_q} == 3'h7;
   logic [1:0] select_40;
@@ -225,12 +223,12 @@ module horopter_sobel (
   logic [8:0] slope_0_values_1_q;
   logic [8:0] slope_1_values_0_q;
   logic [8:0] slope_1_values_1_q;
-  // hls/stages/sobel.hpp:49
+  // hls/stages/sobel.hpp:58
   logic [9:0] smooth;
   assign smooth = {2'h0, pixel_0_s3_q} + {sum_31_s3_q, memory_rdata_s3_q[16]};
   logic [9:0] smooth_2;
   assign smooth_2 = {2'h0, pixel_1_s3_q} + {sum_33_s3_q, memory_rdata_s3_q[24]};
-  // hls/stages/sobel.hpp:50
+  // hls/stages/sobel.hpp:59
   logic [8:0] slope;
   assign slope = {1'b0, pixel_0_s3_q} - {1'b0, memory_rdata_s3_q[23:16]};
   logic [8:0] slope_2;
@@ -303,8 +301,6 @@ module horopter_sobel (
     end
   end
 
-  logic [7:0] pixel_0_s4_q;
-  logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
   logic marks_seen_s4_q;
@@ -317,8 +313,6 @@ module horopter_sobel (
   logic equal_48_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
-      pixel_0_s4_q <= pixel_0_s3_q;
-      mask_s4_q <= mask_s3_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
       marks_seen_s4_q <= marks_seen_s3_q;
@@ -333,7 +327,7 @@ module horopter_sobel (
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/sobel.hpp:52
+  // hls/stages/sobel.hpp:61
   logic [9:0] sum_43;
   assign sum_43 = {slope_0_values_1_q[8], slope_0_values_1_q} + {{2{slope_0_values_0_q[8]}}, slope_0_values_0_q[8:1]};
   logic [10:0] sum_44;
@@ -343,8 +337,6 @@ module horopter_sobel (
   logic [10:0] sum_46;
   assign sum_46 = {{2{slope_1_values_1_s4_q[8]}}, slope_1_values_1_s4_q} + {sum_45, slope_1_values_0_q[0]};
 
-  logic [7:0] pixel_0_s5_q;
-  logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
   logic marks_seen_s5_q;
@@ -357,8 +349,6 @@ module horopter_sobel (
   logic equal_48_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
-      pixel_0_s5_q <= pixel_0_s4_q;
-      mask_s5_q <= mask_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
       marks_seen_s5_q <= marks_seen_s4_q;
@@ -383,8 +373,6 @@ module horopter_sobel (
   assign marks_last_o = marks_last_s5_q;
   assign marks_seen_o = marks_seen_s5_q;
   assign marks_nearer_o = marks_nearer_s5_q;
-  assign smooth_grey_o = pixel_0_s5_q;
-  assign smooth_exists_o = mask_s5_q;
   assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin

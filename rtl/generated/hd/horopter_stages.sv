@@ -219,6 +219,22 @@ module horopter_stages #(
     .frame_word_o(agreement_frame_word_o)
   );
 
+  // The rule of the frame that passes, taken with its first beat before the last stage that both rules share; the
+  // clocks between two frames are more than that stage's latency. The other rule's stages wait for a frame of theirs.
+  logic thesis_runs, compete_runs, thesis_clk, compete_clk;
+  if (THESIS && COMPETE) begin : g_rules
+    logic compete_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) compete_q <= 1'b0;
+      else if (subsample_valid_o && subsample_marks_first_o) compete_q <= cfg_compete_i;
+    end
+    assign {thesis_runs, compete_runs} = {!compete_q, compete_q};
+    horopter_clock_gate u_thesis (.clk_i(clk_i), .en_i(thesis_runs || !rst_ni), .clk_o(thesis_clk));
+    horopter_clock_gate u_compete (.clk_i(clk_i), .en_i(compete_runs || !rst_ni), .clk_o(compete_clk));
+  end else begin : g_rule
+    assign {thesis_runs, compete_runs, thesis_clk, compete_clk} = {THESIS, COMPETE, clk_i, clk_i};
+  end
+
   logic lowpass_valid_o;
   logic [7:0] lowpass_pixel_0_o;
   logic [7:0] lowpass_pixel_1_o;
@@ -228,29 +244,43 @@ module horopter_stages #(
   logic lowpass_marks_last_o;
   logic lowpass_marks_seen_o;
   logic lowpass_marks_nearer_o;
-  horopter_lowpass u_lowpass (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(agreement_valid_o),
-    .pixel_0_i(agreement_pixel_0_o),
-    .pixel_1_i(agreement_pixel_1_o),
-    .saturated_i(agreement_saturated_o),
-    .mask_i(agreement_mask_o),
-    .marks_first_i(agreement_marks_first_o),
-    .marks_last_i(agreement_marks_last_o),
-    .marks_seen_i(agreement_marks_seen_o),
-    .marks_nearer_i(agreement_marks_nearer_o),
-    .valid_o(lowpass_valid_o),
-    .pixel_0_o(lowpass_pixel_0_o),
-    .pixel_1_o(lowpass_pixel_1_o),
-    .saturated_o(lowpass_saturated_o),
-    .mask_o(lowpass_mask_o),
-    .marks_first_o(lowpass_marks_first_o),
-    .marks_last_o(lowpass_marks_last_o),
-    .marks_seen_o(lowpass_marks_seen_o),
-    .marks_nearer_o(lowpass_marks_nearer_o)
-  );
+  if (THESIS) begin : g_lowpass
+    horopter_lowpass u_lowpass (
+      .clk_i(thesis_clk),
+      .rst_ni(rst_ni),
+      .en_i(thesis_runs),
+      .valid_i(agreement_valid_o),
+      .pixel_0_i(agreement_pixel_0_o),
+      .pixel_1_i(agreement_pixel_1_o),
+      .saturated_i(agreement_saturated_o),
+      .mask_i(agreement_mask_o),
+      .marks_first_i(agreement_marks_first_o),
+      .marks_last_i(agreement_marks_last_o),
+      .marks_seen_i(agreement_marks_seen_o),
+      .marks_nearer_i(agreement_marks_nearer_o),
+      .valid_o(lowpass_valid_o),
+      .pixel_0_o(lowpass_pixel_0_o),
+      .pixel_1_o(lowpass_pixel_1_o),
+      .saturated_o(lowpass_saturated_o),
+      .mask_o(lowpass_mask_o),
+      .marks_first_o(lowpass_marks_first_o),
+      .marks_last_o(lowpass_marks_last_o),
+      .marks_seen_o(lowpass_marks_seen_o),
+      .marks_nearer_o(lowpass_marks_nearer_o)
+    );
+  end else begin : g_no_lowpass
+    logic unused;
+    assign unused = ^{thesis_clk, thesis_runs, agreement_valid_o, agreement_pixel_0_o, agreement_pixel_1_o, agreement_saturated_o, agreement_mask_o, agreement_marks_first_o, agreement_marks_last_o, agreement_marks_seen_o, agreement_marks_nearer_o};
+    assign lowpass_valid_o = '0;
+    assign lowpass_pixel_0_o = '0;
+    assign lowpass_pixel_1_o = '0;
+    assign lowpass_saturated_o = '0;
+    assign lowpass_mask_o = '0;
+    assign lowpass_marks_first_o = '0;
+    assign lowpass_marks_last_o = '0;
+    assign lowpass_marks_seen_o = '0;
+    assign lowpass_marks_nearer_o = '0;
+  end
 
   logic sobel_valid_o;
   logic signed [10:0] sobel_gx_0_o;
@@ -263,50 +293,46 @@ module horopter_stages #(
   logic sobel_marks_last_o;
   logic sobel_marks_seen_o;
   logic sobel_marks_nearer_o;
-  logic [7:0] sobel_smooth_grey_o;
-  logic sobel_smooth_exists_o;
-  horopter_sobel u_sobel (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .en_i(1'b1),
-    .valid_i(lowpass_valid_o),
-    .pixel_0_i(lowpass_pixel_0_o),
-    .pixel_1_i(lowpass_pixel_1_o),
-    .saturated_i(lowpass_saturated_o),
-    .mask_i(lowpass_mask_o),
-    .marks_first_i(lowpass_marks_first_o),
-    .marks_last_i(lowpass_marks_last_o),
-    .marks_seen_i(lowpass_marks_seen_o),
-    .marks_nearer_i(lowpass_marks_nearer_o),
-    .valid_o(sobel_valid_o),
-    .gx_0_o(sobel_gx_0_o),
-    .gx_1_o(sobel_gx_1_o),
-    .gy_0_o(sobel_gy_0_o),
-    .gy_1_o(sobel_gy_1_o),
-    .saturated_o(sobel_saturated_o),
-    .mask_o(sobel_mask_o),
-    .marks_first_o(sobel_marks_first_o),
-    .marks_last_o(sobel_marks_last_o),
-    .marks_seen_o(sobel_marks_seen_o),
-    .marks_nearer_o(sobel_marks_nearer_o),
-    .smooth_grey_o(sobel_smooth_grey_o),
-    .smooth_exists_o(sobel_smooth_exists_o)
-  );
-
-  // The rule of the frame that passes, taken with its first beat before the last stage that both rules share; the
-  // clocks between two frames are more than that stage's latency. The other rule's stages wait for a frame of theirs.
-  logic thesis_runs, compete_runs, thesis_clk, compete_clk;
-  if (THESIS && COMPETE) begin : g_rules
-    logic compete_q;
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) compete_q <= 1'b0;
-      else if (lowpass_valid_o && lowpass_marks_first_o) compete_q <= cfg_compete_i;
-    end
-    assign {thesis_runs, compete_runs} = {!compete_q, compete_q};
-    horopter_clock_gate u_thesis (.clk_i(clk_i), .en_i(thesis_runs || !rst_ni), .clk_o(thesis_clk));
-    horopter_clock_gate u_compete (.clk_i(clk_i), .en_i(compete_runs || !rst_ni), .clk_o(compete_clk));
-  end else begin : g_rule
-    assign {thesis_runs, compete_runs, thesis_clk, compete_clk} = {THESIS, COMPETE, clk_i, clk_i};
+  if (THESIS) begin : g_sobel
+    horopter_sobel u_sobel (
+      .clk_i(thesis_clk),
+      .rst_ni(rst_ni),
+      .en_i(thesis_runs),
+      .valid_i(lowpass_valid_o),
+      .pixel_0_i(lowpass_pixel_0_o),
+      .pixel_1_i(lowpass_pixel_1_o),
+      .saturated_i(lowpass_saturated_o),
+      .mask_i(lowpass_mask_o),
+      .marks_first_i(lowpass_marks_first_o),
+      .marks_last_i(lowpass_marks_last_o),
+      .marks_seen_i(lowpass_marks_seen_o),
+      .marks_nearer_i(lowpass_marks_nearer_o),
+      .valid_o(sobel_valid_o),
+      .gx_0_o(sobel_gx_0_o),
+      .gx_1_o(sobel_gx_1_o),
+      .gy_0_o(sobel_gy_0_o),
+      .gy_1_o(sobel_gy_1_o),
+      .saturated_o(sobel_saturated_o),
+      .mask_o(sobel_mask_o),
+      .marks_first_o(sobel_marks_first_o),
+      .marks_last_o(sobel_marks_last_o),
+      .marks_seen_o(sobel_marks_seen_o),
+      .marks_nearer_o(sobel_marks_nearer_o)
+    );
+  end else begin : g_no_sobel
+    logic unused;
+    assign unused = ^{thesis_clk, thesis_runs, lowpass_valid_o, lowpass_pixel_0_o, lowpass_pixel_1_o, lowpass_saturated_o, lowpass_mask_o, lowpass_marks_first_o, lowpass_marks_last_o, lowpass_marks_seen_o, lowpass_marks_nearer_o};
+    assign sobel_valid_o = '0;
+    assign sobel_gx_0_o = '0;
+    assign sobel_gx_1_o = '0;
+    assign sobel_gy_0_o = '0;
+    assign sobel_gy_1_o = '0;
+    assign sobel_saturated_o = '0;
+    assign sobel_mask_o = '0;
+    assign sobel_marks_first_o = '0;
+    assign sobel_marks_last_o = '0;
+    assign sobel_marks_seen_o = '0;
+    assign sobel_marks_nearer_o = '0;
   end
 
   logic direction_valid_o;
@@ -591,12 +617,70 @@ module horopter_stages #(
     assign majority_marks_nearer_o = '0;
   end
 
+  logic slopes_valid_o;
+  logic signed [10:0] slopes_gx_0_o;
+  logic signed [10:0] slopes_gx_1_o;
+  logic signed [10:0] slopes_gy_0_o;
+  logic signed [10:0] slopes_gy_1_o;
+  logic [7:0] slopes_grey_o;
+  logic slopes_saturated_o;
+  logic slopes_mask_o;
+  logic slopes_marks_first_o;
+  logic slopes_marks_last_o;
+  logic slopes_marks_seen_o;
+  logic slopes_marks_nearer_o;
+  if (COMPETE) begin : g_slopes
+    horopter_slopes u_slopes (
+      .clk_i(compete_clk),
+      .rst_ni(rst_ni),
+      .en_i(compete_runs),
+      .valid_i(agreement_valid_o),
+      .pixel_0_i(agreement_pixel_0_o),
+      .pixel_1_i(agreement_pixel_1_o),
+      .saturated_i(agreement_saturated_o),
+      .mask_i(agreement_mask_o),
+      .marks_first_i(agreement_marks_first_o),
+      .marks_last_i(agreement_marks_last_o),
+      .marks_seen_i(agreement_marks_seen_o),
+      .marks_nearer_i(agreement_marks_nearer_o),
+      .valid_o(slopes_valid_o),
+      .gx_0_o(slopes_gx_0_o),
+      .gx_1_o(slopes_gx_1_o),
+      .gy_0_o(slopes_gy_0_o),
+      .gy_1_o(slopes_gy_1_o),
+      .grey_o(slopes_grey_o),
+      .saturated_o(slopes_saturated_o),
+      .mask_o(slopes_mask_o),
+      .marks_first_o(slopes_marks_first_o),
+      .marks_last_o(slopes_marks_last_o),
+      .marks_seen_o(slopes_marks_seen_o),
+      .marks_nearer_o(slopes_marks_nearer_o)
+    );
+  end else begin : g_no_slopes
+    logic unused;
+    assign unused = ^{compete_clk, compete_runs, agreement_valid_o, agreement_pixel_0_o, agreement_pixel_1_o, agreement_saturated_o, agreement_mask_o, agreement_marks_first_o, agreement_marks_last_o, agreement_marks_seen_o, agreement_marks_nearer_o};
+    assign slopes_valid_o = '0;
+    assign slopes_gx_0_o = '0;
+    assign slopes_gx_1_o = '0;
+    assign slopes_gy_0_o = '0;
+    assign slopes_gy_1_o = '0;
+    assign slopes_grey_o = '0;
+    assign slopes_saturated_o = '0;
+    assign slopes_mask_o = '0;
+    assign slopes_marks_first_o = '0;
+    assign slopes_marks_last_o = '0;
+    assign slopes_marks_seen_o = '0;
+    assign slopes_marks_nearer_o = '0;
+  end
+
   logic contrast_valid_o;
   logic signed [5:0] contrast_left_o;
   logic signed [5:0] contrast_right_o;
+  logic signed [4:0] contrast_left_y_o;
+  logic signed [4:0] contrast_right_y_o;
+  logic contrast_edge_v_o;
   logic contrast_mask_o;
   logic [7:0] contrast_grey_o;
-  logic contrast_exists_o;
   logic contrast_marks_first_o;
   logic contrast_marks_last_o;
   logic contrast_marks_seen_o;
@@ -606,25 +690,26 @@ module horopter_stages #(
       .clk_i(compete_clk),
       .rst_ni(rst_ni),
       .en_i(compete_runs),
-      .valid_i(sobel_valid_o),
-      .gx_0_i(sobel_gx_0_o),
-      .gx_1_i(sobel_gx_1_o),
-      .gy_0_i(sobel_gy_0_o),
-      .gy_1_i(sobel_gy_1_o),
-      .saturated_i(sobel_saturated_o),
-      .mask_i(sobel_mask_o),
-      .marks_first_i(sobel_marks_first_o),
-      .marks_last_i(sobel_marks_last_o),
-      .marks_seen_i(sobel_marks_seen_o),
-      .marks_nearer_i(sobel_marks_nearer_o),
-      .smooth_grey_i(sobel_smooth_grey_o),
-      .smooth_exists_i(sobel_smooth_exists_o),
+      .valid_i(slopes_valid_o),
+      .gx_0_i(slopes_gx_0_o),
+      .gx_1_i(slopes_gx_1_o),
+      .gy_0_i(slopes_gy_0_o),
+      .gy_1_i(slopes_gy_1_o),
+      .grey_i(slopes_grey_o),
+      .saturated_i(slopes_saturated_o),
+      .mask_i(slopes_mask_o),
+      .marks_first_i(slopes_marks_first_o),
+      .marks_last_i(slopes_marks_last_o),
+      .marks_seen_i(slopes_marks_seen_o),
+      .marks_nearer_i(slopes_marks_nearer_o),
       .valid_o(contrast_valid_o),
       .left_o(contrast_left_o),
       .right_o(contrast_right_o),
+      .left_y_o(contrast_left_y_o),
+      .right_y_o(contrast_right_y_o),
+      .edge_v_o(contrast_edge_v_o),
       .mask_o(contrast_mask_o),
       .grey_o(contrast_grey_o),
-      .exists_o(contrast_exists_o),
       .marks_first_o(contrast_marks_first_o),
       .marks_last_o(contrast_marks_last_o),
       .marks_seen_o(contrast_marks_seen_o),
@@ -632,13 +717,15 @@ module horopter_stages #(
     );
   end else begin : g_no_contrast
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, sobel_valid_o, sobel_gx_0_o, sobel_gx_1_o, sobel_gy_0_o, sobel_gy_1_o, sobel_saturated_o, sobel_mask_o, sobel_marks_first_o, sobel_marks_last_o, sobel_marks_seen_o, sobel_marks_nearer_o, sobel_smooth_grey_o, sobel_smooth_exists_o};
+    assign unused = ^{compete_clk, compete_runs, slopes_valid_o, slopes_gx_0_o, slopes_gx_1_o, slopes_gy_0_o, slopes_gy_1_o, slopes_grey_o, slopes_saturated_o, slopes_mask_o, slopes_marks_first_o, slopes_marks_last_o, slopes_marks_seen_o, slopes_marks_nearer_o};
     assign contrast_valid_o = '0;
     assign contrast_left_o = '0;
     assign contrast_right_o = '0;
+    assign contrast_left_y_o = '0;
+    assign contrast_right_y_o = '0;
+    assign contrast_edge_v_o = '0;
     assign contrast_mask_o = '0;
     assign contrast_grey_o = '0;
-    assign contrast_exists_o = '0;
     assign contrast_marks_first_o = '0;
     assign contrast_marks_last_o = '0;
     assign contrast_marks_seen_o = '0;
@@ -666,6 +753,7 @@ module horopter_stages #(
   logic [10:0] plane_sums_sum_17_o;
   logic [10:0] plane_sums_sum_18_o;
   logic [10:0] plane_sums_evidence_o;
+  logic [5:0] plane_sums_edges_o;
   logic [5:0] plane_sums_grey_o;
   logic plane_sums_known_o;
   logic plane_sums_exists_o;
@@ -681,9 +769,11 @@ module horopter_stages #(
       .valid_i(contrast_valid_o),
       .left_i(contrast_left_o),
       .right_i(contrast_right_o),
+      .left_y_i(contrast_left_y_o),
+      .right_y_i(contrast_right_y_o),
+      .edge_v_i(contrast_edge_v_o),
       .mask_i(contrast_mask_o),
       .grey_i(contrast_grey_o),
-      .exists_i(contrast_exists_o),
       .marks_first_i(contrast_marks_first_o),
       .marks_last_i(contrast_marks_last_o),
       .marks_seen_i(contrast_marks_seen_o),
@@ -709,6 +799,7 @@ module horopter_stages #(
       .sum_17_o(plane_sums_sum_17_o),
       .sum_18_o(plane_sums_sum_18_o),
       .evidence_o(plane_sums_evidence_o),
+      .edges_o(plane_sums_edges_o),
       .grey_o(plane_sums_grey_o),
       .known_o(plane_sums_known_o),
       .exists_o(plane_sums_exists_o),
@@ -719,7 +810,7 @@ module horopter_stages #(
     );
   end else begin : g_no_plane_sums
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, contrast_valid_o, contrast_left_o, contrast_right_o, contrast_mask_o, contrast_grey_o, contrast_exists_o, contrast_marks_first_o, contrast_marks_last_o, contrast_marks_seen_o, contrast_marks_nearer_o};
+    assign unused = ^{compete_clk, compete_runs, contrast_valid_o, contrast_left_o, contrast_right_o, contrast_left_y_o, contrast_right_y_o, contrast_edge_v_o, contrast_mask_o, contrast_grey_o, contrast_marks_first_o, contrast_marks_last_o, contrast_marks_seen_o, contrast_marks_nearer_o};
     assign plane_sums_valid_o = '0;
     assign plane_sums_sum_0_o = '0;
     assign plane_sums_sum_1_o = '0;
@@ -741,6 +832,7 @@ module horopter_stages #(
     assign plane_sums_sum_17_o = '0;
     assign plane_sums_sum_18_o = '0;
     assign plane_sums_evidence_o = '0;
+    assign plane_sums_edges_o = '0;
     assign plane_sums_grey_o = '0;
     assign plane_sums_known_o = '0;
     assign plane_sums_exists_o = '0;
@@ -805,6 +897,7 @@ module horopter_stages #(
       .sum_17_i(plane_sums_sum_17_o),
       .sum_18_i(plane_sums_sum_18_o),
       .evidence_i(plane_sums_evidence_o),
+      .edges_i(plane_sums_edges_o),
       .grey_i(plane_sums_grey_o),
       .known_i(plane_sums_known_o),
       .exists_i(plane_sums_exists_o),
@@ -844,7 +937,7 @@ module horopter_stages #(
     );
   end else begin : g_no_plane_paths
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, plane_sums_valid_o, plane_sums_sum_0_o, plane_sums_sum_1_o, plane_sums_sum_2_o, plane_sums_sum_3_o, plane_sums_sum_4_o, plane_sums_sum_5_o, plane_sums_sum_6_o, plane_sums_sum_7_o, plane_sums_sum_8_o, plane_sums_sum_9_o, plane_sums_sum_10_o, plane_sums_sum_11_o, plane_sums_sum_12_o, plane_sums_sum_13_o, plane_sums_sum_14_o, plane_sums_sum_15_o, plane_sums_sum_16_o, plane_sums_sum_17_o, plane_sums_sum_18_o, plane_sums_evidence_o, plane_sums_grey_o, plane_sums_known_o, plane_sums_exists_o, plane_sums_marks_first_o, plane_sums_marks_last_o, plane_sums_marks_seen_o, plane_sums_marks_nearer_o};
+    assign unused = ^{compete_clk, compete_runs, plane_sums_valid_o, plane_sums_sum_0_o, plane_sums_sum_1_o, plane_sums_sum_2_o, plane_sums_sum_3_o, plane_sums_sum_4_o, plane_sums_sum_5_o, plane_sums_sum_6_o, plane_sums_sum_7_o, plane_sums_sum_8_o, plane_sums_sum_9_o, plane_sums_sum_10_o, plane_sums_sum_11_o, plane_sums_sum_12_o, plane_sums_sum_13_o, plane_sums_sum_14_o, plane_sums_sum_15_o, plane_sums_sum_16_o, plane_sums_sum_17_o, plane_sums_sum_18_o, plane_sums_evidence_o, plane_sums_edges_o, plane_sums_grey_o, plane_sums_known_o, plane_sums_exists_o, plane_sums_marks_first_o, plane_sums_marks_last_o, plane_sums_marks_seen_o, plane_sums_marks_nearer_o};
     assign plane_paths_valid_o = '0;
     assign plane_paths_cost_0_o = '0;
     assign plane_paths_cost_1_o = '0;

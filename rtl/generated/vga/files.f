@@ -21,6 +21,7 @@ rtl/generated/vga/horopter_objects.sv
 rtl/generated/vga/horopter_plane_paths.sv
 rtl/generated/vga/horopter_plane_sums.sv
 rtl/generated/vga/horopter_runs.sv
+rtl/generated/vga/horopter_slopes.sv
 rtl/generated/vga/horopter_sobel.sv
 rtl/generated/vga/horopter_spread.sv
 rtl/generated/vga/horopter_stages.sv

@@ -54,11 +54,11 @@ module horopter_align (
   assign and_20 = active_q & not_19;
   logic and_21;
   assign and_21 = started_q & not_19;
-  logic [4:0] select_23;
-  assign select_23 = marks_first_i ? 5'h0 : rows_q;
+  logic [4:0] select_24;
+  assign select_24 = marks_first_i ? 5'h0 : rows_q;
   // hls/stages/align.hpp:75
   logic equal_25;
-  assign equal_25 = {cfg_compete_i, columns, select_23[2:0]} == {select_23[4:3], 3'h1};
+  assign equal_25 = {cfg_compete_i, columns, select_24[2:1], columns} == {select_24[4:3], 2'h0, select_24[0]};
   logic [4:0] select_27;
   assign select_27 = marks_first_i ? 5'h0 : (row_ended_q ? 5'h0 : columns_q);
   logic equal_28;
@@ -124,7 +124,7 @@ module horopter_align (
       final_row_q <= select_44;
       started_q <= and_21 | and_29;
       row_ended_q <= marks_last_i;
-      rows_q <= marks_last_i ? (select_23 + {4'h0, not_46}) : select_23;
+      rows_q <= marks_last_i ? (select_24 + {4'h0, not_46}) : select_24;
       columns_q <= select_27 + {4'h0, not_49};
       columns_left_q <= select_54;
       rows_left_q <= select_57;

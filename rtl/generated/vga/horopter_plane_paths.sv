@@ -29,6 +29,7 @@ module horopter_plane_paths (
   input  logic [10:0] sum_17_i,
   input  logic [10:0] sum_18_i,
   input  logic [10:0] evidence_i,
+  input  logic [5:0] edges_i,
   input  logic [5:0] grey_i,
   input  logic known_i,
   input  logic exists_i,
@@ -80,59 +81,59 @@ module horopter_plane_paths (
   logic raster_row_ended_q;
   logic running_q;
   // hls/stages/plane_paths.hpp:79
-  logic [9:0] select_34;
-  assign select_34 = marks_first_i ? 10'h0 : (raster_row_ended_q ? 10'h0 : (raster_column_q + 10'h1));
+  logic [9:0] select_35;
+  assign select_35 = marks_first_i ? 10'h0 : (raster_row_ended_q ? 10'h0 : (raster_column_q + 10'h1));
   // hls/stages/plane_paths.hpp:82
-  logic or_36;
-  assign or_36 = marks_first_i | running_q;
+  logic or_37;
+  assign or_37 = marks_first_i | running_q;
   // hls/stages/plane_paths.hpp:113
-  logic [10:0] select_320;
-  assign select_320 = (sum_17_i < sum_16_i) ? sum_17_i : sum_16_i;
-  logic [10:0] select_322;
-  assign select_322 = (sum_18_i < select_320) ? sum_18_i : select_320;
-  logic [10:0] select_324;
-  assign select_324 = (sum_15_i < sum_14_i) ? sum_15_i : sum_14_i;
-  logic [10:0] select_326;
-  assign select_326 = (sum_13_i < sum_12_i) ? sum_13_i : sum_12_i;
-  logic [10:0] select_328;
-  assign select_328 = (select_324 < select_326) ? select_324 : select_326;
-  logic [10:0] select_330;
-  assign select_330 = (sum_11_i < sum_10_i) ? sum_11_i : sum_10_i;
-  logic [10:0] select_332;
-  assign select_332 = (sum_9_i < sum_8_i) ? sum_9_i : sum_8_i;
-  logic [10:0] select_334;
-  assign select_334 = (select_330 < select_332) ? select_330 : select_332;
-  logic [10:0] select_336;
-  assign select_336 = (select_328 < select_334) ? select_328 : select_334;
-  logic [10:0] select_338;
-  assign select_338 = (sum_7_i < sum_6_i) ? sum_7_i : sum_6_i;
-  logic [10:0] select_340;
-  assign select_340 = (sum_5_i < sum_4_i) ? sum_5_i : sum_4_i;
-  logic [10:0] select_342;
-  assign select_342 = (select_338 < select_340) ? select_338 : select_340;
-  logic [10:0] select_344;
-  assign select_344 = (sum_3_i < sum_2_i) ? sum_3_i : sum_2_i;
-  logic [10:0] select_346;
-  assign select_346 = (sum_1_i < sum_0_i) ? sum_1_i : sum_0_i;
-  logic [10:0] select_348;
-  assign select_348 = (select_344 < select_346) ? select_344 : select_346;
-  logic [10:0] select_350;
-  assign select_350 = (select_342 < select_348) ? select_342 : select_348;
-  logic [10:0] select_352;
-  assign select_352 = (select_336 < select_350) ? select_336 : select_350;
-  logic [10:0] select_354;
-  assign select_354 = (select_322 < select_352) ? select_322 : select_352;
+  logic [10:0] select_321;
+  assign select_321 = (sum_17_i < sum_16_i) ? sum_17_i : sum_16_i;
+  logic [10:0] select_323;
+  assign select_323 = (sum_18_i < select_321) ? sum_18_i : select_321;
+  logic [10:0] select_325;
+  assign select_325 = (sum_15_i < sum_14_i) ? sum_15_i : sum_14_i;
+  logic [10:0] select_327;
+  assign select_327 = (sum_13_i < sum_12_i) ? sum_13_i : sum_12_i;
+  logic [10:0] select_329;
+  assign select_329 = (select_325 < select_327) ? select_325 : select_327;
+  logic [10:0] select_331;
+  assign select_331 = (sum_11_i < sum_10_i) ? sum_11_i : sum_10_i;
+  logic [10:0] select_333;
+  assign select_333 = (sum_9_i < sum_8_i) ? sum_9_i : sum_8_i;
+  logic [10:0] select_335;
+  assign select_335 = (select_331 < select_333) ? select_331 : select_333;
+  logic [10:0] select_337;
+  assign select_337 = (select_329 < select_335) ? select_329 : select_335;
+  logic [10:0] select_339;
+  assign select_339 = (sum_7_i < sum_6_i) ? sum_7_i : sum_6_i;
+  logic [10:0] select_341;
+  assign select_341 = (sum_5_i < sum_4_i) ? sum_5_i : sum_4_i;
+  logic [10:0] select_343;
+  assign select_343 = (select_339 < select_341) ? select_339 : select_341;
+  logic [10:0] select_345;
+  assign select_345 = (sum_3_i < sum_2_i) ? sum_3_i : sum_2_i;
+  logic [10:0] select_347;
+  assign select_347 = (sum_1_i < sum_0_i) ? sum_1_i : sum_0_i;
+  logic [10:0] select_349;
+  assign select_349 = (select_345 < select_347) ? select_345 : select_347;
+  logic [10:0] select_351;
+  assign select_351 = (select_343 < select_349) ? select_343 : select_349;
+  logic [10:0] select_353;
+  assign select_353 = (select_337 < select_351) ? select_337 : select_351;
+  logic [10:0] select_355;
+  assign select_355 = (select_323 < select_353) ? select_323 : select_353;
   // hls/stages/plane_paths.hpp:61
-  logic [11:0] sum_355;
-  assign sum_355 = {1'b0, evidence_i} + {3'h0, evidence_i[10:2]};
   logic [11:0] sum_356;
-  assign sum_356 = {1'b0, evidence_i} + {1'b0, sum_355[11:1]};
+  assign sum_356 = {1'b0, evidence_i} + {3'h0, evidence_i[10:2]};
+  logic [11:0] sum_357;
+  assign sum_357 = {1'b0, evidence_i} + {1'b0, sum_356[11:1]};
   // hls/stages/plane_paths.hpp:63
-  logic less_358;
-  assign less_358 = 10'h13a < evidence_i[10:1];
+  logic not_360;
+  assign not_360 = ~(edges_i[5:3] == 3'h0);
   // hls/stages/plane_paths.hpp:64
-  logic or_359;
-  assign or_359 = ({select_354, 4'h0} < {sum_356, sum_355[0], evidence_i[1:0]}) | less_358;
+  logic or_361;
+  assign or_361 = ({select_355, 4'h0} < {sum_357, sum_356[0], evidence_i[1:0]}) | not_360;
 
   // Memory memory, 640 x 114 and parity, DISTANCE 16, hls/stages/plane_paths.hpp:119; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -142,9 +143,9 @@ module horopter_plane_paths (
   initial for (int i = 0; i < 640; i++) memory_mem[i] = 115'h0;
 `endif
   logic [9:0] memory_raddr;
-  assign memory_raddr = running_q ? select_34 : 10'h0;
+  assign memory_raddr = running_q ? select_35 : 10'h0;
   logic memory_re;
-  assign memory_re = s0_en & or_36;
+  assign memory_re = s0_en & or_37;
   logic [114:0] memory_word_q;
   always_ff @(posedge clk_i) begin
     if (memory_re) memory_word_q <= memory_mem[memory_raddr];
@@ -161,9 +162,9 @@ module horopter_plane_paths (
       raster_row_ended_q <= 1'b1;
       running_q <= 1'b0;
     end else if (s0_en) begin
-      raster_column_q <= select_34;
+      raster_column_q <= select_35;
       raster_row_ended_q <= marks_last_i;
-      running_q <= running_q ? or_36 : (marks_first_i & or_36);
+      running_q <= running_q ? or_37 : (marks_first_i & or_37);
     end
   end
 
@@ -193,8 +194,8 @@ module horopter_plane_paths (
   logic marks_seen_s1_q;
   logic marks_nearer_s1_q;
   logic running_s1_q;
-  logic less_358_s1_q;
-  logic and_360_s1_q;
+  logic not_360_s1_q;
+  logic and_362_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       sum_0_s1_q <= sum_0_i;
@@ -223,279 +224,279 @@ module horopter_plane_paths (
       marks_seen_s1_q <= marks_seen_i;
       marks_nearer_s1_q <= marks_nearer_i;
       running_s1_q <= running_q;
-      less_358_s1_q <= less_358;
-      and_360_s1_q <= known_i & or_359;
+      not_360_s1_q <= not_360;
+      and_362_s1_q <= known_i & or_361;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic raster_rows_q;
   // hls/stages/plane_paths.hpp:79
-  logic and_39;
-  assign and_39 = raster_rows_q & (~marks_first_s1_q);
+  logic and_40;
+  assign and_40 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_41;
-  assign select_41 = running_s1_q ? memory_rdata_q[5:0] : (marks_first_s1_q ? memory_rdata_q[5:0] : 6'h0);
+  logic [5:0] select_42;
+  assign select_42 = running_s1_q ? memory_rdata_q[5:0] : (marks_first_s1_q ? memory_rdata_q[5:0] : 6'h0);
   logic [5:0] price;
-  assign price = and_39 ? select_41 : 6'h0;
+  assign price = and_40 ? select_42 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_43;
-  assign sum_43 = {1'b0, sum_0_s1_q[10:2]} + {4'h0, price};
+  logic [9:0] sum_44;
+  assign sum_44 = {1'b0, sum_0_s1_q[10:2]} + {4'h0, price};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_45;
-  assign select_45 = running_s1_q ? memory_rdata_q[113:108] : (marks_first_s1_q ? memory_rdata_q[113:108] : 6'h0);
+  logic [5:0] select_46;
+  assign select_46 = running_s1_q ? memory_rdata_q[113:108] : (marks_first_s1_q ? memory_rdata_q[113:108] : 6'h0);
   logic [5:0] price_2;
-  assign price_2 = and_39 ? select_45 : 6'h0;
-  logic [5:0] select_49;
-  assign select_49 = running_s1_q ? memory_rdata_q[107:102] : (marks_first_s1_q ? memory_rdata_q[107:102] : 6'h0);
+  assign price_2 = and_40 ? select_46 : 6'h0;
+  logic [5:0] select_50;
+  assign select_50 = running_s1_q ? memory_rdata_q[107:102] : (marks_first_s1_q ? memory_rdata_q[107:102] : 6'h0);
   logic [5:0] price_3;
-  assign price_3 = and_39 ? select_49 : 6'h0;
-  logic [5:0] select_53;
-  assign select_53 = running_s1_q ? memory_rdata_q[101:96] : (marks_first_s1_q ? memory_rdata_q[101:96] : 6'h0);
+  assign price_3 = and_40 ? select_50 : 6'h0;
+  logic [5:0] select_54;
+  assign select_54 = running_s1_q ? memory_rdata_q[101:96] : (marks_first_s1_q ? memory_rdata_q[101:96] : 6'h0);
   logic [5:0] price_4;
-  assign price_4 = and_39 ? select_53 : 6'h0;
-  logic [5:0] select_61;
-  assign select_61 = running_s1_q ? memory_rdata_q[95:90] : (marks_first_s1_q ? memory_rdata_q[95:90] : 6'h0);
+  assign price_4 = and_40 ? select_54 : 6'h0;
+  logic [5:0] select_62;
+  assign select_62 = running_s1_q ? memory_rdata_q[95:90] : (marks_first_s1_q ? memory_rdata_q[95:90] : 6'h0);
   logic [5:0] price_5;
-  assign price_5 = and_39 ? select_61 : 6'h0;
+  assign price_5 = and_40 ? select_62 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_63;
-  assign sum_63 = {1'b0, sum_15_s1_q[10:2]} + {4'h0, price_5};
+  logic [9:0] sum_64;
+  assign sum_64 = {1'b0, sum_15_s1_q[10:2]} + {4'h0, price_5};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_65;
-  assign select_65 = running_s1_q ? memory_rdata_q[89:84] : (marks_first_s1_q ? memory_rdata_q[89:84] : 6'h0);
+  logic [5:0] select_66;
+  assign select_66 = running_s1_q ? memory_rdata_q[89:84] : (marks_first_s1_q ? memory_rdata_q[89:84] : 6'h0);
   logic [5:0] price_6;
-  assign price_6 = and_39 ? select_65 : 6'h0;
+  assign price_6 = and_40 ? select_66 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_67;
-  assign sum_67 = {1'b0, sum_14_s1_q[10:2]} + {4'h0, price_6};
+  logic [9:0] sum_68;
+  assign sum_68 = {1'b0, sum_14_s1_q[10:2]} + {4'h0, price_6};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_69;
-  assign select_69 = ({sum_63, sum_15_s1_q[1:0]} < {sum_67, sum_14_s1_q[1:0]}) ? {sum_63, sum_15_s1_q[1:0]} : {sum_67, sum_14_s1_q[1:0]};
+  logic [11:0] select_70;
+  assign select_70 = ({sum_64, sum_15_s1_q[1:0]} < {sum_68, sum_14_s1_q[1:0]}) ? {sum_64, sum_15_s1_q[1:0]} : {sum_68, sum_14_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_71;
-  assign select_71 = running_s1_q ? memory_rdata_q[77:72] : (marks_first_s1_q ? memory_rdata_q[77:72] : 6'h0);
+  logic [5:0] select_72;
+  assign select_72 = running_s1_q ? memory_rdata_q[77:72] : (marks_first_s1_q ? memory_rdata_q[77:72] : 6'h0);
   logic [5:0] opinion;
-  assign opinion = and_39 ? select_71 : 6'h0;
+  assign opinion = and_40 ? select_72 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_73;
-  assign sum_73 = {1'b0, opinion} + 7'h27;
-  logic [5:0] select_74;
-  assign select_74 = sum_73[6] ? 6'h3f : sum_73[5:0];
+  logic [6:0] sum_74;
+  assign sum_74 = {1'b0, opinion} + 7'h27;
+  logic [5:0] select_75;
+  assign select_75 = sum_74[6] ? 6'h3f : sum_74[5:0];
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_76;
-  assign select_76 = running_s1_q ? memory_rdata_q[83:78] : (marks_first_s1_q ? memory_rdata_q[83:78] : 6'h0);
+  logic [5:0] select_77;
+  assign select_77 = running_s1_q ? memory_rdata_q[83:78] : (marks_first_s1_q ? memory_rdata_q[83:78] : 6'h0);
   logic [5:0] opinion_2;
-  assign opinion_2 = and_39 ? select_76 : 6'h0;
+  assign opinion_2 = and_40 ? select_77 : 6'h0;
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_7;
-  assign price_7 = (select_74 < opinion_2) ? select_74 : opinion_2;
+  assign price_7 = (select_75 < opinion_2) ? select_75 : opinion_2;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_80;
-  assign sum_80 = {1'b0, sum_13_s1_q[10:2]} + {4'h0, price_7};
+  logic [9:0] sum_81;
+  assign sum_81 = {1'b0, sum_13_s1_q[10:2]} + {4'h0, price_7};
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_81;
-  assign sum_81 = {1'b0, opinion_2} + 7'h27;
-  logic [5:0] select_82;
-  assign select_82 = sum_81[6] ? 6'h3f : sum_81[5:0];
+  logic [6:0] sum_82;
+  assign sum_82 = {1'b0, opinion_2} + 7'h27;
+  logic [5:0] select_83;
+  assign select_83 = sum_82[6] ? 6'h3f : sum_82[5:0];
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_84;
-  assign select_84 = running_s1_q ? memory_rdata_q[71:66] : (marks_first_s1_q ? memory_rdata_q[71:66] : 6'h0);
+  logic [5:0] select_85;
+  assign select_85 = running_s1_q ? memory_rdata_q[71:66] : (marks_first_s1_q ? memory_rdata_q[71:66] : 6'h0);
   logic [5:0] opinion_3;
-  assign opinion_3 = and_39 ? select_84 : 6'h0;
+  assign opinion_3 = and_40 ? select_85 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_86;
-  assign sum_86 = {1'b0, opinion_3} + 7'h27;
-  logic [5:0] select_87;
-  assign select_87 = sum_86[6] ? 6'h3f : sum_86[5:0];
+  logic [6:0] sum_87;
+  assign sum_87 = {1'b0, opinion_3} + 7'h27;
+  logic [5:0] select_88;
+  assign select_88 = sum_87[6] ? 6'h3f : sum_87[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_8;
-  assign price_8 = (select_87 < opinion) ? select_87 : opinion;
+  assign price_8 = (select_88 < opinion) ? select_88 : opinion;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_9;
-  assign price_9 = (select_82 < price_8) ? select_82 : price_8;
+  assign price_9 = (select_83 < price_8) ? select_83 : price_8;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_92;
-  assign sum_92 = {1'b0, sum_12_s1_q[10:2]} + {4'h0, price_9};
+  logic [9:0] sum_93;
+  assign sum_93 = {1'b0, sum_12_s1_q[10:2]} + {4'h0, price_9};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_94;
-  assign select_94 = ({sum_80, sum_13_s1_q[1:0]} < {sum_92, sum_12_s1_q[1:0]}) ? {sum_80, sum_13_s1_q[1:0]} : {sum_92, sum_12_s1_q[1:0]};
+  logic [11:0] select_95;
+  assign select_95 = ({sum_81, sum_13_s1_q[1:0]} < {sum_93, sum_12_s1_q[1:0]}) ? {sum_81, sum_13_s1_q[1:0]} : {sum_93, sum_12_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_98;
-  assign select_98 = running_s1_q ? memory_rdata_q[65:60] : (marks_first_s1_q ? memory_rdata_q[65:60] : 6'h0);
+  logic [5:0] select_99;
+  assign select_99 = running_s1_q ? memory_rdata_q[65:60] : (marks_first_s1_q ? memory_rdata_q[65:60] : 6'h0);
   logic [5:0] opinion_4;
-  assign opinion_4 = and_39 ? select_98 : 6'h0;
+  assign opinion_4 = and_40 ? select_99 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_100;
-  assign sum_100 = {1'b0, opinion_4} + 7'h27;
-  logic [5:0] select_101;
-  assign select_101 = sum_100[6] ? 6'h3f : sum_100[5:0];
+  logic [6:0] sum_101;
+  assign sum_101 = {1'b0, opinion_4} + 7'h27;
+  logic [5:0] select_102;
+  assign select_102 = sum_101[6] ? 6'h3f : sum_101[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_10;
-  assign price_10 = (select_101 < opinion_3) ? select_101 : opinion_3;
+  assign price_10 = (select_102 < opinion_3) ? select_102 : opinion_3;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_11;
-  assign price_11 = (select_74 < price_10) ? select_74 : price_10;
+  assign price_11 = (select_75 < price_10) ? select_75 : price_10;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_106;
-  assign sum_106 = {1'b0, sum_11_s1_q[10:2]} + {4'h0, price_11};
+  logic [9:0] sum_107;
+  assign sum_107 = {1'b0, sum_11_s1_q[10:2]} + {4'h0, price_11};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_108;
-  assign select_108 = running_s1_q ? memory_rdata_q[59:54] : (marks_first_s1_q ? memory_rdata_q[59:54] : 6'h0);
+  logic [5:0] select_109;
+  assign select_109 = running_s1_q ? memory_rdata_q[59:54] : (marks_first_s1_q ? memory_rdata_q[59:54] : 6'h0);
   logic [5:0] opinion_5;
-  assign opinion_5 = and_39 ? select_108 : 6'h0;
+  assign opinion_5 = and_40 ? select_109 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_110;
-  assign sum_110 = {1'b0, opinion_5} + 7'h27;
-  logic [5:0] select_111;
-  assign select_111 = sum_110[6] ? 6'h3f : sum_110[5:0];
+  logic [6:0] sum_111;
+  assign sum_111 = {1'b0, opinion_5} + 7'h27;
+  logic [5:0] select_112;
+  assign select_112 = sum_111[6] ? 6'h3f : sum_111[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_12;
-  assign price_12 = (select_111 < opinion_4) ? select_111 : opinion_4;
+  assign price_12 = (select_112 < opinion_4) ? select_112 : opinion_4;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_13;
-  assign price_13 = (select_87 < price_12) ? select_87 : price_12;
+  assign price_13 = (select_88 < price_12) ? select_88 : price_12;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_116;
-  assign sum_116 = {1'b0, sum_10_s1_q[10:2]} + {4'h0, price_13};
+  logic [9:0] sum_117;
+  assign sum_117 = {1'b0, sum_10_s1_q[10:2]} + {4'h0, price_13};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_118;
-  assign select_118 = ({sum_106, sum_11_s1_q[1:0]} < {sum_116, sum_10_s1_q[1:0]}) ? {sum_106, sum_11_s1_q[1:0]} : {sum_116, sum_10_s1_q[1:0]};
+  logic [11:0] select_119;
+  assign select_119 = ({sum_107, sum_11_s1_q[1:0]} < {sum_117, sum_10_s1_q[1:0]}) ? {sum_107, sum_11_s1_q[1:0]} : {sum_117, sum_10_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_120;
-  assign select_120 = running_s1_q ? memory_rdata_q[53:48] : (marks_first_s1_q ? memory_rdata_q[53:48] : 6'h0);
+  logic [5:0] select_121;
+  assign select_121 = running_s1_q ? memory_rdata_q[53:48] : (marks_first_s1_q ? memory_rdata_q[53:48] : 6'h0);
   logic [5:0] opinion_6;
-  assign opinion_6 = and_39 ? select_120 : 6'h0;
+  assign opinion_6 = and_40 ? select_121 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_122;
-  assign sum_122 = {1'b0, opinion_6} + 7'h27;
-  logic [5:0] select_123;
-  assign select_123 = sum_122[6] ? 6'h3f : sum_122[5:0];
+  logic [6:0] sum_123;
+  assign sum_123 = {1'b0, opinion_6} + 7'h27;
+  logic [5:0] select_124;
+  assign select_124 = sum_123[6] ? 6'h3f : sum_123[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_14;
-  assign price_14 = (select_123 < opinion_5) ? select_123 : opinion_5;
+  assign price_14 = (select_124 < opinion_5) ? select_124 : opinion_5;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_15;
-  assign price_15 = (select_101 < price_14) ? select_101 : price_14;
+  assign price_15 = (select_102 < price_14) ? select_102 : price_14;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_128;
-  assign sum_128 = {1'b0, sum_9_s1_q[10:2]} + {4'h0, price_15};
+  logic [9:0] sum_129;
+  assign sum_129 = {1'b0, sum_9_s1_q[10:2]} + {4'h0, price_15};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_130;
-  assign select_130 = running_s1_q ? memory_rdata_q[47:42] : (marks_first_s1_q ? memory_rdata_q[47:42] : 6'h0);
+  logic [5:0] select_131;
+  assign select_131 = running_s1_q ? memory_rdata_q[47:42] : (marks_first_s1_q ? memory_rdata_q[47:42] : 6'h0);
   logic [5:0] opinion_7;
-  assign opinion_7 = and_39 ? select_130 : 6'h0;
+  assign opinion_7 = and_40 ? select_131 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_132;
-  assign sum_132 = {1'b0, opinion_7} + 7'h27;
-  logic [5:0] select_133;
-  assign select_133 = sum_132[6] ? 6'h3f : sum_132[5:0];
+  logic [6:0] sum_133;
+  assign sum_133 = {1'b0, opinion_7} + 7'h27;
+  logic [5:0] select_134;
+  assign select_134 = sum_133[6] ? 6'h3f : sum_133[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_16;
-  assign price_16 = (select_133 < opinion_6) ? select_133 : opinion_6;
+  assign price_16 = (select_134 < opinion_6) ? select_134 : opinion_6;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_17;
-  assign price_17 = (select_111 < price_16) ? select_111 : price_16;
+  assign price_17 = (select_112 < price_16) ? select_112 : price_16;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_138;
-  assign sum_138 = {1'b0, sum_8_s1_q[10:2]} + {4'h0, price_17};
+  logic [9:0] sum_139;
+  assign sum_139 = {1'b0, sum_8_s1_q[10:2]} + {4'h0, price_17};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_140;
-  assign select_140 = ({sum_128, sum_9_s1_q[1:0]} < {sum_138, sum_8_s1_q[1:0]}) ? {sum_128, sum_9_s1_q[1:0]} : {sum_138, sum_8_s1_q[1:0]};
+  logic [11:0] select_141;
+  assign select_141 = ({sum_129, sum_9_s1_q[1:0]} < {sum_139, sum_8_s1_q[1:0]}) ? {sum_129, sum_9_s1_q[1:0]} : {sum_139, sum_8_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_146;
-  assign select_146 = running_s1_q ? memory_rdata_q[41:36] : (marks_first_s1_q ? memory_rdata_q[41:36] : 6'h0);
+  logic [5:0] select_147;
+  assign select_147 = running_s1_q ? memory_rdata_q[41:36] : (marks_first_s1_q ? memory_rdata_q[41:36] : 6'h0);
   logic [5:0] opinion_8;
-  assign opinion_8 = and_39 ? select_146 : 6'h0;
+  assign opinion_8 = and_40 ? select_147 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_148;
-  assign sum_148 = {1'b0, opinion_8} + 7'h27;
-  logic [5:0] select_149;
-  assign select_149 = sum_148[6] ? 6'h3f : sum_148[5:0];
+  logic [6:0] sum_149;
+  assign sum_149 = {1'b0, opinion_8} + 7'h27;
+  logic [5:0] select_150;
+  assign select_150 = sum_149[6] ? 6'h3f : sum_149[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_18;
-  assign price_18 = (select_149 < opinion_7) ? select_149 : opinion_7;
+  assign price_18 = (select_150 < opinion_7) ? select_150 : opinion_7;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_19;
-  assign price_19 = (select_123 < price_18) ? select_123 : price_18;
+  assign price_19 = (select_124 < price_18) ? select_124 : price_18;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_154;
-  assign sum_154 = {1'b0, sum_7_s1_q[10:2]} + {4'h0, price_19};
+  logic [9:0] sum_155;
+  assign sum_155 = {1'b0, sum_7_s1_q[10:2]} + {4'h0, price_19};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_156;
-  assign select_156 = running_s1_q ? memory_rdata_q[35:30] : (marks_first_s1_q ? memory_rdata_q[35:30] : 6'h0);
+  logic [5:0] select_157;
+  assign select_157 = running_s1_q ? memory_rdata_q[35:30] : (marks_first_s1_q ? memory_rdata_q[35:30] : 6'h0);
   logic [5:0] opinion_9;
-  assign opinion_9 = and_39 ? select_156 : 6'h0;
+  assign opinion_9 = and_40 ? select_157 : 6'h0;
   // hls/stages/plane_paths.hpp:105
-  logic [6:0] sum_158;
-  assign sum_158 = {1'b0, opinion_9} + 7'h27;
-  logic [5:0] select_159;
-  assign select_159 = sum_158[6] ? 6'h3f : sum_158[5:0];
+  logic [6:0] sum_159;
+  assign sum_159 = {1'b0, opinion_9} + 7'h27;
+  logic [5:0] select_160;
+  assign select_160 = sum_159[6] ? 6'h3f : sum_159[5:0];
   // hls/stages/plane_paths.hpp:89
   logic [5:0] price_20;
-  assign price_20 = (select_159 < opinion_8) ? select_159 : opinion_8;
+  assign price_20 = (select_160 < opinion_8) ? select_160 : opinion_8;
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_21;
-  assign price_21 = (select_133 < price_20) ? select_133 : price_20;
+  assign price_21 = (select_134 < price_20) ? select_134 : price_20;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_164;
-  assign sum_164 = {1'b0, sum_6_s1_q[10:2]} + {4'h0, price_21};
+  logic [9:0] sum_165;
+  assign sum_165 = {1'b0, sum_6_s1_q[10:2]} + {4'h0, price_21};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_166;
-  assign select_166 = ({sum_154, sum_7_s1_q[1:0]} < {sum_164, sum_6_s1_q[1:0]}) ? {sum_154, sum_7_s1_q[1:0]} : {sum_164, sum_6_s1_q[1:0]};
+  logic [11:0] select_167;
+  assign select_167 = ({sum_155, sum_7_s1_q[1:0]} < {sum_165, sum_6_s1_q[1:0]}) ? {sum_155, sum_7_s1_q[1:0]} : {sum_165, sum_6_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:90
   logic [5:0] price_22;
-  assign price_22 = (select_149 < opinion_9) ? select_149 : opinion_9;
+  assign price_22 = (select_150 < opinion_9) ? select_150 : opinion_9;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_169;
-  assign sum_169 = {1'b0, sum_5_s1_q[10:2]} + {4'h0, price_22};
+  logic [9:0] sum_170;
+  assign sum_170 = {1'b0, sum_5_s1_q[10:2]} + {4'h0, price_22};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_171;
-  assign select_171 = running_s1_q ? memory_rdata_q[29:24] : (marks_first_s1_q ? memory_rdata_q[29:24] : 6'h0);
+  logic [5:0] select_172;
+  assign select_172 = running_s1_q ? memory_rdata_q[29:24] : (marks_first_s1_q ? memory_rdata_q[29:24] : 6'h0);
   logic [5:0] price_23;
-  assign price_23 = and_39 ? select_171 : 6'h0;
+  assign price_23 = and_40 ? select_172 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_173;
-  assign sum_173 = {1'b0, sum_4_s1_q[10:2]} + {4'h0, price_23};
+  logic [9:0] sum_174;
+  assign sum_174 = {1'b0, sum_4_s1_q[10:2]} + {4'h0, price_23};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_175;
-  assign select_175 = ({sum_169, sum_5_s1_q[1:0]} < {sum_173, sum_4_s1_q[1:0]}) ? {sum_169, sum_5_s1_q[1:0]} : {sum_173, sum_4_s1_q[1:0]};
+  logic [11:0] select_176;
+  assign select_176 = ({sum_170, sum_5_s1_q[1:0]} < {sum_174, sum_4_s1_q[1:0]}) ? {sum_170, sum_5_s1_q[1:0]} : {sum_174, sum_4_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_179;
-  assign select_179 = running_s1_q ? memory_rdata_q[23:18] : (marks_first_s1_q ? memory_rdata_q[23:18] : 6'h0);
+  logic [5:0] select_180;
+  assign select_180 = running_s1_q ? memory_rdata_q[23:18] : (marks_first_s1_q ? memory_rdata_q[23:18] : 6'h0);
   logic [5:0] price_24;
-  assign price_24 = and_39 ? select_179 : 6'h0;
+  assign price_24 = and_40 ? select_180 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_181;
-  assign sum_181 = {1'b0, sum_3_s1_q[10:2]} + {4'h0, price_24};
+  logic [9:0] sum_182;
+  assign sum_182 = {1'b0, sum_3_s1_q[10:2]} + {4'h0, price_24};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_183;
-  assign select_183 = running_s1_q ? memory_rdata_q[17:12] : (marks_first_s1_q ? memory_rdata_q[17:12] : 6'h0);
+  logic [5:0] select_184;
+  assign select_184 = running_s1_q ? memory_rdata_q[17:12] : (marks_first_s1_q ? memory_rdata_q[17:12] : 6'h0);
   logic [5:0] price_25;
-  assign price_25 = and_39 ? select_183 : 6'h0;
+  assign price_25 = and_40 ? select_184 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_185;
-  assign sum_185 = {1'b0, sum_2_s1_q[10:2]} + {4'h0, price_25};
+  logic [9:0] sum_186;
+  assign sum_186 = {1'b0, sum_2_s1_q[10:2]} + {4'h0, price_25};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_187;
-  assign select_187 = ({sum_181, sum_3_s1_q[1:0]} < {sum_185, sum_2_s1_q[1:0]}) ? {sum_181, sum_3_s1_q[1:0]} : {sum_185, sum_2_s1_q[1:0]};
+  logic [11:0] select_188;
+  assign select_188 = ({sum_182, sum_3_s1_q[1:0]} < {sum_186, sum_2_s1_q[1:0]}) ? {sum_182, sum_3_s1_q[1:0]} : {sum_186, sum_2_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
-  logic [5:0] select_189;
-  assign select_189 = running_s1_q ? memory_rdata_q[11:6] : (marks_first_s1_q ? memory_rdata_q[11:6] : 6'h0);
+  logic [5:0] select_190;
+  assign select_190 = running_s1_q ? memory_rdata_q[11:6] : (marks_first_s1_q ? memory_rdata_q[11:6] : 6'h0);
   logic [5:0] price_26;
-  assign price_26 = and_39 ? select_189 : 6'h0;
+  assign price_26 = and_40 ? select_190 : 6'h0;
   // hls/stages/plane_paths.hpp:91
-  logic [9:0] sum_191;
-  assign sum_191 = {1'b0, sum_1_s1_q[10:2]} + {4'h0, price_26};
+  logic [9:0] sum_192;
+  assign sum_192 = {1'b0, sum_1_s1_q[10:2]} + {4'h0, price_26};
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_193;
-  assign select_193 = ({sum_191, sum_1_s1_q[1:0]} < {sum_43, sum_0_s1_q[1:0]}) ? {sum_191, sum_1_s1_q[1:0]} : {sum_43, sum_0_s1_q[1:0]};
+  logic [11:0] select_194;
+  assign select_194 = ({sum_192, sum_1_s1_q[1:0]} < {sum_44, sum_0_s1_q[1:0]}) ? {sum_192, sum_1_s1_q[1:0]} : {sum_44, sum_0_s1_q[1:0]};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_39;
+      raster_rows_q <= raster_row_ended_q | and_40;
     end
   end
 
@@ -525,33 +526,33 @@ module horopter_plane_paths (
   logic marks_last_s2_q;
   logic marks_seen_s2_q;
   logic marks_nearer_s2_q;
-  logic [9:0] select_34_s2_q;
-  logic [9:0] sum_43_s2_q;
-  logic [9:0] sum_47_s2_q;
-  logic [9:0] sum_51_s2_q;
-  logic [9:0] sum_55_s2_q;
-  logic [9:0] sum_63_s2_q;
-  logic [9:0] sum_67_s2_q;
-  logic [9:0] sum_80_s2_q;
-  logic [9:0] sum_92_s2_q;
-  logic [11:0] select_96_s2_q;
-  logic [9:0] sum_106_s2_q;
-  logic [9:0] sum_116_s2_q;
-  logic [9:0] sum_128_s2_q;
-  logic [9:0] sum_138_s2_q;
-  logic [11:0] select_142_s2_q;
-  logic [9:0] sum_154_s2_q;
-  logic [9:0] sum_164_s2_q;
-  logic [9:0] sum_169_s2_q;
-  logic [9:0] sum_173_s2_q;
-  logic [11:0] select_177_s2_q;
-  logic [9:0] sum_181_s2_q;
-  logic [9:0] sum_185_s2_q;
-  logic [9:0] sum_191_s2_q;
-  logic [11:0] select_195_s2_q;
-  logic select_317_s2_q;
-  logic less_358_s2_q;
-  logic and_360_s2_q;
+  logic [9:0] select_35_s2_q;
+  logic [9:0] sum_44_s2_q;
+  logic [9:0] sum_48_s2_q;
+  logic [9:0] sum_52_s2_q;
+  logic [9:0] sum_56_s2_q;
+  logic [9:0] sum_64_s2_q;
+  logic [9:0] sum_68_s2_q;
+  logic [9:0] sum_81_s2_q;
+  logic [9:0] sum_93_s2_q;
+  logic [11:0] select_97_s2_q;
+  logic [9:0] sum_107_s2_q;
+  logic [9:0] sum_117_s2_q;
+  logic [9:0] sum_129_s2_q;
+  logic [9:0] sum_139_s2_q;
+  logic [11:0] select_143_s2_q;
+  logic [9:0] sum_155_s2_q;
+  logic [9:0] sum_165_s2_q;
+  logic [9:0] sum_170_s2_q;
+  logic [9:0] sum_174_s2_q;
+  logic [11:0] select_178_s2_q;
+  logic [9:0] sum_182_s2_q;
+  logic [9:0] sum_186_s2_q;
+  logic [9:0] sum_192_s2_q;
+  logic [11:0] select_196_s2_q;
+  logic select_318_s2_q;
+  logic not_360_s2_q;
+  logic and_362_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       sum_0_s2_q <= sum_0_s1_q[1:0];
@@ -580,248 +581,248 @@ module horopter_plane_paths (
       marks_last_s2_q <= raster_row_ended_q;
       marks_seen_s2_q <= marks_seen_s1_q;
       marks_nearer_s2_q <= marks_nearer_s1_q;
-      select_34_s2_q <= raster_column_q;
-      sum_43_s2_q <= sum_43;
-      sum_47_s2_q <= {1'b0, sum_18_s1_q[10:2]} + {4'h0, price_2};
-      sum_51_s2_q <= {1'b0, sum_17_s1_q[10:2]} + {4'h0, price_3};
-      sum_55_s2_q <= {1'b0, sum_16_s1_q[10:2]} + {4'h0, price_4};
-      sum_63_s2_q <= sum_63;
-      sum_67_s2_q <= sum_67;
-      sum_80_s2_q <= sum_80;
-      sum_92_s2_q <= sum_92;
-      select_96_s2_q <= (select_69 < select_94) ? select_69 : select_94;
-      sum_106_s2_q <= sum_106;
-      sum_116_s2_q <= sum_116;
-      sum_128_s2_q <= sum_128;
-      sum_138_s2_q <= sum_138;
-      select_142_s2_q <= (select_118 < select_140) ? select_118 : select_140;
-      sum_154_s2_q <= sum_154;
-      sum_164_s2_q <= sum_164;
-      sum_169_s2_q <= sum_169;
-      sum_173_s2_q <= sum_173;
-      select_177_s2_q <= (select_166 < select_175) ? select_166 : select_175;
-      sum_181_s2_q <= sum_181;
-      sum_185_s2_q <= sum_185;
-      sum_191_s2_q <= sum_191;
-      select_195_s2_q <= (select_187 < select_193) ? select_187 : select_193;
-      select_317_s2_q <= running_q;
-      less_358_s2_q <= less_358_s1_q;
-      and_360_s2_q <= and_360_s1_q;
+      select_35_s2_q <= raster_column_q;
+      sum_44_s2_q <= sum_44;
+      sum_48_s2_q <= {1'b0, sum_18_s1_q[10:2]} + {4'h0, price_2};
+      sum_52_s2_q <= {1'b0, sum_17_s1_q[10:2]} + {4'h0, price_3};
+      sum_56_s2_q <= {1'b0, sum_16_s1_q[10:2]} + {4'h0, price_4};
+      sum_64_s2_q <= sum_64;
+      sum_68_s2_q <= sum_68;
+      sum_81_s2_q <= sum_81;
+      sum_93_s2_q <= sum_93;
+      select_97_s2_q <= (select_70 < select_95) ? select_70 : select_95;
+      sum_107_s2_q <= sum_107;
+      sum_117_s2_q <= sum_117;
+      sum_129_s2_q <= sum_129;
+      sum_139_s2_q <= sum_139;
+      select_143_s2_q <= (select_119 < select_141) ? select_119 : select_141;
+      sum_155_s2_q <= sum_155;
+      sum_165_s2_q <= sum_165;
+      sum_170_s2_q <= sum_170;
+      sum_174_s2_q <= sum_174;
+      select_178_s2_q <= (select_167 < select_176) ? select_167 : select_176;
+      sum_182_s2_q <= sum_182;
+      sum_186_s2_q <= sum_186;
+      sum_192_s2_q <= sum_192;
+      select_196_s2_q <= (select_188 < select_194) ? select_188 : select_194;
+      select_318_s2_q <= running_q;
+      not_360_s2_q <= not_360_s1_q;
+      and_362_s2_q <= and_362_s1_q;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   // hls/stages/plane_paths.hpp:113
-  logic [11:0] select_57;
-  assign select_57 = ({sum_51_s2_q, sum_17_s2_q} < {sum_55_s2_q, sum_16_s2_q}) ? {sum_51_s2_q, sum_17_s2_q} : {sum_55_s2_q, sum_16_s2_q};
-  logic [11:0] select_59;
-  assign select_59 = ({sum_47_s2_q, sum_18_s2_q} < select_57) ? {sum_47_s2_q, sum_18_s2_q} : select_57;
-  logic [11:0] select_144;
-  assign select_144 = (select_96_s2_q < select_142_s2_q) ? select_96_s2_q : select_142_s2_q;
-  logic [11:0] select_197;
-  assign select_197 = (select_177_s2_q < select_195_s2_q) ? select_177_s2_q : select_195_s2_q;
-  logic [11:0] select_199;
-  assign select_199 = (select_144 < select_197) ? select_144 : select_197;
+  logic [11:0] select_58;
+  assign select_58 = ({sum_52_s2_q, sum_17_s2_q} < {sum_56_s2_q, sum_16_s2_q}) ? {sum_52_s2_q, sum_17_s2_q} : {sum_56_s2_q, sum_16_s2_q};
+  logic [11:0] select_60;
+  assign select_60 = ({sum_48_s2_q, sum_18_s2_q} < select_58) ? {sum_48_s2_q, sum_18_s2_q} : select_58;
+  logic [11:0] select_145;
+  assign select_145 = (select_97_s2_q < select_143_s2_q) ? select_97_s2_q : select_143_s2_q;
+  logic [11:0] select_198;
+  assign select_198 = (select_178_s2_q < select_196_s2_q) ? select_178_s2_q : select_196_s2_q;
+  logic [11:0] select_200;
+  assign select_200 = (select_145 < select_198) ? select_145 : select_198;
   logic [11:0] best;
-  assign best = (select_59 < select_199) ? select_59 : select_199;
+  assign best = (select_60 < select_200) ? select_60 : select_200;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_202;
-  assign difference_202 = {sum_43_s2_q, sum_0_s2_q} - best;
+  logic [11:0] difference_203;
+  assign difference_203 = {sum_44_s2_q, sum_0_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_204;
-  assign select_204 = (difference_202[11:8] == 4'h0) ? difference_202[7:2] : 6'h3f;
-  logic [6:0] sum_205;
-  assign sum_205 = {1'b0, select_204} + 7'h3;
-  logic [5:0] select_207;
-  assign select_207 = known_s2_q ? (select_204 - {1'b0, sum_205[6:2]}) : 6'h0;
+  logic [5:0] select_205;
+  assign select_205 = (difference_203[11:8] == 4'h0) ? difference_203[7:2] : 6'h3f;
+  logic [6:0] sum_206;
+  assign sum_206 = {1'b0, select_205} + 7'h3;
+  logic [5:0] select_208;
+  assign select_208 = known_s2_q ? (select_205 - {1'b0, sum_206[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_208;
-  assign difference_208 = {sum_191_s2_q, sum_1_s2_q} - best;
+  logic [11:0] difference_209;
+  assign difference_209 = {sum_192_s2_q, sum_1_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_210;
-  assign select_210 = (difference_208[11:8] == 4'h0) ? difference_208[7:2] : 6'h3f;
-  logic [6:0] sum_211;
-  assign sum_211 = {1'b0, select_210} + 7'h3;
-  logic [5:0] select_213;
-  assign select_213 = known_s2_q ? (select_210 - {1'b0, sum_211[6:2]}) : 6'h0;
+  logic [5:0] select_211;
+  assign select_211 = (difference_209[11:8] == 4'h0) ? difference_209[7:2] : 6'h3f;
+  logic [6:0] sum_212;
+  assign sum_212 = {1'b0, select_211} + 7'h3;
+  logic [5:0] select_214;
+  assign select_214 = known_s2_q ? (select_211 - {1'b0, sum_212[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_214;
-  assign difference_214 = {sum_185_s2_q, sum_2_s2_q} - best;
+  logic [11:0] difference_215;
+  assign difference_215 = {sum_186_s2_q, sum_2_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_216;
-  assign select_216 = (difference_214[11:8] == 4'h0) ? difference_214[7:2] : 6'h3f;
-  logic [6:0] sum_217;
-  assign sum_217 = {1'b0, select_216} + 7'h3;
-  logic [5:0] select_219;
-  assign select_219 = known_s2_q ? (select_216 - {1'b0, sum_217[6:2]}) : 6'h0;
+  logic [5:0] select_217;
+  assign select_217 = (difference_215[11:8] == 4'h0) ? difference_215[7:2] : 6'h3f;
+  logic [6:0] sum_218;
+  assign sum_218 = {1'b0, select_217} + 7'h3;
+  logic [5:0] select_220;
+  assign select_220 = known_s2_q ? (select_217 - {1'b0, sum_218[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_220;
-  assign difference_220 = {sum_181_s2_q, sum_3_s2_q} - best;
+  logic [11:0] difference_221;
+  assign difference_221 = {sum_182_s2_q, sum_3_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_222;
-  assign select_222 = (difference_220[11:8] == 4'h0) ? difference_220[7:2] : 6'h3f;
-  logic [6:0] sum_223;
-  assign sum_223 = {1'b0, select_222} + 7'h3;
-  logic [5:0] select_225;
-  assign select_225 = known_s2_q ? (select_222 - {1'b0, sum_223[6:2]}) : 6'h0;
+  logic [5:0] select_223;
+  assign select_223 = (difference_221[11:8] == 4'h0) ? difference_221[7:2] : 6'h3f;
+  logic [6:0] sum_224;
+  assign sum_224 = {1'b0, select_223} + 7'h3;
+  logic [5:0] select_226;
+  assign select_226 = known_s2_q ? (select_223 - {1'b0, sum_224[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_226;
-  assign difference_226 = {sum_173_s2_q, sum_4_s2_q} - best;
+  logic [11:0] difference_227;
+  assign difference_227 = {sum_174_s2_q, sum_4_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_228;
-  assign select_228 = (difference_226[11:8] == 4'h0) ? difference_226[7:2] : 6'h3f;
-  logic [6:0] sum_229;
-  assign sum_229 = {1'b0, select_228} + 7'h3;
-  logic [5:0] select_231;
-  assign select_231 = known_s2_q ? (select_228 - {1'b0, sum_229[6:2]}) : 6'h0;
+  logic [5:0] select_229;
+  assign select_229 = (difference_227[11:8] == 4'h0) ? difference_227[7:2] : 6'h3f;
+  logic [6:0] sum_230;
+  assign sum_230 = {1'b0, select_229} + 7'h3;
+  logic [5:0] select_232;
+  assign select_232 = known_s2_q ? (select_229 - {1'b0, sum_230[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_232;
-  assign difference_232 = {sum_169_s2_q, sum_5_s2_q} - best;
+  logic [11:0] difference_233;
+  assign difference_233 = {sum_170_s2_q, sum_5_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_234;
-  assign select_234 = (difference_232[11:8] == 4'h0) ? difference_232[7:2] : 6'h3f;
-  logic [6:0] sum_235;
-  assign sum_235 = {1'b0, select_234} + 7'h3;
-  logic [5:0] select_237;
-  assign select_237 = known_s2_q ? (select_234 - {1'b0, sum_235[6:2]}) : 6'h0;
+  logic [5:0] select_235;
+  assign select_235 = (difference_233[11:8] == 4'h0) ? difference_233[7:2] : 6'h3f;
+  logic [6:0] sum_236;
+  assign sum_236 = {1'b0, select_235} + 7'h3;
+  logic [5:0] select_238;
+  assign select_238 = known_s2_q ? (select_235 - {1'b0, sum_236[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_238;
-  assign difference_238 = {sum_164_s2_q, sum_6_s2_q} - best;
+  logic [11:0] difference_239;
+  assign difference_239 = {sum_165_s2_q, sum_6_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_240;
-  assign select_240 = (difference_238[11:8] == 4'h0) ? difference_238[7:2] : 6'h3f;
-  logic [6:0] sum_241;
-  assign sum_241 = {1'b0, select_240} + 7'h3;
-  logic [5:0] select_243;
-  assign select_243 = known_s2_q ? (select_240 - {1'b0, sum_241[6:2]}) : 6'h0;
+  logic [5:0] select_241;
+  assign select_241 = (difference_239[11:8] == 4'h0) ? difference_239[7:2] : 6'h3f;
+  logic [6:0] sum_242;
+  assign sum_242 = {1'b0, select_241} + 7'h3;
+  logic [5:0] select_244;
+  assign select_244 = known_s2_q ? (select_241 - {1'b0, sum_242[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_244;
-  assign difference_244 = {sum_154_s2_q, sum_7_s2_q} - best;
+  logic [11:0] difference_245;
+  assign difference_245 = {sum_155_s2_q, sum_7_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_246;
-  assign select_246 = (difference_244[11:8] == 4'h0) ? difference_244[7:2] : 6'h3f;
-  logic [6:0] sum_247;
-  assign sum_247 = {1'b0, select_246} + 7'h3;
-  logic [5:0] select_249;
-  assign select_249 = known_s2_q ? (select_246 - {1'b0, sum_247[6:2]}) : 6'h0;
+  logic [5:0] select_247;
+  assign select_247 = (difference_245[11:8] == 4'h0) ? difference_245[7:2] : 6'h3f;
+  logic [6:0] sum_248;
+  assign sum_248 = {1'b0, select_247} + 7'h3;
+  logic [5:0] select_250;
+  assign select_250 = known_s2_q ? (select_247 - {1'b0, sum_248[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_250;
-  assign difference_250 = {sum_138_s2_q, sum_8_s2_q} - best;
+  logic [11:0] difference_251;
+  assign difference_251 = {sum_139_s2_q, sum_8_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_252;
-  assign select_252 = (difference_250[11:8] == 4'h0) ? difference_250[7:2] : 6'h3f;
-  logic [6:0] sum_253;
-  assign sum_253 = {1'b0, select_252} + 7'h3;
-  logic [5:0] select_255;
-  assign select_255 = known_s2_q ? (select_252 - {1'b0, sum_253[6:2]}) : 6'h0;
+  logic [5:0] select_253;
+  assign select_253 = (difference_251[11:8] == 4'h0) ? difference_251[7:2] : 6'h3f;
+  logic [6:0] sum_254;
+  assign sum_254 = {1'b0, select_253} + 7'h3;
+  logic [5:0] select_256;
+  assign select_256 = known_s2_q ? (select_253 - {1'b0, sum_254[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_256;
-  assign difference_256 = {sum_128_s2_q, sum_9_s2_q} - best;
+  logic [11:0] difference_257;
+  assign difference_257 = {sum_129_s2_q, sum_9_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_258;
-  assign select_258 = (difference_256[11:8] == 4'h0) ? difference_256[7:2] : 6'h3f;
-  logic [6:0] sum_259;
-  assign sum_259 = {1'b0, select_258} + 7'h3;
-  logic [5:0] select_261;
-  assign select_261 = known_s2_q ? (select_258 - {1'b0, sum_259[6:2]}) : 6'h0;
+  logic [5:0] select_259;
+  assign select_259 = (difference_257[11:8] == 4'h0) ? difference_257[7:2] : 6'h3f;
+  logic [6:0] sum_260;
+  assign sum_260 = {1'b0, select_259} + 7'h3;
+  logic [5:0] select_262;
+  assign select_262 = known_s2_q ? (select_259 - {1'b0, sum_260[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_262;
-  assign difference_262 = {sum_116_s2_q, sum_10_s2_q} - best;
+  logic [11:0] difference_263;
+  assign difference_263 = {sum_117_s2_q, sum_10_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_264;
-  assign select_264 = (difference_262[11:8] == 4'h0) ? difference_262[7:2] : 6'h3f;
-  logic [6:0] sum_265;
-  assign sum_265 = {1'b0, select_264} + 7'h3;
-  logic [5:0] select_267;
-  assign select_267 = known_s2_q ? (select_264 - {1'b0, sum_265[6:2]}) : 6'h0;
+  logic [5:0] select_265;
+  assign select_265 = (difference_263[11:8] == 4'h0) ? difference_263[7:2] : 6'h3f;
+  logic [6:0] sum_266;
+  assign sum_266 = {1'b0, select_265} + 7'h3;
+  logic [5:0] select_268;
+  assign select_268 = known_s2_q ? (select_265 - {1'b0, sum_266[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_268;
-  assign difference_268 = {sum_106_s2_q, sum_11_s2_q} - best;
+  logic [11:0] difference_269;
+  assign difference_269 = {sum_107_s2_q, sum_11_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_270;
-  assign select_270 = (difference_268[11:8] == 4'h0) ? difference_268[7:2] : 6'h3f;
-  logic [6:0] sum_271;
-  assign sum_271 = {1'b0, select_270} + 7'h3;
-  logic [5:0] select_273;
-  assign select_273 = known_s2_q ? (select_270 - {1'b0, sum_271[6:2]}) : 6'h0;
+  logic [5:0] select_271;
+  assign select_271 = (difference_269[11:8] == 4'h0) ? difference_269[7:2] : 6'h3f;
+  logic [6:0] sum_272;
+  assign sum_272 = {1'b0, select_271} + 7'h3;
+  logic [5:0] select_274;
+  assign select_274 = known_s2_q ? (select_271 - {1'b0, sum_272[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_274;
-  assign difference_274 = {sum_92_s2_q, sum_12_s2_q} - best;
+  logic [11:0] difference_275;
+  assign difference_275 = {sum_93_s2_q, sum_12_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_276;
-  assign select_276 = (difference_274[11:8] == 4'h0) ? difference_274[7:2] : 6'h3f;
-  logic [6:0] sum_277;
-  assign sum_277 = {1'b0, select_276} + 7'h3;
-  logic [5:0] select_279;
-  assign select_279 = known_s2_q ? (select_276 - {1'b0, sum_277[6:2]}) : 6'h0;
+  logic [5:0] select_277;
+  assign select_277 = (difference_275[11:8] == 4'h0) ? difference_275[7:2] : 6'h3f;
+  logic [6:0] sum_278;
+  assign sum_278 = {1'b0, select_277} + 7'h3;
+  logic [5:0] select_280;
+  assign select_280 = known_s2_q ? (select_277 - {1'b0, sum_278[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_280;
-  assign difference_280 = {sum_80_s2_q, sum_13_s2_q} - best;
+  logic [11:0] difference_281;
+  assign difference_281 = {sum_81_s2_q, sum_13_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_282;
-  assign select_282 = (difference_280[11:8] == 4'h0) ? difference_280[7:2] : 6'h3f;
-  logic [6:0] sum_283;
-  assign sum_283 = {1'b0, select_282} + 7'h3;
-  logic [5:0] select_285;
-  assign select_285 = known_s2_q ? (select_282 - {1'b0, sum_283[6:2]}) : 6'h0;
+  logic [5:0] select_283;
+  assign select_283 = (difference_281[11:8] == 4'h0) ? difference_281[7:2] : 6'h3f;
+  logic [6:0] sum_284;
+  assign sum_284 = {1'b0, select_283} + 7'h3;
+  logic [5:0] select_286;
+  assign select_286 = known_s2_q ? (select_283 - {1'b0, sum_284[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_286;
-  assign difference_286 = {sum_67_s2_q, sum_14_s2_q} - best;
+  logic [11:0] difference_287;
+  assign difference_287 = {sum_68_s2_q, sum_14_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_288;
-  assign select_288 = (difference_286[11:8] == 4'h0) ? difference_286[7:2] : 6'h3f;
-  logic [6:0] sum_289;
-  assign sum_289 = {1'b0, select_288} + 7'h3;
-  logic [5:0] select_291;
-  assign select_291 = known_s2_q ? (select_288 - {1'b0, sum_289[6:2]}) : 6'h0;
+  logic [5:0] select_289;
+  assign select_289 = (difference_287[11:8] == 4'h0) ? difference_287[7:2] : 6'h3f;
+  logic [6:0] sum_290;
+  assign sum_290 = {1'b0, select_289} + 7'h3;
+  logic [5:0] select_292;
+  assign select_292 = known_s2_q ? (select_289 - {1'b0, sum_290[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_292;
-  assign difference_292 = {sum_63_s2_q, sum_15_s2_q} - best;
+  logic [11:0] difference_293;
+  assign difference_293 = {sum_64_s2_q, sum_15_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_294;
-  assign select_294 = (difference_292[11:8] == 4'h0) ? difference_292[7:2] : 6'h3f;
-  logic [6:0] sum_295;
-  assign sum_295 = {1'b0, select_294} + 7'h3;
-  logic [5:0] select_297;
-  assign select_297 = known_s2_q ? (select_294 - {1'b0, sum_295[6:2]}) : 6'h0;
+  logic [5:0] select_295;
+  assign select_295 = (difference_293[11:8] == 4'h0) ? difference_293[7:2] : 6'h3f;
+  logic [6:0] sum_296;
+  assign sum_296 = {1'b0, select_295} + 7'h3;
+  logic [5:0] select_298;
+  assign select_298 = known_s2_q ? (select_295 - {1'b0, sum_296[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_298;
-  assign difference_298 = {sum_55_s2_q, sum_16_s2_q} - best;
+  logic [11:0] difference_299;
+  assign difference_299 = {sum_56_s2_q, sum_16_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_300;
-  assign select_300 = (difference_298[11:8] == 4'h0) ? difference_298[7:2] : 6'h3f;
-  logic [6:0] sum_301;
-  assign sum_301 = {1'b0, select_300} + 7'h3;
-  logic [5:0] select_303;
-  assign select_303 = known_s2_q ? (select_300 - {1'b0, sum_301[6:2]}) : 6'h0;
+  logic [5:0] select_301;
+  assign select_301 = (difference_299[11:8] == 4'h0) ? difference_299[7:2] : 6'h3f;
+  logic [6:0] sum_302;
+  assign sum_302 = {1'b0, select_301} + 7'h3;
+  logic [5:0] select_304;
+  assign select_304 = known_s2_q ? (select_301 - {1'b0, sum_302[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_304;
-  assign difference_304 = {sum_51_s2_q, sum_17_s2_q} - best;
+  logic [11:0] difference_305;
+  assign difference_305 = {sum_52_s2_q, sum_17_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_306;
-  assign select_306 = (difference_304[11:8] == 4'h0) ? difference_304[7:2] : 6'h3f;
-  logic [6:0] sum_307;
-  assign sum_307 = {1'b0, select_306} + 7'h3;
-  logic [5:0] select_309;
-  assign select_309 = known_s2_q ? (select_306 - {1'b0, sum_307[6:2]}) : 6'h0;
+  logic [5:0] select_307;
+  assign select_307 = (difference_305[11:8] == 4'h0) ? difference_305[7:2] : 6'h3f;
+  logic [6:0] sum_308;
+  assign sum_308 = {1'b0, select_307} + 7'h3;
+  logic [5:0] select_310;
+  assign select_310 = known_s2_q ? (select_307 - {1'b0, sum_308[6:2]}) : 6'h0;
   // hls/stages/plane_paths.hpp:96
-  logic [11:0] difference_310;
-  assign difference_310 = {sum_47_s2_q, sum_18_s2_q} - best;
+  logic [11:0] difference_311;
+  assign difference_311 = {sum_48_s2_q, sum_18_s2_q} - best;
   // hls/stages/plane_paths.hpp:97
-  logic [5:0] select_312;
-  assign select_312 = (difference_310[11:8] == 4'h0) ? difference_310[7:2] : 6'h3f;
-  logic [6:0] sum_313;
-  assign sum_313 = {1'b0, select_312} + 7'h3;
-  logic [5:0] select_315;
-  assign select_315 = known_s2_q ? (select_312 - {1'b0, sum_313[6:2]}) : 6'h0;
+  logic [5:0] select_313;
+  assign select_313 = (difference_311[11:8] == 4'h0) ? difference_311[7:2] : 6'h3f;
+  logic [6:0] sum_314;
+  assign sum_314 = {1'b0, select_313} + 7'h3;
+  logic [5:0] select_316;
+  assign select_316 = known_s2_q ? (select_313 - {1'b0, sum_314[6:2]}) : 6'h0;
 
   // Memory memory, write
   logic [9:0] memory_waddr;
-  assign memory_waddr = select_34_s2_q;
+  assign memory_waddr = select_35_s2_q;
   logic memory_we;
-  assign memory_we = s2_en & select_317_s2_q;
+  assign memory_we = s2_en & select_318_s2_q;
   logic [113:0] memory_wdata;
-  assign memory_wdata = {select_315, select_309, select_303, select_297, select_291, select_285, select_279, select_273, select_267, select_261, select_255, select_249, select_243, select_237, select_231, select_225, select_219, select_213, select_207};
+  assign memory_wdata = {select_316, select_310, select_304, select_298, select_292, select_286, select_280, select_274, select_268, select_262, select_256, select_250, select_244, select_238, select_232, select_226, select_220, select_214, select_208};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {^memory_wdata, memory_wdata};
   end
@@ -876,27 +877,27 @@ module horopter_plane_paths (
   logic marks_last_s3_q;
   logic marks_seen_s3_q;
   logic marks_nearer_s3_q;
-  logic [9:0] sum_43_s3_q;
-  logic [9:0] sum_47_s3_q;
-  logic [9:0] sum_51_s3_q;
-  logic [9:0] sum_55_s3_q;
-  logic [9:0] sum_63_s3_q;
-  logic [9:0] sum_67_s3_q;
-  logic [9:0] sum_80_s3_q;
-  logic [9:0] sum_92_s3_q;
-  logic [9:0] sum_106_s3_q;
-  logic [9:0] sum_116_s3_q;
-  logic [9:0] sum_128_s3_q;
-  logic [9:0] sum_138_s3_q;
-  logic [9:0] sum_154_s3_q;
-  logic [9:0] sum_164_s3_q;
-  logic [9:0] sum_169_s3_q;
-  logic [9:0] sum_173_s3_q;
-  logic [9:0] sum_181_s3_q;
-  logic [9:0] sum_185_s3_q;
-  logic [9:0] sum_191_s3_q;
-  logic less_358_s3_q;
-  logic and_360_s3_q;
+  logic [9:0] sum_44_s3_q;
+  logic [9:0] sum_48_s3_q;
+  logic [9:0] sum_52_s3_q;
+  logic [9:0] sum_56_s3_q;
+  logic [9:0] sum_64_s3_q;
+  logic [9:0] sum_68_s3_q;
+  logic [9:0] sum_81_s3_q;
+  logic [9:0] sum_93_s3_q;
+  logic [9:0] sum_107_s3_q;
+  logic [9:0] sum_117_s3_q;
+  logic [9:0] sum_129_s3_q;
+  logic [9:0] sum_139_s3_q;
+  logic [9:0] sum_155_s3_q;
+  logic [9:0] sum_165_s3_q;
+  logic [9:0] sum_170_s3_q;
+  logic [9:0] sum_174_s3_q;
+  logic [9:0] sum_182_s3_q;
+  logic [9:0] sum_186_s3_q;
+  logic [9:0] sum_192_s3_q;
+  logic not_360_s3_q;
+  logic and_362_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       sum_0_s3_q <= sum_0_s2_q;
@@ -925,27 +926,27 @@ module horopter_plane_paths (
       marks_last_s3_q <= marks_last_s2_q;
       marks_seen_s3_q <= marks_seen_s2_q;
       marks_nearer_s3_q <= marks_nearer_s2_q;
-      sum_43_s3_q <= sum_43_s2_q;
-      sum_47_s3_q <= sum_47_s2_q;
-      sum_51_s3_q <= sum_51_s2_q;
-      sum_55_s3_q <= sum_55_s2_q;
-      sum_63_s3_q <= sum_63_s2_q;
-      sum_67_s3_q <= sum_67_s2_q;
-      sum_80_s3_q <= sum_80_s2_q;
-      sum_92_s3_q <= sum_92_s2_q;
-      sum_106_s3_q <= sum_106_s2_q;
-      sum_116_s3_q <= sum_116_s2_q;
-      sum_128_s3_q <= sum_128_s2_q;
-      sum_138_s3_q <= sum_138_s2_q;
-      sum_154_s3_q <= sum_154_s2_q;
-      sum_164_s3_q <= sum_164_s2_q;
-      sum_169_s3_q <= sum_169_s2_q;
-      sum_173_s3_q <= sum_173_s2_q;
-      sum_181_s3_q <= sum_181_s2_q;
-      sum_185_s3_q <= sum_185_s2_q;
-      sum_191_s3_q <= sum_191_s2_q;
-      less_358_s3_q <= less_358_s2_q;
-      and_360_s3_q <= and_360_s2_q;
+      sum_44_s3_q <= sum_44_s2_q;
+      sum_48_s3_q <= sum_48_s2_q;
+      sum_52_s3_q <= sum_52_s2_q;
+      sum_56_s3_q <= sum_56_s2_q;
+      sum_64_s3_q <= sum_64_s2_q;
+      sum_68_s3_q <= sum_68_s2_q;
+      sum_81_s3_q <= sum_81_s2_q;
+      sum_93_s3_q <= sum_93_s2_q;
+      sum_107_s3_q <= sum_107_s2_q;
+      sum_117_s3_q <= sum_117_s2_q;
+      sum_129_s3_q <= sum_129_s2_q;
+      sum_139_s3_q <= sum_139_s2_q;
+      sum_155_s3_q <= sum_155_s2_q;
+      sum_165_s3_q <= sum_165_s2_q;
+      sum_170_s3_q <= sum_170_s2_q;
+      sum_174_s3_q <= sum_174_s2_q;
+      sum_182_s3_q <= sum_182_s2_q;
+      sum_186_s3_q <= sum_186_s2_q;
+      sum_192_s3_q <= sum_192_s2_q;
+      not_360_s3_q <= not_360_s2_q;
+      and_362_s3_q <= and_362_s2_q;
     end
   end
 
@@ -953,29 +954,29 @@ module horopter_plane_paths (
   always_ff @(posedge clk_i) parity_error_o <= rst_ni & (memory_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign cost_0_o = {sum_43_s3_q, sum_0_s3_q};
-  assign cost_1_o = {sum_191_s3_q, sum_1_s3_q};
-  assign cost_2_o = {sum_185_s3_q, sum_2_s3_q};
-  assign cost_3_o = {sum_181_s3_q, sum_3_s3_q};
-  assign cost_4_o = {sum_173_s3_q, sum_4_s3_q};
-  assign cost_5_o = {sum_169_s3_q, sum_5_s3_q};
-  assign cost_6_o = {sum_164_s3_q, sum_6_s3_q};
-  assign cost_7_o = {sum_154_s3_q, sum_7_s3_q};
-  assign cost_8_o = {sum_138_s3_q, sum_8_s3_q};
-  assign cost_9_o = {sum_128_s3_q, sum_9_s3_q};
-  assign cost_10_o = {sum_116_s3_q, sum_10_s3_q};
-  assign cost_11_o = {sum_106_s3_q, sum_11_s3_q};
-  assign cost_12_o = {sum_92_s3_q, sum_12_s3_q};
-  assign cost_13_o = {sum_80_s3_q, sum_13_s3_q};
-  assign cost_14_o = {sum_67_s3_q, sum_14_s3_q};
-  assign cost_15_o = {sum_63_s3_q, sum_15_s3_q};
-  assign cost_16_o = {sum_55_s3_q, sum_16_s3_q};
-  assign cost_17_o = {sum_51_s3_q, sum_17_s3_q};
-  assign cost_18_o = {sum_47_s3_q, sum_18_s3_q};
+  assign cost_0_o = {sum_44_s3_q, sum_0_s3_q};
+  assign cost_1_o = {sum_192_s3_q, sum_1_s3_q};
+  assign cost_2_o = {sum_186_s3_q, sum_2_s3_q};
+  assign cost_3_o = {sum_182_s3_q, sum_3_s3_q};
+  assign cost_4_o = {sum_174_s3_q, sum_4_s3_q};
+  assign cost_5_o = {sum_170_s3_q, sum_5_s3_q};
+  assign cost_6_o = {sum_165_s3_q, sum_6_s3_q};
+  assign cost_7_o = {sum_155_s3_q, sum_7_s3_q};
+  assign cost_8_o = {sum_139_s3_q, sum_8_s3_q};
+  assign cost_9_o = {sum_129_s3_q, sum_9_s3_q};
+  assign cost_10_o = {sum_117_s3_q, sum_10_s3_q};
+  assign cost_11_o = {sum_107_s3_q, sum_11_s3_q};
+  assign cost_12_o = {sum_93_s3_q, sum_12_s3_q};
+  assign cost_13_o = {sum_81_s3_q, sum_13_s3_q};
+  assign cost_14_o = {sum_68_s3_q, sum_14_s3_q};
+  assign cost_15_o = {sum_64_s3_q, sum_15_s3_q};
+  assign cost_16_o = {sum_56_s3_q, sum_16_s3_q};
+  assign cost_17_o = {sum_52_s3_q, sum_17_s3_q};
+  assign cost_18_o = {sum_48_s3_q, sum_18_s3_q};
   assign grey_o = grey_s3_q;
   assign known_o = known_s3_q;
-  assign evident_o = and_360_s3_q;
-  assign strong_v_o = less_358_s3_q;
+  assign evident_o = and_362_s3_q;
+  assign strong_v_o = not_360_s3_q;
   assign exists_o = exists_s3_q;
   assign marks_first_o = marks_first_s3_q;
   assign marks_last_o = marks_last_s3_q;
@@ -997,6 +998,6 @@ module horopter_plane_paths (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_313[1:0], difference_310[1:0], sum_307[1:0], difference_304[1:0], sum_301[1:0], difference_298[1:0], sum_295[1:0], difference_292[1:0], sum_289[1:0], difference_286[1:0], sum_283[1:0], difference_280[1:0], sum_277[1:0], difference_274[1:0], sum_271[1:0], difference_268[1:0], sum_265[1:0], difference_262[1:0], sum_259[1:0], difference_256[1:0], sum_253[1:0], difference_250[1:0], sum_247[1:0], difference_244[1:0], sum_241[1:0], difference_238[1:0], sum_235[1:0], difference_232[1:0], sum_229[1:0], difference_226[1:0], sum_223[1:0], difference_220[1:0], sum_217[1:0], difference_214[1:0], sum_211[1:0], difference_208[1:0], sum_205[1:0], difference_202[1:0]};
+  assign unused_bits = ^{sum_314[1:0], difference_311[1:0], sum_308[1:0], difference_305[1:0], sum_302[1:0], difference_299[1:0], sum_296[1:0], difference_293[1:0], sum_290[1:0], difference_287[1:0], sum_284[1:0], difference_281[1:0], sum_278[1:0], difference_275[1:0], sum_272[1:0], difference_269[1:0], sum_266[1:0], difference_263[1:0], sum_260[1:0], difference_257[1:0], sum_254[1:0], difference_251[1:0], sum_248[1:0], difference_245[1:0], sum_242[1:0], difference_239[1:0], sum_236[1:0], difference_233[1:0], sum_230[1:0], difference_227[1:0], sum_224[1:0], difference_221[1:0], sum_218[1:0], difference_215[1:0], sum_212[1:0], difference_209[1:0], sum_206[1:0], difference_203[1:0], edges_i[2:0]};
 
 endmodule

@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 3568 bits, pipeline 39 bits, memories 181760 bits.
+// State 4353 bits, pipeline 44 bits, memories 226560 bits.
 module horopter_plane_sums (
   input  logic clk_i,
   input  logic rst_ni,
@@ -11,9 +11,11 @@ module horopter_plane_sums (
   input  logic valid_i,
   input  logic signed [5:0] left_i,
   input  logic signed [5:0] right_i,
+  input  logic signed [4:0] left_y_i,
+  input  logic signed [4:0] right_y_i,
+  input  logic edge_v_i,
   input  logic mask_i,
   input  logic [7:0] grey_i,
-  input  logic exists_i,
   input  logic marks_first_i,
   input  logic marks_last_i,
   input  logic marks_seen_i,
@@ -40,6 +42,7 @@ module horopter_plane_sums (
   output logic [10:0] sum_17_o,
   output logic [10:0] sum_18_o,
   output logic [10:0] evidence_o,
+  output logic [5:0] edges_o,
   output logic [5:0] grey_o,
   output logic known_o,
   output logic exists_o,
@@ -64,169 +67,265 @@ module horopter_plane_sums (
   logic running_q;
   logic [5:0] entering_values_0_features_left_q;
   logic [5:0] entering_values_0_features_right_q;
+  logic [4:0] entering_values_0_features_left_y_q;
+  logic [4:0] entering_values_0_features_right_y_q;
+  logic entering_values_0_features_edge_q;
   logic entering_values_0_features_mask_q;
   logic [5:0] entering_values_1_features_left_q;
   logic [5:0] entering_values_1_features_right_q;
+  logic [4:0] entering_values_1_features_left_y_q;
+  logic [4:0] entering_values_1_features_right_y_q;
+  logic entering_values_1_features_edge_q;
   logic entering_values_1_features_mask_q;
   logic entering_values_1_row_q;
   logic [5:0] entering_values_2_features_left_q;
   logic [5:0] entering_values_2_features_right_q;
+  logic [4:0] entering_values_2_features_left_y_q;
+  logic [4:0] entering_values_2_features_right_y_q;
+  logic entering_values_2_features_edge_q;
   logic entering_values_2_features_mask_q;
   logic entering_values_2_row_q;
   logic [5:0] entering_values_3_features_left_q;
   logic [5:0] entering_values_3_features_right_q;
+  logic [4:0] entering_values_3_features_left_y_q;
+  logic [4:0] entering_values_3_features_right_y_q;
+  logic entering_values_3_features_edge_q;
   logic entering_values_3_features_mask_q;
   logic entering_values_3_row_q;
   logic [5:0] entering_values_4_features_left_q;
   logic [5:0] entering_values_4_features_right_q;
+  logic [4:0] entering_values_4_features_left_y_q;
+  logic [4:0] entering_values_4_features_right_y_q;
+  logic entering_values_4_features_edge_q;
   logic entering_values_4_features_mask_q;
   logic entering_values_4_row_q;
   logic [5:0] entering_values_5_features_left_q;
   logic [5:0] entering_values_5_features_right_q;
+  logic [4:0] entering_values_5_features_left_y_q;
+  logic [4:0] entering_values_5_features_right_y_q;
+  logic entering_values_5_features_edge_q;
   logic entering_values_5_features_mask_q;
   logic entering_values_5_row_q;
   logic [5:0] entering_values_6_features_left_q;
   logic [5:0] entering_values_6_features_right_q;
+  logic [4:0] entering_values_6_features_left_y_q;
+  logic [4:0] entering_values_6_features_right_y_q;
+  logic entering_values_6_features_edge_q;
   logic entering_values_6_features_mask_q;
   logic entering_values_6_row_q;
   logic [5:0] entering_values_7_features_left_q;
   logic [5:0] entering_values_7_features_right_q;
+  logic [4:0] entering_values_7_features_left_y_q;
+  logic [4:0] entering_values_7_features_right_y_q;
+  logic entering_values_7_features_edge_q;
   logic entering_values_7_features_mask_q;
   logic entering_values_7_row_q;
   logic [5:0] entering_values_8_features_left_q;
   logic [5:0] entering_values_8_features_right_q;
+  logic [4:0] entering_values_8_features_left_y_q;
+  logic [4:0] entering_values_8_features_right_y_q;
+  logic entering_values_8_features_edge_q;
   logic entering_values_8_features_mask_q;
   logic entering_values_8_row_q;
   logic [5:0] entering_values_9_features_left_q;
   logic [5:0] entering_values_9_features_right_q;
+  logic [4:0] entering_values_9_features_left_y_q;
+  logic [4:0] entering_values_9_features_right_y_q;
+  logic entering_values_9_features_edge_q;
   logic entering_values_9_features_mask_q;
   logic entering_values_9_row_q;
   logic [5:0] entering_values_10_features_left_q;
   logic [5:0] entering_values_10_features_right_q;
+  logic [4:0] entering_values_10_features_left_y_q;
+  logic [4:0] entering_values_10_features_right_y_q;
+  logic entering_values_10_features_edge_q;
   logic entering_values_10_features_mask_q;
   logic entering_values_10_row_q;
   logic [5:0] entering_values_11_features_left_q;
   logic [5:0] entering_values_11_features_right_q;
+  logic [4:0] entering_values_11_features_left_y_q;
+  logic [4:0] entering_values_11_features_right_y_q;
+  logic entering_values_11_features_edge_q;
   logic entering_values_11_features_mask_q;
   logic entering_values_11_row_q;
   logic [5:0] entering_values_12_features_left_q;
   logic [5:0] entering_values_12_features_right_q;
+  logic [4:0] entering_values_12_features_left_y_q;
+  logic [4:0] entering_values_12_features_right_y_q;
+  logic entering_values_12_features_edge_q;
   logic entering_values_12_features_mask_q;
   logic entering_values_12_row_q;
   logic [5:0] entering_values_13_features_left_q;
   logic [5:0] entering_values_13_features_right_q;
+  logic [4:0] entering_values_13_features_left_y_q;
+  logic [4:0] entering_values_13_features_right_y_q;
+  logic entering_values_13_features_edge_q;
   logic entering_values_13_features_mask_q;
   logic entering_values_13_row_q;
   logic [5:0] entering_values_14_features_left_q;
   logic [5:0] entering_values_14_features_right_q;
+  logic [4:0] entering_values_14_features_left_y_q;
+  logic [4:0] entering_values_14_features_right_y_q;
+  logic entering_values_14_features_edge_q;
   logic entering_values_14_features_mask_q;
   logic entering_values_14_row_q;
   logic [5:0] entering_values_15_features_left_q;
   logic [5:0] entering_values_15_features_right_q;
+  logic [4:0] entering_values_15_features_left_y_q;
+  logic [4:0] entering_values_15_features_right_y_q;
+  logic entering_values_15_features_edge_q;
   logic entering_values_15_features_mask_q;
   logic entering_values_15_row_q;
   logic [5:0] entering_values_16_features_left_q;
   logic [5:0] entering_values_16_features_right_q;
+  logic [4:0] entering_values_16_features_left_y_q;
+  logic [4:0] entering_values_16_features_right_y_q;
+  logic entering_values_16_features_edge_q;
   logic entering_values_16_features_mask_q;
   logic entering_values_16_row_q;
   logic [5:0] entering_values_17_features_left_q;
   logic [5:0] entering_values_17_features_right_q;
+  logic [4:0] entering_values_17_features_left_y_q;
+  logic [4:0] entering_values_17_features_right_y_q;
+  logic entering_values_17_features_edge_q;
   logic entering_values_17_features_mask_q;
   logic entering_values_17_row_q;
   logic [5:0] entering_values_18_features_left_q;
   logic [5:0] entering_values_18_features_right_q;
+  logic [4:0] entering_values_18_features_left_y_q;
+  logic [4:0] entering_values_18_features_right_y_q;
+  logic entering_values_18_features_edge_q;
   logic entering_values_18_features_mask_q;
   logic entering_values_18_row_q;
   logic [5:0] entering_values_19_features_left_q;
   logic [5:0] entering_values_19_features_right_q;
+  logic [4:0] entering_values_19_features_left_y_q;
+  logic [4:0] entering_values_19_features_right_y_q;
+  logic entering_values_19_features_edge_q;
   logic entering_values_19_features_mask_q;
   logic entering_values_19_row_q;
   logic [5:0] entering_values_20_features_left_q;
   logic [5:0] entering_values_20_features_right_q;
+  logic [4:0] entering_values_20_features_left_y_q;
+  logic [4:0] entering_values_20_features_right_y_q;
+  logic entering_values_20_features_edge_q;
   logic entering_values_20_features_mask_q;
   logic entering_values_20_row_q;
   logic [5:0] entering_values_21_features_left_q;
   logic [5:0] entering_values_21_features_right_q;
+  logic [4:0] entering_values_21_features_left_y_q;
+  logic [4:0] entering_values_21_features_right_y_q;
+  logic entering_values_21_features_edge_q;
   logic entering_values_21_features_mask_q;
   logic entering_values_21_row_q;
   logic [5:0] entering_values_22_features_left_q;
   logic [5:0] entering_values_22_features_right_q;
+  logic [4:0] entering_values_22_features_left_y_q;
+  logic [4:0] entering_values_22_features_right_y_q;
+  logic entering_values_22_features_edge_q;
   logic entering_values_22_features_mask_q;
   logic entering_values_22_row_q;
   logic [5:0] entering_values_23_features_left_q;
   logic [5:0] entering_values_23_features_right_q;
+  logic [4:0] entering_values_23_features_left_y_q;
+  logic [4:0] entering_values_23_features_right_y_q;
+  logic entering_values_23_features_edge_q;
   logic entering_values_23_features_mask_q;
   logic entering_values_23_row_q;
   logic [5:0] entering_values_24_features_right_q;
+  logic [4:0] entering_values_24_features_right_y_q;
   logic entering_values_24_features_mask_q;
   logic entering_values_24_row_q;
   logic [5:0] entering_values_25_features_right_q;
+  logic [4:0] entering_values_25_features_right_y_q;
   logic entering_values_25_features_mask_q;
   logic entering_values_25_row_q;
   logic [5:0] entering_values_26_features_right_q;
+  logic [4:0] entering_values_26_features_right_y_q;
   logic entering_values_26_features_mask_q;
   logic entering_values_26_row_q;
   logic [5:0] entering_values_27_features_right_q;
+  logic [4:0] entering_values_27_features_right_y_q;
   logic entering_values_27_features_mask_q;
   logic entering_values_27_row_q;
   logic [5:0] entering_values_28_features_right_q;
+  logic [4:0] entering_values_28_features_right_y_q;
   logic entering_values_28_features_mask_q;
   logic entering_values_28_row_q;
   logic [5:0] entering_values_29_features_right_q;
+  logic [4:0] entering_values_29_features_right_y_q;
   logic entering_values_29_features_mask_q;
   logic entering_values_29_row_q;
   logic [5:0] entering_values_30_features_right_q;
+  logic [4:0] entering_values_30_features_right_y_q;
   logic entering_values_30_features_mask_q;
   logic entering_values_30_row_q;
   logic [5:0] entering_values_31_features_right_q;
+  logic [4:0] entering_values_31_features_right_y_q;
   logic entering_values_31_features_mask_q;
   logic entering_values_31_row_q;
   logic [5:0] entering_values_32_features_right_q;
+  logic [4:0] entering_values_32_features_right_y_q;
   logic entering_values_32_features_mask_q;
   logic entering_values_32_row_q;
   logic [5:0] entering_values_33_features_right_q;
+  logic [4:0] entering_values_33_features_right_y_q;
   logic entering_values_33_features_mask_q;
   logic entering_values_33_row_q;
   logic [5:0] entering_values_34_features_right_q;
+  logic [4:0] entering_values_34_features_right_y_q;
   logic entering_values_34_features_mask_q;
   logic entering_values_34_row_q;
   logic [5:0] entering_values_35_features_right_q;
+  logic [4:0] entering_values_35_features_right_y_q;
   logic entering_values_35_features_mask_q;
   logic entering_values_35_row_q;
   logic [5:0] entering_values_36_features_right_q;
+  logic [4:0] entering_values_36_features_right_y_q;
   logic entering_values_36_features_mask_q;
   logic entering_values_36_row_q;
   logic [5:0] entering_values_37_features_right_q;
+  logic [4:0] entering_values_37_features_right_y_q;
   logic entering_values_37_features_mask_q;
   logic entering_values_37_row_q;
   logic [5:0] entering_values_38_features_right_q;
+  logic [4:0] entering_values_38_features_right_y_q;
   logic entering_values_38_features_mask_q;
   logic entering_values_38_row_q;
   logic [5:0] entering_values_39_features_right_q;
+  logic [4:0] entering_values_39_features_right_y_q;
   logic entering_values_39_features_mask_q;
   logic entering_values_39_row_q;
   logic [5:0] entering_values_40_features_right_q;
+  logic [4:0] entering_values_40_features_right_y_q;
   logic entering_values_40_features_mask_q;
   logic entering_values_40_row_q;
   logic [5:0] entering_values_41_features_right_q;
+  logic [4:0] entering_values_41_features_right_y_q;
   logic entering_values_41_features_mask_q;
   logic entering_values_41_row_q;
   logic [5:0] entering_values_42_features_right_q;
+  logic [4:0] entering_values_42_features_right_y_q;
   logic entering_values_42_features_mask_q;
   logic entering_values_42_row_q;
   logic [5:0] entering_values_43_features_right_q;
+  logic [4:0] entering_values_43_features_right_y_q;
   logic entering_values_43_features_mask_q;
   logic entering_values_43_row_q;
   logic [5:0] entering_values_44_features_right_q;
+  logic [4:0] entering_values_44_features_right_y_q;
   logic entering_values_44_features_mask_q;
   logic entering_values_44_row_q;
   logic [5:0] entering_values_45_features_right_q;
+  logic [4:0] entering_values_45_features_right_y_q;
   logic entering_values_45_features_mask_q;
   logic entering_values_45_row_q;
   logic [5:0] entering_values_46_features_right_q;
+  logic [4:0] entering_values_46_features_right_y_q;
   logic entering_values_46_features_mask_q;
   logic entering_values_46_row_q;
   logic [5:0] entering_values_47_features_right_q;
+  logic [4:0] entering_values_47_features_right_y_q;
   logic entering_values_47_features_mask_q;
   logic entering_values_47_row_q;
   logic marks_values_0_first_q;
@@ -329,60 +428,30 @@ module horopter_plane_sums (
   logic marks_values_24_last_q;
   logic marks_values_24_seen_q;
   logic marks_values_24_nearer_q;
-  logic marks_values_25_first_q;
-  logic marks_values_25_last_q;
-  logic marks_values_25_seen_q;
-  logic marks_values_25_nearer_q;
   logic [5:0] seen_values_0_grey_q;
-  logic seen_values_0_exists_q;
   logic [5:0] seen_values_1_grey_q;
-  logic seen_values_1_exists_q;
   logic [5:0] seen_values_2_grey_q;
-  logic seen_values_2_exists_q;
   logic [5:0] seen_values_3_grey_q;
-  logic seen_values_3_exists_q;
   logic [5:0] seen_values_4_grey_q;
-  logic seen_values_4_exists_q;
   logic [5:0] seen_values_5_grey_q;
-  logic seen_values_5_exists_q;
   logic [5:0] seen_values_6_grey_q;
-  logic seen_values_6_exists_q;
   logic [5:0] seen_values_7_grey_q;
-  logic seen_values_7_exists_q;
   logic [5:0] seen_values_8_grey_q;
-  logic seen_values_8_exists_q;
   logic [5:0] seen_values_9_grey_q;
-  logic seen_values_9_exists_q;
   logic [5:0] seen_values_10_grey_q;
-  logic seen_values_10_exists_q;
   logic [5:0] seen_values_11_grey_q;
-  logic seen_values_11_exists_q;
   logic [5:0] seen_values_12_grey_q;
-  logic seen_values_12_exists_q;
   logic [5:0] seen_values_13_grey_q;
-  logic seen_values_13_exists_q;
   logic [5:0] seen_values_14_grey_q;
-  logic seen_values_14_exists_q;
   logic [5:0] seen_values_15_grey_q;
-  logic seen_values_15_exists_q;
   logic [5:0] seen_values_16_grey_q;
-  logic seen_values_16_exists_q;
   logic [5:0] seen_values_17_grey_q;
-  logic seen_values_17_exists_q;
   logic [5:0] seen_values_18_grey_q;
-  logic seen_values_18_exists_q;
   logic [5:0] seen_values_19_grey_q;
-  logic seen_values_19_exists_q;
   logic [5:0] seen_values_20_grey_q;
-  logic seen_values_20_exists_q;
   logic [5:0] seen_values_21_grey_q;
-  logic seen_values_21_exists_q;
   logic [5:0] seen_values_22_grey_q;
-  logic seen_values_22_exists_q;
   logic [5:0] seen_values_23_grey_q;
-  logic seen_values_23_exists_q;
-  logic [5:0] seen_values_24_grey_q;
-  logic seen_values_24_exists_q;
   logic centre_marks_values_0_first_q;
   logic centre_marks_values_0_last_q;
   logic centre_marks_values_0_seen_q;
@@ -399,71 +468,82 @@ module horopter_plane_sums (
   logic centre_marks_values_3_last_q;
   logic centre_marks_values_3_seen_q;
   logic centre_marks_values_3_nearer_q;
-  // hls/stages/plane_sums.hpp:131
-  logic or_691;
-  assign or_691 = marks_first_i | arriving_row_ended_q;
-  logic [9:0] select_693;
-  assign select_693 = or_691 ? 10'h0 : (arriving_column_q + 10'h1);
-  // hls/stages/plane_sums.hpp:155
-  logic or_695;
-  assign or_695 = delayed_row_ended_q | marks_values_25_first_q;
-  logic [9:0] select_697;
-  assign select_697 = or_695 ? 10'h0 : (delayed_column_q + 10'h1);
-  // hls/stages/plane_sums.hpp:156
-  logic or_698;
-  assign or_698 = running_q | marks_values_25_first_q;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_1101;
-  assign difference_1101 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
-  logic [5:0] xor_1102;
-  assign xor_1102 = difference_1101[5:0] ^ {6{difference_1101[6]}};
-  logic [6:0] sum_1103;
-  assign sum_1103 = {6'h0, difference_1101[6]} + {1'b0, xor_1102};
-  // hls/stages/plane_sums.hpp:192
-  logic not_1106;
-  assign not_1106 = ~(entering_values_23_row_q ^ entering_values_47_row_q);
-  // hls/stages/plane_sums.hpp:101
-  logic [4:0] select_1109;
-  assign select_1109 = entering_values_47_features_mask_q ? (((sum_1103[6:5] == 2'h0) & not_1106) ? sum_1103[4:0] : 5'h1f) : 5'h1f;
+  // hls/stages/plane_sums.hpp:133
+  logic or_857;
+  assign or_857 = marks_first_i | arriving_row_ended_q;
+  logic [9:0] select_859;
+  assign select_859 = or_857 ? 10'h0 : (arriving_column_q + 10'h1);
+  // hls/stages/plane_sums.hpp:160
+  logic or_861;
+  assign or_861 = delayed_row_ended_q | marks_values_24_first_q;
+  logic [9:0] select_863;
+  assign select_863 = or_861 ? 10'h0 : (delayed_column_q + 10'h1);
+  // hls/stages/plane_sums.hpp:161
+  logic or_864;
+  assign or_864 = running_q | marks_values_24_first_q;
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1411;
+  assign difference_1411 = {entering_values_23_features_left_q[5], entering_values_23_features_left_q} - {entering_values_47_features_right_q[5], entering_values_47_features_right_q};
+  logic [5:0] xor_1412;
+  assign xor_1412 = difference_1411[5:0] ^ {6{difference_1411[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1414;
+  assign difference_1414 = {entering_values_23_features_left_y_q[4], entering_values_23_features_left_y_q} - {entering_values_47_features_right_y_q[4], entering_values_47_features_right_y_q};
+  logic [4:0] xor_1415;
+  assign xor_1415 = difference_1414[4:0] ^ {5{difference_1414[5]}};
+  logic [5:0] across_37;
+  assign across_37 = {5'h0, difference_1414[5]} + {1'b0, xor_1415};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1417;
+  assign sum_1417 = ({6'h0, difference_1411[6]} + {1'b0, xor_1412}) + {1'b0, across_37};
+  // hls/stages/plane_sums.hpp:195
+  logic not_1420;
+  assign not_1420 = ~(entering_values_23_row_q ^ entering_values_47_row_q);
+  // hls/stages/plane_sums.hpp:104
+  logic [4:0] select_1423;
+  assign select_1423 = entering_values_47_features_mask_q ? (((sum_1417[6:5] == 2'h0) & not_1420) ? sum_1417[4:0] : 5'h1f) : 5'h1f;
+  // hls/stages/plane_sums.hpp:111
+  logic and_1459;
+  assign and_1459 = entering_values_23_features_edge_q & entering_values_23_features_mask_q;
 
-  // Memory feature_memory, 640 x 91 and parity, DISTANCE 16, hls/stages/plane_sums.hpp:201; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory feature_memory, 640 x 168 and parity, DISTANCE 16, hls/stages/plane_sums.hpp:208; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [91:0] feature_memory_mem [0:639];
+  logic [168:0] feature_memory_mem [0:639];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 640; i++) feature_memory_mem[i] = 92'h0;
+  initial for (int i = 0; i < 640; i++) feature_memory_mem[i] = 169'h0;
 `endif
   logic [9:0] feature_memory_raddr;
-  assign feature_memory_raddr = select_693;
+  assign feature_memory_raddr = select_859;
   logic feature_memory_re;
   assign feature_memory_re = s0_en;
-  logic [91:0] feature_memory_word_q;
+  logic [168:0] feature_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (feature_memory_re) feature_memory_word_q <= feature_memory_mem[feature_memory_raddr];
   end
-  logic [90:0] feature_memory_rdata_q;
-  assign feature_memory_rdata_q = feature_memory_word_q[90:0];
+  logic [167:0] feature_memory_rdata_q;
+  assign feature_memory_rdata_q = feature_memory_word_q[167:0];
   logic feature_memory_read_q, feature_memory_error;
   always_ff @(posedge clk_i) feature_memory_read_q <= rst_ni & feature_memory_re;
   assign feature_memory_error = feature_memory_read_q & ^feature_memory_word_q;
 
-  // Memory column_memory, 640 x 191 and parity, DISTANCE 16, hls/stages/plane_sums.hpp:202; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory column_memory, 640 x 184 and parity, DISTANCE 16, hls/stages/plane_sums.hpp:209; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [191:0] column_memory_mem [0:639];
+  logic [184:0] column_memory_mem [0:639];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 640; i++) column_memory_mem[i] = 192'h0;
+  initial for (int i = 0; i < 640; i++) column_memory_mem[i] = 185'h0;
 `endif
   logic [9:0] column_memory_raddr;
-  assign column_memory_raddr = select_697;
+  assign column_memory_raddr = select_863;
   logic column_memory_re;
-  assign column_memory_re = s0_en & or_698;
-  logic [191:0] column_memory_word_q;
+  assign column_memory_re = s0_en & or_864;
+  logic [184:0] column_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (column_memory_re) column_memory_word_q <= column_memory_mem[column_memory_raddr];
   end
-  logic [190:0] column_memory_rdata_q;
-  assign column_memory_rdata_q = column_memory_word_q[190:0];
+  logic [183:0] column_memory_rdata_q;
+  assign column_memory_rdata_q = column_memory_word_q[183:0];
   logic column_memory_read_q, column_memory_error;
   always_ff @(posedge clk_i) column_memory_read_q <= rst_ni & column_memory_re;
   assign column_memory_error = column_memory_read_q & ^column_memory_word_q;
@@ -478,169 +558,265 @@ module horopter_plane_sums (
       running_q <= 1'b0;
       entering_values_0_features_left_q <= 6'h0;
       entering_values_0_features_right_q <= 6'h0;
+      entering_values_0_features_left_y_q <= 5'h0;
+      entering_values_0_features_right_y_q <= 5'h0;
+      entering_values_0_features_edge_q <= 1'b0;
       entering_values_0_features_mask_q <= 1'b0;
       entering_values_1_features_left_q <= 6'h0;
       entering_values_1_features_right_q <= 6'h0;
+      entering_values_1_features_left_y_q <= 5'h0;
+      entering_values_1_features_right_y_q <= 5'h0;
+      entering_values_1_features_edge_q <= 1'b0;
       entering_values_1_features_mask_q <= 1'b0;
       entering_values_1_row_q <= 1'b0;
       entering_values_2_features_left_q <= 6'h0;
       entering_values_2_features_right_q <= 6'h0;
+      entering_values_2_features_left_y_q <= 5'h0;
+      entering_values_2_features_right_y_q <= 5'h0;
+      entering_values_2_features_edge_q <= 1'b0;
       entering_values_2_features_mask_q <= 1'b0;
       entering_values_2_row_q <= 1'b0;
       entering_values_3_features_left_q <= 6'h0;
       entering_values_3_features_right_q <= 6'h0;
+      entering_values_3_features_left_y_q <= 5'h0;
+      entering_values_3_features_right_y_q <= 5'h0;
+      entering_values_3_features_edge_q <= 1'b0;
       entering_values_3_features_mask_q <= 1'b0;
       entering_values_3_row_q <= 1'b0;
       entering_values_4_features_left_q <= 6'h0;
       entering_values_4_features_right_q <= 6'h0;
+      entering_values_4_features_left_y_q <= 5'h0;
+      entering_values_4_features_right_y_q <= 5'h0;
+      entering_values_4_features_edge_q <= 1'b0;
       entering_values_4_features_mask_q <= 1'b0;
       entering_values_4_row_q <= 1'b0;
       entering_values_5_features_left_q <= 6'h0;
       entering_values_5_features_right_q <= 6'h0;
+      entering_values_5_features_left_y_q <= 5'h0;
+      entering_values_5_features_right_y_q <= 5'h0;
+      entering_values_5_features_edge_q <= 1'b0;
       entering_values_5_features_mask_q <= 1'b0;
       entering_values_5_row_q <= 1'b0;
       entering_values_6_features_left_q <= 6'h0;
       entering_values_6_features_right_q <= 6'h0;
+      entering_values_6_features_left_y_q <= 5'h0;
+      entering_values_6_features_right_y_q <= 5'h0;
+      entering_values_6_features_edge_q <= 1'b0;
       entering_values_6_features_mask_q <= 1'b0;
       entering_values_6_row_q <= 1'b0;
       entering_values_7_features_left_q <= 6'h0;
       entering_values_7_features_right_q <= 6'h0;
+      entering_values_7_features_left_y_q <= 5'h0;
+      entering_values_7_features_right_y_q <= 5'h0;
+      entering_values_7_features_edge_q <= 1'b0;
       entering_values_7_features_mask_q <= 1'b0;
       entering_values_7_row_q <= 1'b0;
       entering_values_8_features_left_q <= 6'h0;
       entering_values_8_features_right_q <= 6'h0;
+      entering_values_8_features_left_y_q <= 5'h0;
+      entering_values_8_features_right_y_q <= 5'h0;
+      entering_values_8_features_edge_q <= 1'b0;
       entering_values_8_features_mask_q <= 1'b0;
       entering_values_8_row_q <= 1'b0;
       entering_values_9_features_left_q <= 6'h0;
       entering_values_9_features_right_q <= 6'h0;
+      entering_values_9_features_left_y_q <= 5'h0;
+      entering_values_9_features_right_y_q <= 5'h0;
+      entering_values_9_features_edge_q <= 1'b0;
       entering_values_9_features_mask_q <= 1'b0;
       entering_values_9_row_q <= 1'b0;
       entering_values_10_features_left_q <= 6'h0;
       entering_values_10_features_right_q <= 6'h0;
+      entering_values_10_features_left_y_q <= 5'h0;
+      entering_values_10_features_right_y_q <= 5'h0;
+      entering_values_10_features_edge_q <= 1'b0;
       entering_values_10_features_mask_q <= 1'b0;
       entering_values_10_row_q <= 1'b0;
       entering_values_11_features_left_q <= 6'h0;
       entering_values_11_features_right_q <= 6'h0;
+      entering_values_11_features_left_y_q <= 5'h0;
+      entering_values_11_features_right_y_q <= 5'h0;
+      entering_values_11_features_edge_q <= 1'b0;
       entering_values_11_features_mask_q <= 1'b0;
       entering_values_11_row_q <= 1'b0;
       entering_values_12_features_left_q <= 6'h0;
       entering_values_12_features_right_q <= 6'h0;
+      entering_values_12_features_left_y_q <= 5'h0;
+      entering_values_12_features_right_y_q <= 5'h0;
+      entering_values_12_features_edge_q <= 1'b0;
       entering_values_12_features_mask_q <= 1'b0;
       entering_values_12_row_q <= 1'b0;
       entering_values_13_features_left_q <= 6'h0;
       entering_values_13_features_right_q <= 6'h0;
+      entering_values_13_features_left_y_q <= 5'h0;
+      entering_values_13_features_right_y_q <= 5'h0;
+      entering_values_13_features_edge_q <= 1'b0;
       entering_values_13_features_mask_q <= 1'b0;
       entering_values_13_row_q <= 1'b0;
       entering_values_14_features_left_q <= 6'h0;
       entering_values_14_features_right_q <= 6'h0;
+      entering_values_14_features_left_y_q <= 5'h0;
+      entering_values_14_features_right_y_q <= 5'h0;
+      entering_values_14_features_edge_q <= 1'b0;
       entering_values_14_features_mask_q <= 1'b0;
       entering_values_14_row_q <= 1'b0;
       entering_values_15_features_left_q <= 6'h0;
       entering_values_15_features_right_q <= 6'h0;
+      entering_values_15_features_left_y_q <= 5'h0;
+      entering_values_15_features_right_y_q <= 5'h0;
+      entering_values_15_features_edge_q <= 1'b0;
       entering_values_15_features_mask_q <= 1'b0;
       entering_values_15_row_q <= 1'b0;
       entering_values_16_features_left_q <= 6'h0;
       entering_values_16_features_right_q <= 6'h0;
+      entering_values_16_features_left_y_q <= 5'h0;
+      entering_values_16_features_right_y_q <= 5'h0;
+      entering_values_16_features_edge_q <= 1'b0;
       entering_values_16_features_mask_q <= 1'b0;
       entering_values_16_row_q <= 1'b0;
       entering_values_17_features_left_q <= 6'h0;
       entering_values_17_features_right_q <= 6'h0;
+      entering_values_17_features_left_y_q <= 5'h0;
+      entering_values_17_features_right_y_q <= 5'h0;
+      entering_values_17_features_edge_q <= 1'b0;
       entering_values_17_features_mask_q <= 1'b0;
       entering_values_17_row_q <= 1'b0;
       entering_values_18_features_left_q <= 6'h0;
       entering_values_18_features_right_q <= 6'h0;
+      entering_values_18_features_left_y_q <= 5'h0;
+      entering_values_18_features_right_y_q <= 5'h0;
+      entering_values_18_features_edge_q <= 1'b0;
       entering_values_18_features_mask_q <= 1'b0;
       entering_values_18_row_q <= 1'b0;
       entering_values_19_features_left_q <= 6'h0;
       entering_values_19_features_right_q <= 6'h0;
+      entering_values_19_features_left_y_q <= 5'h0;
+      entering_values_19_features_right_y_q <= 5'h0;
+      entering_values_19_features_edge_q <= 1'b0;
       entering_values_19_features_mask_q <= 1'b0;
       entering_values_19_row_q <= 1'b0;
       entering_values_20_features_left_q <= 6'h0;
       entering_values_20_features_right_q <= 6'h0;
+      entering_values_20_features_left_y_q <= 5'h0;
+      entering_values_20_features_right_y_q <= 5'h0;
+      entering_values_20_features_edge_q <= 1'b0;
       entering_values_20_features_mask_q <= 1'b0;
       entering_values_20_row_q <= 1'b0;
       entering_values_21_features_left_q <= 6'h0;
       entering_values_21_features_right_q <= 6'h0;
+      entering_values_21_features_left_y_q <= 5'h0;
+      entering_values_21_features_right_y_q <= 5'h0;
+      entering_values_21_features_edge_q <= 1'b0;
       entering_values_21_features_mask_q <= 1'b0;
       entering_values_21_row_q <= 1'b0;
       entering_values_22_features_left_q <= 6'h0;
       entering_values_22_features_right_q <= 6'h0;
+      entering_values_22_features_left_y_q <= 5'h0;
+      entering_values_22_features_right_y_q <= 5'h0;
+      entering_values_22_features_edge_q <= 1'b0;
       entering_values_22_features_mask_q <= 1'b0;
       entering_values_22_row_q <= 1'b0;
       entering_values_23_features_left_q <= 6'h0;
       entering_values_23_features_right_q <= 6'h0;
+      entering_values_23_features_left_y_q <= 5'h0;
+      entering_values_23_features_right_y_q <= 5'h0;
+      entering_values_23_features_edge_q <= 1'b0;
       entering_values_23_features_mask_q <= 1'b0;
       entering_values_23_row_q <= 1'b0;
       entering_values_24_features_right_q <= 6'h0;
+      entering_values_24_features_right_y_q <= 5'h0;
       entering_values_24_features_mask_q <= 1'b0;
       entering_values_24_row_q <= 1'b0;
       entering_values_25_features_right_q <= 6'h0;
+      entering_values_25_features_right_y_q <= 5'h0;
       entering_values_25_features_mask_q <= 1'b0;
       entering_values_25_row_q <= 1'b0;
       entering_values_26_features_right_q <= 6'h0;
+      entering_values_26_features_right_y_q <= 5'h0;
       entering_values_26_features_mask_q <= 1'b0;
       entering_values_26_row_q <= 1'b0;
       entering_values_27_features_right_q <= 6'h0;
+      entering_values_27_features_right_y_q <= 5'h0;
       entering_values_27_features_mask_q <= 1'b0;
       entering_values_27_row_q <= 1'b0;
       entering_values_28_features_right_q <= 6'h0;
+      entering_values_28_features_right_y_q <= 5'h0;
       entering_values_28_features_mask_q <= 1'b0;
       entering_values_28_row_q <= 1'b0;
       entering_values_29_features_right_q <= 6'h0;
+      entering_values_29_features_right_y_q <= 5'h0;
       entering_values_29_features_mask_q <= 1'b0;
       entering_values_29_row_q <= 1'b0;
       entering_values_30_features_right_q <= 6'h0;
+      entering_values_30_features_right_y_q <= 5'h0;
       entering_values_30_features_mask_q <= 1'b0;
       entering_values_30_row_q <= 1'b0;
       entering_values_31_features_right_q <= 6'h0;
+      entering_values_31_features_right_y_q <= 5'h0;
       entering_values_31_features_mask_q <= 1'b0;
       entering_values_31_row_q <= 1'b0;
       entering_values_32_features_right_q <= 6'h0;
+      entering_values_32_features_right_y_q <= 5'h0;
       entering_values_32_features_mask_q <= 1'b0;
       entering_values_32_row_q <= 1'b0;
       entering_values_33_features_right_q <= 6'h0;
+      entering_values_33_features_right_y_q <= 5'h0;
       entering_values_33_features_mask_q <= 1'b0;
       entering_values_33_row_q <= 1'b0;
       entering_values_34_features_right_q <= 6'h0;
+      entering_values_34_features_right_y_q <= 5'h0;
       entering_values_34_features_mask_q <= 1'b0;
       entering_values_34_row_q <= 1'b0;
       entering_values_35_features_right_q <= 6'h0;
+      entering_values_35_features_right_y_q <= 5'h0;
       entering_values_35_features_mask_q <= 1'b0;
       entering_values_35_row_q <= 1'b0;
       entering_values_36_features_right_q <= 6'h0;
+      entering_values_36_features_right_y_q <= 5'h0;
       entering_values_36_features_mask_q <= 1'b0;
       entering_values_36_row_q <= 1'b0;
       entering_values_37_features_right_q <= 6'h0;
+      entering_values_37_features_right_y_q <= 5'h0;
       entering_values_37_features_mask_q <= 1'b0;
       entering_values_37_row_q <= 1'b0;
       entering_values_38_features_right_q <= 6'h0;
+      entering_values_38_features_right_y_q <= 5'h0;
       entering_values_38_features_mask_q <= 1'b0;
       entering_values_38_row_q <= 1'b0;
       entering_values_39_features_right_q <= 6'h0;
+      entering_values_39_features_right_y_q <= 5'h0;
       entering_values_39_features_mask_q <= 1'b0;
       entering_values_39_row_q <= 1'b0;
       entering_values_40_features_right_q <= 6'h0;
+      entering_values_40_features_right_y_q <= 5'h0;
       entering_values_40_features_mask_q <= 1'b0;
       entering_values_40_row_q <= 1'b0;
       entering_values_41_features_right_q <= 6'h0;
+      entering_values_41_features_right_y_q <= 5'h0;
       entering_values_41_features_mask_q <= 1'b0;
       entering_values_41_row_q <= 1'b0;
       entering_values_42_features_right_q <= 6'h0;
+      entering_values_42_features_right_y_q <= 5'h0;
       entering_values_42_features_mask_q <= 1'b0;
       entering_values_42_row_q <= 1'b0;
       entering_values_43_features_right_q <= 6'h0;
+      entering_values_43_features_right_y_q <= 5'h0;
       entering_values_43_features_mask_q <= 1'b0;
       entering_values_43_row_q <= 1'b0;
       entering_values_44_features_right_q <= 6'h0;
+      entering_values_44_features_right_y_q <= 5'h0;
       entering_values_44_features_mask_q <= 1'b0;
       entering_values_44_row_q <= 1'b0;
       entering_values_45_features_right_q <= 6'h0;
+      entering_values_45_features_right_y_q <= 5'h0;
       entering_values_45_features_mask_q <= 1'b0;
       entering_values_45_row_q <= 1'b0;
       entering_values_46_features_right_q <= 6'h0;
+      entering_values_46_features_right_y_q <= 5'h0;
       entering_values_46_features_mask_q <= 1'b0;
       entering_values_46_row_q <= 1'b0;
       entering_values_47_features_right_q <= 6'h0;
+      entering_values_47_features_right_y_q <= 5'h0;
       entering_values_47_features_mask_q <= 1'b0;
       entering_values_47_row_q <= 1'b0;
       marks_values_0_first_q <= 1'b0;
@@ -743,60 +919,30 @@ module horopter_plane_sums (
       marks_values_24_last_q <= 1'b0;
       marks_values_24_seen_q <= 1'b0;
       marks_values_24_nearer_q <= 1'b0;
-      marks_values_25_first_q <= 1'b0;
-      marks_values_25_last_q <= 1'b0;
-      marks_values_25_seen_q <= 1'b0;
-      marks_values_25_nearer_q <= 1'b0;
       seen_values_0_grey_q <= 6'h0;
-      seen_values_0_exists_q <= 1'b0;
       seen_values_1_grey_q <= 6'h0;
-      seen_values_1_exists_q <= 1'b0;
       seen_values_2_grey_q <= 6'h0;
-      seen_values_2_exists_q <= 1'b0;
       seen_values_3_grey_q <= 6'h0;
-      seen_values_3_exists_q <= 1'b0;
       seen_values_4_grey_q <= 6'h0;
-      seen_values_4_exists_q <= 1'b0;
       seen_values_5_grey_q <= 6'h0;
-      seen_values_5_exists_q <= 1'b0;
       seen_values_6_grey_q <= 6'h0;
-      seen_values_6_exists_q <= 1'b0;
       seen_values_7_grey_q <= 6'h0;
-      seen_values_7_exists_q <= 1'b0;
       seen_values_8_grey_q <= 6'h0;
-      seen_values_8_exists_q <= 1'b0;
       seen_values_9_grey_q <= 6'h0;
-      seen_values_9_exists_q <= 1'b0;
       seen_values_10_grey_q <= 6'h0;
-      seen_values_10_exists_q <= 1'b0;
       seen_values_11_grey_q <= 6'h0;
-      seen_values_11_exists_q <= 1'b0;
       seen_values_12_grey_q <= 6'h0;
-      seen_values_12_exists_q <= 1'b0;
       seen_values_13_grey_q <= 6'h0;
-      seen_values_13_exists_q <= 1'b0;
       seen_values_14_grey_q <= 6'h0;
-      seen_values_14_exists_q <= 1'b0;
       seen_values_15_grey_q <= 6'h0;
-      seen_values_15_exists_q <= 1'b0;
       seen_values_16_grey_q <= 6'h0;
-      seen_values_16_exists_q <= 1'b0;
       seen_values_17_grey_q <= 6'h0;
-      seen_values_17_exists_q <= 1'b0;
       seen_values_18_grey_q <= 6'h0;
-      seen_values_18_exists_q <= 1'b0;
       seen_values_19_grey_q <= 6'h0;
-      seen_values_19_exists_q <= 1'b0;
       seen_values_20_grey_q <= 6'h0;
-      seen_values_20_exists_q <= 1'b0;
       seen_values_21_grey_q <= 6'h0;
-      seen_values_21_exists_q <= 1'b0;
       seen_values_22_grey_q <= 6'h0;
-      seen_values_22_exists_q <= 1'b0;
       seen_values_23_grey_q <= 6'h0;
-      seen_values_23_exists_q <= 1'b0;
-      seen_values_24_grey_q <= 6'h0;
-      seen_values_24_exists_q <= 1'b0;
       centre_marks_values_0_first_q <= 1'b0;
       centre_marks_values_0_last_q <= 1'b0;
       centre_marks_values_0_seen_q <= 1'b0;
@@ -814,177 +960,273 @@ module horopter_plane_sums (
       centre_marks_values_3_seen_q <= 1'b0;
       centre_marks_values_3_nearer_q <= 1'b0;
     end else if (s0_en) begin
-      arriving_column_q <= select_693;
+      arriving_column_q <= select_859;
       arriving_row_ended_q <= marks_last_i;
-      delayed_column_q <= select_697;
-      delayed_row_ended_q <= marks_values_25_last_q;
-      row_parity_q <= row_parity_q ^ or_691;
-      running_q <= or_698;
+      delayed_column_q <= select_863;
+      delayed_row_ended_q <= marks_values_24_last_q;
+      row_parity_q <= row_parity_q ^ or_857;
+      running_q <= or_864;
       entering_values_0_features_left_q <= $unsigned(left_i);
       entering_values_0_features_right_q <= $unsigned(right_i);
+      entering_values_0_features_left_y_q <= $unsigned(left_y_i);
+      entering_values_0_features_right_y_q <= $unsigned(right_y_i);
+      entering_values_0_features_edge_q <= edge_v_i;
       entering_values_0_features_mask_q <= mask_i;
       entering_values_1_features_left_q <= entering_values_0_features_left_q;
       entering_values_1_features_right_q <= entering_values_0_features_right_q;
+      entering_values_1_features_left_y_q <= entering_values_0_features_left_y_q;
+      entering_values_1_features_right_y_q <= entering_values_0_features_right_y_q;
+      entering_values_1_features_edge_q <= entering_values_0_features_edge_q;
       entering_values_1_features_mask_q <= entering_values_0_features_mask_q;
       entering_values_1_row_q <= row_parity_q;
       entering_values_2_features_left_q <= entering_values_1_features_left_q;
       entering_values_2_features_right_q <= entering_values_1_features_right_q;
+      entering_values_2_features_left_y_q <= entering_values_1_features_left_y_q;
+      entering_values_2_features_right_y_q <= entering_values_1_features_right_y_q;
+      entering_values_2_features_edge_q <= entering_values_1_features_edge_q;
       entering_values_2_features_mask_q <= entering_values_1_features_mask_q;
       entering_values_2_row_q <= entering_values_1_row_q;
       entering_values_3_features_left_q <= entering_values_2_features_left_q;
       entering_values_3_features_right_q <= entering_values_2_features_right_q;
+      entering_values_3_features_left_y_q <= entering_values_2_features_left_y_q;
+      entering_values_3_features_right_y_q <= entering_values_2_features_right_y_q;
+      entering_values_3_features_edge_q <= entering_values_2_features_edge_q;
       entering_values_3_features_mask_q <= entering_values_2_features_mask_q;
       entering_values_3_row_q <= entering_values_2_row_q;
       entering_values_4_features_left_q <= entering_values_3_features_left_q;
       entering_values_4_features_right_q <= entering_values_3_features_right_q;
+      entering_values_4_features_left_y_q <= entering_values_3_features_left_y_q;
+      entering_values_4_features_right_y_q <= entering_values_3_features_right_y_q;
+      entering_values_4_features_edge_q <= entering_values_3_features_edge_q;
       entering_values_4_features_mask_q <= entering_values_3_features_mask_q;
       entering_values_4_row_q <= entering_values_3_row_q;
       entering_values_5_features_left_q <= entering_values_4_features_left_q;
       entering_values_5_features_right_q <= entering_values_4_features_right_q;
+      entering_values_5_features_left_y_q <= entering_values_4_features_left_y_q;
+      entering_values_5_features_right_y_q <= entering_values_4_features_right_y_q;
+      entering_values_5_features_edge_q <= entering_values_4_features_edge_q;
       entering_values_5_features_mask_q <= entering_values_4_features_mask_q;
       entering_values_5_row_q <= entering_values_4_row_q;
       entering_values_6_features_left_q <= entering_values_5_features_left_q;
       entering_values_6_features_right_q <= entering_values_5_features_right_q;
+      entering_values_6_features_left_y_q <= entering_values_5_features_left_y_q;
+      entering_values_6_features_right_y_q <= entering_values_5_features_right_y_q;
+      entering_values_6_features_edge_q <= entering_values_5_features_edge_q;
       entering_values_6_features_mask_q <= entering_values_5_features_mask_q;
       entering_values_6_row_q <= entering_values_5_row_q;
       entering_values_7_features_left_q <= entering_values_6_features_left_q;
       entering_values_7_features_right_q <= entering_values_6_features_right_q;
+      entering_values_7_features_left_y_q <= entering_values_6_features_left_y_q;
+      entering_values_7_features_right_y_q <= entering_values_6_features_right_y_q;
+      entering_values_7_features_edge_q <= entering_values_6_features_edge_q;
       entering_values_7_features_mask_q <= entering_values_6_features_mask_q;
       entering_values_7_row_q <= entering_values_6_row_q;
       entering_values_8_features_left_q <= entering_values_7_features_left_q;
       entering_values_8_features_right_q <= entering_values_7_features_right_q;
+      entering_values_8_features_left_y_q <= entering_values_7_features_left_y_q;
+      entering_values_8_features_right_y_q <= entering_values_7_features_right_y_q;
+      entering_values_8_features_edge_q <= entering_values_7_features_edge_q;
       entering_values_8_features_mask_q <= entering_values_7_features_mask_q;
       entering_values_8_row_q <= entering_values_7_row_q;
       entering_values_9_features_left_q <= entering_values_8_features_left_q;
       entering_values_9_features_right_q <= entering_values_8_features_right_q;
+      entering_values_9_features_left_y_q <= entering_values_8_features_left_y_q;
+      entering_values_9_features_right_y_q <= entering_values_8_features_right_y_q;
+      entering_values_9_features_edge_q <= entering_values_8_features_edge_q;
       entering_values_9_features_mask_q <= entering_values_8_features_mask_q;
       entering_values_9_row_q <= entering_values_8_row_q;
       entering_values_10_features_left_q <= entering_values_9_features_left_q;
       entering_values_10_features_right_q <= entering_values_9_features_right_q;
+      entering_values_10_features_left_y_q <= entering_values_9_features_left_y_q;
+      entering_values_10_features_right_y_q <= entering_values_9_features_right_y_q;
+      entering_values_10_features_edge_q <= entering_values_9_features_edge_q;
       entering_values_10_features_mask_q <= entering_values_9_features_mask_q;
       entering_values_10_row_q <= entering_values_9_row_q;
       entering_values_11_features_left_q <= entering_values_10_features_left_q;
       entering_values_11_features_right_q <= entering_values_10_features_right_q;
+      entering_values_11_features_left_y_q <= entering_values_10_features_left_y_q;
+      entering_values_11_features_right_y_q <= entering_values_10_features_right_y_q;
+      entering_values_11_features_edge_q <= entering_values_10_features_edge_q;
       entering_values_11_features_mask_q <= entering_values_10_features_mask_q;
       entering_values_11_row_q <= entering_values_10_row_q;
       entering_values_12_features_left_q <= entering_values_11_features_left_q;
       entering_values_12_features_right_q <= entering_values_11_features_right_q;
+      entering_values_12_features_left_y_q <= entering_values_11_features_left_y_q;
+      entering_values_12_features_right_y_q <= entering_values_11_features_right_y_q;
+      entering_values_12_features_edge_q <= entering_values_11_features_edge_q;
       entering_values_12_features_mask_q <= entering_values_11_features_mask_q;
       entering_values_12_row_q <= entering_values_11_row_q;
       entering_values_13_features_left_q <= entering_values_12_features_left_q;
       entering_values_13_features_right_q <= entering_values_12_features_right_q;
+      entering_values_13_features_left_y_q <= entering_values_12_features_left_y_q;
+      entering_values_13_features_right_y_q <= entering_values_12_features_right_y_q;
+      entering_values_13_features_edge_q <= entering_values_12_features_edge_q;
       entering_values_13_features_mask_q <= entering_values_12_features_mask_q;
       entering_values_13_row_q <= entering_values_12_row_q;
       entering_values_14_features_left_q <= entering_values_13_features_left_q;
       entering_values_14_features_right_q <= entering_values_13_features_right_q;
+      entering_values_14_features_left_y_q <= entering_values_13_features_left_y_q;
+      entering_values_14_features_right_y_q <= entering_values_13_features_right_y_q;
+      entering_values_14_features_edge_q <= entering_values_13_features_edge_q;
       entering_values_14_features_mask_q <= entering_values_13_features_mask_q;
       entering_values_14_row_q <= entering_values_13_row_q;
       entering_values_15_features_left_q <= entering_values_14_features_left_q;
       entering_values_15_features_right_q <= entering_values_14_features_right_q;
+      entering_values_15_features_left_y_q <= entering_values_14_features_left_y_q;
+      entering_values_15_features_right_y_q <= entering_values_14_features_right_y_q;
+      entering_values_15_features_edge_q <= entering_values_14_features_edge_q;
       entering_values_15_features_mask_q <= entering_values_14_features_mask_q;
       entering_values_15_row_q <= entering_values_14_row_q;
       entering_values_16_features_left_q <= entering_values_15_features_left_q;
       entering_values_16_features_right_q <= entering_values_15_features_right_q;
+      entering_values_16_features_left_y_q <= entering_values_15_features_left_y_q;
+      entering_values_16_features_right_y_q <= entering_values_15_features_right_y_q;
+      entering_values_16_features_edge_q <= entering_values_15_features_edge_q;
       entering_values_16_features_mask_q <= entering_values_15_features_mask_q;
       entering_values_16_row_q <= entering_values_15_row_q;
       entering_values_17_features_left_q <= entering_values_16_features_left_q;
       entering_values_17_features_right_q <= entering_values_16_features_right_q;
+      entering_values_17_features_left_y_q <= entering_values_16_features_left_y_q;
+      entering_values_17_features_right_y_q <= entering_values_16_features_right_y_q;
+      entering_values_17_features_edge_q <= entering_values_16_features_edge_q;
       entering_values_17_features_mask_q <= entering_values_16_features_mask_q;
       entering_values_17_row_q <= entering_values_16_row_q;
       entering_values_18_features_left_q <= entering_values_17_features_left_q;
       entering_values_18_features_right_q <= entering_values_17_features_right_q;
+      entering_values_18_features_left_y_q <= entering_values_17_features_left_y_q;
+      entering_values_18_features_right_y_q <= entering_values_17_features_right_y_q;
+      entering_values_18_features_edge_q <= entering_values_17_features_edge_q;
       entering_values_18_features_mask_q <= entering_values_17_features_mask_q;
       entering_values_18_row_q <= entering_values_17_row_q;
       entering_values_19_features_left_q <= entering_values_18_features_left_q;
       entering_values_19_features_right_q <= entering_values_18_features_right_q;
+      entering_values_19_features_left_y_q <= entering_values_18_features_left_y_q;
+      entering_values_19_features_right_y_q <= entering_values_18_features_right_y_q;
+      entering_values_19_features_edge_q <= entering_values_18_features_edge_q;
       entering_values_19_features_mask_q <= entering_values_18_features_mask_q;
       entering_values_19_row_q <= entering_values_18_row_q;
       entering_values_20_features_left_q <= entering_values_19_features_left_q;
       entering_values_20_features_right_q <= entering_values_19_features_right_q;
+      entering_values_20_features_left_y_q <= entering_values_19_features_left_y_q;
+      entering_values_20_features_right_y_q <= entering_values_19_features_right_y_q;
+      entering_values_20_features_edge_q <= entering_values_19_features_edge_q;
       entering_values_20_features_mask_q <= entering_values_19_features_mask_q;
       entering_values_20_row_q <= entering_values_19_row_q;
       entering_values_21_features_left_q <= entering_values_20_features_left_q;
       entering_values_21_features_right_q <= entering_values_20_features_right_q;
+      entering_values_21_features_left_y_q <= entering_values_20_features_left_y_q;
+      entering_values_21_features_right_y_q <= entering_values_20_features_right_y_q;
+      entering_values_21_features_edge_q <= entering_values_20_features_edge_q;
       entering_values_21_features_mask_q <= entering_values_20_features_mask_q;
       entering_values_21_row_q <= entering_values_20_row_q;
       entering_values_22_features_left_q <= entering_values_21_features_left_q;
       entering_values_22_features_right_q <= entering_values_21_features_right_q;
+      entering_values_22_features_left_y_q <= entering_values_21_features_left_y_q;
+      entering_values_22_features_right_y_q <= entering_values_21_features_right_y_q;
+      entering_values_22_features_edge_q <= entering_values_21_features_edge_q;
       entering_values_22_features_mask_q <= entering_values_21_features_mask_q;
       entering_values_22_row_q <= entering_values_21_row_q;
       entering_values_23_features_left_q <= entering_values_22_features_left_q;
       entering_values_23_features_right_q <= entering_values_22_features_right_q;
+      entering_values_23_features_left_y_q <= entering_values_22_features_left_y_q;
+      entering_values_23_features_right_y_q <= entering_values_22_features_right_y_q;
+      entering_values_23_features_edge_q <= entering_values_22_features_edge_q;
       entering_values_23_features_mask_q <= entering_values_22_features_mask_q;
       entering_values_23_row_q <= entering_values_22_row_q;
       entering_values_24_features_right_q <= entering_values_23_features_right_q;
+      entering_values_24_features_right_y_q <= entering_values_23_features_right_y_q;
       entering_values_24_features_mask_q <= entering_values_23_features_mask_q;
       entering_values_24_row_q <= entering_values_23_row_q;
       entering_values_25_features_right_q <= entering_values_24_features_right_q;
+      entering_values_25_features_right_y_q <= entering_values_24_features_right_y_q;
       entering_values_25_features_mask_q <= entering_values_24_features_mask_q;
       entering_values_25_row_q <= entering_values_24_row_q;
       entering_values_26_features_right_q <= entering_values_25_features_right_q;
+      entering_values_26_features_right_y_q <= entering_values_25_features_right_y_q;
       entering_values_26_features_mask_q <= entering_values_25_features_mask_q;
       entering_values_26_row_q <= entering_values_25_row_q;
       entering_values_27_features_right_q <= entering_values_26_features_right_q;
+      entering_values_27_features_right_y_q <= entering_values_26_features_right_y_q;
       entering_values_27_features_mask_q <= entering_values_26_features_mask_q;
       entering_values_27_row_q <= entering_values_26_row_q;
       entering_values_28_features_right_q <= entering_values_27_features_right_q;
+      entering_values_28_features_right_y_q <= entering_values_27_features_right_y_q;
       entering_values_28_features_mask_q <= entering_values_27_features_mask_q;
       entering_values_28_row_q <= entering_values_27_row_q;
       entering_values_29_features_right_q <= entering_values_28_features_right_q;
+      entering_values_29_features_right_y_q <= entering_values_28_features_right_y_q;
       entering_values_29_features_mask_q <= entering_values_28_features_mask_q;
       entering_values_29_row_q <= entering_values_28_row_q;
       entering_values_30_features_right_q <= entering_values_29_features_right_q;
+      entering_values_30_features_right_y_q <= entering_values_29_features_right_y_q;
       entering_values_30_features_mask_q <= entering_values_29_features_mask_q;
       entering_values_30_row_q <= entering_values_29_row_q;
       entering_values_31_features_right_q <= entering_values_30_features_right_q;
+      entering_values_31_features_right_y_q <= entering_values_30_features_right_y_q;
       entering_values_31_features_mask_q <= entering_values_30_features_mask_q;
       entering_values_31_row_q <= entering_values_30_row_q;
       entering_values_32_features_right_q <= entering_values_31_features_right_q;
+      entering_values_32_features_right_y_q <= entering_values_31_features_right_y_q;
       entering_values_32_features_mask_q <= entering_values_31_features_mask_q;
       entering_values_32_row_q <= entering_values_31_row_q;
       entering_values_33_features_right_q <= entering_values_32_features_right_q;
+      entering_values_33_features_right_y_q <= entering_values_32_features_right_y_q;
       entering_values_33_features_mask_q <= entering_values_32_features_mask_q;
       entering_values_33_row_q <= entering_values_32_row_q;
       entering_values_34_features_right_q <= entering_values_33_features_right_q;
+      entering_values_34_features_right_y_q <= entering_values_33_features_right_y_q;
       entering_values_34_features_mask_q <= entering_values_33_features_mask_q;
       entering_values_34_row_q <= entering_values_33_row_q;
       entering_values_35_features_right_q <= entering_values_34_features_right_q;
+      entering_values_35_features_right_y_q <= entering_values_34_features_right_y_q;
       entering_values_35_features_mask_q <= entering_values_34_features_mask_q;
       entering_values_35_row_q <= entering_values_34_row_q;
       entering_values_36_features_right_q <= entering_values_35_features_right_q;
+      entering_values_36_features_right_y_q <= entering_values_35_features_right_y_q;
       entering_values_36_features_mask_q <= entering_values_35_features_mask_q;
       entering_values_36_row_q <= entering_values_35_row_q;
       entering_values_37_features_right_q <= entering_values_36_features_right_q;
+      entering_values_37_features_right_y_q <= entering_values_36_features_right_y_q;
       entering_values_37_features_mask_q <= entering_values_36_features_mask_q;
       entering_values_37_row_q <= entering_values_36_row_q;
       entering_values_38_features_right_q <= entering_values_37_features_right_q;
+      entering_values_38_features_right_y_q <= entering_values_37_features_right_y_q;
       entering_values_38_features_mask_q <= entering_values_37_features_mask_q;
       entering_values_38_row_q <= entering_values_37_row_q;
       entering_values_39_features_right_q <= entering_values_38_features_right_q;
+      entering_values_39_features_right_y_q <= entering_values_38_features_right_y_q;
       entering_values_39_features_mask_q <= entering_values_38_features_mask_q;
       entering_values_39_row_q <= entering_values_38_row_q;
       entering_values_40_features_right_q <= entering_values_39_features_right_q;
+      entering_values_40_features_right_y_q <= entering_values_39_features_right_y_q;
       entering_values_40_features_mask_q <= entering_values_39_features_mask_q;
       entering_values_40_row_q <= entering_values_39_row_q;
       entering_values_41_features_right_q <= entering_values_40_features_right_q;
+      entering_values_41_features_right_y_q <= entering_values_40_features_right_y_q;
       entering_values_41_features_mask_q <= entering_values_40_features_mask_q;
       entering_values_41_row_q <= entering_values_40_row_q;
       entering_values_42_features_right_q <= entering_values_41_features_right_q;
+      entering_values_42_features_right_y_q <= entering_values_41_features_right_y_q;
       entering_values_42_features_mask_q <= entering_values_41_features_mask_q;
       entering_values_42_row_q <= entering_values_41_row_q;
       entering_values_43_features_right_q <= entering_values_42_features_right_q;
+      entering_values_43_features_right_y_q <= entering_values_42_features_right_y_q;
       entering_values_43_features_mask_q <= entering_values_42_features_mask_q;
       entering_values_43_row_q <= entering_values_42_row_q;
       entering_values_44_features_right_q <= entering_values_43_features_right_q;
+      entering_values_44_features_right_y_q <= entering_values_43_features_right_y_q;
       entering_values_44_features_mask_q <= entering_values_43_features_mask_q;
       entering_values_44_row_q <= entering_values_43_row_q;
       entering_values_45_features_right_q <= entering_values_44_features_right_q;
+      entering_values_45_features_right_y_q <= entering_values_44_features_right_y_q;
       entering_values_45_features_mask_q <= entering_values_44_features_mask_q;
       entering_values_45_row_q <= entering_values_44_row_q;
       entering_values_46_features_right_q <= entering_values_45_features_right_q;
+      entering_values_46_features_right_y_q <= entering_values_45_features_right_y_q;
       entering_values_46_features_mask_q <= entering_values_45_features_mask_q;
       entering_values_46_row_q <= entering_values_45_row_q;
       entering_values_47_features_right_q <= entering_values_46_features_right_q;
+      entering_values_47_features_right_y_q <= entering_values_46_features_right_y_q;
       entering_values_47_features_mask_q <= entering_values_46_features_mask_q;
       entering_values_47_row_q <= entering_values_46_row_q;
       marks_values_0_first_q <= marks_first_i;
@@ -1087,64 +1329,34 @@ module horopter_plane_sums (
       marks_values_24_last_q <= marks_values_23_last_q;
       marks_values_24_seen_q <= marks_values_23_seen_q;
       marks_values_24_nearer_q <= marks_values_23_nearer_q;
-      marks_values_25_first_q <= marks_values_24_first_q;
-      marks_values_25_last_q <= marks_values_24_last_q;
-      marks_values_25_seen_q <= marks_values_24_seen_q;
-      marks_values_25_nearer_q <= marks_values_24_nearer_q;
       seen_values_0_grey_q <= grey_i[7:2];
-      seen_values_0_exists_q <= exists_i;
       seen_values_1_grey_q <= seen_values_0_grey_q;
-      seen_values_1_exists_q <= seen_values_0_exists_q;
       seen_values_2_grey_q <= seen_values_1_grey_q;
-      seen_values_2_exists_q <= seen_values_1_exists_q;
       seen_values_3_grey_q <= seen_values_2_grey_q;
-      seen_values_3_exists_q <= seen_values_2_exists_q;
       seen_values_4_grey_q <= seen_values_3_grey_q;
-      seen_values_4_exists_q <= seen_values_3_exists_q;
       seen_values_5_grey_q <= seen_values_4_grey_q;
-      seen_values_5_exists_q <= seen_values_4_exists_q;
       seen_values_6_grey_q <= seen_values_5_grey_q;
-      seen_values_6_exists_q <= seen_values_5_exists_q;
       seen_values_7_grey_q <= seen_values_6_grey_q;
-      seen_values_7_exists_q <= seen_values_6_exists_q;
       seen_values_8_grey_q <= seen_values_7_grey_q;
-      seen_values_8_exists_q <= seen_values_7_exists_q;
       seen_values_9_grey_q <= seen_values_8_grey_q;
-      seen_values_9_exists_q <= seen_values_8_exists_q;
       seen_values_10_grey_q <= seen_values_9_grey_q;
-      seen_values_10_exists_q <= seen_values_9_exists_q;
       seen_values_11_grey_q <= seen_values_10_grey_q;
-      seen_values_11_exists_q <= seen_values_10_exists_q;
       seen_values_12_grey_q <= seen_values_11_grey_q;
-      seen_values_12_exists_q <= seen_values_11_exists_q;
       seen_values_13_grey_q <= seen_values_12_grey_q;
-      seen_values_13_exists_q <= seen_values_12_exists_q;
       seen_values_14_grey_q <= seen_values_13_grey_q;
-      seen_values_14_exists_q <= seen_values_13_exists_q;
       seen_values_15_grey_q <= seen_values_14_grey_q;
-      seen_values_15_exists_q <= seen_values_14_exists_q;
       seen_values_16_grey_q <= seen_values_15_grey_q;
-      seen_values_16_exists_q <= seen_values_15_exists_q;
       seen_values_17_grey_q <= seen_values_16_grey_q;
-      seen_values_17_exists_q <= seen_values_16_exists_q;
       seen_values_18_grey_q <= seen_values_17_grey_q;
-      seen_values_18_exists_q <= seen_values_17_exists_q;
       seen_values_19_grey_q <= seen_values_18_grey_q;
-      seen_values_19_exists_q <= seen_values_18_exists_q;
       seen_values_20_grey_q <= seen_values_19_grey_q;
-      seen_values_20_exists_q <= seen_values_19_exists_q;
       seen_values_21_grey_q <= seen_values_20_grey_q;
-      seen_values_21_exists_q <= seen_values_20_exists_q;
       seen_values_22_grey_q <= seen_values_21_grey_q;
-      seen_values_22_exists_q <= seen_values_21_exists_q;
       seen_values_23_grey_q <= seen_values_22_grey_q;
-      seen_values_23_exists_q <= seen_values_22_exists_q;
-      seen_values_24_grey_q <= seen_values_23_grey_q;
-      seen_values_24_exists_q <= seen_values_23_exists_q;
-      centre_marks_values_0_first_q <= marks_values_25_first_q;
-      centre_marks_values_0_last_q <= marks_values_25_last_q;
-      centre_marks_values_0_seen_q <= marks_values_25_seen_q;
-      centre_marks_values_0_nearer_q <= marks_values_25_nearer_q;
+      centre_marks_values_0_first_q <= marks_values_24_first_q;
+      centre_marks_values_0_last_q <= marks_values_24_last_q;
+      centre_marks_values_0_seen_q <= marks_values_24_seen_q;
+      centre_marks_values_0_nearer_q <= marks_values_24_nearer_q;
       centre_marks_values_1_first_q <= centre_marks_values_0_first_q;
       centre_marks_values_1_last_q <= centre_marks_values_0_last_q;
       centre_marks_values_1_seen_q <= centre_marks_values_0_seen_q;
@@ -1161,29 +1373,31 @@ module horopter_plane_sums (
   end
 
   logic [5:0] entering_values_23_features_left_s1_q;
-  logic [5:0] seen_values_24_grey_s1_q;
-  logic seen_values_24_exists_s1_q;
+  logic [4:0] entering_values_23_features_left_y_s1_q;
+  logic [5:0] seen_values_23_grey_s1_q;
   logic centre_marks_values_3_first_s1_q;
   logic centre_marks_values_3_last_s1_q;
   logic centre_marks_values_3_seen_s1_q;
   logic centre_marks_values_3_nearer_s1_q;
-  logic or_695_s1_q;
-  logic not_711_s1_q;
-  logic not_1106_s1_q;
-  logic [4:0] select_1110_s1_q;
+  logic or_861_s1_q;
+  logic not_881_s1_q;
+  logic not_1420_s1_q;
+  logic [4:0] select_1424_s1_q;
+  logic and_1459_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       entering_values_23_features_left_s1_q <= entering_values_23_features_left_q;
-      seen_values_24_grey_s1_q <= seen_values_24_grey_q;
-      seen_values_24_exists_s1_q <= seen_values_24_exists_q;
+      entering_values_23_features_left_y_s1_q <= entering_values_23_features_left_y_q;
+      seen_values_23_grey_s1_q <= seen_values_23_grey_q;
       centre_marks_values_3_first_s1_q <= centre_marks_values_3_first_q;
       centre_marks_values_3_last_s1_q <= centre_marks_values_3_last_q;
       centre_marks_values_3_seen_s1_q <= centre_marks_values_3_seen_q;
       centre_marks_values_3_nearer_s1_q <= centre_marks_values_3_nearer_q;
-      or_695_s1_q <= or_695;
-      not_711_s1_q <= ~(^{or_691, entering_values_23_row_q, row_parity_q});
-      not_1106_s1_q <= not_1106;
-      select_1110_s1_q <= entering_values_23_features_mask_q ? select_1109 : 5'h0;
+      or_861_s1_q <= or_861;
+      not_881_s1_q <= ~(^{or_857, entering_values_23_row_q, row_parity_q});
+      not_1420_s1_q <= not_1420;
+      select_1424_s1_q <= entering_values_23_features_mask_q ? select_1423 : 5'h0;
+      and_1459_s1_q <= and_1459;
     end
   end
 
@@ -1192,123 +1406,219 @@ module horopter_plane_sums (
   logic [2:0] delayed_rows_q;
   logic [5:0] leaving_values_0_features_left_q;
   logic [5:0] leaving_values_0_features_right_q;
+  logic [4:0] leaving_values_0_features_left_y_q;
+  logic [4:0] leaving_values_0_features_right_y_q;
+  logic leaving_values_0_features_edge_q;
   logic leaving_values_0_features_mask_q;
   logic [5:0] leaving_values_1_features_left_q;
   logic [5:0] leaving_values_1_features_right_q;
+  logic [4:0] leaving_values_1_features_left_y_q;
+  logic [4:0] leaving_values_1_features_right_y_q;
+  logic leaving_values_1_features_edge_q;
   logic leaving_values_1_features_mask_q;
   logic [5:0] leaving_values_2_features_left_q;
   logic [5:0] leaving_values_2_features_right_q;
+  logic [4:0] leaving_values_2_features_left_y_q;
+  logic [4:0] leaving_values_2_features_right_y_q;
+  logic leaving_values_2_features_edge_q;
   logic leaving_values_2_features_mask_q;
   logic [5:0] leaving_values_3_features_left_q;
   logic [5:0] leaving_values_3_features_right_q;
+  logic [4:0] leaving_values_3_features_left_y_q;
+  logic [4:0] leaving_values_3_features_right_y_q;
+  logic leaving_values_3_features_edge_q;
   logic leaving_values_3_features_mask_q;
   logic [5:0] leaving_values_4_features_left_q;
   logic [5:0] leaving_values_4_features_right_q;
+  logic [4:0] leaving_values_4_features_left_y_q;
+  logic [4:0] leaving_values_4_features_right_y_q;
+  logic leaving_values_4_features_edge_q;
   logic leaving_values_4_features_mask_q;
   logic [5:0] leaving_values_5_features_left_q;
   logic [5:0] leaving_values_5_features_right_q;
+  logic [4:0] leaving_values_5_features_left_y_q;
+  logic [4:0] leaving_values_5_features_right_y_q;
+  logic leaving_values_5_features_edge_q;
   logic leaving_values_5_features_mask_q;
   logic [5:0] leaving_values_6_features_left_q;
   logic [5:0] leaving_values_6_features_right_q;
+  logic [4:0] leaving_values_6_features_left_y_q;
+  logic [4:0] leaving_values_6_features_right_y_q;
+  logic leaving_values_6_features_edge_q;
   logic leaving_values_6_features_mask_q;
   logic [5:0] leaving_values_7_features_left_q;
   logic [5:0] leaving_values_7_features_right_q;
+  logic [4:0] leaving_values_7_features_left_y_q;
+  logic [4:0] leaving_values_7_features_right_y_q;
+  logic leaving_values_7_features_edge_q;
   logic leaving_values_7_features_mask_q;
   logic [5:0] leaving_values_8_features_left_q;
   logic [5:0] leaving_values_8_features_right_q;
+  logic [4:0] leaving_values_8_features_left_y_q;
+  logic [4:0] leaving_values_8_features_right_y_q;
+  logic leaving_values_8_features_edge_q;
   logic leaving_values_8_features_mask_q;
   logic [5:0] leaving_values_9_features_left_q;
   logic [5:0] leaving_values_9_features_right_q;
+  logic [4:0] leaving_values_9_features_left_y_q;
+  logic [4:0] leaving_values_9_features_right_y_q;
+  logic leaving_values_9_features_edge_q;
   logic leaving_values_9_features_mask_q;
   logic [5:0] leaving_values_10_features_left_q;
   logic [5:0] leaving_values_10_features_right_q;
+  logic [4:0] leaving_values_10_features_left_y_q;
+  logic [4:0] leaving_values_10_features_right_y_q;
+  logic leaving_values_10_features_edge_q;
   logic leaving_values_10_features_mask_q;
   logic [5:0] leaving_values_11_features_left_q;
   logic [5:0] leaving_values_11_features_right_q;
+  logic [4:0] leaving_values_11_features_left_y_q;
+  logic [4:0] leaving_values_11_features_right_y_q;
+  logic leaving_values_11_features_edge_q;
   logic leaving_values_11_features_mask_q;
   logic [5:0] leaving_values_12_features_left_q;
   logic [5:0] leaving_values_12_features_right_q;
+  logic [4:0] leaving_values_12_features_left_y_q;
+  logic [4:0] leaving_values_12_features_right_y_q;
+  logic leaving_values_12_features_edge_q;
   logic leaving_values_12_features_mask_q;
   logic [5:0] leaving_values_13_features_left_q;
   logic [5:0] leaving_values_13_features_right_q;
+  logic [4:0] leaving_values_13_features_left_y_q;
+  logic [4:0] leaving_values_13_features_right_y_q;
+  logic leaving_values_13_features_edge_q;
   logic leaving_values_13_features_mask_q;
   logic [5:0] leaving_values_14_features_left_q;
   logic [5:0] leaving_values_14_features_right_q;
+  logic [4:0] leaving_values_14_features_left_y_q;
+  logic [4:0] leaving_values_14_features_right_y_q;
+  logic leaving_values_14_features_edge_q;
   logic leaving_values_14_features_mask_q;
   logic [5:0] leaving_values_15_features_left_q;
   logic [5:0] leaving_values_15_features_right_q;
+  logic [4:0] leaving_values_15_features_left_y_q;
+  logic [4:0] leaving_values_15_features_right_y_q;
+  logic leaving_values_15_features_edge_q;
   logic leaving_values_15_features_mask_q;
   logic [5:0] leaving_values_16_features_left_q;
   logic [5:0] leaving_values_16_features_right_q;
+  logic [4:0] leaving_values_16_features_left_y_q;
+  logic [4:0] leaving_values_16_features_right_y_q;
+  logic leaving_values_16_features_edge_q;
   logic leaving_values_16_features_mask_q;
   logic [5:0] leaving_values_17_features_left_q;
   logic [5:0] leaving_values_17_features_right_q;
+  logic [4:0] leaving_values_17_features_left_y_q;
+  logic [4:0] leaving_values_17_features_right_y_q;
+  logic leaving_values_17_features_edge_q;
   logic leaving_values_17_features_mask_q;
   logic [5:0] leaving_values_18_features_left_q;
   logic [5:0] leaving_values_18_features_right_q;
+  logic [4:0] leaving_values_18_features_left_y_q;
+  logic [4:0] leaving_values_18_features_right_y_q;
+  logic leaving_values_18_features_edge_q;
   logic leaving_values_18_features_mask_q;
   logic [5:0] leaving_values_19_features_left_q;
   logic [5:0] leaving_values_19_features_right_q;
+  logic [4:0] leaving_values_19_features_left_y_q;
+  logic [4:0] leaving_values_19_features_right_y_q;
+  logic leaving_values_19_features_edge_q;
   logic leaving_values_19_features_mask_q;
   logic [5:0] leaving_values_20_features_left_q;
   logic [5:0] leaving_values_20_features_right_q;
+  logic [4:0] leaving_values_20_features_left_y_q;
+  logic [4:0] leaving_values_20_features_right_y_q;
+  logic leaving_values_20_features_edge_q;
   logic leaving_values_20_features_mask_q;
   logic [5:0] leaving_values_21_features_left_q;
   logic [5:0] leaving_values_21_features_right_q;
+  logic [4:0] leaving_values_21_features_left_y_q;
+  logic [4:0] leaving_values_21_features_right_y_q;
+  logic leaving_values_21_features_edge_q;
   logic leaving_values_21_features_mask_q;
   logic [5:0] leaving_values_22_features_left_q;
   logic [5:0] leaving_values_22_features_right_q;
+  logic [4:0] leaving_values_22_features_left_y_q;
+  logic [4:0] leaving_values_22_features_right_y_q;
+  logic leaving_values_22_features_edge_q;
   logic leaving_values_22_features_mask_q;
   logic [5:0] leaving_values_23_features_left_q;
   logic [5:0] leaving_values_23_features_right_q;
+  logic [4:0] leaving_values_23_features_left_y_q;
+  logic [4:0] leaving_values_23_features_right_y_q;
+  logic leaving_values_23_features_edge_q;
   logic leaving_values_23_features_mask_q;
   logic [5:0] leaving_values_24_features_right_q;
+  logic [4:0] leaving_values_24_features_right_y_q;
   logic leaving_values_24_features_mask_q;
   logic [5:0] leaving_values_25_features_right_q;
+  logic [4:0] leaving_values_25_features_right_y_q;
   logic leaving_values_25_features_mask_q;
   logic [5:0] leaving_values_26_features_right_q;
+  logic [4:0] leaving_values_26_features_right_y_q;
   logic leaving_values_26_features_mask_q;
   logic [5:0] leaving_values_27_features_right_q;
+  logic [4:0] leaving_values_27_features_right_y_q;
   logic leaving_values_27_features_mask_q;
   logic [5:0] leaving_values_28_features_right_q;
+  logic [4:0] leaving_values_28_features_right_y_q;
   logic leaving_values_28_features_mask_q;
   logic [5:0] leaving_values_29_features_right_q;
+  logic [4:0] leaving_values_29_features_right_y_q;
   logic leaving_values_29_features_mask_q;
   logic [5:0] leaving_values_30_features_right_q;
+  logic [4:0] leaving_values_30_features_right_y_q;
   logic leaving_values_30_features_mask_q;
   logic [5:0] leaving_values_31_features_right_q;
+  logic [4:0] leaving_values_31_features_right_y_q;
   logic leaving_values_31_features_mask_q;
   logic [5:0] leaving_values_32_features_right_q;
+  logic [4:0] leaving_values_32_features_right_y_q;
   logic leaving_values_32_features_mask_q;
   logic [5:0] leaving_values_33_features_right_q;
+  logic [4:0] leaving_values_33_features_right_y_q;
   logic leaving_values_33_features_mask_q;
   logic [5:0] leaving_values_34_features_right_q;
+  logic [4:0] leaving_values_34_features_right_y_q;
   logic leaving_values_34_features_mask_q;
   logic [5:0] leaving_values_35_features_right_q;
+  logic [4:0] leaving_values_35_features_right_y_q;
   logic leaving_values_35_features_mask_q;
   logic [5:0] leaving_values_36_features_right_q;
+  logic [4:0] leaving_values_36_features_right_y_q;
   logic leaving_values_36_features_mask_q;
   logic [5:0] leaving_values_37_features_right_q;
+  logic [4:0] leaving_values_37_features_right_y_q;
   logic leaving_values_37_features_mask_q;
   logic [5:0] leaving_values_38_features_right_q;
+  logic [4:0] leaving_values_38_features_right_y_q;
   logic leaving_values_38_features_mask_q;
   logic [5:0] leaving_values_39_features_right_q;
+  logic [4:0] leaving_values_39_features_right_y_q;
   logic leaving_values_39_features_mask_q;
   logic [5:0] leaving_values_40_features_right_q;
+  logic [4:0] leaving_values_40_features_right_y_q;
   logic leaving_values_40_features_mask_q;
   logic [5:0] leaving_values_41_features_right_q;
+  logic [4:0] leaving_values_41_features_right_y_q;
   logic leaving_values_41_features_mask_q;
   logic [5:0] leaving_values_42_features_right_q;
+  logic [4:0] leaving_values_42_features_right_y_q;
   logic leaving_values_42_features_mask_q;
   logic [5:0] leaving_values_43_features_right_q;
+  logic [4:0] leaving_values_43_features_right_y_q;
   logic leaving_values_43_features_mask_q;
   logic [5:0] leaving_values_44_features_right_q;
+  logic [4:0] leaving_values_44_features_right_y_q;
   logic leaving_values_44_features_mask_q;
   logic [5:0] leaving_values_45_features_right_q;
+  logic [4:0] leaving_values_45_features_right_y_q;
   logic leaving_values_45_features_mask_q;
   logic [5:0] leaving_values_46_features_right_q;
+  logic [4:0] leaving_values_46_features_right_y_q;
   logic leaving_values_46_features_mask_q;
   logic [5:0] leaving_values_47_features_right_q;
+  logic [4:0] leaving_values_47_features_right_y_q;
   logic leaving_values_47_features_mask_q;
   logic [10:0] rows_0_columns_values_0_q;
   logic [10:0] rows_0_columns_values_1_q;
@@ -1510,830 +1820,1117 @@ module horopter_plane_sums (
   logic [10:0] rows_19_columns_values_7_q;
   logic [10:0] rows_19_columns_values_8_q;
   logic [10:0] rows_19_sum_sums_values_0_q;
-  logic [5:0] centres_values_0_seen_grey_q;
-  logic centres_values_0_seen_exists_q;
-  logic centres_values_0_gradient_q;
-  logic [5:0] centres_values_1_seen_grey_q;
-  logic centres_values_1_seen_exists_q;
-  logic centres_values_1_gradient_q;
-  logic [5:0] centres_values_2_seen_grey_q;
-  logic centres_values_2_seen_exists_q;
-  logic centres_values_2_gradient_q;
-  logic [5:0] centres_values_3_seen_grey_q;
-  logic centres_values_3_seen_exists_q;
-  logic centres_values_3_gradient_q;
-  logic rows_seen_values_0_q;
-  logic rows_seen_values_1_q;
-  logic rows_seen_values_2_q;
-  logic rows_seen_values_3_q;
-  // hls/stages/plane_sums.hpp:155
-  logic [2:0] select_700;
-  assign select_700 = centre_marks_values_0_first_q ? 3'h0 : delayed_rows_q;
-  logic equal_701;
-  assign equal_701 = select_700 == 3'h0;
-  // hls/stages/plane_sums.hpp:183
+  logic [5:0] edges_columns_values_0_q;
+  logic [5:0] edges_columns_values_1_q;
+  logic [5:0] edges_columns_values_2_q;
+  logic [5:0] edges_columns_values_3_q;
+  logic [5:0] edges_columns_values_4_q;
+  logic [5:0] edges_columns_values_5_q;
+  logic [5:0] edges_columns_values_6_q;
+  logic [5:0] edges_columns_values_7_q;
+  logic [5:0] edges_columns_values_8_q;
+  logic [5:0] edges_sum_sums_values_0_q;
+  logic [5:0] centres_values_0_grey_q;
+  logic centres_values_0_exists_q;
+  logic [5:0] centres_values_1_grey_q;
+  logic centres_values_1_exists_q;
+  logic [5:0] centres_values_2_grey_q;
+  logic centres_values_2_exists_q;
+  logic [5:0] centres_values_3_grey_q;
+  logic centres_values_3_exists_q;
+  // hls/stages/plane_sums.hpp:160
+  logic [2:0] select_866;
+  assign select_866 = centre_marks_values_0_first_q ? 3'h0 : delayed_rows_q;
+  logic equal_867;
+  assign equal_867 = select_866 == 3'h0;
+  // hls/stages/plane_sums.hpp:185
   logic [7:0] above;
-  assign above = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[7:0] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_704;
-  assign difference_704 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
-  logic [5:0] xor_705;
-  assign xor_705 = difference_704[5:0] ^ {6{difference_704[6]}};
-  logic [6:0] sum_706;
-  assign sum_706 = {6'h0, difference_704[6]} + {1'b0, xor_705};
+  assign above = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[7:0] : 8'h0);
   // hls/stages/plane_sums.hpp:193
-  logic and_713;
-  assign and_713 = (sum_706[6:5] == 2'h0) & (entering_values_0_features_mask_q & not_711_s1_q);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_715;
-  assign select_715 = entering_values_24_features_mask_q ? (and_713 ? sum_706[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_716;
-  assign difference_716 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {feature_memory_rdata_q[89], feature_memory_rdata_q[89:84]};
-  logic [5:0] xor_717;
-  assign xor_717 = difference_716[5:0] ^ {6{difference_716[6]}};
-  logic [6:0] sum_718;
-  assign sum_718 = {6'h0, difference_716[6]} + {1'b0, xor_717};
-  // hls/stages/plane_sums.hpp:131
-  logic [2:0] select_720;
-  assign select_720 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
-  logic equal_721;
-  assign equal_721 = select_720 == 3'h7;
-  // hls/stages/plane_sums.hpp:143
-  logic and_722;
-  assign and_722 = feature_memory_rdata_q[90] & equal_721;
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_725;
-  assign select_725 = ((sum_718[6:5] == 2'h0) & (and_722 & not_711_s1_q)) ? sum_718[4:0] : 5'h1f;
-  logic [4:0] select_726;
-  assign select_726 = leaving_values_23_features_mask_q ? select_725 : 5'h0;
-  logic [5:0] difference_727;
-  assign difference_727 = {1'b0, select_715} - {1'b0, select_726};
-  logic [7:0] sum_728;
-  assign sum_728 = above + {{2{difference_727[5]}}, difference_727};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_2;
-  assign above_2 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[15:8] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_731;
-  assign difference_731 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
-  logic [5:0] xor_732;
-  assign xor_732 = difference_731[5:0] ^ {6{difference_731[6]}};
-  logic [6:0] sum_733;
-  assign sum_733 = {6'h0, difference_731[6]} + {1'b0, xor_732};
-  // hls/stages/plane_sums.hpp:192
-  logic not_736;
-  assign not_736 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_738;
-  assign and_738 = (sum_733[6:5] == 2'h0) & (entering_values_6_features_mask_q & not_736);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_740;
-  assign select_740 = entering_values_24_features_mask_q ? (and_738 ? sum_733[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_741;
-  assign difference_741 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_5_features_right_q[5], leaving_values_5_features_right_q};
-  logic [5:0] xor_742;
-  assign xor_742 = difference_741[5:0] ^ {6{difference_741[6]}};
-  logic [6:0] sum_743;
-  assign sum_743 = {6'h0, difference_741[6]} + {1'b0, xor_742};
-  // hls/stages/plane_sums.hpp:193
-  logic and_746;
-  assign and_746 = (sum_743[6:5] == 2'h0) & (leaving_values_5_features_mask_q & not_736);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_748;
-  assign select_748 = leaving_values_23_features_mask_q ? (and_746 ? sum_743[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_749;
-  assign difference_749 = {1'b0, select_740} - {1'b0, select_748};
-  logic [7:0] sum_750;
-  assign sum_750 = above_2 + {{2{difference_749[5]}}, difference_749};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_3;
-  assign above_3 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[23:16] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_753;
-  assign difference_753 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
-  logic [5:0] xor_754;
-  assign xor_754 = difference_753[5:0] ^ {6{difference_753[6]}};
-  logic [6:0] sum_755;
-  assign sum_755 = {6'h0, difference_753[6]} + {1'b0, xor_754};
-  // hls/stages/plane_sums.hpp:192
-  logic not_758;
-  assign not_758 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_760;
-  assign and_760 = (sum_755[6:5] == 2'h0) & (entering_values_11_features_mask_q & not_758);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_762;
-  assign select_762 = entering_values_24_features_mask_q ? (and_760 ? sum_755[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_763;
-  assign difference_763 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_10_features_right_q[5], leaving_values_10_features_right_q};
-  logic [5:0] xor_764;
-  assign xor_764 = difference_763[5:0] ^ {6{difference_763[6]}};
-  logic [6:0] sum_765;
-  assign sum_765 = {6'h0, difference_763[6]} + {1'b0, xor_764};
-  // hls/stages/plane_sums.hpp:193
-  logic and_768;
-  assign and_768 = (sum_765[6:5] == 2'h0) & (leaving_values_10_features_mask_q & not_758);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_770;
-  assign select_770 = leaving_values_23_features_mask_q ? (and_768 ? sum_765[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_771;
-  assign difference_771 = {1'b0, select_762} - {1'b0, select_770};
-  logic [7:0] sum_772;
-  assign sum_772 = above_3 + {{2{difference_771[5]}}, difference_771};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_4;
-  assign above_4 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[31:24] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_775;
-  assign difference_775 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
-  logic [5:0] xor_776;
-  assign xor_776 = difference_775[5:0] ^ {6{difference_775[6]}};
-  logic [6:0] sum_777;
-  assign sum_777 = {6'h0, difference_775[6]} + {1'b0, xor_776};
-  // hls/stages/plane_sums.hpp:192
-  logic not_780;
-  assign not_780 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_782;
-  assign and_782 = (sum_777[6:5] == 2'h0) & (entering_values_15_features_mask_q & not_780);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_784;
-  assign select_784 = entering_values_24_features_mask_q ? (and_782 ? sum_777[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_785;
-  assign difference_785 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_14_features_right_q[5], leaving_values_14_features_right_q};
-  logic [5:0] xor_786;
-  assign xor_786 = difference_785[5:0] ^ {6{difference_785[6]}};
-  logic [6:0] sum_787;
-  assign sum_787 = {6'h0, difference_785[6]} + {1'b0, xor_786};
-  // hls/stages/plane_sums.hpp:193
-  logic and_790;
-  assign and_790 = (sum_787[6:5] == 2'h0) & (leaving_values_14_features_mask_q & not_780);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_792;
-  assign select_792 = leaving_values_23_features_mask_q ? (and_790 ? sum_787[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_793;
-  assign difference_793 = {1'b0, select_784} - {1'b0, select_792};
-  logic [7:0] sum_794;
-  assign sum_794 = above_4 + {{2{difference_793[5]}}, difference_793};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_5;
-  assign above_5 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[39:32] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_797;
-  assign difference_797 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
-  logic [5:0] xor_798;
-  assign xor_798 = difference_797[5:0] ^ {6{difference_797[6]}};
-  logic [6:0] sum_799;
-  assign sum_799 = {6'h0, difference_797[6]} + {1'b0, xor_798};
-  // hls/stages/plane_sums.hpp:192
-  logic not_802;
-  assign not_802 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_804;
-  assign and_804 = (sum_799[6:5] == 2'h0) & (entering_values_18_features_mask_q & not_802);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_806;
-  assign select_806 = entering_values_24_features_mask_q ? (and_804 ? sum_799[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_807;
-  assign difference_807 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_17_features_right_q[5], leaving_values_17_features_right_q};
-  logic [5:0] xor_808;
-  assign xor_808 = difference_807[5:0] ^ {6{difference_807[6]}};
-  logic [6:0] sum_809;
-  assign sum_809 = {6'h0, difference_807[6]} + {1'b0, xor_808};
-  // hls/stages/plane_sums.hpp:193
-  logic and_812;
-  assign and_812 = (sum_809[6:5] == 2'h0) & (leaving_values_17_features_mask_q & not_802);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_814;
-  assign select_814 = leaving_values_23_features_mask_q ? (and_812 ? sum_809[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_815;
-  assign difference_815 = {1'b0, select_806} - {1'b0, select_814};
-  logic [7:0] sum_816;
-  assign sum_816 = above_5 + {{2{difference_815[5]}}, difference_815};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_6;
-  assign above_6 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[47:40] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_819;
-  assign difference_819 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
-  logic [5:0] xor_820;
-  assign xor_820 = difference_819[5:0] ^ {6{difference_819[6]}};
-  logic [6:0] sum_821;
-  assign sum_821 = {6'h0, difference_819[6]} + {1'b0, xor_820};
-  // hls/stages/plane_sums.hpp:192
-  logic not_824;
-  assign not_824 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_826;
-  assign and_826 = (sum_821[6:5] == 2'h0) & (entering_values_20_features_mask_q & not_824);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_828;
-  assign select_828 = entering_values_24_features_mask_q ? (and_826 ? sum_821[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_829;
-  assign difference_829 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_19_features_right_q[5], leaving_values_19_features_right_q};
-  logic [5:0] xor_830;
-  assign xor_830 = difference_829[5:0] ^ {6{difference_829[6]}};
-  logic [6:0] sum_831;
-  assign sum_831 = {6'h0, difference_829[6]} + {1'b0, xor_830};
-  // hls/stages/plane_sums.hpp:193
-  logic and_834;
-  assign and_834 = (sum_831[6:5] == 2'h0) & (leaving_values_19_features_mask_q & not_824);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_836;
-  assign select_836 = leaving_values_23_features_mask_q ? (and_834 ? sum_831[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_837;
-  assign difference_837 = {1'b0, select_828} - {1'b0, select_836};
-  logic [7:0] sum_838;
-  assign sum_838 = above_6 + {{2{difference_837[5]}}, difference_837};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_7;
-  assign above_7 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[55:48] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_841;
-  assign difference_841 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
-  logic [5:0] xor_842;
-  assign xor_842 = difference_841[5:0] ^ {6{difference_841[6]}};
-  logic [6:0] sum_843;
-  assign sum_843 = {6'h0, difference_841[6]} + {1'b0, xor_842};
-  // hls/stages/plane_sums.hpp:192
-  logic not_846;
-  assign not_846 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_848;
-  assign and_848 = (sum_843[6:5] == 2'h0) & (entering_values_21_features_mask_q & not_846);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_850;
-  assign select_850 = entering_values_24_features_mask_q ? (and_848 ? sum_843[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_851;
-  assign difference_851 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
-  logic [5:0] xor_852;
-  assign xor_852 = difference_851[5:0] ^ {6{difference_851[6]}};
-  logic [6:0] sum_853;
-  assign sum_853 = {6'h0, difference_851[6]} + {1'b0, xor_852};
-  // hls/stages/plane_sums.hpp:193
-  logic and_856;
-  assign and_856 = (sum_853[6:5] == 2'h0) & (leaving_values_20_features_mask_q & not_846);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_858;
-  assign select_858 = leaving_values_23_features_mask_q ? (and_856 ? sum_853[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_859;
-  assign difference_859 = {1'b0, select_850} - {1'b0, select_858};
-  logic [7:0] sum_860;
-  assign sum_860 = above_7 + {{2{difference_859[5]}}, difference_859};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_8;
-  assign above_8 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[63:56] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_863;
-  assign difference_863 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
-  logic [5:0] xor_864;
-  assign xor_864 = difference_863[5:0] ^ {6{difference_863[6]}};
-  logic [6:0] sum_865;
-  assign sum_865 = {6'h0, difference_863[6]} + {1'b0, xor_864};
-  // hls/stages/plane_sums.hpp:192
-  logic not_868;
-  assign not_868 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_870;
-  assign and_870 = (sum_865[6:5] == 2'h0) & (entering_values_22_features_mask_q & not_868);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_872;
-  assign select_872 = entering_values_24_features_mask_q ? (and_870 ? sum_865[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
+  logic [5:0] difference_870;
+  assign difference_870 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_0_features_right_y_q[4], entering_values_0_features_right_y_q};
+  logic [4:0] xor_871;
+  assign xor_871 = difference_870[4:0] ^ {5{difference_870[5]}};
+  logic [5:0] across;
+  assign across = {5'h0, difference_870[5]} + {1'b0, xor_871};
+  // hls/stages/plane_sums.hpp:194
   logic [6:0] difference_873;
-  assign difference_873 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
+  assign difference_873 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_0_features_right_q[5], entering_values_0_features_right_q};
   logic [5:0] xor_874;
   assign xor_874 = difference_873[5:0] ^ {6{difference_873[6]}};
-  logic [6:0] sum_875;
-  assign sum_875 = {6'h0, difference_873[6]} + {1'b0, xor_874};
+  logic [6:0] sum_876;
+  assign sum_876 = {1'b0, across} + ({6'h0, difference_873[6]} + {1'b0, xor_874});
+  // hls/stages/plane_sums.hpp:196
+  logic and_883;
+  assign and_883 = (sum_876[6:5] == 2'h0) & (entering_values_0_features_mask_q & not_881_s1_q);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_885;
+  assign select_885 = entering_values_24_features_mask_q ? (and_883 ? sum_876[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:193
-  logic and_878;
-  assign and_878 = (sum_875[6:5] == 2'h0) & (leaving_values_21_features_mask_q & not_868);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_880;
-  assign select_880 = leaving_values_23_features_mask_q ? (and_878 ? sum_875[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_881;
-  assign difference_881 = {1'b0, select_872} - {1'b0, select_880};
-  logic [7:0] sum_882;
-  assign sum_882 = above_8 + {{2{difference_881[5]}}, difference_881};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_9;
-  assign above_9 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[71:64] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_885;
-  assign difference_885 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
-  logic [5:0] xor_886;
-  assign xor_886 = difference_885[5:0] ^ {6{difference_885[6]}};
-  logic [6:0] sum_887;
-  assign sum_887 = {6'h0, difference_885[6]} + {1'b0, xor_886};
-  // hls/stages/plane_sums.hpp:192
-  logic not_890;
-  assign not_890 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
+  logic [5:0] difference_886;
+  assign difference_886 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {feature_memory_rdata_q[165], feature_memory_rdata_q[165:161]};
+  logic [4:0] xor_887;
+  assign xor_887 = difference_886[4:0] ^ {5{difference_886[5]}};
+  logic [5:0] across_2;
+  assign across_2 = {5'h0, difference_886[5]} + {1'b0, xor_887};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_889;
+  assign difference_889 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {feature_memory_rdata_q[155], feature_memory_rdata_q[155:150]};
+  logic [5:0] xor_890;
+  assign xor_890 = difference_889[5:0] ^ {6{difference_889[6]}};
+  logic [6:0] sum_892;
+  assign sum_892 = {1'b0, across_2} + ({6'h0, difference_889[6]} + {1'b0, xor_890});
+  // hls/stages/plane_sums.hpp:133
+  logic [2:0] select_894;
+  assign select_894 = marks_values_0_first_q ? 3'h0 : arriving_rows_q;
+  logic equal_895;
+  assign equal_895 = select_894 == 3'h7;
+  // hls/stages/plane_sums.hpp:148
+  logic and_896;
+  assign and_896 = feature_memory_rdata_q[167] & equal_895;
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_899;
+  assign select_899 = ((sum_892[6:5] == 2'h0) & (and_896 & not_881_s1_q)) ? sum_892[4:0] : 5'h1f;
+  logic [4:0] select_900;
+  assign select_900 = leaving_values_23_features_mask_q ? select_899 : 5'h0;
+  logic [5:0] difference_901;
+  assign difference_901 = {1'b0, select_885} - {1'b0, select_900};
+  logic [7:0] sum_902;
+  assign sum_902 = above + {{2{difference_901[5]}}, difference_901};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_2;
+  assign above_2 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[15:8] : 8'h0);
   // hls/stages/plane_sums.hpp:193
-  logic and_892;
-  assign and_892 = (sum_887[6:5] == 2'h0) & (entering_values_23_features_mask_q & not_890);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_894;
-  assign select_894 = entering_values_24_features_mask_q ? (and_892 ? sum_887[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_895;
-  assign difference_895 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
-  logic [5:0] xor_896;
-  assign xor_896 = difference_895[5:0] ^ {6{difference_895[6]}};
-  logic [6:0] sum_897;
-  assign sum_897 = {6'h0, difference_895[6]} + {1'b0, xor_896};
+  logic [5:0] difference_905;
+  assign difference_905 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_6_features_right_y_q[4], entering_values_6_features_right_y_q};
+  logic [4:0] xor_906;
+  assign xor_906 = difference_905[4:0] ^ {5{difference_905[5]}};
+  logic [5:0] across_3;
+  assign across_3 = {5'h0, difference_905[5]} + {1'b0, xor_906};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_908;
+  assign difference_908 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_6_features_right_q[5], entering_values_6_features_right_q};
+  logic [5:0] xor_909;
+  assign xor_909 = difference_908[5:0] ^ {6{difference_908[6]}};
+  logic [6:0] sum_911;
+  assign sum_911 = {1'b0, across_3} + ({6'h0, difference_908[6]} + {1'b0, xor_909});
+  // hls/stages/plane_sums.hpp:195
+  logic not_914;
+  assign not_914 = ~(entering_values_6_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_916;
+  assign and_916 = (sum_911[6:5] == 2'h0) & (entering_values_6_features_mask_q & not_914);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_918;
+  assign select_918 = entering_values_24_features_mask_q ? (and_916 ? sum_911[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:193
-  logic and_900;
-  assign and_900 = (sum_897[6:5] == 2'h0) & (leaving_values_22_features_mask_q & not_890);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_902;
-  assign select_902 = leaving_values_23_features_mask_q ? (and_900 ? sum_897[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_903;
-  assign difference_903 = {1'b0, select_894} - {1'b0, select_902};
-  logic [7:0] sum_904;
-  assign sum_904 = above_9 + {{2{difference_903[5]}}, difference_903};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_10;
-  assign above_10 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[79:72] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_907;
-  assign difference_907 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
-  logic [5:0] xor_908;
-  assign xor_908 = difference_907[5:0] ^ {6{difference_907[6]}};
-  logic [6:0] sum_909;
-  assign sum_909 = {6'h0, difference_907[6]} + {1'b0, xor_908};
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_912;
-  assign select_912 = (entering_values_24_features_mask_q & (sum_909[6:5] == 2'h0)) ? sum_909[4:0] : 5'h1f;
-  logic [4:0] select_913;
-  assign select_913 = entering_values_24_features_mask_q ? select_912 : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_914;
-  assign difference_914 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
-  logic [5:0] xor_915;
-  assign xor_915 = difference_914[5:0] ^ {6{difference_914[6]}};
-  logic [6:0] sum_916;
-  assign sum_916 = {6'h0, difference_914[6]} + {1'b0, xor_915};
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_919;
-  assign select_919 = (leaving_values_23_features_mask_q & (sum_916[6:5] == 2'h0)) ? sum_916[4:0] : 5'h1f;
-  logic [4:0] select_920;
-  assign select_920 = leaving_values_23_features_mask_q ? select_919 : 5'h0;
-  logic [5:0] difference_921;
-  assign difference_921 = {1'b0, select_913} - {1'b0, select_920};
-  logic [7:0] sum_922;
-  assign sum_922 = above_10 + {{2{difference_921[5]}}, difference_921};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_11;
-  assign above_11 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[87:80] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_925;
-  assign difference_925 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
-  logic [5:0] xor_926;
-  assign xor_926 = difference_925[5:0] ^ {6{difference_925[6]}};
-  logic [6:0] sum_927;
-  assign sum_927 = {6'h0, difference_925[6]} + {1'b0, xor_926};
-  // hls/stages/plane_sums.hpp:192
-  logic not_930;
-  assign not_930 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
+  logic [5:0] difference_919;
+  assign difference_919 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_5_features_right_y_q[4], leaving_values_5_features_right_y_q};
+  logic [4:0] xor_920;
+  assign xor_920 = difference_919[4:0] ^ {5{difference_919[5]}};
+  logic [5:0] across_4;
+  assign across_4 = {5'h0, difference_919[5]} + {1'b0, xor_920};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_922;
+  assign difference_922 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_5_features_right_q[5], leaving_values_5_features_right_q};
+  logic [5:0] xor_923;
+  assign xor_923 = difference_922[5:0] ^ {6{difference_922[6]}};
+  logic [6:0] sum_925;
+  assign sum_925 = {1'b0, across_4} + ({6'h0, difference_922[6]} + {1'b0, xor_923});
+  // hls/stages/plane_sums.hpp:196
+  logic and_928;
+  assign and_928 = (sum_925[6:5] == 2'h0) & (leaving_values_5_features_mask_q & not_914);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_930;
+  assign select_930 = leaving_values_23_features_mask_q ? (and_928 ? sum_925[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_931;
+  assign difference_931 = {1'b0, select_918} - {1'b0, select_930};
+  logic [7:0] sum_932;
+  assign sum_932 = above_2 + {{2{difference_931[5]}}, difference_931};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_3;
+  assign above_3 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[23:16] : 8'h0);
   // hls/stages/plane_sums.hpp:193
-  logic and_932;
-  assign and_932 = (sum_927[6:5] == 2'h0) & (entering_values_25_features_mask_q & not_930);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_934;
-  assign select_934 = entering_values_24_features_mask_q ? (and_932 ? sum_927[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_935;
-  assign difference_935 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
-  logic [5:0] xor_936;
-  assign xor_936 = difference_935[5:0] ^ {6{difference_935[6]}};
-  logic [6:0] sum_937;
-  assign sum_937 = {6'h0, difference_935[6]} + {1'b0, xor_936};
+  logic [5:0] difference_935;
+  assign difference_935 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_11_features_right_y_q[4], entering_values_11_features_right_y_q};
+  logic [4:0] xor_936;
+  assign xor_936 = difference_935[4:0] ^ {5{difference_935[5]}};
+  logic [5:0] across_5;
+  assign across_5 = {5'h0, difference_935[5]} + {1'b0, xor_936};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_938;
+  assign difference_938 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_11_features_right_q[5], entering_values_11_features_right_q};
+  logic [5:0] xor_939;
+  assign xor_939 = difference_938[5:0] ^ {6{difference_938[6]}};
+  logic [6:0] sum_941;
+  assign sum_941 = {1'b0, across_5} + ({6'h0, difference_938[6]} + {1'b0, xor_939});
+  // hls/stages/plane_sums.hpp:195
+  logic not_944;
+  assign not_944 = ~(entering_values_11_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_946;
+  assign and_946 = (sum_941[6:5] == 2'h0) & (entering_values_11_features_mask_q & not_944);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_948;
+  assign select_948 = entering_values_24_features_mask_q ? (and_946 ? sum_941[4:0] : 5'h1f) : 5'h0;
   // hls/stages/plane_sums.hpp:193
-  logic and_940;
-  assign and_940 = (sum_937[6:5] == 2'h0) & (leaving_values_24_features_mask_q & not_930);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_942;
-  assign select_942 = leaving_values_23_features_mask_q ? (and_940 ? sum_937[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_943;
-  assign difference_943 = {1'b0, select_934} - {1'b0, select_942};
-  logic [7:0] sum_944;
-  assign sum_944 = above_11 + {{2{difference_943[5]}}, difference_943};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_12;
-  assign above_12 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[95:88] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_947;
-  assign difference_947 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
-  logic [5:0] xor_948;
-  assign xor_948 = difference_947[5:0] ^ {6{difference_947[6]}};
-  logic [6:0] sum_949;
-  assign sum_949 = {6'h0, difference_947[6]} + {1'b0, xor_948};
-  // hls/stages/plane_sums.hpp:192
-  logic not_952;
-  assign not_952 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
+  logic [5:0] difference_949;
+  assign difference_949 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_10_features_right_y_q[4], leaving_values_10_features_right_y_q};
+  logic [4:0] xor_950;
+  assign xor_950 = difference_949[4:0] ^ {5{difference_949[5]}};
+  logic [5:0] across_6;
+  assign across_6 = {5'h0, difference_949[5]} + {1'b0, xor_950};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_952;
+  assign difference_952 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_10_features_right_q[5], leaving_values_10_features_right_q};
+  logic [5:0] xor_953;
+  assign xor_953 = difference_952[5:0] ^ {6{difference_952[6]}};
+  logic [6:0] sum_955;
+  assign sum_955 = {1'b0, across_6} + ({6'h0, difference_952[6]} + {1'b0, xor_953});
+  // hls/stages/plane_sums.hpp:196
+  logic and_958;
+  assign and_958 = (sum_955[6:5] == 2'h0) & (leaving_values_10_features_mask_q & not_944);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_960;
+  assign select_960 = leaving_values_23_features_mask_q ? (and_958 ? sum_955[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_961;
+  assign difference_961 = {1'b0, select_948} - {1'b0, select_960};
+  logic [7:0] sum_962;
+  assign sum_962 = above_3 + {{2{difference_961[5]}}, difference_961};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_4;
+  assign above_4 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[31:24] : 8'h0);
   // hls/stages/plane_sums.hpp:193
-  logic and_954;
-  assign and_954 = (sum_949[6:5] == 2'h0) & (entering_values_26_features_mask_q & not_952);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_956;
-  assign select_956 = entering_values_24_features_mask_q ? (and_954 ? sum_949[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_957;
-  assign difference_957 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
-  logic [5:0] xor_958;
-  assign xor_958 = difference_957[5:0] ^ {6{difference_957[6]}};
-  logic [6:0] sum_959;
-  assign sum_959 = {6'h0, difference_957[6]} + {1'b0, xor_958};
-  // hls/stages/plane_sums.hpp:193
-  logic and_962;
-  assign and_962 = (sum_959[6:5] == 2'h0) & (leaving_values_25_features_mask_q & not_952);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_964;
-  assign select_964 = leaving_values_23_features_mask_q ? (and_962 ? sum_959[4:0] : 5'h1f) : 5'h0;
   logic [5:0] difference_965;
-  assign difference_965 = {1'b0, select_956} - {1'b0, select_964};
-  logic [7:0] sum_966;
-  assign sum_966 = above_12 + {{2{difference_965[5]}}, difference_965};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_13;
-  assign above_13 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[103:96] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_969;
-  assign difference_969 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
-  logic [5:0] xor_970;
-  assign xor_970 = difference_969[5:0] ^ {6{difference_969[6]}};
+  assign difference_965 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_15_features_right_y_q[4], entering_values_15_features_right_y_q};
+  logic [4:0] xor_966;
+  assign xor_966 = difference_965[4:0] ^ {5{difference_965[5]}};
+  logic [5:0] across_7;
+  assign across_7 = {5'h0, difference_965[5]} + {1'b0, xor_966};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_968;
+  assign difference_968 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_15_features_right_q[5], entering_values_15_features_right_q};
+  logic [5:0] xor_969;
+  assign xor_969 = difference_968[5:0] ^ {6{difference_968[6]}};
   logic [6:0] sum_971;
-  assign sum_971 = {6'h0, difference_969[6]} + {1'b0, xor_970};
-  // hls/stages/plane_sums.hpp:192
+  assign sum_971 = {1'b0, across_7} + ({6'h0, difference_968[6]} + {1'b0, xor_969});
+  // hls/stages/plane_sums.hpp:195
   logic not_974;
-  assign not_974 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
-  // hls/stages/plane_sums.hpp:193
+  assign not_974 = ~(entering_values_15_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
   logic and_976;
-  assign and_976 = (sum_971[6:5] == 2'h0) & (entering_values_27_features_mask_q & not_974);
-  // hls/stages/plane_sums.hpp:184
+  assign and_976 = (sum_971[6:5] == 2'h0) & (entering_values_15_features_mask_q & not_974);
+  // hls/stages/plane_sums.hpp:186
   logic [4:0] select_978;
   assign select_978 = entering_values_24_features_mask_q ? (and_976 ? sum_971[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_979;
-  assign difference_979 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
-  logic [5:0] xor_980;
-  assign xor_980 = difference_979[5:0] ^ {6{difference_979[6]}};
-  logic [6:0] sum_981;
-  assign sum_981 = {6'h0, difference_979[6]} + {1'b0, xor_980};
   // hls/stages/plane_sums.hpp:193
-  logic and_984;
-  assign and_984 = (sum_981[6:5] == 2'h0) & (leaving_values_26_features_mask_q & not_974);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_986;
-  assign select_986 = leaving_values_23_features_mask_q ? (and_984 ? sum_981[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_987;
-  assign difference_987 = {1'b0, select_978} - {1'b0, select_986};
-  logic [7:0] sum_988;
-  assign sum_988 = above_13 + {{2{difference_987[5]}}, difference_987};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_14;
-  assign above_14 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[111:104] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_991;
-  assign difference_991 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
-  logic [5:0] xor_992;
-  assign xor_992 = difference_991[5:0] ^ {6{difference_991[6]}};
-  logic [6:0] sum_993;
-  assign sum_993 = {6'h0, difference_991[6]} + {1'b0, xor_992};
-  // hls/stages/plane_sums.hpp:192
-  logic not_996;
-  assign not_996 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_998;
-  assign and_998 = (sum_993[6:5] == 2'h0) & (entering_values_28_features_mask_q & not_996);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1000;
-  assign select_1000 = entering_values_24_features_mask_q ? (and_998 ? sum_993[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_1001;
-  assign difference_1001 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
-  logic [5:0] xor_1002;
-  assign xor_1002 = difference_1001[5:0] ^ {6{difference_1001[6]}};
-  logic [6:0] sum_1003;
-  assign sum_1003 = {6'h0, difference_1001[6]} + {1'b0, xor_1002};
-  // hls/stages/plane_sums.hpp:193
-  logic and_1006;
-  assign and_1006 = (sum_1003[6:5] == 2'h0) & (leaving_values_27_features_mask_q & not_996);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1008;
-  assign select_1008 = leaving_values_23_features_mask_q ? (and_1006 ? sum_1003[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_1009;
-  assign difference_1009 = {1'b0, select_1000} - {1'b0, select_1008};
-  logic [7:0] sum_1010;
-  assign sum_1010 = above_14 + {{2{difference_1009[5]}}, difference_1009};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_15;
-  assign above_15 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[119:112] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_1013;
-  assign difference_1013 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
-  logic [5:0] xor_1014;
-  assign xor_1014 = difference_1013[5:0] ^ {6{difference_1013[6]}};
-  logic [6:0] sum_1015;
-  assign sum_1015 = {6'h0, difference_1013[6]} + {1'b0, xor_1014};
-  // hls/stages/plane_sums.hpp:192
-  logic not_1018;
-  assign not_1018 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_1020;
-  assign and_1020 = (sum_1015[6:5] == 2'h0) & (entering_values_30_features_mask_q & not_1018);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1022;
-  assign select_1022 = entering_values_24_features_mask_q ? (and_1020 ? sum_1015[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_1023;
-  assign difference_1023 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_29_features_right_q[5], leaving_values_29_features_right_q};
-  logic [5:0] xor_1024;
-  assign xor_1024 = difference_1023[5:0] ^ {6{difference_1023[6]}};
-  logic [6:0] sum_1025;
-  assign sum_1025 = {6'h0, difference_1023[6]} + {1'b0, xor_1024};
-  // hls/stages/plane_sums.hpp:193
-  logic and_1028;
-  assign and_1028 = (sum_1025[6:5] == 2'h0) & (leaving_values_29_features_mask_q & not_1018);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1030;
-  assign select_1030 = leaving_values_23_features_mask_q ? (and_1028 ? sum_1025[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_1031;
-  assign difference_1031 = {1'b0, select_1022} - {1'b0, select_1030};
-  logic [7:0] sum_1032;
-  assign sum_1032 = above_15 + {{2{difference_1031[5]}}, difference_1031};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_16;
-  assign above_16 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[127:120] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_1035;
-  assign difference_1035 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
-  logic [5:0] xor_1036;
-  assign xor_1036 = difference_1035[5:0] ^ {6{difference_1035[6]}};
-  logic [6:0] sum_1037;
-  assign sum_1037 = {6'h0, difference_1035[6]} + {1'b0, xor_1036};
-  // hls/stages/plane_sums.hpp:192
-  logic not_1040;
-  assign not_1040 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
-  // hls/stages/plane_sums.hpp:193
-  logic and_1042;
-  assign and_1042 = (sum_1037[6:5] == 2'h0) & (entering_values_33_features_mask_q & not_1040);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1044;
-  assign select_1044 = entering_values_24_features_mask_q ? (and_1042 ? sum_1037[4:0] : 5'h1f) : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_1045;
-  assign difference_1045 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_32_features_right_q[5], leaving_values_32_features_right_q};
-  logic [5:0] xor_1046;
-  assign xor_1046 = difference_1045[5:0] ^ {6{difference_1045[6]}};
-  logic [6:0] sum_1047;
-  assign sum_1047 = {6'h0, difference_1045[6]} + {1'b0, xor_1046};
-  // hls/stages/plane_sums.hpp:193
-  logic and_1050;
-  assign and_1050 = (sum_1047[6:5] == 2'h0) & (leaving_values_32_features_mask_q & not_1040);
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1052;
-  assign select_1052 = leaving_values_23_features_mask_q ? (and_1050 ? sum_1047[4:0] : 5'h1f) : 5'h0;
-  logic [5:0] difference_1053;
-  assign difference_1053 = {1'b0, select_1044} - {1'b0, select_1052};
-  logic [7:0] sum_1054;
-  assign sum_1054 = above_16 + {{2{difference_1053[5]}}, difference_1053};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_17;
-  assign above_17 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[135:128] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_1057;
-  assign difference_1057 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
-  logic [5:0] xor_1058;
-  assign xor_1058 = difference_1057[5:0] ^ {6{difference_1057[6]}};
-  logic [6:0] sum_1059;
-  assign sum_1059 = {6'h0, difference_1057[6]} + {1'b0, xor_1058};
-  // hls/stages/plane_sums.hpp:192
-  logic not_1062;
-  assign not_1062 = ~(entering_values_24_row_q ^ entering_values_37_row_q);
-  // hls/stages/plane_sums.hpp:101
-  logic [4:0] select_1065;
-  assign select_1065 = entering_values_37_features_mask_q ? (((sum_1059[6:5] == 2'h0) & not_1062) ? sum_1059[4:0] : 5'h1f) : 5'h1f;
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1066;
-  assign select_1066 = entering_values_24_features_mask_q ? select_1065 : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_1067;
-  assign difference_1067 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_36_features_right_q[5], leaving_values_36_features_right_q};
-  logic [5:0] xor_1068;
-  assign xor_1068 = difference_1067[5:0] ^ {6{difference_1067[6]}};
-  logic [6:0] sum_1069;
-  assign sum_1069 = {6'h0, difference_1067[6]} + {1'b0, xor_1068};
-  // hls/stages/plane_sums.hpp:102
-  logic [4:0] select_1073;
-  assign select_1073 = leaving_values_36_features_mask_q ? ((not_1062 & (sum_1069[6:5] == 2'h0)) ? sum_1069[4:0] : 5'h1f) : 5'h1f;
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1074;
-  assign select_1074 = leaving_values_23_features_mask_q ? select_1073 : 5'h0;
-  logic [5:0] difference_1075;
-  assign difference_1075 = {1'b0, select_1066} - {1'b0, select_1074};
-  logic [7:0] sum_1076;
-  assign sum_1076 = above_17 + {{2{difference_1075[5]}}, difference_1075};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_18;
-  assign above_18 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[143:136] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_1079;
-  assign difference_1079 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
-  logic [5:0] xor_1080;
-  assign xor_1080 = difference_1079[5:0] ^ {6{difference_1079[6]}};
-  logic [6:0] sum_1081;
-  assign sum_1081 = {6'h0, difference_1079[6]} + {1'b0, xor_1080};
-  // hls/stages/plane_sums.hpp:192
-  logic not_1084;
-  assign not_1084 = ~(entering_values_24_row_q ^ entering_values_42_row_q);
-  // hls/stages/plane_sums.hpp:101
-  logic [4:0] select_1087;
-  assign select_1087 = entering_values_42_features_mask_q ? (((sum_1081[6:5] == 2'h0) & not_1084) ? sum_1081[4:0] : 5'h1f) : 5'h1f;
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1088;
-  assign select_1088 = entering_values_24_features_mask_q ? select_1087 : 5'h0;
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_1089;
-  assign difference_1089 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_41_features_right_q[5], leaving_values_41_features_right_q};
-  logic [5:0] xor_1090;
-  assign xor_1090 = difference_1089[5:0] ^ {6{difference_1089[6]}};
-  logic [6:0] sum_1091;
-  assign sum_1091 = {6'h0, difference_1089[6]} + {1'b0, xor_1090};
-  // hls/stages/plane_sums.hpp:102
-  logic [4:0] select_1095;
-  assign select_1095 = leaving_values_41_features_mask_q ? ((not_1084 & (sum_1091[6:5] == 2'h0)) ? sum_1091[4:0] : 5'h1f) : 5'h1f;
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1096;
-  assign select_1096 = leaving_values_23_features_mask_q ? select_1095 : 5'h0;
-  logic [5:0] difference_1097;
-  assign difference_1097 = {1'b0, select_1088} - {1'b0, select_1096};
-  logic [7:0] sum_1098;
-  assign sum_1098 = above_18 + {{2{difference_1097[5]}}, difference_1097};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_19;
-  assign above_19 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[151:144] : 8'h0);
-  // hls/stages/plane_sums.hpp:191
-  logic [6:0] difference_1111;
-  assign difference_1111 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
-  logic [5:0] xor_1112;
-  assign xor_1112 = difference_1111[5:0] ^ {6{difference_1111[6]}};
-  logic [6:0] sum_1113;
-  assign sum_1113 = {6'h0, difference_1111[6]} + {1'b0, xor_1112};
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1116;
-  assign select_1116 = (not_1106_s1_q & (sum_1113[6:5] == 2'h0)) ? sum_1113[4:0] : 5'h1f;
-  logic [4:0] select_1118;
-  assign select_1118 = leaving_values_23_features_mask_q ? (leaving_values_47_features_mask_q ? select_1116 : 5'h1f) : 5'h0;
-  logic [5:0] difference_1119;
-  assign difference_1119 = {1'b0, select_1110_s1_q} - {1'b0, select_1118};
-  logic [7:0] sum_1120;
-  assign sum_1120 = above_19 + {{2{difference_1119[5]}}, difference_1119};
-  // hls/stages/plane_sums.hpp:183
-  logic [7:0] above_20;
-  assign above_20 = equal_701 ? 8'h0 : (running_q ? column_memory_rdata_q[159:152] : 8'h0);
-  // hls/stages/plane_sums.hpp:198
-  logic [4:0] xor_1123;
-  assign xor_1123 = entering_values_23_features_left_s1_q[4:0] ^ {5{entering_values_23_features_left_s1_q[5]}};
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1125;
-  assign select_1125 = entering_values_24_features_mask_q ? ({4'h0, entering_values_23_features_left_s1_q[5]} + xor_1123) : 5'h0;
-  // hls/stages/plane_sums.hpp:198
-  logic [4:0] xor_1126;
-  assign xor_1126 = leaving_values_23_features_left_q[4:0] ^ {5{leaving_values_23_features_left_q[5]}};
-  // hls/stages/plane_sums.hpp:184
-  logic [4:0] select_1128;
-  assign select_1128 = leaving_values_23_features_mask_q ? ({4'h0, leaving_values_23_features_left_q[5]} + xor_1126) : 5'h0;
-  logic [5:0] difference_1129;
-  assign difference_1129 = {1'b0, select_1125} - {1'b0, select_1128};
-  logic [7:0] sum_1130;
-  assign sum_1130 = above_20 + {{2{difference_1129[5]}}, difference_1129};
-  // hls/stages/plane_sums.hpp:50
-  logic and_1131;
-  assign and_1131 = column_memory_rdata_q[166] & running_q;
-  logic and_1132;
-  assign and_1132 = column_memory_rdata_q[173] & running_q;
-  logic and_1133;
-  assign and_1133 = column_memory_rdata_q[180] & running_q;
-  logic and_1134;
-  assign and_1134 = column_memory_rdata_q[188] & running_q;
-  logic and_1135;
-  assign and_1135 = column_memory_rdata_q[189] & running_q;
-  // hls/stages/plane_sums.hpp:131
-  logic not_1136;
-  assign not_1136 = ~equal_721;
-  logic [2:0] select_1138;
-  assign select_1138 = arriving_row_ended_q ? (select_720 + {2'h0, not_1136}) : select_720;
-  // hls/stages/plane_sums.hpp:155
-  logic not_1140;
-  assign not_1140 = ~(select_700 == 3'h7);
-  logic [2:0] select_1142;
-  assign select_1142 = delayed_row_ended_q ? (select_700 + {2'h0, not_1140}) : select_700;
+  logic [5:0] difference_979;
+  assign difference_979 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_14_features_right_y_q[4], leaving_values_14_features_right_y_q};
+  logic [4:0] xor_980;
+  assign xor_980 = difference_979[4:0] ^ {5{difference_979[5]}};
+  logic [5:0] across_8;
+  assign across_8 = {5'h0, difference_979[5]} + {1'b0, xor_980};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_982;
+  assign difference_982 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_14_features_right_q[5], leaving_values_14_features_right_q};
+  logic [5:0] xor_983;
+  assign xor_983 = difference_982[5:0] ^ {6{difference_982[6]}};
+  logic [6:0] sum_985;
+  assign sum_985 = {1'b0, across_8} + ({6'h0, difference_982[6]} + {1'b0, xor_983});
+  // hls/stages/plane_sums.hpp:196
+  logic and_988;
+  assign and_988 = (sum_985[6:5] == 2'h0) & (leaving_values_14_features_mask_q & not_974);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_990;
+  assign select_990 = leaving_values_23_features_mask_q ? (and_988 ? sum_985[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_991;
+  assign difference_991 = {1'b0, select_978} - {1'b0, select_990};
+  logic [7:0] sum_992;
+  assign sum_992 = above_4 + {{2{difference_991[5]}}, difference_991};
   // hls/stages/plane_sums.hpp:185
-  logic less_1143;
-  assign less_1143 = 10'h8 < delayed_column_q;
-  logic [10:0] difference_1145;
-  assign difference_1145 = {3'h0, sum_728} - (less_1143 ? rows_0_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1147;
-  assign sum_1147 = difference_1145 + (or_695_s1_q ? 11'h0 : rows_0_sum_sums_values_0_q);
-  logic [10:0] difference_1149;
-  assign difference_1149 = {3'h0, sum_750} - (less_1143 ? rows_1_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1151;
-  assign sum_1151 = difference_1149 + (or_695_s1_q ? 11'h0 : rows_1_sum_sums_values_0_q);
-  logic [10:0] difference_1153;
-  assign difference_1153 = {3'h0, sum_772} - (less_1143 ? rows_2_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1155;
-  assign sum_1155 = difference_1153 + (or_695_s1_q ? 11'h0 : rows_2_sum_sums_values_0_q);
-  logic [10:0] difference_1157;
-  assign difference_1157 = {3'h0, sum_794} - (less_1143 ? rows_3_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1159;
-  assign sum_1159 = difference_1157 + (or_695_s1_q ? 11'h0 : rows_3_sum_sums_values_0_q);
-  logic [10:0] difference_1161;
-  assign difference_1161 = {3'h0, sum_816} - (less_1143 ? rows_4_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1163;
-  assign sum_1163 = difference_1161 + (or_695_s1_q ? 11'h0 : rows_4_sum_sums_values_0_q);
-  logic [10:0] difference_1165;
-  assign difference_1165 = {3'h0, sum_838} - (less_1143 ? rows_5_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1167;
-  assign sum_1167 = difference_1165 + (or_695_s1_q ? 11'h0 : rows_5_sum_sums_values_0_q);
-  logic [10:0] difference_1169;
-  assign difference_1169 = {3'h0, sum_860} - (less_1143 ? rows_6_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1171;
-  assign sum_1171 = difference_1169 + (or_695_s1_q ? 11'h0 : rows_6_sum_sums_values_0_q);
-  logic [10:0] difference_1173;
-  assign difference_1173 = {3'h0, sum_882} - (less_1143 ? rows_7_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1175;
-  assign sum_1175 = difference_1173 + (or_695_s1_q ? 11'h0 : rows_7_sum_sums_values_0_q);
-  logic [10:0] difference_1177;
-  assign difference_1177 = {3'h0, sum_904} - (less_1143 ? rows_8_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1179;
-  assign sum_1179 = difference_1177 + (or_695_s1_q ? 11'h0 : rows_8_sum_sums_values_0_q);
-  logic [10:0] difference_1181;
-  assign difference_1181 = {3'h0, sum_922} - (less_1143 ? rows_9_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1183;
-  assign sum_1183 = difference_1181 + (or_695_s1_q ? 11'h0 : rows_9_sum_sums_values_0_q);
-  logic [10:0] difference_1185;
-  assign difference_1185 = {3'h0, sum_944} - (less_1143 ? rows_10_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1187;
-  assign sum_1187 = difference_1185 + (or_695_s1_q ? 11'h0 : rows_10_sum_sums_values_0_q);
-  logic [10:0] difference_1189;
-  assign difference_1189 = {3'h0, sum_966} - (less_1143 ? rows_11_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1191;
-  assign sum_1191 = difference_1189 + (or_695_s1_q ? 11'h0 : rows_11_sum_sums_values_0_q);
-  logic [10:0] difference_1193;
-  assign difference_1193 = {3'h0, sum_988} - (less_1143 ? rows_12_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1195;
-  assign sum_1195 = difference_1193 + (or_695_s1_q ? 11'h0 : rows_12_sum_sums_values_0_q);
-  logic [10:0] difference_1197;
-  assign difference_1197 = {3'h0, sum_1010} - (less_1143 ? rows_13_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1199;
-  assign sum_1199 = difference_1197 + (or_695_s1_q ? 11'h0 : rows_13_sum_sums_values_0_q);
-  logic [10:0] difference_1201;
-  assign difference_1201 = {3'h0, sum_1032} - (less_1143 ? rows_14_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1203;
-  assign sum_1203 = difference_1201 + (or_695_s1_q ? 11'h0 : rows_14_sum_sums_values_0_q);
-  logic [10:0] difference_1205;
-  assign difference_1205 = {3'h0, sum_1054} - (less_1143 ? rows_15_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1207;
-  assign sum_1207 = difference_1205 + (or_695_s1_q ? 11'h0 : rows_15_sum_sums_values_0_q);
-  logic [10:0] difference_1209;
-  assign difference_1209 = {3'h0, sum_1076} - (less_1143 ? rows_16_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1211;
-  assign sum_1211 = difference_1209 + (or_695_s1_q ? 11'h0 : rows_16_sum_sums_values_0_q);
-  logic [10:0] difference_1213;
-  assign difference_1213 = {3'h0, sum_1098} - (less_1143 ? rows_17_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1215;
-  assign sum_1215 = difference_1213 + (or_695_s1_q ? 11'h0 : rows_17_sum_sums_values_0_q);
-  logic [10:0] difference_1217;
-  assign difference_1217 = {3'h0, sum_1120} - (less_1143 ? rows_18_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1219;
-  assign sum_1219 = difference_1217 + (or_695_s1_q ? 11'h0 : rows_18_sum_sums_values_0_q);
-  logic [10:0] difference_1221;
-  assign difference_1221 = {3'h0, sum_1130} - (less_1143 ? rows_19_columns_values_8_q : 11'h0);
-  logic [10:0] sum_1223;
-  assign sum_1223 = difference_1221 + (or_695_s1_q ? 11'h0 : rows_19_sum_sums_values_0_q);
+  logic [7:0] above_5;
+  assign above_5 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[39:32] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_995;
+  assign difference_995 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_18_features_right_y_q[4], entering_values_18_features_right_y_q};
+  logic [4:0] xor_996;
+  assign xor_996 = difference_995[4:0] ^ {5{difference_995[5]}};
+  logic [5:0] across_9;
+  assign across_9 = {5'h0, difference_995[5]} + {1'b0, xor_996};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_998;
+  assign difference_998 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_18_features_right_q[5], entering_values_18_features_right_q};
+  logic [5:0] xor_999;
+  assign xor_999 = difference_998[5:0] ^ {6{difference_998[6]}};
+  logic [6:0] sum_1001;
+  assign sum_1001 = {1'b0, across_9} + ({6'h0, difference_998[6]} + {1'b0, xor_999});
+  // hls/stages/plane_sums.hpp:195
+  logic not_1004;
+  assign not_1004 = ~(entering_values_18_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1006;
+  assign and_1006 = (sum_1001[6:5] == 2'h0) & (entering_values_18_features_mask_q & not_1004);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1008;
+  assign select_1008 = entering_values_24_features_mask_q ? (and_1006 ? sum_1001[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1009;
+  assign difference_1009 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_17_features_right_y_q[4], leaving_values_17_features_right_y_q};
+  logic [4:0] xor_1010;
+  assign xor_1010 = difference_1009[4:0] ^ {5{difference_1009[5]}};
+  logic [5:0] across_10;
+  assign across_10 = {5'h0, difference_1009[5]} + {1'b0, xor_1010};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1012;
+  assign difference_1012 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_17_features_right_q[5], leaving_values_17_features_right_q};
+  logic [5:0] xor_1013;
+  assign xor_1013 = difference_1012[5:0] ^ {6{difference_1012[6]}};
+  logic [6:0] sum_1015;
+  assign sum_1015 = {1'b0, across_10} + ({6'h0, difference_1012[6]} + {1'b0, xor_1013});
+  // hls/stages/plane_sums.hpp:196
+  logic and_1018;
+  assign and_1018 = (sum_1015[6:5] == 2'h0) & (leaving_values_17_features_mask_q & not_1004);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1020;
+  assign select_1020 = leaving_values_23_features_mask_q ? (and_1018 ? sum_1015[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1021;
+  assign difference_1021 = {1'b0, select_1008} - {1'b0, select_1020};
+  logic [7:0] sum_1022;
+  assign sum_1022 = above_5 + {{2{difference_1021[5]}}, difference_1021};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_6;
+  assign above_6 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[47:40] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1025;
+  assign difference_1025 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_20_features_right_y_q[4], entering_values_20_features_right_y_q};
+  logic [4:0] xor_1026;
+  assign xor_1026 = difference_1025[4:0] ^ {5{difference_1025[5]}};
+  logic [5:0] across_11;
+  assign across_11 = {5'h0, difference_1025[5]} + {1'b0, xor_1026};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1028;
+  assign difference_1028 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_20_features_right_q[5], entering_values_20_features_right_q};
+  logic [5:0] xor_1029;
+  assign xor_1029 = difference_1028[5:0] ^ {6{difference_1028[6]}};
+  logic [6:0] sum_1031;
+  assign sum_1031 = {1'b0, across_11} + ({6'h0, difference_1028[6]} + {1'b0, xor_1029});
+  // hls/stages/plane_sums.hpp:195
+  logic not_1034;
+  assign not_1034 = ~(entering_values_20_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1036;
+  assign and_1036 = (sum_1031[6:5] == 2'h0) & (entering_values_20_features_mask_q & not_1034);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1038;
+  assign select_1038 = entering_values_24_features_mask_q ? (and_1036 ? sum_1031[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1039;
+  assign difference_1039 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_19_features_right_y_q[4], leaving_values_19_features_right_y_q};
+  logic [4:0] xor_1040;
+  assign xor_1040 = difference_1039[4:0] ^ {5{difference_1039[5]}};
+  logic [5:0] across_12;
+  assign across_12 = {5'h0, difference_1039[5]} + {1'b0, xor_1040};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1042;
+  assign difference_1042 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_19_features_right_q[5], leaving_values_19_features_right_q};
+  logic [5:0] xor_1043;
+  assign xor_1043 = difference_1042[5:0] ^ {6{difference_1042[6]}};
+  logic [6:0] sum_1045;
+  assign sum_1045 = {1'b0, across_12} + ({6'h0, difference_1042[6]} + {1'b0, xor_1043});
+  // hls/stages/plane_sums.hpp:196
+  logic and_1048;
+  assign and_1048 = (sum_1045[6:5] == 2'h0) & (leaving_values_19_features_mask_q & not_1034);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1050;
+  assign select_1050 = leaving_values_23_features_mask_q ? (and_1048 ? sum_1045[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1051;
+  assign difference_1051 = {1'b0, select_1038} - {1'b0, select_1050};
+  logic [7:0] sum_1052;
+  assign sum_1052 = above_6 + {{2{difference_1051[5]}}, difference_1051};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_7;
+  assign above_7 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[55:48] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1055;
+  assign difference_1055 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_21_features_right_y_q[4], entering_values_21_features_right_y_q};
+  logic [4:0] xor_1056;
+  assign xor_1056 = difference_1055[4:0] ^ {5{difference_1055[5]}};
+  logic [5:0] across_13;
+  assign across_13 = {5'h0, difference_1055[5]} + {1'b0, xor_1056};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1058;
+  assign difference_1058 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_21_features_right_q[5], entering_values_21_features_right_q};
+  logic [5:0] xor_1059;
+  assign xor_1059 = difference_1058[5:0] ^ {6{difference_1058[6]}};
+  logic [6:0] sum_1061;
+  assign sum_1061 = {1'b0, across_13} + ({6'h0, difference_1058[6]} + {1'b0, xor_1059});
+  // hls/stages/plane_sums.hpp:195
+  logic not_1064;
+  assign not_1064 = ~(entering_values_21_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1066;
+  assign and_1066 = (sum_1061[6:5] == 2'h0) & (entering_values_21_features_mask_q & not_1064);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1068;
+  assign select_1068 = entering_values_24_features_mask_q ? (and_1066 ? sum_1061[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1069;
+  assign difference_1069 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_20_features_right_y_q[4], leaving_values_20_features_right_y_q};
+  logic [4:0] xor_1070;
+  assign xor_1070 = difference_1069[4:0] ^ {5{difference_1069[5]}};
+  logic [5:0] across_14;
+  assign across_14 = {5'h0, difference_1069[5]} + {1'b0, xor_1070};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1072;
+  assign difference_1072 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_20_features_right_q[5], leaving_values_20_features_right_q};
+  logic [5:0] xor_1073;
+  assign xor_1073 = difference_1072[5:0] ^ {6{difference_1072[6]}};
+  logic [6:0] sum_1075;
+  assign sum_1075 = {1'b0, across_14} + ({6'h0, difference_1072[6]} + {1'b0, xor_1073});
+  // hls/stages/plane_sums.hpp:196
+  logic and_1078;
+  assign and_1078 = (sum_1075[6:5] == 2'h0) & (leaving_values_20_features_mask_q & not_1064);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1080;
+  assign select_1080 = leaving_values_23_features_mask_q ? (and_1078 ? sum_1075[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1081;
+  assign difference_1081 = {1'b0, select_1068} - {1'b0, select_1080};
+  logic [7:0] sum_1082;
+  assign sum_1082 = above_7 + {{2{difference_1081[5]}}, difference_1081};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_8;
+  assign above_8 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[63:56] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1085;
+  assign difference_1085 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_22_features_right_y_q[4], entering_values_22_features_right_y_q};
+  logic [4:0] xor_1086;
+  assign xor_1086 = difference_1085[4:0] ^ {5{difference_1085[5]}};
+  logic [5:0] across_15;
+  assign across_15 = {5'h0, difference_1085[5]} + {1'b0, xor_1086};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1088;
+  assign difference_1088 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_22_features_right_q[5], entering_values_22_features_right_q};
+  logic [5:0] xor_1089;
+  assign xor_1089 = difference_1088[5:0] ^ {6{difference_1088[6]}};
+  logic [6:0] sum_1091;
+  assign sum_1091 = {1'b0, across_15} + ({6'h0, difference_1088[6]} + {1'b0, xor_1089});
+  // hls/stages/plane_sums.hpp:195
+  logic not_1094;
+  assign not_1094 = ~(entering_values_22_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1096;
+  assign and_1096 = (sum_1091[6:5] == 2'h0) & (entering_values_22_features_mask_q & not_1094);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1098;
+  assign select_1098 = entering_values_24_features_mask_q ? (and_1096 ? sum_1091[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1099;
+  assign difference_1099 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_21_features_right_y_q[4], leaving_values_21_features_right_y_q};
+  logic [4:0] xor_1100;
+  assign xor_1100 = difference_1099[4:0] ^ {5{difference_1099[5]}};
+  logic [5:0] across_16;
+  assign across_16 = {5'h0, difference_1099[5]} + {1'b0, xor_1100};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1102;
+  assign difference_1102 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_21_features_right_q[5], leaving_values_21_features_right_q};
+  logic [5:0] xor_1103;
+  assign xor_1103 = difference_1102[5:0] ^ {6{difference_1102[6]}};
+  logic [6:0] sum_1105;
+  assign sum_1105 = {1'b0, across_16} + ({6'h0, difference_1102[6]} + {1'b0, xor_1103});
+  // hls/stages/plane_sums.hpp:196
+  logic and_1108;
+  assign and_1108 = (sum_1105[6:5] == 2'h0) & (leaving_values_21_features_mask_q & not_1094);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1110;
+  assign select_1110 = leaving_values_23_features_mask_q ? (and_1108 ? sum_1105[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1111;
+  assign difference_1111 = {1'b0, select_1098} - {1'b0, select_1110};
+  logic [7:0] sum_1112;
+  assign sum_1112 = above_8 + {{2{difference_1111[5]}}, difference_1111};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_9;
+  assign above_9 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[71:64] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1115;
+  assign difference_1115 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_23_features_right_y_q[4], entering_values_23_features_right_y_q};
+  logic [4:0] xor_1116;
+  assign xor_1116 = difference_1115[4:0] ^ {5{difference_1115[5]}};
+  logic [5:0] across_17;
+  assign across_17 = {5'h0, difference_1115[5]} + {1'b0, xor_1116};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1118;
+  assign difference_1118 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_23_features_right_q[5], entering_values_23_features_right_q};
+  logic [5:0] xor_1119;
+  assign xor_1119 = difference_1118[5:0] ^ {6{difference_1118[6]}};
+  logic [6:0] sum_1121;
+  assign sum_1121 = {1'b0, across_17} + ({6'h0, difference_1118[6]} + {1'b0, xor_1119});
+  // hls/stages/plane_sums.hpp:195
+  logic not_1124;
+  assign not_1124 = ~(entering_values_23_row_q ^ entering_values_24_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1126;
+  assign and_1126 = (sum_1121[6:5] == 2'h0) & (entering_values_23_features_mask_q & not_1124);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1128;
+  assign select_1128 = entering_values_24_features_mask_q ? (and_1126 ? sum_1121[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1129;
+  assign difference_1129 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_22_features_right_y_q[4], leaving_values_22_features_right_y_q};
+  logic [4:0] xor_1130;
+  assign xor_1130 = difference_1129[4:0] ^ {5{difference_1129[5]}};
+  logic [5:0] across_18;
+  assign across_18 = {5'h0, difference_1129[5]} + {1'b0, xor_1130};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1132;
+  assign difference_1132 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_22_features_right_q[5], leaving_values_22_features_right_q};
+  logic [5:0] xor_1133;
+  assign xor_1133 = difference_1132[5:0] ^ {6{difference_1132[6]}};
+  logic [6:0] sum_1135;
+  assign sum_1135 = {1'b0, across_18} + ({6'h0, difference_1132[6]} + {1'b0, xor_1133});
+  // hls/stages/plane_sums.hpp:196
+  logic and_1138;
+  assign and_1138 = (sum_1135[6:5] == 2'h0) & (leaving_values_22_features_mask_q & not_1124);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1140;
+  assign select_1140 = leaving_values_23_features_mask_q ? (and_1138 ? sum_1135[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1141;
+  assign difference_1141 = {1'b0, select_1128} - {1'b0, select_1140};
+  logic [7:0] sum_1142;
+  assign sum_1142 = above_9 + {{2{difference_1141[5]}}, difference_1141};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_10;
+  assign above_10 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[79:72] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1145;
+  assign difference_1145 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_24_features_right_y_q[4], entering_values_24_features_right_y_q};
+  logic [4:0] xor_1146;
+  assign xor_1146 = difference_1145[4:0] ^ {5{difference_1145[5]}};
+  logic [5:0] across_19;
+  assign across_19 = {5'h0, difference_1145[5]} + {1'b0, xor_1146};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1148;
+  assign difference_1148 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_24_features_right_q[5], entering_values_24_features_right_q};
+  logic [5:0] xor_1149;
+  assign xor_1149 = difference_1148[5:0] ^ {6{difference_1148[6]}};
+  logic [6:0] sum_1151;
+  assign sum_1151 = {1'b0, across_19} + ({6'h0, difference_1148[6]} + {1'b0, xor_1149});
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1154;
+  assign select_1154 = (entering_values_24_features_mask_q & (sum_1151[6:5] == 2'h0)) ? sum_1151[4:0] : 5'h1f;
+  logic [4:0] select_1155;
+  assign select_1155 = entering_values_24_features_mask_q ? select_1154 : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1156;
+  assign difference_1156 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_23_features_right_y_q[4], leaving_values_23_features_right_y_q};
+  logic [4:0] xor_1157;
+  assign xor_1157 = difference_1156[4:0] ^ {5{difference_1156[5]}};
+  logic [5:0] across_20;
+  assign across_20 = {5'h0, difference_1156[5]} + {1'b0, xor_1157};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1159;
+  assign difference_1159 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_23_features_right_q[5], leaving_values_23_features_right_q};
+  logic [5:0] xor_1160;
+  assign xor_1160 = difference_1159[5:0] ^ {6{difference_1159[6]}};
+  logic [6:0] sum_1162;
+  assign sum_1162 = {1'b0, across_20} + ({6'h0, difference_1159[6]} + {1'b0, xor_1160});
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1165;
+  assign select_1165 = (leaving_values_23_features_mask_q & (sum_1162[6:5] == 2'h0)) ? sum_1162[4:0] : 5'h1f;
+  logic [4:0] select_1166;
+  assign select_1166 = leaving_values_23_features_mask_q ? select_1165 : 5'h0;
+  logic [5:0] difference_1167;
+  assign difference_1167 = {1'b0, select_1155} - {1'b0, select_1166};
+  logic [7:0] sum_1168;
+  assign sum_1168 = above_10 + {{2{difference_1167[5]}}, difference_1167};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_11;
+  assign above_11 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[87:80] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1171;
+  assign difference_1171 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_25_features_right_y_q[4], entering_values_25_features_right_y_q};
+  logic [4:0] xor_1172;
+  assign xor_1172 = difference_1171[4:0] ^ {5{difference_1171[5]}};
+  logic [5:0] across_21;
+  assign across_21 = {5'h0, difference_1171[5]} + {1'b0, xor_1172};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1174;
+  assign difference_1174 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_25_features_right_q[5], entering_values_25_features_right_q};
+  logic [5:0] xor_1175;
+  assign xor_1175 = difference_1174[5:0] ^ {6{difference_1174[6]}};
+  logic [6:0] sum_1177;
+  assign sum_1177 = {1'b0, across_21} + ({6'h0, difference_1174[6]} + {1'b0, xor_1175});
+  // hls/stages/plane_sums.hpp:195
+  logic not_1180;
+  assign not_1180 = ~(entering_values_24_row_q ^ entering_values_25_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1182;
+  assign and_1182 = (sum_1177[6:5] == 2'h0) & (entering_values_25_features_mask_q & not_1180);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1184;
+  assign select_1184 = entering_values_24_features_mask_q ? (and_1182 ? sum_1177[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1185;
+  assign difference_1185 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_24_features_right_y_q[4], leaving_values_24_features_right_y_q};
+  logic [4:0] xor_1186;
+  assign xor_1186 = difference_1185[4:0] ^ {5{difference_1185[5]}};
+  logic [5:0] across_22;
+  assign across_22 = {5'h0, difference_1185[5]} + {1'b0, xor_1186};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1188;
+  assign difference_1188 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_24_features_right_q[5], leaving_values_24_features_right_q};
+  logic [5:0] xor_1189;
+  assign xor_1189 = difference_1188[5:0] ^ {6{difference_1188[6]}};
+  logic [6:0] sum_1191;
+  assign sum_1191 = {1'b0, across_22} + ({6'h0, difference_1188[6]} + {1'b0, xor_1189});
+  // hls/stages/plane_sums.hpp:196
+  logic and_1194;
+  assign and_1194 = (sum_1191[6:5] == 2'h0) & (leaving_values_24_features_mask_q & not_1180);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1196;
+  assign select_1196 = leaving_values_23_features_mask_q ? (and_1194 ? sum_1191[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1197;
+  assign difference_1197 = {1'b0, select_1184} - {1'b0, select_1196};
+  logic [7:0] sum_1198;
+  assign sum_1198 = above_11 + {{2{difference_1197[5]}}, difference_1197};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_12;
+  assign above_12 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[95:88] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1201;
+  assign difference_1201 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_26_features_right_y_q[4], entering_values_26_features_right_y_q};
+  logic [4:0] xor_1202;
+  assign xor_1202 = difference_1201[4:0] ^ {5{difference_1201[5]}};
+  logic [5:0] across_23;
+  assign across_23 = {5'h0, difference_1201[5]} + {1'b0, xor_1202};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1204;
+  assign difference_1204 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_26_features_right_q[5], entering_values_26_features_right_q};
+  logic [5:0] xor_1205;
+  assign xor_1205 = difference_1204[5:0] ^ {6{difference_1204[6]}};
+  logic [6:0] sum_1207;
+  assign sum_1207 = {1'b0, across_23} + ({6'h0, difference_1204[6]} + {1'b0, xor_1205});
+  // hls/stages/plane_sums.hpp:195
+  logic not_1210;
+  assign not_1210 = ~(entering_values_24_row_q ^ entering_values_26_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1212;
+  assign and_1212 = (sum_1207[6:5] == 2'h0) & (entering_values_26_features_mask_q & not_1210);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1214;
+  assign select_1214 = entering_values_24_features_mask_q ? (and_1212 ? sum_1207[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1215;
+  assign difference_1215 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_25_features_right_y_q[4], leaving_values_25_features_right_y_q};
+  logic [4:0] xor_1216;
+  assign xor_1216 = difference_1215[4:0] ^ {5{difference_1215[5]}};
+  logic [5:0] across_24;
+  assign across_24 = {5'h0, difference_1215[5]} + {1'b0, xor_1216};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1218;
+  assign difference_1218 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_25_features_right_q[5], leaving_values_25_features_right_q};
+  logic [5:0] xor_1219;
+  assign xor_1219 = difference_1218[5:0] ^ {6{difference_1218[6]}};
+  logic [6:0] sum_1221;
+  assign sum_1221 = {1'b0, across_24} + ({6'h0, difference_1218[6]} + {1'b0, xor_1219});
+  // hls/stages/plane_sums.hpp:196
+  logic and_1224;
+  assign and_1224 = (sum_1221[6:5] == 2'h0) & (leaving_values_25_features_mask_q & not_1210);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1226;
+  assign select_1226 = leaving_values_23_features_mask_q ? (and_1224 ? sum_1221[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1227;
+  assign difference_1227 = {1'b0, select_1214} - {1'b0, select_1226};
+  logic [7:0] sum_1228;
+  assign sum_1228 = above_12 + {{2{difference_1227[5]}}, difference_1227};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_13;
+  assign above_13 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[103:96] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1231;
+  assign difference_1231 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_27_features_right_y_q[4], entering_values_27_features_right_y_q};
+  logic [4:0] xor_1232;
+  assign xor_1232 = difference_1231[4:0] ^ {5{difference_1231[5]}};
+  logic [5:0] across_25;
+  assign across_25 = {5'h0, difference_1231[5]} + {1'b0, xor_1232};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1234;
+  assign difference_1234 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_27_features_right_q[5], entering_values_27_features_right_q};
+  logic [5:0] xor_1235;
+  assign xor_1235 = difference_1234[5:0] ^ {6{difference_1234[6]}};
+  logic [6:0] sum_1237;
+  assign sum_1237 = {1'b0, across_25} + ({6'h0, difference_1234[6]} + {1'b0, xor_1235});
+  // hls/stages/plane_sums.hpp:195
+  logic not_1240;
+  assign not_1240 = ~(entering_values_24_row_q ^ entering_values_27_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1242;
+  assign and_1242 = (sum_1237[6:5] == 2'h0) & (entering_values_27_features_mask_q & not_1240);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1244;
+  assign select_1244 = entering_values_24_features_mask_q ? (and_1242 ? sum_1237[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1245;
+  assign difference_1245 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_26_features_right_y_q[4], leaving_values_26_features_right_y_q};
+  logic [4:0] xor_1246;
+  assign xor_1246 = difference_1245[4:0] ^ {5{difference_1245[5]}};
+  logic [5:0] across_26;
+  assign across_26 = {5'h0, difference_1245[5]} + {1'b0, xor_1246};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1248;
+  assign difference_1248 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_26_features_right_q[5], leaving_values_26_features_right_q};
+  logic [5:0] xor_1249;
+  assign xor_1249 = difference_1248[5:0] ^ {6{difference_1248[6]}};
+  logic [6:0] sum_1251;
+  assign sum_1251 = {1'b0, across_26} + ({6'h0, difference_1248[6]} + {1'b0, xor_1249});
+  // hls/stages/plane_sums.hpp:196
+  logic and_1254;
+  assign and_1254 = (sum_1251[6:5] == 2'h0) & (leaving_values_26_features_mask_q & not_1240);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1256;
+  assign select_1256 = leaving_values_23_features_mask_q ? (and_1254 ? sum_1251[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1257;
+  assign difference_1257 = {1'b0, select_1244} - {1'b0, select_1256};
+  logic [7:0] sum_1258;
+  assign sum_1258 = above_13 + {{2{difference_1257[5]}}, difference_1257};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_14;
+  assign above_14 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[111:104] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1261;
+  assign difference_1261 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_28_features_right_y_q[4], entering_values_28_features_right_y_q};
+  logic [4:0] xor_1262;
+  assign xor_1262 = difference_1261[4:0] ^ {5{difference_1261[5]}};
+  logic [5:0] across_27;
+  assign across_27 = {5'h0, difference_1261[5]} + {1'b0, xor_1262};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1264;
+  assign difference_1264 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_28_features_right_q[5], entering_values_28_features_right_q};
+  logic [5:0] xor_1265;
+  assign xor_1265 = difference_1264[5:0] ^ {6{difference_1264[6]}};
+  logic [6:0] sum_1267;
+  assign sum_1267 = {1'b0, across_27} + ({6'h0, difference_1264[6]} + {1'b0, xor_1265});
+  // hls/stages/plane_sums.hpp:195
+  logic not_1270;
+  assign not_1270 = ~(entering_values_24_row_q ^ entering_values_28_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1272;
+  assign and_1272 = (sum_1267[6:5] == 2'h0) & (entering_values_28_features_mask_q & not_1270);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1274;
+  assign select_1274 = entering_values_24_features_mask_q ? (and_1272 ? sum_1267[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1275;
+  assign difference_1275 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_27_features_right_y_q[4], leaving_values_27_features_right_y_q};
+  logic [4:0] xor_1276;
+  assign xor_1276 = difference_1275[4:0] ^ {5{difference_1275[5]}};
+  logic [5:0] across_28;
+  assign across_28 = {5'h0, difference_1275[5]} + {1'b0, xor_1276};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1278;
+  assign difference_1278 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_27_features_right_q[5], leaving_values_27_features_right_q};
+  logic [5:0] xor_1279;
+  assign xor_1279 = difference_1278[5:0] ^ {6{difference_1278[6]}};
+  logic [6:0] sum_1281;
+  assign sum_1281 = {1'b0, across_28} + ({6'h0, difference_1278[6]} + {1'b0, xor_1279});
+  // hls/stages/plane_sums.hpp:196
+  logic and_1284;
+  assign and_1284 = (sum_1281[6:5] == 2'h0) & (leaving_values_27_features_mask_q & not_1270);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1286;
+  assign select_1286 = leaving_values_23_features_mask_q ? (and_1284 ? sum_1281[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1287;
+  assign difference_1287 = {1'b0, select_1274} - {1'b0, select_1286};
+  logic [7:0] sum_1288;
+  assign sum_1288 = above_14 + {{2{difference_1287[5]}}, difference_1287};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_15;
+  assign above_15 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[119:112] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1291;
+  assign difference_1291 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_30_features_right_y_q[4], entering_values_30_features_right_y_q};
+  logic [4:0] xor_1292;
+  assign xor_1292 = difference_1291[4:0] ^ {5{difference_1291[5]}};
+  logic [5:0] across_29;
+  assign across_29 = {5'h0, difference_1291[5]} + {1'b0, xor_1292};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1294;
+  assign difference_1294 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_30_features_right_q[5], entering_values_30_features_right_q};
+  logic [5:0] xor_1295;
+  assign xor_1295 = difference_1294[5:0] ^ {6{difference_1294[6]}};
+  logic [6:0] sum_1297;
+  assign sum_1297 = {1'b0, across_29} + ({6'h0, difference_1294[6]} + {1'b0, xor_1295});
+  // hls/stages/plane_sums.hpp:195
+  logic not_1300;
+  assign not_1300 = ~(entering_values_24_row_q ^ entering_values_30_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1302;
+  assign and_1302 = (sum_1297[6:5] == 2'h0) & (entering_values_30_features_mask_q & not_1300);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1304;
+  assign select_1304 = entering_values_24_features_mask_q ? (and_1302 ? sum_1297[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1305;
+  assign difference_1305 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_29_features_right_y_q[4], leaving_values_29_features_right_y_q};
+  logic [4:0] xor_1306;
+  assign xor_1306 = difference_1305[4:0] ^ {5{difference_1305[5]}};
+  logic [5:0] across_30;
+  assign across_30 = {5'h0, difference_1305[5]} + {1'b0, xor_1306};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1308;
+  assign difference_1308 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_29_features_right_q[5], leaving_values_29_features_right_q};
+  logic [5:0] xor_1309;
+  assign xor_1309 = difference_1308[5:0] ^ {6{difference_1308[6]}};
+  logic [6:0] sum_1311;
+  assign sum_1311 = {1'b0, across_30} + ({6'h0, difference_1308[6]} + {1'b0, xor_1309});
+  // hls/stages/plane_sums.hpp:196
+  logic and_1314;
+  assign and_1314 = (sum_1311[6:5] == 2'h0) & (leaving_values_29_features_mask_q & not_1300);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1316;
+  assign select_1316 = leaving_values_23_features_mask_q ? (and_1314 ? sum_1311[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1317;
+  assign difference_1317 = {1'b0, select_1304} - {1'b0, select_1316};
+  logic [7:0] sum_1318;
+  assign sum_1318 = above_15 + {{2{difference_1317[5]}}, difference_1317};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_16;
+  assign above_16 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[127:120] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1321;
+  assign difference_1321 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_33_features_right_y_q[4], entering_values_33_features_right_y_q};
+  logic [4:0] xor_1322;
+  assign xor_1322 = difference_1321[4:0] ^ {5{difference_1321[5]}};
+  logic [5:0] across_31;
+  assign across_31 = {5'h0, difference_1321[5]} + {1'b0, xor_1322};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1324;
+  assign difference_1324 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_33_features_right_q[5], entering_values_33_features_right_q};
+  logic [5:0] xor_1325;
+  assign xor_1325 = difference_1324[5:0] ^ {6{difference_1324[6]}};
+  logic [6:0] sum_1327;
+  assign sum_1327 = {1'b0, across_31} + ({6'h0, difference_1324[6]} + {1'b0, xor_1325});
+  // hls/stages/plane_sums.hpp:195
+  logic not_1330;
+  assign not_1330 = ~(entering_values_24_row_q ^ entering_values_33_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1332;
+  assign and_1332 = (sum_1327[6:5] == 2'h0) & (entering_values_33_features_mask_q & not_1330);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1334;
+  assign select_1334 = entering_values_24_features_mask_q ? (and_1332 ? sum_1327[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1335;
+  assign difference_1335 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_32_features_right_y_q[4], leaving_values_32_features_right_y_q};
+  logic [4:0] xor_1336;
+  assign xor_1336 = difference_1335[4:0] ^ {5{difference_1335[5]}};
+  logic [5:0] across_32;
+  assign across_32 = {5'h0, difference_1335[5]} + {1'b0, xor_1336};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1338;
+  assign difference_1338 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_32_features_right_q[5], leaving_values_32_features_right_q};
+  logic [5:0] xor_1339;
+  assign xor_1339 = difference_1338[5:0] ^ {6{difference_1338[6]}};
+  logic [6:0] sum_1341;
+  assign sum_1341 = {1'b0, across_32} + ({6'h0, difference_1338[6]} + {1'b0, xor_1339});
+  // hls/stages/plane_sums.hpp:196
+  logic and_1344;
+  assign and_1344 = (sum_1341[6:5] == 2'h0) & (leaving_values_32_features_mask_q & not_1330);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1346;
+  assign select_1346 = leaving_values_23_features_mask_q ? (and_1344 ? sum_1341[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1347;
+  assign difference_1347 = {1'b0, select_1334} - {1'b0, select_1346};
+  logic [7:0] sum_1348;
+  assign sum_1348 = above_16 + {{2{difference_1347[5]}}, difference_1347};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_17;
+  assign above_17 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[135:128] : 8'h0);
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1351;
+  assign difference_1351 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_37_features_right_y_q[4], entering_values_37_features_right_y_q};
+  logic [4:0] xor_1352;
+  assign xor_1352 = difference_1351[4:0] ^ {5{difference_1351[5]}};
+  logic [5:0] across_33;
+  assign across_33 = {5'h0, difference_1351[5]} + {1'b0, xor_1352};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1354;
+  assign difference_1354 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_37_features_right_q[5], entering_values_37_features_right_q};
+  logic [5:0] xor_1355;
+  assign xor_1355 = difference_1354[5:0] ^ {6{difference_1354[6]}};
+  logic [6:0] sum_1357;
+  assign sum_1357 = {1'b0, across_33} + ({6'h0, difference_1354[6]} + {1'b0, xor_1355});
+  // hls/stages/plane_sums.hpp:195
+  logic not_1360;
+  assign not_1360 = ~(entering_values_24_row_q ^ entering_values_37_row_q);
+  // hls/stages/plane_sums.hpp:196
+  logic and_1362;
+  assign and_1362 = (sum_1357[6:5] == 2'h0) & (entering_values_37_features_mask_q & not_1360);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1364;
+  assign select_1364 = entering_values_24_features_mask_q ? (and_1362 ? sum_1357[4:0] : 5'h1f) : 5'h0;
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1365;
+  assign difference_1365 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_36_features_right_y_q[4], leaving_values_36_features_right_y_q};
+  logic [4:0] xor_1366;
+  assign xor_1366 = difference_1365[4:0] ^ {5{difference_1365[5]}};
+  logic [5:0] across_34;
+  assign across_34 = {5'h0, difference_1365[5]} + {1'b0, xor_1366};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1368;
+  assign difference_1368 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_36_features_right_q[5], leaving_values_36_features_right_q};
+  logic [5:0] xor_1369;
+  assign xor_1369 = difference_1368[5:0] ^ {6{difference_1368[6]}};
+  logic [6:0] sum_1371;
+  assign sum_1371 = {1'b0, across_34} + ({6'h0, difference_1368[6]} + {1'b0, xor_1369});
+  // hls/stages/plane_sums.hpp:196
+  logic and_1374;
+  assign and_1374 = (sum_1371[6:5] == 2'h0) & (leaving_values_36_features_mask_q & not_1360);
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1376;
+  assign select_1376 = leaving_values_23_features_mask_q ? (and_1374 ? sum_1371[4:0] : 5'h1f) : 5'h0;
+  logic [5:0] difference_1377;
+  assign difference_1377 = {1'b0, select_1364} - {1'b0, select_1376};
+  logic [7:0] sum_1378;
+  assign sum_1378 = above_17 + {{2{difference_1377[5]}}, difference_1377};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_18;
+  assign above_18 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[143:136] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1381;
+  assign difference_1381 = {entering_values_23_features_left_s1_q[5], entering_values_23_features_left_s1_q} - {entering_values_42_features_right_q[5], entering_values_42_features_right_q};
+  logic [5:0] xor_1382;
+  assign xor_1382 = difference_1381[5:0] ^ {6{difference_1381[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1384;
+  assign difference_1384 = {entering_values_23_features_left_y_s1_q[4], entering_values_23_features_left_y_s1_q} - {entering_values_42_features_right_y_q[4], entering_values_42_features_right_y_q};
+  logic [4:0] xor_1385;
+  assign xor_1385 = difference_1384[4:0] ^ {5{difference_1384[5]}};
+  logic [5:0] across_35;
+  assign across_35 = {5'h0, difference_1384[5]} + {1'b0, xor_1385};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1387;
+  assign sum_1387 = ({6'h0, difference_1381[6]} + {1'b0, xor_1382}) + {1'b0, across_35};
+  // hls/stages/plane_sums.hpp:195
+  logic not_1390;
+  assign not_1390 = ~(entering_values_24_row_q ^ entering_values_42_row_q);
+  // hls/stages/plane_sums.hpp:104
+  logic [4:0] select_1393;
+  assign select_1393 = entering_values_42_features_mask_q ? (((sum_1387[6:5] == 2'h0) & not_1390) ? sum_1387[4:0] : 5'h1f) : 5'h1f;
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1394;
+  assign select_1394 = entering_values_24_features_mask_q ? select_1393 : 5'h0;
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1395;
+  assign difference_1395 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_41_features_right_q[5], leaving_values_41_features_right_q};
+  logic [5:0] xor_1396;
+  assign xor_1396 = difference_1395[5:0] ^ {6{difference_1395[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1398;
+  assign difference_1398 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_41_features_right_y_q[4], leaving_values_41_features_right_y_q};
+  logic [4:0] xor_1399;
+  assign xor_1399 = difference_1398[4:0] ^ {5{difference_1398[5]}};
+  logic [5:0] across_36;
+  assign across_36 = {5'h0, difference_1398[5]} + {1'b0, xor_1399};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1401;
+  assign sum_1401 = ({6'h0, difference_1395[6]} + {1'b0, xor_1396}) + {1'b0, across_36};
+  // hls/stages/plane_sums.hpp:105
+  logic [4:0] select_1405;
+  assign select_1405 = leaving_values_41_features_mask_q ? ((not_1390 & (sum_1401[6:5] == 2'h0)) ? sum_1401[4:0] : 5'h1f) : 5'h1f;
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1406;
+  assign select_1406 = leaving_values_23_features_mask_q ? select_1405 : 5'h0;
+  logic [5:0] difference_1407;
+  assign difference_1407 = {1'b0, select_1394} - {1'b0, select_1406};
+  logic [7:0] sum_1408;
+  assign sum_1408 = above_18 + {{2{difference_1407[5]}}, difference_1407};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_19;
+  assign above_19 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[151:144] : 8'h0);
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] difference_1425;
+  assign difference_1425 = {leaving_values_23_features_left_q[5], leaving_values_23_features_left_q} - {leaving_values_47_features_right_q[5], leaving_values_47_features_right_q};
+  logic [5:0] xor_1426;
+  assign xor_1426 = difference_1425[5:0] ^ {6{difference_1425[6]}};
+  // hls/stages/plane_sums.hpp:193
+  logic [5:0] difference_1428;
+  assign difference_1428 = {leaving_values_23_features_left_y_q[4], leaving_values_23_features_left_y_q} - {leaving_values_47_features_right_y_q[4], leaving_values_47_features_right_y_q};
+  logic [4:0] xor_1429;
+  assign xor_1429 = difference_1428[4:0] ^ {5{difference_1428[5]}};
+  logic [5:0] across_38;
+  assign across_38 = {5'h0, difference_1428[5]} + {1'b0, xor_1429};
+  // hls/stages/plane_sums.hpp:194
+  logic [6:0] sum_1431;
+  assign sum_1431 = ({6'h0, difference_1425[6]} + {1'b0, xor_1426}) + {1'b0, across_38};
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1434;
+  assign select_1434 = (not_1420_s1_q & (sum_1431[6:5] == 2'h0)) ? sum_1431[4:0] : 5'h1f;
+  logic [4:0] select_1436;
+  assign select_1436 = leaving_values_23_features_mask_q ? (leaving_values_47_features_mask_q ? select_1434 : 5'h1f) : 5'h0;
+  logic [5:0] difference_1437;
+  assign difference_1437 = {1'b0, select_1424_s1_q} - {1'b0, select_1436};
+  logic [7:0] sum_1438;
+  assign sum_1438 = above_19 + {{2{difference_1437[5]}}, difference_1437};
+  // hls/stages/plane_sums.hpp:185
+  logic [7:0] above_20;
+  assign above_20 = equal_867 ? 8'h0 : (running_q ? column_memory_rdata_q[159:152] : 8'h0);
+  // hls/stages/plane_sums.hpp:201
+  logic [4:0] xor_1441;
+  assign xor_1441 = entering_values_23_features_left_s1_q[4:0] ^ {5{entering_values_23_features_left_s1_q[5]}};
+  logic [4:0] sum_1442;
+  assign sum_1442 = {4'h0, entering_values_23_features_left_s1_q[5]} + xor_1441;
+  logic [3:0] xor_1443;
+  assign xor_1443 = entering_values_23_features_left_y_s1_q[3:0] ^ {4{entering_values_23_features_left_y_s1_q[4]}};
+  logic [3:0] sum_1444;
+  assign sum_1444 = {3'h0, entering_values_23_features_left_y_s1_q[4]} + xor_1443;
+  logic [5:0] sum_1445;
+  assign sum_1445 = {1'b0, sum_1442} + {2'h0, sum_1444};
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1447;
+  assign select_1447 = entering_values_24_features_mask_q ? (sum_1445[5] ? 5'h1f : sum_1445[4:0]) : 5'h0;
+  // hls/stages/plane_sums.hpp:201
+  logic [4:0] xor_1448;
+  assign xor_1448 = leaving_values_23_features_left_q[4:0] ^ {5{leaving_values_23_features_left_q[5]}};
+  logic [4:0] sum_1449;
+  assign sum_1449 = {4'h0, leaving_values_23_features_left_q[5]} + xor_1448;
+  logic [3:0] xor_1450;
+  assign xor_1450 = leaving_values_23_features_left_y_q[3:0] ^ {4{leaving_values_23_features_left_y_q[4]}};
+  logic [3:0] sum_1451;
+  assign sum_1451 = {3'h0, leaving_values_23_features_left_y_q[4]} + xor_1450;
+  logic [5:0] sum_1452;
+  assign sum_1452 = {1'b0, sum_1449} + {2'h0, sum_1451};
+  // hls/stages/plane_sums.hpp:186
+  logic [4:0] select_1454;
+  assign select_1454 = leaving_values_23_features_mask_q ? (sum_1452[5] ? 5'h1f : sum_1452[4:0]) : 5'h0;
+  logic [5:0] difference_1455;
+  assign difference_1455 = {1'b0, select_1447} - {1'b0, select_1454};
+  logic [7:0] sum_1456;
+  assign sum_1456 = above_20 + {{2{difference_1455[5]}}, difference_1455};
   // hls/stages/plane_sums.hpp:110
-  logic and_1228;
-  assign and_1228 = (column_memory_rdata_q[190] & running_q) & (3'h2 < select_700);
-  // hls/stages/plane_sums.hpp:120
-  logic and_1232;
-  assign and_1232 = (centres_values_3_gradient_q & and_1228) & (~(delayed_column_q[9:2] == 8'h0));
+  logic [2:0] edges_above;
+  assign edges_above = equal_867 ? 3'h0 : (running_q ? column_memory_rdata_q[162:160] : 3'h0);
+  // hls/stages/plane_sums.hpp:111
+  logic and_1460;
+  assign and_1460 = leaving_values_23_features_edge_q & leaving_values_23_features_mask_q;
+  logic [1:0] difference_1461;
+  assign difference_1461 = {1'b0, and_1459_s1_q} - {1'b0, and_1460};
+  logic [2:0] sum_1462;
+  assign sum_1462 = edges_above + {difference_1461[1], difference_1461};
+  // hls/stages/plane_sums.hpp:52
+  logic and_1463;
+  assign and_1463 = column_memory_rdata_q[169] & running_q;
+  logic and_1464;
+  assign and_1464 = column_memory_rdata_q[176] & running_q;
+  // hls/stages/plane_sums.hpp:133
+  logic not_1465;
+  assign not_1465 = ~equal_895;
+  logic [2:0] select_1467;
+  assign select_1467 = arriving_row_ended_q ? (select_894 + {2'h0, not_1465}) : select_894;
+  // hls/stages/plane_sums.hpp:160
+  logic not_1469;
+  assign not_1469 = ~(select_866 == 3'h7);
+  logic [2:0] select_1471;
+  assign select_1471 = delayed_row_ended_q ? (select_866 + {2'h0, not_1469}) : select_866;
+  // hls/stages/plane_sums.hpp:187
+  logic less_1472;
+  assign less_1472 = 10'h8 < delayed_column_q;
+  logic [10:0] difference_1474;
+  assign difference_1474 = {3'h0, sum_902} - (less_1472 ? rows_0_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1476;
+  assign sum_1476 = difference_1474 + (or_861_s1_q ? 11'h0 : rows_0_sum_sums_values_0_q);
+  logic [10:0] difference_1478;
+  assign difference_1478 = {3'h0, sum_932} - (less_1472 ? rows_1_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1480;
+  assign sum_1480 = difference_1478 + (or_861_s1_q ? 11'h0 : rows_1_sum_sums_values_0_q);
+  logic [10:0] difference_1482;
+  assign difference_1482 = {3'h0, sum_962} - (less_1472 ? rows_2_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1484;
+  assign sum_1484 = difference_1482 + (or_861_s1_q ? 11'h0 : rows_2_sum_sums_values_0_q);
+  logic [10:0] difference_1486;
+  assign difference_1486 = {3'h0, sum_992} - (less_1472 ? rows_3_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1488;
+  assign sum_1488 = difference_1486 + (or_861_s1_q ? 11'h0 : rows_3_sum_sums_values_0_q);
+  logic [10:0] difference_1490;
+  assign difference_1490 = {3'h0, sum_1022} - (less_1472 ? rows_4_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1492;
+  assign sum_1492 = difference_1490 + (or_861_s1_q ? 11'h0 : rows_4_sum_sums_values_0_q);
+  logic [10:0] difference_1494;
+  assign difference_1494 = {3'h0, sum_1052} - (less_1472 ? rows_5_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1496;
+  assign sum_1496 = difference_1494 + (or_861_s1_q ? 11'h0 : rows_5_sum_sums_values_0_q);
+  logic [10:0] difference_1498;
+  assign difference_1498 = {3'h0, sum_1082} - (less_1472 ? rows_6_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1500;
+  assign sum_1500 = difference_1498 + (or_861_s1_q ? 11'h0 : rows_6_sum_sums_values_0_q);
+  logic [10:0] difference_1502;
+  assign difference_1502 = {3'h0, sum_1112} - (less_1472 ? rows_7_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1504;
+  assign sum_1504 = difference_1502 + (or_861_s1_q ? 11'h0 : rows_7_sum_sums_values_0_q);
+  logic [10:0] difference_1506;
+  assign difference_1506 = {3'h0, sum_1142} - (less_1472 ? rows_8_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1508;
+  assign sum_1508 = difference_1506 + (or_861_s1_q ? 11'h0 : rows_8_sum_sums_values_0_q);
+  logic [10:0] difference_1510;
+  assign difference_1510 = {3'h0, sum_1168} - (less_1472 ? rows_9_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1512;
+  assign sum_1512 = difference_1510 + (or_861_s1_q ? 11'h0 : rows_9_sum_sums_values_0_q);
+  logic [10:0] difference_1514;
+  assign difference_1514 = {3'h0, sum_1198} - (less_1472 ? rows_10_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1516;
+  assign sum_1516 = difference_1514 + (or_861_s1_q ? 11'h0 : rows_10_sum_sums_values_0_q);
+  logic [10:0] difference_1518;
+  assign difference_1518 = {3'h0, sum_1228} - (less_1472 ? rows_11_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1520;
+  assign sum_1520 = difference_1518 + (or_861_s1_q ? 11'h0 : rows_11_sum_sums_values_0_q);
+  logic [10:0] difference_1522;
+  assign difference_1522 = {3'h0, sum_1258} - (less_1472 ? rows_12_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1524;
+  assign sum_1524 = difference_1522 + (or_861_s1_q ? 11'h0 : rows_12_sum_sums_values_0_q);
+  logic [10:0] difference_1526;
+  assign difference_1526 = {3'h0, sum_1288} - (less_1472 ? rows_13_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1528;
+  assign sum_1528 = difference_1526 + (or_861_s1_q ? 11'h0 : rows_13_sum_sums_values_0_q);
+  logic [10:0] difference_1530;
+  assign difference_1530 = {3'h0, sum_1318} - (less_1472 ? rows_14_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1532;
+  assign sum_1532 = difference_1530 + (or_861_s1_q ? 11'h0 : rows_14_sum_sums_values_0_q);
+  logic [10:0] difference_1534;
+  assign difference_1534 = {3'h0, sum_1348} - (less_1472 ? rows_15_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1536;
+  assign sum_1536 = difference_1534 + (or_861_s1_q ? 11'h0 : rows_15_sum_sums_values_0_q);
+  logic [10:0] difference_1538;
+  assign difference_1538 = {3'h0, sum_1378} - (less_1472 ? rows_16_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1540;
+  assign sum_1540 = difference_1538 + (or_861_s1_q ? 11'h0 : rows_16_sum_sums_values_0_q);
+  logic [10:0] difference_1542;
+  assign difference_1542 = {3'h0, sum_1408} - (less_1472 ? rows_17_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1544;
+  assign sum_1544 = difference_1542 + (or_861_s1_q ? 11'h0 : rows_17_sum_sums_values_0_q);
+  logic [10:0] difference_1546;
+  assign difference_1546 = {3'h0, sum_1438} - (less_1472 ? rows_18_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1548;
+  assign sum_1548 = difference_1546 + (or_861_s1_q ? 11'h0 : rows_18_sum_sums_values_0_q);
+  logic [10:0] difference_1550;
+  assign difference_1550 = {3'h0, sum_1456} - (less_1472 ? rows_19_columns_values_8_q : 11'h0);
+  logic [10:0] sum_1552;
+  assign sum_1552 = difference_1550 + (or_861_s1_q ? 11'h0 : rows_19_sum_sums_values_0_q);
+  // hls/stages/plane_sums.hpp:112
+  logic [5:0] sum_1556;
+  assign sum_1556 = ({3'h0, sum_1462} - (less_1472 ? edges_columns_values_8_q : 6'h0)) + (or_861_s1_q ? 6'h0 : edges_sum_sums_values_0_q);
+  // hls/stages/plane_sums.hpp:115
+  logic and_1560;
+  assign and_1560 = (column_memory_rdata_q[183] & running_q) & (3'h2 < select_866);
+  // hls/stages/plane_sums.hpp:122
+  logic and_1564;
+  assign and_1564 = (centres_values_3_exists_q & and_1560) & (~(delayed_column_q[9:2] == 8'h0));
 
   // Memory feature_memory, write
   logic [9:0] feature_memory_waddr;
   assign feature_memory_waddr = arriving_column_q;
   logic feature_memory_we;
   assign feature_memory_we = s1_en;
-  logic [90:0] feature_memory_wdata;
-  assign feature_memory_wdata = {feature_memory_rdata_q[77:0], entering_values_0_features_mask_q, entering_values_0_features_right_q, entering_values_0_features_left_q};
+  logic [167:0] feature_memory_wdata;
+  assign feature_memory_wdata = {feature_memory_rdata_q[143:0], entering_values_0_features_mask_q, entering_values_0_features_edge_q, entering_values_0_features_right_y_q, entering_values_0_features_left_y_q, entering_values_0_features_right_q, entering_values_0_features_left_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (feature_memory_we) feature_memory_mem[feature_memory_waddr] <= {^feature_memory_wdata, feature_memory_wdata};
   end
@@ -2354,8 +2951,8 @@ module horopter_plane_sums (
   assign column_memory_waddr = delayed_column_q;
   logic column_memory_we;
   assign column_memory_we = s1_en & running_q;
-  logic [190:0] column_memory_wdata;
-  assign column_memory_wdata = {and_1135, and_1134, entering_values_24_features_mask_q, and_1133, column_memory_rdata_q[179:174], and_1132, column_memory_rdata_q[172:167], and_1131, column_memory_rdata_q[165:160], seen_values_24_exists_s1_q, seen_values_24_grey_s1_q, sum_1130, sum_1120, sum_1098, sum_1076, sum_1054, sum_1032, sum_1010, sum_988, sum_966, sum_944, sum_922, sum_904, sum_882, sum_860, sum_838, sum_816, sum_794, sum_772, sum_750, sum_728};
+  logic [183:0] column_memory_wdata;
+  assign column_memory_wdata = {and_1464, column_memory_rdata_q[175:170], and_1463, column_memory_rdata_q[168:163], entering_values_24_features_mask_q, seen_values_23_grey_s1_q, sum_1462, sum_1456, sum_1438, sum_1408, sum_1378, sum_1348, sum_1318, sum_1288, sum_1258, sum_1228, sum_1198, sum_1168, sum_1142, sum_1112, sum_1082, sum_1052, sum_1022, sum_992, sum_962, sum_932, sum_902};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (column_memory_we) column_memory_mem[column_memory_waddr] <= {^column_memory_wdata, column_memory_wdata};
   end
@@ -2377,279 +2974,455 @@ module horopter_plane_sums (
       delayed_rows_q <= 3'h0;
       leaving_values_0_features_left_q <= 6'h0;
       leaving_values_0_features_right_q <= 6'h0;
+      leaving_values_0_features_left_y_q <= 5'h0;
+      leaving_values_0_features_right_y_q <= 5'h0;
+      leaving_values_0_features_edge_q <= 1'b0;
       leaving_values_0_features_mask_q <= 1'b0;
       leaving_values_1_features_left_q <= 6'h0;
       leaving_values_1_features_right_q <= 6'h0;
+      leaving_values_1_features_left_y_q <= 5'h0;
+      leaving_values_1_features_right_y_q <= 5'h0;
+      leaving_values_1_features_edge_q <= 1'b0;
       leaving_values_1_features_mask_q <= 1'b0;
       leaving_values_2_features_left_q <= 6'h0;
       leaving_values_2_features_right_q <= 6'h0;
+      leaving_values_2_features_left_y_q <= 5'h0;
+      leaving_values_2_features_right_y_q <= 5'h0;
+      leaving_values_2_features_edge_q <= 1'b0;
       leaving_values_2_features_mask_q <= 1'b0;
       leaving_values_3_features_left_q <= 6'h0;
       leaving_values_3_features_right_q <= 6'h0;
+      leaving_values_3_features_left_y_q <= 5'h0;
+      leaving_values_3_features_right_y_q <= 5'h0;
+      leaving_values_3_features_edge_q <= 1'b0;
       leaving_values_3_features_mask_q <= 1'b0;
       leaving_values_4_features_left_q <= 6'h0;
       leaving_values_4_features_right_q <= 6'h0;
+      leaving_values_4_features_left_y_q <= 5'h0;
+      leaving_values_4_features_right_y_q <= 5'h0;
+      leaving_values_4_features_edge_q <= 1'b0;
       leaving_values_4_features_mask_q <= 1'b0;
       leaving_values_5_features_left_q <= 6'h0;
       leaving_values_5_features_right_q <= 6'h0;
+      leaving_values_5_features_left_y_q <= 5'h0;
+      leaving_values_5_features_right_y_q <= 5'h0;
+      leaving_values_5_features_edge_q <= 1'b0;
       leaving_values_5_features_mask_q <= 1'b0;
       leaving_values_6_features_left_q <= 6'h0;
       leaving_values_6_features_right_q <= 6'h0;
+      leaving_values_6_features_left_y_q <= 5'h0;
+      leaving_values_6_features_right_y_q <= 5'h0;
+      leaving_values_6_features_edge_q <= 1'b0;
       leaving_values_6_features_mask_q <= 1'b0;
       leaving_values_7_features_left_q <= 6'h0;
       leaving_values_7_features_right_q <= 6'h0;
+      leaving_values_7_features_left_y_q <= 5'h0;
+      leaving_values_7_features_right_y_q <= 5'h0;
+      leaving_values_7_features_edge_q <= 1'b0;
       leaving_values_7_features_mask_q <= 1'b0;
       leaving_values_8_features_left_q <= 6'h0;
       leaving_values_8_features_right_q <= 6'h0;
+      leaving_values_8_features_left_y_q <= 5'h0;
+      leaving_values_8_features_right_y_q <= 5'h0;
+      leaving_values_8_features_edge_q <= 1'b0;
       leaving_values_8_features_mask_q <= 1'b0;
       leaving_values_9_features_left_q <= 6'h0;
       leaving_values_9_features_right_q <= 6'h0;
+      leaving_values_9_features_left_y_q <= 5'h0;
+      leaving_values_9_features_right_y_q <= 5'h0;
+      leaving_values_9_features_edge_q <= 1'b0;
       leaving_values_9_features_mask_q <= 1'b0;
       leaving_values_10_features_left_q <= 6'h0;
       leaving_values_10_features_right_q <= 6'h0;
+      leaving_values_10_features_left_y_q <= 5'h0;
+      leaving_values_10_features_right_y_q <= 5'h0;
+      leaving_values_10_features_edge_q <= 1'b0;
       leaving_values_10_features_mask_q <= 1'b0;
       leaving_values_11_features_left_q <= 6'h0;
       leaving_values_11_features_right_q <= 6'h0;
+      leaving_values_11_features_left_y_q <= 5'h0;
+      leaving_values_11_features_right_y_q <= 5'h0;
+      leaving_values_11_features_edge_q <= 1'b0;
       leaving_values_11_features_mask_q <= 1'b0;
       leaving_values_12_features_left_q <= 6'h0;
       leaving_values_12_features_right_q <= 6'h0;
+      leaving_values_12_features_left_y_q <= 5'h0;
+      leaving_values_12_features_right_y_q <= 5'h0;
+      leaving_values_12_features_edge_q <= 1'b0;
       leaving_values_12_features_mask_q <= 1'b0;
       leaving_values_13_features_left_q <= 6'h0;
       leaving_values_13_features_right_q <= 6'h0;
+      leaving_values_13_features_left_y_q <= 5'h0;
+      leaving_values_13_features_right_y_q <= 5'h0;
+      leaving_values_13_features_edge_q <= 1'b0;
       leaving_values_13_features_mask_q <= 1'b0;
       leaving_values_14_features_left_q <= 6'h0;
       leaving_values_14_features_right_q <= 6'h0;
+      leaving_values_14_features_left_y_q <= 5'h0;
+      leaving_values_14_features_right_y_q <= 5'h0;
+      leaving_values_14_features_edge_q <= 1'b0;
       leaving_values_14_features_mask_q <= 1'b0;
       leaving_values_15_features_left_q <= 6'h0;
       leaving_values_15_features_right_q <= 6'h0;
+      leaving_values_15_features_left_y_q <= 5'h0;
+      leaving_values_15_features_right_y_q <= 5'h0;
+      leaving_values_15_features_edge_q <= 1'b0;
       leaving_values_15_features_mask_q <= 1'b0;
       leaving_values_16_features_left_q <= 6'h0;
       leaving_values_16_features_right_q <= 6'h0;
+      leaving_values_16_features_left_y_q <= 5'h0;
+      leaving_values_16_features_right_y_q <= 5'h0;
+      leaving_values_16_features_edge_q <= 1'b0;
       leaving_values_16_features_mask_q <= 1'b0;
       leaving_values_17_features_left_q <= 6'h0;
       leaving_values_17_features_right_q <= 6'h0;
+      leaving_values_17_features_left_y_q <= 5'h0;
+      leaving_values_17_features_right_y_q <= 5'h0;
+      leaving_values_17_features_edge_q <= 1'b0;
       leaving_values_17_features_mask_q <= 1'b0;
       leaving_values_18_features_left_q <= 6'h0;
       leaving_values_18_features_right_q <= 6'h0;
+      leaving_values_18_features_left_y_q <= 5'h0;
+      leaving_values_18_features_right_y_q <= 5'h0;
+      leaving_values_18_features_edge_q <= 1'b0;
       leaving_values_18_features_mask_q <= 1'b0;
       leaving_values_19_features_left_q <= 6'h0;
       leaving_values_19_features_right_q <= 6'h0;
+      leaving_values_19_features_left_y_q <= 5'h0;
+      leaving_values_19_features_right_y_q <= 5'h0;
+      leaving_values_19_features_edge_q <= 1'b0;
       leaving_values_19_features_mask_q <= 1'b0;
       leaving_values_20_features_left_q <= 6'h0;
       leaving_values_20_features_right_q <= 6'h0;
+      leaving_values_20_features_left_y_q <= 5'h0;
+      leaving_values_20_features_right_y_q <= 5'h0;
+      leaving_values_20_features_edge_q <= 1'b0;
       leaving_values_20_features_mask_q <= 1'b0;
       leaving_values_21_features_left_q <= 6'h0;
       leaving_values_21_features_right_q <= 6'h0;
+      leaving_values_21_features_left_y_q <= 5'h0;
+      leaving_values_21_features_right_y_q <= 5'h0;
+      leaving_values_21_features_edge_q <= 1'b0;
       leaving_values_21_features_mask_q <= 1'b0;
       leaving_values_22_features_left_q <= 6'h0;
       leaving_values_22_features_right_q <= 6'h0;
+      leaving_values_22_features_left_y_q <= 5'h0;
+      leaving_values_22_features_right_y_q <= 5'h0;
+      leaving_values_22_features_edge_q <= 1'b0;
       leaving_values_22_features_mask_q <= 1'b0;
       leaving_values_23_features_left_q <= 6'h0;
       leaving_values_23_features_right_q <= 6'h0;
+      leaving_values_23_features_left_y_q <= 5'h0;
+      leaving_values_23_features_right_y_q <= 5'h0;
+      leaving_values_23_features_edge_q <= 1'b0;
       leaving_values_23_features_mask_q <= 1'b0;
       leaving_values_24_features_right_q <= 6'h0;
+      leaving_values_24_features_right_y_q <= 5'h0;
       leaving_values_24_features_mask_q <= 1'b0;
       leaving_values_25_features_right_q <= 6'h0;
+      leaving_values_25_features_right_y_q <= 5'h0;
       leaving_values_25_features_mask_q <= 1'b0;
       leaving_values_26_features_right_q <= 6'h0;
+      leaving_values_26_features_right_y_q <= 5'h0;
       leaving_values_26_features_mask_q <= 1'b0;
       leaving_values_27_features_right_q <= 6'h0;
+      leaving_values_27_features_right_y_q <= 5'h0;
       leaving_values_27_features_mask_q <= 1'b0;
       leaving_values_28_features_right_q <= 6'h0;
+      leaving_values_28_features_right_y_q <= 5'h0;
       leaving_values_28_features_mask_q <= 1'b0;
       leaving_values_29_features_right_q <= 6'h0;
+      leaving_values_29_features_right_y_q <= 5'h0;
       leaving_values_29_features_mask_q <= 1'b0;
       leaving_values_30_features_right_q <= 6'h0;
+      leaving_values_30_features_right_y_q <= 5'h0;
       leaving_values_30_features_mask_q <= 1'b0;
       leaving_values_31_features_right_q <= 6'h0;
+      leaving_values_31_features_right_y_q <= 5'h0;
       leaving_values_31_features_mask_q <= 1'b0;
       leaving_values_32_features_right_q <= 6'h0;
+      leaving_values_32_features_right_y_q <= 5'h0;
       leaving_values_32_features_mask_q <= 1'b0;
       leaving_values_33_features_right_q <= 6'h0;
+      leaving_values_33_features_right_y_q <= 5'h0;
       leaving_values_33_features_mask_q <= 1'b0;
       leaving_values_34_features_right_q <= 6'h0;
+      leaving_values_34_features_right_y_q <= 5'h0;
       leaving_values_34_features_mask_q <= 1'b0;
       leaving_values_35_features_right_q <= 6'h0;
+      leaving_values_35_features_right_y_q <= 5'h0;
       leaving_values_35_features_mask_q <= 1'b0;
       leaving_values_36_features_right_q <= 6'h0;
+      leaving_values_36_features_right_y_q <= 5'h0;
       leaving_values_36_features_mask_q <= 1'b0;
       leaving_values_37_features_right_q <= 6'h0;
+      leaving_values_37_features_right_y_q <= 5'h0;
       leaving_values_37_features_mask_q <= 1'b0;
       leaving_values_38_features_right_q <= 6'h0;
+      leaving_values_38_features_right_y_q <= 5'h0;
       leaving_values_38_features_mask_q <= 1'b0;
       leaving_values_39_features_right_q <= 6'h0;
+      leaving_values_39_features_right_y_q <= 5'h0;
       leaving_values_39_features_mask_q <= 1'b0;
       leaving_values_40_features_right_q <= 6'h0;
+      leaving_values_40_features_right_y_q <= 5'h0;
       leaving_values_40_features_mask_q <= 1'b0;
       leaving_values_41_features_right_q <= 6'h0;
+      leaving_values_41_features_right_y_q <= 5'h0;
       leaving_values_41_features_mask_q <= 1'b0;
       leaving_values_42_features_right_q <= 6'h0;
+      leaving_values_42_features_right_y_q <= 5'h0;
       leaving_values_42_features_mask_q <= 1'b0;
       leaving_values_43_features_right_q <= 6'h0;
+      leaving_values_43_features_right_y_q <= 5'h0;
       leaving_values_43_features_mask_q <= 1'b0;
       leaving_values_44_features_right_q <= 6'h0;
+      leaving_values_44_features_right_y_q <= 5'h0;
       leaving_values_44_features_mask_q <= 1'b0;
       leaving_values_45_features_right_q <= 6'h0;
+      leaving_values_45_features_right_y_q <= 5'h0;
       leaving_values_45_features_mask_q <= 1'b0;
       leaving_values_46_features_right_q <= 6'h0;
+      leaving_values_46_features_right_y_q <= 5'h0;
       leaving_values_46_features_mask_q <= 1'b0;
       leaving_values_47_features_right_q <= 6'h0;
+      leaving_values_47_features_right_y_q <= 5'h0;
       leaving_values_47_features_mask_q <= 1'b0;
-      centres_values_0_seen_grey_q <= 6'h0;
-      centres_values_0_seen_exists_q <= 1'b0;
-      centres_values_0_gradient_q <= 1'b0;
-      centres_values_1_seen_grey_q <= 6'h0;
-      centres_values_1_seen_exists_q <= 1'b0;
-      centres_values_1_gradient_q <= 1'b0;
-      centres_values_2_seen_grey_q <= 6'h0;
-      centres_values_2_seen_exists_q <= 1'b0;
-      centres_values_2_gradient_q <= 1'b0;
-      centres_values_3_seen_grey_q <= 6'h0;
-      centres_values_3_seen_exists_q <= 1'b0;
-      centres_values_3_gradient_q <= 1'b0;
-      rows_seen_values_0_q <= 1'b0;
-      rows_seen_values_1_q <= 1'b0;
-      rows_seen_values_2_q <= 1'b0;
-      rows_seen_values_3_q <= 1'b0;
+      centres_values_0_grey_q <= 6'h0;
+      centres_values_0_exists_q <= 1'b0;
+      centres_values_1_grey_q <= 6'h0;
+      centres_values_1_exists_q <= 1'b0;
+      centres_values_2_grey_q <= 6'h0;
+      centres_values_2_exists_q <= 1'b0;
+      centres_values_3_grey_q <= 6'h0;
+      centres_values_3_exists_q <= 1'b0;
     end else if (s1_en) begin
-      arriving_rows_q <= select_1138;
-      delayed_rows_q <= select_1142;
-      leaving_values_0_features_left_q <= feature_memory_rdata_q[83:78];
-      leaving_values_0_features_right_q <= feature_memory_rdata_q[89:84];
-      leaving_values_0_features_mask_q <= and_722;
+      arriving_rows_q <= select_1467;
+      delayed_rows_q <= select_1471;
+      leaving_values_0_features_left_q <= feature_memory_rdata_q[149:144];
+      leaving_values_0_features_right_q <= feature_memory_rdata_q[155:150];
+      leaving_values_0_features_left_y_q <= feature_memory_rdata_q[160:156];
+      leaving_values_0_features_right_y_q <= feature_memory_rdata_q[165:161];
+      leaving_values_0_features_edge_q <= feature_memory_rdata_q[166];
+      leaving_values_0_features_mask_q <= and_896;
       leaving_values_1_features_left_q <= leaving_values_0_features_left_q;
       leaving_values_1_features_right_q <= leaving_values_0_features_right_q;
+      leaving_values_1_features_left_y_q <= leaving_values_0_features_left_y_q;
+      leaving_values_1_features_right_y_q <= leaving_values_0_features_right_y_q;
+      leaving_values_1_features_edge_q <= leaving_values_0_features_edge_q;
       leaving_values_1_features_mask_q <= leaving_values_0_features_mask_q;
       leaving_values_2_features_left_q <= leaving_values_1_features_left_q;
       leaving_values_2_features_right_q <= leaving_values_1_features_right_q;
+      leaving_values_2_features_left_y_q <= leaving_values_1_features_left_y_q;
+      leaving_values_2_features_right_y_q <= leaving_values_1_features_right_y_q;
+      leaving_values_2_features_edge_q <= leaving_values_1_features_edge_q;
       leaving_values_2_features_mask_q <= leaving_values_1_features_mask_q;
       leaving_values_3_features_left_q <= leaving_values_2_features_left_q;
       leaving_values_3_features_right_q <= leaving_values_2_features_right_q;
+      leaving_values_3_features_left_y_q <= leaving_values_2_features_left_y_q;
+      leaving_values_3_features_right_y_q <= leaving_values_2_features_right_y_q;
+      leaving_values_3_features_edge_q <= leaving_values_2_features_edge_q;
       leaving_values_3_features_mask_q <= leaving_values_2_features_mask_q;
       leaving_values_4_features_left_q <= leaving_values_3_features_left_q;
       leaving_values_4_features_right_q <= leaving_values_3_features_right_q;
+      leaving_values_4_features_left_y_q <= leaving_values_3_features_left_y_q;
+      leaving_values_4_features_right_y_q <= leaving_values_3_features_right_y_q;
+      leaving_values_4_features_edge_q <= leaving_values_3_features_edge_q;
       leaving_values_4_features_mask_q <= leaving_values_3_features_mask_q;
       leaving_values_5_features_left_q <= leaving_values_4_features_left_q;
       leaving_values_5_features_right_q <= leaving_values_4_features_right_q;
+      leaving_values_5_features_left_y_q <= leaving_values_4_features_left_y_q;
+      leaving_values_5_features_right_y_q <= leaving_values_4_features_right_y_q;
+      leaving_values_5_features_edge_q <= leaving_values_4_features_edge_q;
       leaving_values_5_features_mask_q <= leaving_values_4_features_mask_q;
       leaving_values_6_features_left_q <= leaving_values_5_features_left_q;
       leaving_values_6_features_right_q <= leaving_values_5_features_right_q;
+      leaving_values_6_features_left_y_q <= leaving_values_5_features_left_y_q;
+      leaving_values_6_features_right_y_q <= leaving_values_5_features_right_y_q;
+      leaving_values_6_features_edge_q <= leaving_values_5_features_edge_q;
       leaving_values_6_features_mask_q <= leaving_values_5_features_mask_q;
       leaving_values_7_features_left_q <= leaving_values_6_features_left_q;
       leaving_values_7_features_right_q <= leaving_values_6_features_right_q;
+      leaving_values_7_features_left_y_q <= leaving_values_6_features_left_y_q;
+      leaving_values_7_features_right_y_q <= leaving_values_6_features_right_y_q;
+      leaving_values_7_features_edge_q <= leaving_values_6_features_edge_q;
       leaving_values_7_features_mask_q <= leaving_values_6_features_mask_q;
       leaving_values_8_features_left_q <= leaving_values_7_features_left_q;
       leaving_values_8_features_right_q <= leaving_values_7_features_right_q;
+      leaving_values_8_features_left_y_q <= leaving_values_7_features_left_y_q;
+      leaving_values_8_features_right_y_q <= leaving_values_7_features_right_y_q;
+      leaving_values_8_features_edge_q <= leaving_values_7_features_edge_q;
       leaving_values_8_features_mask_q <= leaving_values_7_features_mask_q;
       leaving_values_9_features_left_q <= leaving_values_8_features_left_q;
       leaving_values_9_features_right_q <= leaving_values_8_features_right_q;
+      leaving_values_9_features_left_y_q <= leaving_values_8_features_left_y_q;
+      leaving_values_9_features_right_y_q <= leaving_values_8_features_right_y_q;
+      leaving_values_9_features_edge_q <= leaving_values_8_features_edge_q;
       leaving_values_9_features_mask_q <= leaving_values_8_features_mask_q;
       leaving_values_10_features_left_q <= leaving_values_9_features_left_q;
       leaving_values_10_features_right_q <= leaving_values_9_features_right_q;
+      leaving_values_10_features_left_y_q <= leaving_values_9_features_left_y_q;
+      leaving_values_10_features_right_y_q <= leaving_values_9_features_right_y_q;
+      leaving_values_10_features_edge_q <= leaving_values_9_features_edge_q;
       leaving_values_10_features_mask_q <= leaving_values_9_features_mask_q;
       leaving_values_11_features_left_q <= leaving_values_10_features_left_q;
       leaving_values_11_features_right_q <= leaving_values_10_features_right_q;
+      leaving_values_11_features_left_y_q <= leaving_values_10_features_left_y_q;
+      leaving_values_11_features_right_y_q <= leaving_values_10_features_right_y_q;
+      leaving_values_11_features_edge_q <= leaving_values_10_features_edge_q;
       leaving_values_11_features_mask_q <= leaving_values_10_features_mask_q;
       leaving_values_12_features_left_q <= leaving_values_11_features_left_q;
       leaving_values_12_features_right_q <= leaving_values_11_features_right_q;
+      leaving_values_12_features_left_y_q <= leaving_values_11_features_left_y_q;
+      leaving_values_12_features_right_y_q <= leaving_values_11_features_right_y_q;
+      leaving_values_12_features_edge_q <= leaving_values_11_features_edge_q;
       leaving_values_12_features_mask_q <= leaving_values_11_features_mask_q;
       leaving_values_13_features_left_q <= leaving_values_12_features_left_q;
       leaving_values_13_features_right_q <= leaving_values_12_features_right_q;
+      leaving_values_13_features_left_y_q <= leaving_values_12_features_left_y_q;
+      leaving_values_13_features_right_y_q <= leaving_values_12_features_right_y_q;
+      leaving_values_13_features_edge_q <= leaving_values_12_features_edge_q;
       leaving_values_13_features_mask_q <= leaving_values_12_features_mask_q;
       leaving_values_14_features_left_q <= leaving_values_13_features_left_q;
       leaving_values_14_features_right_q <= leaving_values_13_features_right_q;
+      leaving_values_14_features_left_y_q <= leaving_values_13_features_left_y_q;
+      leaving_values_14_features_right_y_q <= leaving_values_13_features_right_y_q;
+      leaving_values_14_features_edge_q <= leaving_values_13_features_edge_q;
       leaving_values_14_features_mask_q <= leaving_values_13_features_mask_q;
       leaving_values_15_features_left_q <= leaving_values_14_features_left_q;
       leaving_values_15_features_right_q <= leaving_values_14_features_right_q;
+      leaving_values_15_features_left_y_q <= leaving_values_14_features_left_y_q;
+      leaving_values_15_features_right_y_q <= leaving_values_14_features_right_y_q;
+      leaving_values_15_features_edge_q <= leaving_values_14_features_edge_q;
       leaving_values_15_features_mask_q <= leaving_values_14_features_mask_q;
       leaving_values_16_features_left_q <= leaving_values_15_features_left_q;
       leaving_values_16_features_right_q <= leaving_values_15_features_right_q;
+      leaving_values_16_features_left_y_q <= leaving_values_15_features_left_y_q;
+      leaving_values_16_features_right_y_q <= leaving_values_15_features_right_y_q;
+      leaving_values_16_features_edge_q <= leaving_values_15_features_edge_q;
       leaving_values_16_features_mask_q <= leaving_values_15_features_mask_q;
       leaving_values_17_features_left_q <= leaving_values_16_features_left_q;
       leaving_values_17_features_right_q <= leaving_values_16_features_right_q;
+      leaving_values_17_features_left_y_q <= leaving_values_16_features_left_y_q;
+      leaving_values_17_features_right_y_q <= leaving_values_16_features_right_y_q;
+      leaving_values_17_features_edge_q <= leaving_values_16_features_edge_q;
       leaving_values_17_features_mask_q <= leaving_values_16_features_mask_q;
       leaving_values_18_features_left_q <= leaving_values_17_features_left_q;
       leaving_values_18_features_right_q <= leaving_values_17_features_right_q;
+      leaving_values_18_features_left_y_q <= leaving_values_17_features_left_y_q;
+      leaving_values_18_features_right_y_q <= leaving_values_17_features_right_y_q;
+      leaving_values_18_features_edge_q <= leaving_values_17_features_edge_q;
       leaving_values_18_features_mask_q <= leaving_values_17_features_mask_q;
       leaving_values_19_features_left_q <= leaving_values_18_features_left_q;
       leaving_values_19_features_right_q <= leaving_values_18_features_right_q;
+      leaving_values_19_features_left_y_q <= leaving_values_18_features_left_y_q;
+      leaving_values_19_features_right_y_q <= leaving_values_18_features_right_y_q;
+      leaving_values_19_features_edge_q <= leaving_values_18_features_edge_q;
       leaving_values_19_features_mask_q <= leaving_values_18_features_mask_q;
       leaving_values_20_features_left_q <= leaving_values_19_features_left_q;
       leaving_values_20_features_right_q <= leaving_values_19_features_right_q;
+      leaving_values_20_features_left_y_q <= leaving_values_19_features_left_y_q;
+      leaving_values_20_features_right_y_q <= leaving_values_19_features_right_y_q;
+      leaving_values_20_features_edge_q <= leaving_values_19_features_edge_q;
       leaving_values_20_features_mask_q <= leaving_values_19_features_mask_q;
       leaving_values_21_features_left_q <= leaving_values_20_features_left_q;
       leaving_values_21_features_right_q <= leaving_values_20_features_right_q;
+      leaving_values_21_features_left_y_q <= leaving_values_20_features_left_y_q;
+      leaving_values_21_features_right_y_q <= leaving_values_20_features_right_y_q;
+      leaving_values_21_features_edge_q <= leaving_values_20_features_edge_q;
       leaving_values_21_features_mask_q <= leaving_values_20_features_mask_q;
       leaving_values_22_features_left_q <= leaving_values_21_features_left_q;
       leaving_values_22_features_right_q <= leaving_values_21_features_right_q;
+      leaving_values_22_features_left_y_q <= leaving_values_21_features_left_y_q;
+      leaving_values_22_features_right_y_q <= leaving_values_21_features_right_y_q;
+      leaving_values_22_features_edge_q <= leaving_values_21_features_edge_q;
       leaving_values_22_features_mask_q <= leaving_values_21_features_mask_q;
       leaving_values_23_features_left_q <= leaving_values_22_features_left_q;
       leaving_values_23_features_right_q <= leaving_values_22_features_right_q;
+      leaving_values_23_features_left_y_q <= leaving_values_22_features_left_y_q;
+      leaving_values_23_features_right_y_q <= leaving_values_22_features_right_y_q;
+      leaving_values_23_features_edge_q <= leaving_values_22_features_edge_q;
       leaving_values_23_features_mask_q <= leaving_values_22_features_mask_q;
       leaving_values_24_features_right_q <= leaving_values_23_features_right_q;
+      leaving_values_24_features_right_y_q <= leaving_values_23_features_right_y_q;
       leaving_values_24_features_mask_q <= leaving_values_23_features_mask_q;
       leaving_values_25_features_right_q <= leaving_values_24_features_right_q;
+      leaving_values_25_features_right_y_q <= leaving_values_24_features_right_y_q;
       leaving_values_25_features_mask_q <= leaving_values_24_features_mask_q;
       leaving_values_26_features_right_q <= leaving_values_25_features_right_q;
+      leaving_values_26_features_right_y_q <= leaving_values_25_features_right_y_q;
       leaving_values_26_features_mask_q <= leaving_values_25_features_mask_q;
       leaving_values_27_features_right_q <= leaving_values_26_features_right_q;
+      leaving_values_27_features_right_y_q <= leaving_values_26_features_right_y_q;
       leaving_values_27_features_mask_q <= leaving_values_26_features_mask_q;
       leaving_values_28_features_right_q <= leaving_values_27_features_right_q;
+      leaving_values_28_features_right_y_q <= leaving_values_27_features_right_y_q;
       leaving_values_28_features_mask_q <= leaving_values_27_features_mask_q;
       leaving_values_29_features_right_q <= leaving_values_28_features_right_q;
+      leaving_values_29_features_right_y_q <= leaving_values_28_features_right_y_q;
       leaving_values_29_features_mask_q <= leaving_values_28_features_mask_q;
       leaving_values_30_features_right_q <= leaving_values_29_features_right_q;
+      leaving_values_30_features_right_y_q <= leaving_values_29_features_right_y_q;
       leaving_values_30_features_mask_q <= leaving_values_29_features_mask_q;
       leaving_values_31_features_right_q <= leaving_values_30_features_right_q;
+      leaving_values_31_features_right_y_q <= leaving_values_30_features_right_y_q;
       leaving_values_31_features_mask_q <= leaving_values_30_features_mask_q;
       leaving_values_32_features_right_q <= leaving_values_31_features_right_q;
+      leaving_values_32_features_right_y_q <= leaving_values_31_features_right_y_q;
       leaving_values_32_features_mask_q <= leaving_values_31_features_mask_q;
       leaving_values_33_features_right_q <= leaving_values_32_features_right_q;
+      leaving_values_33_features_right_y_q <= leaving_values_32_features_right_y_q;
       leaving_values_33_features_mask_q <= leaving_values_32_features_mask_q;
       leaving_values_34_features_right_q <= leaving_values_33_features_right_q;
+      leaving_values_34_features_right_y_q <= leaving_values_33_features_right_y_q;
       leaving_values_34_features_mask_q <= leaving_values_33_features_mask_q;
       leaving_values_35_features_right_q <= leaving_values_34_features_right_q;
+      leaving_values_35_features_right_y_q <= leaving_values_34_features_right_y_q;
       leaving_values_35_features_mask_q <= leaving_values_34_features_mask_q;
       leaving_values_36_features_right_q <= leaving_values_35_features_right_q;
+      leaving_values_36_features_right_y_q <= leaving_values_35_features_right_y_q;
       leaving_values_36_features_mask_q <= leaving_values_35_features_mask_q;
       leaving_values_37_features_right_q <= leaving_values_36_features_right_q;
+      leaving_values_37_features_right_y_q <= leaving_values_36_features_right_y_q;
       leaving_values_37_features_mask_q <= leaving_values_36_features_mask_q;
       leaving_values_38_features_right_q <= leaving_values_37_features_right_q;
+      leaving_values_38_features_right_y_q <= leaving_values_37_features_right_y_q;
       leaving_values_38_features_mask_q <= leaving_values_37_features_mask_q;
       leaving_values_39_features_right_q <= leaving_values_38_features_right_q;
+      leaving_values_39_features_right_y_q <= leaving_values_38_features_right_y_q;
       leaving_values_39_features_mask_q <= leaving_values_38_features_mask_q;
       leaving_values_40_features_right_q <= leaving_values_39_features_right_q;
+      leaving_values_40_features_right_y_q <= leaving_values_39_features_right_y_q;
       leaving_values_40_features_mask_q <= leaving_values_39_features_mask_q;
       leaving_values_41_features_right_q <= leaving_values_40_features_right_q;
+      leaving_values_41_features_right_y_q <= leaving_values_40_features_right_y_q;
       leaving_values_41_features_mask_q <= leaving_values_40_features_mask_q;
       leaving_values_42_features_right_q <= leaving_values_41_features_right_q;
+      leaving_values_42_features_right_y_q <= leaving_values_41_features_right_y_q;
       leaving_values_42_features_mask_q <= leaving_values_41_features_mask_q;
       leaving_values_43_features_right_q <= leaving_values_42_features_right_q;
+      leaving_values_43_features_right_y_q <= leaving_values_42_features_right_y_q;
       leaving_values_43_features_mask_q <= leaving_values_42_features_mask_q;
       leaving_values_44_features_right_q <= leaving_values_43_features_right_q;
+      leaving_values_44_features_right_y_q <= leaving_values_43_features_right_y_q;
       leaving_values_44_features_mask_q <= leaving_values_43_features_mask_q;
       leaving_values_45_features_right_q <= leaving_values_44_features_right_q;
+      leaving_values_45_features_right_y_q <= leaving_values_44_features_right_y_q;
       leaving_values_45_features_mask_q <= leaving_values_44_features_mask_q;
       leaving_values_46_features_right_q <= leaving_values_45_features_right_q;
+      leaving_values_46_features_right_y_q <= leaving_values_45_features_right_y_q;
       leaving_values_46_features_mask_q <= leaving_values_45_features_mask_q;
       leaving_values_47_features_right_q <= leaving_values_46_features_right_q;
+      leaving_values_47_features_right_y_q <= leaving_values_46_features_right_y_q;
       leaving_values_47_features_mask_q <= leaving_values_46_features_mask_q;
-      centres_values_0_seen_grey_q <= running_q ? column_memory_rdata_q[186:181] : 6'h0;
-      centres_values_0_seen_exists_q <= column_memory_rdata_q[187] & running_q;
-      centres_values_0_gradient_q <= and_1228;
-      centres_values_1_seen_grey_q <= centres_values_0_seen_grey_q;
-      centres_values_1_seen_exists_q <= centres_values_0_seen_exists_q;
-      centres_values_1_gradient_q <= centres_values_0_gradient_q;
-      centres_values_2_seen_grey_q <= centres_values_1_seen_grey_q;
-      centres_values_2_seen_exists_q <= centres_values_1_seen_exists_q;
-      centres_values_2_gradient_q <= centres_values_1_gradient_q;
-      centres_values_3_seen_grey_q <= centres_values_2_seen_grey_q;
-      centres_values_3_seen_exists_q <= centres_values_2_seen_exists_q;
-      centres_values_3_gradient_q <= centres_values_2_gradient_q;
-      rows_seen_values_0_q <= select_700[2];
-      rows_seen_values_1_q <= rows_seen_values_0_q;
-      rows_seen_values_2_q <= rows_seen_values_1_q;
-      rows_seen_values_3_q <= rows_seen_values_2_q;
+      centres_values_0_grey_q <= running_q ? column_memory_rdata_q[182:177] : 6'h0;
+      centres_values_0_exists_q <= and_1560;
+      centres_values_1_grey_q <= centres_values_0_grey_q;
+      centres_values_1_exists_q <= centres_values_0_exists_q;
+      centres_values_2_grey_q <= centres_values_1_grey_q;
+      centres_values_2_exists_q <= centres_values_1_exists_q;
+      centres_values_3_grey_q <= centres_values_2_grey_q;
+      centres_values_3_exists_q <= centres_values_2_exists_q;
     end
   end
 
@@ -2856,11 +3629,21 @@ module horopter_plane_sums (
     rows_19_columns_values_7_q = 11'h0;
     rows_19_columns_values_8_q = 11'h0;
     rows_19_sum_sums_values_0_q = 11'h0;
+    edges_columns_values_0_q = 6'h0;
+    edges_columns_values_1_q = 6'h0;
+    edges_columns_values_2_q = 6'h0;
+    edges_columns_values_3_q = 6'h0;
+    edges_columns_values_4_q = 6'h0;
+    edges_columns_values_5_q = 6'h0;
+    edges_columns_values_6_q = 6'h0;
+    edges_columns_values_7_q = 6'h0;
+    edges_columns_values_8_q = 6'h0;
+    edges_sum_sums_values_0_q = 6'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s1_en) begin
-      rows_0_columns_values_0_q <= {3'h0, sum_728};
+      rows_0_columns_values_0_q <= {3'h0, sum_902};
       rows_0_columns_values_1_q <= rows_0_columns_values_0_q;
       rows_0_columns_values_2_q <= rows_0_columns_values_1_q;
       rows_0_columns_values_3_q <= rows_0_columns_values_2_q;
@@ -2869,8 +3652,8 @@ module horopter_plane_sums (
       rows_0_columns_values_6_q <= rows_0_columns_values_5_q;
       rows_0_columns_values_7_q <= rows_0_columns_values_6_q;
       rows_0_columns_values_8_q <= rows_0_columns_values_7_q;
-      rows_0_sum_sums_values_0_q <= sum_1147;
-      rows_1_columns_values_0_q <= {3'h0, sum_750};
+      rows_0_sum_sums_values_0_q <= sum_1476;
+      rows_1_columns_values_0_q <= {3'h0, sum_932};
       rows_1_columns_values_1_q <= rows_1_columns_values_0_q;
       rows_1_columns_values_2_q <= rows_1_columns_values_1_q;
       rows_1_columns_values_3_q <= rows_1_columns_values_2_q;
@@ -2879,8 +3662,8 @@ module horopter_plane_sums (
       rows_1_columns_values_6_q <= rows_1_columns_values_5_q;
       rows_1_columns_values_7_q <= rows_1_columns_values_6_q;
       rows_1_columns_values_8_q <= rows_1_columns_values_7_q;
-      rows_1_sum_sums_values_0_q <= sum_1151;
-      rows_2_columns_values_0_q <= {3'h0, sum_772};
+      rows_1_sum_sums_values_0_q <= sum_1480;
+      rows_2_columns_values_0_q <= {3'h0, sum_962};
       rows_2_columns_values_1_q <= rows_2_columns_values_0_q;
       rows_2_columns_values_2_q <= rows_2_columns_values_1_q;
       rows_2_columns_values_3_q <= rows_2_columns_values_2_q;
@@ -2889,8 +3672,8 @@ module horopter_plane_sums (
       rows_2_columns_values_6_q <= rows_2_columns_values_5_q;
       rows_2_columns_values_7_q <= rows_2_columns_values_6_q;
       rows_2_columns_values_8_q <= rows_2_columns_values_7_q;
-      rows_2_sum_sums_values_0_q <= sum_1155;
-      rows_3_columns_values_0_q <= {3'h0, sum_794};
+      rows_2_sum_sums_values_0_q <= sum_1484;
+      rows_3_columns_values_0_q <= {3'h0, sum_992};
       rows_3_columns_values_1_q <= rows_3_columns_values_0_q;
       rows_3_columns_values_2_q <= rows_3_columns_values_1_q;
       rows_3_columns_values_3_q <= rows_3_columns_values_2_q;
@@ -2899,8 +3682,8 @@ module horopter_plane_sums (
       rows_3_columns_values_6_q <= rows_3_columns_values_5_q;
       rows_3_columns_values_7_q <= rows_3_columns_values_6_q;
       rows_3_columns_values_8_q <= rows_3_columns_values_7_q;
-      rows_3_sum_sums_values_0_q <= sum_1159;
-      rows_4_columns_values_0_q <= {3'h0, sum_816};
+      rows_3_sum_sums_values_0_q <= sum_1488;
+      rows_4_columns_values_0_q <= {3'h0, sum_1022};
       rows_4_columns_values_1_q <= rows_4_columns_values_0_q;
       rows_4_columns_values_2_q <= rows_4_columns_values_1_q;
       rows_4_columns_values_3_q <= rows_4_columns_values_2_q;
@@ -2909,8 +3692,8 @@ module horopter_plane_sums (
       rows_4_columns_values_6_q <= rows_4_columns_values_5_q;
       rows_4_columns_values_7_q <= rows_4_columns_values_6_q;
       rows_4_columns_values_8_q <= rows_4_columns_values_7_q;
-      rows_4_sum_sums_values_0_q <= sum_1163;
-      rows_5_columns_values_0_q <= {3'h0, sum_838};
+      rows_4_sum_sums_values_0_q <= sum_1492;
+      rows_5_columns_values_0_q <= {3'h0, sum_1052};
       rows_5_columns_values_1_q <= rows_5_columns_values_0_q;
       rows_5_columns_values_2_q <= rows_5_columns_values_1_q;
       rows_5_columns_values_3_q <= rows_5_columns_values_2_q;
@@ -2919,8 +3702,8 @@ module horopter_plane_sums (
       rows_5_columns_values_6_q <= rows_5_columns_values_5_q;
       rows_5_columns_values_7_q <= rows_5_columns_values_6_q;
       rows_5_columns_values_8_q <= rows_5_columns_values_7_q;
-      rows_5_sum_sums_values_0_q <= sum_1167;
-      rows_6_columns_values_0_q <= {3'h0, sum_860};
+      rows_5_sum_sums_values_0_q <= sum_1496;
+      rows_6_columns_values_0_q <= {3'h0, sum_1082};
       rows_6_columns_values_1_q <= rows_6_columns_values_0_q;
       rows_6_columns_values_2_q <= rows_6_columns_values_1_q;
       rows_6_columns_values_3_q <= rows_6_columns_values_2_q;
@@ -2929,8 +3712,8 @@ module horopter_plane_sums (
       rows_6_columns_values_6_q <= rows_6_columns_values_5_q;
       rows_6_columns_values_7_q <= rows_6_columns_values_6_q;
       rows_6_columns_values_8_q <= rows_6_columns_values_7_q;
-      rows_6_sum_sums_values_0_q <= sum_1171;
-      rows_7_columns_values_0_q <= {3'h0, sum_882};
+      rows_6_sum_sums_values_0_q <= sum_1500;
+      rows_7_columns_values_0_q <= {3'h0, sum_1112};
       rows_7_columns_values_1_q <= rows_7_columns_values_0_q;
       rows_7_columns_values_2_q <= rows_7_columns_values_1_q;
       rows_7_columns_values_3_q <= rows_7_columns_values_2_q;
@@ -2939,8 +3722,8 @@ module horopter_plane_sums (
       rows_7_columns_values_6_q <= rows_7_columns_values_5_q;
       rows_7_columns_values_7_q <= rows_7_columns_values_6_q;
       rows_7_columns_values_8_q <= rows_7_columns_values_7_q;
-      rows_7_sum_sums_values_0_q <= sum_1175;
-      rows_8_columns_values_0_q <= {3'h0, sum_904};
+      rows_7_sum_sums_values_0_q <= sum_1504;
+      rows_8_columns_values_0_q <= {3'h0, sum_1142};
       rows_8_columns_values_1_q <= rows_8_columns_values_0_q;
       rows_8_columns_values_2_q <= rows_8_columns_values_1_q;
       rows_8_columns_values_3_q <= rows_8_columns_values_2_q;
@@ -2949,8 +3732,8 @@ module horopter_plane_sums (
       rows_8_columns_values_6_q <= rows_8_columns_values_5_q;
       rows_8_columns_values_7_q <= rows_8_columns_values_6_q;
       rows_8_columns_values_8_q <= rows_8_columns_values_7_q;
-      rows_8_sum_sums_values_0_q <= sum_1179;
-      rows_9_columns_values_0_q <= {3'h0, sum_922};
+      rows_8_sum_sums_values_0_q <= sum_1508;
+      rows_9_columns_values_0_q <= {3'h0, sum_1168};
       rows_9_columns_values_1_q <= rows_9_columns_values_0_q;
       rows_9_columns_values_2_q <= rows_9_columns_values_1_q;
       rows_9_columns_values_3_q <= rows_9_columns_values_2_q;
@@ -2959,8 +3742,8 @@ module horopter_plane_sums (
       rows_9_columns_values_6_q <= rows_9_columns_values_5_q;
       rows_9_columns_values_7_q <= rows_9_columns_values_6_q;
       rows_9_columns_values_8_q <= rows_9_columns_values_7_q;
-      rows_9_sum_sums_values_0_q <= sum_1183;
-      rows_10_columns_values_0_q <= {3'h0, sum_944};
+      rows_9_sum_sums_values_0_q <= sum_1512;
+      rows_10_columns_values_0_q <= {3'h0, sum_1198};
       rows_10_columns_values_1_q <= rows_10_columns_values_0_q;
       rows_10_columns_values_2_q <= rows_10_columns_values_1_q;
       rows_10_columns_values_3_q <= rows_10_columns_values_2_q;
@@ -2969,8 +3752,8 @@ module horopter_plane_sums (
       rows_10_columns_values_6_q <= rows_10_columns_values_5_q;
       rows_10_columns_values_7_q <= rows_10_columns_values_6_q;
       rows_10_columns_values_8_q <= rows_10_columns_values_7_q;
-      rows_10_sum_sums_values_0_q <= sum_1187;
-      rows_11_columns_values_0_q <= {3'h0, sum_966};
+      rows_10_sum_sums_values_0_q <= sum_1516;
+      rows_11_columns_values_0_q <= {3'h0, sum_1228};
       rows_11_columns_values_1_q <= rows_11_columns_values_0_q;
       rows_11_columns_values_2_q <= rows_11_columns_values_1_q;
       rows_11_columns_values_3_q <= rows_11_columns_values_2_q;
@@ -2979,8 +3762,8 @@ module horopter_plane_sums (
       rows_11_columns_values_6_q <= rows_11_columns_values_5_q;
       rows_11_columns_values_7_q <= rows_11_columns_values_6_q;
       rows_11_columns_values_8_q <= rows_11_columns_values_7_q;
-      rows_11_sum_sums_values_0_q <= sum_1191;
-      rows_12_columns_values_0_q <= {3'h0, sum_988};
+      rows_11_sum_sums_values_0_q <= sum_1520;
+      rows_12_columns_values_0_q <= {3'h0, sum_1258};
       rows_12_columns_values_1_q <= rows_12_columns_values_0_q;
       rows_12_columns_values_2_q <= rows_12_columns_values_1_q;
       rows_12_columns_values_3_q <= rows_12_columns_values_2_q;
@@ -2989,8 +3772,8 @@ module horopter_plane_sums (
       rows_12_columns_values_6_q <= rows_12_columns_values_5_q;
       rows_12_columns_values_7_q <= rows_12_columns_values_6_q;
       rows_12_columns_values_8_q <= rows_12_columns_values_7_q;
-      rows_12_sum_sums_values_0_q <= sum_1195;
-      rows_13_columns_values_0_q <= {3'h0, sum_1010};
+      rows_12_sum_sums_values_0_q <= sum_1524;
+      rows_13_columns_values_0_q <= {3'h0, sum_1288};
       rows_13_columns_values_1_q <= rows_13_columns_values_0_q;
       rows_13_columns_values_2_q <= rows_13_columns_values_1_q;
       rows_13_columns_values_3_q <= rows_13_columns_values_2_q;
@@ -2999,8 +3782,8 @@ module horopter_plane_sums (
       rows_13_columns_values_6_q <= rows_13_columns_values_5_q;
       rows_13_columns_values_7_q <= rows_13_columns_values_6_q;
       rows_13_columns_values_8_q <= rows_13_columns_values_7_q;
-      rows_13_sum_sums_values_0_q <= sum_1199;
-      rows_14_columns_values_0_q <= {3'h0, sum_1032};
+      rows_13_sum_sums_values_0_q <= sum_1528;
+      rows_14_columns_values_0_q <= {3'h0, sum_1318};
       rows_14_columns_values_1_q <= rows_14_columns_values_0_q;
       rows_14_columns_values_2_q <= rows_14_columns_values_1_q;
       rows_14_columns_values_3_q <= rows_14_columns_values_2_q;
@@ -3009,8 +3792,8 @@ module horopter_plane_sums (
       rows_14_columns_values_6_q <= rows_14_columns_values_5_q;
       rows_14_columns_values_7_q <= rows_14_columns_values_6_q;
       rows_14_columns_values_8_q <= rows_14_columns_values_7_q;
-      rows_14_sum_sums_values_0_q <= sum_1203;
-      rows_15_columns_values_0_q <= {3'h0, sum_1054};
+      rows_14_sum_sums_values_0_q <= sum_1532;
+      rows_15_columns_values_0_q <= {3'h0, sum_1348};
       rows_15_columns_values_1_q <= rows_15_columns_values_0_q;
       rows_15_columns_values_2_q <= rows_15_columns_values_1_q;
       rows_15_columns_values_3_q <= rows_15_columns_values_2_q;
@@ -3019,8 +3802,8 @@ module horopter_plane_sums (
       rows_15_columns_values_6_q <= rows_15_columns_values_5_q;
       rows_15_columns_values_7_q <= rows_15_columns_values_6_q;
       rows_15_columns_values_8_q <= rows_15_columns_values_7_q;
-      rows_15_sum_sums_values_0_q <= sum_1207;
-      rows_16_columns_values_0_q <= {3'h0, sum_1076};
+      rows_15_sum_sums_values_0_q <= sum_1536;
+      rows_16_columns_values_0_q <= {3'h0, sum_1378};
       rows_16_columns_values_1_q <= rows_16_columns_values_0_q;
       rows_16_columns_values_2_q <= rows_16_columns_values_1_q;
       rows_16_columns_values_3_q <= rows_16_columns_values_2_q;
@@ -3029,8 +3812,8 @@ module horopter_plane_sums (
       rows_16_columns_values_6_q <= rows_16_columns_values_5_q;
       rows_16_columns_values_7_q <= rows_16_columns_values_6_q;
       rows_16_columns_values_8_q <= rows_16_columns_values_7_q;
-      rows_16_sum_sums_values_0_q <= sum_1211;
-      rows_17_columns_values_0_q <= {3'h0, sum_1098};
+      rows_16_sum_sums_values_0_q <= sum_1540;
+      rows_17_columns_values_0_q <= {3'h0, sum_1408};
       rows_17_columns_values_1_q <= rows_17_columns_values_0_q;
       rows_17_columns_values_2_q <= rows_17_columns_values_1_q;
       rows_17_columns_values_3_q <= rows_17_columns_values_2_q;
@@ -3039,8 +3822,8 @@ module horopter_plane_sums (
       rows_17_columns_values_6_q <= rows_17_columns_values_5_q;
       rows_17_columns_values_7_q <= rows_17_columns_values_6_q;
       rows_17_columns_values_8_q <= rows_17_columns_values_7_q;
-      rows_17_sum_sums_values_0_q <= sum_1215;
-      rows_18_columns_values_0_q <= {3'h0, sum_1120};
+      rows_17_sum_sums_values_0_q <= sum_1544;
+      rows_18_columns_values_0_q <= {3'h0, sum_1438};
       rows_18_columns_values_1_q <= rows_18_columns_values_0_q;
       rows_18_columns_values_2_q <= rows_18_columns_values_1_q;
       rows_18_columns_values_3_q <= rows_18_columns_values_2_q;
@@ -3049,8 +3832,8 @@ module horopter_plane_sums (
       rows_18_columns_values_6_q <= rows_18_columns_values_5_q;
       rows_18_columns_values_7_q <= rows_18_columns_values_6_q;
       rows_18_columns_values_8_q <= rows_18_columns_values_7_q;
-      rows_18_sum_sums_values_0_q <= sum_1219;
-      rows_19_columns_values_0_q <= {3'h0, sum_1130};
+      rows_18_sum_sums_values_0_q <= sum_1548;
+      rows_19_columns_values_0_q <= {3'h0, sum_1456};
       rows_19_columns_values_1_q <= rows_19_columns_values_0_q;
       rows_19_columns_values_2_q <= rows_19_columns_values_1_q;
       rows_19_columns_values_3_q <= rows_19_columns_values_2_q;
@@ -3059,26 +3842,36 @@ module horopter_plane_sums (
       rows_19_columns_values_6_q <= rows_19_columns_values_5_q;
       rows_19_columns_values_7_q <= rows_19_columns_values_6_q;
       rows_19_columns_values_8_q <= rows_19_columns_values_7_q;
-      rows_19_sum_sums_values_0_q <= sum_1223;
+      rows_19_sum_sums_values_0_q <= sum_1552;
+      edges_columns_values_0_q <= {3'h0, sum_1462};
+      edges_columns_values_1_q <= edges_columns_values_0_q;
+      edges_columns_values_2_q <= edges_columns_values_1_q;
+      edges_columns_values_3_q <= edges_columns_values_2_q;
+      edges_columns_values_4_q <= edges_columns_values_3_q;
+      edges_columns_values_5_q <= edges_columns_values_4_q;
+      edges_columns_values_6_q <= edges_columns_values_5_q;
+      edges_columns_values_7_q <= edges_columns_values_6_q;
+      edges_columns_values_8_q <= edges_columns_values_7_q;
+      edges_sum_sums_values_0_q <= sum_1556;
     end
   end
 
-  logic [5:0] centres_values_3_seen_grey_s2_q;
+  logic [5:0] centres_values_3_grey_s2_q;
+  logic centres_values_3_exists_s2_q;
   logic centre_marks_values_3_first_s2_q;
   logic centre_marks_values_3_last_s2_q;
   logic centre_marks_values_3_seen_s2_q;
   logic centre_marks_values_3_nearer_s2_q;
-  logic and_1232_s2_q;
-  logic and_1233_s2_q;
+  logic and_1564_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
-      centres_values_3_seen_grey_s2_q <= centres_values_3_seen_grey_q;
+      centres_values_3_grey_s2_q <= centres_values_3_grey_q;
+      centres_values_3_exists_s2_q <= centres_values_3_exists_q;
       centre_marks_values_3_first_s2_q <= centre_marks_values_3_first_s1_q;
       centre_marks_values_3_last_s2_q <= centre_marks_values_3_last_s1_q;
       centre_marks_values_3_seen_s2_q <= centre_marks_values_3_seen_s1_q;
       centre_marks_values_3_nearer_s2_q <= centre_marks_values_3_nearer_s1_q;
-      and_1232_s2_q <= and_1232;
-      and_1233_s2_q <= centres_values_3_seen_exists_q & rows_seen_values_3_q;
+      and_1564_s2_q <= and_1564;
     end
   end
 
@@ -3106,9 +3899,10 @@ module horopter_plane_sums (
   assign sum_17_o = rows_17_sum_sums_values_0_q;
   assign sum_18_o = rows_18_sum_sums_values_0_q;
   assign evidence_o = rows_19_sum_sums_values_0_q;
-  assign grey_o = centres_values_3_seen_grey_s2_q;
-  assign known_o = and_1232_s2_q;
-  assign exists_o = and_1233_s2_q;
+  assign edges_o = edges_sum_sums_values_0_q;
+  assign grey_o = centres_values_3_grey_s2_q;
+  assign known_o = and_1564_s2_q;
+  assign exists_o = centres_values_3_exists_s2_q;
   assign marks_first_o = centre_marks_values_3_first_s2_q;
   assign marks_last_o = centre_marks_values_3_last_s2_q;
   assign marks_seen_o = centre_marks_values_3_seen_s2_q;

@@ -29,9 +29,7 @@ module horopter_sobel (
   output logic marks_first_o,
   output logic marks_last_o,
   output logic marks_seen_o,
-  output logic marks_nearer_o,
-  output logic [7:0] smooth_grey_o,
-  output logic smooth_exists_o
+  output logic marks_nearer_o
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
@@ -43,13 +41,13 @@ module horopter_sobel (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [9:0] raster_column_q;
   logic raster_row_ended_q;
-  // hls/stages/sobel.hpp:41
+  // hls/stages/sobel.hpp:50
   logic or_22;
   assign or_22 = marks_first_i | raster_row_ended_q;
   logic [9:0] select_24;
   assign select_24 = or_22 ? 10'h0 : (raster_column_q + 10'h1);
 
-  // Memory memory, 640 x 36 and parity, DISTANCE 16, hls/stages/sobel.hpp:74; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 36 and parity, DISTANCE 16, hls/stages/sobel.hpp:87; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [36:0] memory_mem [0:639];
@@ -113,16 +111,16 @@ module horopter_sobel (
   logic [8:0] slope_1_values_1_q;
   logic [1:0] mask_columns_values_0_q;
   logic [1:0] saturated_columns_values_0_q;
-  // hls/stages/sobel.hpp:41
+  // hls/stages/sobel.hpp:50
   logic and_27;
   assign and_27 = raster_rows_q & (~marks_first_s1_q);
-  // hls/stages/sobel.hpp:58
+  // hls/stages/sobel.hpp:72
   logic [1:0] select_28;
   assign select_28 = and_27 ? memory_rdata_q[33:32] : 2'h0;
-  // hls/stages/sobel.hpp:59
+  // hls/stages/sobel.hpp:73
   logic [1:0] select_29;
   assign select_29 = and_27 ? memory_rdata_q[35:34] : 2'h0;
-  // hls/stages/sobel.hpp:49
+  // hls/stages/sobel.hpp:58
   logic [8:0] sum_31;
   assign sum_31 = {1'b0, memory_rdata_q[7:0]} + {2'h0, memory_rdata_q[23:17]};
   logic [9:0] smooth;
@@ -131,22 +129,22 @@ module horopter_sobel (
   assign sum_33 = {1'b0, memory_rdata_q[15:8]} + {2'h0, memory_rdata_q[31:25]};
   logic [9:0] smooth_2;
   assign smooth_2 = {2'h0, pixel_1_s1_q} + {sum_33, memory_rdata_q[24]};
-  // hls/stages/sobel.hpp:50
+  // hls/stages/sobel.hpp:59
   logic [8:0] slope;
   assign slope = {1'b0, pixel_0_s1_q} - {1'b0, memory_rdata_q[23:16]};
   logic [8:0] slope_2;
   assign slope_2 = {1'b0, pixel_1_s1_q} - {1'b0, memory_rdata_q[31:24]};
-  // hls/stages/sobel.hpp:58
+  // hls/stages/sobel.hpp:72
   logic equal_37;
   assign equal_37 = {select_28, mask_s1_q} == 3'h7;
   logic [1:0] select_38;
   assign select_38 = or_22_s1_q ? 2'h0 : mask_columns_values_0_q;
-  // hls/stages/sobel.hpp:59
+  // hls/stages/sobel.hpp:73
   logic equal_39;
   assign equal_39 = {select_29, saturated_s1_q} == 3'h7;
   logic [1:0] select_40;
   assign select_40 = or_22_s1_q ? 2'h0 : saturated_columns_values_0_q;
-  // hls/stages/sobel.hpp:52
+  // hls/stages/sobel.hpp:61
   logic [9:0] sum_43;
   assign sum_43 = {slope_0_values_0_q[8], slope_0_values_0_q} + {{2{slope[8]}}, slope[8:1]};
   logic [10:0] sum_44;
@@ -230,8 +228,6 @@ module horopter_sobel (
   assign marks_last_o = raster_row_ended_q;
   assign marks_seen_o = marks_seen_s1_q;
   assign marks_nearer_o = marks_nearer_s1_q;
-  assign smooth_grey_o = pixel_0_s1_q;
-  assign smooth_exists_o = mask_s1_q;
   assign valid_o = valid_s1_q;
 
   always_ff @(posedge clk_i) begin

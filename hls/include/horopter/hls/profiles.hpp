@@ -54,7 +54,7 @@ struct Profile {
   [[nodiscard]] constexpr int offset() const { return 2 + (dsad_window - 1) / 2 + (majority_window - 1) / 2; }
   /// The same of `compete`, whose stages delay their marks with the pixel, so that there is no offset in columns.
   [[nodiscard]] constexpr int compete_offset() const {
-    return 2 + (sum_rows - 1) / 2 + ballot_reach + (majority_window - 1) / 2;
+    return 1 + (sum_rows - 1) / 2 + ballot_reach + (majority_window - 1) / 2;
   }
 
   /// Rows of beats without pixels after each frame: enough for the result of its last pixel and one beat more; with

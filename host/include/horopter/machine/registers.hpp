@@ -370,7 +370,7 @@ inline constexpr Field kCompete{0, 1};
 namespace compete {
 inline constexpr std::uint32_t kAddress = 0x0BC;
 inline constexpr Access kAccess = Access::kReadWrite;
-inline constexpr std::uint32_t kReset = 0x419009A2;
+inline constexpr std::uint32_t kReset = 0x419051A2;
 /// Added to every vote: above 0 a doubtful pixel is rather in the skin.
 inline constexpr Field kBias{0, 4};
 /// Pixels of a row that differ by more are not alike; 4 grey levels.
