@@ -365,7 +365,8 @@ TEST_CASE("What both cameras show of one world is alike: cells, regions, verdict
   pair.write(reg::hidden::kAddress, reg::hidden::kFrames.put(2));
   // The whole image, a part of it, and one of which the right camera does not see the first columns.
   const auto [small, shift_px] = GENERATE(Catch::Generators::table<bool, int>({{false, 0}, {true, 0}, {false, -37}}));
-  CHECK(pair.upload(0, 0, table(profile, Matrix3{1, 0, double(shift_px), 0, 1, 0, 0, 0, 1}, width, height, small)) == 0);
+  CHECK(pair.upload(0, 0, table(profile, Matrix3{1, 0, double(shift_px), 0, 1, 0, 0, 0, 1}, width, height, small)) ==
+        0);
   pair.write(reg::table_select::kAddress, 0);
   // Places as wide as a cell; the right camera sees them shifted, further to one side, or nothing of them.
   std::mt19937 random(3);
