@@ -3,7 +3,7 @@
 //
 // Latency 29 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 1919 bits, pipeline 6133 bits, memories 93264 bits.
+// State 1918 bits, pipeline 6133 bits, memories 93264 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -5359,7 +5359,7 @@ module horopter_agreement (
   logic [4:0] box_explained_sum_sums_values_0_q;
   logic [4:0] box_shown_sum_sums_values_0_q;
   logic [4:0] box_nearer_sum_sums_values_0_q;
-  logic [13:0] rows_passed_q;
+  logic [12:0] rows_passed_q;
   logic [8:0] columns_passed_q;
   logic line_ended_q;
   // hls/stages/agreement.hpp:432
@@ -5463,14 +5463,14 @@ module horopter_agreement (
   logic or_1493;
   assign or_1493 = marks_first_s21_q | line_ended_q;
   // hls/stages/agreement.hpp:1209
-  logic [13:0] select_1495;
-  assign select_1495 = marks_first_s21_q ? 14'h1 : (or_1493 ? {rows_passed_q[12:0], 1'b1} : rows_passed_q);
+  logic [12:0] select_1495;
+  assign select_1495 = marks_first_s21_q ? 13'h1 : (or_1493 ? {rows_passed_q[11:0], 1'b1} : rows_passed_q);
   // hls/stages/agreement.hpp:1208
   logic [8:0] select_1497;
   assign select_1497 = or_1493 ? 9'h0 : columns_passed_q;
   // hls/stages/agreement.hpp:1216
   logic select_1499;
-  assign select_1499 = cfg_compete_i ? (or_1493 & select_1495[13]) : (select_1497[8] & select_1495[9]);
+  assign select_1499 = cfg_compete_i ? (or_1493 & select_1495[12]) : (select_1497[8] & select_1495[9]);
   // hls/stages/agreement.hpp:1048
   logic [2:0] select_1533;
   assign select_1533 = age_s21_q ? box_textured_columns_values_4_q : 3'h0;
@@ -5591,7 +5591,7 @@ module horopter_agreement (
       segment_explained_q <= 7'h0;
       segment_nearer_q <= 7'h0;
       product_q <= 14'h0;
-      rows_passed_q <= 14'h0;
+      rows_passed_q <= 13'h0;
       columns_passed_q <= 9'h0;
       line_ended_q <= 1'b1;
     end else if (s21_en) begin

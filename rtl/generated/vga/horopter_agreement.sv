@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 1868 bits, pipeline 635 bits, memories 70060 bits.
+// State 1867 bits, pipeline 635 bits, memories 70060 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -2512,7 +2512,7 @@ module horopter_agreement (
   logic proven_q;
   logic drew_q;
   logic said_q;
-  logic [17:0] rows_passed_q;
+  logic [16:0] rows_passed_q;
   logic [8:0] columns_passed_q;
   logic line_ended_q;
   logic began_q;
@@ -2803,14 +2803,14 @@ module horopter_agreement (
   logic or_1957;
   assign or_1957 = marks_first_s3_q | line_ended_q;
   // hls/stages/agreement.hpp:1209
-  logic [17:0] select_1959;
-  assign select_1959 = marks_first_s3_q ? 18'h1 : (or_1957 ? {rows_passed_q[16:0], 1'b1} : rows_passed_q);
+  logic [16:0] select_1959;
+  assign select_1959 = marks_first_s3_q ? 17'h1 : (or_1957 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
   // hls/stages/agreement.hpp:1208
   logic [8:0] select_1961;
   assign select_1961 = or_1957 ? 9'h0 : columns_passed_q;
   // hls/stages/agreement.hpp:1216
   logic select_1963;
-  assign select_1963 = cfg_compete_i ? (or_1957 & select_1959[17]) : (select_1961[8] & select_1959[9]);
+  assign select_1963 = cfg_compete_i ? (or_1957 & select_1959[16]) : (select_1961[8] & select_1959[9]);
   // hls/stages/agreement.hpp:411
   logic next_row;
   assign next_row = select_1963 & (began_q & at_cell_end_q);
@@ -3586,7 +3586,7 @@ module horopter_agreement (
       proven_q <= 1'b0;
       drew_q <= 1'b0;
       said_q <= 1'b0;
-      rows_passed_q <= 18'h0;
+      rows_passed_q <= 17'h0;
       columns_passed_q <= 9'h0;
       line_ended_q <= 1'b1;
       began_q <= 1'b0;
