@@ -390,9 +390,10 @@ TEST_CASE("A writer that is killed at any moment leaves a log in order, with all
     REQUIRE_FALSE(reading.in_use);
     if (promised == 0) continue;
     const auto stops = events_of(reading, "stop");
-    REQUIRE_FALSE(stops.empty());
-    // What was promised before this writer may have made room.
-    const bool made_room = std::ranges::all_of(stops, [&](const auto& event) { return event.number > promised; });
+    // Or the log says that it was removed: it is bounded, the oldest go first, and this writer may have needed the room.
+    const bool made_room = std::ranges::any_of(events_of(reading, "removed"), [&](const auto& event) {
+      return promised <= event.json["last"].template get<std::int64_t>();
+    });
     REQUIRE((made_room || std::ranges::any_of(stops, [&](const auto& event) { return event.number == promised; })));
     REQUIRE(bytes_in(box / "log") <= 3'400'000);  // and what was on its way
   }
