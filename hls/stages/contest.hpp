@@ -12,7 +12,7 @@
 //
 // Out   vote: z / 8, clipped to ±31, plus `bias`. 0, no vote: where not evident, where nothing is preferred (z / 8 =
 //       0), and where something repeats (the skin is best, but a plane 3 px away or more within 1/16 of it).
-// firm: it votes, evidence is strong, and z ≤ −512: this alone is enough not to leave the pixel undecided.
+// firm: it votes, is strong (plane_paths), and z ≤ −512: this alone is enough not to leave the pixel undecided.
 // Marks are delayed with the pixel, by the reach of the planes. Offset: none. No memory.
 #pragma once
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // plane_sums: for each plane the sum over ROWS×COLUMNS of the cost of a pixel, 0 … 31.
 //
-// The cost of a pixel is the sum of the differences of both images' gradients, along the row and across, at most 31. A pixel whose own
+// The cost of a pixel: the differences of both images' gradients, along the row and across, at most 31. A pixel whose own
 // gradient is missing costs nothing in any plane; one whose partner of a shifted plane is missing (or in another row)
 // costs 31 there: a plane that cannot be seen cannot win.
 //
 // evidence: the sum over the same window of the left gradients' size: the cost of a plane on which the right image is
-// plain. A plane that costs no less explains nothing of what the left image shows. edges: the pixels of the window with an edge
-// in the left image.
+// plain. A plane that costs no less explains nothing of what the left image shows. edges: the pixels of the window with
+// an edge in the left image.
 //
 // In    of `contrast`.
 // Out   of the pixel, not of the beat: marks are delayed with it, so what follows needs no offset in columns.
