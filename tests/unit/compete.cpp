@@ -236,3 +236,37 @@ TEST_CASE("compete: the boundary says what of a parallel plane 1 px away is in t
   CHECK(displaced(0, 0) > 0.98);
   CHECK(displaced(15, 1) == displaced(14, 1));
 }
+
+TEST_CASE("compete: what lies across the row costs, too, and edges are counted in the whole window") {
+  constexpr int kBeats = 160;
+  PlaneSummer<kBeats, planes_19, 7, 9> sums;
+  Contrast<> pixel;
+  pixel.left = pixel.right = 12;
+  pixel.left_y = 10;
+  pixel.right_y = -4;
+  pixel.mask = true;
+  int known = 0;
+  for (int row = 0; row < 12; ++row) {
+    for (int beat = 0; beat < kBeats; ++beat) {
+      pixel.edge = beat % 2 == 0;
+      pixel.marks = {row == 0 && beat == 0, beat + 1 == kBeats, true, false};
+      const auto out = sums.step(pixel);
+      if (row < 8 || beat < 100) continue;  // the window is full, and every plane has its partner
+      known += out.known ? 1 : 0;
+      for (const auto& sum : out.sum) REQUIRE(sum == 14 * 7 * 9);
+      REQUIRE(out.evidence == 22 * 7 * 9);
+      REQUIRE((out.edges == 4 * 7 || out.edges == 5 * 7));
+    }
+  }
+  CHECK(known == 4 * 60);
+
+  // 4 grey levels per pixel, 8 a grey level: clipped to ±31 along the row and ±15 across; an edge of the left image.
+  GradientsAndGrey<> gradients;
+  gradients.gx = {40, -31};
+  gradients.gy = {-9, 40};
+  pixel.set(gradients, gain_1);
+  CHECK((pixel.left == 31 && pixel.right == -31 && pixel.left_y == -9 && pixel.right_y == 15 && pixel.edge));
+  gradients.gx = {31, 62};
+  pixel.set(gradients, gain_1 / 2);
+  CHECK((pixel.left == 31 && pixel.right == 31 && pixel.right_y == 15 && !pixel.edge));
+}
