@@ -22,7 +22,7 @@ constexpr std::uint32_t kBoardIdValue = 0x48425244;  // "HBRD"
 constexpr std::uint16_t kKeepRuns = 0x8008;
 constexpr std::uint32_t kKeepRunsBusy = 1U << 31;
 constexpr std::uint16_t kMostRuns = 0x800C;
-constexpr std::uint16_t kRuns = 0xC000;
+constexpr std::uint16_t kKeptRuns = 0xC000;
 
 constexpr auto kFrameTimeout = std::chrono::seconds(20);
 
@@ -78,7 +78,7 @@ FrameStreams SerialDevice::receive() {
                                   link_.name(), kept, most));
   }
 
-  const auto words = link_.read(kRuns, kept);
+  const auto words = link_.read(kKeptRuns, kept);
   const auto subsample = std::max(1U, reg::build_window::kSubsample.get(read(reg::build_window::kAddress)));
   const auto width = static_cast<int>(reg::width::kPx.get(read(reg::width::kAddress)) / subsample);
   const auto height = static_cast<int>(reg::height::kRows.get(read(reg::height::kAddress)));
