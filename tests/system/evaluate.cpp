@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // `horopter evaluate` from outside, on a made-up pair.
 #include <catch2/catch.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <tuple>
 
 #include "sandbox.hpp"
 
@@ -138,6 +140,59 @@ TEST_CASE("study decision: its chain of stages is the engine, and every part is 
     CHECK_THAT(committed, Catch::Contains("| " + variant["name"].get<std::string>() + " |"));
   const auto refused = box.run(study + std::vector<std::string>{"--generated", "nowhere"});
   CHECK(refused.status == 3);
+}
+
+TEST_CASE("study decision: what is told of a set was chosen by the other sets") {
+  Sandbox box;
+  with_pair(box);
+  // The second set: the same pair with a fifth of the contrast, of which one half counts.
+  for (const std::string side : {"left", "right"}) {
+    cv::Mat image = cv::imread((box / (side + ".png")).string(), cv::IMREAD_GRAYSCALE);
+    image.convertTo(image, -1, 0.2, 96);
+    cv::imwrite((box / (side + "-weak.png")).string(), image);
+  }
+  cv::Mat mask(120, 200, CV_8UC1, cv::Scalar(0));
+  mask(cv::Rect(100, 0, 100, 120)) = 255;
+  cv::imwrite((box / "mask.png").string(), mask);
+  box.write("whole.txt", "made left.png right.png truth.pgm 8\n");
+  box.write("weak.txt", "made left-weak.png right-weak.png truth.pgm 8 1 mask.png\n");
+  const auto result = box.run({"study", "decision", "--quick", "--list", "whole.txt", "--list", "weak.txt", "--out",
+                               "decision", "--generated", HOROPTER_SOURCE_DIR "/rtl/generated", "--json"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  const auto json = nlohmann::json::parse(result.out);
+  const auto& sets = json["left_one_set_out"];
+  REQUIRE(sets.size() == 2);
+  const auto alone = [&](const char* list) {
+    const auto one = box.run({"study", "decision", "--quick", "--list", list, "--out", std::string("alone-") + list,
+                              "--generated", HOROPTER_SOURCE_DIR "/rtl/generated", "--json"});
+    REQUIRE(one.status == 0);
+    const auto found = nlohmann::json::parse(one.out);
+    CHECK_FALSE(found.contains("left_one_set_out"));
+    return found["variants"];
+  };
+  const std::map<std::string, nlohmann::json> variants{{"whole", alone("whole.txt")}, {"weak", alone("weak.txt")}};
+  const auto evaluated = [&](const std::string& list) {
+    return nlohmann::json::parse(
+        box.run({"evaluate", "--list", list, "--change", "none", "--json"}).out)["mean"]["stereosgbm"];
+  };
+  for (const auto& [set, name, other] : {std::tuple{0, "whole", "weak"}, {1, "weak", "whole"}}) {
+    CHECK(sets[set]["set"] == name);
+    nlohmann::json best;
+    for (const auto& variant : variants.at(other)) {
+      if (variant["name"].get<std::string>().starts_with("thesis")) continue;
+      if (best.is_null() || variant["iou"] > best["iou"]) best = variant;
+    }
+    CHECK(sets[set]["chosen"] == best["name"]);
+    for (const auto& variant : variants.at(name)) {
+      if (variant["name"] != best["name"]) continue;
+      CHECK(sets[set]["iou"].get<double>() == Approx(variant["iou"].get<double>()).margin(1e-9));
+    }
+    CHECK(sets[set]["iou_stereosgbm"].get<double>() ==
+          Approx(evaluated(std::string(name) + ".txt")["iou"].get<double>()).margin(1e-9));
+  }
+  CHECK(sets[0]["chosen"] != sets[1]["chosen"]);
+  CHECK_THAT(box.read("decision/DECISION.md"), Catch::Contains("## One set left out"));
 }
 
 TEST_CASE("evaluate takes a list, with paths relative to it, and sizes") {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli/progress.hpp"
+#include "cli/stereo_matching.hpp"
 #include "cli/stereo_pairs.hpp"
 #include "conditions.hpp"
 #include "horopter/base/file.hpp"
@@ -271,24 +272,42 @@ StereoPair simulated_scene(const StudyScope& scope, study::TextureKind kind, con
   return pair;
 }
 
-std::vector<StereoPair> pairs_of(const StudyScope& scope) {
-  std::vector<StereoPair> pairs;
-  if (!scope.list.empty()) {
-    for (const StereoPairFiles& files : read_pair_list(scope.list)) pairs.push_back(load_pair(files));
-    for (const StereoPair& pair : pairs) {
+/// Pairs of one list, from `first` up to before `end` of all pairs.
+struct Set {
+  std::string name;
+  std::size_t first = 0, end = 0;
+};
+
+struct Pairs {
+  std::vector<StereoPair> all;
+  std::vector<Set> sets;  ///< one for each list
+};
+
+Pairs listed_pairs(const std::vector<std::string>& lists) {
+  Pairs pairs;
+  for (const std::string& list : lists) {
+    const std::size_t first = pairs.all.size();
+    for (const StereoPairFiles& files : read_pair_list(list)) {
+      const StereoPair& pair = pairs.all.emplace_back(load_pair(files));
       if (pair.left.width <= kWidest && pair.left.height <= kHighest) continue;
-      throw FileError(scope.list, pair.name, fmt::format("images of {}x{} px", pair.left.width, pair.left.height),
+      throw FileError(list, pair.name, fmt::format("images of {}x{} px", pair.left.width, pair.left.height),
                       fmt::format("at most {}x{} (`resize` makes them smaller)", kWidest, kHighest));
     }
-    return pairs;
+    pairs.sets.push_back({std::filesystem::path(list).stem().string(), first, pairs.all.size()});
   }
+  return pairs;
+}
+
+Pairs pairs_of(const StudyScope& scope) {
+  if (!scope.lists.empty()) return listed_pairs(scope.lists);
+  std::vector<StereoPair> pairs;
   const std::string data = scope.data + "/";
   if (std::filesystem::exists(data + "aloeL.jpg")) {
     pairs.push_back(load_pair({"aloe", data + "aloeL.jpg", data + "aloeR.jpg", data + "aloeGT.png", 1, 0.5}));
   }
   pairs.push_back(simulated_scene(scope, study::TextureKind::dead_leaves, "leaves"));
   pairs.push_back(simulated_scene(scope, study::TextureKind::band_noise, "noise"));
-  return pairs;
+  return {std::move(pairs), {}};
 }
 
 /// Gates of the stages that only one rule needs, from what scripts/synth wrote of each.
@@ -316,42 +335,115 @@ std::string gates_text(const std::string& synthesised) {
   return text;
 }
 
-Score score_of(const Variant& variant, const StereoPair& pair, const GroundTruth& truth, double disparity_px) {
-  const Image states = variant.states(pair.left, pair.right, static_cast<int>(disparity_px));
-  return score(truth, disparity_px, kTolerance_px, answers_of(states));
-}
-
 struct Mean {
   double iou = 0, false_objects = 0, undecidable = 0;
+
+  /// One of `count` of which this is the mean.
+  void add(double part_iou, double part_false, double part_undecidable, std::size_t count) {
+    iou += part_iou / static_cast<double>(count);
+    false_objects += part_false / static_cast<double>(count);
+    undecidable += part_undecidable / static_cast<double>(count);
+  }
+  void add(const Mean& part, std::size_t count) { add(part.iou, part.false_objects, part.undecidable, count); }
 };
 
-/// Of each variant, over the pairs and the most frequent disparities of each.
-std::vector<Mean> measure(const std::vector<Variant>& all, const std::vector<StereoPair>& pairs, int most) {
-  std::vector<GroundTruth> truths;
-  for (const StereoPair& pair : pairs) truths.emplace_back(pair.truth);
-  std::vector<Mean> found(all.size() * pairs.size());
-  Progress progress("variant and pair");
-  study::parallel_for(
-      found.size(),
-      [&](std::size_t i) {
-        const std::size_t p = i % pairs.size();
-        const std::vector<double> disparities = truths[p].frequent(most);
-        for (const double d : disparities) {
-          const Score one = score_of(all[i / pairs.size()], pairs[p], truths[p], d);
-          found[i].iou += one.iou() / static_cast<double>(disparities.size());
-          found[i].false_objects += one.false_objects / static_cast<double>(disparities.size());
-          found[i].undecidable += one.undecidable_share() / static_cast<double>(disparities.size());
-        }
-      },
-      [&](std::size_t done) { progress.show(done, found.size()); });
-  std::vector<Mean> result(all.size());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    Mean& mean = result[i / pairs.size()];
-    mean.iou += found[i].iou / static_cast<double>(pairs.size());
-    mean.false_objects += found[i].false_objects / static_cast<double>(pairs.size());
-    mean.undecidable += found[i].undecidable / static_cast<double>(pairs.size());
+/// Who answers: a variant of a rule, or OpenCV's StereoSGBM.
+using Answers = std::function<std::vector<Answer>(const StereoPair&, double disparity_px)>;
+
+/// Over the most frequent disparities of one pair.
+Mean measure(const Answers& answers, const StereoPair& pair, const GroundTruth& truth, int most) {
+  Mean mean;
+  const std::vector<double> disparities = truth.frequent(most);
+  for (const double d : disparities) {
+    const Score one = score(truth, d, kTolerance_px, answers(pair, d));
+    mean.add(one.iou(), one.false_objects, one.undecidable_share(), disparities.size());
   }
-  return result;
+  return mean;
+}
+
+/// The matcher is asked once for each pair: it knows all disparities.
+Answers sgbm_on(const StereoPair& pair, const GroundTruth& truth) {
+  const Matching matching = match_sgbm(pair.left, pair.right, truth.largest_px() + kTolerance_px, 1);
+  return [matching](const StereoPair& /*same*/, double disparity_px) {
+    return answers_of(matching, disparity_px, kTolerance_px);
+  };
+}
+
+/// Of each variant, and of StereoSGBM behind them, for each pair.
+std::vector<std::vector<Mean>> measure(const std::vector<Variant>& all, const std::vector<StereoPair>& pairs,
+                                       int most) {
+  std::vector<GroundTruth> truths;
+  for (const StereoPair& pair : pairs) truths.push_back(pair.ground_truth());
+  std::vector<std::vector<Mean>> found(all.size() + 1, std::vector<Mean>(pairs.size()));
+  Progress progress("variant and pair");
+  const std::size_t count = found.size() * pairs.size();
+  study::parallel_for(
+      count,
+      [&](std::size_t i) {
+        const std::size_t v = i / pairs.size(), p = i % pairs.size();
+        const Answers answers =
+            v == all.size()
+                ? sgbm_on(pairs[p], truths[p])
+                : [&variant = all[v]](const StereoPair& pair, double disparity_px) {
+                    return answers_of(variant.states(pair.left, pair.right, static_cast<int>(disparity_px)));
+                  };
+        found[v][p] = measure(answers, pairs[p], truths[p], most);
+      },
+      [&](std::size_t done) { progress.show(done, count); });
+  return found;
+}
+
+/// Over the pairs of a set, or over all but those.
+Mean mean_of(const std::vector<Mean>& of_pairs, const Set& set, bool within) {
+  const auto belongs = [&](std::size_t p) { return (p >= set.first && p < set.end) == within; };
+  const std::size_t inside = set.end - set.first;
+  Mean mean;
+  for (std::size_t p = 0; p < of_pairs.size(); ++p) {
+    if (belongs(p)) mean.add(of_pairs[p], within ? inside : of_pairs.size() - inside);
+  }
+  return mean;
+}
+
+/// What a variant that was chosen by the other sets reaches on each: no figure of a set by which it was chosen.
+std::string left_one_set_out(StudyReport& report, const std::vector<Variant>& all,
+                             const std::vector<std::vector<Mean>>& found, const std::vector<Set>& sets) {
+  if (sets.size() < 2) return "";
+  std::string text = R"(
+## One set left out
+
+Each list is a set. For each set the variant of `compete` is taken that has the best IoU on the *other* sets. The figures are those of
+this variant on the set itself, which had no part in the choice. StereoSGBM is OpenCV's, on the same pairs.
+
+| set | pairs | chosen by the other sets | IoU | as in vga | StereoSGBM | false objects per frame (StereoSGBM) | undecidable (StereoSGBM) |
+| --- | --- | --- | --- | --- | --- | --- | --- |
+)";
+  const auto is_compete = [&](std::size_t v) { return !all[v].name.starts_with("thesis"); };
+  for (const Set& set : sets) {
+    std::size_t chosen = 0, reference = 0;
+    for (std::size_t v = 0; v < all.size(); ++v) {
+      if (all[v].name.ends_with("vga")) reference = v;
+      if (!is_compete(v)) continue;
+      const auto elsewhere = [&](std::size_t of) { return mean_of(found[of], set, false).iou; };
+      if (!is_compete(chosen) || elsewhere(v) > elsewhere(chosen)) chosen = v;
+    }
+    const Mean its = mean_of(found[chosen], set, true), peer = mean_of(found.back(), set, true);
+    const double as_in_vga = mean_of(found[reference], set, true).iou;
+    text += fmt::format("| {} | {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.2f} ({:.2f}) | {:.3f} ({:.3f}) |\n", set.name,
+                        set.end - set.first, all[chosen].name, its.iou, as_in_vga, peer.iou, its.false_objects,
+                        peer.false_objects, its.undecidable, peer.undecidable);
+    report.result["left_one_set_out"].push_back({{"set", set.name},
+                                                 {"chosen", all[chosen].name},
+                                                 {"iou", its.iou},
+                                                 {"iou_as_in_vga", as_in_vga},
+                                                 {"iou_stereosgbm", peer.iou},
+                                                 {"false_per_frame", its.false_objects},
+                                                 {"false_per_frame_stereosgbm", peer.false_objects},
+                                                 {"undecidable", its.undecidable},
+                                                 {"undecidable_stereosgbm", peer.undecidable}});
+    report.finding("set {}: by the other sets '{}', IoU {:.3f}; as in vga {:.3f}, StereoSGBM {:.3f}", set.name,
+                   all[chosen].name, its.iou, as_in_vga, peer.iou);
+  }
+  return text;
 }
 
 /// The page up to the rows of its table.
@@ -379,7 +471,7 @@ are scored as by `horopter evaluate`.
 | boundary | the skin ends between two pixels: the place is estimated |
 | view from the right | the right pixel is asked, too, which plane it prefers |
 | ballot | pixels of like brightness in the rows above and below vote |
-| evidence | a pixel with too little texture does not vote |
+| evidence | a pixel with too little texture does not vote. Without it plain surfaces and noise would be decided, too, so that variant is measured only |
 
 | variant | IoU | against vga's | false objects per frame | undecidable | memory, bits per column | latency, rows |
 | --- | --- | --- | --- | --- | --- | --- |
@@ -388,9 +480,12 @@ are scored as by `horopter evaluate`.
 }  // namespace
 
 void study_decision(StudyReport& report, const StudyScope& scope) {
-  const std::vector<StereoPair> pairs = pairs_of(scope);
+  const Pairs read = pairs_of(scope);
+  const std::vector<StereoPair>& pairs = read.all;
   const std::vector<Variant> all = variants(scope);
-  const std::vector<Mean> means = measure(all, pairs, scope.quick ? 2 : 6);
+  const std::vector<std::vector<Mean>> found = measure(all, pairs, scope.quick ? 2 : 6);
+  std::vector<Mean> means;
+  for (const std::vector<Mean>& of_pairs : found) means.push_back(mean_of(of_pairs, {"all", 0, pairs.size()}, true));
   double reference = std::nan("");
   for (std::size_t v = 0; v < all.size(); ++v)
     if (all[v].name.ends_with("vga")) reference = means[v].iou;
@@ -414,7 +509,7 @@ void study_decision(StudyReport& report, const StudyScope& scope) {
                    false_objects, undecidable, bits, rows);
   }
   report.result["tolerance_px"] = kTolerance_px;
-  report.file("DECISION.md", page + gates_text(scope.synthesised));
+  report.file("DECISION.md", page + left_one_set_out(report, all, found, read.sets) + gates_text(scope.synthesised));
   report.table("decision.csv", csv);
 }
 

@@ -140,10 +140,10 @@ std::vector<Scene> set_scenes(StudyReport& report, const StudyScope& scope) {
 std::vector<Scene> load_scenes(StudyReport& report, const StudyScope& scope) {
   std::vector<Scene> scenes;
   if (!scope.sets.empty()) return set_scenes(report, scope);
-  if (!scope.list.empty()) {
-    for (const StereoPairFiles& files : read_pair_list(scope.list)) scenes.push_back(pair_scene("list", files));
-    return scenes;
+  for (const std::string& list : scope.lists) {
+    for (const StereoPairFiles& files : read_pair_list(list)) scenes.push_back(pair_scene("list", files));
   }
+  if (!scenes.empty()) return scenes;
   scenes = board_scenes(scope);
   const std::string data = scope.data + "/";
   if (!scope.quick && std::filesystem::exists(data + "aloeL.jpg")) {

@@ -66,8 +66,10 @@ void add_board_options(CLI::App& command, StudyScope& scope) {
 
 void add_decision_options(CLI::App& command, StudyScope& scope) {
   command
-      .add_option("--list", scope.list,
-                  "Stereo pairs, as of `horopter evaluate` (default: opencv-doc's aloe and two simulated scenes)")
+      .add_option(
+          "--list", scope.lists,
+          "Stereo pairs, as of `horopter evaluate` (default: opencv-doc's aloe and two simulated scenes). Given "
+          "for several sets: on each also the variant that the other sets choose")
       ->type_name("FILE");
   add_data_option(command, scope, "Directory with aloeL.jpg, aloeR.jpg, aloeGT.png");
   command.add_option("--generated", scope.generated, "What hlsc made of the stages")
@@ -81,7 +83,8 @@ void add_decision_options(CLI::App& command, StudyScope& scope) {
 
 void add_earned_options(CLI::App& command, StudyScope& scope) {
   add_data_option(command, scope, "Directory with left01.jpg … right14.jpg and aloeL.jpg, aloeR.jpg, aloeGT.png");
-  command.add_option("--list", scope.list, "Rectified stereo pairs instead of opencv-doc's, as of `horopter evaluate`")
+  command
+      .add_option("--list", scope.lists, "Rectified stereo pairs instead of opencv-doc's, as of `horopter evaluate`")
       ->type_name("FILE");
   command
       .add_option("--sets", scope.sets,

@@ -24,7 +24,7 @@ struct StudyScope {
   std::string picture;                                           ///< a user's image as texture; empty: none
   std::string series;  ///< list of a user's image series instead of simulated images; empty: none
   Decision decision = Decision::thesis;
-  std::string list;                         ///< of stereo pairs; empty: the study's own
+  std::vector<std::string> lists;           ///< of stereo pairs, each a set; empty: the study's own
   std::string sets;                         ///< directory of public sets of pairs; empty: none
   std::string synthesised;                  ///< what scripts/synth wrote of the stages; empty: none
   std::string generated = "rtl/generated";  ///< what hlsc made of the stages
