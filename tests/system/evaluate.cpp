@@ -143,6 +143,7 @@ TEST_CASE("study decision: its chain of stages is the engine, and every part is 
 }
 
 TEST_CASE("study decision: what is told of a set was chosen by the other sets") {
+  const std::string generated = HOROPTER_SOURCE_DIR "/rtl/generated";
   Sandbox box;
   with_pair(box);
   // The second set: the same pair with a fifth of the contrast, of which one half counts.
@@ -157,7 +158,7 @@ TEST_CASE("study decision: what is told of a set was chosen by the other sets") 
   box.write("whole.txt", "made left.png right.png truth.pgm 8\n");
   box.write("weak.txt", "made left-weak.png right-weak.png truth.pgm 8 1 mask.png\n");
   const auto result = box.run({"study", "decision", "--quick", "--list", "whole.txt", "--list", "weak.txt", "--out",
-                               "decision", "--generated", HOROPTER_SOURCE_DIR "/rtl/generated", "--json"});
+                               "decision", "--generated", generated, "--json"});
   CAPTURE(result.err);
   REQUIRE(result.status == 0);
   const auto json = nlohmann::json::parse(result.out);
@@ -165,7 +166,7 @@ TEST_CASE("study decision: what is told of a set was chosen by the other sets") 
   REQUIRE(sets.size() == 2);
   const auto alone = [&](const char* list) {
     const auto one = box.run({"study", "decision", "--quick", "--list", list, "--out", std::string("alone-") + list,
-                              "--generated", HOROPTER_SOURCE_DIR "/rtl/generated", "--json"});
+                              "--generated", generated, "--json"});
     REQUIRE(one.status == 0);
     const auto found = nlohmann::json::parse(one.out);
     CHECK_FALSE(found.contains("left_one_set_out"));

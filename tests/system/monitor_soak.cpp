@@ -266,8 +266,13 @@ TEST_CASE("as many images as in a day: memory, descriptors and images stay") {
         }
         visits += visitor.answers();
       }
-      soak.give(number++);
-      REQUIRE(soak.settle());
+      // What the log keeps of the pairs around a stop is a time, not a number: at a camera's rate it is little. After
+      // longer than that, nothing is kept of the pairs that came as fast as they were judged.
+      for (const auto calm = monitor_clock::now() + 5s; monitor_clock::now() < calm;
+           std::this_thread::sleep_for(30ms)) {
+        soak.give(number++);
+        REQUIRE(soak.settle());
+      }
       // The server closes what its clients have closed, sooner or later: the fewest count, and those that stay open.
       std::size_t now_open = descriptors();
       for (int i = 0; i < (warming ? 20 : 600) && (warming || now_open > begin_open); ++i) {
@@ -286,7 +291,8 @@ TEST_CASE("as many images as in a day: memory, descriptors and images stay") {
         continue;
       }
       CHECK(now_open <= begin_open);
-      CHECK(now_mib < begin_mib + 8);
+      // The pools of the allocator fill while the first ten thousands of pairs pass.
+      CHECK(now_mib < begin_mib + (pairs < 100'000 ? 16 : 8));
     }
     const Status last = soak.counter().last();
     std::printf(
