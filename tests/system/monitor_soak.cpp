@@ -47,6 +47,12 @@ std::uint64_t pairs_asked() {
   return std::getenv("HOROPTER_LONG") != nullptr ? 2'600'000 : 4'000;
 }
 
+/// What the program holds of the heap. The heap must be in one arena: the count is of the first.
+double held_mib() {
+  const auto heap = ::mallinfo2();
+  return static_cast<double>(heap.uordblks + heap.hblkhd) / (1 << 20);
+}
+
 double resident_mib() {
   std::ifstream file("/proc/self/statm");
   std::uint64_t all = 0, resident = 0;
@@ -246,6 +252,7 @@ class Visitor {
 
 TEST_CASE("as many images as in a day: memory, descriptors and images stay") {
   const std::uint64_t pairs = pairs_asked();
+  ::mallopt(M_ARENA_MAX, 1);  // threads with arenas of their own fill them by chance: up to 10 MiB that nobody lost
   const Sandbox box;
   std::uint64_t stops = 0;
   {
@@ -266,13 +273,8 @@ TEST_CASE("as many images as in a day: memory, descriptors and images stay") {
         }
         visits += visitor.answers();
       }
-      // What the log keeps of the pairs around a stop is a time, not a number: at a camera's rate it is little. After
-      // longer than that, nothing is kept of the pairs that came as fast as they were judged.
-      for (const auto calm = monitor_clock::now() + 5s; monitor_clock::now() < calm;
-           std::this_thread::sleep_for(30ms)) {
-        soak.give(number++);
-        REQUIRE(soak.settle());
-      }
+      soak.give(number++);
+      REQUIRE(soak.settle());
       // The server closes what its clients have closed, sooner or later: the fewest count, and those that stay open.
       std::size_t now_open = descriptors();
       for (int i = 0; i < (warming ? 20 : 600) && (warming || now_open > begin_open); ++i) {
@@ -280,10 +282,10 @@ TEST_CASE("as many images as in a day: memory, descriptors and images stay") {
         now_open = std::min(now_open, descriptors());
       }
       ::malloc_trim(0);
-      const double now_mib = resident_mib();
+      const double now_mib = held_mib();
       const double s = std::chrono::duration<double>(monitor_clock::now() - begin).count();
-      std::printf("%8llu pairs after %7.1f s: %6.1f MiB resident, %zu descriptors\n",
-                  static_cast<unsigned long long>(number), s, now_mib, now_open);
+      std::printf("%8llu pairs after %7.1f s: %6.2f MiB held, %6.1f MiB resident, %zu descriptors\n",
+                  static_cast<unsigned long long>(number), s, now_mib, resident_mib(), now_open);
       std::fflush(stdout);
       if (warming) {
         begin_mib = now_mib;
@@ -291,8 +293,7 @@ TEST_CASE("as many images as in a day: memory, descriptors and images stay") {
         continue;
       }
       CHECK(now_open <= begin_open);
-      // The pools of the allocator fill while the first ten thousands of pairs pass.
-      CHECK(now_mib < begin_mib + (pairs < 100'000 ? 16 : 8));
+      CHECK(now_mib < begin_mib + 3);
     }
     const Status last = soak.counter().last();
     std::printf(
