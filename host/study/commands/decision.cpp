@@ -3,7 +3,7 @@
 // hardware's own stages, compiled for the CPU, one call of step a beat.
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <deque>
 #include <filesystem>
 #include <functional>
@@ -21,6 +21,7 @@
 #include "horopter/machine/monitor.hpp"
 #include "horopter/map/map_compiler.hpp"
 #include "horopter/study/parallel.hpp"
+#include "horopter/study/scene.hpp"
 #include "stages/pipeline.hpp"
 #include "study.hpp"
 
@@ -44,6 +45,10 @@ using hls::Profile;
 constexpr int kWidest = 1280;  // px
 constexpr int kHighest = 1024;
 constexpr double kTolerance_px = 1;
+constexpr const char* kAsBuilt = "compete, as in vga";
+constexpr double kNoise_grey = 2;  ///< standard deviation of what cameras show of a plain surface
+/// A variant that leaves less of such noise undecided calls plain surfaces clear, and is not to be built.
+constexpr double kLeastUndecidedNoise = 0.9;
 
 /// Parts of the rule that a variant has.
 struct Parts {
@@ -147,6 +152,7 @@ using States = std::function<Image(const Image& left, const Image& right, int di
 
 struct Variant {
   std::string name;
+  hls::Rule rule;
   int rows = 0;         ///< of latency, without LOOKAHEAD
   int memory_bits = 0;  ///< for each column of the image
   States states;
@@ -166,7 +172,7 @@ int memory_bits(const Profile& p, const Parts& parts) {
 
 template <Profile P>
 Variant variant(const std::string& name, const Parts& parts = {}) {
-  return {name, P.compete_offset() - (parts.ballot ? 0 : P.ballot_reach), memory_bits(P, parts),
+  return {name, hls::Rule::compete, P.compete_offset() - (parts.ballot ? 0 : P.ballot_reach), memory_bits(P, parts),
           [parts](const Image& left, const Image& right, int disparity_px) {
             return std::make_unique<Variation<P>>(parts)->states(left, right, disparity_px);
           }};
@@ -205,7 +211,7 @@ void check_built(const std::string& generated, const Profile& p, const std::stri
 
 /// On the native engine.
 Variant thesis(const std::string& name, const Settings& settings, int memory_bits) {
-  return {name, hls::profiles::vga.offset(), memory_bits,
+  return {name, hls::Rule::thesis, hls::profiles::vga.offset(), memory_bits,
           [settings](const Image& left, const Image& right, int disparity_px) {
             const MachineProfile& profile = *smallest_profile(left.width, left.height);
             Supervisor machine(make_device("native", profile), profile,
@@ -226,12 +232,12 @@ std::vector<Variant> variants(const StudyScope& scope) {
   all_decided.self_percent = 0;
   std::vector<Variant> list{thesis("thesis, 25 %, texture 32", as_run, thesis_bits),
                             thesis("thesis, 21 %, every pixel decided", all_decided, thesis_bits),
-                            variant<profile_of()>("compete, as in vga"),
+                            variant<profile_of()>(kAsBuilt),
                             variant<profile_of(19, 7, 9, 9, false)>("without paths"),
-                            variant<profile_of()>("without the boundary between pixels", {.boundary = false})};
+                            variant<profile_of()>("without the boundary between pixels", {.boundary = false}),
+                            variant<profile_of()>("without evidence", {.evidence = false})};
   if (scope.quick) return list;
   list.push_back(variant<profile_of()>("without the ballot", {.ballot = false}));
-  list.push_back(variant<profile_of()>("without evidence", {.evidence = false}));
   list.push_back(variant<profile_of()>("without the view from the right", {.from_right = false}));
   list.push_back(variant<profile_of(15)>("15 planes"));
   list.push_back(variant<profile_of(13)>("13 planes"));
@@ -404,30 +410,49 @@ Mean mean_of(const std::vector<Mean>& of_pairs, const Set& set, bool within) {
   return mean;
 }
 
+/// Share that each variant leaves undecided where both cameras show noise alone, each its own.
+std::vector<double> undecided_noise(const std::vector<Variant>& all, std::uint64_t seed) {
+  constexpr int kDisparity_px = 10;
+  const study::Raster<float> grey(320, 240, 128);
+  const Image left = study::expose(grey, kNoise_grey, seed, 1);
+  const Image right = study::expose(grey, kNoise_grey, seed, 2);
+  const GroundTruth truth({left.width, left.height, std::vector<float>(left.pixels.size(), kDisparity_px)});
+  std::vector<double> shares;
+  for (const Variant& variant : all) {
+    const Image states = variant.states(left, right, kDisparity_px);
+    shares.push_back(score(truth, kDisparity_px, kTolerance_px, answers_of(states)).undecidable_share());
+  }
+  return shares;
+}
+
+std::size_t as_built(const std::vector<Variant>& all) {
+  return static_cast<std::size_t>(std::ranges::find(all, kAsBuilt, &Variant::name) - all.begin());
+}
+
 /// What a variant that was chosen by the other sets reaches on each: no figure of a set by which it was chosen.
-std::string left_one_set_out(StudyReport& report, const std::vector<Variant>& all,
+std::string left_one_set_out(StudyReport& report, const std::vector<Variant>& all, const std::vector<double>& noise,
                              const std::vector<std::vector<Mean>>& found, const std::vector<Set>& sets) {
   if (sets.size() < 2) return "";
-  std::string text = R"(
+  std::string text = fmt::format(R"(
 ## One set left out
 
-Each list is a set. For each set the variant of `compete` is taken that has the best IoU on the *other* sets. The figures are those of
-this variant on the set itself, which had no part in the choice. StereoSGBM is OpenCV's, on the same pairs.
+Each list is a set. For each set the variant of `compete` is taken that has the best IoU on the *other* sets, of those that leave at least
+{:.0f} % of noise undecided. The figures are those of this variant on the set itself, which had no part in the choice. StereoSGBM is
+OpenCV's, on the same pairs.
 
 | set | pairs | chosen by the other sets | IoU | as in vga | StereoSGBM | false objects per frame (StereoSGBM) | undecidable (StereoSGBM) |
 | --- | --- | --- | --- | --- | --- | --- | --- |
-)";
-  const auto is_compete = [&](std::size_t v) { return !all[v].name.starts_with("thesis"); };
+)",
+                                 100 * kLeastUndecidedNoise);
   for (const Set& set : sets) {
-    std::size_t chosen = 0, reference = 0;
+    const auto elsewhere = [&](std::size_t v) { return mean_of(found[v], set, false).iou; };
+    std::size_t chosen = as_built(all);
     for (std::size_t v = 0; v < all.size(); ++v) {
-      if (all[v].name.ends_with("vga")) reference = v;
-      if (!is_compete(v)) continue;
-      const auto elsewhere = [&](std::size_t of) { return mean_of(found[of], set, false).iou; };
-      if (!is_compete(chosen) || elsewhere(v) > elsewhere(chosen)) chosen = v;
+      if (all[v].rule != hls::Rule::compete || noise[v] < kLeastUndecidedNoise) continue;
+      if (elsewhere(v) > elsewhere(chosen)) chosen = v;
     }
     const Mean its = mean_of(found[chosen], set, true), peer = mean_of(found.back(), set, true);
-    const double as_in_vga = mean_of(found[reference], set, true).iou;
+    const double as_in_vga = mean_of(found[as_built(all)], set, true).iou;
     text += fmt::format("| {} | {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.2f} ({:.2f}) | {:.3f} ({:.3f}) |\n", set.name,
                         set.end - set.first, all[chosen].name, its.iou, as_in_vga, peer.iou, its.false_objects,
                         peer.false_objects, its.undecidable, peer.undecidable);
@@ -463,6 +488,7 @@ are scored as by `horopter evaluate`.
 | against vga's | the IoU less that of *compete, as in vga* |
 | false object | a connected group of answered pixels, at least 0.2 % of the image, where nearly nothing is true |
 | undecidable | share of the pixels that the rule leaves open |
+| undecidable, noise | the same where both cameras show noise of {} grey levels and nothing else; what decides there calls plain surfaces clear |
 | memory | bits that the rule's own stages keep for each column of the image, without parity |
 | latency | rows from the newest row of the right image to the result, beyond LOOKAHEAD (how many rows the right image must be ahead of the result) |
 | planes | the parallel skins that compete |
@@ -471,10 +497,10 @@ are scored as by `horopter evaluate`.
 | boundary | the skin ends between two pixels: the place is estimated |
 | view from the right | the right pixel is asked, too, which plane it prefers |
 | ballot | pixels of like brightness in the rows above and below vote |
-| evidence | a pixel with too little texture does not vote. Without it plain surfaces and noise would be decided, too, so that variant is measured only |
+| evidence | a pixel with too little texture does not vote |
 
-| variant | IoU | against vga's | false objects per frame | undecidable | memory, bits per column | latency, rows |
-| --- | --- | --- | --- | --- | --- | --- |
+| variant | IoU | against vga's | false objects per frame | undecidable | undecidable, noise | memory, bits per column | latency, rows |
+| --- | --- | --- | --- | --- | --- | --- | --- |
 )";
 
 }  // namespace
@@ -486,30 +512,32 @@ void study_decision(StudyReport& report, const StudyScope& scope) {
   const std::vector<std::vector<Mean>> found = measure(all, pairs, scope.quick ? 2 : 6);
   std::vector<Mean> means;
   for (const std::vector<Mean>& of_pairs : found) means.push_back(mean_of(of_pairs, {"all", 0, pairs.size()}, true));
-  double reference = std::nan("");
-  for (std::size_t v = 0; v < all.size(); ++v)
-    if (all[v].name.ends_with("vga")) reference = means[v].iou;
+  const double reference = means[as_built(all)].iou;
+  const std::vector<double> noise = undecided_noise(all, scope.seed);
   std::string names;
   for (const StereoPair& pair : pairs) names += (names.empty() ? "" : ", ") + pair.name;
-  std::string page = fmt::format(kIntroduction, names);
-  Csv csv({"variant", "iou", "false_per_frame", "undecidable", "memory_bits_per_column", "latency_rows"});
+  std::string page = fmt::format(kIntroduction, names, kNoise_grey);
+  Csv csv({"variant", "iou", "false_per_frame", "undecidable", "undecidable_noise", "memory_bits_per_column",
+           "latency_rows"});
   for (std::size_t v = 0; v < all.size(); ++v) {
-    const auto& [name, rows, bits, states] = all[v];
+    const auto& [name, rule, rows, bits, states] = all[v];
     const auto& [iou, false_objects, undecidable] = means[v];
-    page += fmt::format("| {} | {:.3f} | {:+.3f} | {:.2f} | {:.3f} | {} | {} |\n", name, iou, iou - reference,
-                        false_objects, undecidable, bits, rows);
-    csv.row(name, iou, false_objects, undecidable, bits, rows);
+    page += fmt::format("| {} | {:.3f} | {:+.3f} | {:.2f} | {:.3f} | {:.3f} | {} | {} |\n", name, iou, iou - reference,
+                        false_objects, undecidable, noise[v], bits, rows);
+    csv.row(name, iou, false_objects, undecidable, noise[v], bits, rows);
     report.result["variants"].push_back({{"name", name},
                                          {"iou", iou},
                                          {"false_per_frame", false_objects},
                                          {"undecidable", undecidable},
+                                         {"undecidable_noise", noise[v]},
                                          {"memory_bits_per_column", bits},
                                          {"latency_rows", rows}});
     report.finding("{:48} IoU {:.3f}, false {:.2f}, undecidable {:.3f}; {:4} bits per column, {} rows", name, iou,
                    false_objects, undecidable, bits, rows);
   }
   report.result["tolerance_px"] = kTolerance_px;
-  report.file("DECISION.md", page + left_one_set_out(report, all, found, read.sets) + gates_text(scope.synthesised));
+  report.file("DECISION.md",
+              page + left_one_set_out(report, all, noise, found, read.sets) + gates_text(scope.synthesised));
   report.table("decision.csv", csv);
 }
 
