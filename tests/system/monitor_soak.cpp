@@ -293,7 +293,8 @@ TEST_CASE("as many images as in a day: memory, descriptors and images stay") {
         continue;
       }
       CHECK(now_open <= begin_open);
-      CHECK(now_mib < begin_mib + 3);
+      // The log lists its last 500 events, about 10 KB each; a short run has few of them.
+      CHECK(now_mib < begin_mib + (pairs < 100'000 ? 3 : 8));
     }
     const Status last = soak.counter().last();
     std::printf(
