@@ -15,7 +15,8 @@
 // Of a frame it says (Verdict, once, in the rows behind the frame): how much is textured, explained, nearer than the skin;
 // whether too little is explained in all (disagree), in too many regions of 8×6, or around too many cells, of all or of
 // the skin alone (also disagree); whether the right image is displaced across the rows against what the cameras' geometry
-// says (moved: in the median of the image, or of a half, so that a camera that is displaced, rolled or enlarged is found);
+// says (moved: in the median of the image, or of a half, so that a camera that is displaced, rolled or enlarged is found;
+// of cells at once, of a round of patches at full resolution);
 // whether one camera is less sharp, or has less contrast (unsharp); whether too much is hidden behind what is nearer
 // (hidden, after hidden_frames frames in a row).
 // Of a pixel of the result it says in the marks what the frame before showed of its cell: `seen`, in 5×5 cells around there
@@ -27,7 +28,7 @@
 // In, Out  pixels pass. Marks: seen and nearer belong to the pixel of the result that leaves `align` with this beat.
 // Config   prove = 0: everything counts as seen, and nothing is said. Illegal use: another size without a reset between.
 // What a frame showed comes as words (FrameWord), one a beat; the verdict is the last.
-// Memory: see census.hpp, registration.hpp; codes of 5 and 7 rows; best of a row; regions; the map of the image, twice.
+// Memory: see census.hpp, registration.hpp, patches.hpp; codes of 5 and 7 rows; best of a row; regions; the map of the image, twice.
 #pragma once
 
 #include <algorithm>
@@ -35,10 +36,12 @@
 
 #include "stages/align.hpp"
 #include "stages/census.hpp"
+#include "stages/count_bits.hpp"
 #ifndef __HLSC__
 #include "stages/compared_row.hpp"
 #endif
 #include "stages/division.hpp"
+#include "stages/patches.hpp"
 #include "stages/registration.hpp"
 #include "stages/subsample.hpp"
 
@@ -57,11 +60,11 @@ struct Verdict {
 };
 
 /// The figures behind it, as registers have them (rtl/csr/registers.yaml): FRAME_REGION of the regions, 8 in a row; then
-/// FRAME_AGREEMENT … FRAME_CONTRAST_RIGHT.
+/// FRAME_AGREEMENT … FRAME_PATCHES.
 struct FrameWord {
   static constexpr int regions = 48;
   static constexpr int first_of_frame = 52;
-  static constexpr int count_of_frame = 11;
+  static constexpr int count_of_frame = 12;
   bool valid = false;
   u<6> index;
   u<32> word;
@@ -114,6 +117,7 @@ class Agreement {
     // directions (one that is rolled or enlarged), of two halves of it.
     u<6> moved_limit;
     u<6> moved_half_limit;  // the same of one half
+    u<6> patch_limit;       // 1/8 px: the same at full resolution (patches.hpp)
     s<16> epipolar_slope;   // displacement across the rows of a shift along them, at the first cell: 2^-15
     s<16> epipolar_column;  // its change from column to column: 2^-20
     s<16> epipolar_row;     // and from row to row: 2^-20
@@ -154,8 +158,11 @@ class Agreement {
       const bool may = !said_ && !drew_ && !sample_.pair.first && !sample_.last && !raster_.begins_row() &&
                        columns_passed_ == 0 && !was_next_row_ && !line_ended_;
       if (!may) return 0;
+      const auto at = raster_.next();
       const int passed = pass_cells(beats, std::min(count, quiet_beats_), config);
       if (passed == 0) return 0;
+      patches_.skip(passed, config);
+      patches_.take_row(at, passed, beats.left - 1, beats.right - 1, beats.present - 1);
       quiet_beats_ -= passed;
       in_row_ = row_starts_ = false;
       const int last = passed - 1;
@@ -252,6 +259,7 @@ class Agreement {
       case Phase::settle:
         break;
     }
+    patches_.work(config);
     take_sample(config);
     advance(following, config);
     pass(in, pair, said, config);
@@ -268,6 +276,7 @@ class Agreement {
     Out out = passed(in);
     const bool said = said_;
     said_ = in_row_ = row_starts_ = false;
+    patches_.work(config);
     take_sample(config);
     if (row_starts_) end_wait(config);
     pass(in, pair, said, config);
@@ -338,6 +347,7 @@ class Agreement {
   using Age = u<std::max(window, box) + 1>;
   static_assert(columns + half_window + gap < 256 && rows < 128);
   using OfImage = Registration<columns, rows, gap, !fast>;
+  using OfPatches = Patches<P, cell, gap, AT_ONCE>;
   using Shift = typename OfImage::Shift;
   static constexpr int slots = OfImage::slots;  // beats of a cell where a row concludes
   using Score = u<8>;
@@ -392,6 +402,7 @@ class Agreement {
     if (sample_.pair.whole) {
       at = raster_.step(sample_.pair.first, sample_.last, config.height);
       means = averager_.step(at, sample_.pair.pixel, sample_.present, sample_.of_skin);
+      patches_.take(at, sample_.pair.pixel, sample_.present, config);
     }
     if (means.valid) take_cell(at, means, config);
   }
@@ -443,6 +454,7 @@ class Agreement {
     map_row_ = row <= lag ? MapIndex(0) : MapIndex(map_row_ + map_width_);
     map_width_ = cells_of(config.width);
     first_rows_ = row <= middle;
+    patches_.start_row(row >= middle, row == middle);
     columns_begin_.begin(map_width_, u<2>(2));
     last_ = last;
     whole_ = Index(last + lit<gap>());
@@ -655,33 +667,6 @@ class Agreement {
 
   static u<census_bits> alike(const LeftCell& l, const RightCell& r) {
     return l.valid && r.valid ? u<census_bits>(~(l.code ^ r.code)) : u<census_bits>(0);
-  }
-
-  /// How many bits are set. In hardware by full adders of three bits: a tree of wider ones would be deeper, and larger.
-  template <std::size_t N>
-  static u<bits_for(N)> count_bits(const std::array<bool, N>& bits) {
-    if constexpr (N == 1) {
-      return u<1>(bits[0]);
-    } else {
-      constexpr std::size_t full = (N - 1) / 2, half = (N - 1) % 2;
-      std::array<bool, N + full + half> of_one{};  // waiting to be added
-      for (std::size_t i = 0; i < N; ++i) of_one[i] = bits[i];
-      std::array<bool, full + half> of_two{};
-      for (std::size_t i = 0; i < full + half; ++i) {
-        const bool a = of_one[3 * i], b = of_one[3 * i + 1], c = i < full && of_one[3 * i + 2];
-        of_one[N + i] = (a != b) != c;
-        of_two[i] = (a && b) || (c && (a || b));
-      }
-      return u<bits_for(N)>(cat(count_bits(of_two), u<1>(of_one.back())));
-    }
-  }
-  static ColumnCount count_bits(ColumnBits bits) {
-#ifndef __HLSC__
-    return popcount(bits);
-#endif
-    std::array<bool, column_bits> single{};
-    for (int i = 0; i < column_bits; ++i) single[static_cast<std::size_t>(i)] = bits.bit(i);
-    return count_bits(single);
   }
 
   using Peak = Displacement::Peak;
@@ -975,6 +960,9 @@ class Agreement {
     if (!ends_cell_) return;
     Seen seen;
     if (looked.inside) {
+      const bool in_reach = OfPatches::in_reach(registration_.expected());
+      patches_.step_cell(x_, last_, looked.explained && in_reach && row_ >= first_row + across_reach,
+                         looked.best.shift, registration_.slope_here());
       const Shown right = shown_right_.read(x_);
       shown_right_.write(x_, Shown{});
       seen.textured = looked.textured;
@@ -1081,6 +1069,7 @@ class Agreement {
       good_known_ = false;
     } else if (k < words_begin) {
       if (place < OfImage::moved_steps) registration_.step_moved(place);
+      if (place < OfPatches::decide_steps) patches_.step_decide(place);
       RegionSums sums = regions_.read(place);
       if (place.template bits<5, 3>() > region_row_) sums = RegionSums{};
       const bool bad = sums.textured >= 16 && u<13>(sums.explained + shl<2>(sums.explained)) < sums.textured;
@@ -1092,6 +1081,7 @@ class Agreement {
     } else {
       out.frame = {place >= FrameWord::first_of_frame, place, word(place)};
     }
+    if (k == words_begin) patches_.end_frame();
     if (k != finish_ends) return;
     hidden_for_ = hides_ ? u<8>(hidden_for_ + u<1>(!hidden_for_.bit(7))) : u<8>(0);
     good_known_ = true;
@@ -1118,6 +1108,10 @@ class Agreement {
         return u<32>(sums.contrast[0]);
       case 62:
         return u<32>(sums.contrast[1]);
+      case 63: {
+        const auto& round = patches_.round();
+        return u<32>(cat(round.moved, round.across, round.places));
+      }
       default: {
         const auto of = registration_.quarter(u<2>(place.template bits<1, 0>() + lit<1>()));
         return u<32>(cat(of.high, of.low));
@@ -1174,7 +1168,7 @@ class Agreement {
     verdict.unproven_yet = config.prove != 0 && !proven_;
     verdict.untextured = config.prove != 0 && !enough;
     verdict.disagree = config.prove != 0 && enough && (disagree_ || too_much_);
-    verdict.moved = config.prove != 0 && registration_.moved();
+    verdict.moved = config.prove != 0 && (registration_.moved() || patches_.moved());
     // Where the left camera sees nothing and the right one does: of the right one agreement says it already.
     verdict.unsharp_left = config.prove != 0 && enough && (sharpness_.less(0) || census_.left_sees_less());
     verdict.unsharp_right = config.prove != 0 && enough && sharpness_.less(1);
@@ -1256,6 +1250,7 @@ class Agreement {
     seen_columns_.begin_step();
     regions_.begin_step();
     registration_.begin_step();
+    patches_.begin_step();
     map_.begin_step();
   }
 
@@ -1304,6 +1299,7 @@ class Agreement {
   // The row and the frame.
   Counts counts_;
   OfImage registration_;
+  OfPatches patches_;
   Shown shown_;    // the cell, by the small window
   Change change_;  // of this beat
 #ifndef __HLSC__

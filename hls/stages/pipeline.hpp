@@ -109,6 +109,9 @@ struct Agreement {
   std::array<int, 4> measured{};
   std::array<int, 2> detail{};
   std::array<int, 2> contrast{};
+  int patch_places = 0;  // of the last complete round (stages/patches.hpp)
+  int patch_across = 0;  // 1/8 px
+  int patch_moved = 0;   // bits
   struct Region {
     int textured = 0;
     int explained = 0;
@@ -899,7 +902,10 @@ class Pipeline {
       case 10:
         to.contrast[place - stages::FrameWord::first_of_frame - 9] = bits(0, 24);
         break;
-      default:  // no register holds it
+      default:
+        to.patch_places = bits(0, 8);
+        to.patch_across = hls::s<12>(word >> 8).value();
+        to.patch_moved = bits(20, 5);
         break;
     }
   }

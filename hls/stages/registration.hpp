@@ -96,8 +96,9 @@ class Registration {
       slope_here_ = s<8>(sat_signed<8>(s<13>(shr<16>(slope_) + shr<6>(along_change))));
     } else {
       was_inside_ = inside;
+      expected_ = s<11>(shr<3>(along));
       if (counts) {
-        const auto expected = shr<3>(along);  // 1/32 cell
+        const auto expected = shr<3>(along);
         const auto residual = s<8>(sat_signed<8>(s<13>(displacement_.across(peak) - expected)));
         change_ = {false, residual, 1, votes(residual, s<7>(config.moved_limit)),
                    votes(residual, s<7>(config.moved_half_limit))};
@@ -159,6 +160,10 @@ class Registration {
     moving_.word = kind == 3 || half == 5 ? Sums{} : read(kind, quarter);
   }
   [[nodiscard]] bool moved() const { return moved_; }
+  /// Rows down a column to the right where the cell of step_cell() was found, 1/256. In its last slot.
+  [[nodiscard]] s<8> slope_here() const { return slope_here_; }
+  /// Rows down that its shift makes of that, 1/32 cell. In its last slot.
+  [[nodiscard]] s<11> expected() const { return expected_; }
 
   /// Displacement and cells of a quarter: top left, top right, bottom left, bottom right. Not with step_moved().
   Sums quarter(u<2> quarter) { return read(u<2>(0), quarter); }
@@ -265,6 +270,7 @@ class Registration {
 
   Displacement displacement_;
   s<8> slope_here_{0};
+  s<11> expected_{0};
   Half half_;
   bool of_right_ = false;    // `half_` is of the image's right half
   bool was_inside_ = false;  // the cell before

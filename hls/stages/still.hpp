@@ -8,7 +8,8 @@
 // same, so a scene that may stand still must be declared: `still_limit` 0.
 //
 // In      left, right: means of the same cell; first: the frame's first.
-// Config  still_limit: so many repeating frames one after another are a fault; 0 switches the check off.
+// Config  still_limit: so many repeating frames one after another are a fault; 0 switches the check off,
+//          and what was counted is forgotten.
 // Out     of each camera, what the frame's cells so far say; the last cell's is the frame's.
 // Memory: the cells kept. In frames with fewer than 16 of them, that is than 272 cells, nothing is said.
 #pragma once
@@ -46,9 +47,10 @@ class StillCheck {
       kept = kept_.read(index_);
       kept_.write(index_, {in.left, in.right, kept.left, kept.right});
     }
-    left_.step(in.first, one_before_, two_before_, looks && changed(in.left, kept.left),
+    const bool counts = config.still_limit != 0;
+    left_.step(in.first, counts, one_before_, two_before_, looks && changed(in.left, kept.left),
                looks && changed(in.left, kept.left_older));
-    right_.step(in.first, one_before_, two_before_, looks && changed(in.right, kept.right),
+    right_.step(in.first, counts, one_before_, two_before_, looks && changed(in.right, kept.right),
                 looks && changed(in.right, kept.right_older));
     index_ = in.first ? u<index_bits>(0) : u<index_bits>(index_ + u<1>(looks));
     place_ = in.first || looks ? u<5>(0) : u<5>(place_ + lit<1>());
@@ -80,10 +82,10 @@ class StillCheck {
   /// Of one camera.
   class Repeats {
    public:
-    void step(bool first, bool one_before, bool two_before, bool since_last, bool since_older) {
+    void step(bool first, bool counts, bool one_before, bool two_before, bool since_last, bool since_older) {
       const bool repeats = last_ != enough || older_ != enough;
       if (first) {
-        frames_ = !repeats ? u<8>(0) : frames_ == 255 ? frames_ : u<8>(frames_ + lit<1>());
+        frames_ = !repeats || !counts ? u<8>(0) : frames_ == 255 ? frames_ : u<8>(frames_ + lit<1>());
         last_ = one_before ? u<2>(0) : u<2>(enough);
         older_ = two_before ? u<2>(0) : u<2>(enough);
       } else {

@@ -120,7 +120,7 @@ module horopter_csr #(
     output logic [22:0] agreement_o,
     output logic [31:0] agreement_limits_o,
     output logic [ 7:0] hidden_frames_o,
-    output logic [11:0] registration_o,
+    output logic [17:0] registration_o,
     output logic [31:0] epipolar_o,
     output logic [31:0] epipolar_change_o,
     output logic [ 7:0] one_camera_segments_o,
@@ -287,7 +287,8 @@ module horopter_csr #(
   // REGISTRATION: How far the right image may be displaced across the rows. In 1/32 cell: 1/4 px in `vga`, 1/2 px in `hd`.
   logic [ 5:0] registration_moved_q;
   logic [ 5:0] registration_moved_half_q;
-  assign registration_o = {registration_moved_half_q, registration_moved_q};
+  logic [ 5:0] registration_patches_q;
+  assign registration_o = {registration_patches_q, registration_moved_half_q, registration_moved_q};
   // EPIPOLAR: Slope of the epipolar lines in the transformed images, two's complement.
   logic [15:0] epipolar_slope_q;
   logic [15:0] epipolar_column_q;
@@ -369,8 +370,9 @@ module horopter_csr #(
       agreement_limits_unproven_q <= 8'd115;
       agreement_limits_hidden_q <= 8'd26;
       hidden_frames_q <= 8'd50;
-      registration_moved_q <= 6'd3;
-      registration_moved_half_q <= 6'd5;
+      registration_moved_q <= 6'd8;
+      registration_moved_half_q <= 6'd14;
+      registration_patches_q <= 6'd8;
       epipolar_slope_q <= 16'd0;
       epipolar_column_q <= 16'd0;
       epipolar_change_row_q <= 16'd0;
@@ -541,7 +543,11 @@ module horopter_csr #(
           registration_moved_q[5:0] <= write_data_i[5:0];
           registration_moved_half_q[1:0] <= write_data_i[7:6];
         end
-        if (write_strb_i[1]) registration_moved_half_q[5:2] <= write_data_i[11:8];
+        if (write_strb_i[1]) begin
+          registration_moved_half_q[5:2] <= write_data_i[11:8];
+          registration_patches_q[3:0] <= write_data_i[15:12];
+        end
+        if (write_strb_i[2]) registration_patches_q[5:4] <= write_data_i[17:16];
       end
       if (write_q && write_group_q[7] && write_word_q[0]) begin  // EPIPOLAR
         if (write_strb_i[0]) epipolar_slope_q[7:0] <= write_data_i[7:0];
@@ -865,11 +871,11 @@ module horopter_csr #(
       .error_o(guard_error[28])
   );
   horopter_guard #(
-      .WIDTH(12)
+      .WIDTH(18)
   ) u_registration_guard (
       .clk_i(clk_i),
       .written_i(written_q[29]),
-      .value_i({registration_moved_half_q, registration_moved_q}),
+      .value_i({registration_patches_q, registration_moved_half_q, registration_moved_q}),
       .error_o(guard_error[29])
   );
   horopter_guard #(
@@ -1008,8 +1014,8 @@ module horopter_csr #(
       12'h140, 12'h144: wanted_q[9] <= 1'b1;
       12'h180, 12'h184, 12'h188, 12'h18C, 12'h190, 12'h194, 12'h198: wanted_q[10] <= 1'b1;
       12'h1A0, 12'h1A4, 12'h1A8, 12'h1AC, 12'h1B0, 12'h1B4, 12'h1B8: wanted_q[11] <= 1'b1;
-      12'h150, 12'h154, 12'h158, 12'h15C, 12'h160, 12'h164, 12'h168, 12'h16C, 12'h170, 12'h174, 12'h178, 12'h19C:
-      memory_wanted_q <= 1'b1;
+      12'h150, 12'h154, 12'h158, 12'h15C, 12'h160, 12'h164, 12'h168, 12'h16C, 12'h170, 12'h174, 12'h178, 12'h17C,
+      12'h19C: memory_wanted_q <= 1'b1;
       default: ;  // no register
     endcase
     group_00_q <= 32'd0;
@@ -1103,7 +1109,7 @@ module horopter_csr #(
         3'h4: group_09_q <= {9'd0, agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
         3'h5: group_09_q <= {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q};
         3'h6: group_09_q <= {24'd0, hidden_frames_q};
-        default: group_09_q <= {20'd0, registration_moved_half_q, registration_moved_q};
+        default: group_09_q <= {14'd0, registration_patches_q, registration_moved_half_q, registration_moved_q};
       endcase
     group_0A_q <= 32'd0;
     if (wanted_q[9])

@@ -136,6 +136,7 @@ package horopter_csr_pkg;
   } agreement_limits_t;
 
   typedef struct packed {  // from the highest bit
+    logic [ 5:0] patches;
     logic [ 5:0] moved_half;
     logic [ 5:0] moved;
   } registration_t;
@@ -184,6 +185,12 @@ package horopter_csr_pkg;
     logic [11:0] cells;
     logic [19:0] sum;
   } frame_across_3_t;
+
+  typedef struct packed {  // from the highest bit
+    logic [ 4:0] moved;
+    logic [11:0] across;
+    logic [ 7:0] places;
+  } frame_patches_t;
 
   typedef struct packed {  // from the highest bit
     logic [ 9:0] nearer;

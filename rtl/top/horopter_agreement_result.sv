@@ -22,7 +22,7 @@ module horopter_agreement_result #(
     // registers
     input  logic [           5:0] region_select_i,
     input  logic [          11:0] read_addr_i,
-    output logic [          31:0] word_o,  // two clocks after read_addr_i: FRAME_REGION, FRAME_AGREEMENT … FRAME_CONTRAST_RIGHT
+    output logic [          31:0] word_o,  // two clocks after read_addr_i: FRAME_REGION, FRAME_AGREEMENT … FRAME_PATCHES
     output logic [          23:0] frame_hidden_o,
     output logic [          23:0] frame_unproven_pixels_o
 );

@@ -984,6 +984,7 @@ module horopter_top #(
       .cfg_hidden_frames_i(sampled_hidden_frames),
       .cfg_moved_limit_i(sampled_registration.moved),
       .cfg_moved_half_limit_i(sampled_registration.moved_half),
+      .cfg_patch_limit_i(sampled_registration.patches),
       .cfg_epipolar_slope_i(sampled_epipolar.slope),
       .cfg_epipolar_column_i(sampled_epipolar.column),
       .cfg_epipolar_row_i(sampled_epipolar_change.row),

@@ -106,8 +106,9 @@ Small::Config defaults(int width, int height) {
   config.unproven_skin_limit = hls::StageSettings{}.unproven_skin_limit;
   config.hidden_limit = 26;
   config.hidden_frames = 3;
-  config.moved_limit = hls::StageSettings{}.moved_limit;
-  config.moved_half_limit = hls::StageSettings{}.moved_half_limit;
+  config.moved_limit = 3;
+  config.moved_half_limit = 5;
+  config.patch_limit = hls::StageSettings{}.patch_limit;
   return config;
 }
 
@@ -119,6 +120,8 @@ struct Answer {
   int verdicts = 0;
   double seen_share = 0;
   double nearer_share = 0;
+  int places = 0;  // of a round at full resolution
+  double across_px = 0;
 };
 
 /// Pixels of the skin; around it both images are there, too.
@@ -149,6 +152,10 @@ Answer frame(Small& stage, const Small::Config& config, const Picture& left, con
         answer.explained = word >> 16;
       }
       if (out.frame.valid && out.frame.index == FrameWord::first_of_frame + 1) answer.nearer = word >> 16;
+      if (out.frame.valid && out.frame.index == 63) {
+        answer.places = word & 0xFF;
+        answer.across_px = answer.places > 0 ? s<12>(word >> 8).value() / 8.0 / answer.places : 0;
+      }
       if (out.verdict.valid) {
         answer.verdict = out.verdict;
         ++answer.verdicts;
@@ -298,9 +305,56 @@ TEST_CASE("a camera that is knocked, rolled or enlarged has moved") {
   auto config = defaults(320, 240);
   const Picture right = seen(world, place, 3);
   CHECK(last_of(2, config, left, right).verdict.moved == (what != "nothing"));
-  config.moved_limit = 63;
-  config.moved_half_limit = 63;
+  config.moved_limit = config.moved_half_limit = config.patch_limit = 63;
   CHECK(!last_of(2, config, left, right).verdict.moved);
+}
+
+TEST_CASE("at full resolution a camera that was moved by little is found, and one that was not is none") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const auto turned = [](double along, double across) {
+    return [=](double x, double y) {
+      return std::pair{x - 19.3 - across * (y - 120) + along * (x - 160), y + across * (x - 160) + along * (y - 120)};
+    };
+  };
+  struct Case {
+    const char* what;
+    bool moved;
+    double across_px;
+    Place place;
+  };
+  const std::vector<Case> cases{{"nothing", false, 0, shifted(-19.3, 0)},
+                                {"half a pixel", false, 0.5, shifted(-19.3, -0.5)},
+                                {"knocked down", true, 1.5, shifted(-19.3, -1.5)},
+                                {"knocked up", true, -1.5, shifted(-19.3, 1.5)},
+                                {"rolled", true, 0, turned(0, 0.0262)},
+                                {"enlarged", true, 0, turned(0.0385, 0)},
+                                {"reduced", true, 0, turned(-0.0385, 0)}};
+  auto config = defaults(320, 240);
+  config.moved_limit = config.moved_half_limit = 63;  // of cells, at once
+  for (const double gain : {1.0, 0.6}) {
+    for (const Case& of : cases) {
+      CAPTURE(of.what, gain);
+      Picture right = seen(world, of.place, 3);
+      for (double& grey : right.grey) grey = gain * grey + 20;
+      const Answer answer = last_of(20, config, left, right);
+      CHECK(answer.verdict.moved == of.moved);
+      CHECK(answer.places >= 24);
+      if (of.across_px != 0 || !of.moved) CHECK(answer.across_px == Approx(of.across_px).margin(0.15));
+    }
+  }
+  // What is said stays until the next round: here none is complete, as nothing is explained.
+  const auto stage = std::make_unique<Small>();
+  const Picture knocked = seen(world, shifted(-19.3, -1.5), 3);
+  Answer answer;
+  for (int i = 0; i < 20; ++i) answer = frame(*stage, config, left, knocked);
+  CHECK(answer.verdict.moved);
+  const Picture other = scene(320, 240, 77);
+  for (int i = 0; i < 3; ++i) answer = frame(*stage, config, left, other);
+  CHECK(answer.verdict.moved);
+  const Picture back = seen(world, shifted(-19.3, 0), 3);
+  for (int i = 0; i < 20; ++i) answer = frame(*stage, config, left, back);
+  CHECK_FALSE(answer.verdict.moved);
 }
 
 TEST_CASE("displacement along an epipolar line that is not a row is none") {
@@ -309,9 +363,22 @@ TEST_CASE("displacement along an epipolar line that is not a row is none") {
   // 5 cells along the row, one down.
   const Picture right = seen(world, shifted(-40, -8), 3);
   auto config = defaults(320, 240);
+  config.patch_limit = 63;
   CHECK(last_of(2, config, left, right).verdict.moved);
+  config.patch_limit = hls::StageSettings{}.patch_limit;
   config.epipolar_slope = static_cast<int>(0.2 * 32768);
   CHECK(!last_of(2, config, left, right).verdict.moved);
+  // At full resolution, too: also where the shift is no whole number of cells.
+  config.moved_limit = config.moved_half_limit = 63;
+  config.epipolar_slope = static_cast<int>(0.1 * 32768);
+  for (const double shift_px : {-40.0, -43.0, 29.0}) {
+    CAPTURE(shift_px);
+    const Answer answer = last_of(20, config, left, seen(world, shifted(shift_px, 0.1 * shift_px), 3));
+    CHECK(!answer.verdict.moved);
+    CHECK(answer.places >= 24);
+  }
+  config.epipolar_slope = 0;
+  CHECK(last_of(20, config, left, seen(world, shifted(-29, -2.9), 3)).verdict.moved);
 }
 
 TEST_CASE("displacement along an epipolar line that is curved is none") {

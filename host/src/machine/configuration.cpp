@@ -78,7 +78,8 @@ void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32
     return field.put(proof.registered ? static_cast<std::uint32_t>(value) : field.mask() >> field.lsb);
   };
   words.push_back({reg::registration::kAddress, limit(reg::registration::kMoved, defaults.moved_limit) |
-                                                    limit(reg::registration::kMovedHalf, defaults.moved_half_limit)});
+                                                    limit(reg::registration::kMovedHalf, defaults.moved_half_limit) |
+                                                    limit(reg::registration::kPatches, defaults.patch_limit)});
   words.push_back({reg::epipolar::kAddress, reg::epipolar::kSlope.put(rounded(proof.epipolar[0], 15)) |
                                                 reg::epipolar::kColumn.put(rounded(proof.epipolar[1], 20))});
   words.push_back(

@@ -158,6 +158,12 @@ Agreement Monitor::read_agreement() {
     constexpr double kDegrees = 57.29577951308232;
     result.roll_deg = kDegrees * (*right - *left) / (0.5 * width_ / profile_.subsample);
   }
+  const auto round = device_->read(reg::frame_patches::kAddress);
+  result.patches = field(reg::frame_patches::kPlaces, round);
+  if (result.patches > 0) {
+    constexpr int kSign = 1 << (reg::frame_patches::kAcross.bits - 1);
+    result.patches_across_px = ((field(reg::frame_patches::kAcross, round) ^ kSign) - kSign) / (8.0 * result.patches);
+  }
   for (std::uint32_t i = 0; i < 2; ++i) {
     const double detail = device_->read(reg::frame_detail_left::kAddress + 4 * i);
     const double contrast = device_->read(reg::frame_contrast_left::kAddress + 4 * i);
@@ -226,11 +232,14 @@ void Monitor::select(int slot) { device_->write(reg::table_select::kAddress, sta
 
 Monitor::Repeated::Repeated(Monitor& monitor) : monitor_(monitor) {
   monitor_.device_->write(reg::frozen_limit::kAddress, 0);
+  monitor_.device_->write(reg::still_limit::kAddress, 0);
 }
 
 Monitor::Repeated::~Repeated() {
   try {
     monitor_.device_->write(reg::frozen_limit::kAddress, static_cast<std::uint32_t>(monitor_.settings_.frozen_limit));
+    monitor_.device_->write(reg::still_limit::kAddress,
+                            static_cast<std::uint32_t>(monitor_.settings_.still_limit));
   } catch (const Error&) {
     // The machine does not answer: the next frame says so.
   }
@@ -323,7 +332,11 @@ std::vector<FrameResult> Supervisor::process(const Image& left, const Image& rig
   settled_ = true;
   pass(left, right);
   const Monitor::Repeated repeated(monitor_);
-  return pass(left, right);
+  auto results = pass(left, right);
+  for (int shown = 2; shown < kFirstPairShown && results.back().agreement.patches == 0; ++shown) {
+    results = pass(left, right);
+  }
+  return results;
 }
 
 std::vector<FrameResult> Supervisor::pass(const Image& left, const Image& right) {

@@ -41,9 +41,9 @@ std::uint32_t pair_of(int low, int high) {
   return static_cast<std::uint32_t>(low) | static_cast<std::uint32_t>(high) << 16;
 }
 
-/// FRAME_AGREEMENT to FRAME_CONTRAST_RIGHT.
-std::array<std::uint32_t, 11> agreement_words(const native::Agreement& a) {
-  std::array<std::uint32_t, 11> words{pair_of(a.textured_cells, a.explained_cells),
+/// FRAME_AGREEMENT to FRAME_PATCHES.
+std::array<std::uint32_t, 12> agreement_words(const native::Agreement& a) {
+  std::array<std::uint32_t, 12> words{pair_of(a.textured_cells, a.explained_cells),
                                       pair_of(a.supervised_cells, a.nearer_cells),
                                       pair_of(a.unproven_cells, a.bad_region_cells)};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -54,6 +54,9 @@ std::array<std::uint32_t, 11> agreement_words(const native::Agreement& a) {
     words[7 + i] = static_cast<std::uint32_t>(a.detail[i]);
     words[9 + i] = static_cast<std::uint32_t>(a.contrast[i]);
   }
+  words[11] = reg::frame_patches::kPlaces.put(static_cast<std::uint32_t>(a.patch_places)) |
+              reg::frame_patches::kAcross.put(static_cast<std::uint32_t>(a.patch_across)) |
+              reg::frame_patches::kMoved.put(static_cast<std::uint32_t>(a.patch_moved));
   return words;
 }
 
@@ -215,7 +218,7 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
     case reg::frame_region::kAddress:
       return frame_.regions.at(stored(reg::region_select::kAddress) & 63U);
     default:
-      if (address >= reg::frame_agreement::kAddress && address <= reg::frame_contrast_right::kAddress) {
+      if (address >= reg::frame_agreement::kAddress && address <= reg::frame_patches::kAddress) {
         return frame_.agreement.at((address - reg::frame_agreement::kAddress) / 4);
       }
       return known->access == reg::Access::kReadWrite ? stored(address) : 0;

@@ -40,6 +40,8 @@ void add_agreement(nlohmann::ordered_json& json, const Agreement& agreement) {
                           {"dy_px", number(agreement.across_px)},
                           {"roll_deg", number(agreement.roll_deg)},
                           {"scale", number(agreement.scale)},
+                          {"patches", agreement.patches},
+                          {"patches_dy_px", number(agreement.patches_across_px)},
                           {"sharpness", agreement.sharpness}};
 }
 

@@ -30,15 +30,17 @@ module horopter_still (
   assign s6_en = en_i & valid_s6_q;
 
   // Of the configuration alone: not pipelined.
+  logic equal_51;
+  assign equal_51 = cfg_still_limit_i == 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [8:0] index_q;
   logic [4:0] place_q;
-  // hls/stages/still.hpp:45
+  // hls/stages/still.hpp:46
   logic and_17;
   assign and_17 = (place_q == 5'h10) & (~first_i);
 
-  // Memory kept, 512 x 32, DISTANCE 17, hls/stages/still.hpp:105; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory kept, 512 x 32, DISTANCE 17, hls/stages/still.hpp:107; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [31:0] kept_mem [0:511];
@@ -87,7 +89,7 @@ module horopter_still (
   logic [8:0] index_s2_q;
   logic and_17_s2_q;
   logic [31:0] kept_rdata_s2_q;
-  logic and_92_s2_q;
+  logic and_93_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       left_s2_q <= left_s1_q;
@@ -96,35 +98,35 @@ module horopter_still (
       index_s2_q <= index_s1_q;
       and_17_s2_q <= and_17_s1_q;
       kept_rdata_s2_q <= kept_rdata_q;
-      and_92_s2_q <= (~(cfg_still_limit_i == 8'h0)) & (~(index_q[8:4] == 5'h0));
+      and_93_s2_q <= (~equal_51) & (~(index_q[8:4] == 5'h0));
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/still.hpp:49
+  // hls/stages/still.hpp:50
   logic [7:0] select_27;
   assign select_27 = and_17_s2_q ? kept_rdata_s2_q[7:0] : 8'h0;
-  // hls/stages/still.hpp:76
+  // hls/stages/still.hpp:78
   logic [8:0] difference_28;
   assign difference_28 = {1'b0, left_s2_q} - {1'b0, select_27};
-  // hls/stages/still.hpp:49
+  // hls/stages/still.hpp:50
   logic [7:0] select_40;
   assign select_40 = and_17_s2_q ? kept_rdata_s2_q[23:16] : 8'h0;
-  // hls/stages/still.hpp:76
+  // hls/stages/still.hpp:78
   logic [8:0] difference_41;
   assign difference_41 = {1'b0, left_s2_q} - {1'b0, select_40};
-  // hls/stages/still.hpp:49
-  logic [7:0] select_58;
-  assign select_58 = and_17_s2_q ? kept_rdata_s2_q[15:8] : 8'h0;
-  // hls/stages/still.hpp:76
-  logic [8:0] difference_59;
-  assign difference_59 = {1'b0, right_s2_q} - {1'b0, select_58};
-  // hls/stages/still.hpp:49
-  logic [7:0] select_69;
-  assign select_69 = and_17_s2_q ? kept_rdata_s2_q[31:24] : 8'h0;
-  // hls/stages/still.hpp:76
-  logic [8:0] difference_70;
-  assign difference_70 = {1'b0, right_s2_q} - {1'b0, select_69};
+  // hls/stages/still.hpp:50
+  logic [7:0] select_61;
+  assign select_61 = and_17_s2_q ? kept_rdata_s2_q[15:8] : 8'h0;
+  // hls/stages/still.hpp:78
+  logic [8:0] difference_62;
+  assign difference_62 = {1'b0, right_s2_q} - {1'b0, select_61};
+  // hls/stages/still.hpp:50
+  logic [7:0] select_72;
+  assign select_72 = and_17_s2_q ? kept_rdata_s2_q[31:24] : 8'h0;
+  // hls/stages/still.hpp:78
+  logic [8:0] difference_73;
+  assign difference_73 = {1'b0, right_s2_q} - {1'b0, select_72};
 
   // Memory kept, write
   logic [8:0] kept_waddr;
@@ -161,46 +163,46 @@ module horopter_still (
   logic and_17_s3_q;
   logic [5:0] difference_28_s3_q;
   logic [5:0] difference_41_s3_q;
-  logic [5:0] difference_59_s3_q;
-  logic [5:0] difference_70_s3_q;
-  logic and_92_s3_q;
+  logic [5:0] difference_62_s3_q;
+  logic [5:0] difference_73_s3_q;
+  logic and_93_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       first_s3_q <= first_s2_q;
       and_17_s3_q <= and_17_s2_q;
       difference_28_s3_q <= difference_28[8:3];
       difference_41_s3_q <= difference_41[8:3];
-      difference_59_s3_q <= difference_59[8:3];
-      difference_70_s3_q <= difference_70[8:3];
-      and_92_s3_q <= and_92_s2_q;
+      difference_62_s3_q <= difference_62[8:3];
+      difference_73_s3_q <= difference_73[8:3];
+      and_93_s3_q <= and_93_s2_q;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/still.hpp:77
+  // hls/stages/still.hpp:79
   logic [6:0] sum_29;
   assign sum_29 = {difference_28_s3_q[5], difference_28_s3_q} + 7'h7f;
   logic [6:0] sum_42;
   assign sum_42 = {difference_41_s3_q[5], difference_41_s3_q} + 7'h7f;
-  logic [6:0] sum_60;
-  assign sum_60 = {difference_59_s3_q[5], difference_59_s3_q} + 7'h1;
-  logic [6:0] sum_71;
-  assign sum_71 = {difference_70_s3_q[5], difference_70_s3_q} + 7'h7f;
+  logic [6:0] sum_63;
+  assign sum_63 = {difference_62_s3_q[5], difference_62_s3_q} + 7'h1;
+  logic [6:0] sum_74;
+  assign sum_74 = {difference_73_s3_q[5], difference_73_s3_q} + 7'h7f;
 
   logic first_s4_q;
   logic and_32_s4_q;
   logic and_45_s4_q;
-  logic or_63_s4_q;
-  logic and_74_s4_q;
-  logic and_92_s4_q;
+  logic or_66_s4_q;
+  logic and_77_s4_q;
+  logic and_93_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       first_s4_q <= first_s3_q;
       and_32_s4_q <= and_17_s3_q & (~(sum_29[6:1] == 6'h3f));
       and_45_s4_q <= and_17_s3_q & (~(sum_42[6:1] == 6'h3f));
-      or_63_s4_q <= (sum_60[6:1] == 6'h0) | (~and_17_s3_q);
-      and_74_s4_q <= and_17_s3_q & (~(sum_71[6:1] == 6'h3f));
-      and_92_s4_q <= and_92_s3_q;
+      or_66_s4_q <= (sum_63[6:1] == 6'h0) | (~and_17_s3_q);
+      and_77_s4_q <= and_17_s3_q & (~(sum_74[6:1] == 6'h3f));
+      and_93_s4_q <= and_93_s3_q;
     end
   end
 
@@ -213,42 +215,42 @@ module horopter_still (
   logic [1:0] right_last_q;
   logic [1:0] right_older_q;
   logic [7:0] right_frames_q;
-  // hls/stages/still.hpp:87
+  // hls/stages/still.hpp:89
   logic not_26;
   assign not_26 = ~one_before_q;
-  // hls/stages/still.hpp:84
+  // hls/stages/still.hpp:86
   logic not_34;
   assign not_34 = ~(left_last_q == 2'h2);
-  // hls/stages/still.hpp:51
+  // hls/stages/still.hpp:53
   logic [1:0] select_38;
   assign select_38 = first_s4_q ? {not_26, 1'b0} : ((and_32_s4_q & not_34) ? (left_last_q + 2'h1) : left_last_q);
-  // hls/stages/still.hpp:88
+  // hls/stages/still.hpp:90
   logic not_39;
   assign not_39 = ~two_before_q;
-  // hls/stages/still.hpp:84
+  // hls/stages/still.hpp:86
   logic equal_46;
   assign equal_46 = left_older_q == 2'h2;
-  // hls/stages/still.hpp:51
+  // hls/stages/still.hpp:53
   logic [1:0] select_49;
   assign select_49 = and_45_s4_q ? (equal_46 ? left_older_q : (left_older_q + 2'h1)) : left_older_q;
+  // hls/stages/still.hpp:88
+  logic [7:0] select_59;
+  assign select_59 = (equal_51 | (~(not_34 | (~equal_46)))) ? 8'h0 : ((left_frames_q == 8'hff) ? 8'hff : (left_frames_q + 8'h1));
   // hls/stages/still.hpp:86
-  logic [7:0] select_56;
-  assign select_56 = (not_34 | (~equal_46)) ? ((left_frames_q == 8'hff) ? 8'hff : (left_frames_q + 8'h1)) : 8'h0;
-  // hls/stages/still.hpp:84
-  logic equal_64;
-  assign equal_64 = right_last_q == 2'h2;
-  // hls/stages/still.hpp:53
-  logic [1:0] select_68;
-  assign select_68 = first_s4_q ? {not_26, 1'b0} : ((or_63_s4_q | equal_64) ? right_last_q : (right_last_q + 2'h1));
-  // hls/stages/still.hpp:84
-  logic equal_75;
-  assign equal_75 = right_older_q == 2'h2;
-  // hls/stages/still.hpp:53
-  logic [1:0] select_78;
-  assign select_78 = and_74_s4_q ? (equal_75 ? right_older_q : (right_older_q + 2'h1)) : right_older_q;
+  logic equal_67;
+  assign equal_67 = right_last_q == 2'h2;
+  // hls/stages/still.hpp:55
+  logic [1:0] select_71;
+  assign select_71 = first_s4_q ? {not_26, 1'b0} : ((or_66_s4_q | equal_67) ? right_last_q : (right_last_q + 2'h1));
   // hls/stages/still.hpp:86
-  logic [7:0] select_86;
-  assign select_86 = ((~equal_75) | (~equal_64)) ? ((right_frames_q == 8'hff) ? 8'hff : (right_frames_q + 8'h1)) : 8'h0;
+  logic equal_78;
+  assign equal_78 = right_older_q == 2'h2;
+  // hls/stages/still.hpp:55
+  logic [1:0] select_81;
+  assign select_81 = and_77_s4_q ? (equal_78 ? right_older_q : (right_older_q + 2'h1)) : right_older_q;
+  // hls/stages/still.hpp:88
+  logic [7:0] select_88;
+  assign select_88 = (equal_51 | (equal_67 & equal_78)) ? 8'h0 : ((right_frames_q == 8'hff) ? 8'hff : (right_frames_q + 8'h1));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -265,60 +267,60 @@ module horopter_still (
       two_before_q <= first_s4_q ? one_before_q : two_before_q;
       left_last_q <= select_38;
       left_older_q <= first_s4_q ? {not_39, 1'b0} : select_49;
-      left_frames_q <= first_s4_q ? select_56 : left_frames_q;
-      right_last_q <= select_68;
-      right_older_q <= first_s4_q ? {not_39, 1'b0} : select_78;
-      right_frames_q <= first_s4_q ? select_86 : right_frames_q;
+      left_frames_q <= first_s4_q ? select_59 : left_frames_q;
+      right_last_q <= select_71;
+      right_older_q <= first_s4_q ? {not_39, 1'b0} : select_81;
+      right_frames_q <= first_s4_q ? select_88 : right_frames_q;
     end
   end
 
-  logic and_92_s5_q;
+  logic and_93_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
-      and_92_s5_q <= and_92_s4_q;
+      and_93_s5_q <= and_93_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
 
-  logic and_92_s6_q;
-  logic equal_93_s6_q;
-  logic not_95_s6_q;
-  logic not_98_s6_q;
-  logic equal_102_s6_q;
-  logic not_104_s6_q;
-  logic not_107_s6_q;
+  logic and_93_s6_q;
+  logic equal_94_s6_q;
+  logic not_96_s6_q;
+  logic not_99_s6_q;
+  logic equal_103_s6_q;
+  logic not_105_s6_q;
+  logic not_108_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
-      and_92_s6_q <= and_92_s5_q;
-      equal_93_s6_q <= left_last_q == 2'h2;
-      not_95_s6_q <= ~(left_older_q == 2'h2);
-      not_98_s6_q <= ~(({1'b0, left_frames_q} + 9'h1) < {1'b0, cfg_still_limit_i});
-      equal_102_s6_q <= right_last_q == 2'h2;
-      not_104_s6_q <= ~(right_older_q == 2'h2);
-      not_107_s6_q <= ~(({1'b0, right_frames_q} + 9'h1) < {1'b0, cfg_still_limit_i});
+      and_93_s6_q <= and_93_s5_q;
+      equal_94_s6_q <= left_last_q == 2'h2;
+      not_96_s6_q <= ~(left_older_q == 2'h2);
+      not_99_s6_q <= ~(({1'b0, left_frames_q} + 9'h1) < {1'b0, cfg_still_limit_i});
+      equal_103_s6_q <= right_last_q == 2'h2;
+      not_105_s6_q <= ~(right_older_q == 2'h2);
+      not_108_s6_q <= ~(({1'b0, right_frames_q} + 9'h1) < {1'b0, cfg_still_limit_i});
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/still.hpp:63
-  logic and_101;
-  assign and_101 = and_92_s6_q & (equal_93_s6_q ? (not_95_s6_q & not_98_s6_q) : not_98_s6_q);
-  logic and_110;
-  assign and_110 = and_92_s6_q & (equal_102_s6_q ? (not_104_s6_q & not_107_s6_q) : not_107_s6_q);
+  // hls/stages/still.hpp:65
+  logic and_102;
+  assign and_102 = and_93_s6_q & (equal_94_s6_q ? (not_96_s6_q & not_99_s6_q) : not_99_s6_q);
+  logic and_111;
+  assign and_111 = and_93_s6_q & (equal_103_s6_q ? (not_105_s6_q & not_108_s6_q) : not_108_s6_q);
 
-  logic and_101_s7_q;
-  logic and_110_s7_q;
+  logic and_102_s7_q;
+  logic and_111_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
-      and_101_s7_q <= and_101;
-      and_110_s7_q <= and_110;
+      and_102_s7_q <= and_102;
+      and_111_s7_q <= and_111;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign left_still_o = and_101_s7_q;
-  assign right_still_o = and_110_s7_q;
+  assign left_still_o = and_102_s7_q;
+  assign right_still_o = and_111_s7_q;
   assign valid_o = valid_s7_q;
 
   always_ff @(posedge clk_i) begin
@@ -343,6 +345,6 @@ module horopter_still (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_71[0], difference_70[2:0], sum_60[0], difference_59[2:0], sum_42[0], difference_41[2:0], sum_29[0], difference_28[2:0]};
+  assign unused_bits = ^{sum_74[0], difference_73[2:0], sum_63[0], difference_62[2:0], sum_42[0], difference_41[2:0], sum_29[0], difference_28[2:0]};
 
 endmodule

@@ -25,15 +25,17 @@ module horopter_still (
   assign s1_en = en_i & valid_s1_q;
 
   // Of the configuration alone: not pipelined.
+  logic equal_51;
+  assign equal_51 = cfg_still_limit_i == 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [8:0] index_q;
   logic [4:0] place_q;
-  // hls/stages/still.hpp:45
+  // hls/stages/still.hpp:46
   logic and_17;
   assign and_17 = (place_q == 5'h10) & (~first_i);
 
-  // Memory kept, 512 x 32, DISTANCE 17, hls/stages/still.hpp:105; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory kept, 512 x 32, DISTANCE 17, hls/stages/still.hpp:107; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [31:0] kept_mem [0:511];
@@ -83,108 +85,108 @@ module horopter_still (
   logic [1:0] right_last_q;
   logic [1:0] right_older_q;
   logic [7:0] right_frames_q;
-  // hls/stages/still.hpp:87
+  // hls/stages/still.hpp:89
   logic not_26;
   assign not_26 = ~one_before_q;
-  // hls/stages/still.hpp:49
+  // hls/stages/still.hpp:50
   logic [7:0] select_27;
   assign select_27 = and_17_s1_q ? kept_rdata_q[7:0] : 8'h0;
-  // hls/stages/still.hpp:76
+  // hls/stages/still.hpp:78
   logic [8:0] difference_28;
   assign difference_28 = {1'b0, left_s1_q} - {1'b0, select_27};
-  // hls/stages/still.hpp:77
+  // hls/stages/still.hpp:79
   logic [6:0] sum_29;
   assign sum_29 = {difference_28[8], difference_28[8:3]} + 7'h7f;
-  // hls/stages/still.hpp:84
+  // hls/stages/still.hpp:86
   logic not_34;
   assign not_34 = ~(left_last_q == 2'h2);
-  // hls/stages/still.hpp:91
+  // hls/stages/still.hpp:93
   logic [1:0] select_37;
   assign select_37 = ((and_17_s1_q & (~(sum_29[6:1] == 6'h3f))) & not_34) ? (left_last_q + 2'h1) : left_last_q;
-  // hls/stages/still.hpp:51
+  // hls/stages/still.hpp:53
   logic [1:0] select_38;
   assign select_38 = first_s1_q ? {not_26, 1'b0} : select_37;
-  // hls/stages/still.hpp:88
+  // hls/stages/still.hpp:90
   logic not_39;
   assign not_39 = ~two_before_q;
-  // hls/stages/still.hpp:49
+  // hls/stages/still.hpp:50
   logic [7:0] select_40;
   assign select_40 = and_17_s1_q ? kept_rdata_q[23:16] : 8'h0;
-  // hls/stages/still.hpp:76
+  // hls/stages/still.hpp:78
   logic [8:0] difference_41;
   assign difference_41 = {1'b0, left_s1_q} - {1'b0, select_40};
-  // hls/stages/still.hpp:77
+  // hls/stages/still.hpp:79
   logic [6:0] sum_42;
   assign sum_42 = {difference_41[8], difference_41[8:3]} + 7'h7f;
-  // hls/stages/still.hpp:84
+  // hls/stages/still.hpp:86
   logic equal_46;
   assign equal_46 = left_older_q == 2'h2;
-  // hls/stages/still.hpp:51
+  // hls/stages/still.hpp:53
   logic [1:0] select_49;
   assign select_49 = (and_17_s1_q & (~(sum_42[6:1] == 6'h3f))) ? (equal_46 ? left_older_q : (left_older_q + 2'h1)) : left_older_q;
   logic [1:0] select_50;
   assign select_50 = first_s1_q ? {not_39, 1'b0} : select_49;
+  // hls/stages/still.hpp:88
+  logic [7:0] select_59;
+  assign select_59 = (equal_51 | (~(not_34 | (~equal_46)))) ? 8'h0 : ((left_frames_q == 8'hff) ? 8'hff : (left_frames_q + 8'h1));
+  // hls/stages/still.hpp:53
+  logic [7:0] select_60;
+  assign select_60 = first_s1_q ? select_59 : left_frames_q;
+  // hls/stages/still.hpp:50
+  logic [7:0] select_61;
+  assign select_61 = and_17_s1_q ? kept_rdata_q[15:8] : 8'h0;
+  // hls/stages/still.hpp:78
+  logic [8:0] difference_62;
+  assign difference_62 = {1'b0, right_s1_q} - {1'b0, select_61};
+  // hls/stages/still.hpp:79
+  logic [6:0] sum_63;
+  assign sum_63 = {difference_62[8], difference_62[8:3]} + 7'h1;
   // hls/stages/still.hpp:86
-  logic [7:0] select_56;
-  assign select_56 = (not_34 | (~equal_46)) ? ((left_frames_q == 8'hff) ? 8'hff : (left_frames_q + 8'h1)) : 8'h0;
-  // hls/stages/still.hpp:51
-  logic [7:0] select_57;
-  assign select_57 = first_s1_q ? select_56 : left_frames_q;
-  // hls/stages/still.hpp:49
-  logic [7:0] select_58;
-  assign select_58 = and_17_s1_q ? kept_rdata_q[15:8] : 8'h0;
-  // hls/stages/still.hpp:76
-  logic [8:0] difference_59;
-  assign difference_59 = {1'b0, right_s1_q} - {1'b0, select_58};
-  // hls/stages/still.hpp:77
-  logic [6:0] sum_60;
-  assign sum_60 = {difference_59[8], difference_59[8:3]} + 7'h1;
-  // hls/stages/still.hpp:84
-  logic equal_64;
-  assign equal_64 = right_last_q == 2'h2;
-  // hls/stages/still.hpp:91
-  logic [1:0] select_67;
-  assign select_67 = (((sum_60[6:1] == 6'h0) | (~and_17_s1_q)) | equal_64) ? right_last_q : (right_last_q + 2'h1);
-  // hls/stages/still.hpp:53
-  logic [1:0] select_68;
-  assign select_68 = first_s1_q ? {not_26, 1'b0} : select_67;
-  // hls/stages/still.hpp:49
-  logic [7:0] select_69;
-  assign select_69 = and_17_s1_q ? kept_rdata_q[31:24] : 8'h0;
-  // hls/stages/still.hpp:76
-  logic [8:0] difference_70;
-  assign difference_70 = {1'b0, right_s1_q} - {1'b0, select_69};
-  // hls/stages/still.hpp:77
-  logic [6:0] sum_71;
-  assign sum_71 = {difference_70[8], difference_70[8:3]} + 7'h7f;
-  // hls/stages/still.hpp:84
-  logic equal_75;
-  assign equal_75 = right_older_q == 2'h2;
-  // hls/stages/still.hpp:53
-  logic [1:0] select_78;
-  assign select_78 = (and_17_s1_q & (~(sum_71[6:1] == 6'h3f))) ? (equal_75 ? right_older_q : (right_older_q + 2'h1)) : right_older_q;
-  logic [1:0] select_79;
-  assign select_79 = first_s1_q ? {not_39, 1'b0} : select_78;
+  logic equal_67;
+  assign equal_67 = right_last_q == 2'h2;
+  // hls/stages/still.hpp:93
+  logic [1:0] select_70;
+  assign select_70 = (((sum_63[6:1] == 6'h0) | (~and_17_s1_q)) | equal_67) ? right_last_q : (right_last_q + 2'h1);
+  // hls/stages/still.hpp:55
+  logic [1:0] select_71;
+  assign select_71 = first_s1_q ? {not_26, 1'b0} : select_70;
+  // hls/stages/still.hpp:50
+  logic [7:0] select_72;
+  assign select_72 = and_17_s1_q ? kept_rdata_q[31:24] : 8'h0;
+  // hls/stages/still.hpp:78
+  logic [8:0] difference_73;
+  assign difference_73 = {1'b0, right_s1_q} - {1'b0, select_72};
+  // hls/stages/still.hpp:79
+  logic [6:0] sum_74;
+  assign sum_74 = {difference_73[8], difference_73[8:3]} + 7'h7f;
   // hls/stages/still.hpp:86
-  logic [7:0] select_86;
-  assign select_86 = ((~equal_75) | (~equal_64)) ? ((right_frames_q == 8'hff) ? 8'hff : (right_frames_q + 8'h1)) : 8'h0;
-  // hls/stages/still.hpp:53
-  logic [7:0] select_87;
-  assign select_87 = first_s1_q ? select_86 : right_frames_q;
-  // hls/stages/still.hpp:60
-  logic and_92;
-  assign and_92 = (~(cfg_still_limit_i == 8'h0)) & (~(index_q[8:4] == 5'h0));
-  // hls/stages/still.hpp:95
-  logic not_98;
-  assign not_98 = ~(({1'b0, select_57} + 9'h1) < {1'b0, cfg_still_limit_i});
-  // hls/stages/still.hpp:63
-  logic and_101;
-  assign and_101 = and_92 & ((select_38 == 2'h2) ? ((~(select_50 == 2'h2)) & not_98) : not_98);
-  // hls/stages/still.hpp:95
-  logic not_107;
-  assign not_107 = ~(({1'b0, select_87} + 9'h1) < {1'b0, cfg_still_limit_i});
-  logic select_109;
-  assign select_109 = (select_68 == 2'h2) ? ((~(select_79 == 2'h2)) & not_107) : not_107;
+  logic equal_78;
+  assign equal_78 = right_older_q == 2'h2;
+  // hls/stages/still.hpp:55
+  logic [1:0] select_81;
+  assign select_81 = (and_17_s1_q & (~(sum_74[6:1] == 6'h3f))) ? (equal_78 ? right_older_q : (right_older_q + 2'h1)) : right_older_q;
+  logic [1:0] select_82;
+  assign select_82 = first_s1_q ? {not_39, 1'b0} : select_81;
+  // hls/stages/still.hpp:88
+  logic [7:0] select_88;
+  assign select_88 = (equal_51 | (equal_67 & equal_78)) ? 8'h0 : ((right_frames_q == 8'hff) ? 8'hff : (right_frames_q + 8'h1));
+  // hls/stages/still.hpp:55
+  logic [7:0] select_89;
+  assign select_89 = first_s1_q ? select_88 : right_frames_q;
+  // hls/stages/still.hpp:62
+  logic and_93;
+  assign and_93 = (~equal_51) & (~(index_q[8:4] == 5'h0));
+  // hls/stages/still.hpp:97
+  logic not_99;
+  assign not_99 = ~(({1'b0, select_60} + 9'h1) < {1'b0, cfg_still_limit_i});
+  // hls/stages/still.hpp:65
+  logic and_102;
+  assign and_102 = and_93 & ((select_38 == 2'h2) ? ((~(select_50 == 2'h2)) & not_99) : not_99);
+  // hls/stages/still.hpp:97
+  logic not_108;
+  assign not_108 = ~(({1'b0, select_89} + 9'h1) < {1'b0, cfg_still_limit_i});
+  logic select_110;
+  assign select_110 = (select_71 == 2'h2) ? ((~(select_82 == 2'h2)) & not_108) : not_108;
 
   // Memory kept, write
   logic [8:0] kept_waddr;
@@ -219,25 +221,25 @@ module horopter_still (
       two_before_q <= first_s1_q ? one_before_q : two_before_q;
       left_last_q <= select_38;
       left_older_q <= select_50;
-      left_frames_q <= select_57;
-      right_last_q <= select_68;
-      right_older_q <= select_79;
-      right_frames_q <= select_87;
+      left_frames_q <= select_60;
+      right_last_q <= select_71;
+      right_older_q <= select_82;
+      right_frames_q <= select_89;
     end
   end
 
-  logic and_101_s2_q;
-  logic and_110_s2_q;
+  logic and_102_s2_q;
+  logic and_111_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
-      and_101_s2_q <= and_101;
-      and_110_s2_q <= and_92 & select_109;
+      and_102_s2_q <= and_102;
+      and_111_s2_q <= and_93 & select_110;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign left_still_o = and_101_s2_q;
-  assign right_still_o = and_110_s2_q;
+  assign left_still_o = and_102_s2_q;
+  assign right_still_o = and_111_s2_q;
   assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
@@ -252,6 +254,6 @@ module horopter_still (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_71[0], difference_70[2:0], sum_60[0], difference_59[2:0], sum_42[0], difference_41[2:0], sum_29[0], difference_28[2:0]};
+  assign unused_bits = ^{sum_74[0], difference_73[2:0], sum_63[0], difference_62[2:0], sum_42[0], difference_41[2:0], sum_29[0], difference_28[2:0]};
 
 endmodule

@@ -94,6 +94,9 @@ struct Agreement {
       across_px;  ///< down the column; along the row nothing can be told from a scene of unknown depth
   std::optional<double> roll_deg;
   std::optional<double> scale;
+  /// At full resolution (hls/stages/patches.hpp): places of the last complete round, and their mean displacement down.
+  int patches = 0;
+  std::optional<double> patches_across_px;
   /// Fine detail in proportion to the contrast of edges, left and right; 0 without edges.
   std::array<double, 2> sharpness{};
 };
@@ -165,7 +168,7 @@ class Monitor {
   /// Waits until the output of a frame that was begun is made by this table. Throws DeviceError when it never is.
   void wait_for_table(int slot);
 
-  /// While it lives, a frame may be that of before: FROZEN_LIMIT is 0.
+  /// While it lives, a frame may be that of before: FROZEN_LIMIT and STILL_LIMIT are 0.
   class Repeated {
    public:
     explicit Repeated(Monitor& monitor);
@@ -201,6 +204,9 @@ class Monitor {
   std::optional<BlindWatch> blind_watch_;
 };
 
+/// The first pair of images is given to the machine so often at most (Supervisor::process).
+inline constexpr int kFirstPairShown = 12;
+
 /// A monitor for image pairs of one skin: every image makes one result, or two for profiles that take fields.
 class Supervisor {
  public:
@@ -208,8 +214,9 @@ class Supervisor {
   Supervisor(std::unique_ptr<Device> device, const MachineProfile& profile, const MapSet& maps,
              const Settings& settings = {});
 
-  /// Clear is earned by the frame before: the first pair is given to the machine twice. Not with Settings::live: it is
-  /// `unproven` there, as in a machine with cameras of its own.
+  /// Clear is earned by the frame before: the first pair is given to the machine twice, and more often until a round of
+  /// places at full resolution tells whether a camera was moved, but not more than kFirstPairShown times. Not with
+  /// Settings::live: it is `unproven` there, as in a machine with cameras of its own.
   std::vector<FrameResult> process(const Image& left, const Image& right);
   Monitor& monitor() { return monitor_; }
 

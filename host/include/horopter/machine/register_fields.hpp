@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 240> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 244> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -217,6 +217,7 @@ inline constexpr std::array<RegisterField, 240> kRegisterFields = {{
     {0x138, "frames", {0, 8}, "Frames in a row, 1 to 128; 0 = for ever."},
     {0x13C, "moved", {0, 6}, "A median of this or more is a fault, of the image or, in opposite directions, of two halves of it."},
     {0x13C, "moved_half", {6, 6}, "In one half of the image a median of this or more is."},
+    {0x13C, "patches", {12, 6}, "1/8 px: the same at full resolution, in the median of a round of places, or of those in a half of the image (hls/stages/patches.hpp); 63 = never, where the epipolar lines are the rows."},
     {0x140, "slope", {0, 16}, "Of the first cell: cells down for a shift of one cell to the right, 2^-15."},
     {0x140, "column", {16, 16}, "Its change from column to column of cells, 2^-20."},
     {0x144, "row", {0, 16}, "Its change from row to row, 2^-20."},
@@ -239,6 +240,9 @@ inline constexpr std::array<RegisterField, 240> kRegisterFields = {{
     {0x170, "sum", {0, 24}, "Second differences in 2 grey levels."},
     {0x174, "sum", {0, 24}, "Half grey levels."},
     {0x178, "sum", {0, 24}, "Half grey levels."},
+    {0x17C, "places", {0, 8}, "Of them; 0 = no round is complete yet."},
+    {0x17C, "across", {8, 12}, "Two's complement, sum over the places in 1/8 px, each at most 2 px."},
+    {0x17C, "moved", {20, 5}, "Beyond REGISTRATION.patches: bit 0 all; left, right, upper, lower half."},
     {0x180, "segments", {0, 8}, "So many segments of 8 cells must have texture, that the check says anything; 0 = never."},
     {0x184, "grey", {0, 8}, "Grey levels between the means of both."},
     {0x188, "of_256", {0, 8}, "1/256; by default 0.8 %; 0 = never, nor for strips and rows."},

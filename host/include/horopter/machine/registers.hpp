@@ -842,11 +842,14 @@ inline constexpr Field kFrames{0, 8};
 namespace registration {
 inline constexpr std::uint32_t kAddress = 0x13C;
 inline constexpr Access kAccess = Access::kReadWrite;
-inline constexpr std::uint32_t kReset = 0x143;
+inline constexpr std::uint32_t kReset = 0x8388;
 /// A median of this or more is a fault, of the image or, in opposite directions, of two halves of it.
 inline constexpr Field kMoved{0, 6};
 /// In one half of the image a median of this or more is.
 inline constexpr Field kMovedHalf{6, 6};
+/// 1/8 px: the same at full resolution, in the median of a round of places, or of those in a half of the image
+/// (hls/stages/patches.hpp); 63 = never, where the epipolar lines are the rows.
+inline constexpr Field kPatches{12, 6};
 }  // namespace registration
 
 /// Slope of the epipolar lines in the transformed images, two's complement.
@@ -972,6 +975,19 @@ inline constexpr Access kAccess = Access::kReadOnly;
 /// Half grey levels.
 inline constexpr Field kSum{0, 24};
 }  // namespace frame_contrast_right
+
+/// Displacement of the right image across the rows at full resolution, of the last complete round of places
+/// (hls/stages/patches.hpp).
+namespace frame_patches {
+inline constexpr std::uint32_t kAddress = 0x17C;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// Of them; 0 = no round is complete yet.
+inline constexpr Field kPlaces{0, 8};
+/// Two's complement, sum over the places in 1/8 px, each at most 2 px.
+inline constexpr Field kAcross{8, 12};
+/// Beyond REGISTRATION.patches: bit 0 all; left, right, upper, lower half.
+inline constexpr Field kMoved{20, 5};
+}  // namespace frame_patches
 
 /// One camera twice: the check of both images against each other (hls/stages/coarse.hpp).
 namespace one_camera {
@@ -1231,7 +1247,7 @@ struct Register {
   bool locked;  ///< writes are refused while CONTROL.enable is 1
 };
 
-inline constexpr std::array<Register, 88> kRegisters = {{
+inline constexpr std::array<Register, 89> kRegisters = {{
     {"id", 0x000, Access::kReadOnly, false},
     {"version", 0x004, Access::kReadOnly, false},
     {"build_size", 0x008, Access::kReadOnly, false},
@@ -1305,6 +1321,7 @@ inline constexpr std::array<Register, 88> kRegisters = {{
     {"frame_detail_right", 0x170, Access::kReadOnly, false},
     {"frame_contrast_left", 0x174, Access::kReadOnly, false},
     {"frame_contrast_right", 0x178, Access::kReadOnly, false},
+    {"frame_patches", 0x17C, Access::kReadOnly, false},
     {"one_camera", 0x180, Access::kReadWrite, false},
     {"blind_step", 0x184, Access::kReadWrite, false},
     {"blind_share", 0x188, Access::kReadWrite, false},

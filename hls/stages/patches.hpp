@@ -1,0 +1,759 @@
+// SPDX-License-Identifier: Apache-2.0
+// patches: a part of `agreement`. Is the right image displaced across the rows, to a part of a pixel? `registration` says
+// it of cells, coarsely and at once; this says it at full resolution, of a few places of each frame.
+//
+// A place is a cell that the frame before has explained by some depth. In bands of rows, one in each half of the image:
+// the left camera's window of 12×12 px around it is compared with the right one's, ±8 px along the row and across. Pixels
+// become four bits: whether the gradient (thesis eq. 10.2, 10.3: low-passed, then Sobel) goes up or down by more than
+// gradient_limit, in x and in y. Neither offset nor a moderate gain changes them. A place counts where it has texture,
+// where it fits, and where it fits nowhere else across the rows. The fraction of a row is where two lines of equal and
+// opposite slope meet (Shimizu and Okutomi, ICCV 2001). From it goes what the slope of the epipolar line makes of the shift.
+//
+// Of a round of at least least_places places: a camera has moved where in the median of all, or of a half of the image
+// (left, right, upper, lower), they are displaced by patch_limit or more, all up or all down. What is said stays until the
+// next round is complete. The bands are other rows in the next frame, the places of a band others by chance.
+//
+// Memory: both cameras' windows; the right one's bits by row; places; a score a row.
+// Time: patch_beats for a place. A band for which there is no time, in narrow images, is left out.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+#include "horopter/hls/window.hpp"
+#include "stages/count_bits.hpp"
+#include "stages/stream.hpp"
+
+namespace horopter::stages {
+
+/// AT_ONCE: on the CPU a band is compared at once; what it shows counts in the same beat as in the hardware.
+template <Profile P, int CELL, std::size_t DISTANCE, bool AT_ONCE>
+class Patches {
+ public:
+  using Shift = s<6>;   // along the row, cells
+  using Column = u<8>;  // of cells, and beyond
+  using Slope = s<8>;   // rows down a column to the right, 1/256
+  static constexpr int least_places = 24, least_in_half = 8;
+  static constexpr int decide_steps = 40;
+
+  /// Of the last complete round.
+  struct Round {
+    u<8> places;
+    s<12> across;  // sum of their displacements, each of at most ±2 px: 1/8 px
+    u<5> moved;    // bit 0: in the median of all; left, right, upper, lower half
+  };
+
+  void begin_step() {
+    right_0_.begin_step();
+    right_1_.begin_step();
+    left_.begin_step();
+    columns_above_.begin_step();
+    right_codes_.begin_step();
+    left_codes_.begin_step();
+    rows_.begin_step();
+    choices_.begin_step();
+  }
+
+  // Places ------------------------------------------------------------------------------------------------------------
+
+  /// A row of cells is going to be looked through: one before the image's, its first, or the next one.
+  void start_row(bool of_image, bool first) {
+    const Band here = first ? Band{next_phase(), u<5>(0)} : choosing_;
+    chooses_ = of_image && here.rows_to_next == 0;
+    choosing_band_ = here.number;
+    choosing_ = here.next();
+    const bool next = (chance_.bit(15) != chance_.bit(13)) != (chance_.bit(12) != chance_.bit(10));
+    chance_ = u<16>(cat(chance_.template bits<14, 0>(), next));
+  }
+
+  /// Where the epipolar line leads so many rows down, 1/32 cell, a place that was not moved is found.
+  static constexpr bool in_reach(s<11> expected) {
+    constexpr int limit = (reach - 3) * 32 / CELL;
+    return expected <= limit && expected >= -limit;
+  }
+  /// A cell of that row, from left to right. `last`: the row's last column.
+  void step_cell(Column x, Column last, bool explained, Shift shift, Slope slope) {
+    const s<10> other(s<10>(x) + shift);
+    const bool right = shl<1>(x) > last;
+    const bool beside_middle = !right && shl<1>(x) + lit<2>() > last;  // windows of both halves do not meet
+    const bool fits = x >= 1 && x < last && !beside_middle && other >= margin_cells &&
+                      other + lit<margin_cells>() <= s<10>(last);
+    // The first one from a column of chance on, or the last one before it.
+    const u<5> of_32 = right ? chance_.template bits<4, 0>() : chance_.template bits<9, 5>();
+    const Column further(last >= 64 ? u<6>(shl<1>(of_32)) : u<6>(of_32));
+    const Column from(further + (right ? Column(shr<1>(last)) : Column(0)));
+    offer_.place = {explained && fits, x, shift, slope};
+    offer_.far_enough = x >= from;
+    offer_.ends_half = x == last || (!right && shl<1>(x) + lit<2>() > last);
+    offer_.right = right;
+  }
+
+  // Pixels ------------------------------------------------------------------------------------------------------------
+
+  /// A pixel of both images in raster order, also in the rows behind the frame. Position: see CellPosition.
+  template <class Position, class Config>
+  void take(const Position& at, const std::array<u<8>, 2>& pixel, bool present, const Config& config) {
+    const bool row_starts = at.x == 0 && at.column == 0;
+    // Of the beat before, as rows are long: the next band, and the first one of the next frame.
+    const Band next = band_rows_.next(), first = first_band();
+    if (row_starts) start_pixels(at, config);
+    if (fetch_ != 0) fetch_place();
+    const u<x_bits> x(cat(at.column, at.x));
+    std::array<u<6>, 2> right_at{};
+    std::array<u<5>, 2> left_at{};
+    for (std::size_t h = 0; h < 2; ++h) {
+      const bool right_begins = place_[h].valid && x == right_from(place_[h]);
+      const bool left_begins = place_[h].valid && x == left_from(place_[h]);
+      right_at[h] = row_starts ? u<6>(right_window) : (right_begins ? u<6>(0) : right_next_[h]);
+      left_at[h] = row_starts ? u<5>(left_window) : (left_begins ? u<5>(0) : left_next_[h]);
+      right_next_[h] = right_at[h].bit(5) ? right_at[h] : u<6>(right_at[h] + lit<1>());
+      left_next_[h] = left_at[h].bit(4) ? left_at[h] : u<5>(left_at[h] + lit<1>());
+      if (capturing_ && !right_at[h].bit(5)) valid_[h] = valid_[h] && present;
+    }
+    if (capturing_ && !right_at[0].bit(5)) right_0_.write(cat(row_, right_at[0].template bits<4, 0>()), pixel[1]);
+    if (capturing_ && !right_at[1].bit(5)) right_1_.write(cat(row_, right_at[1].template bits<4, 0>()), pixel[1]);
+    const bool of_left = row_.bit(4) != row_.bit(3);  // 8 to 23
+    if (capturing_ && of_left && (!left_at[0].bit(4) || !left_at[1].bit(4))) {
+      const bool second = left_at[0].bit(4);
+      const auto column = second ? left_at[1].template bits<3, 0>() : left_at[0].template bits<3, 0>();
+      left_.write(cat(u<1>(second), u<1>(row_.bit(4)), row_.template bits<2, 0>(), column), pixel[0]);
+    }
+    next_band_ = next;
+    first_band_ = first;
+  }
+
+  // Comparison --------------------------------------------------------------------------------------------------------
+
+  /// In every beat, before take().
+  template <class Config>
+  void work(const Config& config) {
+    consider();
+#ifndef __HLSC__
+    if constexpr (AT_ONCE) {
+      if (beats_left_ > 0) count_down(1, config);
+      tally();
+      return;
+    }
+#endif
+    const Summed summed = summed_;
+    summed_.last = false;
+    size_ = Bits((work_ == Work::code_right ? Bits(0) : size_) + set_);
+    set_ = 0;
+    switch (work_) {
+      case Work::code_right:
+      case Work::code_left:
+        code();
+        break;
+      case Work::match:
+        match();
+        break;
+      case Work::weigh:
+        weigh(config);
+        break;
+      case Work::idle:
+        break;
+    }
+    // What the beat before has found, flat.
+    const bool better = summed.first || summed.row.differing < best_.differing;
+    best_ = better ? summed.row : best_;
+    if (summed.last) rows_.write(summed.down_by, best_);
+    advance();
+    tally();
+  }
+
+  /// Behind the frame, steps 0 … decide_steps - 1, then end_frame(). Eight steps for all places, and for each half of the
+  /// image: its quarters one by one, then what they say.
+  void step_decide(u<6> step) {
+    // all; left, right; upper, lower
+    static constexpr std::array<int, 8> halves{0b1111, 0b0101, 0b1010, 0b0011, 0b1100};
+    const u<3> at = step.template bits<2, 0>();
+    decision_.is = true;
+    for (int q = 0; q < 4; ++q) {
+      decision_.takes[static_cast<std::size_t>(q)] = at == q && (halves[step.template bits<5, 3>().value()] >> q & 1) != 0;
+    }
+    decision_.all = step.template bits<5, 3>() == 0;
+    decision_.begins = at == 1;
+    decision_.adds = at >= 1 && at <= 4;
+    decision_.ends = at == 6;
+  }
+  void end_frame() { frame_ends_ = true; }
+  [[nodiscard]] bool moved() const { return moved_; }
+  [[nodiscard]] const Round& round() const { return round_; }
+
+#ifndef __HLSC__
+  /// Beats in which nothing but work() happens.
+  template <class Config>
+  void skip(int beats, const Config& config) {
+    consider();
+    if (beats_left_ > 0) count_down(beats, config);
+    tally();
+  }
+  /// take() for pixels of a row, none of them its first.
+  template <class Position>
+  void take_row(const Position& at, int count, const u<8>* left, const u<8>* right, const bool* present) {
+    const int begin = CELL * static_cast<int>(at.column.value()) + static_cast<int>(at.x.value());
+    if (!capturing_) return;
+    while (fetch_ != 0) fetch_place();
+    const int row = static_cast<int>(row_.value());
+    const auto overlap = [&](int from, int size, const auto& act) {
+      for (int x = std::max(begin, from); x < std::min(begin + count, from + size); ++x) act(x - from, x - begin);
+      const int next = begin + count - from;  // for take()
+      return next >= 0 && next < size ? next : size;
+    };
+    for (std::size_t h = 0; h < 2; ++h) {
+      right_next_[h] = right_window;
+      left_next_[h] = left_window;
+      if (!place_[h].valid) continue;
+      auto& window = h == 0 ? right_0_ : right_1_;
+      const int right_begins = static_cast<int>(right_from(place_[h]).value());
+      const int left_begins = static_cast<int>(left_from(place_[h]).value());
+      right_next_[h] = overlap(right_begins, right_window, [&](int column, int i) {
+        window.write(static_cast<std::size_t>(right_window * row + column), right[i]);
+        valid_[h] = valid_[h] && present[i];
+      });
+      left_next_[h] = overlap(left_begins, left_window, [&](int column, int i) {
+        if (row < reach || row >= reach + left_window) return;
+        left_.write(left_window * (left_window * h + static_cast<std::size_t>(row - reach)) + static_cast<std::size_t>(column), left[i]);
+      });
+    }
+  }
+#endif
+
+ private:
+  static constexpr int side = 12;                          // px, of what is compared
+  static constexpr int reach = 8;                          // px to each side
+  static constexpr int border = 2;                         // px that a gradient needs around it
+  static constexpr int left_window = side + 2 * border;    // px
+  static constexpr int right_window = left_window + 2 * reach;
+  static constexpr int displacements = 2 * reach + 1;
+  static constexpr int right_codes = side + 2 * reach;
+  static constexpr int gradient_limit = 256;               // 128 are a grey level a pixel
+  static constexpr int least_bits = 4 * side * side / 10;  // that are set, of a place with texture
+  static constexpr int margin_cells = 16 / CELL;           // of the right window's place to the image's border
+  static constexpr int x_bits = bits_for(P.result_width() - 1) + 1;
+  static_assert(CELL == 8 || CELL == 16);
+  static_assert(left_window == 16 && right_window == 32 && displacements <= 17);
+
+  enum class Work : std::uint8_t { idle, code_right, code_left, match, weigh };
+  static constexpr int beats_of(Work work) {
+    switch (work) {
+      case Work::code_right:
+        return right_window * right_window;
+      case Work::code_left:
+        return right_window * left_window;  // its rows take as long
+      case Work::match:
+        return displacements * displacements * side;
+      case Work::weigh:
+        return 97;
+      case Work::idle:
+        break;
+    }
+    return 0;
+  }
+
+  static constexpr int patch_beats = beats_of(Work::code_right) + beats_of(Work::code_left) + beats_of(Work::match) + beats_of(Work::weigh);
+  /// Rows of cells from a band to the next: until both places are compared.
+  static constexpr int stride = [] {
+    constexpr int row_beats = P.result_width() * (P.packed() ? 2 : 1);
+    constexpr int rows = right_window + 3 + (2 * patch_beats + row_beats - 1) / row_beats;
+    return (rows + CELL - 1) / CELL;
+  }();
+  static_assert(stride < 16);
+
+  struct Choice {
+    bool valid = false;
+    Column column;
+    Shift shift;
+    Slope slope;
+  };
+  /// A cell for its half of the band.
+  struct Offer {
+    Choice place;
+    bool far_enough = false, ends_half = false, right = false;
+  };
+  /// Rows of cells until the next band, and its number.
+  struct Band {
+    u<4> rows_to_next;
+    u<5> number;
+    [[nodiscard]] Band next() const {
+      const bool is = rows_to_next == 0;
+      return {is ? u<4>(stride - 1) : u<4>(rows_to_next - lit<1>()), u<5>(number + u<1>(is))};
+    }
+  };
+  static_assert(P.height / CELL / stride + 2 < 32);
+
+  [[nodiscard]] u<4> next_phase() const { return phase_ == stride - 1 ? u<4>(0) : u<4>(phase_ + lit<1>()); }
+  static u<x_bits> left_from(const Choice& choice) {
+    return u<x_bits>(s<x_bits + 2>(u<x_bits>(shl<bits_for(CELL - 1)>(choice.column))) + s<5>(CELL / 2 - left_window / 2));
+  }
+  static u<x_bits> right_from(const Choice& choice) {
+    const s<10> column(s<10>(choice.column) + choice.shift);
+    return u<x_bits>(s<x_bits + 4>(shl<bits_for(CELL - 1)>(column)) + s<6>(CELL / 2 - right_window / 2));
+  }
+
+  /// The first bands of a frame would begin above it.
+  [[nodiscard]] Band first_band() const {
+    const u<4> phase = next_phase();
+    const bool above = phase < margin_cells;
+    return {u<4>(phase + (above ? u<4>(stride - margin_cells) : u<4>(16 - margin_cells))), u<5>(u<1>(above))};
+  }
+
+  /// What step_cell() has offered in the beat before. Flat, as advance() is.
+  void consider() {
+#ifndef __HLSC__
+    if (!offer_.place.valid && !offer_.ends_half) return;  // nothing changes
+#endif
+    const Offer offer = offer_;
+    offer_ = Offer{};
+    const bool takes = offer.place.valid && !fixed_;
+    const Choice now = takes ? offer.place : choice_;
+    if (offer.ends_half && chooses_) choices_.write(cat(choosing_band_, offer.right), now);
+    choice_ = now;
+    choice_.valid = now.valid && !offer.ends_half;
+    fixed_ = !offer.ends_half && (fixed_ || (takes && offer.far_enough));
+  }
+
+  /// One of the band's two places.
+  void fetch_place() {
+    const bool second = fetch_.bit(1);
+    const Choice place = choices_.read(cat(band_, second));
+    place_[second ? 1 : 0] = place;
+    valid_[second ? 1 : 0] = place.valid;
+    fetch_ = second ? u<2>(0) : u<2>(2);
+  }
+
+  /// A band's window begins so many rows above its cells' middle; its first rows of cells have none.
+  template <class Position, class Config>
+  void start_pixels(const Position& at, const Config& config) {
+    const bool goes_on = capturing_ && !at.first;
+    const bool ends = goes_on && row_ == right_window - 1;
+    const bool at_middle = at.y == CELL / 2 && at.live;  // not in the image's first row
+    const bool begins = at_middle && band_rows_.rows_to_next == 0 && !goes_on && idle();
+    row_ = begins ? u<5>(0) : u<5>(row_ + lit<1>());
+    if (begins) {
+      band_ = band_rows_.number;
+      fetch_ = 1;
+      const auto y = cat(at.row, at.y);
+      lower_ = shl<1>(y) + lit<right_window>() >= config.height;
+    }
+    band_rows_ = at.first ? first_band_ : (at_middle ? next_band_ : band_rows_);
+    phase_ = at.first ? next_phase() : phase_;
+    capturing_ = begins || (goes_on && !ends);
+    if (ends) {
+      begins_ = true;
+#ifndef __HLSC__
+      if constexpr (AT_ONCE) compare_at_once();
+#endif
+    }
+  }
+  [[nodiscard]] bool idle() const {
+#ifndef __HLSC__
+    if constexpr (AT_ONCE) return beats_left_ == 0;
+#endif
+    return idle_;
+  }
+
+  /// To the next beat of the comparison. Flat, so that the way from register to register is short.
+  void advance() {
+    const bool next = begins_ || ends_;
+    const Work now = work_;
+    const u<12> beats = begins_ ? u<12>(beats_of(Work::code_right) - 1) : following_beats_;
+    const Work following = begins_ ? Work::code_right : following_;
+    idle_ = now == Work::idle && !begins_;
+    following_beats_ = u<12>(beats_of(following_) - 1);
+    // What follows is known long before.
+    following_ = now == Work::code_right                ? Work::code_left
+                 : now == Work::code_left               ? Work::match
+                 : now == Work::match                   ? Work::weigh
+                 : (now == Work::weigh && !second_)     ? Work::code_right
+                                                        : Work::idle;
+    second_ = !begins_ && (second_ || (ends_ && now == Work::weigh));
+    ends_ = !next && remaining_ == 1;
+    remaining_ = next ? beats : u<12>(remaining_ - lit<1>());
+    work_ = next ? following : now;
+    code_row_ = next ? u<5>(0) : u<5>(code_row_ + u<1>(column_ends_));
+    column_ends_ = !next && column_ == right_window - 2;
+    column_ = next ? u<5>(0) : u<5>(column_ + lit<1>());
+    const bool row_ends = along_ends_, last_row = row_ends && match_row_ends_;
+    along_ends_ = !next && along_ == displacements - 2;
+    along_ = next || row_ends ? u<5>(0) : u<5>(along_ + lit<1>());
+    match_row_ends_ = !next && (row_ends ? match_row_ == side - 2 : match_row_ends_);
+    match_row_ = next || last_row ? u<4>(0) : u<4>(match_row_ + u<1>(row_ends));
+    down_by_ = next ? u<5>(0) : u<5>(down_by_ + u<1>(last_row));
+    step_ = next ? u<7>(0) : u<7>(step_ + lit<1>());
+    begins_ = false;
+  }
+
+
+  struct Above {
+    std::array<u<8>, 4> pixel{};  // the row above first
+  };
+  struct RightCodes {
+    u<56> low, high;  // the first column lowest
+  };
+  using Bits = u<10>;
+  // A round has fewer places than least_places and those of one frame.
+  using Places = u<8>;
+  struct Quarter {
+    Places places, up, down;
+  };
+  static_assert(least_places + 2 * (P.height / CELL / stride + 2) < 256);
+  struct Row {
+    Bits differing;
+    u<5> column;
+  };
+
+  static u<4> code_of(s<15> gx, s<15> gy) {
+    return cat(u<1>(gx < -gradient_limit), u<1>(gx > gradient_limit), u<1>(gy < -gradient_limit), u<1>(gy > gradient_limit));
+  }
+
+  /// Pixels of the right window, then of the left one, become bits. Both have rows of right_window beats.
+  void code() {
+    const bool of_right = work_ == Work::code_right;
+    const auto in_right = cat(code_row_, column_);
+    u<8> pixel(0);
+    if (of_right && !second_) pixel = right_0_.read(in_right);
+    if (of_right && second_) pixel = right_1_.read(in_right);
+    if (!of_right) {
+      pixel = left_.read(cat(u<1>(second_), code_row_.template bits<3, 0>(), column_.template bits<3, 0>()));
+    }
+    const Above above = columns_above_.read(column_);
+    columns_above_.write(column_, Above{{pixel, above.pixel[0], above.pixel[1], above.pixel[2]}});
+    const u<12> smooth(above.pixel[3] + shl<2>(above.pixel[2]) + shl<2>(above.pixel[1]) + shl<1>(above.pixel[1]) +
+                       shl<2>(above.pixel[0]) + pixel);
+    const s<11> down(pixel + shl<1>(above.pixel[0]) - shl<1>(above.pixel[2]) - above.pixel[3]);
+    const s<15> gx(smooth + shl<1>(smooth_.tap(0)) - shl<1>(smooth_.tap(2)) - smooth_.tap(3));
+    const s<15> gy(down + shl<2>(down_.tap(0)) + shl<2>(down_.tap(1)) + shl<1>(down_.tap(1)) + shl<2>(down_.tap(2)) +
+                   down_.tap(3));
+    smooth_.push(smooth);
+    down_.push(down);
+    const u<4> bits = code_of(gx, gy);
+    const u<56> low(cat(codes_.high.template bits<3, 0>(), codes_.low.template bits<55, 4>()));
+    codes_ = {low, u<56>(cat(bits, codes_.high.template bits<55, 4>()))};
+    const bool inside = code_row_ >= 2 * border && column_ >= 2 * border;
+    if (of_right && inside && column_ == right_window - 1) {
+      right_codes_.write(u<5>(code_row_ - lit<2 * border>()), codes_);
+    }
+    const bool of_left = !of_right && inside && column_ < left_window;
+    if (of_left && column_ == left_window - 1) {
+      left_codes_.write(u<4>(code_row_ - lit<2 * border>()), codes_.high.template bits<55, 8>());
+    }
+    set_ = of_left ? count_bits(bits) : u<3>(0);
+  }
+
+  /// Row by row of the left window against that of the right one, at all displacements along it; then the next displacement
+  /// across the rows.
+  void match() {
+    const bool new_row = along_ == 0;
+    if (new_row) {
+      codes_ = right_codes_.read(u<5>(down_by_ + match_row_));
+      left_row_ = left_codes_.read(match_row_);
+    } else {
+      codes_ = {u<56>(cat(codes_.high.template bits<3, 0>(), codes_.low.template bits<55, 4>())),
+                u<56>(codes_.high.template bits<55, 4>())};
+    }
+    const u<48> other = codes_.low.template bits<47, 0>();
+    const u<6> differing = count_bits(u<48>(left_row_ ^ other));
+    const Bits sum((match_row_ == 0 ? Bits(0) : sums_.tap(displacements - 1)) + differing);
+    sums_.push(sum);
+    summed_ = {{sum, along_}, new_row, along_ends_ && match_row_ends_, down_by_};
+  }
+
+  /// Steps 32 on: the row that fits best. 64 on: those beside it, and the best of those that lie further away. 96: what it
+  /// says.
+  template <class Config>
+  void weigh(const Config& config) {
+    const u<5> at = step_.template bits<4, 0>();
+    const auto pass = step_.template bits<6, 5>();
+    // What the beat before has read, flat, so that the way from register to register is short.
+    const Read read = read_;
+    const bool better = read.searches && (read.first || read.row.differing < peak_.best.differing);
+    peak_.best = better ? read.row : peak_.best;
+    peak_.row = better ? read.at : peak_.row;
+    peak_.above = read.above ? read.row.differing : peak_.above;
+    peak_.below = read.below ? read.row.differing : peak_.below;
+    peak_.far = read.first || read.far < peak_.far ? read.far : peak_.far;
+
+    read_ = Read{};
+    if (at < displacements && (pass == 1 || pass == 2)) {
+      const s<6> away(at - peak_.row);
+      read_.row = rows_.read(at);
+      read_.at = at;
+      read_.first = at == 0;
+      read_.searches = pass == 1;
+      read_.above = pass == 2 && away == -1;
+      read_.below = pass == 2 && away == 1;
+      read_.far = pass == 2 && (away > 2 || away < -2) ? read_.row.differing : Bits::max();
+    }
+    if (pass == 3) {
+      peak_.size = size_;
+      count(peak_, second_, config);
+    }
+  }
+
+  /// Of a beat of weigh().
+  struct Read {
+    Row row;
+    u<5> at;
+    bool first = false, searches = false, above = false, below = false;
+    Bits far = Bits::max();  // bits that differ, of a row that is more than two away from the best one
+  };
+
+  struct Peak {
+    Row best;
+    u<5> row;
+    Bits above, below, far;  // bits that differ: one row up, one down, in the best of those more than two away
+    Bits size;               // bits that are set
+  };
+
+  /// 1/8 px down.
+  static s<8> across(const Peak& peak) {
+    const bool up = peak.above < peak.below;
+    const Bits high = up ? peak.below : peak.above, low = up ? peak.above : peak.below;
+    const Bits fall(high - peak.best.differing), rise(high - low);
+    const auto eight = shl<3>(rise);
+    const u<3> fraction(u<2>(u<1>(eight >= fall) + u<1>(eight >= shl<1>(fall) + fall)) +
+                        u<2>(u<1>(eight >= shl<2>(fall) + fall) + u<1>(eight >= shl<3>(fall) - fall)));
+    const auto whole = shl<3>(s<6>(peak.row - lit<reach>()));
+    return up ? s<8>(whole - fraction) : s<8>(whole + fraction);
+  }
+
+  template <class Config>
+  void count(const Peak& peak, bool second, const Config& config) {
+    const Choice& choice = place_[second ? 1 : 0];
+    const bool textured = peak.size >= least_bits;
+    const bool fits = shl<1>(peak.best.differing) <= peak.size;
+    const bool alone = peak.far >= peak.best.differing && shl<2>(Bits(peak.far - peak.best.differing)) >= peak.size;
+    const bool between = peak.row != 0 && peak.row != displacements - 1;
+    const s<11> along(s<10>(shl<bits_for(CELL - 1)>(choice.shift)) + s<6>(peak.best.column - lit<reach>()));
+    const s<14> expected(s<14>(shr<5>(s<19>(along * choice.slope))));
+    const s<15> residual(across(peak) - expected);
+    if (!valid_[second ? 1 : 0] || !textured || !fits || !alone || !between) return;
+    const s<7> limit(u<6>(config.patch_limit));
+    vote_.counts = true;
+    vote_.right = second;
+    vote_.down = residual >= limit;
+    vote_.up = residual <= -limit;
+    vote_.across = residual > 16 ? s<6>(16) : (residual < -16 ? s<6>(-16) : s<6>(residual));
+  }
+
+  /// What a place says, and a step of the decision. Flat, so that the way from register to register is short.
+  void tally() {
+#ifndef __HLSC__
+    if (!vote_.counts && !decision_.is && !frame_ends_ && !round_ends_) return;  // nothing changes
+#endif
+    const Decision& d = decision_;
+    const Quarter sum = sum_, word = word_;
+    const auto only = [](bool so, Places value) { return so ? value : Places(0); };
+    sum_.places = d.adds ? Places(only(!d.begins, sum.places) + word.places) : sum.places;
+    sum_.up = d.adds ? Places(only(!d.begins, sum.up) + word.up) : sum.up;
+    sum_.down = d.adds ? Places(only(!d.begins, sum.down) + word.down) : sum.down;
+    word_ = Quarter{};
+    for (std::size_t q = 0; q < 4; ++q) {
+      word_.places = word_.places | only(d.takes[q], quarters_[q].places);
+      word_.up = word_.up | only(d.takes[q], quarters_[q].up);
+      word_.down = word_.down | only(d.takes[q], quarters_[q].down);
+    }
+    const bool starts = round_ends_;
+    round_ends_ = frame_ends_ && complete_;
+    frame_ends_ = false;
+    if (starts) round_ = {places_, across_, found_};
+    if (starts) moved_ = found_ != 0;
+    if (d.ends) found_ = u<5>(cat(enough_ && mostly_, found_.template bits<4, 1>()));
+    complete_ = d.ends && d.all ? enough_ : complete_;
+    places_ = d.ends && d.all ? sum.places : places_;
+    enough_ = d.all ? sum.places >= least_places : sum.places >= least_in_half;
+    mostly_ = shl<1>(sum.up) > sum.places || shl<1>(sum.down) > sum.places;
+
+    for (std::size_t q = 0; q < 4; ++q) {
+      const u<1> here(vote_.counts && (q >= 2) == lower_ && (q % 2 == 1) == vote_.right);
+      Quarter& of = quarters_[q];
+      of.places = Places(only(!starts, of.places) + here);
+      of.up = Places(only(!starts, of.up) + u<1>(here & u<1>(vote_.up)));
+      of.down = Places(only(!starts, of.down) + u<1>(here & u<1>(vote_.down)));
+    }
+    across_ = s<12>((starts ? s<12>(0) : across_) + (vote_.counts ? vote_.across : s<6>(0)));
+    vote_ = Vote{};
+    decision_ = Decision{};
+  }
+
+#ifndef __HLSC__
+  /// What code(), match() and weigh() come to.
+  void compare_at_once() {
+    for (std::size_t h = 0; h < 2; ++h) peaks_[h] = peak_at_once(h);
+    beats_left_ = 2 * patch_beats + 2;  // it begins with the next beat, and is at rest in the one after its end
+  }
+  template <class Config>
+  void count_down(int beats, const Config& config) {
+    const int before = beats_left_;
+    beats_left_ = std::max(0, beats_left_ - beats);
+    if (before > patch_beats + 1 && beats_left_ <= patch_beats + 1) {
+      count(peaks_[0], false, config);
+      tally();
+    }
+    if (before > 1 && beats_left_ <= 1) count(peaks_[1], true, config);
+  }
+
+  using Codes = std::array<std::array<std::uint64_t, 2>, right_codes>;  // of a row: four bits a pixel
+  template <int SIZE, class At>
+  static Codes codes_at_once(const At& pixel) {
+    Codes codes{};
+    std::array<std::array<int, SIZE>, SIZE> smooth{}, down{};
+    for (int y = 4; y < SIZE; ++y) {
+      for (int x = 0; x < SIZE; ++x) {
+        const int a = pixel(y, x), b = pixel(y - 1, x), c = pixel(y - 2, x), d = pixel(y - 3, x), e = pixel(y - 4, x);
+        smooth[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = a + 4 * b + 6 * c + 4 * d + e;
+        down[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = a + 2 * b - 2 * d - e;
+      }
+    }
+    for (std::size_t y = 4; y < SIZE; ++y) {
+      for (std::size_t x = 4; x < SIZE; ++x) {
+        const auto& s = smooth[y];
+        const auto& d = down[y];
+        const int gx = s[x] + 2 * s[x - 1] - 2 * s[x - 3] - s[x - 4];
+        const int gy = d[x] + 4 * d[x - 1] + 6 * d[x - 2] + 4 * d[x - 3] + d[x - 4];
+        const std::uint64_t bits = code_of(gx, gy).value();
+        codes[y - 4][(x - 4) / 14] |= bits << (4 * ((x - 4) % 14));
+      }
+    }
+    return codes;
+  }
+  Peak peak_at_once(std::size_t half) {
+    auto& window = half == 0 ? right_0_ : right_1_;
+    const Codes right = codes_at_once<right_window>([&](int y, int x) {
+      return static_cast<int>(window.read(static_cast<std::size_t>(right_window * y + x)).value());
+    });
+    const Codes left = codes_at_once<left_window>([&](int y, int x) {
+      return static_cast<int>(
+          left_.read(left_window * (left_window * half + static_cast<std::size_t>(y)) + static_cast<std::size_t>(x)).value());
+    });
+    Peak peak;
+    int size = 0;
+    for (std::size_t r = 0; r < side; ++r) size += std::popcount(left[r][0]);
+    peak.size = size;
+    std::array<int, displacements> rows{};
+    int best_row = 0;
+    int best_column = 0;
+    for (int i = 0; i < displacements; ++i) {
+      std::array<int, displacements> sums{};
+      for (int r = 0; r < side; ++r) {
+        const auto& word = right[static_cast<std::size_t>(i + r)];
+        for (int j = 0; j < displacements; ++j) {
+          const std::uint64_t other = j < 14 ? word[0] >> (4 * j) | (j == 0 ? word[1] << 56 : word[1] << (56 - 4 * j))
+                                             : word[1] >> (4 * (j - 14));
+          constexpr std::uint64_t mask = (std::uint64_t{1} << (4 * side)) - 1;
+          sums[static_cast<std::size_t>(j)] += std::popcount((other ^ left[static_cast<std::size_t>(r)][0]) & mask);
+        }
+      }
+      const auto least = std::min_element(sums.begin(), sums.end());
+      rows[static_cast<std::size_t>(i)] = *least;
+      if (i == 0 || *least < rows[static_cast<std::size_t>(best_row)]) {
+        best_row = i;
+        best_column = static_cast<int>(least - sums.begin());
+      }
+    }
+    peak.row = best_row;
+    peak.best = {rows[static_cast<std::size_t>(best_row)], best_column};
+    if (best_row > 0) peak.above = rows[static_cast<std::size_t>(best_row) - 1];
+    if (best_row + 1 < displacements) peak.below = rows[static_cast<std::size_t>(best_row) + 1];
+    int far = static_cast<int>(Bits::max().value());
+    for (int i = 0; i < displacements; ++i) {
+      if (std::abs(i - best_row) > 2) far = std::min(far, rows[static_cast<std::size_t>(i)]);
+    }
+    peak.far = far;
+    return peak;
+  }
+#endif
+
+  // Places: of the frame that passes, and of the next one.
+  u<4> phase_{0};
+  Band band_rows_, next_band_, first_band_, choosing_;
+  bool chooses_ = false;
+  u<5> choosing_band_{0};
+  u<16> chance_{1};
+  bool fixed_ = false;
+  Choice choice_;
+  Offer offer_;
+  RAM<Choice, 64, DISTANCE> choices_;
+
+  // Pixels.
+  bool capturing_ = false;
+  bool lower_ = false;  // in the lower half of the image
+  u<5> band_{0};
+  u<5> row_{0};    // of the window
+  u<2> fetch_{0};  // one of the two places, one-hot
+  std::array<Choice, 2> place_{};
+  std::array<bool, 2> valid_{};
+  std::array<u<6>, 2> right_next_{};
+  std::array<u<5>, 2> left_next_{};
+  RAM<u<8>, std::size_t{right_window* right_window}, DISTANCE> right_0_, right_1_;
+  RAM<u<8>, std::size_t{2 * left_window * left_window}, DISTANCE> left_;
+
+  // Comparison.
+  Work work_ = Work::idle;
+  bool second_ = false;    // place
+  Work following_ = Work::idle;
+  u<12> following_beats_{0};
+  bool begins_ = false, ends_ = false, idle_ = true;
+  u<12> remaining_{0};  // beats
+  u<5> code_row_{0}, column_{0};
+  bool column_ends_ = false, along_ends_ = false, match_row_ends_ = false;
+  RAM<Above, std::size_t{right_window}, DISTANCE> columns_above_;
+  DelayLine<u<12>, 4> smooth_;
+  DelayLine<s<11>, 4> down_;
+  RightCodes codes_;
+  RAM<RightCodes, std::size_t{right_codes}, DISTANCE> right_codes_;
+  RAM<u<4 * side>, std::size_t{side}, DISTANCE> left_codes_;
+  u<3> set_{0};  // of the beat before
+  Bits size_{0};
+  u<5> down_by_{0}, along_{0};
+  u<4> match_row_{0};
+  u<4 * side> left_row_{0};
+  DelayLine<Bits, displacements> sums_;
+  struct Summed {
+    Row row;
+    bool first = false, last = false;
+    u<5> down_by;
+  };
+  Summed summed_;  // in the beat before
+  Row best_;
+  RAM<Row, std::size_t{displacements}, DISTANCE> rows_;
+  u<7> step_{0};
+  Read read_;
+  Peak peak_;
+
+  // What is known.
+  std::array<Quarter, 4> quarters_{};  // top left, top right, bottom left, bottom right
+  /// Of this beat.
+  struct Vote {
+    bool counts = false, right = false, up = false, down = false;
+    s<6> across;
+  };
+  struct Decision {
+    bool is = false;
+    bool all = false;                 // quarters, or those of a half
+    std::array<bool, 4> takes{};      // one of them
+    bool begins = false, adds = false;  // what was taken a beat before
+    bool ends = false;
+  };
+  Vote vote_;
+  Decision decision_;
+  Quarter word_, sum_;
+  s<12> across_{0};
+  Places places_{0};
+  bool enough_ = false, mostly_ = false;
+  bool complete_ = false;  // the round
+  bool frame_ends_ = false, round_ends_ = false;
+  u<5> found_{0};
+  Round round_;
+  bool moved_ = false;
+#ifndef __HLSC__
+  std::array<Peak, 2> peaks_{};
+  int beats_left_ = 0;
+#endif
+};
+
+}  // namespace horopter::stages
