@@ -15,6 +15,7 @@ module horopter_object_check #(
     input  logic                                  clk_i,
     input  logic                                  rst_ni,
     input  logic [              COUNT_BITS-1:0]   object_limit_i,
+    input  logic [                        31:0]   object_area_limit_i,  // 1/1024 mm²
     input  logic [    $clog2(COLUMNS + 1)-1:0]    width_i,
     input  logic [       $clog2(ROWS + 1)-1:0]    height_i,
     input  horopter_csr_pkg::blocks_t             blocks_i,
@@ -32,6 +33,7 @@ module horopter_object_check #(
     output logic [                        23:0]   frame_pixels_o,
     output horopter_csr_pkg::frame_object_columns_t frame_columns_o,
     output horopter_csr_pkg::frame_object_rows_t  frame_rows_o,
+    output logic [                        31:0]   frame_area_o,
     output logic [                        23:0]   frame_blind_o
 );
   // Pixels leave it some rows after they came: the idle beats of `objects` begin when it is done.
@@ -95,7 +97,8 @@ module horopter_object_check #(
 
   logic idle_q;  // the frame has ended
   logic valid, object_ended, alarm, overflow, done;
-  logic [COUNT_BITS-1:0] pixels, largest_q;
+  logic [COUNT_BITS-1:0] pixels, blind_pixels, largest_q;
+  logic [31:0] area, area_q;
   localparam int unsigned COLUMN_BITS = $clog2(COLUMNS);
   localparam int unsigned ROW_BITS = $clog2(ROWS);
   logic [COLUMN_BITS-1:0] left, right, left_q, right_q;
@@ -103,7 +106,7 @@ module horopter_object_check #(
   logic [COUNT_BITS+COLUMN_BITS-1:0] columns;
   logic [COUNT_BITS+ROW_BITS-1:0] rows;
   logic unused_sums;
-  assign unused_sums = ^{columns, rows};
+  assign unused_sums = ^{columns, rows, blind_pixels};
   horopter_objects u_objects (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
@@ -113,10 +116,15 @@ module horopter_object_check #(
       .first_i(looks ? pixel_first : state_first_i),
       .last_i(looks ? pixel_last : state_last_i),
       .idle_i(idle_q),
+      .area_i(8'hFF),
+      .blind_i(looks && blind),
       .cfg_object_limit_i(object_limit_i),
+      .cfg_object_area_limit_i(object_area_limit_i),
       .valid_o(valid),
       .ended_o(object_ended),
       .object_pixels_o(pixels),
+      .object_blind_o(blind_pixels),
+      .object_area_o(area),
       .object_left_o(left),
       .object_right_o(right),
       .object_top_o(top),
@@ -139,6 +147,7 @@ module horopter_object_check #(
     if (!rst_ni || ended_o) largest_q <= '0;
     else if (valid && object_ended && pixels > largest_q) begin
       largest_q <= pixels;
+      area_q <= area;
       left_q <= left;
       right_q <= right;
       top_q <= top;
@@ -148,9 +157,11 @@ module horopter_object_check #(
       frame_pixels_o <= 24'd0;
       frame_columns_o <= '0;
       frame_rows_o <= '0;
+      frame_area_o <= 32'd0;
       frame_blind_o <= 24'd0;
     end else if (ended_o) begin
       frame_pixels_o <= 24'(largest_q);
+      frame_area_o <= largest_q == '0 ? 32'd0 : area_q;
       frame_blind_o <= 24'(blind_q);
       frame_columns_o.left <= largest_q == '0 ? 12'd0 : 12'(left_q);
       frame_columns_o.right <= largest_q == '0 ? 12'd0 : 12'(right_q);

@@ -191,6 +191,7 @@ module horopter_top #(
   logic [5:0] region_select;
   logic [31:0] frame_word;
   logic [23:0] frame_object, frame_blind;
+  logic [31:0] object_area_limit, sampled_object_area_limit, frame_object_area;
   horopter_csr_pkg::blocks_t blocks, sampled_blocks;
   logic [15:0] taught_frames;
   horopter_csr_pkg::frame_object_columns_t frame_object_columns;
@@ -286,6 +287,7 @@ module horopter_top #(
       .texture_limit_sum_o(texture_limit),
       .alarm_limit_pixels_o(alarm_limit),
       .object_limit_pixels_o(object_limit),
+      .object_area_limit_of_1024_o(object_area_limit),
       .blocks_o(blocks),
       .unsupervised_limit_pixels_o(unsupervised_limit),
       .black_level_grey_o(black_level),
@@ -312,6 +314,7 @@ module horopter_top #(
       .frame_object_pixels_i(frame_object),
       .frame_object_columns_i(frame_object_columns),
       .frame_object_rows_i(frame_object_rows),
+      .frame_object_area_of_1024_i(frame_object_area),
       .frame_blind_pixels_i(frame_blind),
       .taught_frames_i(taught_frames),
       .map_slot_slot_o(map_slot),
@@ -388,6 +391,7 @@ module horopter_top #(
       .texture_limit_i(texture_limit),
       .alarm_limit_i(alarm_limit),
       .object_limit_i(object_limit),
+      .object_area_limit_i(object_area_limit),
       .blocks_i(blocks),
       .undecidable_limit_i(table_undecidable_limit),
       .unsupervised_i(table_ok ? table_unsupervised : '1),
@@ -415,6 +419,7 @@ module horopter_top #(
       .texture_limit_o(sampled_texture_limit),
       .alarm_limit_o(sampled_alarm_limit),
       .object_limit_o(sampled_object_limit),
+      .object_area_limit_o(sampled_object_area_limit),
       .blocks_o(sampled_blocks),
       .undecidable_limit_o(sampled_undecidable_limit),
       .unsupervised_limit_o(sampled_unsupervised_limit),
@@ -1058,6 +1063,7 @@ module horopter_top #(
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
       .object_limit_i(sampled_object_limit),
+      .object_area_limit_i(sampled_object_area_limit),
       .width_i(result_width),
       .height_i(result_height),
       .blocks_i(sampled_blocks),
@@ -1075,6 +1081,7 @@ module horopter_top #(
       .frame_pixels_o(frame_object),
       .frame_columns_o(frame_object_columns),
       .frame_rows_o(frame_object_rows),
+      .frame_area_o(frame_object_area),
       .frame_blind_o(frame_blind)
   );
 

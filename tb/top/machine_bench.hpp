@@ -125,7 +125,7 @@ struct Published {
   std::vector<std::uint8_t> states;
   std::vector<native::Run> runs;
   std::uint32_t sequence = 0, status = 0, table_crc = 0, skin = 0, undecidable = 0, unsupervised = 0;
-  std::array<std::uint32_t, 3> object{};  ///< FRAME_OBJECT and the two registers after it
+  std::array<std::uint32_t, 4> object{};  ///< FRAME_OBJECT, the two registers after it, and FRAME_OBJECT_AREA
   std::uint32_t blind = 0;
   std::uint32_t latency = 0, tail = 0;
   Faults faults;
@@ -274,7 +274,7 @@ class Machine : public Endpoint {
     p.undecidable = read(reg::frame_undecidable::kAddress);
     p.unsupervised = read(reg::frame_unsupervised::kAddress);
     p.object = {read(reg::frame_object::kAddress), read(reg::frame_object_columns::kAddress),
-                read(reg::frame_object_rows::kAddress)};
+                read(reg::frame_object_rows::kAddress), read(reg::frame_object_area::kAddress)};
     p.blind = read(reg::frame_blind::kAddress);
     p.latency = read(reg::frame_latency::kAddress);
     p.tail = read(reg::frame_tail::kAddress);
@@ -301,12 +301,12 @@ class Machine : public Endpoint {
     return engine_->process(view(pair.left), view(pair.right), native::TableView(table), settings_);
   }
 
-  static std::array<std::uint32_t, 3> object_words(const native::Object& object) {
+  static std::array<std::uint32_t, 4> object_words(const native::Object& object) {
     const auto pair = [](int low, int high) {
       return static_cast<std::uint32_t>(low) | static_cast<std::uint32_t>(high) << 16;
     };
     return {static_cast<std::uint32_t>(object.pixels), pair(object.left, object.right),
-            pair(object.top, object.bottom)};
+            pair(object.top, object.bottom), object.area};
   }
 
   /// States, runs, counts, table, the largest object and alarm of a frame without faults are those of the native engine. It is safe, and the

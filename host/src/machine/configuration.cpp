@@ -46,6 +46,7 @@ void add_limits(std::vector<RegisterWord>& words, const MachineProfile& profile,
       RegisterWord{reg::texture_limit::kAddress, number(native::Settings::texture_limit_for(settings.texture))},
       RegisterWord{reg::alarm_limit::kAddress, limit_of(settings.alarm_percent, result)},
       RegisterWord{reg::object_limit::kAddress, static_cast<std::uint32_t>(object_limit(settings, profile))},
+      RegisterWord{reg::object_area_limit::kAddress, reg::object_area_limit::kReset},  // never
       blocks_word(settings.blind),
       RegisterWord{reg::unsupervised_limit::kAddress, limit_of(settings.unsupervised_percent, result)},
       RegisterWord{reg::black_limit::kAddress, limit_of(settings.dark_percent, incoming)},

@@ -208,6 +208,8 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
     case reg::frame_object_columns::kAddress:
     case reg::frame_object_rows::kAddress:
       return frame_.object.at((address - reg::frame_object::kAddress) / 4);
+    case reg::frame_object_area::kAddress:
+      return frame_.object_area;
     case reg::taught::kAddress:
       return taught_frames_;
     case reg::frame_blind::kAddress:
@@ -515,6 +517,7 @@ FrameStreams NativeDevice::receive() {
             static_cast<std::uint32_t>(result.hidden_pixels),
             static_cast<std::uint32_t>(result.unproven_pixels),
             object_words(result.largest_object()),
+            result.largest_object().area,
             static_cast<std::uint32_t>(result.blind_pixels),
             agreement_words(result.agreement),
             region_words(result.agreement)};
