@@ -286,7 +286,7 @@ class Pipeline {
     rows_finished_ = 0;
     area_columns_ = blocks_of(of_stages.width);
     area_codes_.assign(table.areas().begin(), table.areas().end());
-    area_codes_.resize(area_columns_ * blocks_of(of_stages.height), hls::unknown_area);
+    area_codes_.resize(area_columns_ * blocks_of(of_stages.height), std::uint8_t{hls::table::unknown_area});
     areas_of_ = -1;
     row_of_blind_ = column_of_blind_ = 0;
   }

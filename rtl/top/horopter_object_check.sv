@@ -3,11 +3,14 @@
 // each gets idle beats, one a clock, until everything has been said. A frame of which nothing can be blind does not wait for
 // `blind`, from which pixels come some rows later.
 //
+// pixel_*_o: the pixels for which `objects` needs the code of an area, pixel_area_i, AREA_LATENCY clocks later.
+//
 // ended_o: one clock, everything of the frame has been said; overflow_o comes with it. alarm_o: an object of the frame so far,
 // or of the last one until the next begins, has reached the limit. taught_o: at least one frame was taught. frame_*: of the
 // largest object, 0 without one, and the number of blind pixels, from ended_o on. rst_ni: of the streaming core.
 module horopter_object_check #(
     parameter bit BLIND = 1'b1,
+    parameter int unsigned AREA_LATENCY = 3,
     parameter int unsigned COLUMNS = horopter_profile_pkg::WIDTH / horopter_profile_pkg::SUBSAMPLE,
     parameter int unsigned ROWS = horopter_profile_pkg::HEIGHT,
     parameter int unsigned COUNT_BITS = $clog2(COLUMNS * ROWS + 1)
@@ -20,6 +23,10 @@ module horopter_object_check #(
     input  logic [       $clog2(ROWS + 1)-1:0]    height_i,
     input  horopter_csr_pkg::blocks_t             blocks_i,
     input  logic                                  forget_i,  // what was taught; before a frame begins
+    output logic                                  pixel_valid_o,
+    output logic                                  pixel_first_o,
+    output logic                                  pixel_last_o,
+    input  logic [                         7:0]   pixel_area_i,
     input  logic                                  state_valid_i,
     input  logic [                         1:0]   state_i,
     input  logic                                  state_first_i,
@@ -107,17 +114,30 @@ module horopter_object_check #(
   logic [COUNT_BITS+ROW_BITS-1:0] rows;
   logic unused_sums;
   assign unused_sums = ^{columns, rows, blind_pixels};
+  assign pixel_valid_o = looks ? pixel_valid : state_valid_i;
+  assign pixel_first_o = looks ? pixel_first : state_first_i;
+  assign pixel_last_o = looks ? pixel_last : state_last_i;
+  // They wait until their areas are there, the oldest in the highest bits.
+  localparam int unsigned BEAT = 6;
+  logic occupied, late_valid, late_occupied, late_first, late_last, late_idle, late_blind;
+  logic [AREA_LATENCY*BEAT-1:0] waiting_q;
+  assign occupied = looks ? blind || pixel_state == 2'd1 : state_i == 2'd1;
+  assign {late_valid, late_occupied, late_first, late_last, late_idle, late_blind} = waiting_q[AREA_LATENCY*BEAT-1-:BEAT];
+  always_ff @(posedge clk_i) begin
+    waiting_q <= {waiting_q[(AREA_LATENCY-1)*BEAT-1:0],
+                  rst_ni && (pixel_valid_o || idle_q), occupied, pixel_first_o, pixel_last_o, idle_q, looks && blind};
+  end
   horopter_objects u_objects (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
       .en_i(1'b1),
-      .valid_i(looks ? pixel_valid || idle_q : state_valid_i || idle_q),
-      .occupied_i(looks ? blind || pixel_state == 2'd1 : state_i == 2'd1),
-      .first_i(looks ? pixel_first : state_first_i),
-      .last_i(looks ? pixel_last : state_last_i),
-      .idle_i(idle_q),
-      .area_i(8'hFF),
-      .blind_i(looks && blind),
+      .valid_i(late_valid),
+      .occupied_i(late_occupied),
+      .first_i(late_first),
+      .last_i(late_last),
+      .idle_i(late_idle),
+      .area_i(pixel_area_i),
+      .blind_i(late_blind),
       .cfg_object_limit_i(object_limit_i),
       .cfg_object_area_limit_i(object_area_limit_i),
       .valid_o(valid),

@@ -659,6 +659,9 @@ module horopter_top #(
   logic [11:0] table_columns;
   logic [31:0] table_crc, map_even, map_odd;
   logic map_read, map_parity_error, table_spans;
+  logic [11:0] table_areas;
+  logic areas_wait, areas_read, areas_error;
+  logic [MAP_ADDR_BITS-1:0] areas_addr;
   logic go, beat_parity_error;
 
   always_ff @(posedge clk_i) begin
@@ -697,6 +700,7 @@ module horopter_top #(
       .table_ok_o(table_ok),
       .table_error_o(table_error),
       .table_base_o(table_base),
+      .table_areas_o(table_areas),
       .table_nx_o(table_nx),
       .table_ny_o(table_ny),
       .table_columns_o(table_columns),
@@ -704,9 +708,9 @@ module horopter_top #(
       .table_crc_o(table_crc),
       .table_undecidable_limit_o(table_undecidable_limit),
       .table_unsupervised_o(table_unsupervised),
-      .read_en_i(map_read),
-      .even_addr_i(map_even_addr),
-      .odd_addr_i(map_odd_addr),
+      .read_en_i(map_read || areas_read),
+      .even_addr_i(areas_read ? areas_addr : map_even_addr),
+      .odd_addr_i(areas_read ? areas_addr : map_odd_addr),
       .even_data_o(map_even),
       .odd_data_o(map_odd),
       .parity_error_o(map_parity_error)
@@ -738,6 +742,7 @@ module horopter_top #(
       .right_rows_i(right_rows),
       .right_ended_i(right_ended),
       .begin_o(frame_begin),
+      .wait_i(areas_wait),
       .active_o(frame_active),
       .published_i(published),
       .lookup_o(lookup),
@@ -795,6 +800,7 @@ module horopter_top #(
         .right_rows_i(right_rows),
         .right_ended_i(right_ended),
         .begin_o(unused_begin),
+        .wait_i(areas_wait),
         .active_o(unused_active),
         .published_i(published),
         .lookup_o(unused_lookup),
@@ -1056,9 +1062,38 @@ module horopter_top #(
       .frame_unproven_pixels_o(frame_unproven_pixels)
   );
 
+  logic pixel_valid, pixel_first, pixel_last;
+  logic [7:0] pixel_area;
+  localparam int unsigned AREA_LATENCY = FAST ? 4 : 3;
+  horopter_areas #(
+      .ADDR_BITS(MAP_ADDR_BITS),
+      .FAST(FAST),
+      .LATENCY(AREA_LATENCY)
+  ) u_areas (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .begin_i(frame_begin),
+      .table_ok_i(table_ok),
+      .base_i(table_base),
+      .areas_i(table_areas),
+      .busy_o(areas_wait),
+      .read_o(areas_read),
+      .addr_o(areas_addr),
+      .even_i(map_even),
+      .odd_i(map_odd),
+      .error_i(map_parity_error),
+      .width_i(result_width),
+      .pixel_valid_i(pixel_valid),
+      .pixel_first_i(pixel_first),
+      .pixel_last_i(pixel_last),
+      .area_o(pixel_area),
+      .error_o(areas_error)
+  );
+
   logic objects_ended, objects_overflow, object_alarm, taught, forget;
   horopter_object_check #(
-      .BLIND(BLIND)
+      .BLIND(BLIND),
+      .AREA_LATENCY(AREA_LATENCY)
   ) u_object_check (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
@@ -1068,6 +1103,10 @@ module horopter_top #(
       .height_i(result_height),
       .blocks_i(sampled_blocks),
       .forget_i(forget),
+      .pixel_valid_o(pixel_valid),
+      .pixel_first_o(pixel_first),
+      .pixel_last_o(pixel_last),
+      .pixel_area_i(pixel_area),
       .state_valid_i(state_valid && !state_idle),
       .state_i(state),
       .state_first_i(state_first),
@@ -1187,6 +1226,7 @@ module horopter_top #(
       .table_crc_i(table_crc),
       .table_error_i(table_error),
       .beat_parity_error_i(beat_parity_error),
+      .areas_error_i(areas_error),
       .stage_parity_error_i(stage_parity_error),
       .quad_valid_i(quad_valid),
       .quad_miss_i(quad_miss),

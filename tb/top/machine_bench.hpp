@@ -93,6 +93,27 @@ inline std::vector<std::uint32_t> with_spans(const std::vector<std::uint32_t>& w
   return with;
 }
 
+/// The same with areas, codes of a part of the range: small ones, or all of it.
+inline std::vector<std::uint32_t> with_areas(const std::vector<std::uint32_t>& words, const hls::Profile& profile,
+                                             Rng& rng) {
+  const hls::table::Header header = hls::table::read(words);
+  hls::table::Facts facts = header.facts;
+  facts.subsample = profile.subsample;
+  facts.areas.resize(facts.area_count(header.geometry));
+  const bool all = rng.chance(3);
+  for (std::uint8_t& code : facts.areas) code = static_cast<std::uint8_t>(all ? rng.below(256) : 60 + rng.below(40));
+  std::vector<hls::table::Span> spans;
+  for (int y = 0; header.geometry.spans && y < header.geometry.height; ++y) {
+    spans.push_back(hls::table::Span::of(words[header.first_span + static_cast<std::size_t>(y)]));
+  }
+  auto with = hls::table::write(
+      header.geometry, facts,
+      [&](int column, int row) { return words[header.first_control + header.geometry.control_index(column, row)]; },
+      spans);
+  with.back() = crc32_words(std::span(with).first(with.size() - 1));
+  return with;
+}
+
 struct FramePair {
   Image left, right;
 };
@@ -191,6 +212,7 @@ class Machine : public Endpoint {
   auto& states() { return states_; }
   auto& runs() { return runs_; }
   native::Settings& settings() { return settings_; }
+  const hls::Profile& profile() const { return engine_->profile(); }
   const MachineOptions& options() const { return options_; }
 
   /// Registers from settings() and the geometry; enables the machine.

@@ -206,7 +206,7 @@ TEST_CASE("engine: objects are those of one step a pixel") {
     const native::TableView table(frame.table);
     const auto code_at = [&](int x, int y) {
       const int columns = (result.width + 31) / 32;
-      return table.areas().empty() ? hls::unknown_area : table.areas()[static_cast<std::size_t>(y / 32 * columns + x / 32)];
+      return table.areas().empty() ? std::uint8_t{hls::table::unknown_area} : table.areas()[static_cast<std::size_t>(y / 32 * columns + x / 32)];
     };
     typename Finder::Out out;
     const auto step = [&](const typename Finder::In& in) {

@@ -32,7 +32,7 @@ struct Picture {
   cv::Mat areas;     // codes, by blocks of 32×32; empty: not known
   cv::Mat blind;     // 0, or it is; empty: none is
   [[nodiscard]] std::uint8_t area_code(int x, int y) const {
-    return areas.empty() ? hls::unknown_area : areas.at<std::uint8_t>(y / 32, x / 32);
+    return areas.empty() ? std::uint8_t{hls::table::unknown_area} : areas.at<std::uint8_t>(y / 32, x / 32);
   }
   [[nodiscard]] bool is_blind(int x, int y) const { return !blind.empty() && blind.at<std::uint8_t>(y, x) != 0; }
 };

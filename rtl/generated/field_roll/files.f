@@ -43,6 +43,7 @@ rtl/store/horopter_table_lookup.sv
 rtl/store/horopter_map_store.sv
 rtl/store/horopter_control_point.sv
 rtl/store/horopter_raster.sv
+rtl/store/horopter_areas.sv
 rtl/store/horopter_row_span.sv
 rtl/store/horopter_places.sv
 rtl/store/horopter_interlock.sv

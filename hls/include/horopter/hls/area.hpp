@@ -2,8 +2,6 @@
 // The areas of a table (table_format.hpp) as the machine adds them up.
 #pragma once
 
-#include <cstdint>
-
 #include "horopter/hls/int.hpp"
 
 namespace horopter::hls {
@@ -12,9 +10,6 @@ inline constexpr int area_steps_per_mm2 = 1024;
 using PixelArea = u<20>;
 /// Of an object. A sum that would be more is the largest: so it does not depend on the order of its parts.
 using ObjectArea = u<32>;
-
-/// The code of a place whose area is not known: a pixel there counts as the largest, so that a limit never misses it.
-inline constexpr std::uint8_t unknown_area = 0xFF;
 
 /// In 1/1024 mm², rounded up: exact from 1/128 mm² on. From 1024 mm² on the largest value.
 constexpr PixelArea area_of(u<8> code) {
