@@ -7,7 +7,8 @@
 //
 // ended_o: one clock, everything of the frame has been said; overflow_o comes with it. alarm_o: an object of the frame so far,
 // or of the last one until the next begins, has reached the limit. taught_o: at least one frame was taught. frame_*: of the
-// largest object, 0 without one, and the number of blind pixels, from ended_o on. rst_ni: of the streaming core.
+// largest object, 0 without one, and the number of blind pixels, from ended_o on. m_axis_objects: as in horopter_top, by
+// bus_rst_ni a beat that is offered stays. frame_i: the number of the frame. rst_ni: of the streaming core.
 module horopter_object_check #(
     parameter bit BLIND = 1'b1,
     parameter int unsigned AREA_LATENCY = 3,
@@ -17,6 +18,7 @@ module horopter_object_check #(
 ) (
     input  logic                                  clk_i,
     input  logic                                  rst_ni,
+    input  logic                                  bus_rst_ni,
     input  logic [              COUNT_BITS-1:0]   object_limit_i,
     input  logic [                        31:0]   object_area_limit_i,  // 1/1024 mm²
     input  logic [    $clog2(COLUMNS + 1)-1:0]    width_i,
@@ -41,7 +43,12 @@ module horopter_object_check #(
     output horopter_csr_pkg::frame_object_columns_t frame_columns_o,
     output horopter_csr_pkg::frame_object_rows_t  frame_rows_o,
     output logic [                        31:0]   frame_area_o,
-    output logic [                        23:0]   frame_blind_o
+    output logic [                        23:0]   frame_blind_o,
+    input  logic [                        31:0]   frame_i,
+    output logic [                       207:0]   m_axis_objects_tdata,
+    output logic                                  m_axis_objects_tlast,
+    output logic                                  m_axis_objects_tvalid,
+    input  logic                                  m_axis_objects_tready
 );
   // Pixels leave it some rows after they came: the idle beats of `objects` begin when it is done.
   logic blind_idle_q, blind_valid, there, blind, pixel_first, pixel_last, blind_done, taught;
@@ -112,8 +119,6 @@ module horopter_object_check #(
   logic [ROW_BITS-1:0] top, bottom, top_q, bottom_q;
   logic [COUNT_BITS+COLUMN_BITS-1:0] columns;
   logic [COUNT_BITS+ROW_BITS-1:0] rows;
-  logic unused_sums;
-  assign unused_sums = ^{columns, rows, blind_pixels};
   assign pixel_valid_o = looks ? pixel_valid : state_valid_i;
   assign pixel_first_o = looks ? pixel_first : state_first_i;
   assign pixel_last_o = looks ? pixel_last : state_last_i;
@@ -189,4 +194,30 @@ module horopter_object_check #(
       frame_rows_o.bottom <= largest_q == '0 ? 12'd0 : 12'(bottom_q);
     end
   end
+
+  horopter_object_stream #(
+      .COUNT_BITS(COUNT_BITS),
+      .COLUMN_BITS(COLUMN_BITS),
+      .ROW_BITS(ROW_BITS)
+  ) u_stream (
+      .clk_i(clk_i),
+      .rst_ni(bus_rst_ni),
+      .core_rst_ni(rst_ni),
+      .object_valid_i(valid && object_ended),
+      .object_pixels_i(pixels),
+      .object_blind_i(blind_pixels),
+      .object_area_i(area),
+      .object_left_i(left),
+      .object_right_i(right),
+      .object_top_i(top),
+      .object_bottom_i(bottom),
+      .object_columns_i(columns),
+      .object_rows_i(rows),
+      .end_i(ended_o),
+      .frame_i(frame_i),
+      .m_axis_objects_tdata(m_axis_objects_tdata),
+      .m_axis_objects_tlast(m_axis_objects_tlast),
+      .m_axis_objects_tvalid(m_axis_objects_tvalid),
+      .m_axis_objects_tready(m_axis_objects_tready)
+  );
 endmodule

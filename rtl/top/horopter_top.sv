@@ -10,6 +10,12 @@
 //                            2 undecidable, 3 unsupervised; tuser, tlast as above.
 // m_axis_runs                the rows as runs: {state[63:62], 14'b0, row[47:32], start[31:16], end[15:0]}, end included,
 //                            every row covered completely; tlast = last run of a frame.
+// m_axis_objects             the objects of a frame, in the order in which they end: {sum of rows[207:176], sum of
+//                            columns[175:144], bottom[143:128], top[127:112], right[111:96], left[95:80], area in
+//                            1/1024 mm2[79:48], blind pixels[47:24], pixels[23:0]}. After them, with tlast, a beat of
+//                            the frame: {128'b0, FRAME_SEQUENCE[79:48], objects that were not sent[47:24], objects[23:0]}.
+//                            Nothing waits for it: while 16 wait, more are not sent, and counted. With a beat of a frame
+//                            that has not been taken when the next frame ends, nothing is sent of that one.
 // restart_i                  a button, of any clock: see INTERLOCK and horopter_interlock.sv.
 // feedback_i                 of the contactors that safe_o switches, of any clock: see FEEDBACK and horopter_feedback.sv.
 // safe_o, unsafe_o           complements, from separate registers; safe only while the last two frames were complete, in
@@ -79,6 +85,11 @@ module horopter_top #(
     output logic        m_axis_runs_tlast,
     output logic        m_axis_runs_tvalid,
     input  logic        m_axis_runs_tready,
+    // objects
+    output logic [207:0] m_axis_objects_tdata,
+    output logic        m_axis_objects_tlast,
+    output logic        m_axis_objects_tvalid,
+    input  logic        m_axis_objects_tready,
     // status
     input  logic        restart_i,
     input  logic        feedback_i,
@@ -1091,12 +1102,15 @@ module horopter_top #(
   );
 
   logic objects_ended, objects_overflow, object_alarm, taught, forget;
+  logic [31:0] next_frame_q;  // what FRAME_SEQUENCE will be
+  always_ff @(posedge clk_i) next_frame_q <= frame_sequence + 32'd1;
   horopter_object_check #(
       .BLIND(BLIND),
       .AREA_LATENCY(AREA_LATENCY)
   ) u_object_check (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
+      .bus_rst_ni(rst_ni),
       .object_limit_i(sampled_object_limit),
       .object_area_limit_i(sampled_object_area_limit),
       .width_i(result_width),
@@ -1121,7 +1135,12 @@ module horopter_top #(
       .frame_columns_o(frame_object_columns),
       .frame_rows_o(frame_object_rows),
       .frame_area_o(frame_object_area),
-      .frame_blind_o(frame_blind)
+      .frame_blind_o(frame_blind),
+      .frame_i(next_frame_q),
+      .m_axis_objects_tdata(m_axis_objects_tdata),
+      .m_axis_objects_tlast(m_axis_objects_tlast),
+      .m_axis_objects_tvalid(m_axis_objects_tvalid),
+      .m_axis_objects_tready(m_axis_objects_tready)
   );
 
   // ------------------------------------------------------------------------------------------------ outputs

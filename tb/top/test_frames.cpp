@@ -655,6 +655,83 @@ TEST_CASE("an alarm by an object's area alone, with another table for every fram
   alarm_by_area<Vhoropter_machine_hd>("hd", true, 1920, 100);
 }
 
+/// Many small objects, more than a slow reader takes: some are lost, and counted; the others are as they were.
+template <class Model>
+void slow_reader_of_objects(const std::string& profile, bool compete, unsigned width, unsigned height) {
+  CAPTURE(profile, compete);
+  Rng rng{"reader"};
+  Machine<Model> machine{profile, {width, height, 16, false}};
+  machine.settings().compete = compete ? 1 : 0;
+  machine.settings().alarm_limit = 0;  // the whole skin is one
+  machine.write_limits();
+  const auto table = with_areas(plane_table(width, height, -6), machine.profile(), rng);
+  machine.upload(0, 0, table);
+  machine.select(0);
+  const auto scene = [&] {
+    FramePair pair = random_pair(width, height, -6, rng);
+    for (unsigned y = 0; y < height; ++y) {
+      for (unsigned x = 0; x < width; ++x) {
+        const bool on_skin = x / 24 % 2 == 0 && y / 22 % 2 == 0;
+        pair.right.at(x, y) = static_cast<std::uint8_t>(rng.below(256));
+        pair.left.at(x, y) = static_cast<std::uint8_t>(rng.below(256));
+        if (on_skin && x >= 6) pair.left.at(x, y) = pair.right.at(x - 6, y);
+      }
+    }
+    return pair;
+  };
+  unsigned lost = 0;
+  for (unsigned frame = 0; frame < 4; ++frame) {
+    CAPTURE(frame);
+    // It takes nothing until the frame is over, then all that waits.
+    const bool waits = frame % 2 == 0;
+    if (waits) machine.objects().set_pace(Pace::random(0, 1));
+    const FramePair pair = scene();
+    const native::FrameResult whole = machine.expected(pair, table);
+    REQUIRE_FALSE(whole.object_overflow);
+    REQUIRE(whole.objects.size() > 20);
+    const unsigned before = machine.frames_done();
+    machine.send(pair);
+    const std::uint64_t clocks = 40ULL * width * height;
+    machine.simulation().run_until([&] { return machine.frames_done() > before; }, clocks, "the frame");
+    if (waits) CHECK(machine.objects().beats().empty());
+    machine.objects().set_pace({});
+    const Published p = machine.receive();
+    machine.check(p, pair, table);
+    CHECK(p.alarm());
+    CHECK((p.objects_lost > 0) == waits);
+    lost += p.objects_lost;
+    // What was sent is what came first.
+    REQUIRE(p.objects.size() <= whole.objects.size());
+    CHECK(std::equal(p.objects.begin(), p.objects.end(), whole.objects.begin()));
+  }
+  CHECK(lost > 0);
+  // A frame whose last beat is not taken before the next one ends: nothing is sent of that, and the numbers tell.
+  machine.objects().set_pace(Pace::random(0, 1));
+  const unsigned before = machine.frames_done();
+  for (int frame = 0; frame < 2; ++frame) machine.send(scene());
+  machine.simulation().run_until([&] { return machine.frames_done() == before + 2; }, 80ULL * width * height, "2 frames");
+  machine.settle();
+  machine.objects().set_pace({});
+  machine.settle();
+  const auto beats = machine.objects().take();
+  REQUIRE_FALSE(beats.empty());
+  CHECK(std::ranges::count_if(beats, [](const auto& beat) { return beat.last; }) == 1);
+  CHECK(beats.back().last);
+  CHECK(bits_of(beats.back().data, 48, 32) == before + 1);
+  machine.forget();
+  const FramePair pair = scene();
+  machine.send(pair);
+  const Published p = machine.receive();
+  machine.check(p, pair, table);
+  CHECK(p.objects_lost == 0);
+}
+
+TEST_CASE("objects leave as a stream; a reader that is too slow loses some, and neither frames nor alarms", "[top]") {
+  slow_reader_of_objects<Vhoropter_machine_field>("field", false, 480, 200);
+  slow_reader_of_objects<Vmachine_vga_compete>("vga", true, 320, 200);
+  slow_reader_of_objects<Vhoropter_machine_hd>("hd", false, 320, 200);
+}
+
 /// Taught, not watched and watched in turn, every frame as the native engine has it.
 template <class Model>
 void went_blind(const std::string& profile, bool compete, unsigned width, unsigned height) {

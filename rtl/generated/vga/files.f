@@ -61,6 +61,7 @@ rtl/camera/horopter_camera_input.sv
 rtl/camera/horopter_coarse_check.sv
 rtl/top/horopter_settings.sv
 rtl/top/horopter_agreement_result.sv
+rtl/top/horopter_object_stream.sv
 rtl/top/horopter_object_check.sv
 rtl/top/horopter_output.sv
 rtl/top/horopter_status.sv
