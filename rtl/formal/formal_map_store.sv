@@ -196,7 +196,7 @@ module formal_map_store (
         assert (\dut.write_addr_q < 5'(first) || \dut.write_addr_q >= behind);
       if (past_in_use) assert (valid[watched] || !rst_ni);
       if (past_in_use && \dut.store_limit ) assert (slot != watched);
-      cover (\dut.state_q == WALK);
+      cover (\dut.state_q == SIZE);
       cover (error == 3'd2);
     end
   end

@@ -124,12 +124,15 @@ std::int64_t object_limit(const Settings& settings, const MachineProfile& profil
   return std::clamp<std::int64_t>(std::llround(disc / 2 / px_of_image), 1, frame + 1);
 }
 
+double half_disc_mm2(const Settings& settings) {
+  return std::numbers::pi / 8 * settings.object_mm * settings.object_mm;
+}
+
 std::uint32_t object_area_limit(const Settings& settings) {
   if (!(settings.object_mm >= 0)) throw UsageError(fmt::format("an object of {} mm across", settings.object_mm));
   if (settings.object_mm == 0) return 0;
   constexpr double kLargestError = 1.0 / 16;  // of a code: half a step of its mantissa, of 1 at least
-  const double disc_mm2 = std::numbers::pi / 4 * settings.object_mm * settings.object_mm;
-  const double steps = std::floor(disc_mm2 / 2 * (1 - kLargestError) * hls::area_steps_per_mm2);
+  const double steps = std::floor(half_disc_mm2(settings) * (1 - kLargestError) * hls::area_steps_per_mm2);
   if (!(steps >= 1 && steps < reg::object_area_limit::kReset)) {
     throw UsageError(fmt::format("an object of {:g} mm across has no area that the machine can compare with",
                                  settings.object_mm));

@@ -133,8 +133,10 @@ struct FrameResult {
 /// Pixels of the result of which an object is an alarm: half the disc that is settings.object_px across, for what the
 /// windows, places without texture and the majority leave of it. More than a frame has where none is.
 std::int64_t object_limit(const Settings& settings, const MachineProfile& profile);
-/// Area of the skin of which an object is an alarm, 1/1024 mm²: half the disc that is settings.object_mm across, less what a
-/// table's code can be too small. 0 where pixels are. Throws UsageError for a size that no area stands for.
+/// Half the disc that is settings.object_mm across.
+double half_disc_mm2(const Settings& settings);
+/// Area of the skin of which an object is an alarm, 1/1024 mm²: that, less what a table's code can be too small. 0 where
+/// pixels are. Throws UsageError for a size that no area stands for.
 std::uint32_t object_area_limit(const Settings& settings);
 /// px of the left image across; of what is smaller the windows and the majority leave nothing certain.
 double smallest_object_px(const MachineProfile& profile);
