@@ -155,6 +155,8 @@ module ulx3s_top #(
   logic [7:0] state;
   logic state_first, state_last, state_valid, runs_last, runs_valid, frame_done, irq, test_ready;
   logic [63:0] runs;
+  logic [207:0] objects;
+  logic objects_last, objects_valid;
   logic safe, unsafe, heartbeat, skin_q, skin_seen_q;
   horopter_top u_horopter (
       .clk_i(clk),
@@ -202,6 +204,10 @@ module ulx3s_top #(
       .m_axis_runs_tlast(runs_last),
       .m_axis_runs_tvalid(runs_valid),
       .m_axis_runs_tready(1'b1),
+      .m_axis_objects_tdata(objects),
+      .m_axis_objects_tlast(objects_last),
+      .m_axis_objects_tvalid(objects_valid),
+      .m_axis_objects_tready(1'b1),
       .restart_i(btn[2]),
       .feedback_i(1'b0),  // no contactors
       .safe_o(safe),
@@ -211,7 +217,7 @@ module ulx3s_top #(
       .irq_o(irq)
   );
   logic unused;
-  assign unused = ^{test_ready, state[7:2], state_first, state_last, irq, board_wdata[31:1], board_addr[1:0]};
+  assign unused = ^{objects, objects_last, objects_valid, test_ready, state[7:2], state_first, state_last, irq, board_wdata[31:1], board_addr[1:0]};
 
   // --- the board's own registers ---
   localparam int unsigned RUNS_BITS = $clog2(RUNS);

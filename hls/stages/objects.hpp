@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // objects: joins occupied pixels, those in the skin and those that are blind, to objects (8-connected, one pass) and says of
-// each its pixels, box and sums of places. The thesis counts pixels of the whole image (10.4.6); an object is found wherever
+// each its pixels, how many of them are blind, the area of skin that they see, box and sums of places. The thesis counts pixels of the whole image (10.4.6); an object is found wherever
 // it is, however large the image.
 //
 // Labelling by runs, after Bailey and Johnston (Single Pass Connected Components Analysis, IVCNZ 2007): only the runs of
@@ -9,10 +9,13 @@
 // consists of stands in a memory. Where a run ends, meets one of the row above, or passes it, this is written to a queue,
 // and worked off in 2·GAP beats.
 //
-// In      the pixels of the result in raster order: occupied or not; first, last of a row. After the frame: beats with
-//         `idle`, not pixels, until `done`; the objects that reach the last row end in these.
-// Config  object_limit: pixels of an object that are an alarm.
-// Out     ended: an object has; its pixels, its box (columns and rows, inclusive), the sums of its columns and rows.
+// In      the pixels of the result in raster order: occupied or not; first, last of a row; `area`, the code of the area that
+//         it sees (horopter/hls/area.hpp); blind, of an occupied one. After the frame: beats with `idle`, not pixels,
+//         until `done`; the objects that reach the last row end in these.
+// Config  object_limit: pixels of an object that are an alarm. object_area_limit: area of one, 1/1024 mm², that is; all
+//         ones: none is, not even the largest.
+// Out     ended: an object has; its pixels, the blind ones of these, its area (1/1024 mm², or the largest), its box (columns
+//         and rows, inclusive), the sums of its columns and rows.
 //         alarm: an object of the frame so far has reached the limit, ended or not. overflow: more labels or a longer
 //         queue were needed than there are, so objects may be wrong or missing: not an answer. Both until `first`.
 //         done: in an idle beat, everything has been said.
@@ -21,6 +24,7 @@
 
 #include <algorithm>
 
+#include "horopter/hls/area.hpp"
 #include "stages/stream.hpp"
 
 namespace horopter::stages {
@@ -53,12 +57,16 @@ class ObjectFinder {
     bool first = false;
     bool last = false;
     bool idle = false;
+    u<8> area;
+    bool blind = false;
   };
   struct Config {
     Count object_limit;
+    ObjectArea object_area_limit;
   };
   struct Object {
-    Count pixels;
+    Count pixels, blind;
+    ObjectArea area;
     Column left, right;
     Row top, bottom;
     ColumnSum columns;  // sum over its pixels
@@ -103,12 +111,13 @@ class ObjectFinder {
 #ifndef __HLSC__
   /// For an engine that leaves out beats in which nothing happens: those of a row, neither its first nor its last, whose
   /// pixels are in the skin, or not, as is the one before them, and the same of the pixels above. `rests`: nothing is to be
-  /// done but that. `pixels` of such beats stand for as many calls of step.
+  /// done but that. `pixels` of such beats, none of them blind, stand for as
+  /// many calls of step. `area`: the sum of area_of of them.
   [[nodiscard]] bool rests() const {
     return at_rest(false) && read_ == write_ && visible_ == write_ && room_ == 0 && !little_room_ && !ended_ &&
            (met_ || !before_ || !over_before_);
   }
-  void skip(int pixels) {
+  void skip(int pixels, std::uint32_t area) {
     full_ = queue_full_ = false;
     if (before_ != over_before_) {
       for (int i = 0; i < pixels; ++i) {
@@ -118,7 +127,10 @@ class ObjectFinder {
     } else {
       raster_.skip(pixels);
     }
-    if (before_) last_run_.right = Column(last_run_.right + u<bits_for(WIDTH - 1)>(pixels));
+    if (before_) {
+      last_run_.right = Column(last_run_.right + u<bits_for(WIDTH - 1)>(pixels));
+      last_run_.area += u<32>(area);
+    }
     phase_ = Phase(phase_ + u<16>(pixels));
   }
 #endif
@@ -180,6 +192,8 @@ class ObjectFinder {
   struct Run {
     Column left, right;
     Row row;
+    u<bits_for(WIDTH) + PixelArea::width> area;
+    u<bits_for(WIDTH)> blind;
   };
 
   /// In this order: the run ends, the next one meets the first run of the row above, that one is passed.
@@ -227,7 +241,13 @@ class ObjectFinder {
     ended_ = before_ && !here && !edge;
     if (!in.idle && edge) row_ = first ? Row(0) : Row(row_ + lit<1>());
     if (here) {
-      if (edge || !before_) last_run_.left = x;
+      const bool begins = edge || !before_;
+      if (begins) {
+        last_run_.left = x;
+        last_run_.area = last_run_.blind = 0;
+      }
+      last_run_.area += area_of(in.area);
+      last_run_.blind += u<1>(in.blind);
       last_run_.right = x;
       last_run_.row = row_;
     }
@@ -383,7 +403,8 @@ class ObjectFinder {
       if (changes) objects_.write(label, changed);
       joining_ = object;
       out.object = object;
-      reached = changes & (changed.pixels >= config.object_limit);
+      const bool covers = (changed.area >= config.object_area_limit) & (config.object_area_limit != ObjectArea::max());
+      reached = changes & ((changed.pixels >= config.object_limit) | covers);
     }
     out.ended = second & second_ends_;
     return reached;
@@ -393,6 +414,8 @@ class ObjectFinder {
     Object object;
     const auto pixels = u<bits_for(WIDTH)>(run.right - run.left + lit<1>());
     object.pixels = Count(pixels);
+    object.blind = run.blind;
+    object.area = ObjectArea(run.area);
     object.left = run.left;
     object.right = run.right;
     object.top = object.bottom = run.row;
@@ -403,6 +426,8 @@ class ObjectFinder {
   static Object together(const Object& a, const Object& b) {
     Object both;
     both.pixels = Count(a.pixels + b.pixels);
+    both.blind = Count(a.blind + b.blind);
+    both.area = area_sum(a.area, b.area);
     both.left = a.left < b.left ? a.left : b.left;
     both.right = a.right < b.right ? b.right : a.right;
     both.top = a.top < b.top ? a.top : b.top;

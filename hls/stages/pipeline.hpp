@@ -125,6 +125,8 @@ struct Agreement {
 /// Pixels that touch each other and are in the skin or blind (stages/objects.hpp).
 struct Object {
   int pixels = 0;
+  int blind = 0;           // of these
+  std::uint32_t area = 0;  // that it covers of the skin, 1/1024 mm² (horopter/hls/area.hpp)
   int left = 0;  // box: columns and rows, inclusive
   int top = 0;
   int right = 0;
@@ -196,7 +198,7 @@ class Pipeline {
   /// One frame. `table`: for the size of the images. Throws std::invalid_argument for sizes the profile cannot take.
   FrameResult process(const ImageView& left, const ImageView& right, const TableView& table, const Settings& settings) {
     check(left, right, table, settings);
-    begin(left, settings);
+    begin(left, table, settings);
     FrameResult result;
     result.width = left.width / P.subsample;
     result.height = left.height;
@@ -263,7 +265,7 @@ class Pipeline {
     if (settings.lookahead < 0 || settings.lookahead > store_rows_ / 2) fail("LOOKAHEAD is more than half the ring");
   }
 
-  void begin(const ImageView& image, const Settings& settings) {
+  void begin(const ImageView& image, const TableView& table, const Settings& settings) {
     compete_ = settings.compete != 0;
     const FrameSettings of_stages(settings, image.width / P.subsample, image.height);
     if constexpr (P.has_thesis()) thesis_rows_.begin(of_stages);
@@ -285,9 +287,20 @@ class Pipeline {
     alarm_config_ = stages::chain::by_name<typename stages::Alarm<P>::Config>(of_stages);
     skin_ = undecidable_ = unsupervised_ = 0;
     rows_finished_ = 0;
+    area_columns_ = blocks_of(of_stages.width);
+    area_codes_.assign(table.areas().begin(), table.areas().end());
+    area_codes_.resize(area_columns_ * blocks_of(of_stages.height), std::uint8_t{hls::table::unknown_area});
+    areas_of_ = -1;
+    row_of_blind_ = column_of_blind_ = 0;
   }
 
   static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  static constexpr std::size_t blocks_of(int size) { return index(hls::table::Facts::blocks(size)); }
+  [[nodiscard]] std::uint8_t area_code(int x, int y) const {
+    return area_codes_[index(y >> hls::table::area_block_log2) * area_columns_ +
+                       index(x >> hls::table::area_block_log2)];
+  }
 
   using Health = stages::Health<P>;
   using Coarse = stages::Coarse<P>;
@@ -785,14 +798,28 @@ class Pipeline {
       look_for_blind(result, begin, end, step);
     } else {
       if (begin == 0) result.taught = blind_.leave_out(blind_config_);
-      for (int y = begin; y < end; ++y) find_objects_of_row(result, y, *stage, step);
+      for (int y = begin; y < end; ++y) {
+        if (areas_of_ != y >> hls::table::area_block_log2) add_up_areas(result.width, y);
+        find_objects_of_row(result, y, *stage, step);
+      }
     }
     if (end < result.height) return;
     do {
-      step({false, false, false, true});
+      step({false, false, false, true, 0, false});
     } while (!out.done);
     result.object_overflow = out.overflow;
     result.alarm |= out.alarm;
+  }
+  /// Of the pixels of a row before each.
+  void add_up_areas(int width, int y) {
+    constexpr int block = 1 << hls::table::area_block_log2;
+    areas_of_ = y >> hls::table::area_block_log2;
+    std::uint32_t sum = 0;
+    areas_before_[0] = 0;
+    for (int x = 0; x < width;) {
+      const std::uint32_t area = hls::area_of(area_code(x, y)).value();
+      for (const int end = std::min(x + block, width); x < end;) areas_before_[index(++x)] = sum += area;
+    }
   }
   /// Most beats change nothing: those with a pixel that is as the one before it, both in their row and above.
   template <class Step>
@@ -805,17 +832,17 @@ class Pipeline {
     for (std::size_t x = 0; x < width; ++x) {
       alike[x] = static_cast<std::uint8_t>((occupied(state[x]) ? 1 : 0) | (occupied(above[x]) ? 2 : 0));
     }
-    step({occupied(state[0]), y == 0, width == 1, false});
+    step({occupied(state[0]), y == 0, width == 1, false, area_code(0, y), false});
     for (std::size_t x = 1; x < width;) {
       std::size_t other = x;
       if (alike[x] == alike[x - 1] && stage.rests()) {
         while (other + 1 < width && alike[other] == alike[x]) ++other;
       }
       if (other > x) {
-        stage.skip(static_cast<int>(other - x));
+        stage.skip(static_cast<int>(other - x), areas_before_[other] - areas_before_[x]);
         x = other;
       } else {
-        step({occupied(state[x]), false, x + 1 == width, false});
+        step({occupied(state[x]), false, x + 1 == width, false, area_code(static_cast<int>(x), y), false});
         ++x;
       }
     }
@@ -829,7 +856,10 @@ class Pipeline {
       result.taught = out.taught;
       if (out.there) {
         result.blind_pixels += out.blind ? 1 : 0;
-        step({out.blind || out.state == stages::state::skin, out.first, out.last, false});
+        const std::uint8_t area = area_code(column_of_blind_, row_of_blind_);
+        step({out.blind || out.state == stages::state::skin, out.first, out.last, false, area, out.blind});
+        column_of_blind_ = out.last ? 0 : column_of_blind_ + 1;
+        row_of_blind_ += out.last ? 1 : 0;
       }
       return out.done;
     };
@@ -844,8 +874,9 @@ class Pipeline {
 
   template <class From>
   [[gnu::noinline]] static void add_object(const From& from, FrameResult& result) {
-    result.objects.push_back({static_cast<int>(from.pixels.value()), from.left.value(), from.top.value(),
-                              from.right.value(), from.bottom.value(), static_cast<std::int64_t>(from.columns.value()),
+    result.objects.push_back({static_cast<int>(from.pixels.value()), static_cast<int>(from.blind.value()),
+                              from.area.value(), from.left.value(), from.top.value(), from.right.value(),
+                              from.bottom.value(), static_cast<std::int64_t>(from.columns.value()),
                               static_cast<std::int64_t>(from.rows.value())});
   }
 
@@ -944,6 +975,12 @@ class Pipeline {
   typename stages::Alarm<P>::Config alarm_config_;
   std::uint32_t skin_ = 0, undecidable_ = 0, unsupervised_ = 0;
   int rows_finished_ = 0;
+
+  std::vector<std::uint8_t> area_codes_;  // of the frame's table, row by row of blocks
+  std::size_t area_columns_ = 0;
+  std::array<std::uint32_t, P.result_width() + 1> areas_before_{};  // 1/1024 mm², of a row of blocks:
+  int areas_of_ = -1;                                               // this one of the frame
+  int row_of_blind_ = 0, column_of_blind_ = 0;                      // of the pixel that leaves the stage `blind`
 
   int store_rows_;
   Workers workers_;

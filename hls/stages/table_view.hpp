@@ -20,6 +20,8 @@ class TableView {
   [[nodiscard]] int width() const { return header_.geometry.width; }
   [[nodiscard]] int height() const { return header_.geometry.height; }
   [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
+  /// Codes, row by row of blocks of the result; empty: not known.
+  [[nodiscard]] std::span<const std::uint8_t> areas() const { return header_.facts.areas; }
 
   [[nodiscard]] hls::table::Span span(int row) const {
     return header_.geometry.spans ? hls::table::Span::of(words_[header_.first_span + static_cast<std::size_t>(row)])

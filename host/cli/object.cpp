@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "horopter/base/error.hpp"
+#include "horopter/hls/area.hpp"
 #include "horopter/map/map.hpp"
 #include "horopter/map/skin_places.hpp"
 #include "horopter/map/support.hpp"
@@ -131,6 +132,7 @@ void add_object(CLI::App& command, ObjectOption& option) {
 void set_object(const ObjectOption& option, const std::string& skin, const std::optional<calib::Rig>& rig,
                 const MachineProfile& profile, int image_width, int image_height, Settings& settings) {
   settings.object_px = option.px;
+  settings.object_mm = option.mm.value_or(0);
   if (option.mm) settings.object_px = object_px_of(*option.mm, skin, rig, profile, image_width, image_height);
   if (const double smallest_px = smallest_object_px(profile);
       settings.object_px != 0 && settings.object_px < smallest_px) {
@@ -149,7 +151,9 @@ void set_object(const ObjectOption& option, const std::string& skin, const std::
 
 std::int64_t check_object_limit(const ObjectOption& option, const std::string& skin,
                                 const std::vector<const MapTable*>& tables, const MachineProfile& profile,
-                                const Settings& settings) {
+                                Settings& settings) {
+  const auto knows_areas = [](const MapTable* table) { return !table->facts().areas.empty(); };
+  if (!std::ranges::all_of(tables, knows_areas)) settings.object_mm = 0;
   std::int64_t judgeable = std::numeric_limits<std::int64_t>::max();
   for (const MapTable* table : tables) judgeable = std::min(judgeable, supported_pixels(*table, settings.decision));
   const std::int64_t limit = object_limit(settings, profile);
@@ -169,6 +173,10 @@ std::string object_text(const ObjectOption& option, const Settings& settings, co
   const std::string mm = option.mm ? fmt::format("{:g} mm, ", *option.mm) : "";
   const std::int64_t limit = object_limit(settings, profile);
   std::string text = fmt::format("{}{:.0f} px across, {} pixels of the result", mm, settings.object_px, limit);
+  if (const double area_mm2 = object_area_limit(settings) / double{hls::area_steps_per_mm2}; area_mm2 > 0) {
+    text = fmt::format("{}an area of {:.0f} mm2; where the skin is farthest {:.0f} px across, about {} pixels of the result",
+                       mm, area_mm2, settings.object_px, limit);
+  }
   if (limit > judgeable_pixels) {
     text += fmt::format("; {} can judge {} of this skin, so only --alarm-limit counts", name_of(settings.decision),
                         judgeable_pixels);

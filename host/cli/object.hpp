@@ -25,17 +25,18 @@ struct ObjectOption {
 
 void add_object(CLI::App& command, ObjectOption& option);
 
-/// Sets settings.object_px. A body of so many mm has the fewest px where the skin is farthest away. Throws FileError for mm
+/// Sets settings.object_px and object_mm. A body of so many mm has the fewest px where the skin is farthest away. Throws FileError for mm
 /// of a skin without a surface in a rig's world, of one that moves, or of a table without a rig; UsageError for less than
 /// an object can be, or more than fits into the image.
 void set_object(const ObjectOption& option, const std::string& skin, const std::optional<calib::Rig>& rig,
                 const MachineProfile& profile, int image_width, int image_height, Settings& settings);
 
 /// The pixels of the result that the rule can judge, in the table with the fewest. Throws FileError where an object was
-/// asked for that takes more: none would be an alarm.
+/// asked for that takes more: none would be an alarm. Where a table knows no areas, settings.object_mm becomes 0: pixels
+/// are the limit.
 std::int64_t check_object_limit(const ObjectOption& option, const std::string& skin,
                                 const std::vector<const MapTable*>& tables, const MachineProfile& profile,
-                                const Settings& settings);
+                                Settings& settings);
 
 /// "72 px across, 2036 pixels of the result", with mm where they were asked for; and whether so many can be judged,
 /// where a table says it.

@@ -101,8 +101,12 @@ PlannedCapability plan(const CapabilityOptions& options) {
   } catch (const std::invalid_argument& error) {
     throw FileError(options.skin, "", error.what(), "a skin in front of both cameras");
   }
-  const Crossing crossing{settings.decision, options.body, static_cast<double>(object_limit(settings, profile)),
-                          options.speed_mm_s / timing.images_per_s};
+  const Crossing crossing{.decision = settings.decision,
+                          .body = options.body,
+                          .object_limit_px = static_cast<double>(object_limit(settings, profile)),
+                          .step_mm = options.speed_mm_s / timing.images_per_s,
+                          .images = 1,
+                          .object_limit_mm2 = half_disc_mm2(settings)};
   CapabilityPlan capability = plan_capability(thickness, profile, crossing);
   return {profile,
           geometry,

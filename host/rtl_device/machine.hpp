@@ -34,6 +34,7 @@ class RtlMachine final : public RtlDevice {
     m.feedback_i = 0;
     m.s_axis_left_tvalid = m.s_axis_right_tvalid = m.s_axis_test_tvalid = 0;
     m.m_axis_state_tready = m.m_axis_runs_tready = 1;
+    m.m_axis_objects_tready = 1;  // nobody reads them
     m.rst_ni = 0;
     for (int i = 0; i < 8; ++i) edge();
     m.rst_ni = 1;

@@ -136,11 +136,13 @@ module horopter_csr #(
     input  logic [23:0] frame_object_rows_i,
     output logic [ 9:0] blocks_o,
     input  logic [23:0] frame_blind_pixels_i,
-    input  logic [15:0] taught_frames_i
+    input  logic [15:0] taught_frames_i,
+    input  logic [31:0] frame_object_area_of_1024_i,
+    output logic [31:0] object_area_limit_of_1024_o
 );
   // The address is decoded always, into a group of eight words and the word; it counts from the second clock of a write on.
   logic taken_q, write_q;
-  logic [9:0] write_group_q;
+  logic [10:0] write_group_q;
   logic [7:0] write_word_q;
   assign write_q = taken_q && !write_error_o;
   always_ff @(posedge clk_i) begin
@@ -156,11 +158,12 @@ module horopter_csr #(
     write_group_q[7] <= write_addr_i[11:5] == 7'h0A;
     write_group_q[8] <= write_addr_i[11:5] == 7'h0C;
     write_group_q[9] <= write_addr_i[11:5] == 7'h0D;
+    write_group_q[10] <= write_addr_i[11:5] == 7'h0E;
     case (write_addr_i)
       12'h040, 12'h058, 12'h05C, 12'h060, 12'h064, 12'h080, 12'h084, 12'h088, 12'h08C, 12'h094, 12'h0A0, 12'h0A4,
       12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0DC, 12'h0E0, 12'h0E4, 12'h134,
-      12'h138, 12'h13C, 12'h140, 12'h144, 12'h180, 12'h184, 12'h188, 12'h18C, 12'h198, 12'h1A0, 12'h1B0: write_error_o
-      <= 1'b0;
+      12'h138, 12'h13C, 12'h140, 12'h144, 12'h180, 12'h184, 12'h188, 12'h18C, 12'h198, 12'h1A0, 12'h1B0, 12'h1C0:
+      write_error_o <= 1'b0;
       12'h044, 12'h04C, 12'h050, 12'h054, 12'h068, 12'h070, 12'h130: write_error_o <= locked_i;
       12'h06C, 12'h0C8, 12'h0CC: write_error_o <= write_strb_i != 4'hF;
       default: write_error_o <= 1'b1;
@@ -320,6 +323,9 @@ module horopter_csr #(
   logic        blocks_teach_q;
   logic [ 7:0] blocks_margin_q;
   assign blocks_o = {blocks_margin_q, blocks_teach_q, blocks_watch_q};
+  // OBJECT_AREA_LIMIT: And so is an object that covers this much of the skin, by the table's areas. A pixel of a table without areas covers 1023.999 mm².
+  logic [31:0] object_area_limit_of_1024_q;
+  assign object_area_limit_of_1024_o = object_area_limit_of_1024_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -386,6 +392,7 @@ module horopter_csr #(
       blocks_watch_q <= 1'd0;
       blocks_teach_q <= 1'd0;
       blocks_margin_q <= BLIND ? 8'd8 : 8'd0;
+      object_area_limit_of_1024_q <= 32'd4294967295;
     end else begin
       if (write_q && write_group_q[0] && write_word_q[0]) begin  // CONTROL
         if (write_strb_i[0]) control_enable_q <= write_data_i[0];
@@ -589,11 +596,17 @@ module horopter_csr #(
         end
         if (write_strb_i[1]) blocks_margin_q[7:6] <= write_data_i[9:8];
       end
+      if (write_q && write_group_q[10] && write_word_q[0]) begin  // OBJECT_AREA_LIMIT
+        if (write_strb_i[0]) object_area_limit_of_1024_q[7:0] <= write_data_i[7:0];
+        if (write_strb_i[1]) object_area_limit_of_1024_q[15:8] <= write_data_i[15:8];
+        if (write_strb_i[2]) object_area_limit_of_1024_q[23:16] <= write_data_i[23:16];
+        if (write_strb_i[3]) object_area_limit_of_1024_q[31:24] <= write_data_i[31:24];
+      end
     end
   end
 
   // Each of these registers is guarded from the clock on in which it has its new value.
-  logic [38:0] written_q, guard_error;
+  logic [39:0] written_q, guard_error;
   always_ff @(posedge clk_i) begin
     written_q <= '0;
     if (!rst_ni) written_q <= '1;
@@ -636,6 +649,7 @@ module horopter_csr #(
     if (write_q && write_group_q[8] && write_word_q[6]) written_q[36] <= 1'b1;
     if (write_q && write_group_q[9] && write_word_q[0]) written_q[37] <= 1'b1;
     if (write_q && write_group_q[9] && write_word_q[4]) written_q[38] <= 1'b1;
+    if (write_q && write_group_q[10] && write_word_q[0]) written_q[39] <= 1'b1;
     changed_o <= guard_error != '0;
   end
   horopter_guard #(
@@ -950,6 +964,14 @@ module horopter_csr #(
       .value_i({blocks_margin_q, blocks_teach_q, blocks_watch_q}),
       .error_o(guard_error[38])
   );
+  horopter_guard #(
+      .WIDTH(32)
+  ) u_object_area_limit_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[39]),
+      .value_i({object_area_limit_of_1024_q}),
+      .error_o(guard_error[39])
+  );
 
   // IRQ_STATUS: Events since they were last cleared.
   logic [ 1:0] irq_status_q;
@@ -994,7 +1016,8 @@ module horopter_csr #(
   logic [31:0] group_0A_q;
   logic [31:0] group_0C_q;
   logic [31:0] group_0D_q;
-  logic [11:0] wanted_q;
+  logic [31:0] group_0E_q;
+  logic [12:0] wanted_q;
   logic known_q, memory_wanted_q, memory_known_q;
   logic [2:0] word_q;
   always_ff @(posedge clk_i) begin
@@ -1013,7 +1036,8 @@ module horopter_csr #(
       12'h120, 12'h124, 12'h128, 12'h12C, 12'h130, 12'h134, 12'h138, 12'h13C: wanted_q[8] <= 1'b1;
       12'h140, 12'h144: wanted_q[9] <= 1'b1;
       12'h180, 12'h184, 12'h188, 12'h18C, 12'h190, 12'h194, 12'h198: wanted_q[10] <= 1'b1;
-      12'h1A0, 12'h1A4, 12'h1A8, 12'h1AC, 12'h1B0, 12'h1B4, 12'h1B8: wanted_q[11] <= 1'b1;
+      12'h1A0, 12'h1A4, 12'h1A8, 12'h1AC, 12'h1B0, 12'h1B4, 12'h1B8, 12'h1BC: wanted_q[11] <= 1'b1;
+      12'h1C0: wanted_q[12] <= 1'b1;
       12'h150, 12'h154, 12'h158, 12'h15C, 12'h160, 12'h164, 12'h168, 12'h16C, 12'h170, 12'h174, 12'h178, 12'h17C,
       12'h19C: memory_wanted_q <= 1'b1;
       default: ;  // no register
@@ -1022,7 +1046,7 @@ module horopter_csr #(
     if (wanted_q[0])
       case (word_q)
         3'h0: group_00_q <= 32'h484F524F;
-        3'h1: group_00_q <= {16'h2, 16'h4};
+        3'h1: group_00_q <= {16'h2, 16'h5};
         3'h2: group_00_q <= {build_size_height_i, build_size_width_i};
         3'h3: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
         3'h4: group_00_q <= {1'd0, build_window_blind_i, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
@@ -1137,11 +1161,13 @@ module horopter_csr #(
         3'h3: group_0D_q <= {4'd0, frame_object_rows_i[23:12], 4'd0, frame_object_rows_i[11:0]};
         3'h4: group_0D_q <= {22'd0, blocks_margin_q, blocks_teach_q, blocks_watch_q};
         3'h5: group_0D_q <= {8'd0, frame_blind_pixels_i};
-        default: group_0D_q <= {16'd0, taught_frames_i};
+        3'h6: group_0D_q <= {16'd0, taught_frames_i};
+        default: group_0D_q <= frame_object_area_of_1024_i;
       endcase
+    group_0E_q <= wanted_q[12] ? object_area_limit_of_1024_q : 32'd0;
     known_q <= wanted_q != '0;
     memory_known_q <= memory_wanted_q;
-    read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q | group_0A_q | group_0C_q | group_0D_q | (memory_known_q ? memory_word_i : 32'd0);
+    read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q | group_0A_q | group_0C_q | group_0D_q | group_0E_q | (memory_known_q ? memory_word_i : 32'd0);
     read_error_o <= !known_q && !memory_known_q;
   end
 endmodule

@@ -53,6 +53,7 @@ module formal_map_store (
       .lookup_slot_i(selected_slot),
       .table_ok_o(table_ok),
       .table_base_o(),
+      .table_areas_o(),
       .table_nx_o(),
       .table_ny_o(),
       .table_columns_o(),
@@ -72,6 +73,9 @@ module formal_map_store (
   (* hierconn *) wire [3:0] \dut.slot_q ;
   (* hierconn *) wire [15:0] \dut.base_q ;
   (* hierconn *) wire \dut.spans_q ;
+  (* hierconn *) wire [11:0] \dut.areas_q ;
+  (* hierconn *) wire [11:0] \dut.facts_q ;
+  (* hierconn *) wire \dut.area_next_q ;
   (* hierconn *) wire [11:0] \dut.height_q ;
   (* hierconn *) wire [23:0] \dut.size_q ;
   (* hierconn *) wire [23:0] \dut.end_q ;
@@ -94,7 +98,7 @@ module formal_map_store (
   (* hierconn *) wire \dut.store_limit ;
   (* hierconn *) wire \dut.write_even ;
   (* hierconn *) wire \dut.write_odd ;
-  localparam logic [3:0] IDLE = 4'd0, SIZE = 4'd4, WALK = 4'd5, HEAD3 = 4'd6, FACTS = 4'd7, DATA = 4'd8, CHECK = 4'd9;
+  localparam logic [3:0] IDLE = 4'd0, HEAD3 = 4'd4, SIZE = 4'd5, WALK = 4'd6, FACTS = 4'd7, DATA = 4'd8, CHECK = 4'd9;
 
   (* anyconst *) logic [3:0] watched;
   logic [3:0] first;  // region of the watched table
@@ -118,8 +122,11 @@ module formal_map_store (
     end
   end
 
-  logic [23:0] behind_spans;  // where the upload's control points begin
-  assign behind_spans = 24'(\dut.base_q ) + (\dut.spans_q ? 24'(\dut.height_q [11:1]) + 24'(\dut.height_q [0]) : 24'd0);
+  logic [23:0] spans_words, behind_spans;  // where the upload's control points begin
+  assign spans_words = \dut.spans_q ? 24'(\dut.height_q [11:1]) + 24'(\dut.height_q [0]) : 24'd0;
+  assign behind_spans = 24'(\dut.base_q ) + (24'(\dut.areas_q ) + 24'd1) / 2 + spans_words;
+  logic [11:0] areas_written;
+  assign areas_written = \dut.area_next_q ? \dut.areas_q - \dut.facts_q : 12'd0;
   logic apart;  // the upload's region and the watched table's
   assign apart = 24'(behind) <= 24'(\dut.base_q ) || 24'(first) >= \dut.end_q ;
 
@@ -146,12 +153,13 @@ module formal_map_store (
         assert (\dut.step_q <= 7'd13);
         if (\dut.step_q < 7'd12) begin
           assert (32'(\dut.size_q ) + 32'd4095 <= 32'd4095 << \dut.step_q );
-          assert (\dut.end_q == behind_spans);
+          assert (\dut.end_q == (\dut.step_q == 7'd0 ? 24'(\dut.base_q ) + spans_words : behind_spans));
         end
       end
       if (\dut.state_q == SIZE && \dut.step_q == 7'd13) assert (\dut.too_large_q == (\dut.end_q > 24'd16) && (\dut.bad_size_q || \dut.size_q != 24'd0));
-      if (\dut.state_q == SIZE && \dut.step_q >= 7'd12 || \dut.state_q == WALK)
+      if (\dut.state_q == SIZE && \dut.step_q >= 7'd12 || \dut.state_q == WALK || \dut.state_q == FACTS)
         assert (\dut.end_q == \dut.size_q + behind_spans && \dut.size_q < 24'd8388608);
+      if (\dut.state_q == WALK || \dut.state_q == FACTS) assert (\dut.size_q != 24'd0);
       if (\dut.state_q == WALK) assert (\dut.step_q <= 7'd64);
       assert (\dut.state_q <= CHECK);
       if (\dut.state_q >= WALK)
@@ -170,7 +178,17 @@ module formal_map_store (
       end
       if (\dut.state_q == WALK && \dut.step_q >= 7'd1) assert (16'(\dut.write_addr_q ) == \dut.base_q );
       if (\dut.state_q == WALK && \dut.step_q >= 7'd2) assert (!\dut.complete_q );
-      if (\dut.state_q == HEAD3 || \dut.state_q == FACTS) assert (16'(\dut.write_addr_q ) == \dut.base_q && !\dut.complete_q );
+      if (\dut.state_q == HEAD3)
+        assert (\dut.end_q == 24'(\dut.base_q ) + spans_words && \dut.size_q == 24'd0 && \dut.step_q == 7'd0);
+      if (\dut.state_q >= SIZE) assert (\dut.areas_q <= 12'd4090);
+      if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.area_next_q && \dut.facts_q == \dut.areas_q + 12'd5);
+      if (\dut.state_q == FACTS) begin
+        assert (\dut.facts_q >= 12'd1 && \dut.facts_q <= \dut.areas_q + 12'd5);
+        assert (\dut.area_next_q == (\dut.facts_q <= \dut.areas_q ));
+        assert (16'(\dut.write_addr_q ) == \dut.base_q + 16'(areas_written[11:1]) && \dut.odd_q == areas_written[0]);
+        assert (!\dut.complete_q );
+      end
+      if (\dut.state_q == WALK && \dut.step_q >= 7'd1) assert (!\dut.odd_q );
       if (\dut.state_q > WALK && valid[watched]) assert (apart);
 
       // --- properties ---
@@ -178,7 +196,7 @@ module formal_map_store (
         assert (\dut.write_addr_q < 5'(first) || \dut.write_addr_q >= behind);
       if (past_in_use) assert (valid[watched] || !rst_ni);
       if (past_in_use && \dut.store_limit ) assert (slot != watched);
-      cover (\dut.state_q == WALK);
+      cover (\dut.state_q == SIZE);
       cover (error == 3'd2);
     end
   end

@@ -4,10 +4,11 @@
 // Pool: word64 w = control points of an even (bank 0) and of the odd control row below (bank 1) at one column; the
 // banks have their own addresses, so that any two rows above each other are read in one clock. Data comes 2 clocks
 // after the address, 5 with FAST. Before a table's control points lie its spans, if it has them: those of an even row of
-// pixels and of the odd one below in a word64.
+// pixels and of the odd one below in a word64. Before these lie the words of areas, if it has them, two in a word64; with an
+// odd number the last odd bank's word is not used.
 //
 // Upload: start, then the words of hls/include/horopter/hls/table_format.hpp: header, facts, spans, control points, CRC-32. The
-// facts go through the CRC; of them the pixels that no rule can judge are kept. A slot becomes invalid when an upload into it starts and valid when its CRC
+// facts go through the CRC; of them the areas are kept, and the pixels that no rule can judge. A slot becomes invalid when an upload into it starts and valid when its CRC
 // is right. A table that the new one overlaps becomes invalid. An upload into a slot or a region in use is refused and
 // changes nothing. In use: valid, and selected or made the current output frame, while running.
 // With each slot stays the limit of undecidable pixels that was given at its start.
@@ -16,7 +17,7 @@
 // until the next lookup. table_ok_o: it was valid, and made for this width and height. table_error_o: what they tell is
 // not what was stored (parity).
 // data_ready_o falls for 6 clocks after each word, in which its bytes go through the CRC, and for some 80 after the
-// third. busy_o: an upload or a word of one is under way, error_o may still change. Reset: all slots invalid.
+// fourth. busy_o: an upload or a word of one is under way, error_o may still change. Reset: all slots invalid.
 module horopter_map_store #(
     parameter int unsigned POOL_BYTES = 81920,
     parameter bit PARITY = 1'b1,
@@ -52,7 +53,8 @@ module horopter_map_store #(
     input  logic [          3:0] lookup_slot_i,
     output logic                 table_ok_o,
     output logic                 table_error_o,
-    output logic [ADDR_BITS-1:0] table_base_o,
+    output logic [ADDR_BITS-1:0] table_base_o,  // behind its areas
+    output logic [         11:0] table_areas_o,  // words of them
     output logic [          2:0] table_nx_o,
     output logic [          2:0] table_ny_o,
     output logic [         11:0] table_columns_o,
@@ -85,9 +87,9 @@ module horopter_map_store #(
     HEAD0,
     HEAD1,
     HEAD2,
-    SIZE,  // row pairs × columns, behind the spans, and whether the header agrees with itself
-    WALK,  // which tables it would overlap
     HEAD3,
+    SIZE,  // row pairs × columns, behind areas and spans, and whether the header agrees with itself
+    WALK,  // which tables it would overlap
     FACTS,
     DATA,  // spans and control points
     CHECK
@@ -115,15 +117,20 @@ module horopter_map_store #(
   logic [15:0] base_q;
   logic [31:0] crc_q;
   logic [11:0] facts_q;  // words of facts that are still to come
+  logic [11:0] areas_q;  // words of areas among them at first
+  logic area_next_q;  // the next word of facts is one of these
+  logic [11:0] areas64;  // words64 of them
+  assign areas64 = 12'((13'(areas_q) + 13'd1) >> 1);
+  logic [ADDR_BITS-1:0] spans_base_q;  // behind them, from WALK on
   logic [3:0] fact_q;  // one-hot: which of the first four is next
   logic [47:0] unsupervised_q;
   // By slot; the last one, which is none, stays 0, as a power of two needs no bounds.
   logic [15:0] valid_q, overlap_q;
   logic [6:0] step_q;
-  logic [23:0] size_q, end_q;  // words of control points; address after the last, before that after the spans
+  logic [23:0] size_q, end_q;  // words of control points; address after the last, before that after areas and spans
   logic [ADDR_BITS:0] end_addr;  // the same, once it is known to be in the pool
   logic [ADDR_BITS:0] write_addr_q;
-  logic odd_q, complete_q;  // data: the odd row's is next; all is there
+  logic odd_q, complete_q;  // areas and data: the odd bank's is next; all is there
   assign end_addr = end_q[ADDR_BITS:0];
   logic consistent_q, differs_q, bad_size_q, too_large_q;
   logic [11:0] cells_x_q, cells_y_q;
@@ -233,7 +240,18 @@ module horopter_map_store #(
 
         HEAD1: if (take) state_q <= HEAD2;
 
-        HEAD2: if (take) state_q <= SIZE;
+        HEAD2: if (take) state_q <= HEAD3;
+
+        HEAD3:
+        if (take) begin
+          if (data[11:0] < FEWEST_FACTS || (data[11:0] != FEWEST_FACTS) != data[16]) begin
+            state_q <= IDLE;
+            error_o <= BAD_HEADER;
+            bad_upload_o <= 1'b1;
+          end else begin
+            state_q <= SIZE;
+          end
+        end
 
         SIZE:
         if (step_q == 7'd13) begin
@@ -253,19 +271,8 @@ module horopter_map_store #(
             error_o <= IN_USE;
             refused_o <= 1'b1;
           end else begin
-            state_q <= HEAD3;
-            valid_q <= valid_q & ~overlap_q;
-          end
-        end
-
-        HEAD3:
-        if (take) begin
-          if (data[11:0] < FEWEST_FACTS) begin
-            state_q <= IDLE;
-            error_o <= BAD_HEADER;
-            bad_upload_o <= 1'b1;
-          end else begin
             state_q <= FACTS;
+            valid_q <= valid_q & ~overlap_q;
           end
         end
 
@@ -305,6 +312,7 @@ module horopter_map_store #(
     differs_q <= columns_q != cells_x_q + 12'd2 || 12'(pairs_q) != 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]);
     bad_size_q <= !consistent_q || differs_q || size_q == 24'd0;
     too_large_q <= 32'(end_q) > WORDS;
+    spans_base_q <= base_q[ADDR_BITS-1:0] + ADDR_BITS'(areas64);
     complete_q <= write_addr_q == end_addr;
     case (state_q)
       HEAD0:
@@ -333,6 +341,14 @@ module horopter_map_store #(
         step_q <= 7'd0;
       end
 
+      HEAD3:
+      if (take) begin
+        facts_q <= data[11:0];
+        fact_q <= 4'd1;
+        areas_q <= data[11:0] - FEWEST_FACTS;
+        area_next_q <= 1'b0;
+      end
+
       // One bit of the product and one place of the shifts a clock.
       SIZE: begin
         step_q <= step_q == 7'd13 ? 7'd0 : next_step;
@@ -343,6 +359,7 @@ module horopter_map_store #(
         end
         if (halve_x_q) cells_x_q <= {1'b0, cells_x_q[11:1]};
         if (halve_y_q) cells_y_q <= {1'b0, cells_y_q[11:1]};
+        if (step_q == 7'd0) end_q <= end_q + 24'(areas64);
         if (step_q == 7'd11) end_q <= end_q + size_q;
       end
 
@@ -354,16 +371,13 @@ module horopter_map_store #(
         odd_q <= 1'b0;
       end
 
-      HEAD3:
-      if (take) begin
-        facts_q <= data[11:0];
-        fact_q <= 4'd1;
-      end
-
       FACTS:
       if (take) begin
         facts_q <= facts_q - 12'd1;
         fact_q <= {fact_q[2:0], 1'b0};
+        area_next_q <= area_next_q || facts_q == areas_q + 12'd1;
+        if (area_next_q) odd_q <= !odd_q && facts_q != 12'd1;
+        if (area_next_q && (odd_q || facts_q == 12'd1)) write_addr_q <= write_addr_q + 1'b1;
         if (fact_q[2]) unsupervised_q[23:0] <= data[23:0];
         if (fact_q[3]) unsupervised_q[47:24] <= data[23:0];
       end
@@ -381,10 +395,10 @@ module horopter_map_store #(
   assign valid_o = valid_q[14:0];
 
   // --- directory: read by a lookup, else of slot_i, what its CRC is ---
-  localparam int unsigned ENTRY_BITS = 32 + 1 + 12 + 12 + 12 + 3 + 3 + ADDR_BITS;
+  localparam int unsigned ENTRY_BITS = 32 + 12 + 1 + 12 + 12 + 12 + 3 + 3 + ADDR_BITS;
   logic [ENTRY_BITS-1:0] entry;
   logic [31:0] entry_crc;
-  logic [11:0] entry_width, entry_height, entry_columns;
+  logic [11:0] entry_width, entry_height, entry_columns, entry_areas;
   logic [2:0] entry_ny, entry_nx;
   logic [ADDR_BITS-1:0] entry_base;
   logic entry_spans, lookup_q, lookup_valid_q, slot_read_q;
@@ -396,18 +410,19 @@ module horopter_map_store #(
       .clk_i(clk_i),
       .write_en_i(store_entry),
       .write_addr_i(slot_q),
-      .write_data_i({data, spans_q, height_q, width_q, columns_q, ny_q, nx_q, base_q[ADDR_BITS-1:0]}),
+      .write_data_i({data, areas_q, spans_q, height_q, width_q, columns_q, ny_q, nx_q, spans_base_q}),
       .read_en_i(lookup_i || !store_entry),
       .read_addr_i(lookup_i ? lookup_slot_i : slot_i),
       .read_data_o(entry),
       .parity_error_o(entry_error)
   );
-  assign {entry_crc, entry_spans, entry_height, entry_width, entry_columns, entry_ny, entry_nx, entry_base} = entry;
+  assign {entry_crc, entry_areas, entry_spans, entry_height, entry_width, entry_columns, entry_ny, entry_nx, entry_base} = entry;
   always_ff @(posedge clk_i) begin
     lookup_q <= lookup_i;
     // A table that is being stored in this very clock counts from the next lookup on.
     lookup_valid_q <= valid_q[lookup_slot_i];
     if (lookup_q) table_crc_o <= entry_crc;
+    if (lookup_q) table_areas_o <= entry_areas;
     slot_read_q <= !lookup_i && !store_entry;
     slot_valid_q <= valid_q[slot_i];
     if (slot_read_q && !slot_valid_q) slot_crc_o <= 32'd0;
@@ -482,18 +497,19 @@ module horopter_map_store #(
       .error_o(guard_error[0])
   );
   horopter_guard #(
-      .WIDTH(ADDR_BITS + 19)
+      .WIDTH(ADDR_BITS + 31)
   ) u_geometry_guard (
       .clk_i(clk_i),
       .written_i(looked_up_q),
-      .value_i({table_base_o, table_nx_o, table_ny_o, table_columns_o, table_spans_o}),
+      .value_i({table_base_o, table_nx_o, table_ny_o, table_columns_o, table_spans_o, table_areas_o}),
       .error_o(guard_error[1])
   );
 
   // --- pool ---
-  logic write_even, write_odd, even_error, odd_error;
-  assign write_even = state_q == DATA && take && !odd_q;
-  assign write_odd = state_q == DATA && take && odd_q;
+  logic write, write_even, write_odd, even_error, odd_error;
+  assign write = take && (state_q == DATA || (state_q == FACTS && area_next_q));
+  assign write_even = write && !odd_q;
+  assign write_odd = write && odd_q;
   horopter_ram #(
       .WIDTH(32),
       .DEPTH(WORDS),

@@ -28,6 +28,7 @@ module horopter_places #(
     input  logic [             11:0] right_rows_i,
     input  logic                     right_ended_i,
     output logic                     begin_o,
+    input  logic                     wait_i,
     output logic                     active_o,
     input  logic                     published_i,
     // map store
@@ -87,6 +88,7 @@ module horopter_places #(
       .right_rows_i(right_rows_i),
       .right_ended_i(right_ended_i),
       .begin_o(begin_o),
+      .wait_i(wait_i),
       .active_o(active_o),
       .published_i(published_i),
       .lookup_o(lookup_o),

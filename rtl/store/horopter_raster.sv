@@ -8,7 +8,8 @@
 // passed since its last beat, so that frames never share the pipeline.
 //
 // setup_o, row_o: as horopter_row_span takes them; nothing is read then.
-// begin_o: one clock, settings and table may change now; at least 8 clocks before the first beat.
+// begin_o: one clock, settings and table may change now; at least 8 clocks before the first beat, which waits for wait_i to
+// fall, too: it must be up before these are over.
 // The control points of a beat come 2 clocks after their addresses. FAST: the beats are registers, and leave a clock later;
 // FAST = 0 computes where it can what FAST keeps in registers.
 module horopter_raster #(
@@ -35,6 +36,7 @@ module horopter_raster #(
     input  logic [             11:0] right_rows_i,
     input  logic                     right_ended_i,
     output logic                     begin_o,
+    input  logic                     wait_i,
     output logic                     active_o,  // from begin_o until published
     input  logic                     published_i,
     // map store
@@ -141,9 +143,10 @@ module horopter_raster #(
         end
 
         SETUP: begin
-          count_q <= count_q + 1'b1;
           first_q <= 1'b1;
-          if (count_q[3]) begin
+          if (!count_q[3]) begin
+            count_q <= count_q + 1'b1;
+          end else if (!wait_i) begin
             count_q <= '0;
             state_q <= WAIT_ROW;
           end

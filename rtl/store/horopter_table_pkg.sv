@@ -11,6 +11,7 @@ package horopter_table_pkg;
   localparam int unsigned FACT_WORDS = 5;  // before the areas
   localparam int unsigned LARGEST_SPACING_LOG2 = 6;  // of control points
   localparam int unsigned AREA_BLOCK_LOG2 = 5;  // side of a block that has one area
+  localparam int unsigned UNKNOWN_AREA = 'hFF;  // code of a pixel's, where a table knows none: the largest
   localparam int unsigned CONTROL_OFFSET_PX = 64;  // control points are unsigned: 0 means -64 px
   localparam int unsigned CONTROL_SCALE = 32;  // steps per pixel
   localparam int unsigned AROUND_SKIN = 'hA000;  // y of points around the skin, from here on

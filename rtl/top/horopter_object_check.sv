@@ -3,22 +3,32 @@
 // each gets idle beats, one a clock, until everything has been said. A frame of which nothing can be blind does not wait for
 // `blind`, from which pixels come some rows later.
 //
+// pixel_*_o: the pixels for which `objects` needs the code of an area, pixel_area_i, AREA_LATENCY clocks later.
+//
 // ended_o: one clock, everything of the frame has been said; overflow_o comes with it. alarm_o: an object of the frame so far,
 // or of the last one until the next begins, has reached the limit. taught_o: at least one frame was taught. frame_*: of the
-// largest object, 0 without one, and the number of blind pixels, from ended_o on. rst_ni: of the streaming core.
+// largest object, 0 without one, and the number of blind pixels, from ended_o on. m_axis_objects: as in horopter_top, by
+// bus_rst_ni a beat that is offered stays. frame_i: the number of the frame. rst_ni: of the streaming core.
 module horopter_object_check #(
     parameter bit BLIND = 1'b1,
+    parameter int unsigned AREA_LATENCY = 3,
     parameter int unsigned COLUMNS = horopter_profile_pkg::WIDTH / horopter_profile_pkg::SUBSAMPLE,
     parameter int unsigned ROWS = horopter_profile_pkg::HEIGHT,
     parameter int unsigned COUNT_BITS = $clog2(COLUMNS * ROWS + 1)
 ) (
     input  logic                                  clk_i,
     input  logic                                  rst_ni,
+    input  logic                                  bus_rst_ni,
     input  logic [              COUNT_BITS-1:0]   object_limit_i,
+    input  logic [                        31:0]   object_area_limit_i,  // 1/1024 mm²
     input  logic [    $clog2(COLUMNS + 1)-1:0]    width_i,
     input  logic [       $clog2(ROWS + 1)-1:0]    height_i,
     input  horopter_csr_pkg::blocks_t             blocks_i,
     input  logic                                  forget_i,  // what was taught; before a frame begins
+    output logic                                  pixel_valid_o,
+    output logic                                  pixel_first_o,
+    output logic                                  pixel_last_o,
+    input  logic [                         7:0]   pixel_area_i,
     input  logic                                  state_valid_i,
     input  logic [                         1:0]   state_i,
     input  logic                                  state_first_i,
@@ -32,7 +42,13 @@ module horopter_object_check #(
     output logic [                        23:0]   frame_pixels_o,
     output horopter_csr_pkg::frame_object_columns_t frame_columns_o,
     output horopter_csr_pkg::frame_object_rows_t  frame_rows_o,
-    output logic [                        23:0]   frame_blind_o
+    output logic [                        31:0]   frame_area_o,
+    output logic [                        23:0]   frame_blind_o,
+    input  logic [                        31:0]   frame_i,
+    output logic [                       207:0]   m_axis_objects_tdata,
+    output logic                                  m_axis_objects_tlast,
+    output logic                                  m_axis_objects_tvalid,
+    input  logic                                  m_axis_objects_tready
 );
   // Pixels leave it some rows after they came: the idle beats of `objects` begin when it is done.
   logic blind_idle_q, blind_valid, there, blind, pixel_first, pixel_last, blind_done, taught;
@@ -95,28 +111,45 @@ module horopter_object_check #(
 
   logic idle_q;  // the frame has ended
   logic valid, object_ended, alarm, overflow, done;
-  logic [COUNT_BITS-1:0] pixels, largest_q;
+  logic [COUNT_BITS-1:0] pixels, blind_pixels, largest_q;
+  logic [31:0] area, area_q;
   localparam int unsigned COLUMN_BITS = $clog2(COLUMNS);
   localparam int unsigned ROW_BITS = $clog2(ROWS);
   logic [COLUMN_BITS-1:0] left, right, left_q, right_q;
   logic [ROW_BITS-1:0] top, bottom, top_q, bottom_q;
   logic [COUNT_BITS+COLUMN_BITS-1:0] columns;
   logic [COUNT_BITS+ROW_BITS-1:0] rows;
-  logic unused_sums;
-  assign unused_sums = ^{columns, rows};
+  assign pixel_valid_o = looks ? pixel_valid : state_valid_i;
+  assign pixel_first_o = looks ? pixel_first : state_first_i;
+  assign pixel_last_o = looks ? pixel_last : state_last_i;
+  // They wait until their areas are there, the oldest in the highest bits.
+  localparam int unsigned BEAT = 6;
+  logic occupied, late_valid, late_occupied, late_first, late_last, late_idle, late_blind;
+  logic [AREA_LATENCY*BEAT-1:0] waiting_q;
+  assign occupied = looks ? blind || pixel_state == 2'd1 : state_i == 2'd1;
+  assign {late_valid, late_occupied, late_first, late_last, late_idle, late_blind} = waiting_q[AREA_LATENCY*BEAT-1-:BEAT];
+  always_ff @(posedge clk_i) begin
+    waiting_q <= {waiting_q[(AREA_LATENCY-1)*BEAT-1:0],
+                  rst_ni && (pixel_valid_o || idle_q), occupied, pixel_first_o, pixel_last_o, idle_q, looks && blind};
+  end
   horopter_objects u_objects (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
       .en_i(1'b1),
-      .valid_i(looks ? pixel_valid || idle_q : state_valid_i || idle_q),
-      .occupied_i(looks ? blind || pixel_state == 2'd1 : state_i == 2'd1),
-      .first_i(looks ? pixel_first : state_first_i),
-      .last_i(looks ? pixel_last : state_last_i),
-      .idle_i(idle_q),
+      .valid_i(late_valid),
+      .occupied_i(late_occupied),
+      .first_i(late_first),
+      .last_i(late_last),
+      .idle_i(late_idle),
+      .area_i(pixel_area_i),
+      .blind_i(late_blind),
       .cfg_object_limit_i(object_limit_i),
+      .cfg_object_area_limit_i(object_area_limit_i),
       .valid_o(valid),
       .ended_o(object_ended),
       .object_pixels_o(pixels),
+      .object_blind_o(blind_pixels),
+      .object_area_o(area),
       .object_left_o(left),
       .object_right_o(right),
       .object_top_o(top),
@@ -139,6 +172,7 @@ module horopter_object_check #(
     if (!rst_ni || ended_o) largest_q <= '0;
     else if (valid && object_ended && pixels > largest_q) begin
       largest_q <= pixels;
+      area_q <= area;
       left_q <= left;
       right_q <= right;
       top_q <= top;
@@ -148,9 +182,11 @@ module horopter_object_check #(
       frame_pixels_o <= 24'd0;
       frame_columns_o <= '0;
       frame_rows_o <= '0;
+      frame_area_o <= 32'd0;
       frame_blind_o <= 24'd0;
     end else if (ended_o) begin
       frame_pixels_o <= 24'(largest_q);
+      frame_area_o <= largest_q == '0 ? 32'd0 : area_q;
       frame_blind_o <= 24'(blind_q);
       frame_columns_o.left <= largest_q == '0 ? 12'd0 : 12'(left_q);
       frame_columns_o.right <= largest_q == '0 ? 12'd0 : 12'(right_q);
@@ -158,4 +194,30 @@ module horopter_object_check #(
       frame_rows_o.bottom <= largest_q == '0 ? 12'd0 : 12'(bottom_q);
     end
   end
+
+  horopter_object_stream #(
+      .COUNT_BITS(COUNT_BITS),
+      .COLUMN_BITS(COLUMN_BITS),
+      .ROW_BITS(ROW_BITS)
+  ) u_stream (
+      .clk_i(clk_i),
+      .rst_ni(bus_rst_ni),
+      .core_rst_ni(rst_ni),
+      .object_valid_i(valid && object_ended),
+      .object_pixels_i(pixels),
+      .object_blind_i(blind_pixels),
+      .object_area_i(area),
+      .object_left_i(left),
+      .object_right_i(right),
+      .object_top_i(top),
+      .object_bottom_i(bottom),
+      .object_columns_i(columns),
+      .object_rows_i(rows),
+      .end_i(ended_o),
+      .frame_i(frame_i),
+      .m_axis_objects_tdata(m_axis_objects_tdata),
+      .m_axis_objects_tlast(m_axis_objects_tlast),
+      .m_axis_objects_tvalid(m_axis_objects_tvalid),
+      .m_axis_objects_tready(m_axis_objects_tready)
+  );
 endmodule

@@ -26,6 +26,7 @@ module horopter_settings #(
     input  logic [15:0]                texture_limit_i,
     input  logic [23:0]                alarm_limit_i,
     input  logic [23:0]                object_limit_i,
+    input  logic [31:0]                object_area_limit_i,
     input  horopter_csr_pkg::blocks_t  blocks_i,
     input  logic [23:0]                unsupervised_limit_i,
     input  horopter_csr_pkg::agreement_t agreement_i,
@@ -53,6 +54,7 @@ module horopter_settings #(
     output logic [TEXTURE_BITS-1:0]    texture_limit_o,
     output logic [COUNT_BITS-1:0]      alarm_limit_o,
     output logic [COUNT_BITS-1:0]      object_limit_o,
+    output logic [31:0]                object_area_limit_o,
     output horopter_csr_pkg::blocks_t  blocks_o,
     output horopter_csr_pkg::agreement_t agreement_o,
     output horopter_csr_pkg::agreement_limits_t agreement_limits_o,
@@ -89,6 +91,7 @@ module horopter_settings #(
       texture_limit_o <= 32'(texture_limit_i) >> TEXTURE_BITS != 0 ? '1 : TEXTURE_BITS'(texture_limit_i);
       alarm_limit_o <= 32'(alarm_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(alarm_limit_i);
       object_limit_o <= 32'(object_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(object_limit_i);
+      object_area_limit_o <= object_area_limit_i;
       blocks_o <= blocks_i;
       unsupervised_set <= 32'(unsupervised_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(unsupervised_limit_i);
       agreement_o <= agreement_i;
@@ -110,7 +113,7 @@ module horopter_settings #(
   localparam int unsigned BEGIN_BITS = 2 * SUM_BITS + TEXTURE_BITS + 3 * COUNT_BITS + $bits(agreement_o)
       + $bits(agreement_limits_o) + $bits(blocks_o) + 8 + $bits(registration_o)
       + $bits(epipolar_o) + $bits(epipolar_change_o) + WIDTH_BITS + HEIGHT_BITS
-      + 1 + $bits(compete_o);
+      + 1 + $bits(compete_o) + 32;
   localparam int unsigned OPEN_WORDS = (OPEN_BITS + 31) / 32;
   localparam int unsigned BEGIN_WORDS = (BEGIN_BITS + 31) / 32;
   logic [32*OPEN_WORDS-1:0] opened;
@@ -121,7 +124,7 @@ module horopter_settings #(
   assign opened = (32 * OPEN_WORDS)'({
       black_level_o, white_level_o, constant_limit_o, frozen_limit_o, black_limit_o, white_limit_o});
   assign begun = (32 * BEGIN_WORDS)'({
-      sum_limit_o, self_limit_o, texture_limit_o, alarm_limit_o, object_limit_o, blocks_o, unsupervised_set, agreement_o,
+      sum_limit_o, self_limit_o, texture_limit_o, alarm_limit_o, object_limit_o, object_area_limit_o, blocks_o, unsupervised_set, agreement_o,
       agreement_limits_o,      hidden_frames_o, registration_o, epipolar_o, epipolar_change_o, result_width_o, result_height_o, decision_compete_o,
       compete_o});
   for (genvar w = 0; w < OPEN_WORDS; w++) begin : g_opened

@@ -63,6 +63,7 @@ module horopter_status #(
     input  logic [31:0]                      table_crc_i,
     input  logic                             table_error_i,  // parity of the directory
     input  logic                             beat_parity_error_i,  // of the map
+    input  logic                             areas_error_i,  // parity of the map's areas
     input  logic                             stage_parity_error_i,  // of a stage's memory
     input  logic                             quad_valid_i,
     input  logic                             quad_miss_i,
@@ -169,7 +170,7 @@ module horopter_status #(
   assign miss = quad_valid_i && quad_miss_i;
   assign parity_error = {quad_valid_i && quad_parity_error_i && left_mask_i, left_parity_error_i};
   assign internal = output_overflow_i != 2'b00 || beat_parity_error_i || table_error_i || rows_error_i
-      || place_error_i || stage_parity_error_i;
+      || place_error_i || stage_parity_error_i || areas_error_i;
 
   horopter_frame_control u_frame_control (
       .clk_i(clk_i),

@@ -10,6 +10,12 @@
 //                            2 undecidable, 3 unsupervised; tuser, tlast as above.
 // m_axis_runs                the rows as runs: {state[63:62], 14'b0, row[47:32], start[31:16], end[15:0]}, end included,
 //                            every row covered completely; tlast = last run of a frame.
+// m_axis_objects             the objects of a frame, in the order in which they end: {sum of rows[207:176], sum of
+//                            columns[175:144], bottom[143:128], top[127:112], right[111:96], left[95:80], area in
+//                            1/1024 mm2[79:48], blind pixels[47:24], pixels[23:0]}. After them, with tlast, a beat of
+//                            the frame: {128'b0, FRAME_SEQUENCE[79:48], objects that were not sent[47:24], objects[23:0]}.
+//                            Nothing waits for it: while 16 wait, more are not sent, and counted. With a beat of a frame
+//                            that has not been taken when the next frame ends, nothing is sent of that one.
 // restart_i                  a button, of any clock: see INTERLOCK and horopter_interlock.sv.
 // feedback_i                 of the contactors that safe_o switches, of any clock: see FEEDBACK and horopter_feedback.sv.
 // safe_o, unsafe_o           complements, from separate registers; safe only while the last two frames were complete, in
@@ -79,6 +85,11 @@ module horopter_top #(
     output logic        m_axis_runs_tlast,
     output logic        m_axis_runs_tvalid,
     input  logic        m_axis_runs_tready,
+    // objects
+    output logic [207:0] m_axis_objects_tdata,
+    output logic        m_axis_objects_tlast,
+    output logic        m_axis_objects_tvalid,
+    input  logic        m_axis_objects_tready,
     // status
     input  logic        restart_i,
     input  logic        feedback_i,
@@ -191,6 +202,7 @@ module horopter_top #(
   logic [5:0] region_select;
   logic [31:0] frame_word;
   logic [23:0] frame_object, frame_blind;
+  logic [31:0] object_area_limit, sampled_object_area_limit, frame_object_area;
   horopter_csr_pkg::blocks_t blocks, sampled_blocks;
   logic [15:0] taught_frames;
   horopter_csr_pkg::frame_object_columns_t frame_object_columns;
@@ -286,6 +298,7 @@ module horopter_top #(
       .texture_limit_sum_o(texture_limit),
       .alarm_limit_pixels_o(alarm_limit),
       .object_limit_pixels_o(object_limit),
+      .object_area_limit_of_1024_o(object_area_limit),
       .blocks_o(blocks),
       .unsupervised_limit_pixels_o(unsupervised_limit),
       .black_level_grey_o(black_level),
@@ -312,6 +325,7 @@ module horopter_top #(
       .frame_object_pixels_i(frame_object),
       .frame_object_columns_i(frame_object_columns),
       .frame_object_rows_i(frame_object_rows),
+      .frame_object_area_of_1024_i(frame_object_area),
       .frame_blind_pixels_i(frame_blind),
       .taught_frames_i(taught_frames),
       .map_slot_slot_o(map_slot),
@@ -388,6 +402,7 @@ module horopter_top #(
       .texture_limit_i(texture_limit),
       .alarm_limit_i(alarm_limit),
       .object_limit_i(object_limit),
+      .object_area_limit_i(object_area_limit),
       .blocks_i(blocks),
       .undecidable_limit_i(table_undecidable_limit),
       .unsupervised_i(table_ok ? table_unsupervised : '1),
@@ -415,6 +430,7 @@ module horopter_top #(
       .texture_limit_o(sampled_texture_limit),
       .alarm_limit_o(sampled_alarm_limit),
       .object_limit_o(sampled_object_limit),
+      .object_area_limit_o(sampled_object_area_limit),
       .blocks_o(sampled_blocks),
       .undecidable_limit_o(sampled_undecidable_limit),
       .unsupervised_limit_o(sampled_unsupervised_limit),
@@ -654,6 +670,9 @@ module horopter_top #(
   logic [11:0] table_columns;
   logic [31:0] table_crc, map_even, map_odd;
   logic map_read, map_parity_error, table_spans;
+  logic [11:0] table_areas;
+  logic areas_wait, areas_read, areas_error;
+  logic [MAP_ADDR_BITS-1:0] areas_addr;
   logic go, beat_parity_error;
 
   always_ff @(posedge clk_i) begin
@@ -692,6 +711,7 @@ module horopter_top #(
       .table_ok_o(table_ok),
       .table_error_o(table_error),
       .table_base_o(table_base),
+      .table_areas_o(table_areas),
       .table_nx_o(table_nx),
       .table_ny_o(table_ny),
       .table_columns_o(table_columns),
@@ -699,9 +719,9 @@ module horopter_top #(
       .table_crc_o(table_crc),
       .table_undecidable_limit_o(table_undecidable_limit),
       .table_unsupervised_o(table_unsupervised),
-      .read_en_i(map_read),
-      .even_addr_i(map_even_addr),
-      .odd_addr_i(map_odd_addr),
+      .read_en_i(map_read || areas_read),
+      .even_addr_i(areas_read ? areas_addr : map_even_addr),
+      .odd_addr_i(areas_read ? areas_addr : map_odd_addr),
       .even_data_o(map_even),
       .odd_data_o(map_odd),
       .parity_error_o(map_parity_error)
@@ -733,6 +753,7 @@ module horopter_top #(
       .right_rows_i(right_rows),
       .right_ended_i(right_ended),
       .begin_o(frame_begin),
+      .wait_i(areas_wait),
       .active_o(frame_active),
       .published_i(published),
       .lookup_o(lookup),
@@ -790,6 +811,7 @@ module horopter_top #(
         .right_rows_i(right_rows),
         .right_ended_i(right_ended),
         .begin_o(unused_begin),
+        .wait_i(areas_wait),
         .active_o(unused_active),
         .published_i(published),
         .lookup_o(unused_lookup),
@@ -1052,17 +1074,54 @@ module horopter_top #(
       .frame_unproven_pixels_o(frame_unproven_pixels)
   );
 
+  logic pixel_valid, pixel_first, pixel_last;
+  logic [7:0] pixel_area;
+  localparam int unsigned AREA_LATENCY = FAST ? 4 : 3;
+  horopter_areas #(
+      .ADDR_BITS(MAP_ADDR_BITS),
+      .FAST(FAST),
+      .LATENCY(AREA_LATENCY)
+  ) u_areas (
+      .clk_i(clk_i),
+      .rst_ni(core_rst_n),
+      .begin_i(frame_begin),
+      .table_ok_i(table_ok),
+      .base_i(table_base),
+      .areas_i(table_areas),
+      .busy_o(areas_wait),
+      .read_o(areas_read),
+      .addr_o(areas_addr),
+      .even_i(map_even),
+      .odd_i(map_odd),
+      .error_i(map_parity_error),
+      .width_i(result_width),
+      .pixel_valid_i(pixel_valid),
+      .pixel_first_i(pixel_first),
+      .pixel_last_i(pixel_last),
+      .area_o(pixel_area),
+      .error_o(areas_error)
+  );
+
   logic objects_ended, objects_overflow, object_alarm, taught, forget;
+  logic [31:0] next_frame_q;  // what FRAME_SEQUENCE will be
+  always_ff @(posedge clk_i) next_frame_q <= frame_sequence + 32'd1;
   horopter_object_check #(
-      .BLIND(BLIND)
+      .BLIND(BLIND),
+      .AREA_LATENCY(AREA_LATENCY)
   ) u_object_check (
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
+      .bus_rst_ni(rst_ni),
       .object_limit_i(sampled_object_limit),
+      .object_area_limit_i(sampled_object_area_limit),
       .width_i(result_width),
       .height_i(result_height),
       .blocks_i(sampled_blocks),
       .forget_i(forget),
+      .pixel_valid_o(pixel_valid),
+      .pixel_first_o(pixel_first),
+      .pixel_last_o(pixel_last),
+      .pixel_area_i(pixel_area),
       .state_valid_i(state_valid && !state_idle),
       .state_i(state),
       .state_first_i(state_first),
@@ -1076,7 +1135,13 @@ module horopter_top #(
       .frame_pixels_o(frame_object),
       .frame_columns_o(frame_object_columns),
       .frame_rows_o(frame_object_rows),
-      .frame_blind_o(frame_blind)
+      .frame_area_o(frame_object_area),
+      .frame_blind_o(frame_blind),
+      .frame_i(next_frame_q),
+      .m_axis_objects_tdata(m_axis_objects_tdata),
+      .m_axis_objects_tlast(m_axis_objects_tlast),
+      .m_axis_objects_tvalid(m_axis_objects_tvalid),
+      .m_axis_objects_tready(m_axis_objects_tready)
   );
 
   // ------------------------------------------------------------------------------------------------ outputs
@@ -1181,6 +1246,7 @@ module horopter_top #(
       .table_crc_i(table_crc),
       .table_error_i(table_error),
       .beat_parity_error_i(beat_parity_error),
+      .areas_error_i(areas_error),
       .stage_parity_error_i(stage_parity_error),
       .quad_valid_i(quad_valid),
       .quad_miss_i(quad_miss),

@@ -41,7 +41,7 @@ RESULT = ("FRAME_SEQUENCE", "FRAME_STATUS", "FRAME_FAULTS_CAMERAS", "FRAME_FAULT
 WIDTH, HEIGHT, SPACING_LOG2, SLOT, SHIFT_PX, CLOCK_STEPS = 64, 24, 4, 3, -6, 2
 RESET_CLOCKS = 1  # until every output is in reset
 OKAY, SLVERR = AxiResp.OKAY, AxiResp.SLVERR
-PAYLOAD = {"m_axis_state_t": ("data", "user", "last"), "m_axis_runs_t": ("data", "last"), "s_axil_b": ("resp",),
+PAYLOAD = {"m_axis_state_t": ("data", "user", "last"), "m_axis_runs_t": ("data", "last"), "m_axis_objects_t": ("data", "last"), "s_axil_b": ("resp",),
            "s_axil_r": ("resp", "data")}
 
 
@@ -118,7 +118,8 @@ class Machine:
         self.cameras = [model(AxiStreamSource, AxiStreamBus, f"s_axis_{side}") for side in ("left", "right")]
         self.states = model(AxiStreamSink, AxiStreamBus, "m_axis_state")
         self.runs = model(AxiStreamSink, AxiStreamBus, "m_axis_runs", byte_lanes=1)
-        self.sinks = (self.states, self.runs)
+        self.objects = model(AxiStreamSink, AxiStreamBus, "m_axis_objects", byte_lanes=1)
+        self.sinks = (self.states, self.runs, self.objects)
         self.taken, self.was_safe = dict.fromkeys(PAYLOAD, 0), False  # beats of each output
         cocotb.start_soon(self._watch())
 
@@ -220,6 +221,8 @@ class Machine:
             assert list(row.tuser) == [int(y == 0)] + [0] * (WIDTH - 1), f"row {y}: {len(row.tuser)} pixels, tuser {row.tuser}"
             frame["states"] += bytes(row.tdata)
         runs = await self.within(9_000, self.runs.recv(compact=False))
+        objects = await self.within(9_000, self.objects.recv(compact=False))
+        assert objects.tdata[-1] == frame["FRAME_SEQUENCE"] << 48 | len(objects.tdata) - 1, "objects were lost, or miscounted"
         assert list(runs.tdata) == list(runs_of(frame["states"])), "runs are not those of the states"
         for state, name in ((1, "FRAME_SKIN"), (2, "FRAME_UNDECIDABLE"), (3, "FRAME_UNSUPERVISED")):
             assert (count := frame["states"].count(state)) == frame[name], f"{count} states {state}, {name} {frame[name]}"

@@ -93,6 +93,27 @@ inline std::vector<std::uint32_t> with_spans(const std::vector<std::uint32_t>& w
   return with;
 }
 
+/// The same with areas, codes of a part of the range: small ones, or all of it.
+inline std::vector<std::uint32_t> with_areas(const std::vector<std::uint32_t>& words, const hls::Profile& profile,
+                                             Rng& rng) {
+  const hls::table::Header header = hls::table::read(words);
+  hls::table::Facts facts = header.facts;
+  facts.subsample = profile.subsample;
+  facts.areas.resize(facts.area_count(header.geometry));
+  const bool all = rng.chance(3);
+  for (std::uint8_t& code : facts.areas) code = static_cast<std::uint8_t>(all ? rng.below(256) : 60 + rng.below(40));
+  std::vector<hls::table::Span> spans;
+  for (int y = 0; header.geometry.spans && y < header.geometry.height; ++y) {
+    spans.push_back(hls::table::Span::of(words[header.first_span + static_cast<std::size_t>(y)]));
+  }
+  auto with = hls::table::write(
+      header.geometry, facts,
+      [&](int column, int row) { return words[header.first_control + header.geometry.control_index(column, row)]; },
+      spans);
+  with.back() = crc32_words(std::span(with).first(with.size() - 1));
+  return with;
+}
+
 struct FramePair {
   Image left, right;
 };
@@ -125,8 +146,10 @@ struct Published {
   std::vector<std::uint8_t> states;
   std::vector<native::Run> runs;
   std::uint32_t sequence = 0, status = 0, table_crc = 0, skin = 0, undecidable = 0, unsupervised = 0;
-  std::array<std::uint32_t, 3> object{};  ///< FRAME_OBJECT and the two registers after it
+  std::array<std::uint32_t, 4> object{};  ///< FRAME_OBJECT, the two registers after it, and FRAME_OBJECT_AREA
   std::uint32_t blind = 0;
+  std::vector<native::Object> objects;  ///< of m_axis_objects
+  std::uint32_t objects_found = 0, objects_lost = 0;
   std::uint32_t latency = 0, tail = 0;
   Faults faults;
   bool safe_pin = false;
@@ -140,6 +163,21 @@ struct Published {
     return {names.begin(), names.end()};
   }
 };
+
+/// A beat of m_axis_objects, from the lowest bit.
+using ObjectBits = std::array<std::uint32_t, 7>;
+
+inline std::uint32_t bits_of(const ObjectBits& bits, unsigned lowest, unsigned count) {
+  const unsigned word = lowest / 32;
+  const std::uint64_t two = bits[word] | std::uint64_t{word + 1 < bits.size() ? bits[word + 1] : 0} << 32;
+  return static_cast<std::uint32_t>(two >> lowest % 32 & ((std::uint64_t{1} << count) - 1));
+}
+inline native::Object object_of(const ObjectBits& bits) {
+  const auto number = [&](unsigned lowest, unsigned count) { return static_cast<int>(bits_of(bits, lowest, count)); };
+  return {number(0, 24),  number(24, 24),  bits_of(bits, 48, 32),  number(80, 16),
+          number(112, 16), number(96, 16), number(128, 16),        bits_of(bits, 144, 32),
+          bits_of(bits, 176, 32)};
+}
 
 struct MachineOptions {
   unsigned width = 128, height = 48, lookahead = 16;
@@ -163,6 +201,11 @@ class Machine : public Endpoint {
               {&model().m_axis_runs_tvalid, &model().m_axis_runs_tready, &model().m_axis_runs_tdata, nullptr,
                &model().m_axis_runs_tlast},
               pace(options.stalls_percent, 4)},
+        objects_{"m_axis_objects",
+                 {&model().m_axis_objects_tvalid, &model().m_axis_objects_tready,
+                  reinterpret_cast<ObjectBits*>(model().m_axis_objects_tdata.m_storage), nullptr,
+                  &model().m_axis_objects_tlast},
+                 pace(options.stalls_percent, 5)},
         host_{HOROPTER_TB_AXIL(simulation_.model(), s_axil), session_seed(), 20},
         engine_{native::make_engine(profile)},
         settings_{native::Settings::defaults(engine_->profile(), static_cast<int>(options.width),
@@ -172,7 +215,7 @@ class Machine : public Endpoint {
     settings_.object_limit = static_cast<int>(options.width * options.height) + 1;  // none is an alarm
     for (Endpoint* endpoint :
          {static_cast<Endpoint*>(&left_), static_cast<Endpoint*>(&right_), static_cast<Endpoint*>(&states_),
-          static_cast<Endpoint*>(&runs_), static_cast<Endpoint*>(&host_), static_cast<Endpoint*>(this)}) {
+          static_cast<Endpoint*>(&runs_), static_cast<Endpoint*>(&objects_), static_cast<Endpoint*>(&host_), static_cast<Endpoint*>(this)}) {
       simulation_.attach(*endpoint);
     }
     model().s_axis_test_tvalid = 0;
@@ -190,7 +233,9 @@ class Machine : public Endpoint {
   VideoSource& right() { return right_; }
   auto& states() { return states_; }
   auto& runs() { return runs_; }
+  auto& objects() { return objects_; }
   native::Settings& settings() { return settings_; }
+  const hls::Profile& profile() const { return engine_->profile(); }
   const MachineOptions& options() const { return options_; }
 
   /// Registers from settings() and the geometry; enables the machine.
@@ -274,7 +319,7 @@ class Machine : public Endpoint {
     p.undecidable = read(reg::frame_undecidable::kAddress);
     p.unsupervised = read(reg::frame_unsupervised::kAddress);
     p.object = {read(reg::frame_object::kAddress), read(reg::frame_object_columns::kAddress),
-                read(reg::frame_object_rows::kAddress)};
+                read(reg::frame_object_rows::kAddress), read(reg::frame_object_area::kAddress)};
     p.blind = read(reg::frame_blind::kAddress);
     p.latency = read(reg::frame_latency::kAddress);
     p.tail = read(reg::frame_tail::kAddress);
@@ -288,6 +333,7 @@ class Machine : public Endpoint {
     frames_taken_ = frames_done_;
     states_.take();
     runs_.take();
+    objects_.take();
   }
 
   /// Nothing more comes by itself.
@@ -301,12 +347,12 @@ class Machine : public Endpoint {
     return engine_->process(view(pair.left), view(pair.right), native::TableView(table), settings_);
   }
 
-  static std::array<std::uint32_t, 3> object_words(const native::Object& object) {
+  static std::array<std::uint32_t, 4> object_words(const native::Object& object) {
     const auto pair = [](int low, int high) {
       return static_cast<std::uint32_t>(low) | static_cast<std::uint32_t>(high) << 16;
     };
     return {static_cast<std::uint32_t>(object.pixels), pair(object.left, object.right),
-            pair(object.top, object.bottom)};
+            pair(object.top, object.bottom), object.area};
   }
 
   /// States, runs, counts, table, the largest object and alarm of a frame without faults are those of the native engine. It is safe, and the
@@ -323,6 +369,11 @@ class Machine : public Endpoint {
     if (settings_.teach != 0) faults.insert("teaching");
     CHECK(p.fault_names() == faults);
     CHECK(p.blind == static_cast<std::uint32_t>(e.blind_pixels));
+    CHECK(p.objects.size() + p.objects_lost == p.objects_found);
+    if (!e.object_overflow) {
+      CHECK(p.objects_found == e.objects.size());
+      if (p.objects_lost == 0) CHECK(p.objects == e.objects);
+    }
     if (!e.object_overflow) CHECK(p.object == object_words(e.largest_object()));
     REQUIRE(p.states.size() == e.states.size());
     std::size_t different = 0;
@@ -397,6 +448,20 @@ class Machine : public Endpoint {
       last = runs[used].last;
     }
     runs.erase(runs.begin(), runs.begin() + static_cast<std::ptrdiff_t>(used));
+    take_objects(p);
+  }
+  /// Up to the last beat of the frame: it may come some clocks after the registers have changed.
+  void take_objects(Published& p) {
+    auto& objects = objects_.beats();
+    const auto is_last = [](const auto& beat) { return beat.last; };
+    simulation_.run_until([&] { return std::ranges::any_of(objects, is_last); }, 10'000, "the last beat of m_axis_objects");
+    const auto last = std::ranges::find_if(objects, is_last);
+    for (auto beat = objects.begin(); beat != last; ++beat) p.objects.push_back(object_of(beat->data));
+    p.objects_found = bits_of(last->data, 0, 24);
+    p.objects_lost = bits_of(last->data, 24, 24);
+    CHECK(bits_of(last->data, 48, 32) == p.sequence);
+    for (unsigned bit = 80; bit < 208; bit += 32) CHECK(bits_of(last->data, bit, 32) == 0);
+    objects.erase(objects.begin(), last + 1);
   }
 
   MachineOptions options_;
@@ -404,6 +469,7 @@ class Machine : public Endpoint {
   VideoSource left_, right_;
   StreamSink<std::uint8_t> states_;
   StreamSink<std::uint64_t> runs_;
+  StreamSink<ObjectBits> objects_;
   AxilMaster<std::uint16_t> host_;
   std::unique_ptr<native::Engine> engine_;
   native::Settings settings_;

@@ -479,35 +479,40 @@ std::set<std::string> faults_of_stages() {
 /// A bit of every memory of the stores falls over while a frame leaves, or before it.
 template <class Build>
 std::set<std::string> faults_of_memories() {
-  Bench<Build> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  Rng rng{"areas"};
+  const hls::Profile profile = native::make_engine(Build::kProfile)->profile();
+  Bench<Build> bench{{kWidth, kHeight, kLookahead, false, kTimeout},
+                     with_areas(plane_table(kWidth, kHeight, kShift), profile, rng)};
   auto& machine = bench.machine;
   // Every memory of the stores has parity.
   std::set<std::string> memories;
   for (const upset::Signal& signal : Build::signals(machine.model())) {
     const std::string name = signal.name;
-    if (std::string_view(signal.module) != "ram_bank" || name.find("_store.") == std::string::npos) continue;
+    const bool of_stores = name.find("_store.") != std::string::npos || name.starts_with("u_areas.");
+    if (std::string_view(signal.module) != "ram_bank" || !of_stores) continue;
     memories.insert(name.substr(0, std::min(name.find(".g_one."), name.find(".g_banks."))));
   }
-  CHECK(memories.size() == 4 + 1 + 6);
+  CHECK(memories.size() == 4 + 1 + 6 + 1);
   for (const std::string& memory : memories) {
     CAPTURE(memory);
     const bool left = memory.starts_with("u_left_store."), right = memory.starts_with("u_image_store.");
+    const bool while_it_leaves = left || right || memory.starts_with("u_areas.");  // written anew for every frame
     const bool extent = memory == "u_map_store.u_extent";  // of what is uploaded: read when another table is
     bench.raise(left     ? "left_parity"
                 : right  ? "right_parity"
                 : extent ? "map_busy"
                          : "internal",
                 [&] {
-                  if (left || right) {
+                  if (while_it_leaves) {
                     bench.send_scene();
                     machine.simulation().run_until(
                         [&] { return machine.states().beats().size() > kWidth * kHeight / 4; }, 100'000, "some states");
                   }
                   bench.flip(memory);
                   if (extent) machine.upload(3, 700, bench.table);
-                  if (!left && !right) bench.send_scene();
+                  if (!while_it_leaves) bench.send_scene();
                 });
-    if (!left && !right) bench.flip(memory);  // as it was
+    if (!while_it_leaves) bench.flip(memory);  // as it was
     machine.write(reg::control::kAddress, 0);
     machine.upload(0, 0, bench.table);
   }
@@ -528,23 +533,27 @@ TEMPLATE_TEST_CASE("every fault is named, and not safe", "[faults][every]", Fiel
   }
 }
 
-TEMPLATE_TEST_CASE("a bit of a row's span falls over in the pool: named, not safe, and over when it is back",
+TEMPLATE_TEST_CASE("a bit of a row's span, or of an area, falls over in the pool: named, not safe, and over when it is back",
                    "[faults][every]", FieldThesis, VgaThesis, HdThesis) {
   Rng rng{"spans"};
-  const auto table = with_spans(plane_table(kWidth, kHeight, kShift), rng);
+  const hls::Profile profile = native::make_engine(TestType::kProfile)->profile();
+  const auto table = with_areas(with_spans(plane_table(kWidth, kHeight, kShift), rng), profile, rng);
   Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}, table};
-  for (const unsigned row : {0U, 7U, 30U, 31U}) {
+  const auto areas = static_cast<unsigned>(hls::table::Facts::words_of(hls::table::read(table).facts.areas.size()));
+  const unsigned spans = (areas + 1) / 2 * 2;  // words of the pool before them
+  REQUIRE(areas > 0);
+  for (const unsigned word : {0U, areas - 1, spans, spans + 7, spans + 30, spans + 31}) {
     const auto flip = [&] {
-      const std::string bank = row % 2 == 0 ? "u_map_store.u_even." : "u_map_store.u_odd.";
+      const std::string bank = word % 2 == 0 ? "u_map_store.u_even." : "u_map_store.u_odd.";
       const auto signals = TestType::signals(bench.machine.model());
       const auto memory = std::ranges::find_if(signals, [&](const upset::Signal& signal) {
         return signal.is_memory() && std::string_view(signal.name).starts_with(bank);
       });
       REQUIRE(memory != signals.end());
-      memory->flip(std::uint64_t{row / 2} * memory->bits + 18);  // of the span's end; the table begins at 0
+      memory->flip(std::uint64_t{word / 2} * memory->bits + 18);  // of a span's end; the table begins at 0
       TestType::settle(bench.machine.model());
     };
-    CAPTURE(TestType::kProfile, row);
+    CAPTURE(TestType::kProfile, word);
     bench.raise("internal", [&] {
       flip();
       bench.send_scene();

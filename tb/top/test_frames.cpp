@@ -47,7 +47,7 @@ void random_frames(std::string_view profile, unsigned width, unsigned height, un
     Machine<Model> machine{profile, options};
     CHECK(machine.model().safe_o == 0);
     const int dx = -static_cast<int>(rng.below(20));
-    const auto table = with_surroundings(plane_table(width, height, dx));
+    const auto table = with_areas(with_surroundings(plane_table(width, height, dx)), machine.profile(), rng);
     machine.upload(3, 0, table);
     machine.select(3);
     for (unsigned frame = 0; frame < frames / 4; ++frame) {
@@ -464,7 +464,7 @@ void fifteen_tables(unsigned width, unsigned height, unsigned frames) {
   std::vector<std::vector<std::uint32_t>> tables;
   unsigned base = 0;
   for (unsigned slot = 0; slot < 15; ++slot) {
-    tables.push_back(plane_table(width, height, -static_cast<int>(slot)));
+    tables.push_back(with_areas(plane_table(width, height, -static_cast<int>(slot)), machine.profile(), rng));
     machine.upload(slot, base, tables.back());
     REQUIRE(machine.upload_error() == 0);
     base += static_cast<unsigned>(tables.back().size() - 4) / 2;
@@ -494,12 +494,13 @@ void tables_with_spans(std::string_view profile, unsigned width, unsigned height
   const unsigned spacing_log2 = width > 1000 ? 5 : 4;
   const auto plain = with_surroundings(plane_table(width, height, -6, 0.3, spacing_log2));
   const std::array tables{with_spans(plain, rng), plain,
-                          with_spans(plane_table(width, height, -6, 0, spacing_log2), rng)};
+                          with_spans(plane_table(width, height, -6, 0, spacing_log2), rng),
+                          with_areas(with_spans(plain, rng), machine.profile(), rng)};
   unsigned base = 3;
   for (unsigned slot = 0; slot < tables.size(); ++slot) {
     machine.upload(slot, base, tables[slot]);
     REQUIRE(machine.upload_error() == 0);
-    const auto words64 = static_cast<unsigned>(hls::table::read(tables[slot]).geometry.pool_words() / 2);
+    const auto words64 = static_cast<unsigned>(hls::table::read(tables[slot]).pool_words() / 2);
     machine.write(reg::map_slot::kAddress, slot);
     CHECK(machine.read(reg::map_extent::kAddress) == ((base + words64) << 16 | base));
     base += words64;
@@ -602,6 +603,135 @@ TEST_CASE("an object is an alarm before its frame has ended", "[top]") {
   early_alarm<Vhoropter_machine_field>("field", false, 384, 120);
 }
 
+/// Tables with other areas, and without, in turn: the alarm by the area of the largest object, or just not.
+template <class Model>
+void alarm_by_area(const std::string& profile, bool compete, unsigned width, unsigned height, unsigned pauses = 0) {
+  CAPTURE(profile, compete, width, height);
+  Rng rng{"area"};
+  Machine<Model> machine{profile, {width, height, 16, false, 0, pauses, pauses}};
+  machine.settings().compete = compete ? 1 : 0;
+  machine.settings().alarm_limit = static_cast<int>(width * height);
+  const auto plain = plane_table(width, height, -6, 0, width > 1000 ? 5 : 4);
+  const std::array tables{with_areas(plain, machine.profile(), rng), plain, with_areas(plain, machine.profile(), rng),
+                          with_areas(plain, machine.profile(), rng)};
+  unsigned base = 1;
+  for (unsigned slot = 0; slot < tables.size(); ++slot) {
+    machine.upload(slot, base, tables[slot]);
+    REQUIRE(machine.upload_error() == 0);
+    base += static_cast<unsigned>(hls::table::read(tables[slot]).pool_words() / 2);
+  }
+  unsigned alarms = 0, close = 0;
+  for (unsigned n = 0; n < 12; ++n) {
+    const unsigned slot = n * 3 % 4;
+    CAPTURE(n, slot);
+    const FramePair pair = random_pair(width, height, -6, rng);
+    machine.settings().object_area_limit = -1;
+    std::uint32_t largest = 0;
+    for (const auto& object : machine.expected(pair, tables[slot]).objects) largest = std::max(largest, object.area);
+    const bool reached = rng.chance(2);
+    const bool saturated = largest == 0xFFFFFFFFU;  // as a limit it means never
+    machine.settings().object_area_limit = static_cast<int>(largest + (reached || saturated ? 0 : 1));
+    machine.write_limits();
+    machine.select(slot);
+    machine.send(pair);
+    const Published p = machine.receive();
+    machine.check(p, pair, tables[slot]);
+    if (largest == 0) continue;
+    CHECK(p.alarm() == (reached && !saturated));
+    alarms += p.alarm() ? 1 : 0;
+    close += p.alarm() ? 0 : 1;
+    CHECK(p.object[3] > 0);
+  }
+  CHECK(alarms >= 2);
+  CHECK(close >= 2);
+}
+
+TEST_CASE("an alarm by an object's area alone, with another table for every frame", "[top]") {
+  alarm_by_area<Vhoropter_machine_field>("field", false, 756, 286);
+  alarm_by_area<Vhoropter_machine_field>("field", false, 132, 40, 20);
+  alarm_by_area<Vmachine_vga_thesis>("vga", false, 640, 240);
+  alarm_by_area<Vhoropter_machine_vga>("vga", true, 161, 97, 20);
+  alarm_by_area<Vhoropter_machine_hd>("hd", false, 200, 120, 20);
+  alarm_by_area<Vhoropter_machine_hd>("hd", true, 1920, 100);
+}
+
+/// Many small objects, more than a slow reader takes: some are lost, and counted; the others are as they were.
+template <class Model>
+void slow_reader_of_objects(const std::string& profile, bool compete, unsigned width, unsigned height) {
+  CAPTURE(profile, compete);
+  Rng rng{"reader"};
+  Machine<Model> machine{profile, {width, height, 16, false}};
+  machine.settings().compete = compete ? 1 : 0;
+  machine.settings().alarm_limit = 0;  // the whole skin is one
+  machine.write_limits();
+  const auto table = with_areas(plane_table(width, height, -6), machine.profile(), rng);
+  machine.upload(0, 0, table);
+  machine.select(0);
+  const auto scene = [&] {
+    FramePair pair = random_pair(width, height, -6, rng);
+    for (unsigned y = 0; y < height; ++y) {
+      for (unsigned x = 0; x < width; ++x) {
+        const bool on_skin = x / 24 % 2 == 0 && y / 22 % 2 == 0;
+        pair.right.at(x, y) = static_cast<std::uint8_t>(rng.below(256));
+        pair.left.at(x, y) = static_cast<std::uint8_t>(rng.below(256));
+        if (on_skin && x >= 6) pair.left.at(x, y) = pair.right.at(x - 6, y);
+      }
+    }
+    return pair;
+  };
+  unsigned lost = 0;
+  for (unsigned frame = 0; frame < 4; ++frame) {
+    CAPTURE(frame);
+    // It takes nothing until the frame is over, then all that waits.
+    const bool waits = frame % 2 == 0;
+    if (waits) machine.objects().set_pace(Pace::random(0, 1));
+    const FramePair pair = scene();
+    const native::FrameResult whole = machine.expected(pair, table);
+    REQUIRE_FALSE(whole.object_overflow);
+    REQUIRE(whole.objects.size() > 20);
+    const unsigned before = machine.frames_done();
+    machine.send(pair);
+    const std::uint64_t clocks = 40ULL * width * height;
+    machine.simulation().run_until([&] { return machine.frames_done() > before; }, clocks, "the frame");
+    if (waits) CHECK(machine.objects().beats().empty());
+    machine.objects().set_pace({});
+    const Published p = machine.receive();
+    machine.check(p, pair, table);
+    CHECK(p.alarm());
+    CHECK((p.objects_lost > 0) == waits);
+    lost += p.objects_lost;
+    // What was sent is what came first.
+    REQUIRE(p.objects.size() <= whole.objects.size());
+    CHECK(std::equal(p.objects.begin(), p.objects.end(), whole.objects.begin()));
+  }
+  CHECK(lost > 0);
+  // A frame whose last beat is not taken before the next one ends: nothing is sent of that, and the numbers tell.
+  machine.objects().set_pace(Pace::random(0, 1));
+  const unsigned before = machine.frames_done();
+  for (int frame = 0; frame < 2; ++frame) machine.send(scene());
+  machine.simulation().run_until([&] { return machine.frames_done() == before + 2; }, 80ULL * width * height, "2 frames");
+  machine.settle();
+  machine.objects().set_pace({});
+  machine.settle();
+  const auto beats = machine.objects().take();
+  REQUIRE_FALSE(beats.empty());
+  CHECK(std::ranges::count_if(beats, [](const auto& beat) { return beat.last; }) == 1);
+  CHECK(beats.back().last);
+  CHECK(bits_of(beats.back().data, 48, 32) == before + 1);
+  machine.forget();
+  const FramePair pair = scene();
+  machine.send(pair);
+  const Published p = machine.receive();
+  machine.check(p, pair, table);
+  CHECK(p.objects_lost == 0);
+}
+
+TEST_CASE("objects leave as a stream; a reader that is too slow loses some, and neither frames nor alarms", "[top]") {
+  slow_reader_of_objects<Vhoropter_machine_field>("field", false, 480, 200);
+  slow_reader_of_objects<Vmachine_vga_compete>("vga", true, 320, 200);
+  slow_reader_of_objects<Vhoropter_machine_hd>("hd", false, 320, 200);
+}
+
 /// Taught, not watched and watched in turn, every frame as the native engine has it.
 template <class Model>
 void went_blind(const std::string& profile, bool compete, unsigned width, unsigned height) {
@@ -610,7 +740,7 @@ void went_blind(const std::string& profile, bool compete, unsigned width, unsign
   MachineOptions options{width, height, 16, false};
   options.gaps_percent = options.stalls_percent = 20;
   Machine<Model> machine{profile, options};
-  const auto table = plane_table(width, height, -6);
+  const auto table = with_areas(plane_table(width, height, -6), machine.profile(), rng);
   machine.upload(0, 0, table);
   machine.select(0);
   auto& settings = machine.settings();

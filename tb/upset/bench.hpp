@@ -95,7 +95,7 @@ class BenchOf final : public Bench {
     first_checkpoint_ = from_clock / kCheckpointClocks;
     model_.rst_ni = 0;
     model_.clk_i = 0;
-    model_.m_axis_state_tready = model_.m_axis_runs_tready = 1;
+    model_.m_axis_state_tready = model_.m_axis_runs_tready = model_.m_axis_objects_tready = 1;
     model_.s_axis_test_tvalid = 0;
     model_.restart_i = 0;
     model_.s_axil_awprot = model_.s_axil_arprot = 0;

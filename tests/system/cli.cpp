@@ -202,6 +202,16 @@ TEST_CASE("--object in mm is that of the skin's file by its table alone; a table
   const std::vector<std::string> build{"--profile", profile};
   REQUIRE(box.run(std::vector<std::string>{"map", "--skin", "wall.yaml", "-o", "wall.hmap"} + rig + build).status == 0);
   const double by_skin = object_px("wall.yaml", rig + build);
+  // It is judged by its area, half the disc's, less what a code can be too small; px are judged by their number.
+  const auto limit_of = [&](const std::string& size) {
+    const auto result = box.run(run_arguments("left0.png", "right0.png", "wall.hmap") + build +
+                                std::vector<std::string>{"--object", size, "--json"});
+    return nlohmann::json::parse(result.out)["object"];
+  };
+  CHECK(limit_of("240mm")["limit"] == "area");
+  CHECK(limit_of("240mm")["area_mm2"].get<double>() == Approx(M_PI / 8 * 240 * 240 * 15 / 16).margin(0.001));
+  CHECK(limit_of("60px")["limit"] == "pixels");
+  CHECK_FALSE(limit_of("60px").contains("area_mm2"));
   CHECK(by_skin < 48);  // 240 mm at 1 m
   CHECK(by_skin > 32);
   CHECK(object_px("wall.hmap", build) == Approx(by_skin).epsilon(0.02));

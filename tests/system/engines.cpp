@@ -267,14 +267,25 @@ TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on t
   changed[3] = 4;  // fewer facts than the format has
   CHECK(pair.upload(2, 1000, changed) == 2);
   next();
+  changed[3] = on[3] ^ hls::table::areas_known;  // areas that are not known
+  CHECK(pair.upload(2, 1000, changed) == 2);
+  next();
+  changed[3] = (on[3] & ~0xFFFU) | hls::table::fact_words;  // none that are
+  CHECK(pair.upload(2, 1000, changed) == 2);
+  next();
   // Facts are not judged by the machine, but protected: the count of facts, each of them, the last area.
   for (std::size_t word = 3; word < 11; ++word) {
     CAPTURE(word);
     changed = on;
-    changed[word] ^= word == 3 ? 0x10000 : 0x100;
+    changed[word] ^= word == 3 ? 0x20000 : 0x100;
     CHECK(pair.upload(2, 1000, changed) == 4);
     next();
   }
+  // Its areas lie in the pool, too.
+  const auto words64 = static_cast<std::uint32_t>(hls::table::read(on).pool_words() / 2);
+  CHECK(pair.upload(2, 10240 - words64, on) == 0);
+  CHECK(pair.upload(2, 10240 - words64 + 1, on) == 3);
+  next();
   CHECK(pair.upload(2, 10238, on) == 3);
   CHECK(next() == Fault::map_crc);
   CHECK(pair.upload(15, 1000, on) == 5);

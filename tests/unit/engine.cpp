@@ -82,7 +82,11 @@ std::vector<Frame> frames_of(const hls::Profile& profile, std::mt19937& random) 
         frame.images = n == 2 ? noise(width, height, random) : scene(width, height, n == 0 ? 4 : 11, random);
         if (n == 3) frame.images = frames.back().images;  // frozen
         const double dx = n == 1 ? 3.4 : -0.625;
-        frame.table = hls::table::write({width, height, 3, 3}, {}, [&](int column, int row) {
+        const hls::table::Geometry geometry{width, height, 3, 3};
+        hls::table::Facts facts{.subsample = profile.subsample};
+        if (n != 2) facts.areas.resize(facts.area_count(geometry));
+        for (std::uint8_t& code : facts.areas) code = static_cast<std::uint8_t>(random() & 0xFFU);
+        frame.table = hls::table::write(geometry, facts, [&](int column, int row) {
           if (n == 1 && column + row < 9) return hls::table::unmapped;
           return hls::table::encode_control(column * 8 + dx + row * 0.05, row * 8 + 0.375);
         });
@@ -197,24 +201,30 @@ TEST_CASE("engine: objects are those of one step a pixel") {
     const auto result = engine->process(frame.images.left.view(), frame.images.right.view(),
                                         native::TableView(frame.table), frame.settings);
     std::vector<native::Object> found;
-    const typename Finder::Config config{typename Finder::Count(frame.settings.object_limit)};
+    const typename Finder::Config config{typename Finder::Count(frame.settings.object_limit),
+                                         frame.settings.object_area_limit};
+    const native::TableView table(frame.table);
+    const auto code_at = [&](int x, int y) {
+      const int columns = (result.width + 31) / 32;
+      return table.areas().empty() ? std::uint8_t{hls::table::unknown_area} : table.areas()[static_cast<std::size_t>(y / 32 * columns + x / 32)];
+    };
     typename Finder::Out out;
     const auto step = [&](const typename Finder::In& in) {
       out = finder.step(in, config);
       if (!out.ended) return;
       const auto& o = out.object;
-      found.push_back({static_cast<int>(o.pixels.value()), o.left.value(), o.top.value(), o.right.value(),
-                       o.bottom.value(), static_cast<std::int64_t>(o.columns.value()),
+      found.push_back({static_cast<int>(o.pixels.value()), static_cast<int>(o.blind.value()), o.area.value(),
+                       o.left.value(), o.top.value(), o.right.value(), o.bottom.value(), static_cast<std::int64_t>(o.columns.value()),
                        static_cast<std::int64_t>(o.rows.value())});
     };
     for (int y = 0; y < result.height; ++y) {
       for (int x = 0; x < result.width; ++x) {
         const bool occupied = result.states[static_cast<std::size_t>(y * result.width + x)] == stages::state::skin;
-        step({occupied, x == 0 && y == 0, x + 1 == result.width, false});
+        step({occupied, x == 0 && y == 0, x + 1 == result.width, false, code_at(x, y), false});
       }
     }
     do {
-      step({false, false, false, true});
+      step({false, false, false, true, 0, false});
     } while (!out.done);
     REQUIRE(result.objects == found);
     REQUIRE(result.object_overflow == out.overflow);

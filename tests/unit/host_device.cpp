@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 #include <random>
 #include <thread>
+#include <tuple>
 
 #include "horopter/base/crc32.hpp"
 #include "horopter/base/error.hpp"
@@ -15,6 +17,7 @@
 #include "horopter/machine/monitor.hpp"
 #include "horopter/machine/moving_supervisor.hpp"
 #include "horopter/machine/native_device.hpp"
+#include "horopter/machine/regions.hpp"
 #include "horopter/machine/registers.hpp"
 #include "horopter/machine/report.hpp"
 #include "horopter/machine/serial_link.hpp"
@@ -480,10 +483,14 @@ class Passing : public Device {
 /// With one thing broken.
 class Broken : public Passing {
  public:
-  enum class How { count, state, run, sequence, silent, object, no_alarm };
+  enum class How { count, state, run, sequence, silent, object, no_alarm, area };
   explicit Broken(How how) : Passing("vga"), how_(how) {}
+  void repair() { broken_ = false; }
+  void break_now() { broken_ = true; }
   std::uint32_t read(std::uint32_t address) override {
     const auto value = Passing::read(address);
+    if (!broken_) return value;
+    if (how_ == How::area && address == reg::frame_object_area::kAddress) return value + 1;
     if (how_ == How::count && address == reg::frame_skin::kAddress) return value + 1;
     if (how_ == How::object && address == reg::frame_object::kAddress) return value - 1;
     if (how_ == How::no_alarm && address == reg::frame_status::kAddress)
@@ -501,6 +508,7 @@ class Broken : public Passing {
 
  private:
   How how_;
+  bool broken_ = true;
 };
 
 /// Says to be built otherwise.
@@ -547,6 +555,54 @@ MapSet small_maps(int shift) {
 }
 
 }  // namespace
+
+TEST_CASE("A body of so many mm is an alarm by the area that it covers, and without areas always") {
+  const MachineProfile& profile = find_profile("vga");
+  Settings settings = Settings{}.without_proof();
+  settings.alarm_percent = 100;
+  settings.object_mm = 40;
+  settings.object_px = 60;
+  const double half_disc_mm2 = M_PI / 8 * 40 * 40;
+  CHECK(object_area_limit(settings) == std::floor(1024 * half_disc_mm2 * 15 / 16));
+  auto device = std::make_unique<Broken>(Broken::How::area);
+  Broken& broken = *device;
+  broken.repair();
+  Monitor monitor(std::move(device), profile, settings);
+  monitor.start(kWidth, kHeight, 8);
+  CHECK(broken.read(reg::object_area_limit::kAddress) == object_area_limit(settings));
+  CHECK(broken.read(reg::object_limit::kAddress) == 640 * 480 + 1);
+  // A pixel sees 1 mm² of the one skin, 1/4 mm² of the next, as a wall at half the distance; nothing is known of the last.
+  for (const auto& [slot, code] : {std::pair{0, 96}, {1, 80}, {2, 0}}) {
+    MapTable table = shift_table(profile, kWidth, kHeight, -6, 2);
+    hls::table::Facts facts = table.facts();
+    if (code != 0) facts.areas.assign(6, static_cast<std::uint8_t>(code));
+    table.seal(facts);
+    monitor.upload(slot, table);
+  }
+  const Image left = textured(kWidth, kHeight, 3);
+  Image right = moved(left, -6, 2);
+  const Image other = textured(kWidth, kHeight, 77);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      if (x < 20 || x >= 68 || y < 8 || y >= 56) right.at(x, y) = other.at(x, y);
+    }
+  }
+  for (const auto& [slot, pixel_mm2, alarm] : {std::tuple{0, 1.0, true}, {1, 0.25, false}, {2, 1048575.0 / 1024, true}}) {
+    CAPTURE(slot);
+    monitor.select(slot);
+    const FrameResult result = monitor.process(left, right);
+    const auto objects = objects_of(result);
+    REQUIRE_FALSE(objects.empty());
+    CHECK(objects[0].pixels > half_disc_mm2);  // by pixels each would be one
+    CHECK(objects[0].area == objects[0].pixels * pixel_mm2 * 1024);
+    CHECK(result.largest_object_area == objects[0].area);
+    CHECK(result.alarm == alarm);
+    CHECK(is_alarm(objects[0], result) == alarm);
+    CHECK(result.object_limit_pixels == std::ceil(object_area_limit(settings) / (1024 * pixel_mm2)));
+  }
+  broken.break_now();
+  CHECK_THROWS_WITH(monitor.process(left, right), Catch::Contains("by the table's areas it is"));
+}
 
 TEST_CASE("A build with one of the profile's rules is taken, and asked for the other it is refused") {
   CHECK_NOTHROW(monitor_of({kNoThesis}, Decision::compete));

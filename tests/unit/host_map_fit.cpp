@@ -418,9 +418,11 @@ TEST_CASE("Of a skin whose outline is in view no other spacing loses much less")
   const CompiledMap fast = MapCompiler(cameras, profile, scan).compile(*c.surface);
   CAPTURE(c.profile, fast.report.spacing_x, fast.report.spacing_y, fast.report.lost_share());
   double least = 1;
+  const std::size_t areas = fast.table.facts().areas.size();
+  REQUIRE(areas > 0);
   for (int nx = 0; nx <= MapTable::kLargestSpacingLog2; ++nx) {
     for (int ny = 0; ny <= MapTable::kLargestSpacingLog2; ++ny) {
-      const std::size_t bytes = MapTable::pool_bytes(scan, nx, ny);
+      const std::size_t bytes = MapTable::pool_bytes(scan, nx, ny, false, areas);
       if (bytes > static_cast<std::size_t>(profile.pool_bytes) || bytes < 8192) continue;
       // One spacing alone: the table that leaves no room for others is searched among coarser ones only.
       MapLimits limits;

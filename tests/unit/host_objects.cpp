@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "horopter/base/error.hpp"
+#include "horopter/hls/area.hpp"
 #include "horopter/machine/object_follower.hpp"
 #include "horopter/machine/report.hpp"
 #include "horopter/map/map_compiler.hpp"
@@ -149,13 +150,18 @@ std::vector<Named> surfaces() {
           {"box, edge on", make_box(turned(25, 40), {300, 260, 220})}};
 }
 
-double largest_error(const MapTable& table, const MachineProfile& profile, const CameraPair& cameras,
-                     const Surface& surface, int smallest_px, int largest_px, int count, double* largest_way_mm) {
+/// Of the areas that the host measures, and of those that the machine adds up: too small, too large.
+struct Errors {
+  double host = 0, machine_below = 0, machine_above = 0;
+};
+
+Errors largest_errors(const MapTable& table, const MachineProfile& profile, const CameraPair& cameras,
+                      const Surface& surface, int smallest_px, int largest_px, int count, double* largest_way_mm) {
   const Image supervised = table.supervised(profile.weight_bits);
   std::mt19937 random(7);
   const auto uniform = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
   SkinPlaces places(table, cameras);
-  double largest = 0;
+  Errors largest;
   int done = 0;
   for (int tries = 0; tries < 20'000 && done < count; ++tries) {
     Patch patch{0, 0, uniform(smallest_px, largest_px), uniform(smallest_px, largest_px)};
@@ -171,11 +177,16 @@ double largest_error(const MapTable& table, const MachineProfile& profile, const
     if (!whole) continue;
     const auto right = brute_force(cameras, surface, table.geometry(), profile.subsample, patch);
     if (!right) continue;
-    const auto objects = measured_objects(with_patch(table, profile.subsample, patch), &places, 1, 10);
+    FrameResult result = with_patch(table, profile.subsample, patch);
+    result.object_area_limit = 1;
+    result.areas = table.facts().areas;
+    const auto objects = measured_objects(result, &places, 1, 10);
     REQUIRE(objects.size() == 1);
     REQUIRE(objects[0].in_space);
-    const double error = std::abs(objects[0].in_space->area_mm2 / right->area_mm2 - 1);
-    largest = std::max(largest, error);
+    largest.host = std::max(largest.host, std::abs(objects[0].in_space->area_mm2 / right->area_mm2 - 1));
+    const double machine = objects[0].region.area / double{hls::area_steps_per_mm2} / right->area_mm2 - 1;
+    largest.machine_below = std::max(largest.machine_below, -machine);
+    largest.machine_above = std::max(largest.machine_above, machine);
     *largest_way_mm = std::max(*largest_way_mm, (objects[0].in_space->centroid_mm - right->centroid_mm).norm());
     ++done;
   }
@@ -196,11 +207,18 @@ TEST_CASE("The area of what is in the skin is within 1 % where it is large, and 
       double way_mm = 0;
       // 3×3 blocks of the table's areas, in the image that is the larger one.
       const int blocks = profile.subsample == 1 ? 96 : 48;
-      const double large = largest_error(map.table, profile, cameras, *surface, blocks, blocks, 8, &way_mm);
-      const double small = largest_error(map.table, profile, cameras, *surface, blocks / 6, blocks / 2, 100, &way_mm);
-      CAPTURE(large, small, way_mm, map.report.spacing_x, map.report.spacing_y);
-      CHECK(large < 0.01);
-      CHECK(small < 0.06);
+      const Errors large = largest_errors(map.table, profile, cameras, *surface, blocks, blocks, 8, &way_mm);
+      const Errors small = largest_errors(map.table, profile, cameras, *surface, blocks / 6, blocks / 2, 100, &way_mm);
+      CAPTURE(large.host, small.host, large.machine_below, large.machine_above, small.machine_below,
+              small.machine_above, way_mm, map.report.spacing_x, map.report.spacing_y);
+      CHECK(large.host < 0.01);
+      CHECK(small.host < 0.06);
+      // A code of the machine's is up to 6 % off, and stands for a block: where a surface turns away from the camera the
+      // blocks' means are far above most of their pixels.
+      const bool smooth = std::string_view(name) == "plane" || std::string_view(name) == "height field";
+      CHECK(large.machine_below < (smooth ? 0.04 : 0.09));
+      CHECK(small.machine_below < (smooth ? 0.06 : 0.28));
+      CHECK((!smooth || (large.machine_above < 0.04 && small.machine_above < 0.06)));
       CHECK(way_mm < 1);
     }
   }

@@ -95,7 +95,7 @@ TEST_CASE("The smallest body: its cap in the skin is as many pixels as an object
   }
   CHECK(before > 0.5);
   // Standing still, in a skin thicker than itself, a ball is a disc.
-  Crossing crossing{Decision::thesis, Body::ball, 2000, 0};
+  Crossing crossing{Decision::thesis, Body::ball, 2000, 0, 1, 0};
   const double mm = smallest_body_mm(crossing, 500, 0.5);
   const double px = mm / 0.5;
   CHECK(M_PI / 4 * px * px * disc_share(Decision::thesis, px) >= 2000 * 0.999);
@@ -112,8 +112,14 @@ TEST_CASE("The smallest body: its cap in the skin is as many pixels as an object
   crossing.step_mm = 100;
   const double fast_mm = smallest_body_mm(crossing, 20, 0.5);
   CHECK(fast_mm / 2 + 20 > 100);
-  CHECK(std::isinf(smallest_body_mm({Decision::thesis, Body::ball, 2000, kLargestBody_mm}, 20, 0.5)));
-  CHECK(std::isinf(smallest_body_mm({Decision::thesis, Body::ball, 1e9, 0}, 20, 0.5)));
+  CHECK(std::isinf(smallest_body_mm({Decision::thesis, Body::ball, 2000, kLargestBody_mm, 1, 0}, 20, 0.5)));
+  CHECK(std::isinf(smallest_body_mm({Decision::thesis, Body::ball, 1e9, 0, 1, 0}, 20, 0.5)));
+  // With a limit of area a body is as small at half the distance, but for what the windows leave of it.
+  const Crossing by_area{Decision::thesis, Body::ball, 1, 0, 1, 2000};
+  const double far_mm = smallest_body_mm(by_area, 500, 0.5);
+  CHECK(far_mm > std::sqrt(4 * 2000 / M_PI));
+  CHECK(smallest_body_mm(by_area, 500, 0.25) == Approx(far_mm).epsilon(0.1));
+  CHECK(smallest_body_mm(by_area, 500, 0.25) <= far_mm);
   // More images need more time.
   crossing.step_mm = 10;
   const double one_mm = smallest_body_mm(crossing, 40, 0.5);

@@ -386,7 +386,7 @@ TEST_CASE("Upload words are checked before they are used") {
   CHECK_THAT(error_of(3, words[3] - 1, true), Catch::Contains("words for 79 words of facts"));
   CHECK_THAT(error_of(3, words[3] & ~0xFFFU, true), Catch::Contains("0 words of facts"));
   CHECK_THAT(error_of(3, words[3] ^ 1U << 12, true), Catch::Contains("sub-sampling"));
-  CHECK_THAT(error_of(3, words[3] ^ 1U << 16, true), Catch::Contains("80 words of facts for 0 areas"));
+  CHECK_THAT(error_of(3, words[3] ^ 1U << 16, true), Catch::Contains("80 words of facts, with areas not known"));
   CHECK_THAT(error_of(3, words[3] ^ 1U << 17, true), Catch::Contains("shifts"));
   for (std::size_t at = 4; at < 8; ++at) CHECK_THAT(error_of(at, words[at] + 1, true), Catch::Contains("judgeable"));
   CHECK_THAT(error_of(8, 0xFFFF0000, true), Catch::Contains("shifts"));

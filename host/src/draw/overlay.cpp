@@ -106,7 +106,7 @@ Picture draw_overlay(const Image& left, const FrameResult& result, const std::ve
   const auto smallest = std::max<std::int64_t>(16, static_cast<std::int64_t>(states.pixels.size()) / 2000);
   int number = 0;  // of the objects that are an alarm, the largest first
   for (const Region& region : objects_of(result)) {
-    const bool alarm = result.object_limit_pixels > 0 && region.pixels >= result.object_limit_pixels;
+    const bool alarm = is_alarm(region, result);
     if (alarm) {
       const auto followed = std::ranges::find(objects, region, [](const TrackedObject& o) { return o.region; });
       TrackedObject unknown;

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "horopter/base/error.hpp"
+#include "horopter/hls/area.hpp"
 #include "horopter/machine/registers.hpp"
 #include "horopter/machine/setting_registers.hpp"
 #include "horopter/map/support.hpp"
@@ -34,18 +35,26 @@ void check_settings(const CompeteSettings& settings) {
   }
 }
 
+/// Of the result, of the largest frame.
+std::int64_t pixels_of_frame(const MachineProfile& profile) {
+  return std::int64_t{profile.width / profile.subsample} * profile.height;
+}
+
 void add_limits(std::vector<RegisterWord>& words, const MachineProfile& profile, const Settings& settings,
                 FrameGeometry geometry) {
   const double largest_sum = 15.0 * profile.dsad_window * profile.dsad_window;
   const double incoming = static_cast<double>(geometry.width) * geometry.height;
   const double result = incoming / profile.subsample;
   const auto number = [](int value) { return static_cast<std::uint32_t>(value); };
+  const std::uint32_t area = object_area_limit(settings);
   const std::array limits{
       RegisterWord{reg::sum_limit::kAddress, limit_of(settings.threshold_percent, largest_sum)},
       RegisterWord{reg::self_limit::kAddress, limit_of(settings.self_percent, largest_sum)},
       RegisterWord{reg::texture_limit::kAddress, number(native::Settings::texture_limit_for(settings.texture))},
       RegisterWord{reg::alarm_limit::kAddress, limit_of(settings.alarm_percent, result)},
-      RegisterWord{reg::object_limit::kAddress, static_cast<std::uint32_t>(object_limit(settings, profile))},
+      RegisterWord{reg::object_limit::kAddress,
+                   static_cast<std::uint32_t>(area != 0 ? pixels_of_frame(profile) + 1 : object_limit(settings, profile))},
+      RegisterWord{reg::object_area_limit::kAddress, area != 0 ? area : reg::object_area_limit::kReset},
       blocks_word(settings.blind),
       RegisterWord{reg::unsupervised_limit::kAddress, limit_of(settings.unsupervised_percent, result)},
       RegisterWord{reg::black_limit::kAddress, limit_of(settings.dark_percent, incoming)},
@@ -108,12 +117,28 @@ RegisterWord feedback_word(Device& device, double feedback_ms) {
 }  // namespace
 
 std::int64_t object_limit(const Settings& settings, const MachineProfile& profile) {
-  const std::int64_t frame = std::int64_t{profile.width / profile.subsample} * profile.height;
+  const std::int64_t frame = pixels_of_frame(profile);
   if (!(settings.object_px >= 0)) throw UsageError(fmt::format("an object of {} px across", settings.object_px));
   if (settings.object_px == 0) return frame + 1;
   const double disc = std::numbers::pi / 4 * settings.object_px * settings.object_px;
   const int px_of_image = profile.subsample * profile.fields_per_image();  // in a pixel of the result
   return std::clamp<std::int64_t>(std::llround(disc / 2 / px_of_image), 1, frame + 1);
+}
+
+double half_disc_mm2(const Settings& settings) {
+  return std::numbers::pi / 8 * settings.object_mm * settings.object_mm;
+}
+
+std::uint32_t object_area_limit(const Settings& settings) {
+  if (!(settings.object_mm >= 0)) throw UsageError(fmt::format("an object of {} mm across", settings.object_mm));
+  if (settings.object_mm == 0) return 0;
+  constexpr double kLargestError = 1.0 / 16;  // of a code: half a step of its mantissa, of 1 at least
+  const double steps = std::floor(half_disc_mm2(settings) * (1 - kLargestError) * hls::area_steps_per_mm2);
+  if (!(steps >= 1 && steps < reg::object_area_limit::kReset)) {
+    throw UsageError(fmt::format("an object of {:g} mm across has no area that the machine can compare with",
+                                 settings.object_mm));
+  }
+  return static_cast<std::uint32_t>(steps);
 }
 
 double smallest_object_px(const MachineProfile& profile) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "horopter/base/error.hpp"
+#include "horopter/hls/area.hpp"
 #include "horopter/machine/configuration.hpp"
 #include "horopter/machine/inspection.hpp"
 #include "horopter/machine/loader.hpp"
@@ -71,9 +72,18 @@ void check_objects(const FrameResult& result) {
     throw DeviceError(fmt::format("the machine's largest object has {} pixels; in its states the largest has {}",
                                   result.largest_object_pixels, largest));
   }
-  if (largest >= result.object_limit_pixels && !result.alarm) {
-    throw DeviceError(fmt::format("the machine has an object of {} pixels, of which {} are an alarm, and no alarm",
-                                  largest, result.object_limit_pixels));
+  const auto alarming = std::ranges::find_if(objects, [&](const Region& o) { return is_alarm(o, result); });
+  if (alarming != objects.end() && !result.alarm) {
+    throw DeviceError(fmt::format("the machine has an object of {} pixels, {:.0f} mm2, which is an alarm, and no alarm",
+                                  alarming->pixels, alarming->area / double{hls::area_steps_per_mm2}));
+  }
+  // Of several with as many pixels it tells of one.
+  const bool same_area = std::ranges::any_of(objects, [&](const Region& o) {
+    return o.pixels == largest && o.area == result.largest_object_area;
+  });
+  if (result.object_area_limit != 0 && !objects.empty() && !same_area) {
+    throw DeviceError(fmt::format("the machine's largest object covers {} of 1/1024 mm2; by the table's areas it is {}",
+                                  result.largest_object_area, objects.front().area));
   }
 }
 
@@ -203,7 +213,7 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
   if (const auto error = upload_table(*device_, slot, base, table, undecidable_limit(table, settings_)); error != 0) {
     throw DeviceError(fmt::format("the machine refuses table {}: {}", slot, upload_error_text(error)));
   }
-  slots_[static_cast<std::size_t>(slot)] = {base, words64};
+  slots_[static_cast<std::size_t>(slot)] = {base, words64, table.facts().areas};
 }
 
 void Monitor::teach(bool on) {
@@ -288,7 +298,16 @@ FrameResult Monitor::finish() {
   result.hidden_pixels = device_->read(reg::frame_hidden::kAddress);
   result.unproven_pixels = device_->read(reg::frame_unproven_pixels::kAddress);
   result.largest_object_pixels = device_->read(reg::frame_object::kAddress);
+  result.largest_object_area = device_->read(reg::frame_object_area::kAddress);
+  result.object_area_limit = object_area_limit(settings_);
+  if (result.table < kSlots) result.areas = slots_[static_cast<std::size_t>(result.table)].areas;
   result.object_limit_pixels = object_limit(settings_, profile_);
+  if (result.object_area_limit != 0) {
+    std::uint32_t largest = hls::table::unknown_area;
+    if (!result.areas.empty()) largest = *std::ranges::max_element(result.areas);
+    const std::int64_t of_pixel = hls::area_of(largest).value();
+    result.object_limit_pixels = std::max<std::int64_t>(1, (result.object_area_limit + of_pixel - 1) / of_pixel);
+  }
   if (settings_.proof.needed) result.agreement = read_agreement();
   result.cycles = device_->read(reg::frame_cycles::kAddress);
   result.latency = device_->read(reg::frame_latency::kAddress);

@@ -211,6 +211,8 @@ std::uint32_t NativeDevice::read(std::uint32_t address) {
     case reg::frame_object_columns::kAddress:
     case reg::frame_object_rows::kAddress:
       return frame_.object.at((address - reg::frame_object::kAddress) / 4);
+    case reg::frame_object_area::kAddress:
+      return frame_.object_area;
     case reg::taught::kAddress:
       return taught_frames_;
     case reg::frame_blind::kAddress:
@@ -359,10 +361,11 @@ void NativeDevice::upload_word(std::uint32_t word) {
   auto& words = upload_.words;
   words.push_back(word);
   if (words.size() == 1 && !hls::table::is_first_word(word)) return end_upload(UploadError::bad_header);
-  if (words.size() == 3) {
+  if (words.size() == hls::table::header_words) {
     const auto geometry = hls::table::read_geometry(words);
-    if (!geometry) return end_upload(UploadError::bad_header);
-    const std::size_t end = upload_.base_word64 + geometry->pool_words() / 2;
+    const auto facts = hls::table::read_fact_words(word);
+    if (!geometry || !facts) return end_upload(UploadError::bad_header);
+    const std::size_t end = upload_.base_word64 + geometry->pool_words(*facts - hls::table::fact_words) / 2;
     upload_.end_word64 = end;
     if (end * 8 > static_cast<std::size_t>(profile_.pool_bytes)) return end_upload(UploadError::too_large);
     const auto overlaps = [&](const std::optional<Table>& table) {
@@ -374,11 +377,7 @@ void NativeDevice::upload_word(std::uint32_t word) {
     for (auto& table : tables_) {
       if (overlaps(table)) table.reset();
     }
-  }
-  if (words.size() == hls::table::header_words) {
-    const auto facts = hls::table::read_fact_words(word);
-    if (!facts) return end_upload(UploadError::bad_header);
-    upload_length_ = hls::table::header_words + *facts + 2 * (upload_.end_word64 - upload_.base_word64) + 1;
+    upload_length_ = hls::table::header_words + *facts + geometry->span_words() + geometry->control_words() + 1;
   }
   if (upload_length_ == 0 || words.size() < upload_length_) return;
   if (crc32_words(std::span(words).first(words.size() - 1)) != words.back()) return end_upload(UploadError::wrong_crc);
@@ -518,6 +517,7 @@ FrameStreams NativeDevice::receive() {
             static_cast<std::uint32_t>(result.hidden_pixels),
             static_cast<std::uint32_t>(result.unproven_pixels),
             object_words(result.largest_object()),
+            result.largest_object().area,
             static_cast<std::uint32_t>(result.blind_pixels),
             agreement_words(result.agreement),
             region_words(result.agreement)};

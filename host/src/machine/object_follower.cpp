@@ -112,7 +112,7 @@ std::vector<TrackedObject> ObjectFollower::follow(const FrameResult& result, std
     objects = measured_objects(result, places_of(result), smallest, kMostObjects);
   }
   std::vector<TrackedObject> followed = tracker_.follow(objects, result.scan, time_s);
-  std::erase_if(followed, [&](const TrackedObject& o) { return o.region.pixels < result.object_limit_pixels; });
+  std::erase_if(followed, [&](const TrackedObject& o) { return !is_alarm(o.region, result); });
   return followed;
 }
 

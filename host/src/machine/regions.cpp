@@ -6,6 +6,9 @@
 #include <tuple>
 #include <utility>
 
+#include "horopter/hls/area.hpp"
+#include "horopter/hls/table_format.hpp"
+
 namespace horopter {
 namespace {
 
@@ -14,8 +17,32 @@ struct Labelled {
   std::vector<std::pair<Region, int>> regions;  ///< with their labels, the largest first
 };
 
-/// Pixels of `mask`, of which those of `blind`, if that is not empty, are counted.
-Labelled connected(const cv::Mat& mask, const cv::Mat& blind) {
+/// Of each label, by the areas of the frame's table.
+std::vector<std::uint32_t> areas_of(const cv::Mat& labels, int count, const std::vector<std::uint8_t>& codes) {
+  constexpr int kBlockLog2 = hls::table::area_block_log2;
+  const auto columns = static_cast<std::size_t>(hls::table::Facts::blocks(labels.cols));
+  std::vector<std::uint64_t> sums(static_cast<std::size_t>(count));
+  for (int y = 0; y < labels.rows; ++y) {
+    const int* row = labels.ptr<int>(y);
+    const std::size_t first = static_cast<std::size_t>(y >> kBlockLog2) * columns;
+    for (int x = 0; x < labels.cols;) {
+      const std::size_t block = first + static_cast<std::size_t>(x >> kBlockLog2);
+      const std::uint64_t area = hls::area_of(codes.empty() ? hls::table::unknown_area : codes[block]).value();
+      for (const int end = std::min(labels.cols, (x | ((1 << kBlockLog2) - 1)) + 1); x < end; ++x) {
+        if (row[x] != 0) sums[static_cast<std::size_t>(row[x])] += area;
+      }
+    }
+  }
+  std::vector<std::uint32_t> areas;
+  areas.reserve(sums.size());
+  for (const std::uint64_t sum : sums) {
+    areas.push_back(static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, hls::ObjectArea::max().value())));
+  }
+  return areas;
+}
+
+/// Pixels of `mask`, of which those of `blind`, if that is not empty, are counted. `codes`: of the table, where areas are wanted.
+Labelled connected(const cv::Mat& mask, const cv::Mat& blind, const std::vector<std::uint8_t>* codes = nullptr) {
   Labelled found;
   cv::Mat stats;
   cv::Mat centroids;
@@ -28,12 +55,15 @@ Labelled connected(const cv::Mat& mask, const cv::Mat& blind) {
       }
     }
   }
+  std::vector<std::uint32_t> areas(static_cast<std::size_t>(count));
+  if (codes != nullptr) areas = areas_of(found.labels, count, *codes);
   for (int i = 1; i < count; ++i) {
     const int* row = stats.ptr<int>(i);
     const Region region{row[cv::CC_STAT_LEFT],      row[cv::CC_STAT_TOP],
                         row[cv::CC_STAT_WIDTH],     row[cv::CC_STAT_HEIGHT],
                         row[cv::CC_STAT_AREA],      centroids.at<double>(i, 0),
-                        centroids.at<double>(i, 1), blind_pixels[static_cast<std::size_t>(i)]};
+                        centroids.at<double>(i, 1), blind_pixels[static_cast<std::size_t>(i)],
+                        areas[static_cast<std::size_t>(i)]};
     found.regions.emplace_back(region, i);
   }
   std::ranges::sort(found.regions, {}, [](const auto& r) { return std::tuple(-r.first.pixels, r.first.y, r.first.x); });
@@ -53,10 +83,11 @@ cv::Mat in_skin(const Image& states) {
 }
 
 Labelled occupied(const FrameResult& result) {
-  if (result.blind.empty()) return connected(in_skin(result.states), {});
+  const std::vector<std::uint8_t>* codes = result.object_area_limit != 0 ? &result.areas : nullptr;
+  if (result.blind.empty()) return connected(in_skin(result.states), {}, codes);
   const cv::Mat blind(result.states.height, result.states.width, CV_8UC1,
                       const_cast<std::uint8_t*>(result.blind.data()));
-  return connected(in_skin(result.states) | (blind != 0), blind);
+  return connected(in_skin(result.states) | (blind != 0), blind, codes);
 }
 
 }  // namespace
@@ -64,6 +95,11 @@ Labelled occupied(const FrameResult& result) {
 std::vector<Region> regions_of(const Image& states) { return without_labels(connected(in_skin(states), {})); }
 
 std::vector<Region> objects_of(const FrameResult& result) { return without_labels(occupied(result)); }
+
+bool is_alarm(const Region& object, const FrameResult& result) {
+  if (result.object_area_limit != 0) return object.area >= result.object_area_limit;
+  return result.object_limit_pixels > 0 && object.pixels >= result.object_limit_pixels;
+}
 
 std::vector<ObjectPixels> object_pixels(const FrameResult& result, std::int64_t smallest_pixels, std::size_t most) {
   const Labelled found = occupied(result);

@@ -27,8 +27,10 @@ std::vector<ScanGeometry> scans_of(const MachineProfile& profile, int image_widt
   return {{image_width, (image_height + 1) / 2, Scan::even_field}, {image_width, image_height / 2, Scan::odd_field}};
 }
 
-std::size_t MapTable::pool_bytes(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2, bool spans) {
-  return table_geometry(geometry, spacing_x_log2, spacing_y_log2, spans).pool_words() * sizeof(std::uint32_t);
+std::size_t MapTable::pool_bytes(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2, bool spans,
+                                 std::size_t areas) {
+  return table_geometry(geometry, spacing_x_log2, spacing_y_log2, spans).pool_words(hls::table::Facts::words_of(areas)) *
+         sizeof(std::uint32_t);
 }
 
 MapTable::MapTable(ScanGeometry geometry, int spacing_x_log2, int spacing_y_log2)

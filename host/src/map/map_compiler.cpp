@@ -1207,17 +1207,24 @@ struct Spacing {
 };
 
 /// That fit, fewest bytes first.
-std::vector<Spacing> spacings_of(const ScanGeometry& geometry, int largest_log2, std::size_t largest_bytes,
-                                 bool spans) {
+std::vector<Spacing> spacings_of(const ScanGeometry& geometry, int largest_log2, std::size_t largest_bytes, bool spans,
+                                 std::size_t areas) {
   std::vector<Spacing> spacings;
   for (int nx = 0; nx <= largest_log2; ++nx) {
     for (int ny = 0; ny <= largest_log2; ++ny) {
-      const std::size_t bytes = MapTable::pool_bytes(geometry, nx, ny, spans);
+      const std::size_t bytes = MapTable::pool_bytes(geometry, nx, ny, spans, areas);
       if (bytes <= largest_bytes) spacings.push_back({nx, ny, bytes});
     }
   }
   std::ranges::sort(spacings, {}, &Spacing::bytes);
   return spacings;
+}
+
+/// Of a table that knows them.
+std::size_t areas_of(const MachineProfile& profile, const ScanGeometry& geometry) {
+  hls::table::Facts facts;
+  facts.subsample = profile.subsample;
+  return facts.area_count({.width = geometry.width, .height = geometry.height});
 }
 
 std::string rows_text(RowReach reach) {
@@ -1278,16 +1285,18 @@ void show_around(const LatticeShape& shape, const std::vector<Point>& sources, M
 void seal(CompiledMap& map, const hls::table::Facts& facts) {
   map.table.seal(facts);
   map.report.crc = map.table.crc();
+  map.report.pool_bytes = map.table.pool_bytes();
 }
 
 /// The coarsest grid within the limits; where none loses little enough, of those that the forecast says to lose least
 /// the one that does. `fit` tries a spacing, with an outline's spans if there is one, and without where that is not enough; those that the forecast says to be beyond `margin` times the limits are not
-/// tried. To be sealed.
+/// tried. `areas`: how many of them the table will hold. To be sealed.
 CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, const MapLimits& limits,
-                   const Forecast& forecast, const Outline* outline,
+                   const Forecast& forecast, std::size_t areas, const Outline* outline,
                    const std::function<GridFit(int, int, const Outline*)>& fit, double margin) {
   const std::size_t largest = limits.largest_bytes != 0 ? limits.largest_bytes : profile.pool_bytes;
-  const std::vector<Spacing> spacings = spacings_of(geometry, limits.largest_spacing_log2, largest, outline != nullptr);
+  const std::vector<Spacing> spacings =
+      spacings_of(geometry, limits.largest_spacing_log2, largest, outline != nullptr, areas);
   std::optional<CompiledMap> best;
   std::optional<CompiledMap> best_of_whole_cells;  // within the limits, but for cells that the outline cuts
   std::optional<UnseenError> nothing;
@@ -1404,7 +1413,8 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
   const std::optional<Outline> outline = limits.spans ? outline_of(lattice, geometry) : std::nullopt;
   // The forecast only sorts out what is far off.
   CompiledMap map = choose(
-      profile, geometry, limits, Forecast(lattice, geometry), outline ? &*outline : nullptr,
+      profile, geometry, limits, Forecast(lattice, geometry), rig_skin != nullptr ? areas_of(profile, geometry) : 0,
+      outline ? &*outline : nullptr,
       [&](int nx, int ny, const Outline* spans) {
         return GridFit(lattice, geometry, nx, ny, profile.weight_bits, limits, simple, spans);
       },
@@ -1525,7 +1535,8 @@ CompiledMap MapCompiler::compile(const Surface& surface) {
     }
     return GridFit(lattice_, geometry_, nx, ny, profile_.weight_bits, limits_, surface.simple(), spans);
   };
-  CompiledMap map = choose(profile_, geometry_, limits_, forecast, outline ? &*outline : nullptr, fit, 1.1);
+  CompiledMap map = choose(profile_, geometry_, limits_, forecast, areas_of(profile_, geometry_),
+                           outline ? &*outline : nullptr, fit, 1.1);
   const LatticeShape controls = control_shape(map.table);
   std::vector<Point> sources(rays(controls).size());
   cameras_.look_around(surface, rays(controls), sources, without_source(controls, map.table));

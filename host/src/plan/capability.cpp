@@ -76,11 +76,14 @@ bool is_found(const Crossing& crossing, double diameter_mm, double thickness_mm,
   const double needed = crossing.images * crossing.step_mm / way_mm * kPlaces;
   if (!(needed < kPlaces)) return false;
   const int length = static_cast<int>(std::ceil(needed)) + 1;
+  const double px_mm2 = mm_per_px * mm_per_px;
+  const double limit_px =
+      crossing.object_limit_mm2 > 0 ? crossing.object_limit_mm2 / px_mm2 : crossing.object_limit_px;
   int good = 0;
   for (int i = 0; i <= kPlaces; ++i) {
     const Part part = part_in_skin(crossing.body, radius_mm, way_mm * i / kPlaces, thickness_mm);
-    const double pixels = part.area_mm2 / (mm_per_px * mm_per_px);
-    good = pixels * disc_share(crossing.decision, part.width_mm / mm_per_px) >= crossing.object_limit_px ? good + 1 : 0;
+    const double pixels = part.area_mm2 / px_mm2;
+    good = pixels * disc_share(crossing.decision, part.width_mm / mm_per_px) >= limit_px ? good + 1 : 0;
     if (good >= length) return true;
   }
   return false;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Agreement<horopter::hls::profiles::hd>, hls/stages/agreement.hpp. Do not edit.
 //
-// Latency 29 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 30 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 2891 bits, pipeline 8426 bits, memories 120207 bits.
+// State 2904 bits, pipeline 8748 bits, memories 120207 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -60,8 +60,8 @@ module horopter_agreement (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q, valid_s11_q, valid_s12_q, valid_s13_q, valid_s14_q, valid_s15_q, valid_s16_q, valid_s17_q, valid_s18_q, valid_s19_q, valid_s20_q, valid_s21_q, valid_s22_q, valid_s23_q, valid_s24_q, valid_s25_q, valid_s26_q, valid_s27_q, valid_s28_q, valid_s29_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en, s10_en, s11_en, s12_en, s13_en, s14_en, s15_en, s16_en, s17_en, s18_en, s19_en, s20_en, s21_en, s22_en, s23_en, s24_en, s25_en, s26_en, s27_en, s28_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q, valid_s11_q, valid_s12_q, valid_s13_q, valid_s14_q, valid_s15_q, valid_s16_q, valid_s17_q, valid_s18_q, valid_s19_q, valid_s20_q, valid_s21_q, valid_s22_q, valid_s23_q, valid_s24_q, valid_s25_q, valid_s26_q, valid_s27_q, valid_s28_q, valid_s29_q, valid_s30_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en, s10_en, s11_en, s12_en, s13_en, s14_en, s15_en, s16_en, s17_en, s18_en, s19_en, s20_en, s21_en, s22_en, s23_en, s24_en, s25_en, s26_en, s27_en, s28_en, s29_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
@@ -91,22 +91,23 @@ module horopter_agreement (
   assign s26_en = en_i & valid_s26_q;
   assign s27_en = en_i & valid_s27_q;
   assign s28_en = en_i & valid_s28_q;
+  assign s29_en = en_i & valid_s29_q;
 
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {1'b0, cfg_width_i[10:4]} + 8'hff;
-  logic [6:0] sum_2331;
-  assign sum_2331 = {1'b0, cfg_height_i[10:5]} + 7'h5;
-  logic [6:0] difference_3334;
-  assign difference_3334 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic [7:0] difference_3554;
-  assign difference_3554 = 8'h0 - {1'b0, cfg_height_i[10:4]};
-  logic less_3756;
-  assign less_3756 = 7'h8 < cfg_height_i[10:4];
-  logic [4:0] sum_3757;
-  assign sum_3757 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
-  logic not_3775;
-  assign not_3775 = ~cfg_prove_i;
+  logic [6:0] sum_2357;
+  assign sum_2357 = {1'b0, cfg_height_i[10:5]} + 7'h5;
+  logic [6:0] difference_3354;
+  assign difference_3354 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic [7:0] difference_3574;
+  assign difference_3574 = 8'h0 - {1'b0, cfg_height_i[10:4]};
+  logic less_3776;
+  assign less_3776 = 7'h8 < cfg_height_i[10:4];
+  logic [4:0] sum_3777;
+  assign sum_3777 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
+  logic not_3795;
+  assign not_3795 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -116,8 +117,8 @@ module horopter_agreement (
   logic [3:0] raster_at_x_q;
   logic raster_row_ended_q;
   // hls/stages/census.hpp:35
-  logic [3:0] select_458;
-  assign select_458 = sample_pair_first_q ? 4'h0 : (raster_row_ended_q ? 4'h0 : raster_at_x_q);
+  logic [3:0] select_461;
+  assign select_461 = sample_pair_first_q ? 4'h0 : (raster_row_ended_q ? 4'h0 : raster_at_x_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -132,7 +133,7 @@ module horopter_agreement (
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_458 + 4'h1) : raster_at_x_q;
+      raster_at_x_q <= sample_pair_whole_q ? (select_461 + 4'h1) : raster_at_x_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
     end
   end
@@ -146,7 +147,7 @@ module horopter_agreement (
   logic sample_last_s1_q;
   logic sample_present_s1_q;
   logic raster_row_ended_s1_q;
-  logic [3:0] select_458_s1_q;
+  logic [3:0] select_461_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -158,27 +159,27 @@ module horopter_agreement (
       sample_last_s1_q <= sample_last_q;
       sample_present_s1_q <= sample_present_q;
       raster_row_ended_s1_q <= raster_row_ended_q;
-      select_458_s1_q <= select_458;
+      select_461_s1_q <= select_461;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [6:0] raster_at_column_q;
   // hls/stages/census.hpp:35
-  logic [6:0] select_461;
-  assign select_461 = sample_pair_first_s1_q ? 7'h0 : (raster_row_ended_s1_q ? 7'h0 : raster_at_column_q);
+  logic [6:0] select_464;
+  assign select_464 = sample_pair_first_s1_q ? 7'h0 : (raster_row_ended_s1_q ? 7'h0 : raster_at_column_q);
   // hls/stages/census.hpp:50
-  logic equal_493;
-  assign equal_493 = select_458_s1_q == 4'hf;
+  logic equal_496;
+  assign equal_496 = select_461_s1_q == 4'hf;
   // hls/stages/agreement.hpp:263
-  logic [6:0] select_1980;
-  assign select_1980 = sample_pair_whole_s1_q ? (select_461 + {6'h0, equal_493}) : raster_at_column_q;
+  logic [6:0] select_2006;
+  assign select_2006 = sample_pair_whole_s1_q ? (select_464 + {6'h0, equal_496}) : raster_at_column_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_at_column_q <= 7'h0;
     end else if (s1_en) begin
-      raster_at_column_q <= select_1980;
+      raster_at_column_q <= select_2006;
     end
   end
 
@@ -192,9 +193,9 @@ module horopter_agreement (
   logic sample_pair_whole_s2_q;
   logic sample_last_s2_q;
   logic sample_present_s2_q;
-  logic [3:0] select_458_s2_q;
-  logic [6:0] select_461_s2_q;
-  logic equal_493_s2_q;
+  logic [3:0] select_461_s2_q;
+  logic [6:0] select_464_s2_q;
+  logic equal_496_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -207,9 +208,9 @@ module horopter_agreement (
       sample_pair_whole_s2_q <= sample_pair_whole_s1_q;
       sample_last_s2_q <= sample_last_s1_q;
       sample_present_s2_q <= sample_present_s1_q;
-      select_458_s2_q <= select_458_s1_q;
-      select_461_s2_q <= select_461;
-      equal_493_s2_q <= equal_493;
+      select_461_s2_q <= select_461_s1_q;
+      select_464_s2_q <= select_464;
+      equal_496_s2_q <= equal_496;
     end
   end
 
@@ -217,28 +218,28 @@ module horopter_agreement (
   logic [3:0] raster_at_y_q;
   logic [8:0] averager_place_q;
   // hls/stages/census.hpp:109
-  logic equal_459;
-  assign equal_459 = select_458_s2_q[1:0] == 2'h0;
+  logic equal_462;
+  assign equal_462 = select_461_s2_q[1:0] == 2'h0;
   // hls/stages/census.hpp:115
-  logic [8:0] select_464;
-  assign select_464 = ({select_461_s2_q, select_458_s2_q} == 11'h0) ? 9'h0 : (averager_place_q + 9'h1);
+  logic [8:0] select_467;
+  assign select_467 = ({select_464_s2_q, select_461_s2_q} == 11'h0) ? 9'h0 : (averager_place_q + 9'h1);
   // hls/stages/census.hpp:116
-  logic [8:0] select_465;
-  assign select_465 = equal_459 ? select_464 : averager_place_q;
+  logic [8:0] select_468;
+  assign select_468 = equal_462 ? select_467 : averager_place_q;
   // hls/stages/census.hpp:41
-  logic [3:0] select_476;
-  assign select_476 = sample_pair_first_s2_q ? 4'h0 : raster_at_y_q;
+  logic [3:0] select_479;
+  assign select_479 = sample_pair_first_s2_q ? 4'h0 : raster_at_y_q;
   // hls/stages/agreement.hpp:263
-  logic [3:0] select_1978;
-  assign select_1978 = sample_pair_whole_s2_q ? (sample_last_s2_q ? (select_476 + 4'h1) : select_476) : raster_at_y_q;
+  logic [3:0] select_2004;
+  assign select_2004 = sample_pair_whole_s2_q ? (sample_last_s2_q ? (select_479 + 4'h1) : select_479) : raster_at_y_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_at_y_q <= 4'h0;
       averager_place_q <= 9'h0;
     end else if (s2_en) begin
-      raster_at_y_q <= select_1978;
-      averager_place_q <= sample_pair_whole_s2_q ? select_465 : averager_place_q;
+      raster_at_y_q <= select_2004;
+      averager_place_q <= sample_pair_whole_s2_q ? select_468 : averager_place_q;
     end
   end
 
@@ -252,14 +253,14 @@ module horopter_agreement (
   logic sample_pair_whole_s3_q;
   logic sample_last_s3_q;
   logic sample_present_s3_q;
-  logic [3:0] select_458_s3_q;
-  logic equal_459_s3_q;
-  logic [6:0] select_461_s3_q;
-  logic [8:0] select_465_s3_q;
-  logic equal_467_s3_q;
-  logic [3:0] select_476_s3_q;
-  logic equal_493_s3_q;
-  logic equal_494_s3_q;
+  logic [3:0] select_461_s3_q;
+  logic equal_462_s3_q;
+  logic [6:0] select_464_s3_q;
+  logic [8:0] select_468_s3_q;
+  logic equal_470_s3_q;
+  logic [3:0] select_479_s3_q;
+  logic equal_496_s3_q;
+  logic equal_497_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       pixel_0_s3_q <= pixel_0_s2_q;
@@ -272,14 +273,14 @@ module horopter_agreement (
       sample_pair_whole_s3_q <= sample_pair_whole_s2_q;
       sample_last_s3_q <= sample_last_s2_q;
       sample_present_s3_q <= sample_present_s2_q;
-      select_458_s3_q <= select_458_s2_q;
-      equal_459_s3_q <= equal_459;
       select_461_s3_q <= select_461_s2_q;
-      select_465_s3_q <= select_465;
-      equal_467_s3_q <= select_458_s2_q[1:0] == 2'h3;
-      select_476_s3_q <= select_476;
-      equal_493_s3_q <= equal_493_s2_q;
-      equal_494_s3_q <= select_476 == 4'hf;
+      equal_462_s3_q <= equal_462;
+      select_464_s3_q <= select_464_s2_q;
+      select_468_s3_q <= select_468;
+      equal_470_s3_q <= select_461_s2_q[1:0] == 2'h3;
+      select_479_s3_q <= select_479;
+      equal_496_s3_q <= equal_496_s2_q;
+      equal_497_s3_q <= select_479 == 4'hf;
     end
   end
 
@@ -289,41 +290,41 @@ module horopter_agreement (
   logic [10:0] raster_rows_left_q;
   logic raster_final_row_q;
   // hls/stages/census.hpp:41
-  logic or_466;
-  assign or_466 = sample_pair_first_s3_q | raster_at_live_q;
+  logic or_469;
+  assign or_469 = sample_pair_first_s3_q | raster_at_live_q;
   // hls/stages/agreement.hpp:404
-  logic and_471;
-  assign and_471 = (or_466 & equal_467_s3_q) & (~(select_465_s3_q[8:5] == 4'hf));
+  logic and_474;
+  assign and_474 = (or_469 & equal_470_s3_q) & (~(select_468_s3_q[8:5] == 4'hf));
   // hls/stages/agreement.hpp:263
   logic [6:0] column;
-  assign column = sample_pair_whole_s3_q ? select_461_s3_q : 7'h0;
+  assign column = sample_pair_whole_s3_q ? select_464_s3_q : 7'h0;
   // hls/stages/census.hpp:126
-  logic and_495;
-  assign and_495 = equal_494_s3_q & and_471;
+  logic and_498;
+  assign and_498 = equal_497_s3_q & and_474;
   // hls/stages/agreement.hpp:263
-  logic and_497;
-  assign and_497 = sample_pair_whole_s3_q & (equal_493_s3_q & and_495);
+  logic and_500;
+  assign and_500 = sample_pair_whole_s3_q & (equal_496_s3_q & and_498);
   // hls/stages/census.hpp:41
-  logic [6:0] select_556;
-  assign select_556 = sample_pair_first_s3_q ? 7'h0 : raster_at_row_q;
+  logic [6:0] select_559;
+  assign select_559 = sample_pair_first_s3_q ? 7'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:263
   logic [6:0] row;
-  assign row = sample_pair_whole_s3_q ? select_556 : 7'h0;
+  assign row = sample_pair_whole_s3_q ? select_559 : 7'h0;
   // hls/stages/census.hpp:57
-  logic [6:0] select_1982;
-  assign select_1982 = sample_last_s3_q ? (select_556 + {6'h0, equal_494_s3_q}) : select_556;
+  logic [6:0] select_2008;
+  assign select_2008 = sample_last_s3_q ? (select_559 + {6'h0, equal_497_s3_q}) : select_559;
   // hls/stages/agreement.hpp:263
-  logic select_1987;
-  assign select_1987 = sample_pair_whole_s3_q ? (sample_last_s3_q ? (or_466 & (~raster_final_row_q)) : or_466) : raster_at_live_q;
+  logic select_2013;
+  assign select_2013 = sample_pair_whole_s3_q ? (sample_last_s3_q ? (or_469 & (~raster_final_row_q)) : or_469) : raster_at_live_q;
   // hls/stages/census.hpp:49
-  logic [10:0] select_1989;
-  assign select_1989 = sample_pair_first_s3_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s3_q});
+  logic [10:0] select_2015;
+  assign select_2015 = sample_pair_first_s3_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s3_q});
   // hls/stages/agreement.hpp:263
-  logic select_1993;
-  assign select_1993 = sample_pair_whole_s3_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
+  logic select_2019;
+  assign select_2019 = sample_pair_whole_s3_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:446
-  logic equal_2237;
-  assign equal_2237 = {last[7], column} == {1'b0, last[6:0]};
+  logic equal_2263;
+  assign equal_2263 = {last[7], column} == {1'b0, last[6:0]};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -332,10 +333,10 @@ module horopter_agreement (
       raster_rows_left_q <= 11'h0;
       raster_final_row_q <= 1'b0;
     end else if (s3_en) begin
-      raster_at_row_q <= sample_pair_whole_s3_q ? select_1982 : raster_at_row_q;
-      raster_at_live_q <= select_1987;
-      raster_rows_left_q <= sample_pair_whole_s3_q ? select_1989 : raster_rows_left_q;
-      raster_final_row_q <= select_1993;
+      raster_at_row_q <= sample_pair_whole_s3_q ? select_2008 : raster_at_row_q;
+      raster_at_live_q <= select_2013;
+      raster_rows_left_q <= sample_pair_whole_s3_q ? select_2015 : raster_rows_left_q;
+      raster_final_row_q <= select_2019;
     end
   end
 
@@ -348,22 +349,22 @@ module horopter_agreement (
   logic sample_pair_first_s4_q;
   logic sample_pair_whole_s4_q;
   logic sample_present_s4_q;
-  logic [3:0] select_458_s4_q;
-  logic equal_459_s4_q;
-  logic [6:0] select_461_s4_q;
-  logic [8:0] select_465_s4_q;
-  logic and_471_s4_q;
-  logic [3:0] select_476_s4_q;
+  logic [3:0] select_461_s4_q;
+  logic equal_462_s4_q;
+  logic [6:0] select_464_s4_q;
+  logic [8:0] select_468_s4_q;
+  logic and_474_s4_q;
+  logic [3:0] select_479_s4_q;
   logic [6:0] column_s4_q;
-  logic and_495_s4_q;
-  logic and_497_s4_q;
-  logic [3:0] select_556_s4_q;
+  logic and_498_s4_q;
+  logic and_500_s4_q;
+  logic [3:0] select_559_s4_q;
   logic [6:0] row_s4_q;
-  logic equal_1585_s4_q;
-  logic equal_2237_s4_q;
-  logic and_2238_s4_q;
-  logic [7:0] sum_2327_s4_q;
-  logic [2:0] or_2720_s4_q;
+  logic equal_1588_s4_q;
+  logic equal_2263_s4_q;
+  logic and_2264_s4_q;
+  logic [7:0] sum_2353_s4_q;
+  logic [2:0] or_2738_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= pixel_0_s3_q;
@@ -375,22 +376,22 @@ module horopter_agreement (
       sample_pair_first_s4_q <= sample_pair_first_s3_q;
       sample_pair_whole_s4_q <= sample_pair_whole_s3_q;
       sample_present_s4_q <= sample_present_s3_q;
-      select_458_s4_q <= select_458_s3_q;
-      equal_459_s4_q <= equal_459_s3_q;
       select_461_s4_q <= select_461_s3_q;
-      select_465_s4_q <= select_465_s3_q;
-      and_471_s4_q <= and_471;
-      select_476_s4_q <= select_476_s3_q;
+      equal_462_s4_q <= equal_462_s3_q;
+      select_464_s4_q <= select_464_s3_q;
+      select_468_s4_q <= select_468_s3_q;
+      and_474_s4_q <= and_474;
+      select_479_s4_q <= select_479_s3_q;
       column_s4_q <= column;
-      and_495_s4_q <= and_495;
-      and_497_s4_q <= and_497;
-      select_556_s4_q <= select_556[3:0];
+      and_498_s4_q <= and_498;
+      and_500_s4_q <= and_500;
+      select_559_s4_q <= select_559[3:0];
       row_s4_q <= row;
-      equal_1585_s4_q <= {or_466, select_476_s3_q} == 5'h18;
-      equal_2237_s4_q <= equal_2237;
-      and_2238_s4_q <= and_497 & equal_2237;
-      sum_2327_s4_q <= {1'b0, row} + 8'h1;
-      or_2720_s4_q <= select_461_s3_q[2:0] | select_556[6:4];
+      equal_1588_s4_q <= {or_469, select_479_s3_q} == 5'h18;
+      equal_2263_s4_q <= equal_2263;
+      and_2264_s4_q <= and_500 & equal_2263;
+      sum_2353_s4_q <= {1'b0, row} + 8'h1;
+      or_2738_s4_q <= select_464_s3_q[2:0] | select_559[6:4];
     end
   end
 
@@ -422,106 +423,106 @@ module horopter_agreement (
   logic so;
   assign so = run_phase_q == 3'h6;
   // hls/stages/agreement.hpp:610
-  logic equal_517;
-  assign equal_517 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:601
   logic equal_520;
-  assign equal_520 = run_phase_q == 3'h3;
+  assign equal_520 = run_phase_q == 3'h5;
+  // hls/stages/agreement.hpp:601
+  logic equal_523;
+  assign equal_523 = run_phase_q == 3'h3;
   // hls/stages/agreement.hpp:602
-  logic equal_522;
-  assign equal_522 = run_phase_q == 3'h2;
+  logic equal_525;
+  assign equal_525 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:510
-  logic select_2241;
-  assign select_2241 = (and_2238_s4_q | (~ends_cell_q)) ? and_2238_s4_q : ends_q;
+  logic select_2267;
+  assign select_2267 = (and_2264_s4_q | (~ends_cell_q)) ? and_2264_s4_q : ends_q;
   // hls/stages/agreement.hpp:516
   logic [2:0] now;
-  assign now = select_2241 ? (and_2238_s4_q ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2267 ? (and_2264_s4_q ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:521
-  logic [5:0] select_2245;
-  assign select_2245 = select_2241 ? (and_2238_s4_q ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2248;
-  assign select_2248 = select_2241 ? (following_last_shift_q & (~and_2238_s4_q)) : run_last_shift_q;
+  logic [5:0] select_2271;
+  assign select_2271 = select_2267 ? (and_2264_s4_q ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2274;
+  assign select_2274 = select_2267 ? (following_last_shift_q & (~and_2264_s4_q)) : run_last_shift_q;
   // hls/stages/agreement.hpp:522
-  logic [7:0] select_2250;
-  assign select_2250 = select_2241 ? (and_2238_s4_q ? 8'h0 : following_span_q) : run_span_q;
+  logic [7:0] select_2276;
+  assign select_2276 = select_2267 ? (and_2264_s4_q ? 8'h0 : following_span_q) : run_span_q;
   // hls/stages/agreement.hpp:594
-  logic and_2251;
-  assign and_2251 = run_last_shift_q & equal_520;
+  logic and_2277;
+  assign and_2277 = run_last_shift_q & equal_523;
   // hls/stages/agreement.hpp:603
-  logic select_2253;
-  assign select_2253 = equal_520 ? (~run_last_shift_q) : equal_522;
+  logic select_2279;
+  assign select_2279 = equal_523 ? (~run_last_shift_q) : equal_525;
   // hls/stages/agreement.hpp:607
-  logic equal_2254;
-  assign equal_2254 = run_phase_q == 3'h1;
-  logic not_2257;
-  assign not_2257 = ~select_2253;
+  logic equal_2280;
+  assign equal_2280 = run_phase_q == 3'h1;
+  logic not_2283;
+  assign not_2283 = ~select_2279;
   // hls/stages/agreement.hpp:610
-  logic equal_2259;
-  assign equal_2259 = run_phase_q == 3'h4;
+  logic equal_2285;
+  assign equal_2285 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:594
-  logic and_2260;
-  assign and_2260 = final_row_q & so;
+  logic and_2286;
+  assign and_2286 = final_row_q & so;
   // hls/stages/agreement.hpp:607
-  logic [1:0] select_2261;
-  assign select_2261 = equal_2259 ? 2'h1 : {2{and_2260}};
-  logic [2:0] select_2263;
-  assign select_2263 = (and_2251 | (select_2253 | equal_2254)) ? (equal_2254 ? 3'h2 : {not_2257, {2{select_2253}}}) : (equal_517 ? 3'h6 : {select_2261[0], select_2261});
+  logic [1:0] select_2287;
+  assign select_2287 = equal_2285 ? 2'h1 : {2{and_2286}};
+  logic [2:0] select_2289;
+  assign select_2289 = (and_2277 | (select_2279 | equal_2280)) ? (equal_2280 ? 3'h2 : {not_2283, {2{select_2279}}}) : (equal_520 ? 3'h6 : {select_2287[0], select_2287});
   // hls/stages/agreement.hpp:594
-  logic and_2266;
-  assign and_2266 = select_2253 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  logic and_2292;
+  assign and_2292 = select_2279 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:617
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2269;
-  assign select_2269 = (plan_shift_q[5] & select_2253) ? value : 7'h0;
-  logic [1:0] or_2270;
-  assign or_2270 = {2{so}} | select_2269[5:4];
+  logic [6:0] select_2295;
+  assign select_2295 = (plan_shift_q[5] & select_2279) ? value : 7'h0;
+  logic [1:0] or_2296;
+  assign or_2296 = {2{so}} | select_2295[5:4];
   // hls/stages/agreement.hpp:620
-  logic [7:0] or_2274;
-  assign or_2274 = (select_2253 ? plan_columns_q : 8'h0) | ((equal_2254 | equal_2259) ? whole_q : 8'h0);
-  logic [1:0] or_2275;
-  assign or_2275 = {2{and_2251}} | or_2274[4:3];
+  logic [7:0] or_2300;
+  assign or_2300 = (select_2279 ? plan_columns_q : 8'h0) | ((equal_2280 | equal_2285) ? whole_q : 8'h0);
+  logic [1:0] or_2301;
+  assign or_2301 = {2{and_2277}} | or_2300[4:3];
   // hls/stages/agreement.hpp:621
-  logic [7:0] or_2277;
-  assign or_2277 = {or_2274[7:5], or_2275, or_2274[2:0]} | (equal_517 ? drawn_q : 8'h0);
-  logic [4:0] or_2278;
-  assign or_2278 = {5{so}} | {or_2277[6], or_2277[3:0]};
+  logic [7:0] or_2303;
+  assign or_2303 = {or_2300[7:5], or_2301, or_2300[2:0]} | (equal_520 ? drawn_q : 8'h0);
+  logic [4:0] or_2304;
+  assign or_2304 = {5{so}} | {or_2303[6], or_2303[3:0]};
   // hls/stages/agreement.hpp:627
-  logic not_2282;
-  assign not_2282 = ~run_shift_q[5];
-  logic [7:0] select_2285;
-  assign select_2285 = equal_520 ? ({{7{not_2282}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  logic not_2308;
+  assign not_2308 = ~run_shift_q[5];
+  logic [7:0] select_2311;
+  assign select_2311 = equal_523 ? ({{7{not_2308}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:510
-  logic [6:0] select_2289;
-  assign select_2289 = and_2238_s4_q ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2315;
+  assign select_2315 = and_2264_s4_q ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:513
-  logic [7:0] select_2291;
-  assign select_2291 = select_2241 ? {select_2289[6], select_2289} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2294;
-  assign select_2294 = select_2241 ? (and_2238_s4_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2317;
+  assign select_2317 = select_2267 ? {select_2315[6], select_2315} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2320;
+  assign select_2320 = select_2267 ? (and_2264_s4_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:447
-  logic [6:0] select_2301;
-  assign select_2301 = equal_2237_s4_q ? ((6'he < column_s4_q[6:1]) ? 7'h1d : column_s4_q) : least_q;
+  logic [6:0] select_2327;
+  assign select_2327 = equal_2263_s4_q ? ((6'he < column_s4_q[6:1]) ? 7'h1d : column_s4_q) : least_q;
   // hls/stages/agreement.hpp:507
-  logic [7:0] select_2305;
-  assign select_2305 = and_497_s4_q ? (equal_2237_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h17) : whole_q) : whole_q;
-  logic [7:0] select_2308;
-  assign select_2308 = and_497_s4_q ? (equal_2237_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h3) : drawn_q) : drawn_q;
+  logic [7:0] select_2331;
+  assign select_2331 = and_500_s4_q ? (equal_2263_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h17) : whole_q) : whole_q;
+  logic [7:0] select_2334;
+  assign select_2334 = and_500_s4_q ? (equal_2263_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h3) : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:518
-  logic select_2322;
-  assign select_2322 = (ends_cell_q | select_2241) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_520 | (slot_q == 3'h6));
+  logic select_2348;
+  assign select_2348 = (ends_cell_q | select_2267) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_523 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:513
-  logic and_2326;
-  assign and_2326 = (~select_2241) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_2352;
+  assign and_2352 = (~select_2267) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:463
-  logic equal_2328;
-  assign equal_2328 = {sum_2327_s4_q[7], cfg_height_i[10:4]} == {1'b0, sum_2327_s4_q[6:0]};
+  logic equal_2354;
+  assign equal_2354 = {sum_2353_s4_q[7], cfg_height_i[10:4]} == {1'b0, sum_2353_s4_q[6:0]};
   // hls/stages/agreement.hpp:507
-  logic select_2330;
-  assign select_2330 = and_497_s4_q ? (equal_2237_s4_q ? equal_2328 : final_row_q) : final_row_q;
-  // hls/stages/patches.hpp:325
-  logic [8:0] sum_2721;
-  assign sum_2721 = {1'b0, select_461_s4_q[3], or_2720_s4_q, select_556_s4_q} + 9'h1;
+  logic select_2356;
+  assign select_2356 = and_500_s4_q ? (equal_2263_s4_q ? equal_2354 : final_row_q) : final_row_q;
+  // hls/stages/patches.hpp:340
+  logic [8:0] sum_2739;
+  assign sum_2739 = {1'b0, select_464_s4_q[3], or_2738_s4_q, select_559_s4_q} + 9'h1;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -550,28 +551,28 @@ module horopter_agreement (
       final_row_q <= 1'b0;
     end else if (s4_en) begin
       run_phase_q <= now;
-      run_shift_q <= select_2245;
-      run_last_shift_q <= select_2248;
-      run_span_q <= select_2250;
-      following_phase_q <= select_2263;
-      following_shift_q <= select_2253 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2266;
+      run_shift_q <= select_2271;
+      run_last_shift_q <= select_2274;
+      run_span_q <= select_2276;
+      following_phase_q <= select_2289;
+      following_shift_q <= select_2279 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2292;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2269[6], or_2270, select_2269[3:0]};
-      following_columns_q <= {or_2277[7], or_2278[4], or_2277[5:4], or_2278[3:0]};
-      plan_shift_q <= equal_520 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2285;
+      following_lowest_q <= {select_2295[6], or_2296, select_2295[3:0]};
+      following_columns_q <= {or_2303[7], or_2304[4], or_2303[5:4], or_2304[3:0]};
+      plan_shift_q <= equal_523 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
+      plan_span_q <= select_2311;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2291;
-      columns_left_q <= select_2294;
-      last_q <= and_497_s4_q ? (equal_2237_s4_q ? column_s4_q : last_q) : last_q;
-      least_q <= and_497_s4_q ? select_2301 : least_q;
-      whole_q <= select_2305;
-      drawn_q <= select_2308;
-      slot_q <= select_2241 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2322;
-      ends_q <= and_2326;
-      final_row_q <= select_2330;
+      x_q <= select_2317;
+      columns_left_q <= select_2320;
+      last_q <= and_500_s4_q ? (equal_2263_s4_q ? column_s4_q : last_q) : last_q;
+      least_q <= and_500_s4_q ? select_2327 : least_q;
+      whole_q <= select_2331;
+      drawn_q <= select_2334;
+      slot_q <= select_2267 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2348;
+      ends_q <= and_2352;
+      final_row_q <= select_2356;
     end
   end
 
@@ -589,29 +590,29 @@ module horopter_agreement (
   logic [6:0] last_s5_q;
   logic [2:0] slot_s5_q;
   logic ends_cell_s5_q;
-  logic [3:0] select_458_s5_q;
-  logic equal_459_s5_q;
-  logic [6:0] select_461_s5_q;
-  logic [8:0] select_465_s5_q;
-  logic and_471_s5_q;
-  logic equal_477_s5_q;
+  logic [3:0] select_461_s5_q;
+  logic equal_462_s5_q;
+  logic [6:0] select_464_s5_q;
+  logic [8:0] select_468_s5_q;
+  logic and_474_s5_q;
+  logic equal_480_s5_q;
   logic [6:0] column_s5_q;
-  logic and_495_s5_q;
-  logic and_497_s5_q;
+  logic and_498_s5_q;
+  logic and_500_s5_q;
   logic so_s5_q;
-  logic equal_517_s5_q;
   logic equal_520_s5_q;
-  logic equal_522_s5_q;
-  logic [7:0] sum_523_s5_q;
+  logic equal_523_s5_q;
+  logic equal_525_s5_q;
+  logic [7:0] sum_526_s5_q;
   logic [6:0] row_s5_q;
-  logic [7:0] sum_633_s5_q;
-  logic equal_642_s5_q;
-  logic equal_1466_s5_q;
-  logic equal_1585_s5_q;
-  logic equal_2237_s5_q;
-  logic and_2238_s5_q;
-  logic select_2241_s5_q;
-  logic not_2723_s5_q;
+  logic [7:0] sum_636_s5_q;
+  logic equal_645_s5_q;
+  logic equal_1469_s5_q;
+  logic equal_1588_s5_q;
+  logic equal_2263_s5_q;
+  logic and_2264_s5_q;
+  logic select_2267_s5_q;
+  logic not_2741_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       pixel_0_s5_q <= pixel_0_s4_q;
@@ -628,54 +629,54 @@ module horopter_agreement (
       last_s5_q <= last_q;
       slot_s5_q <= slot_q;
       ends_cell_s5_q <= ends_cell_q;
-      select_458_s5_q <= select_458_s4_q;
-      equal_459_s5_q <= equal_459_s4_q;
       select_461_s5_q <= select_461_s4_q;
-      select_465_s5_q <= select_465_s4_q;
-      and_471_s5_q <= and_471_s4_q;
-      equal_477_s5_q <= select_476_s4_q == 4'h0;
+      equal_462_s5_q <= equal_462_s4_q;
+      select_464_s5_q <= select_464_s4_q;
+      select_468_s5_q <= select_468_s4_q;
+      and_474_s5_q <= and_474_s4_q;
+      equal_480_s5_q <= select_479_s4_q == 4'h0;
       column_s5_q <= column_s4_q;
-      and_495_s5_q <= and_495_s4_q;
-      and_497_s5_q <= and_497_s4_q;
+      and_498_s5_q <= and_498_s4_q;
+      and_500_s5_q <= and_500_s4_q;
       so_s5_q <= so;
-      equal_517_s5_q <= equal_517;
       equal_520_s5_q <= equal_520;
-      equal_522_s5_q <= equal_522;
-      sum_523_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+      equal_523_s5_q <= equal_523;
+      equal_525_s5_q <= equal_525;
+      sum_526_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} + x_q;
       row_s5_q <= row_s4_q;
-      sum_633_s5_q <= {1'b0, last_q} + 8'h3;
-      equal_642_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      equal_1466_s5_q <= run_phase_q == 3'h7;
-      equal_1585_s5_q <= equal_1585_s4_q;
-      equal_2237_s5_q <= equal_2237_s4_q;
-      and_2238_s5_q <= and_2238_s4_q;
-      select_2241_s5_q <= select_2241;
-      not_2723_s5_q <= ~({sum_2721, select_476_s4_q, 1'b0} < {3'h0, cfg_height_i});
+      sum_636_s5_q <= {1'b0, last_q} + 8'h3;
+      equal_645_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
+      equal_1469_s5_q <= run_phase_q == 3'h7;
+      equal_1588_s5_q <= equal_1588_s4_q;
+      equal_2263_s5_q <= equal_2263_s4_q;
+      and_2264_s5_q <= and_2264_s4_q;
+      select_2267_s5_q <= select_2267;
+      not_2741_s5_q <= ~({sum_2739, select_479_s4_q, 1'b0} < {3'h0, cfg_height_i});
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [6:0] age_q;
   // hls/stages/agreement.hpp:581
-  logic [7:0] select_524;
-  assign select_524 = run_shift_s5_q[5] ? x_s5_q : sum_523_s5_q;
-  logic less_525;
-  assign less_525 = {1'b0, last_s5_q} < select_524;
+  logic [7:0] select_527;
+  assign select_527 = run_shift_s5_q[5] ? x_s5_q : sum_526_s5_q;
+  logic less_528;
+  assign less_528 = {1'b0, last_s5_q} < select_527;
   // hls/stages/agreement.hpp:216
-  logic not_526;
-  assign not_526 = ~less_525;
+  logic not_529;
+  assign not_529 = ~less_528;
   // hls/stages/agreement.hpp:773
   logic [7:0] x;
   assign x = x_s5_q + 8'hfd;
   // hls/stages/agreement.hpp:515
-  logic [6:0] select_2310;
-  assign select_2310 = select_2241_s5_q ? 7'h0 : (ends_cell_s5_q ? {age_q[5:0], 1'b1} : age_q);
+  logic [6:0] select_2336;
+  assign select_2336 = select_2267_s5_q ? 7'h0 : (ends_cell_s5_q ? {age_q[5:0], 1'b1} : age_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       age_q <= 7'h0;
     end else if (s5_en) begin
-      age_q <= select_2310;
+      age_q <= select_2336;
     end
   end
 
@@ -694,32 +695,32 @@ module horopter_agreement (
   logic [3:0] age_s6_q;
   logic [2:0] slot_s6_q;
   logic ends_cell_s6_q;
-  logic [3:0] select_458_s6_q;
-  logic equal_459_s6_q;
-  logic [6:0] select_461_s6_q;
-  logic [8:0] select_465_s6_q;
-  logic and_471_s6_q;
-  logic equal_477_s6_q;
+  logic [3:0] select_461_s6_q;
+  logic equal_462_s6_q;
+  logic [6:0] select_464_s6_q;
+  logic [8:0] select_468_s6_q;
+  logic and_474_s6_q;
+  logic equal_480_s6_q;
   logic [6:0] column_s6_q;
-  logic and_495_s6_q;
-  logic and_497_s6_q;
+  logic and_498_s6_q;
+  logic and_500_s6_q;
   logic so_s6_q;
-  logic equal_517_s6_q;
   logic equal_520_s6_q;
-  logic [6:0] sum_523_s6_q;
-  logic less_525_s6_q;
-  logic not_526_s6_q;
-  logic and_527_s6_q;
+  logic equal_523_s6_q;
+  logic [6:0] sum_526_s6_q;
+  logic less_528_s6_q;
+  logic not_529_s6_q;
+  logic and_530_s6_q;
   logic [6:0] row_s6_q;
   logic [6:0] x_s6_2_q;
-  logic and_637_s6_q;
-  logic equal_642_s6_q;
-  logic equal_1456_s6_q;
-  logic equal_1466_s6_q;
-  logic equal_1585_s6_q;
-  logic equal_2237_s6_q;
-  logic and_2238_s6_q;
-  logic not_2723_s6_q;
+  logic and_640_s6_q;
+  logic equal_645_s6_q;
+  logic equal_1459_s6_q;
+  logic equal_1469_s6_q;
+  logic equal_1588_s6_q;
+  logic equal_2263_s6_q;
+  logic and_2264_s6_q;
+  logic not_2741_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       pixel_0_s6_q <= pixel_0_s5_q;
@@ -737,57 +738,57 @@ module horopter_agreement (
       age_s6_q <= {age_q[6], age_q[4:3], age_q[0]};
       slot_s6_q <= slot_s5_q;
       ends_cell_s6_q <= ends_cell_s5_q;
-      select_458_s6_q <= select_458_s5_q;
-      equal_459_s6_q <= equal_459_s5_q;
       select_461_s6_q <= select_461_s5_q;
-      select_465_s6_q <= select_465_s5_q;
-      and_471_s6_q <= and_471_s5_q;
-      equal_477_s6_q <= equal_477_s5_q;
+      equal_462_s6_q <= equal_462_s5_q;
+      select_464_s6_q <= select_464_s5_q;
+      select_468_s6_q <= select_468_s5_q;
+      and_474_s6_q <= and_474_s5_q;
+      equal_480_s6_q <= equal_480_s5_q;
       column_s6_q <= column_s5_q;
-      and_495_s6_q <= and_495_s5_q;
-      and_497_s6_q <= and_497_s5_q;
+      and_498_s6_q <= and_498_s5_q;
+      and_500_s6_q <= and_500_s5_q;
       so_s6_q <= so_s5_q;
-      equal_517_s6_q <= equal_517_s5_q;
       equal_520_s6_q <= equal_520_s5_q;
-      sum_523_s6_q <= sum_523_s5_q[6:0];
-      less_525_s6_q <= less_525;
-      not_526_s6_q <= not_526;
-      and_527_s6_q <= equal_522_s5_q & not_526;
+      equal_523_s6_q <= equal_523_s5_q;
+      sum_526_s6_q <= sum_526_s5_q[6:0];
+      less_528_s6_q <= less_528;
+      not_529_s6_q <= not_529;
+      and_530_s6_q <= equal_525_s5_q & not_529;
       row_s6_q <= row_s5_q;
       x_s6_2_q <= x[6:0];
-      and_637_s6_q <= age_q[2] & (ends_cell_s5_q & (~(sum_633_s5_q < select_524)));
-      equal_642_s6_q <= equal_642_s5_q;
-      equal_1456_s6_q <= {x[7], last_s5_q} == {1'b0, x[6:0]};
-      equal_1466_s6_q <= equal_1466_s5_q;
-      equal_1585_s6_q <= equal_1585_s5_q;
-      equal_2237_s6_q <= equal_2237_s5_q;
-      and_2238_s6_q <= and_2238_s5_q;
-      not_2723_s6_q <= not_2723_s5_q;
+      and_640_s6_q <= age_q[2] & (ends_cell_s5_q & (~(sum_636_s5_q < select_527)));
+      equal_645_s6_q <= equal_645_s5_q;
+      equal_1459_s6_q <= {x[7], last_s5_q} == {1'b0, x[6:0]};
+      equal_1469_s6_q <= equal_1469_s5_q;
+      equal_1588_s6_q <= equal_1588_s5_q;
+      equal_2263_s6_q <= equal_2263_s5_q;
+      and_2264_s6_q <= and_2264_s5_q;
+      not_2741_s6_q <= not_2741_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/agreement.hpp:581
-  logic or_518;
-  assign or_518 = so_s6_q | equal_517_s6_q;
+  logic or_521;
+  assign or_521 = so_s6_q | equal_520_s6_q;
   // hls/stages/agreement.hpp:704
-  logic not_519;
-  assign not_519 = ~or_518;
+  logic not_522;
+  assign not_522 = ~or_521;
   // hls/stages/agreement.hpp:141
-  logic select_613;
-  assign select_613 = equal_520_s6_q ? not_526_s6_q : and_527_s6_q;
-  logic and_638;
-  assign and_638 = equal_520_s6_q & and_637_s6_q;
-  logic select_639;
-  assign select_639 = or_518 ? not_526_s6_q : and_638;
+  logic select_616;
+  assign select_616 = equal_523_s6_q ? not_529_s6_q : and_530_s6_q;
+  logic and_641;
+  assign and_641 = equal_523_s6_q & and_640_s6_q;
+  logic select_642;
+  assign select_642 = or_521 ? not_529_s6_q : and_641;
   // hls/stages/agreement.hpp:782
-  logic or_644;
-  assign or_644 = equal_642_s6_q | ($signed(6'h0) < $signed(run_shift_s6_q));
+  logic or_647;
+  assign or_647 = equal_645_s6_q | ($signed(6'h0) < $signed(run_shift_s6_q));
   // hls/stages/agreement.hpp:794
   logic [6:0] right;
-  assign right = sum_523_s6_q + 7'h7d;
+  assign right = sum_526_s6_q + 7'h7d;
 
-  // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1293; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
+  // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1294; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:119];
@@ -797,13 +798,13 @@ module horopter_agreement (
   logic [6:0] left_raddr;
   assign left_raddr = x_s6_q[6:0];
   logic left_re;
-  assign left_re = s6_en & (or_518 ? not_526_s6_q : select_613);
+  assign left_re = s6_en & (or_521 ? not_529_s6_q : select_616);
   logic [76:0] left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 120 x 91, DISTANCE 24, hls/stages/agreement.hpp:1294; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
+  // Memory right_codes, 120 x 91, DISTANCE 24, hls/stages/agreement.hpp:1295; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:119];
@@ -811,15 +812,15 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) right_codes_mem[i] = 91'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = equal_520_s6_q ? sum_523_s6_q : x_s6_q[6:0];
+  assign right_codes_raddr = equal_523_s6_q ? sum_526_s6_q : x_s6_q[6:0];
   logic right_codes_re;
-  assign right_codes_re = s6_en & (not_519 & select_613);
+  assign right_codes_re = s6_en & (not_522 & select_616);
   logic [90:0] right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (right_codes_re) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 120 x 46, DISTANCE 24, hls/stages/agreement.hpp:1295; read in stage 6, written in stage 17: 6 < 17 < 6 + DISTANCE.
+  // Memory best_left, 120 x 46, DISTANCE 24, hls/stages/agreement.hpp:1296; read in stage 6, written in stage 17: 6 < 17 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [45:0] best_left_mem [0:119];
@@ -827,9 +828,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) best_left_mem[i] = 46'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = or_518 ? x_s6_q[6:0] : x_s6_2_q;
+  assign best_left_raddr = or_521 ? x_s6_q[6:0] : x_s6_2_q;
   logic best_left_re;
-  assign best_left_re = s6_en & select_639;
+  assign best_left_re = s6_en & select_642;
   logic [45:0] best_left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (best_left_re) best_left_rdata_q <= best_left_mem[best_left_raddr];
@@ -850,34 +851,34 @@ module horopter_agreement (
   logic [3:0] age_s7_q;
   logic [2:0] slot_s7_q;
   logic ends_cell_s7_q;
-  logic [3:0] select_458_s7_q;
-  logic equal_459_s7_q;
-  logic [6:0] select_461_s7_q;
-  logic [8:0] select_465_s7_q;
-  logic and_471_s7_q;
-  logic equal_477_s7_q;
+  logic [3:0] select_461_s7_q;
+  logic equal_462_s7_q;
+  logic [6:0] select_464_s7_q;
+  logic [8:0] select_468_s7_q;
+  logic and_474_s7_q;
+  logic equal_480_s7_q;
   logic [6:0] column_s7_q;
-  logic and_495_s7_q;
-  logic and_497_s7_q;
+  logic and_498_s7_q;
+  logic and_500_s7_q;
   logic so_s7_q;
-  logic equal_517_s7_q;
-  logic or_518_s7_q;
   logic equal_520_s7_q;
-  logic less_525_s7_q;
-  logic not_526_s7_q;
-  logic and_529_s7_q;
+  logic or_521_s7_q;
+  logic equal_523_s7_q;
+  logic less_528_s7_q;
+  logic not_529_s7_q;
+  logic and_532_s7_q;
   logic [6:0] row_s7_q;
   logic [6:0] x_s7_2_q;
-  logic select_639_s7_q;
-  logic select_646_s7_q;
-  logic and_1448_s7_q;
+  logic select_642_s7_q;
+  logic select_649_s7_q;
+  logic and_1451_s7_q;
   logic [6:0] right_s7_q;
-  logic select_1457_s7_q;
-  logic equal_1466_s7_q;
-  logic equal_1585_s7_q;
-  logic equal_2237_s7_q;
-  logic and_2238_s7_q;
-  logic not_2723_s7_q;
+  logic select_1460_s7_q;
+  logic equal_1469_s7_q;
+  logic equal_1588_s7_q;
+  logic equal_2263_s7_q;
+  logic and_2264_s7_q;
+  logic not_2741_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
       pixel_0_s7_q <= pixel_0_s6_q;
@@ -895,50 +896,40 @@ module horopter_agreement (
       age_s7_q <= age_s6_q;
       slot_s7_q <= slot_s6_q;
       ends_cell_s7_q <= ends_cell_s6_q;
-      select_458_s7_q <= select_458_s6_q;
-      equal_459_s7_q <= equal_459_s6_q;
       select_461_s7_q <= select_461_s6_q;
-      select_465_s7_q <= select_465_s6_q;
-      and_471_s7_q <= and_471_s6_q;
-      equal_477_s7_q <= equal_477_s6_q;
+      equal_462_s7_q <= equal_462_s6_q;
+      select_464_s7_q <= select_464_s6_q;
+      select_468_s7_q <= select_468_s6_q;
+      and_474_s7_q <= and_474_s6_q;
+      equal_480_s7_q <= equal_480_s6_q;
       column_s7_q <= column_s6_q;
-      and_495_s7_q <= and_495_s6_q;
-      and_497_s7_q <= and_497_s6_q;
+      and_498_s7_q <= and_498_s6_q;
+      and_500_s7_q <= and_500_s6_q;
       so_s7_q <= so_s6_q;
-      equal_517_s7_q <= equal_517_s6_q;
-      or_518_s7_q <= or_518;
       equal_520_s7_q <= equal_520_s6_q;
-      less_525_s7_q <= less_525_s6_q;
-      not_526_s7_q <= not_526_s6_q;
-      and_529_s7_q <= not_519 & ((~equal_520_s6_q) & and_527_s6_q);
+      or_521_s7_q <= or_521;
+      equal_523_s7_q <= equal_523_s6_q;
+      less_528_s7_q <= less_528_s6_q;
+      not_529_s7_q <= not_529_s6_q;
+      and_532_s7_q <= not_522 & ((~equal_523_s6_q) & and_530_s6_q);
       row_s7_q <= row_s6_q;
       x_s7_2_q <= x_s6_2_q;
-      select_639_s7_q <= select_639;
-      select_646_s7_q <= or_644 ? equal_642_s6_q : (~age_s6_q[1]);
-      and_1448_s7_q <= not_519 & and_638;
+      select_642_s7_q <= select_642;
+      select_649_s7_q <= or_647 ? equal_645_s6_q : (~age_s6_q[1]);
+      and_1451_s7_q <= not_522 & and_641;
       right_s7_q <= right;
-      select_1457_s7_q <= or_644 ? equal_642_s6_q : equal_1456_s6_q;
-      equal_1466_s7_q <= equal_1466_s6_q;
-      equal_1585_s7_q <= equal_1585_s6_q;
-      equal_2237_s7_q <= equal_2237_s6_q;
-      and_2238_s7_q <= and_2238_s6_q;
-      not_2723_s7_q <= not_2723_s6_q;
+      select_1460_s7_q <= or_647 ? equal_645_s6_q : equal_1459_s6_q;
+      equal_1469_s7_q <= equal_1469_s6_q;
+      equal_1588_s7_q <= equal_1588_s6_q;
+      equal_2263_s7_q <= equal_2263_s6_q;
+      and_2264_s7_q <= and_2264_s6_q;
+      not_2741_s7_q <= not_2741_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  logic [3:0] patches_phase_q;
-  // hls/stages/patches.hpp:94
-  logic and_1579;
-  assign and_1579 = (select_458_s7_q == 4'h0) & (select_461_s7_q == 7'h0);
-  // hls/stages/patches.hpp:282
-  logic [3:0] phase;
-  assign phase = (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
-  // hls/stages/patches.hpp:98
-  logic [3:0] select_2657;
-  assign select_2657 = and_1579 ? (sample_pair_first_s7_q ? phase : patches_phase_q) : patches_phase_q;
 
-  // Memory fresh, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1292; read in stage 7, written in stage 26: 7 < 26 < 7 + DISTANCE.
+  // Memory fresh, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1293; read in stage 7, written in stage 27: 7 < 27 < 7 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:119];
@@ -948,18 +939,10 @@ module horopter_agreement (
   logic [6:0] fresh_raddr;
   assign fresh_raddr = x_s7_q[6:0];
   logic fresh_re;
-  assign fresh_re = s7_en & and_529_s7_q;
+  assign fresh_re = s7_en & and_532_s7_q;
   logic [28:0] fresh_rdata_q;
   always_ff @(posedge clk_i) begin
     if (fresh_re) fresh_rdata_q <= fresh_mem[fresh_raddr];
-  end
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      patches_phase_q <= 4'h0;
-    end else if (s7_en) begin
-      patches_phase_q <= sample_pair_whole_s7_q ? select_2657 : patches_phase_q;
-    end
   end
 
   logic [7:0] pixel_0_s8_q;
@@ -977,39 +960,37 @@ module horopter_agreement (
   logic [3:0] age_s8_q;
   logic [2:0] slot_s8_q;
   logic ends_cell_s8_q;
-  logic [3:0] select_458_s8_q;
-  logic equal_459_s8_q;
-  logic [6:0] select_461_s8_q;
-  logic [8:0] select_465_s8_q;
-  logic and_471_s8_q;
-  logic equal_477_s8_q;
+  logic [3:0] select_461_s8_q;
+  logic equal_462_s8_q;
+  logic [6:0] select_464_s8_q;
+  logic [8:0] select_468_s8_q;
+  logic and_474_s8_q;
+  logic equal_480_s8_q;
   logic [6:0] column_s8_q;
-  logic and_495_s8_q;
-  logic and_497_s8_q;
+  logic and_498_s8_q;
+  logic and_500_s8_q;
   logic so_s8_q;
-  logic equal_517_s8_q;
-  logic or_518_s8_q;
   logic equal_520_s8_q;
-  logic less_525_s8_q;
-  logic not_526_s8_q;
-  logic and_529_s8_q;
+  logic or_521_s8_q;
+  logic equal_523_s8_q;
+  logic less_528_s8_q;
+  logic not_529_s8_q;
+  logic and_532_s8_q;
   logic [6:0] row_s8_q;
   logic [76:0] left_rdata_s8_q;
   logic [90:0] right_codes_rdata_s8_q;
   logic [6:0] x_s8_2_q;
-  logic select_639_s8_q;
+  logic select_642_s8_q;
   logic [45:0] best_left_rdata_s8_q;
-  logic select_646_s8_q;
-  logic and_1448_s8_q;
+  logic select_649_s8_q;
+  logic and_1451_s8_q;
   logic [6:0] right_s8_q;
-  logic select_1457_s8_q;
-  logic equal_1466_s8_q;
-  logic and_1579_s8_q;
-  logic equal_1585_s8_q;
-  logic equal_2237_s8_q;
-  logic and_2238_s8_q;
-  logic [3:0] phase_s8_q;
-  logic not_2723_s8_q;
+  logic select_1460_s8_q;
+  logic equal_1469_s8_q;
+  logic equal_1588_s8_q;
+  logic equal_2263_s8_q;
+  logic and_2264_s8_q;
+  logic not_2741_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
       pixel_0_s8_q <= pixel_0_s7_q;
@@ -1027,139 +1008,128 @@ module horopter_agreement (
       age_s8_q <= age_s7_q;
       slot_s8_q <= slot_s7_q;
       ends_cell_s8_q <= ends_cell_s7_q;
-      select_458_s8_q <= select_458_s7_q;
-      equal_459_s8_q <= equal_459_s7_q;
       select_461_s8_q <= select_461_s7_q;
-      select_465_s8_q <= select_465_s7_q;
-      and_471_s8_q <= and_471_s7_q;
-      equal_477_s8_q <= equal_477_s7_q;
+      equal_462_s8_q <= equal_462_s7_q;
+      select_464_s8_q <= select_464_s7_q;
+      select_468_s8_q <= select_468_s7_q;
+      and_474_s8_q <= and_474_s7_q;
+      equal_480_s8_q <= equal_480_s7_q;
       column_s8_q <= column_s7_q;
-      and_495_s8_q <= and_495_s7_q;
-      and_497_s8_q <= and_497_s7_q;
+      and_498_s8_q <= and_498_s7_q;
+      and_500_s8_q <= and_500_s7_q;
       so_s8_q <= so_s7_q;
-      equal_517_s8_q <= equal_517_s7_q;
-      or_518_s8_q <= or_518_s7_q;
       equal_520_s8_q <= equal_520_s7_q;
-      less_525_s8_q <= less_525_s7_q;
-      not_526_s8_q <= not_526_s7_q;
-      and_529_s8_q <= and_529_s7_q;
+      or_521_s8_q <= or_521_s7_q;
+      equal_523_s8_q <= equal_523_s7_q;
+      less_528_s8_q <= less_528_s7_q;
+      not_529_s8_q <= not_529_s7_q;
+      and_532_s8_q <= and_532_s7_q;
       row_s8_q <= row_s7_q;
       left_rdata_s8_q <= left_rdata_q;
       right_codes_rdata_s8_q <= right_codes_rdata_q;
       x_s8_2_q <= x_s7_2_q;
-      select_639_s8_q <= select_639_s7_q;
+      select_642_s8_q <= select_642_s7_q;
       best_left_rdata_s8_q <= best_left_rdata_q;
-      select_646_s8_q <= select_646_s7_q;
-      and_1448_s8_q <= and_1448_s7_q;
+      select_649_s8_q <= select_649_s7_q;
+      and_1451_s8_q <= and_1451_s7_q;
       right_s8_q <= right_s7_q;
-      select_1457_s8_q <= select_1457_s7_q;
-      equal_1466_s8_q <= equal_1466_s7_q;
-      and_1579_s8_q <= and_1579;
-      equal_1585_s8_q <= equal_1585_s7_q;
-      equal_2237_s8_q <= equal_2237_s7_q;
-      and_2238_s8_q <= and_2238_s7_q;
-      phase_s8_q <= phase;
-      not_2723_s8_q <= not_2723_s7_q;
+      select_1460_s8_q <= select_1460_s7_q;
+      equal_1469_s8_q <= equal_1469_s7_q;
+      equal_1588_s8_q <= equal_1588_s7_q;
+      equal_2263_s8_q <= equal_2263_s7_q;
+      and_2264_s8_q <= and_2264_s7_q;
+      not_2741_s8_q <= not_2741_s7_q;
     end
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
   logic [6:0] row_q;
-  logic lower_half_q;
   // hls/stages/agreement.hpp:653
-  logic not_617;
-  assign not_617 = ~(row_q == 7'h0);
+  logic not_620;
+  assign not_620 = ~(row_q == 7'h0);
   // hls/stages/agreement.hpp:212
-  logic and_652;
-  assign and_652 = left_rdata_s8_q[44] & not_526_s8_q;
-  logic and_653;
-  assign and_653 = right_codes_rdata_s8_q[38] & not_526_s8_q;
-  logic [11:0] select_654;
-  assign select_654 = less_525_s8_q ? 12'h0 : right_codes_rdata_s8_q[37:26];
-  logic [11:0] select_655;
-  assign select_655 = less_525_s8_q ? 12'h0 : left_rdata_s8_q[43:32];
+  logic and_655;
+  assign and_655 = left_rdata_s8_q[44] & not_529_s8_q;
+  logic and_656;
+  assign and_656 = right_codes_rdata_s8_q[38] & not_529_s8_q;
+  logic [11:0] select_657;
+  assign select_657 = less_528_s8_q ? 12'h0 : right_codes_rdata_s8_q[37:26];
+  logic [11:0] select_658;
+  assign select_658 = less_528_s8_q ? 12'h0 : left_rdata_s8_q[43:32];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_659;
-  assign select_659 = and_652 ? (and_653 ? (~(select_654 ^ select_655)) : 12'h0) : 12'h0;
+  logic [11:0] select_662;
+  assign select_662 = and_655 ? (and_656 ? (~(select_657 ^ select_658)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:212
-  logic and_675;
-  assign and_675 = left_rdata_s8_q[60] & not_526_s8_q;
-  logic and_676;
-  assign and_676 = right_codes_rdata_s8_q[51] & not_526_s8_q;
-  logic [11:0] select_677;
-  assign select_677 = less_525_s8_q ? 12'h0 : right_codes_rdata_s8_q[50:39];
-  logic [11:0] select_678;
-  assign select_678 = less_525_s8_q ? 12'h0 : left_rdata_s8_q[59:48];
+  logic and_678;
+  assign and_678 = left_rdata_s8_q[60] & not_529_s8_q;
+  logic and_679;
+  assign and_679 = right_codes_rdata_s8_q[51] & not_529_s8_q;
+  logic [11:0] select_680;
+  assign select_680 = less_528_s8_q ? 12'h0 : right_codes_rdata_s8_q[50:39];
+  logic [11:0] select_681;
+  assign select_681 = less_528_s8_q ? 12'h0 : left_rdata_s8_q[59:48];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_682;
-  assign select_682 = and_675 ? (and_676 ? (~(select_677 ^ select_678)) : 12'h0) : 12'h0;
+  logic [11:0] select_685;
+  assign select_685 = and_678 ? (and_679 ? (~(select_680 ^ select_681)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:212
-  logic and_692;
-  assign and_692 = left_rdata_s8_q[76] & not_526_s8_q;
-  logic and_693;
-  assign and_693 = right_codes_rdata_s8_q[64] & not_526_s8_q;
-  logic [11:0] select_694;
-  assign select_694 = less_525_s8_q ? 12'h0 : right_codes_rdata_s8_q[63:52];
-  logic [11:0] select_695;
-  assign select_695 = less_525_s8_q ? 12'h0 : left_rdata_s8_q[75:64];
+  logic and_695;
+  assign and_695 = left_rdata_s8_q[76] & not_529_s8_q;
+  logic and_696;
+  assign and_696 = right_codes_rdata_s8_q[64] & not_529_s8_q;
+  logic [11:0] select_697;
+  assign select_697 = less_528_s8_q ? 12'h0 : right_codes_rdata_s8_q[63:52];
+  logic [11:0] select_698;
+  assign select_698 = less_528_s8_q ? 12'h0 : left_rdata_s8_q[75:64];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_699;
-  assign select_699 = and_692 ? (and_693 ? (~(select_694 ^ select_695)) : 12'h0) : 12'h0;
-  logic [11:0] select_907;
-  assign select_907 = (slot_s8_q[0] ? and_693 : and_676) ? (~(select_655 ^ (slot_s8_q[0] ? select_694 : select_677))) : 12'h0;
+  logic [11:0] select_702;
+  assign select_702 = and_695 ? (and_696 ? (~(select_697 ^ select_698)) : 12'h0) : 12'h0;
+  logic [11:0] select_910;
+  assign select_910 = (slot_s8_q[0] ? and_696 : and_679) ? (~(select_658 ^ (slot_s8_q[0] ? select_697 : select_680))) : 12'h0;
   // hls/stages/agreement.hpp:212
-  logic and_924;
-  assign and_924 = right_codes_rdata_s8_q[77] & not_526_s8_q;
-  logic [11:0] select_926;
-  assign select_926 = less_525_s8_q ? 12'h0 : right_codes_rdata_s8_q[76:65];
+  logic and_927;
+  assign and_927 = right_codes_rdata_s8_q[77] & not_529_s8_q;
+  logic [11:0] select_929;
+  assign select_929 = less_528_s8_q ? 12'h0 : right_codes_rdata_s8_q[76:65];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_930;
-  assign select_930 = (slot_s8_q[0] ? and_924 : and_693) ? (~(select_678 ^ (slot_s8_q[0] ? select_926 : select_694))) : 12'h0;
+  logic [11:0] select_933;
+  assign select_933 = (slot_s8_q[0] ? and_927 : and_696) ? (~(select_681 ^ (slot_s8_q[0] ? select_929 : select_697))) : 12'h0;
   // hls/stages/agreement.hpp:718
-  logic select_942;
-  assign select_942 = slot_s8_q[0] ? (right_codes_rdata_s8_q[90] & not_526_s8_q) : and_924;
-  logic [11:0] select_944;
-  assign select_944 = slot_s8_q[0] ? (less_525_s8_q ? 12'h0 : right_codes_rdata_s8_q[89:78]) : select_926;
+  logic select_945;
+  assign select_945 = slot_s8_q[0] ? (right_codes_rdata_s8_q[90] & not_529_s8_q) : and_927;
+  logic [11:0] select_947;
+  assign select_947 = slot_s8_q[0] ? (less_528_s8_q ? 12'h0 : right_codes_rdata_s8_q[89:78]) : select_929;
   // hls/stages/agreement.hpp:212
-  logic and_1153;
-  assign and_1153 = right_codes_rdata_s8_q[25] & not_526_s8_q;
+  logic and_1156;
+  assign and_1156 = right_codes_rdata_s8_q[25] & not_529_s8_q;
   // hls/stages/agreement.hpp:718
-  logic select_1154;
-  assign select_1154 = slot_s8_q[0] ? (right_codes_rdata_s8_q[12] & not_526_s8_q) : and_1153;
+  logic select_1157;
+  assign select_1157 = slot_s8_q[0] ? (right_codes_rdata_s8_q[12] & not_529_s8_q) : and_1156;
   // hls/stages/agreement.hpp:212
-  logic [11:0] select_1156;
-  assign select_1156 = less_525_s8_q ? 12'h0 : right_codes_rdata_s8_q[24:13];
+  logic [11:0] select_1159;
+  assign select_1159 = less_528_s8_q ? 12'h0 : right_codes_rdata_s8_q[24:13];
   // hls/stages/agreement.hpp:718
-  logic [11:0] select_1157;
-  assign select_1157 = slot_s8_q[0] ? (less_525_s8_q ? 12'h0 : right_codes_rdata_s8_q[11:0]) : select_1156;
+  logic [11:0] select_1160;
+  assign select_1160 = slot_s8_q[0] ? (less_528_s8_q ? 12'h0 : right_codes_rdata_s8_q[11:0]) : select_1159;
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1181;
-  assign select_1181 = (slot_s8_q[0] ? and_1153 : and_653) ? (~(select_678 ^ (slot_s8_q[0] ? select_1156 : select_654))) : 12'h0;
-  logic [11:0] select_1196;
-  assign select_1196 = (slot_s8_q[0] ? and_653 : and_676) ? (~(select_695 ^ (slot_s8_q[0] ? select_654 : select_677))) : 12'h0;
+  logic [11:0] select_1184;
+  assign select_1184 = (slot_s8_q[0] ? and_1156 : and_656) ? (~(select_681 ^ (slot_s8_q[0] ? select_1159 : select_657))) : 12'h0;
+  logic [11:0] select_1199;
+  assign select_1199 = (slot_s8_q[0] ? and_656 : and_679) ? (~(select_698 ^ (slot_s8_q[0] ? select_657 : select_680))) : 12'h0;
   // hls/stages/agreement.hpp:927
   logic [5:0] shift;
   assign shift = slot_s8_q[2] ? best_left_rdata_s8_q[5:0] : best_left_rdata_s8_q[45:40];
   // hls/stages/agreement.hpp:932
-  logic and_1472;
-  assign and_1472 = (or_518_s8_q & (left_rdata_s8_q[61] & not_526_s8_q)) & (~(row_q[6:3] == 4'h0));
+  logic and_1475;
+  assign and_1475 = (or_521_s8_q & (left_rdata_s8_q[61] & not_529_s8_q)) & (~(row_q[6:3] == 4'h0));
   // hls/stages/agreement.hpp:235
-  logic and_1480;
-  assign and_1480 = not_526_s8_q & (or_518_s8_q & (left_rdata_s8_q[63] & not_526_s8_q));
-  // hls/stages/agreement.hpp:447
-  logic select_2334;
-  assign select_2334 = equal_2237_s8_q ? (~({row_s8_q, 1'b0} < {sum_2331, cfg_height_i[4]})) : lower_half_q;
-  // hls/stages/agreement.hpp:507
-  logic and_2547;
-  assign and_2547 = and_497_s8_q & (equal_2237_s8_q & (row_s8_q[6:2] == 5'h0));
+  logic and_1483;
+  assign and_1483 = not_529_s8_q & (or_521_s8_q & (left_rdata_s8_q[63] & not_529_s8_q));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       row_q <= 7'h0;
-      lower_half_q <= 1'b0;
     end else if (s8_en) begin
-      row_q <= and_497_s8_q ? (equal_2237_s8_q ? row_s8_q : row_q) : row_q;
-      lower_half_q <= and_497_s8_q ? select_2334 : lower_half_q;
+      row_q <= and_500_s8_q ? (equal_2263_s8_q ? row_s8_q : row_q) : row_q;
     end
   end
 
@@ -1178,76 +1148,66 @@ module horopter_agreement (
   logic [3:0] age_s9_q;
   logic [2:0] slot_s9_q;
   logic ends_cell_s9_q;
-  logic lower_half_s9_q;
-  logic [3:0] select_458_s9_q;
-  logic equal_459_s9_q;
-  logic [6:0] select_461_s9_q;
-  logic [8:0] select_465_s9_q;
-  logic and_471_s9_q;
-  logic equal_477_s9_q;
+  logic [3:0] select_461_s9_q;
+  logic equal_462_s9_q;
+  logic [6:0] select_464_s9_q;
+  logic [8:0] select_468_s9_q;
+  logic and_474_s9_q;
+  logic equal_480_s9_q;
   logic [6:0] column_s9_q;
-  logic and_495_s9_q;
-  logic and_497_s9_q;
+  logic and_498_s9_q;
+  logic and_500_s9_q;
   logic so_s9_q;
-  logic equal_517_s9_q;
-  logic or_518_s9_q;
   logic equal_520_s9_q;
-  logic less_525_s9_q;
-  logic not_526_s9_q;
-  logic and_529_s9_q;
+  logic or_521_s9_q;
+  logic equal_523_s9_q;
+  logic less_528_s9_q;
+  logic not_529_s9_q;
+  logic and_532_s9_q;
   logic [28:0] fresh_rdata_s9_q;
-  logic equal_558_s9_q;
+  logic [6:0] row_s9_q;
   logic [56:0] left_rdata_s9_q;
-  logic and_618_s9_q;
-  logic and_619_s9_q;
-  logic and_620_s9_q;
   logic and_621_s9_q;
+  logic and_622_s9_q;
+  logic and_623_s9_q;
+  logic and_624_s9_q;
   logic [71:0] right_codes_rdata_s9_q;
-  logic and_625_s9_q;
-  logic and_626_s9_q;
-  logic and_627_s9_q;
   logic and_628_s9_q;
   logic and_629_s9_q;
   logic and_630_s9_q;
+  logic and_631_s9_q;
+  logic and_632_s9_q;
+  logic and_633_s9_q;
   logic [6:0] x_s9_2_q;
-  logic select_639_s9_q;
+  logic select_642_s9_q;
   logic [45:0] best_left_rdata_s9_q;
-  logic select_646_s9_q;
-  logic and_652_s9_q;
-  logic [11:0] select_659_s9_q;
-  logic and_675_s9_q;
-  logic [11:0] select_682_s9_q;
-  logic and_692_s9_q;
-  logic [11:0] select_699_s9_q;
-  logic [11:0] select_907_s9_q;
-  logic [11:0] select_930_s9_q;
-  logic [11:0] select_947_s9_q;
-  logic [11:0] select_1160_s9_q;
-  logic [11:0] select_1181_s9_q;
-  logic [11:0] select_1196_s9_q;
-  logic and_1448_s9_q;
+  logic select_649_s9_q;
+  logic and_655_s9_q;
+  logic [11:0] select_662_s9_q;
+  logic and_678_s9_q;
+  logic [11:0] select_685_s9_q;
+  logic and_695_s9_q;
+  logic [11:0] select_702_s9_q;
+  logic [11:0] select_910_s9_q;
+  logic [11:0] select_933_s9_q;
+  logic [11:0] select_950_s9_q;
+  logic [11:0] select_1163_s9_q;
+  logic [11:0] select_1184_s9_q;
+  logic [11:0] select_1199_s9_q;
+  logic and_1451_s9_q;
   logic [5:0] shift_s9_q;
   logic [6:0] right_s9_q;
-  logic select_1457_s9_q;
-  logic equal_1466_s9_q;
-  logic and_1473_s9_q;
+  logic select_1460_s9_q;
+  logic equal_1469_s9_q;
   logic and_1476_s9_q;
-  logic and_1480_s9_q;
-  logic and_1579_s9_q;
-  logic equal_1585_s9_q;
-  logic less_1606_s9_q;
-  logic and_1967_s9_q;
-  logic equal_2113_s9_q;
-  logic equal_2237_s9_q;
-  logic and_2548_s9_q;
-  logic and_2550_s9_q;
-  logic [3:0] phase_s9_q;
-  logic equal_2677_s9_q;
-  logic [3:0] select_2680_s9_q;
-  logic less_2691_s9_q;
-  logic not_2723_s9_q;
-  logic less_3532_s9_q;
-  logic equal_3737_s9_q;
+  logic and_1479_s9_q;
+  logic and_1483_s9_q;
+  logic equal_1588_s9_q;
+  logic less_1609_s9_q;
+  logic and_1993_s9_q;
+  logic equal_2263_s9_q;
+  logic and_2264_s9_q;
+  logic not_2741_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
       pixel_0_s9_q <= pixel_0_s8_q;
@@ -1265,356 +1225,334 @@ module horopter_agreement (
       age_s9_q <= age_s8_q;
       slot_s9_q <= slot_s8_q;
       ends_cell_s9_q <= ends_cell_s8_q;
-      lower_half_s9_q <= lower_half_q;
-      select_458_s9_q <= select_458_s8_q;
-      equal_459_s9_q <= equal_459_s8_q;
       select_461_s9_q <= select_461_s8_q;
-      select_465_s9_q <= select_465_s8_q;
-      and_471_s9_q <= and_471_s8_q;
-      equal_477_s9_q <= equal_477_s8_q;
+      equal_462_s9_q <= equal_462_s8_q;
+      select_464_s9_q <= select_464_s8_q;
+      select_468_s9_q <= select_468_s8_q;
+      and_474_s9_q <= and_474_s8_q;
+      equal_480_s9_q <= equal_480_s8_q;
       column_s9_q <= column_s8_q;
-      and_495_s9_q <= and_495_s8_q;
-      and_497_s9_q <= and_497_s8_q;
+      and_498_s9_q <= and_498_s8_q;
+      and_500_s9_q <= and_500_s8_q;
       so_s9_q <= so_s8_q;
-      equal_517_s9_q <= equal_517_s8_q;
-      or_518_s9_q <= or_518_s8_q;
       equal_520_s9_q <= equal_520_s8_q;
-      less_525_s9_q <= less_525_s8_q;
-      not_526_s9_q <= not_526_s8_q;
-      and_529_s9_q <= and_529_s8_q;
+      or_521_s9_q <= or_521_s8_q;
+      equal_523_s9_q <= equal_523_s8_q;
+      less_528_s9_q <= less_528_s8_q;
+      not_529_s9_q <= not_529_s8_q;
+      and_532_s9_q <= and_532_s8_q;
       fresh_rdata_s9_q <= fresh_rdata_q;
-      equal_558_s9_q <= row_s8_q == 7'h0;
+      row_s9_q <= row_s8_q;
       left_rdata_s9_q <= {left_rdata_s8_q[59:45], left_rdata_s8_q[43:29], left_rdata_s8_q[27:13], left_rdata_s8_q[11:0]};
-      and_618_s9_q <= left_rdata_s8_q[12] & not_617;
-      and_619_s9_q <= left_rdata_s8_q[28] & not_617;
-      and_620_s9_q <= left_rdata_s8_q[44] & not_617;
-      and_621_s9_q <= left_rdata_s8_q[60] & not_617;
+      and_621_s9_q <= left_rdata_s8_q[12] & not_620;
+      and_622_s9_q <= left_rdata_s8_q[28] & not_620;
+      and_623_s9_q <= left_rdata_s8_q[44] & not_620;
+      and_624_s9_q <= left_rdata_s8_q[60] & not_620;
       right_codes_rdata_s9_q <= {right_codes_rdata_s8_q[76:65], right_codes_rdata_s8_q[63:52], right_codes_rdata_s8_q[50:39], right_codes_rdata_s8_q[37:26], right_codes_rdata_s8_q[24:13], right_codes_rdata_s8_q[11:0]};
-      and_625_s9_q <= right_codes_rdata_s8_q[12] & not_617;
-      and_626_s9_q <= right_codes_rdata_s8_q[25] & not_617;
-      and_627_s9_q <= right_codes_rdata_s8_q[38] & not_617;
-      and_628_s9_q <= right_codes_rdata_s8_q[51] & not_617;
-      and_629_s9_q <= right_codes_rdata_s8_q[64] & not_617;
-      and_630_s9_q <= right_codes_rdata_s8_q[77] & not_617;
+      and_628_s9_q <= right_codes_rdata_s8_q[12] & not_620;
+      and_629_s9_q <= right_codes_rdata_s8_q[25] & not_620;
+      and_630_s9_q <= right_codes_rdata_s8_q[38] & not_620;
+      and_631_s9_q <= right_codes_rdata_s8_q[51] & not_620;
+      and_632_s9_q <= right_codes_rdata_s8_q[64] & not_620;
+      and_633_s9_q <= right_codes_rdata_s8_q[77] & not_620;
       x_s9_2_q <= x_s8_2_q;
-      select_639_s9_q <= select_639_s8_q;
+      select_642_s9_q <= select_642_s8_q;
       best_left_rdata_s9_q <= best_left_rdata_s8_q;
-      select_646_s9_q <= select_646_s8_q;
-      and_652_s9_q <= and_652;
-      select_659_s9_q <= select_659;
-      and_675_s9_q <= and_675;
-      select_682_s9_q <= select_682;
-      and_692_s9_q <= and_692;
-      select_699_s9_q <= select_699;
-      select_907_s9_q <= select_907;
-      select_930_s9_q <= select_930;
-      select_947_s9_q <= select_942 ? (~(select_695 ^ select_944)) : 12'h0;
-      select_1160_s9_q <= select_1154 ? (~(select_655 ^ select_1157)) : 12'h0;
-      select_1181_s9_q <= select_1181;
-      select_1196_s9_q <= select_1196;
-      and_1448_s9_q <= and_1448_s8_q;
+      select_649_s9_q <= select_649_s8_q;
+      and_655_s9_q <= and_655;
+      select_662_s9_q <= select_662;
+      and_678_s9_q <= and_678;
+      select_685_s9_q <= select_685;
+      and_695_s9_q <= and_695;
+      select_702_s9_q <= select_702;
+      select_910_s9_q <= select_910;
+      select_933_s9_q <= select_933;
+      select_950_s9_q <= select_945 ? (~(select_698 ^ select_947)) : 12'h0;
+      select_1163_s9_q <= select_1157 ? (~(select_658 ^ select_1160)) : 12'h0;
+      select_1184_s9_q <= select_1184;
+      select_1199_s9_q <= select_1199;
+      and_1451_s9_q <= and_1451_s8_q;
       shift_s9_q <= shift;
       right_s9_q <= right_s8_q;
-      select_1457_s9_q <= select_1457_s8_q;
-      equal_1466_s9_q <= equal_1466_s8_q;
-      and_1473_s9_q <= not_526_s8_q & and_1472;
-      and_1476_s9_q <= (or_518_s8_q & (left_rdata_s8_q[62] & not_526_s8_q)) & and_1472;
-      and_1480_s9_q <= and_1480;
-      and_1579_s9_q <= and_1579_s8_q;
-      equal_1585_s9_q <= equal_1585_s8_q;
-      less_1606_s9_q <= 6'h4 < row_q[6:1];
-      and_1967_s9_q <= (7'h6 < row_q) & (~(x_s8_q[7:2] == 6'h0));
-      equal_2113_s9_q <= (column_s8_q | row_s8_q) == 7'h0;
-      equal_2237_s9_q <= equal_2237_s8_q;
-      and_2548_s9_q <= and_2238_s8_q & and_2547;
-      and_2550_s9_q <= and_2238_s8_q & (~and_2547);
-      phase_s9_q <= phase_s8_q;
-      equal_2677_s9_q <= row_s8_q == 7'h3;
-      select_2680_s9_q <= (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
-      less_2691_s9_q <= 7'h2 < row_s8_q;
-      not_2723_s9_q <= not_2723_s8_q;
-      less_3532_s9_q <= 6'h2 < row_s8_q[6:1];
-      equal_3737_s9_q <= row_s8_q[6:3] == 4'h0;
+      select_1460_s9_q <= select_1460_s8_q;
+      equal_1469_s9_q <= equal_1469_s8_q;
+      and_1476_s9_q <= not_529_s8_q & and_1475;
+      and_1479_s9_q <= (or_521_s8_q & (left_rdata_s8_q[62] & not_529_s8_q)) & and_1475;
+      and_1483_s9_q <= and_1483;
+      equal_1588_s9_q <= equal_1588_s8_q;
+      less_1609_s9_q <= 6'h4 < row_q[6:1];
+      and_1993_s9_q <= (7'h6 < row_q) & (~(x_s8_q[7:2] == 6'h0));
+      equal_2263_s9_q <= equal_2263_s8_q;
+      and_2264_s9_q <= and_2264_s8_q;
+      not_2741_s9_q <= not_2741_s8_q;
     end
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  logic [3:0] patches_choosing_rows_to_next_q;
-  logic patches_chooses_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_665;
-  assign parity_665 = ^select_659_s9_q[5:3];
   logic parity_668;
-  assign parity_668 = ^select_659_s9_q[8:6];
+  assign parity_668 = ^select_662_s9_q[5:3];
   logic parity_671;
-  assign parity_671 = ^select_659_s9_q[11:3];
-  logic parity_685;
-  assign parity_685 = ^select_682_s9_q[8:6];
+  assign parity_671 = ^select_662_s9_q[8:6];
+  logic parity_674;
+  assign parity_674 = ^select_662_s9_q[11:3];
   logic parity_688;
-  assign parity_688 = ^select_682_s9_q[11:9];
-  logic parity_705;
-  assign parity_705 = ^select_699_s9_q[2:0];
+  assign parity_688 = ^select_685_s9_q[8:6];
+  logic parity_691;
+  assign parity_691 = ^select_685_s9_q[11:9];
   logic parity_708;
-  assign parity_708 = ^select_699_s9_q[5:3];
+  assign parity_708 = ^select_702_s9_q[2:0];
   logic parity_711;
-  assign parity_711 = ^select_699_s9_q[8:0];
-  logic parity_717;
-  assign parity_717 = ^select_699_s9_q[11:9];
+  assign parity_711 = ^select_702_s9_q[5:3];
+  logic parity_714;
+  assign parity_714 = ^select_702_s9_q[8:0];
   logic parity_720;
-  assign parity_720 = ^select_682_s9_q[2:0];
+  assign parity_720 = ^select_702_s9_q[11:9];
   logic parity_723;
-  assign parity_723 = ^{select_699_s9_q[11:9], select_682_s9_q[5:0]};
+  assign parity_723 = ^select_685_s9_q[2:0];
   logic parity_726;
-  assign parity_726 = ^{select_699_s9_q, select_682_s9_q, select_659_s9_q[2:0]};
+  assign parity_726 = ^{select_702_s9_q[11:9], select_685_s9_q[5:0]};
+  logic parity_729;
+  assign parity_729 = ^{select_702_s9_q, select_685_s9_q, select_662_s9_q[2:0]};
   // hls/stages/count_bits.hpp:23
-  logic or_731;
-  assign or_731 = (select_659_s9_q[1:0] == 2'h3) | (select_659_s9_q[2] & (select_659_s9_q[0] | select_659_s9_q[1]));
+  logic or_734;
+  assign or_734 = (select_662_s9_q[1:0] == 2'h3) | (select_662_s9_q[2] & (select_662_s9_q[0] | select_662_s9_q[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_735;
-  assign or_735 = (select_682_s9_q[7:6] == 2'h3) | (select_682_s9_q[8] & (select_682_s9_q[6] | select_682_s9_q[7]));
-  logic or_739;
-  assign or_739 = (select_682_s9_q[10:9] == 2'h3) | (select_682_s9_q[11] & (select_682_s9_q[9] | select_682_s9_q[10]));
+  logic or_738;
+  assign or_738 = (select_685_s9_q[7:6] == 2'h3) | (select_685_s9_q[8] & (select_685_s9_q[6] | select_685_s9_q[7]));
+  logic or_742;
+  assign or_742 = (select_685_s9_q[10:9] == 2'h3) | (select_685_s9_q[11] & (select_685_s9_q[9] | select_685_s9_q[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_747;
-  assign or_747 = (select_699_s9_q[7:6] == 2'h3) | (select_699_s9_q[8] & (~(select_699_s9_q[7:6] == 2'h0)));
+  logic or_750;
+  assign or_750 = (select_702_s9_q[7:6] == 2'h3) | (select_702_s9_q[8] & (~(select_702_s9_q[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_751;
-  assign or_751 = (select_699_s9_q[1:0] == 2'h3) | (select_699_s9_q[2] & (select_699_s9_q[0] | select_699_s9_q[1]));
-  logic or_755;
-  assign or_755 = (select_699_s9_q[4:3] == 2'h3) | (select_699_s9_q[5] & (select_699_s9_q[3] | select_699_s9_q[4]));
+  logic or_754;
+  assign or_754 = (select_702_s9_q[1:0] == 2'h3) | (select_702_s9_q[2] & (select_702_s9_q[0] | select_702_s9_q[1]));
+  logic or_758;
+  assign or_758 = (select_702_s9_q[4:3] == 2'h3) | (select_702_s9_q[5] & (select_702_s9_q[3] | select_702_s9_q[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_758;
-  assign parity_758 = ^{or_755, or_751, or_747};
+  logic parity_761;
+  assign parity_761 = ^{or_758, or_754, or_750};
   // hls/stages/count_bits.hpp:23
-  logic or_762;
-  assign or_762 = (select_682_s9_q[4:3] == 2'h3) | (select_682_s9_q[5] & (select_682_s9_q[3] | select_682_s9_q[4]));
+  logic or_765;
+  assign or_765 = (select_685_s9_q[4:3] == 2'h3) | (select_685_s9_q[5] & (select_685_s9_q[3] | select_685_s9_q[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_766;
-  assign or_766 = (select_699_s9_q[10:9] == 2'h3) | (select_699_s9_q[11] & (select_699_s9_q[9] | select_699_s9_q[10]));
-  logic or_770;
-  assign or_770 = (select_682_s9_q[1:0] == 2'h3) | (select_682_s9_q[2] & (select_682_s9_q[0] | select_682_s9_q[1]));
+  logic or_769;
+  assign or_769 = (select_702_s9_q[10:9] == 2'h3) | (select_702_s9_q[11] & (select_702_s9_q[9] | select_702_s9_q[10]));
+  logic or_773;
+  assign or_773 = (select_685_s9_q[1:0] == 2'h3) | (select_685_s9_q[2] & (select_685_s9_q[0] | select_685_s9_q[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_773;
-  assign parity_773 = ^{or_770, or_766, or_762};
   logic parity_776;
-  assign parity_776 = ^{or_770, or_766, or_762, or_755, or_751, or_747, or_739, or_735, or_731};
+  assign parity_776 = ^{or_773, or_769, or_765};
+  logic parity_779;
+  assign parity_779 = ^{or_773, or_769, or_765, or_758, or_754, or_750, or_742, or_738, or_734};
   // hls/stages/count_bits.hpp:25
-  logic or_781;
-  assign or_781 = (parity_665 & parity_668) | ((^select_659_s9_q[11:9]) & (parity_665 | parity_668));
-  logic and_784;
-  assign and_784 = (^{select_682_s9_q[11:6], select_659_s9_q[2:0]}) & (parity_711 | parity_723);
+  logic or_784;
+  assign or_784 = (parity_668 & parity_671) | ((^select_662_s9_q[11:9]) & (parity_668 | parity_671));
+  logic and_787;
+  assign and_787 = (^{select_685_s9_q[11:6], select_662_s9_q[2:0]}) & (parity_714 | parity_726);
   // hls/stages/count_bits.hpp:23
-  logic or_792;
-  assign or_792 = (select_659_s9_q[10:9] == 2'h3) | (select_659_s9_q[11] & (select_659_s9_q[9] | select_659_s9_q[10]));
+  logic or_795;
+  assign or_795 = (select_662_s9_q[10:9] == 2'h3) | (select_662_s9_q[11] & (select_662_s9_q[9] | select_662_s9_q[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_796;
-  assign or_796 = (select_659_s9_q[4:3] == 2'h3) | (select_659_s9_q[5] & (select_659_s9_q[3] | select_659_s9_q[4]));
-  logic or_800;
-  assign or_800 = (select_659_s9_q[7:6] == 2'h3) | (select_659_s9_q[8] & (select_659_s9_q[6] | select_659_s9_q[7]));
-  logic or_807;
-  assign or_807 = (parity_685 & parity_688) | ((^select_659_s9_q[2:0]) & (parity_685 | parity_688));
-  logic or_811;
-  assign or_811 = (parity_705 & parity_708) | ((^select_699_s9_q[8:6]) & (parity_705 | parity_708));
-  logic or_815;
-  assign or_815 = (parity_717 & parity_720) | ((^select_682_s9_q[5:3]) & (parity_717 | parity_720));
+  logic or_799;
+  assign or_799 = (select_662_s9_q[4:3] == 2'h3) | (select_662_s9_q[5] & (select_662_s9_q[3] | select_662_s9_q[4]));
+  logic or_803;
+  assign or_803 = (select_662_s9_q[7:6] == 2'h3) | (select_662_s9_q[8] & (select_662_s9_q[6] | select_662_s9_q[7]));
+  logic or_810;
+  assign or_810 = (parity_688 & parity_691) | ((^select_662_s9_q[2:0]) & (parity_688 | parity_691));
+  logic or_814;
+  assign or_814 = (parity_708 & parity_711) | ((^select_702_s9_q[8:6]) & (parity_708 | parity_711));
+  logic or_818;
+  assign or_818 = (parity_720 & parity_723) | ((^select_685_s9_q[5:3]) & (parity_720 | parity_723));
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_908;
-  assign select_908 = and_652_s9_q ? select_907_s9_q : 12'h0;
+  logic [11:0] select_911;
+  assign select_911 = and_655_s9_q ? select_910_s9_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_914;
-  assign parity_914 = ^select_908[5:3];
   logic parity_917;
-  assign parity_917 = ^select_908[8:6];
+  assign parity_917 = ^select_911[5:3];
   logic parity_920;
-  assign parity_920 = ^select_908[11:3];
+  assign parity_920 = ^select_911[8:6];
+  logic parity_923;
+  assign parity_923 = ^select_911[11:3];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_931;
-  assign select_931 = and_675_s9_q ? select_930_s9_q : 12'h0;
+  logic [11:0] select_934;
+  assign select_934 = and_678_s9_q ? select_933_s9_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_934;
-  assign parity_934 = ^select_931[8:6];
   logic parity_937;
-  assign parity_937 = ^select_931[11:9];
+  assign parity_937 = ^select_934[8:6];
+  logic parity_940;
+  assign parity_940 = ^select_934[11:9];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_948;
-  assign select_948 = and_692_s9_q ? select_947_s9_q : 12'h0;
+  logic [11:0] select_951;
+  assign select_951 = and_695_s9_q ? select_950_s9_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_954;
-  assign parity_954 = ^select_948[2:0];
   logic parity_957;
-  assign parity_957 = ^select_948[5:3];
+  assign parity_957 = ^select_951[2:0];
   logic parity_960;
-  assign parity_960 = ^select_948[8:0];
-  logic parity_966;
-  assign parity_966 = ^select_948[11:9];
+  assign parity_960 = ^select_951[5:3];
+  logic parity_963;
+  assign parity_963 = ^select_951[8:0];
   logic parity_969;
-  assign parity_969 = ^select_931[2:0];
+  assign parity_969 = ^select_951[11:9];
   logic parity_972;
-  assign parity_972 = ^{select_948[11:9], select_931[5:0]};
+  assign parity_972 = ^select_934[2:0];
   logic parity_975;
-  assign parity_975 = ^{select_948, select_931, select_908[2:0]};
+  assign parity_975 = ^{select_951[11:9], select_934[5:0]};
+  logic parity_978;
+  assign parity_978 = ^{select_951, select_934, select_911[2:0]};
   // hls/stages/count_bits.hpp:23
-  logic or_980;
-  assign or_980 = (select_908[1:0] == 2'h3) | (select_908[2] & (select_908[0] | select_908[1]));
+  logic or_983;
+  assign or_983 = (select_911[1:0] == 2'h3) | (select_911[2] & (select_911[0] | select_911[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_984;
-  assign or_984 = (select_931[7:6] == 2'h3) | (select_931[8] & (select_931[6] | select_931[7]));
-  logic or_988;
-  assign or_988 = (select_931[10:9] == 2'h3) | (select_931[11] & (select_931[9] | select_931[10]));
+  logic or_987;
+  assign or_987 = (select_934[7:6] == 2'h3) | (select_934[8] & (select_934[6] | select_934[7]));
+  logic or_991;
+  assign or_991 = (select_934[10:9] == 2'h3) | (select_934[11] & (select_934[9] | select_934[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_996;
-  assign or_996 = (select_948[7:6] == 2'h3) | (select_948[8] & (~(select_948[7:6] == 2'h0)));
+  logic or_999;
+  assign or_999 = (select_951[7:6] == 2'h3) | (select_951[8] & (~(select_951[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1000;
-  assign or_1000 = (select_948[1:0] == 2'h3) | (select_948[2] & (select_948[0] | select_948[1]));
-  logic or_1004;
-  assign or_1004 = (select_948[4:3] == 2'h3) | (select_948[5] & (select_948[3] | select_948[4]));
+  logic or_1003;
+  assign or_1003 = (select_951[1:0] == 2'h3) | (select_951[2] & (select_951[0] | select_951[1]));
+  logic or_1007;
+  assign or_1007 = (select_951[4:3] == 2'h3) | (select_951[5] & (select_951[3] | select_951[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1007;
-  assign parity_1007 = ^{or_1004, or_1000, or_996};
+  logic parity_1010;
+  assign parity_1010 = ^{or_1007, or_1003, or_999};
   // hls/stages/count_bits.hpp:23
-  logic or_1011;
-  assign or_1011 = (select_931[4:3] == 2'h3) | (select_931[5] & (select_931[3] | select_931[4]));
+  logic or_1014;
+  assign or_1014 = (select_934[4:3] == 2'h3) | (select_934[5] & (select_934[3] | select_934[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1015;
-  assign or_1015 = (select_948[10:9] == 2'h3) | (select_948[11] & (select_948[9] | select_948[10]));
-  logic or_1019;
-  assign or_1019 = (select_931[1:0] == 2'h3) | (select_931[2] & (select_931[0] | select_931[1]));
+  logic or_1018;
+  assign or_1018 = (select_951[10:9] == 2'h3) | (select_951[11] & (select_951[9] | select_951[10]));
+  logic or_1022;
+  assign or_1022 = (select_934[1:0] == 2'h3) | (select_934[2] & (select_934[0] | select_934[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1022;
-  assign parity_1022 = ^{or_1019, or_1015, or_1011};
   logic parity_1025;
-  assign parity_1025 = ^{or_1019, or_1015, or_1011, or_1004, or_1000, or_996, or_988, or_984, or_980};
+  assign parity_1025 = ^{or_1022, or_1018, or_1014};
+  logic parity_1028;
+  assign parity_1028 = ^{or_1022, or_1018, or_1014, or_1007, or_1003, or_999, or_991, or_987, or_983};
   // hls/stages/count_bits.hpp:25
-  logic or_1030;
-  assign or_1030 = (parity_914 & parity_917) | ((^select_908[11:9]) & (parity_914 | parity_917));
-  logic and_1033;
-  assign and_1033 = (^{select_931[11:6], select_908[2:0]}) & (parity_960 | parity_972);
+  logic or_1033;
+  assign or_1033 = (parity_917 & parity_920) | ((^select_911[11:9]) & (parity_917 | parity_920));
+  logic and_1036;
+  assign and_1036 = (^{select_934[11:6], select_911[2:0]}) & (parity_963 | parity_975);
   // hls/stages/count_bits.hpp:23
-  logic or_1041;
-  assign or_1041 = (select_908[10:9] == 2'h3) | (select_908[11] & (select_908[9] | select_908[10]));
+  logic or_1044;
+  assign or_1044 = (select_911[10:9] == 2'h3) | (select_911[11] & (select_911[9] | select_911[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1045;
-  assign or_1045 = (select_908[4:3] == 2'h3) | (select_908[5] & (select_908[3] | select_908[4]));
-  logic or_1049;
-  assign or_1049 = (select_908[7:6] == 2'h3) | (select_908[8] & (select_908[6] | select_908[7]));
-  logic or_1056;
-  assign or_1056 = (parity_934 & parity_937) | ((^select_908[2:0]) & (parity_934 | parity_937));
-  logic or_1060;
-  assign or_1060 = (parity_954 & parity_957) | ((^select_948[8:6]) & (parity_954 | parity_957));
-  logic or_1064;
-  assign or_1064 = (parity_966 & parity_969) | ((^select_931[5:3]) & (parity_966 | parity_969));
+  logic or_1048;
+  assign or_1048 = (select_911[4:3] == 2'h3) | (select_911[5] & (select_911[3] | select_911[4]));
+  logic or_1052;
+  assign or_1052 = (select_911[7:6] == 2'h3) | (select_911[8] & (select_911[6] | select_911[7]));
+  logic or_1059;
+  assign or_1059 = (parity_937 & parity_940) | ((^select_911[2:0]) & (parity_937 | parity_940));
+  logic or_1063;
+  assign or_1063 = (parity_957 & parity_960) | ((^select_951[8:6]) & (parity_957 | parity_960));
+  logic or_1067;
+  assign or_1067 = (parity_969 & parity_972) | ((^select_934[5:3]) & (parity_969 | parity_972));
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1161;
-  assign select_1161 = and_652_s9_q ? select_1160_s9_q : 12'h0;
+  logic [11:0] select_1164;
+  assign select_1164 = and_655_s9_q ? select_1163_s9_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1167;
-  assign parity_1167 = ^select_1161[5:3];
   logic parity_1170;
-  assign parity_1170 = ^select_1161[8:6];
+  assign parity_1170 = ^select_1164[5:3];
   logic parity_1173;
-  assign parity_1173 = ^select_1161[11:3];
+  assign parity_1173 = ^select_1164[8:6];
+  logic parity_1176;
+  assign parity_1176 = ^select_1164[11:3];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1182;
-  assign select_1182 = and_675_s9_q ? select_1181_s9_q : 12'h0;
+  logic [11:0] select_1185;
+  assign select_1185 = and_678_s9_q ? select_1184_s9_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1185;
-  assign parity_1185 = ^select_1182[8:6];
   logic parity_1188;
-  assign parity_1188 = ^select_1182[11:9];
+  assign parity_1188 = ^select_1185[8:6];
+  logic parity_1191;
+  assign parity_1191 = ^select_1185[11:9];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1197;
-  assign select_1197 = and_692_s9_q ? select_1196_s9_q : 12'h0;
+  logic [11:0] select_1200;
+  assign select_1200 = and_695_s9_q ? select_1199_s9_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1203;
-  assign parity_1203 = ^select_1197[2:0];
   logic parity_1206;
-  assign parity_1206 = ^select_1197[5:3];
+  assign parity_1206 = ^select_1200[2:0];
   logic parity_1209;
-  assign parity_1209 = ^select_1197[8:0];
-  logic parity_1215;
-  assign parity_1215 = ^select_1197[11:9];
+  assign parity_1209 = ^select_1200[5:3];
+  logic parity_1212;
+  assign parity_1212 = ^select_1200[8:0];
   logic parity_1218;
-  assign parity_1218 = ^select_1182[2:0];
+  assign parity_1218 = ^select_1200[11:9];
   logic parity_1221;
-  assign parity_1221 = ^{select_1197[11:9], select_1182[5:0]};
+  assign parity_1221 = ^select_1185[2:0];
   logic parity_1224;
-  assign parity_1224 = ^{select_1197, select_1182, select_1161[2:0]};
+  assign parity_1224 = ^{select_1200[11:9], select_1185[5:0]};
+  logic parity_1227;
+  assign parity_1227 = ^{select_1200, select_1185, select_1164[2:0]};
   // hls/stages/count_bits.hpp:23
-  logic or_1229;
-  assign or_1229 = (select_1161[1:0] == 2'h3) | (select_1161[2] & (select_1161[0] | select_1161[1]));
+  logic or_1232;
+  assign or_1232 = (select_1164[1:0] == 2'h3) | (select_1164[2] & (select_1164[0] | select_1164[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1233;
-  assign or_1233 = (select_1182[7:6] == 2'h3) | (select_1182[8] & (select_1182[6] | select_1182[7]));
-  logic or_1237;
-  assign or_1237 = (select_1182[10:9] == 2'h3) | (select_1182[11] & (select_1182[9] | select_1182[10]));
+  logic or_1236;
+  assign or_1236 = (select_1185[7:6] == 2'h3) | (select_1185[8] & (select_1185[6] | select_1185[7]));
+  logic or_1240;
+  assign or_1240 = (select_1185[10:9] == 2'h3) | (select_1185[11] & (select_1185[9] | select_1185[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1245;
-  assign or_1245 = (select_1197[7:6] == 2'h3) | (select_1197[8] & (~(select_1197[7:6] == 2'h0)));
+  logic or_1248;
+  assign or_1248 = (select_1200[7:6] == 2'h3) | (select_1200[8] & (~(select_1200[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1249;
-  assign or_1249 = (select_1197[1:0] == 2'h3) | (select_1197[2] & (select_1197[0] | select_1197[1]));
-  logic or_1253;
-  assign or_1253 = (select_1197[4:3] == 2'h3) | (select_1197[5] & (select_1197[3] | select_1197[4]));
+  logic or_1252;
+  assign or_1252 = (select_1200[1:0] == 2'h3) | (select_1200[2] & (select_1200[0] | select_1200[1]));
+  logic or_1256;
+  assign or_1256 = (select_1200[4:3] == 2'h3) | (select_1200[5] & (select_1200[3] | select_1200[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1256;
-  assign parity_1256 = ^{or_1253, or_1249, or_1245};
+  logic parity_1259;
+  assign parity_1259 = ^{or_1256, or_1252, or_1248};
   // hls/stages/count_bits.hpp:23
-  logic or_1260;
-  assign or_1260 = (select_1182[4:3] == 2'h3) | (select_1182[5] & (select_1182[3] | select_1182[4]));
+  logic or_1263;
+  assign or_1263 = (select_1185[4:3] == 2'h3) | (select_1185[5] & (select_1185[3] | select_1185[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1264;
-  assign or_1264 = (select_1197[10:9] == 2'h3) | (select_1197[11] & (select_1197[9] | select_1197[10]));
-  logic or_1268;
-  assign or_1268 = (select_1182[1:0] == 2'h3) | (select_1182[2] & (select_1182[0] | select_1182[1]));
+  logic or_1267;
+  assign or_1267 = (select_1200[10:9] == 2'h3) | (select_1200[11] & (select_1200[9] | select_1200[10]));
+  logic or_1271;
+  assign or_1271 = (select_1185[1:0] == 2'h3) | (select_1185[2] & (select_1185[0] | select_1185[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1271;
-  assign parity_1271 = ^{or_1268, or_1264, or_1260};
   logic parity_1274;
-  assign parity_1274 = ^{or_1268, or_1264, or_1260, or_1253, or_1249, or_1245, or_1237, or_1233, or_1229};
+  assign parity_1274 = ^{or_1271, or_1267, or_1263};
+  logic parity_1277;
+  assign parity_1277 = ^{or_1271, or_1267, or_1263, or_1256, or_1252, or_1248, or_1240, or_1236, or_1232};
   // hls/stages/count_bits.hpp:25
-  logic or_1279;
-  assign or_1279 = (parity_1167 & parity_1170) | ((^select_1161[11:9]) & (parity_1167 | parity_1170));
-  logic and_1282;
-  assign and_1282 = (^{select_1182[11:6], select_1161[2:0]}) & (parity_1209 | parity_1221);
+  logic or_1282;
+  assign or_1282 = (parity_1170 & parity_1173) | ((^select_1164[11:9]) & (parity_1170 | parity_1173));
+  logic and_1285;
+  assign and_1285 = (^{select_1185[11:6], select_1164[2:0]}) & (parity_1212 | parity_1224);
   // hls/stages/count_bits.hpp:23
-  logic or_1290;
-  assign or_1290 = (select_1161[10:9] == 2'h3) | (select_1161[11] & (select_1161[9] | select_1161[10]));
+  logic or_1293;
+  assign or_1293 = (select_1164[10:9] == 2'h3) | (select_1164[11] & (select_1164[9] | select_1164[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1294;
-  assign or_1294 = (select_1161[4:3] == 2'h3) | (select_1161[5] & (select_1161[3] | select_1161[4]));
-  logic or_1298;
-  assign or_1298 = (select_1161[7:6] == 2'h3) | (select_1161[8] & (select_1161[6] | select_1161[7]));
-  logic or_1305;
-  assign or_1305 = (parity_1185 & parity_1188) | ((^select_1161[2:0]) & (parity_1185 | parity_1188));
-  logic or_1309;
-  assign or_1309 = (parity_1203 & parity_1206) | ((^select_1197[8:6]) & (parity_1203 | parity_1206));
-  logic or_1313;
-  assign or_1313 = (parity_1215 & parity_1218) | ((^select_1182[5:3]) & (parity_1215 | parity_1218));
+  logic or_1297;
+  assign or_1297 = (select_1164[4:3] == 2'h3) | (select_1164[5] & (select_1164[3] | select_1164[4]));
+  logic or_1301;
+  assign or_1301 = (select_1164[7:6] == 2'h3) | (select_1164[8] & (select_1164[6] | select_1164[7]));
+  logic or_1308;
+  assign or_1308 = (parity_1188 & parity_1191) | ((^select_1164[2:0]) & (parity_1188 | parity_1191));
+  logic or_1312;
+  assign or_1312 = (parity_1206 & parity_1209) | ((^select_1200[8:6]) & (parity_1206 | parity_1209));
+  logic or_1316;
+  assign or_1316 = (parity_1218 & parity_1221) | ((^select_1185[5:3]) & (parity_1218 | parity_1221));
   // hls/stages/agreement.hpp:928
   logic [7:0] found;
   assign found = x_s9_q + {{2{shift_s9_q[5]}}, shift_s9_q};
   // hls/stages/agreement.hpp:235
-  logic or_1494;
-  assign or_1494 = (cfg_nearer_below_i & shift_s9_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s9_q)));
-  // hls/stages/patches.hpp:64
-  logic [3:0] select_2681;
-  assign select_2681 = equal_2677_s9_q ? select_2680_s9_q : patches_choosing_rows_to_next_q;
-  logic equal_2682;
-  assign equal_2682 = select_2681 == 4'h0;
-  // hls/stages/agreement.hpp:447
-  logic [3:0] select_2685;
-  assign select_2685 = equal_2237_s9_q ? (equal_2682 ? 4'h2 : (select_2681 + 4'hf)) : patches_choosing_rows_to_next_q;
-  logic select_2693;
-  assign select_2693 = equal_2237_s9_q ? (less_2691_s9_q & equal_2682) : patches_chooses_q;
+  logic or_1497;
+  assign or_1497 = (cfg_nearer_below_i & shift_s9_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s9_q)));
 
   // Memory left, write
   logic [6:0] left_waddr;
   assign left_waddr = x_s9_q[6:0];
   logic left_we;
-  assign left_we = s9_en & and_529_s9_q;
+  assign left_we = s9_en & and_532_s9_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_we) left_mem[left_waddr] <= {and_621_s9_q, left_rdata_s9_q[56:42], and_620_s9_q, left_rdata_s9_q[41:27], and_619_s9_q, left_rdata_s9_q[26:12], and_618_s9_q, left_rdata_s9_q[11:0], fresh_rdata_s9_q[28:26], fresh_rdata_s9_q[24], fresh_rdata_s9_q[11:0]};
+    if (left_we) left_mem[left_waddr] <= {and_624_s9_q, left_rdata_s9_q[56:42], and_623_s9_q, left_rdata_s9_q[41:27], and_622_s9_q, left_rdata_s9_q[26:12], and_621_s9_q, left_rdata_s9_q[11:0], fresh_rdata_s9_q[28:26], fresh_rdata_s9_q[24], fresh_rdata_s9_q[11:0]};
   end
 `ifndef SYNTHESIS
   logic [6:0] left_raddr_s7_sim;
@@ -1653,9 +1591,9 @@ module horopter_agreement (
   logic [6:0] right_codes_waddr;
   assign right_codes_waddr = x_s9_q[6:0];
   logic right_codes_we;
-  assign right_codes_we = s9_en & and_529_s9_q;
+  assign right_codes_we = s9_en & and_532_s9_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_630_s9_q, right_codes_rdata_s9_q[71:60], and_629_s9_q, right_codes_rdata_s9_q[59:48], and_628_s9_q, right_codes_rdata_s9_q[47:36], and_627_s9_q, right_codes_rdata_s9_q[35:24], and_626_s9_q, right_codes_rdata_s9_q[23:12], and_625_s9_q, right_codes_rdata_s9_q[11:0], fresh_rdata_s9_q[25], fresh_rdata_s9_q[23:12]};
+    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_633_s9_q, right_codes_rdata_s9_q[71:60], and_632_s9_q, right_codes_rdata_s9_q[59:48], and_631_s9_q, right_codes_rdata_s9_q[47:36], and_630_s9_q, right_codes_rdata_s9_q[35:24], and_629_s9_q, right_codes_rdata_s9_q[23:12], and_628_s9_q, right_codes_rdata_s9_q[11:0], fresh_rdata_s9_q[25], fresh_rdata_s9_q[23:12]};
   end
 `ifndef SYNTHESIS
   logic [6:0] right_codes_raddr_s7_sim;
@@ -1690,16 +1628,6 @@ module horopter_agreement (
   end
 `endif
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      patches_choosing_rows_to_next_q <= 4'h0;
-      patches_chooses_q <= 1'b0;
-    end else if (s9_en) begin
-      patches_choosing_rows_to_next_q <= and_497_s9_q ? select_2685 : patches_choosing_rows_to_next_q;
-      patches_chooses_q <= and_497_s9_q ? select_2693 : patches_chooses_q;
-    end
-  end
-
   logic [7:0] pixel_0_s10_q;
   logic [7:0] pixel_1_s10_q;
   logic saturated_s10_q;
@@ -1715,102 +1643,91 @@ module horopter_agreement (
   logic [3:0] age_s10_q;
   logic [2:0] slot_s10_q;
   logic ends_cell_s10_q;
-  logic lower_half_s10_q;
-  logic [3:0] patches_choosing_rows_to_next_s10_q;
-  logic patches_chooses_s10_q;
-  logic [3:0] select_458_s10_q;
-  logic equal_459_s10_q;
-  logic [6:0] select_461_s10_q;
-  logic [8:0] select_465_s10_q;
-  logic and_471_s10_q;
-  logic equal_477_s10_q;
+  logic [3:0] select_461_s10_q;
+  logic equal_462_s10_q;
+  logic [6:0] select_464_s10_q;
+  logic [8:0] select_468_s10_q;
+  logic and_474_s10_q;
+  logic equal_480_s10_q;
   logic [6:0] column_s10_q;
-  logic and_495_s10_q;
-  logic and_497_s10_q;
+  logic and_498_s10_q;
+  logic and_500_s10_q;
   logic so_s10_q;
-  logic equal_517_s10_q;
-  logic or_518_s10_q;
   logic equal_520_s10_q;
-  logic less_525_s10_q;
-  logic not_526_s10_q;
-  logic equal_558_s10_q;
+  logic or_521_s10_q;
+  logic equal_523_s10_q;
+  logic less_528_s10_q;
+  logic not_529_s10_q;
+  logic [6:0] row_s10_q;
   logic [6:0] x_s10_2_q;
-  logic select_639_s10_q;
+  logic select_642_s10_q;
   logic [45:0] best_left_rdata_s10_q;
-  logic select_646_s10_q;
-  logic xor_727_s10_q;
-  logic parity_776_s10_q;
-  logic and_777_s10_q;
-  logic or_781_s10_q;
-  logic or_785_s10_q;
-  logic or_792_s10_q;
-  logic or_796_s10_q;
-  logic or_800_s10_q;
-  logic or_807_s10_q;
-  logic or_811_s10_q;
-  logic or_815_s10_q;
-  logic and_824_s10_q;
-  logic and_826_s10_q;
-  logic or_838_s10_q;
-  logic or_842_s10_q;
-  logic or_846_s10_q;
-  logic xor_976_s10_q;
-  logic parity_991_s10_q;
-  logic parity_1025_s10_q;
-  logic and_1026_s10_q;
-  logic or_1030_s10_q;
-  logic or_1034_s10_q;
-  logic or_1041_s10_q;
-  logic or_1045_s10_q;
-  logic or_1049_s10_q;
-  logic or_1056_s10_q;
-  logic or_1060_s10_q;
-  logic or_1064_s10_q;
-  logic and_1073_s10_q;
-  logic or_1074_s10_q;
-  logic or_1087_s10_q;
-  logic or_1091_s10_q;
-  logic or_1095_s10_q;
-  logic xor_1225_s10_q;
-  logic parity_1240_s10_q;
-  logic parity_1274_s10_q;
-  logic and_1275_s10_q;
-  logic or_1279_s10_q;
-  logic or_1283_s10_q;
-  logic or_1290_s10_q;
-  logic or_1294_s10_q;
-  logic or_1298_s10_q;
-  logic or_1305_s10_q;
-  logic or_1309_s10_q;
-  logic or_1313_s10_q;
-  logic and_1322_s10_q;
-  logic or_1323_s10_q;
-  logic or_1336_s10_q;
-  logic or_1340_s10_q;
-  logic or_1344_s10_q;
-  logic and_1448_s10_q;
-  logic [6:0] select_1452_s10_q;
+  logic select_649_s10_q;
+  logic xor_730_s10_q;
+  logic parity_779_s10_q;
+  logic and_780_s10_q;
+  logic or_784_s10_q;
+  logic or_788_s10_q;
+  logic or_795_s10_q;
+  logic or_799_s10_q;
+  logic or_803_s10_q;
+  logic or_810_s10_q;
+  logic or_814_s10_q;
+  logic or_818_s10_q;
+  logic and_827_s10_q;
+  logic and_829_s10_q;
+  logic or_841_s10_q;
+  logic or_845_s10_q;
+  logic or_849_s10_q;
+  logic xor_979_s10_q;
+  logic parity_994_s10_q;
+  logic parity_1028_s10_q;
+  logic and_1029_s10_q;
+  logic or_1033_s10_q;
+  logic or_1037_s10_q;
+  logic or_1044_s10_q;
+  logic or_1048_s10_q;
+  logic or_1052_s10_q;
+  logic or_1059_s10_q;
+  logic or_1063_s10_q;
+  logic or_1067_s10_q;
+  logic and_1076_s10_q;
+  logic or_1077_s10_q;
+  logic or_1090_s10_q;
+  logic or_1094_s10_q;
+  logic or_1098_s10_q;
+  logic xor_1228_s10_q;
+  logic parity_1243_s10_q;
+  logic parity_1277_s10_q;
+  logic and_1278_s10_q;
+  logic or_1282_s10_q;
+  logic or_1286_s10_q;
+  logic or_1293_s10_q;
+  logic or_1297_s10_q;
+  logic or_1301_s10_q;
+  logic or_1308_s10_q;
+  logic or_1312_s10_q;
+  logic or_1316_s10_q;
+  logic and_1325_s10_q;
+  logic or_1326_s10_q;
+  logic or_1339_s10_q;
+  logic or_1343_s10_q;
+  logic or_1347_s10_q;
+  logic and_1451_s10_q;
+  logic [6:0] select_1455_s10_q;
   logic [6:0] right_s10_q;
-  logic select_1457_s10_q;
-  logic equal_1466_s10_q;
-  logic and_1473_s10_q;
+  logic select_1460_s10_q;
+  logic equal_1469_s10_q;
   logic and_1476_s10_q;
-  logic and_1480_s10_q;
-  logic or_1494_s10_q;
-  logic and_1579_s10_q;
-  logic equal_1585_s10_q;
-  logic less_1606_s10_q;
-  logic and_1967_s10_q;
-  logic equal_2113_s10_q;
-  logic equal_2237_s10_q;
-  logic and_2548_s10_q;
-  logic and_2550_s10_q;
-  logic [3:0] phase_s10_q;
-  logic equal_2677_s10_q;
-  logic equal_2682_s10_q;
-  logic not_2723_s10_q;
-  logic less_3532_s10_q;
-  logic equal_3737_s10_q;
+  logic and_1479_s10_q;
+  logic and_1483_s10_q;
+  logic or_1497_s10_q;
+  logic equal_1588_s10_q;
+  logic less_1609_s10_q;
+  logic and_1993_s10_q;
+  logic equal_2263_s10_q;
+  logic and_2264_s10_q;
+  logic not_2741_s10_q;
   always_ff @(posedge clk_i) begin
     if (s9_en) begin
       pixel_0_s10_q <= pixel_0_s9_q;
@@ -1828,268 +1745,212 @@ module horopter_agreement (
       age_s10_q <= age_s9_q;
       slot_s10_q <= slot_s9_q;
       ends_cell_s10_q <= ends_cell_s9_q;
-      lower_half_s10_q <= lower_half_s9_q;
-      patches_choosing_rows_to_next_s10_q <= patches_choosing_rows_to_next_q;
-      patches_chooses_s10_q <= patches_chooses_q;
-      select_458_s10_q <= select_458_s9_q;
-      equal_459_s10_q <= equal_459_s9_q;
       select_461_s10_q <= select_461_s9_q;
-      select_465_s10_q <= select_465_s9_q;
-      and_471_s10_q <= and_471_s9_q;
-      equal_477_s10_q <= equal_477_s9_q;
+      equal_462_s10_q <= equal_462_s9_q;
+      select_464_s10_q <= select_464_s9_q;
+      select_468_s10_q <= select_468_s9_q;
+      and_474_s10_q <= and_474_s9_q;
+      equal_480_s10_q <= equal_480_s9_q;
       column_s10_q <= column_s9_q;
-      and_495_s10_q <= and_495_s9_q;
-      and_497_s10_q <= and_497_s9_q;
+      and_498_s10_q <= and_498_s9_q;
+      and_500_s10_q <= and_500_s9_q;
       so_s10_q <= so_s9_q;
-      equal_517_s10_q <= equal_517_s9_q;
-      or_518_s10_q <= or_518_s9_q;
       equal_520_s10_q <= equal_520_s9_q;
-      less_525_s10_q <= less_525_s9_q;
-      not_526_s10_q <= not_526_s9_q;
-      equal_558_s10_q <= equal_558_s9_q;
+      or_521_s10_q <= or_521_s9_q;
+      equal_523_s10_q <= equal_523_s9_q;
+      less_528_s10_q <= less_528_s9_q;
+      not_529_s10_q <= not_529_s9_q;
+      row_s10_q <= row_s9_q;
       x_s10_2_q <= x_s9_2_q;
-      select_639_s10_q <= select_639_s9_q;
+      select_642_s10_q <= select_642_s9_q;
       best_left_rdata_s10_q <= best_left_rdata_s9_q;
-      select_646_s10_q <= select_646_s9_q;
-      xor_727_s10_q <= parity_671 ^ parity_726;
-      parity_776_s10_q <= parity_776;
-      and_777_s10_q <= parity_671 & parity_726;
-      or_781_s10_q <= or_781;
-      or_785_s10_q <= (parity_711 & parity_723) | and_784;
-      or_792_s10_q <= or_792;
-      or_796_s10_q <= or_796;
-      or_800_s10_q <= or_800;
-      or_807_s10_q <= or_807;
-      or_811_s10_q <= or_811;
-      or_815_s10_q <= or_815;
-      and_824_s10_q <= parity_758 & parity_773;
-      and_826_s10_q <= (^{or_739, or_735, or_731}) & (parity_758 | parity_773);
-      or_838_s10_q <= (or_735 & or_739) | (or_731 & (or_735 | or_739));
-      or_842_s10_q <= (or_751 & or_755) | (or_747 & (or_751 | or_755));
-      or_846_s10_q <= (or_766 & or_770) | (or_762 & (or_766 | or_770));
-      xor_976_s10_q <= parity_920 ^ parity_975;
-      parity_991_s10_q <= ^{or_988, or_984, or_980};
-      parity_1025_s10_q <= parity_1025;
-      and_1026_s10_q <= parity_920 & parity_975;
-      or_1030_s10_q <= or_1030;
-      or_1034_s10_q <= (parity_960 & parity_972) | and_1033;
-      or_1041_s10_q <= or_1041;
-      or_1045_s10_q <= or_1045;
-      or_1049_s10_q <= or_1049;
-      or_1056_s10_q <= or_1056;
-      or_1060_s10_q <= or_1060;
-      or_1064_s10_q <= or_1064;
-      and_1073_s10_q <= parity_1007 & parity_1022;
-      or_1074_s10_q <= parity_1007 | parity_1022;
-      or_1087_s10_q <= (or_984 & or_988) | (or_980 & (or_984 | or_988));
-      or_1091_s10_q <= (or_1000 & or_1004) | (or_996 & (or_1000 | or_1004));
-      or_1095_s10_q <= (or_1015 & or_1019) | (or_1011 & (or_1015 | or_1019));
-      xor_1225_s10_q <= parity_1173 ^ parity_1224;
-      parity_1240_s10_q <= ^{or_1237, or_1233, or_1229};
-      parity_1274_s10_q <= parity_1274;
-      and_1275_s10_q <= parity_1173 & parity_1224;
-      or_1279_s10_q <= or_1279;
-      or_1283_s10_q <= (parity_1209 & parity_1221) | and_1282;
-      or_1290_s10_q <= or_1290;
-      or_1294_s10_q <= or_1294;
-      or_1298_s10_q <= or_1298;
-      or_1305_s10_q <= or_1305;
-      or_1309_s10_q <= or_1309;
-      or_1313_s10_q <= or_1313;
-      and_1322_s10_q <= parity_1256 & parity_1271;
-      or_1323_s10_q <= parity_1256 | parity_1271;
-      or_1336_s10_q <= (or_1233 & or_1237) | (or_1229 & (or_1233 | or_1237));
-      or_1340_s10_q <= (or_1249 & or_1253) | (or_1245 & (or_1249 | or_1253));
-      or_1344_s10_q <= (or_1264 & or_1268) | (or_1260 & (or_1264 | or_1268));
-      and_1448_s10_q <= and_1448_s9_q;
-      select_1452_s10_q <= ({1'b0, last_s9_q} < found) ? 7'h0 : found[6:0];
+      select_649_s10_q <= select_649_s9_q;
+      xor_730_s10_q <= parity_674 ^ parity_729;
+      parity_779_s10_q <= parity_779;
+      and_780_s10_q <= parity_674 & parity_729;
+      or_784_s10_q <= or_784;
+      or_788_s10_q <= (parity_714 & parity_726) | and_787;
+      or_795_s10_q <= or_795;
+      or_799_s10_q <= or_799;
+      or_803_s10_q <= or_803;
+      or_810_s10_q <= or_810;
+      or_814_s10_q <= or_814;
+      or_818_s10_q <= or_818;
+      and_827_s10_q <= parity_761 & parity_776;
+      and_829_s10_q <= (^{or_742, or_738, or_734}) & (parity_761 | parity_776);
+      or_841_s10_q <= (or_738 & or_742) | (or_734 & (or_738 | or_742));
+      or_845_s10_q <= (or_754 & or_758) | (or_750 & (or_754 | or_758));
+      or_849_s10_q <= (or_769 & or_773) | (or_765 & (or_769 | or_773));
+      xor_979_s10_q <= parity_923 ^ parity_978;
+      parity_994_s10_q <= ^{or_991, or_987, or_983};
+      parity_1028_s10_q <= parity_1028;
+      and_1029_s10_q <= parity_923 & parity_978;
+      or_1033_s10_q <= or_1033;
+      or_1037_s10_q <= (parity_963 & parity_975) | and_1036;
+      or_1044_s10_q <= or_1044;
+      or_1048_s10_q <= or_1048;
+      or_1052_s10_q <= or_1052;
+      or_1059_s10_q <= or_1059;
+      or_1063_s10_q <= or_1063;
+      or_1067_s10_q <= or_1067;
+      and_1076_s10_q <= parity_1010 & parity_1025;
+      or_1077_s10_q <= parity_1010 | parity_1025;
+      or_1090_s10_q <= (or_987 & or_991) | (or_983 & (or_987 | or_991));
+      or_1094_s10_q <= (or_1003 & or_1007) | (or_999 & (or_1003 | or_1007));
+      or_1098_s10_q <= (or_1018 & or_1022) | (or_1014 & (or_1018 | or_1022));
+      xor_1228_s10_q <= parity_1176 ^ parity_1227;
+      parity_1243_s10_q <= ^{or_1240, or_1236, or_1232};
+      parity_1277_s10_q <= parity_1277;
+      and_1278_s10_q <= parity_1176 & parity_1227;
+      or_1282_s10_q <= or_1282;
+      or_1286_s10_q <= (parity_1212 & parity_1224) | and_1285;
+      or_1293_s10_q <= or_1293;
+      or_1297_s10_q <= or_1297;
+      or_1301_s10_q <= or_1301;
+      or_1308_s10_q <= or_1308;
+      or_1312_s10_q <= or_1312;
+      or_1316_s10_q <= or_1316;
+      and_1325_s10_q <= parity_1259 & parity_1274;
+      or_1326_s10_q <= parity_1259 | parity_1274;
+      or_1339_s10_q <= (or_1236 & or_1240) | (or_1232 & (or_1236 | or_1240));
+      or_1343_s10_q <= (or_1252 & or_1256) | (or_1248 & (or_1252 | or_1256));
+      or_1347_s10_q <= (or_1267 & or_1271) | (or_1263 & (or_1267 | or_1271));
+      and_1451_s10_q <= and_1451_s9_q;
+      select_1455_s10_q <= ({1'b0, last_s9_q} < found) ? 7'h0 : found[6:0];
       right_s10_q <= right_s9_q;
-      select_1457_s10_q <= select_1457_s9_q;
-      equal_1466_s10_q <= equal_1466_s9_q;
-      and_1473_s10_q <= and_1473_s9_q;
+      select_1460_s10_q <= select_1460_s9_q;
+      equal_1469_s10_q <= equal_1469_s9_q;
       and_1476_s10_q <= and_1476_s9_q;
-      and_1480_s10_q <= and_1480_s9_q;
-      or_1494_s10_q <= or_1494;
-      and_1579_s10_q <= and_1579_s9_q;
-      equal_1585_s10_q <= equal_1585_s9_q;
-      less_1606_s10_q <= less_1606_s9_q;
-      and_1967_s10_q <= and_1967_s9_q;
-      equal_2113_s10_q <= equal_2113_s9_q;
-      equal_2237_s10_q <= equal_2237_s9_q;
-      and_2548_s10_q <= and_2548_s9_q;
-      and_2550_s10_q <= and_2550_s9_q;
-      phase_s10_q <= phase_s9_q;
-      equal_2677_s10_q <= equal_2677_s9_q;
-      equal_2682_s10_q <= equal_2682;
-      not_2723_s10_q <= not_2723_s9_q;
-      less_3532_s10_q <= less_3532_s9_q;
-      equal_3737_s10_q <= equal_3737_s9_q;
+      and_1479_s10_q <= and_1479_s9_q;
+      and_1483_s10_q <= and_1483_s9_q;
+      or_1497_s10_q <= or_1497;
+      equal_1588_s10_q <= equal_1588_s9_q;
+      less_1609_s10_q <= less_1609_s9_q;
+      and_1993_s10_q <= and_1993_s9_q;
+      equal_2263_s10_q <= equal_2263_s9_q;
+      and_2264_s10_q <= and_2264_s9_q;
+      not_2741_s10_q <= not_2741_s9_q;
     end
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
-  logic [3:0] patches_band_rows_rows_to_next_q;
-  logic [4:0] patches_band_rows_number_q;
-  logic [3:0] patches_next_band_rows_to_next_q;
-  logic [4:0] patches_next_band_number_q;
-  logic [3:0] patches_first_band_rows_to_next_q;
-  logic patches_first_band_number_q;
-  logic [4:0] patches_choosing_number_q;
-  logic [4:0] patches_choosing_band_q;
+  logic [3:0] patches_phase_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_803;
-  assign parity_803 = ^{or_800_s10_q, or_796_s10_q, or_792_s10_q};
-  logic parity_818;
-  assign parity_818 = ^{or_815_s10_q, or_811_s10_q, or_807_s10_q};
+  logic parity_806;
+  assign parity_806 = ^{or_803_s10_q, or_799_s10_q, or_795_s10_q};
   logic parity_821;
-  assign parity_821 = ^{or_815_s10_q, or_811_s10_q, or_807_s10_q, or_800_s10_q, or_796_s10_q, or_792_s10_q, or_785_s10_q, or_781_s10_q, and_777_s10_q};
+  assign parity_821 = ^{or_818_s10_q, or_814_s10_q, or_810_s10_q};
+  logic parity_824;
+  assign parity_824 = ^{or_818_s10_q, or_814_s10_q, or_810_s10_q, or_803_s10_q, or_799_s10_q, or_795_s10_q, or_788_s10_q, or_784_s10_q, and_780_s10_q};
   // hls/stages/count_bits.hpp:25
-  logic and_823;
-  assign and_823 = parity_776_s10_q & parity_821;
-  logic or_827;
-  assign or_827 = and_824_s10_q | and_826_s10_q;
-  logic and_830;
-  assign and_830 = (^{or_785_s10_q, or_781_s10_q, and_777_s10_q}) & (parity_803 | parity_818);
-  logic or_831;
-  assign or_831 = (parity_803 & parity_818) | and_830;
+  logic and_826;
+  assign and_826 = parity_779_s10_q & parity_824;
+  logic or_830;
+  assign or_830 = and_827_s10_q | and_829_s10_q;
+  logic and_833;
+  assign and_833 = (^{or_788_s10_q, or_784_s10_q, and_780_s10_q}) & (parity_806 | parity_821);
+  logic or_834;
+  assign or_834 = (parity_806 & parity_821) | and_833;
   // hls/stages/count_bits.hpp:24
-  logic parity_849;
-  assign parity_849 = ^{or_846_s10_q, or_842_s10_q, or_838_s10_q};
+  logic parity_852;
+  assign parity_852 = ^{or_849_s10_q, or_845_s10_q, or_841_s10_q};
   // hls/stages/count_bits.hpp:25
-  logic or_853;
-  assign or_853 = (or_781_s10_q & or_785_s10_q) | (and_777_s10_q & (or_781_s10_q | or_785_s10_q));
-  logic or_857;
-  assign or_857 = (or_796_s10_q & or_800_s10_q) | (or_792_s10_q & (or_796_s10_q | or_800_s10_q));
-  logic or_861;
-  assign or_861 = (or_811_s10_q & or_815_s10_q) | (or_807_s10_q & (or_811_s10_q | or_815_s10_q));
+  logic or_856;
+  assign or_856 = (or_784_s10_q & or_788_s10_q) | (and_780_s10_q & (or_784_s10_q | or_788_s10_q));
+  logic or_860;
+  assign or_860 = (or_799_s10_q & or_803_s10_q) | (or_795_s10_q & (or_799_s10_q | or_803_s10_q));
+  logic or_864;
+  assign or_864 = (or_814_s10_q & or_818_s10_q) | (or_810_s10_q & (or_814_s10_q | or_818_s10_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_864;
-  assign parity_864 = ^{or_861, or_857, or_853};
   logic parity_867;
-  assign parity_867 = ^{or_861, or_857, or_853, or_846_s10_q, or_842_s10_q, or_838_s10_q, or_831, or_827, and_823};
+  assign parity_867 = ^{or_864, or_860, or_856};
+  logic parity_870;
+  assign parity_870 = ^{or_864, or_860, or_856, or_849_s10_q, or_845_s10_q, or_841_s10_q, or_834, or_830, and_826};
   // hls/stages/count_bits.hpp:25
-  logic or_879;
-  assign or_879 = (or_842_s10_q & or_846_s10_q) | (or_838_s10_q & (or_842_s10_q | or_846_s10_q));
+  logic or_882;
+  assign or_882 = (or_845_s10_q & or_849_s10_q) | (or_841_s10_q & (or_845_s10_q | or_849_s10_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_1052;
-  assign parity_1052 = ^{or_1049_s10_q, or_1045_s10_q, or_1041_s10_q};
-  logic parity_1067;
-  assign parity_1067 = ^{or_1064_s10_q, or_1060_s10_q, or_1056_s10_q};
+  logic parity_1055;
+  assign parity_1055 = ^{or_1052_s10_q, or_1048_s10_q, or_1044_s10_q};
   logic parity_1070;
-  assign parity_1070 = ^{or_1064_s10_q, or_1060_s10_q, or_1056_s10_q, or_1049_s10_q, or_1045_s10_q, or_1041_s10_q, or_1034_s10_q, or_1030_s10_q, and_1026_s10_q};
+  assign parity_1070 = ^{or_1067_s10_q, or_1063_s10_q, or_1059_s10_q};
+  logic parity_1073;
+  assign parity_1073 = ^{or_1067_s10_q, or_1063_s10_q, or_1059_s10_q, or_1052_s10_q, or_1048_s10_q, or_1044_s10_q, or_1037_s10_q, or_1033_s10_q, and_1029_s10_q};
   // hls/stages/count_bits.hpp:25
-  logic and_1072;
-  assign and_1072 = parity_1025_s10_q & parity_1070;
-  logic or_1076;
-  assign or_1076 = and_1073_s10_q | (parity_991_s10_q & or_1074_s10_q);
-  logic and_1079;
-  assign and_1079 = (^{or_1034_s10_q, or_1030_s10_q, and_1026_s10_q}) & (parity_1052 | parity_1067);
-  logic or_1080;
-  assign or_1080 = (parity_1052 & parity_1067) | and_1079;
+  logic and_1075;
+  assign and_1075 = parity_1028_s10_q & parity_1073;
+  logic or_1079;
+  assign or_1079 = and_1076_s10_q | (parity_994_s10_q & or_1077_s10_q);
+  logic and_1082;
+  assign and_1082 = (^{or_1037_s10_q, or_1033_s10_q, and_1029_s10_q}) & (parity_1055 | parity_1070);
+  logic or_1083;
+  assign or_1083 = (parity_1055 & parity_1070) | and_1082;
   // hls/stages/count_bits.hpp:24
-  logic parity_1098;
-  assign parity_1098 = ^{or_1095_s10_q, or_1091_s10_q, or_1087_s10_q};
+  logic parity_1101;
+  assign parity_1101 = ^{or_1098_s10_q, or_1094_s10_q, or_1090_s10_q};
   // hls/stages/count_bits.hpp:25
-  logic or_1102;
-  assign or_1102 = (or_1030_s10_q & or_1034_s10_q) | (and_1026_s10_q & (or_1030_s10_q | or_1034_s10_q));
-  logic or_1106;
-  assign or_1106 = (or_1045_s10_q & or_1049_s10_q) | (or_1041_s10_q & (or_1045_s10_q | or_1049_s10_q));
-  logic or_1110;
-  assign or_1110 = (or_1060_s10_q & or_1064_s10_q) | (or_1056_s10_q & (or_1060_s10_q | or_1064_s10_q));
+  logic or_1105;
+  assign or_1105 = (or_1033_s10_q & or_1037_s10_q) | (and_1029_s10_q & (or_1033_s10_q | or_1037_s10_q));
+  logic or_1109;
+  assign or_1109 = (or_1048_s10_q & or_1052_s10_q) | (or_1044_s10_q & (or_1048_s10_q | or_1052_s10_q));
+  logic or_1113;
+  assign or_1113 = (or_1063_s10_q & or_1067_s10_q) | (or_1059_s10_q & (or_1063_s10_q | or_1067_s10_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_1113;
-  assign parity_1113 = ^{or_1110, or_1106, or_1102};
   logic parity_1116;
-  assign parity_1116 = ^{or_1110, or_1106, or_1102, or_1095_s10_q, or_1091_s10_q, or_1087_s10_q, or_1080, or_1076, and_1072};
+  assign parity_1116 = ^{or_1113, or_1109, or_1105};
+  logic parity_1119;
+  assign parity_1119 = ^{or_1113, or_1109, or_1105, or_1098_s10_q, or_1094_s10_q, or_1090_s10_q, or_1083, or_1079, and_1075};
   // hls/stages/count_bits.hpp:25
-  logic or_1128;
-  assign or_1128 = (or_1091_s10_q & or_1095_s10_q) | (or_1087_s10_q & (or_1091_s10_q | or_1095_s10_q));
+  logic or_1131;
+  assign or_1131 = (or_1094_s10_q & or_1098_s10_q) | (or_1090_s10_q & (or_1094_s10_q | or_1098_s10_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_1301;
-  assign parity_1301 = ^{or_1298_s10_q, or_1294_s10_q, or_1290_s10_q};
-  logic parity_1316;
-  assign parity_1316 = ^{or_1313_s10_q, or_1309_s10_q, or_1305_s10_q};
+  logic parity_1304;
+  assign parity_1304 = ^{or_1301_s10_q, or_1297_s10_q, or_1293_s10_q};
   logic parity_1319;
-  assign parity_1319 = ^{or_1313_s10_q, or_1309_s10_q, or_1305_s10_q, or_1298_s10_q, or_1294_s10_q, or_1290_s10_q, or_1283_s10_q, or_1279_s10_q, and_1275_s10_q};
+  assign parity_1319 = ^{or_1316_s10_q, or_1312_s10_q, or_1308_s10_q};
+  logic parity_1322;
+  assign parity_1322 = ^{or_1316_s10_q, or_1312_s10_q, or_1308_s10_q, or_1301_s10_q, or_1297_s10_q, or_1293_s10_q, or_1286_s10_q, or_1282_s10_q, and_1278_s10_q};
   // hls/stages/count_bits.hpp:25
-  logic and_1321;
-  assign and_1321 = parity_1274_s10_q & parity_1319;
-  logic or_1325;
-  assign or_1325 = and_1322_s10_q | (parity_1240_s10_q & or_1323_s10_q);
-  logic and_1328;
-  assign and_1328 = (^{or_1283_s10_q, or_1279_s10_q, and_1275_s10_q}) & (parity_1301 | parity_1316);
-  logic or_1329;
-  assign or_1329 = (parity_1301 & parity_1316) | and_1328;
+  logic and_1324;
+  assign and_1324 = parity_1277_s10_q & parity_1322;
+  logic or_1328;
+  assign or_1328 = and_1325_s10_q | (parity_1243_s10_q & or_1326_s10_q);
+  logic and_1331;
+  assign and_1331 = (^{or_1286_s10_q, or_1282_s10_q, and_1278_s10_q}) & (parity_1304 | parity_1319);
+  logic or_1332;
+  assign or_1332 = (parity_1304 & parity_1319) | and_1331;
   // hls/stages/count_bits.hpp:24
-  logic parity_1347;
-  assign parity_1347 = ^{or_1344_s10_q, or_1340_s10_q, or_1336_s10_q};
+  logic parity_1350;
+  assign parity_1350 = ^{or_1347_s10_q, or_1343_s10_q, or_1339_s10_q};
   // hls/stages/count_bits.hpp:25
-  logic or_1351;
-  assign or_1351 = (or_1279_s10_q & or_1283_s10_q) | (and_1275_s10_q & (or_1279_s10_q | or_1283_s10_q));
-  logic or_1355;
-  assign or_1355 = (or_1294_s10_q & or_1298_s10_q) | (or_1290_s10_q & (or_1294_s10_q | or_1298_s10_q));
-  logic or_1359;
-  assign or_1359 = (or_1309_s10_q & or_1313_s10_q) | (or_1305_s10_q & (or_1309_s10_q | or_1313_s10_q));
+  logic or_1354;
+  assign or_1354 = (or_1282_s10_q & or_1286_s10_q) | (and_1278_s10_q & (or_1282_s10_q | or_1286_s10_q));
+  logic or_1358;
+  assign or_1358 = (or_1297_s10_q & or_1301_s10_q) | (or_1293_s10_q & (or_1297_s10_q | or_1301_s10_q));
+  logic or_1362;
+  assign or_1362 = (or_1312_s10_q & or_1316_s10_q) | (or_1308_s10_q & (or_1312_s10_q | or_1316_s10_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_1362;
-  assign parity_1362 = ^{or_1359, or_1355, or_1351};
   logic parity_1365;
-  assign parity_1365 = ^{or_1359, or_1355, or_1351, or_1344_s10_q, or_1340_s10_q, or_1336_s10_q, or_1329, or_1325, and_1321};
+  assign parity_1365 = ^{or_1362, or_1358, or_1354};
+  logic parity_1368;
+  assign parity_1368 = ^{or_1362, or_1358, or_1354, or_1347_s10_q, or_1343_s10_q, or_1339_s10_q, or_1332, or_1328, and_1324};
   // hls/stages/count_bits.hpp:25
-  logic or_1377;
-  assign or_1377 = (or_1340_s10_q & or_1344_s10_q) | (or_1336_s10_q & (or_1340_s10_q | or_1344_s10_q));
+  logic or_1380;
+  assign or_1380 = (or_1343_s10_q & or_1347_s10_q) | (or_1339_s10_q & (or_1343_s10_q | or_1347_s10_q));
   // hls/stages/agreement.hpp:141
-  logic [6:0] select_1504;
-  assign select_1504 = or_518_s10_q ? (less_525_s10_q ? 7'h0 : select_1452_s10_q) : 7'h0;
-  // hls/stages/census.hpp:31
-  logic not_1583;
-  assign not_1583 = ~sample_pair_first_s10_q;
-  // hls/stages/patches.hpp:276
-  logic equal_1587;
-  assign equal_1587 = patches_band_rows_rows_to_next_q == 4'h0;
-  // hls/stages/patches.hpp:327
-  logic and_2659;
-  assign and_2659 = not_1583 & equal_1585_s10_q;
-  logic [8:0] select_2660;
-  assign select_2660 = and_2659 ? {patches_choosing_number_q, patches_choosing_rows_to_next_s10_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_2661;
-  assign select_2661 = and_2659 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_2662;
-  assign select_2662 = sample_pair_first_s10_q ? select_2660 : select_2661;
-  // hls/stages/patches.hpp:98
-  logic [3:0] select_2663;
-  assign select_2663 = and_1579_s10_q ? select_2662[3:0] : patches_band_rows_rows_to_next_q;
-  // hls/stages/agreement.hpp:263
-  logic [3:0] select_2664;
-  assign select_2664 = sample_pair_whole_s10_q ? select_2663 : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_2666;
-  assign select_2666 = sample_pair_whole_s10_q ? (and_1579_s10_q ? select_2662[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_2669;
-  assign select_2669 = sample_pair_whole_s10_q ? (equal_1587 ? 4'h2 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_2671;
-  assign select_2671 = sample_pair_whole_s10_q ? (patches_band_rows_number_q + {4'h0, equal_1587}) : patches_next_band_number_q;
-  // hls/stages/patches.hpp:294
-  logic equal_2672;
-  assign equal_2672 = phase_s10_q == 4'h0;
-  // hls/stages/patches.hpp:295
-  logic not_2673;
-  assign not_2673 = ~equal_2672;
-  // hls/stages/agreement.hpp:263
+  logic [6:0] select_1507;
+  assign select_1507 = or_521_s10_q ? (less_528_s10_q ? 7'h0 : select_1455_s10_q) : 7'h0;
+  // hls/stages/patches.hpp:99
+  logic and_1582;
+  assign and_1582 = (select_461_s10_q == 4'h0) & (select_464_s10_q == 7'h0);
+  // hls/stages/patches.hpp:288
+  logic [3:0] phase;
+  assign phase = (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
+  // hls/stages/patches.hpp:103
   logic [3:0] select_2675;
-  assign select_2675 = sample_pair_whole_s10_q ? (phase_s10_q + {{2{not_2673}}, 1'b1, not_2673}) : patches_first_band_rows_to_next_q;
-  logic select_2676;
-  assign select_2676 = sample_pair_whole_s10_q ? equal_2672 : patches_first_band_number_q;
-  // hls/stages/patches.hpp:64
-  logic [4:0] select_2687;
-  assign select_2687 = equal_2677_s10_q ? 5'h0 : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:447
-  logic [4:0] select_2689;
-  assign select_2689 = equal_2237_s10_q ? (select_2687 + {4'h0, equal_2682_s10_q}) : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:507
-  logic [4:0] select_2696;
-  assign select_2696 = and_497_s10_q ? (equal_2237_s10_q ? select_2687 : patches_choosing_band_q) : patches_choosing_band_q;
+  assign select_2675 = and_1582 ? (sample_pair_first_s10_q ? phase : patches_phase_q) : patches_phase_q;
 
-  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1296; read in stage 10, written in stage 17: 10 < 17 < 10 + DISTANCE.
+  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1297; read in stage 10, written in stage 17: 10 < 17 < 10 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] best_right_mem [0:119];
@@ -2097,9 +1958,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) best_right_mem[i] = 29'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_518_s10_q ? select_1452_s10_q : right_s10_q;
+  assign best_right_raddr = or_521_s10_q ? select_1455_s10_q : right_s10_q;
   logic best_right_re;
-  assign best_right_re = s10_en & select_639_s10_q;
+  assign best_right_re = s10_en & select_642_s10_q;
   logic [28:0] best_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (best_right_re) best_right_rdata_q <= best_right_mem[best_right_raddr];
@@ -2107,23 +1968,9 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      patches_band_rows_rows_to_next_q <= 4'h0;
-      patches_band_rows_number_q <= 5'h0;
-      patches_next_band_rows_to_next_q <= 4'h0;
-      patches_next_band_number_q <= 5'h0;
-      patches_first_band_rows_to_next_q <= 4'h0;
-      patches_first_band_number_q <= 1'b0;
-      patches_choosing_number_q <= 5'h0;
-      patches_choosing_band_q <= 5'h0;
+      patches_phase_q <= 4'h0;
     end else if (s10_en) begin
-      patches_band_rows_rows_to_next_q <= select_2664;
-      patches_band_rows_number_q <= select_2666;
-      patches_next_band_rows_to_next_q <= select_2669;
-      patches_next_band_number_q <= select_2671;
-      patches_first_band_rows_to_next_q <= select_2675;
-      patches_first_band_number_q <= select_2676;
-      patches_choosing_number_q <= and_497_s10_q ? select_2689 : patches_choosing_number_q;
-      patches_choosing_band_q <= select_2696;
+      patches_phase_q <= sample_pair_whole_s10_q ? select_2675 : patches_phase_q;
     end
   end
 
@@ -2133,6 +1980,7 @@ module horopter_agreement (
   logic mask_s11_q;
   logic marks_first_s11_q;
   logic marks_last_s11_q;
+  logic sample_pair_first_s11_q;
   logic sample_pair_whole_s11_q;
   logic sample_present_s11_q;
   logic [5:0] run_shift_s11_q;
@@ -2141,77 +1989,69 @@ module horopter_agreement (
   logic [3:0] age_s11_q;
   logic [2:0] slot_s11_q;
   logic ends_cell_s11_q;
-  logic lower_half_s11_q;
-  logic [4:0] patches_band_rows_number_s11_q;
-  logic patches_chooses_s11_q;
-  logic [4:0] patches_choosing_band_s11_q;
-  logic [3:0] select_458_s11_q;
-  logic equal_459_s11_q;
-  logic [6:0] select_461_s11_q;
-  logic [8:0] select_465_s11_q;
-  logic and_471_s11_q;
-  logic equal_477_s11_q;
+  logic [3:0] select_461_s11_q;
+  logic equal_462_s11_q;
+  logic [6:0] select_464_s11_q;
+  logic [8:0] select_468_s11_q;
+  logic and_474_s11_q;
+  logic equal_480_s11_q;
   logic [6:0] column_s11_q;
-  logic and_495_s11_q;
-  logic and_497_s11_q;
+  logic and_498_s11_q;
+  logic and_500_s11_q;
   logic so_s11_q;
-  logic equal_517_s11_q;
-  logic or_518_s11_q;
   logic equal_520_s11_q;
-  logic less_525_s11_q;
-  logic not_526_s11_q;
-  logic equal_558_s11_q;
+  logic or_521_s11_q;
+  logic equal_523_s11_q;
+  logic less_528_s11_q;
+  logic not_529_s11_q;
+  logic [6:0] row_s11_q;
   logic [6:0] x_s11_2_q;
   logic [45:0] best_left_rdata_s11_q;
-  logic select_646_s11_q;
-  logic xor_727_s11_q;
-  logic xor_822_s11_q;
-  logic parity_867_s11_q;
-  logic and_868_s11_q;
-  logic and_870_s11_q;
-  logic and_872_s11_q;
-  logic and_874_s11_q;
-  logic or_879_s11_q;
-  logic or_883_s11_q;
-  logic xor_976_s11_q;
-  logic xor_1071_s11_q;
-  logic parity_1116_s11_q;
-  logic and_1117_s11_q;
-  logic and_1119_s11_q;
-  logic and_1121_s11_q;
-  logic and_1123_s11_q;
-  logic or_1128_s11_q;
-  logic or_1132_s11_q;
-  logic xor_1225_s11_q;
-  logic xor_1320_s11_q;
-  logic parity_1365_s11_q;
-  logic and_1366_s11_q;
-  logic and_1368_s11_q;
-  logic and_1370_s11_q;
-  logic and_1372_s11_q;
-  logic or_1377_s11_q;
-  logic or_1381_s11_q;
-  logic and_1448_s11_q;
+  logic select_649_s11_q;
+  logic xor_730_s11_q;
+  logic xor_825_s11_q;
+  logic parity_870_s11_q;
+  logic and_871_s11_q;
+  logic and_873_s11_q;
+  logic and_875_s11_q;
+  logic and_877_s11_q;
+  logic or_882_s11_q;
+  logic or_886_s11_q;
+  logic xor_979_s11_q;
+  logic xor_1074_s11_q;
+  logic parity_1119_s11_q;
+  logic and_1120_s11_q;
+  logic and_1122_s11_q;
+  logic and_1124_s11_q;
+  logic and_1126_s11_q;
+  logic or_1131_s11_q;
+  logic or_1135_s11_q;
+  logic xor_1228_s11_q;
+  logic xor_1323_s11_q;
+  logic parity_1368_s11_q;
+  logic and_1369_s11_q;
+  logic and_1371_s11_q;
+  logic and_1373_s11_q;
+  logic and_1375_s11_q;
+  logic or_1380_s11_q;
+  logic or_1384_s11_q;
+  logic and_1451_s11_q;
   logic [6:0] right_s11_q;
-  logic select_1457_s11_q;
-  logic equal_1466_s11_q;
-  logic and_1473_s11_q;
+  logic select_1460_s11_q;
+  logic equal_1469_s11_q;
   logic and_1476_s11_q;
-  logic and_1480_s11_q;
-  logic or_1494_s11_q;
-  logic [6:0] select_1505_s11_q;
-  logic and_1579_s11_q;
-  logic not_1583_s11_q;
-  logic or_1589_s11_q;
-  logic less_1606_s11_q;
-  logic and_1967_s11_q;
-  logic equal_2113_s11_q;
-  logic equal_2237_s11_q;
-  logic and_2548_s11_q;
-  logic and_2550_s11_q;
-  logic not_2723_s11_q;
-  logic less_3532_s11_q;
-  logic equal_3737_s11_q;
+  logic and_1479_s11_q;
+  logic and_1483_s11_q;
+  logic or_1497_s11_q;
+  logic [6:0] select_1508_s11_q;
+  logic and_1582_s11_q;
+  logic equal_1588_s11_q;
+  logic less_1609_s11_q;
+  logic and_1993_s11_q;
+  logic equal_2263_s11_q;
+  logic and_2264_s11_q;
+  logic [3:0] phase_s11_q;
+  logic not_2741_s11_q;
   always_ff @(posedge clk_i) begin
     if (s10_en) begin
       pixel_0_s11_q <= pixel_0_s10_q;
@@ -2220,6 +2060,7 @@ module horopter_agreement (
       mask_s11_q <= mask_s10_q;
       marks_first_s11_q <= marks_first_s10_q;
       marks_last_s11_q <= marks_last_s10_q;
+      sample_pair_first_s11_q <= sample_pair_first_s10_q;
       sample_pair_whole_s11_q <= sample_pair_whole_s10_q;
       sample_present_s11_q <= sample_present_s10_q;
       run_shift_s11_q <= run_shift_s10_q;
@@ -2228,81 +2069,74 @@ module horopter_agreement (
       age_s11_q <= age_s10_q;
       slot_s11_q <= slot_s10_q;
       ends_cell_s11_q <= ends_cell_s10_q;
-      lower_half_s11_q <= lower_half_s10_q;
-      patches_band_rows_number_s11_q <= patches_band_rows_number_q;
-      patches_chooses_s11_q <= patches_chooses_s10_q;
-      patches_choosing_band_s11_q <= patches_choosing_band_q;
-      select_458_s11_q <= select_458_s10_q;
-      equal_459_s11_q <= equal_459_s10_q;
       select_461_s11_q <= select_461_s10_q;
-      select_465_s11_q <= select_465_s10_q;
-      and_471_s11_q <= and_471_s10_q;
-      equal_477_s11_q <= equal_477_s10_q;
+      equal_462_s11_q <= equal_462_s10_q;
+      select_464_s11_q <= select_464_s10_q;
+      select_468_s11_q <= select_468_s10_q;
+      and_474_s11_q <= and_474_s10_q;
+      equal_480_s11_q <= equal_480_s10_q;
       column_s11_q <= column_s10_q;
-      and_495_s11_q <= and_495_s10_q;
-      and_497_s11_q <= and_497_s10_q;
+      and_498_s11_q <= and_498_s10_q;
+      and_500_s11_q <= and_500_s10_q;
       so_s11_q <= so_s10_q;
-      equal_517_s11_q <= equal_517_s10_q;
-      or_518_s11_q <= or_518_s10_q;
       equal_520_s11_q <= equal_520_s10_q;
-      less_525_s11_q <= less_525_s10_q;
-      not_526_s11_q <= not_526_s10_q;
-      equal_558_s11_q <= equal_558_s10_q;
+      or_521_s11_q <= or_521_s10_q;
+      equal_523_s11_q <= equal_523_s10_q;
+      less_528_s11_q <= less_528_s10_q;
+      not_529_s11_q <= not_529_s10_q;
+      row_s11_q <= row_s10_q;
       x_s11_2_q <= x_s10_2_q;
       best_left_rdata_s11_q <= best_left_rdata_s10_q;
-      select_646_s11_q <= select_646_s10_q;
-      xor_727_s11_q <= xor_727_s10_q;
-      xor_822_s11_q <= parity_776_s10_q ^ parity_821;
-      parity_867_s11_q <= parity_867;
-      and_868_s11_q <= parity_849 & parity_864;
-      and_870_s11_q <= (^{or_831, or_827, and_823}) & (parity_849 | parity_864);
-      and_872_s11_q <= or_827 & or_831;
-      and_874_s11_q <= and_823 & (or_827 | or_831);
-      or_879_s11_q <= or_879;
-      or_883_s11_q <= (or_857 & or_861) | (or_853 & (or_857 | or_861));
-      xor_976_s11_q <= xor_976_s10_q;
-      xor_1071_s11_q <= parity_1025_s10_q ^ parity_1070;
-      parity_1116_s11_q <= parity_1116;
-      and_1117_s11_q <= parity_1098 & parity_1113;
-      and_1119_s11_q <= (^{or_1080, or_1076, and_1072}) & (parity_1098 | parity_1113);
-      and_1121_s11_q <= or_1076 & or_1080;
-      and_1123_s11_q <= and_1072 & (or_1076 | or_1080);
-      or_1128_s11_q <= or_1128;
-      or_1132_s11_q <= (or_1106 & or_1110) | (or_1102 & (or_1106 | or_1110));
-      xor_1225_s11_q <= xor_1225_s10_q;
-      xor_1320_s11_q <= parity_1274_s10_q ^ parity_1319;
-      parity_1365_s11_q <= parity_1365;
-      and_1366_s11_q <= parity_1347 & parity_1362;
-      and_1368_s11_q <= (^{or_1329, or_1325, and_1321}) & (parity_1347 | parity_1362);
-      and_1370_s11_q <= or_1325 & or_1329;
-      and_1372_s11_q <= and_1321 & (or_1325 | or_1329);
-      or_1377_s11_q <= or_1377;
-      or_1381_s11_q <= (or_1355 & or_1359) | (or_1351 & (or_1355 | or_1359));
-      and_1448_s11_q <= and_1448_s10_q;
+      select_649_s11_q <= select_649_s10_q;
+      xor_730_s11_q <= xor_730_s10_q;
+      xor_825_s11_q <= parity_779_s10_q ^ parity_824;
+      parity_870_s11_q <= parity_870;
+      and_871_s11_q <= parity_852 & parity_867;
+      and_873_s11_q <= (^{or_834, or_830, and_826}) & (parity_852 | parity_867);
+      and_875_s11_q <= or_830 & or_834;
+      and_877_s11_q <= and_826 & (or_830 | or_834);
+      or_882_s11_q <= or_882;
+      or_886_s11_q <= (or_860 & or_864) | (or_856 & (or_860 | or_864));
+      xor_979_s11_q <= xor_979_s10_q;
+      xor_1074_s11_q <= parity_1028_s10_q ^ parity_1073;
+      parity_1119_s11_q <= parity_1119;
+      and_1120_s11_q <= parity_1101 & parity_1116;
+      and_1122_s11_q <= (^{or_1083, or_1079, and_1075}) & (parity_1101 | parity_1116);
+      and_1124_s11_q <= or_1079 & or_1083;
+      and_1126_s11_q <= and_1075 & (or_1079 | or_1083);
+      or_1131_s11_q <= or_1131;
+      or_1135_s11_q <= (or_1109 & or_1113) | (or_1105 & (or_1109 | or_1113));
+      xor_1228_s11_q <= xor_1228_s10_q;
+      xor_1323_s11_q <= parity_1277_s10_q ^ parity_1322;
+      parity_1368_s11_q <= parity_1368;
+      and_1369_s11_q <= parity_1350 & parity_1365;
+      and_1371_s11_q <= (^{or_1332, or_1328, and_1324}) & (parity_1350 | parity_1365);
+      and_1373_s11_q <= or_1328 & or_1332;
+      and_1375_s11_q <= and_1324 & (or_1328 | or_1332);
+      or_1380_s11_q <= or_1380;
+      or_1384_s11_q <= (or_1358 & or_1362) | (or_1354 & (or_1358 | or_1362));
+      and_1451_s11_q <= and_1451_s10_q;
       right_s11_q <= right_s10_q;
-      select_1457_s11_q <= select_1457_s10_q;
-      equal_1466_s11_q <= equal_1466_s10_q;
-      and_1473_s11_q <= and_1473_s10_q;
+      select_1460_s11_q <= select_1460_s10_q;
+      equal_1469_s11_q <= equal_1469_s10_q;
       and_1476_s11_q <= and_1476_s10_q;
-      and_1480_s11_q <= and_1480_s10_q;
-      or_1494_s11_q <= or_1494_s10_q;
-      select_1505_s11_q <= so_s10_q ? x_s10_q[6:0] : select_1504;
-      and_1579_s11_q <= and_1579_s10_q;
-      not_1583_s11_q <= not_1583;
-      or_1589_s11_q <= (~equal_1585_s10_q) | (~equal_1587);
-      less_1606_s11_q <= less_1606_s10_q;
-      and_1967_s11_q <= and_1967_s10_q;
-      equal_2113_s11_q <= equal_2113_s10_q;
-      equal_2237_s11_q <= equal_2237_s10_q;
-      and_2548_s11_q <= and_2548_s10_q;
-      and_2550_s11_q <= and_2550_s10_q;
-      not_2723_s11_q <= not_2723_s10_q;
-      less_3532_s11_q <= less_3532_s10_q;
-      equal_3737_s11_q <= equal_3737_s10_q;
+      and_1479_s11_q <= and_1479_s10_q;
+      and_1483_s11_q <= and_1483_s10_q;
+      or_1497_s11_q <= or_1497_s10_q;
+      select_1508_s11_q <= so_s10_q ? x_s10_q[6:0] : select_1507;
+      and_1582_s11_q <= and_1582;
+      equal_1588_s11_q <= equal_1588_s10_q;
+      less_1609_s11_q <= less_1609_s10_q;
+      and_1993_s11_q <= and_1993_s10_q;
+      equal_2263_s11_q <= equal_2263_s10_q;
+      and_2264_s11_q <= and_2264_s10_q;
+      phase_s11_q <= phase;
+      not_2741_s11_q <= not_2741_s10_q;
     end
   end
 
   // Stage 11 ----------------------------------------------------------------------------------------------------------
+  logic lower_half_q;
   logic [5:0] sums_0_columns_values_0_q;
   logic [5:0] sums_0_columns_values_1_q;
   logic [5:0] sums_0_columns_values_2_q;
@@ -2331,226 +2165,102 @@ module horopter_agreement (
   logic [5:0] sums_1_columns_values_11_q;
   logic [5:0] sums_1_columns_values_12_q;
   logic [5:0] sums_1_columns_values_13_q;
-  logic patches_capturing_q;
-  logic [4:0] patches_row_q;
-  logic [2:0] patches_work_q;
-  logic patches_second_q;
-  logic [2:0] patches_following_q;
-  logic [4:0] patches_following_beats_q;
-  logic patches_begins_q;
-  logic patches_ends_q;
-  logic [11:0] patches_remaining_q;
-  logic [6:0] patches_step_q;
   // hls/stages/count_bits.hpp:25
-  logic or_871;
-  assign or_871 = and_868_s11_q | and_870_s11_q;
-  logic or_875;
-  assign or_875 = and_872_s11_q | and_874_s11_q;
+  logic or_874;
+  assign or_874 = and_871_s11_q | and_873_s11_q;
+  logic or_878;
+  assign or_878 = and_875_s11_q | and_877_s11_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_888;
-  assign parity_888 = ^{or_883_s11_q, or_879_s11_q, or_875, or_871};
+  logic parity_891;
+  assign parity_891 = ^{or_886_s11_q, or_882_s11_q, or_878, or_874};
   // hls/stages/count_bits.hpp:25
-  logic or_892;
-  assign or_892 = (or_879_s11_q & or_883_s11_q) | (or_875 & (or_879_s11_q | or_883_s11_q));
-  logic and_893;
-  assign and_893 = or_871 & (^{or_883_s11_q, or_879_s11_q, or_875});
+  logic or_895;
+  assign or_895 = (or_882_s11_q & or_886_s11_q) | (or_878 & (or_882_s11_q | or_886_s11_q));
+  logic and_896;
+  assign and_896 = or_874 & (^{or_886_s11_q, or_882_s11_q, or_878});
   // hls/stages/count_bits.hpp:24
-  logic xor_894;
-  assign xor_894 = or_892 ^ and_893;
+  logic xor_897;
+  assign xor_897 = or_895 ^ and_896;
   // hls/stages/count_bits.hpp:27
-  logic and_895;
-  assign and_895 = or_892 & and_893;
+  logic and_898;
+  assign and_898 = or_895 & and_896;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_896;
-  assign select_896 = equal_520_s11_q ? {and_895, xor_894, parity_888, parity_867_s11_q, xor_822_s11_q, xor_727_s11_q} : 6'h0;
+  logic [5:0] select_899;
+  assign select_899 = equal_523_s11_q ? {and_898, xor_897, parity_891, parity_870_s11_q, xor_825_s11_q, xor_730_s11_q} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_518_s11_q ? 6'h0 : select_896;
+  assign column_2 = or_521_s11_q ? 6'h0 : select_899;
   // hls/stages/count_bits.hpp:25
-  logic or_1120;
-  assign or_1120 = and_1117_s11_q | and_1119_s11_q;
-  logic or_1124;
-  assign or_1124 = and_1121_s11_q | and_1123_s11_q;
+  logic or_1123;
+  assign or_1123 = and_1120_s11_q | and_1122_s11_q;
+  logic or_1127;
+  assign or_1127 = and_1124_s11_q | and_1126_s11_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_1137;
-  assign parity_1137 = ^{or_1132_s11_q, or_1128_s11_q, or_1124, or_1120};
+  logic parity_1140;
+  assign parity_1140 = ^{or_1135_s11_q, or_1131_s11_q, or_1127, or_1123};
   // hls/stages/count_bits.hpp:25
-  logic or_1141;
-  assign or_1141 = (or_1128_s11_q & or_1132_s11_q) | (or_1124 & (or_1128_s11_q | or_1132_s11_q));
-  logic and_1142;
-  assign and_1142 = or_1120 & (^{or_1132_s11_q, or_1128_s11_q, or_1124});
+  logic or_1144;
+  assign or_1144 = (or_1131_s11_q & or_1135_s11_q) | (or_1127 & (or_1131_s11_q | or_1135_s11_q));
+  logic and_1145;
+  assign and_1145 = or_1123 & (^{or_1135_s11_q, or_1131_s11_q, or_1127});
   // hls/stages/count_bits.hpp:24
-  logic xor_1143;
-  assign xor_1143 = or_1141 ^ and_1142;
+  logic xor_1146;
+  assign xor_1146 = or_1144 ^ and_1145;
   // hls/stages/count_bits.hpp:27
-  logic and_1144;
-  assign and_1144 = or_1141 & and_1142;
+  logic and_1147;
+  assign and_1147 = or_1144 & and_1145;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_1145;
-  assign select_1145 = equal_520_s11_q ? {and_1144, xor_1143, parity_1137, parity_1116_s11_q, xor_1071_s11_q, xor_976_s11_q} : 6'h0;
+  logic [5:0] select_1148;
+  assign select_1148 = equal_523_s11_q ? {and_1147, xor_1146, parity_1140, parity_1119_s11_q, xor_1074_s11_q, xor_979_s11_q} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_518_s11_q ? 6'h0 : select_1145;
+  assign column_3 = or_521_s11_q ? 6'h0 : select_1148;
   // hls/stages/count_bits.hpp:25
-  logic or_1369;
-  assign or_1369 = and_1366_s11_q | and_1368_s11_q;
-  logic or_1373;
-  assign or_1373 = and_1370_s11_q | and_1372_s11_q;
+  logic or_1372;
+  assign or_1372 = and_1369_s11_q | and_1371_s11_q;
+  logic or_1376;
+  assign or_1376 = and_1373_s11_q | and_1375_s11_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_1386;
-  assign parity_1386 = ^{or_1381_s11_q, or_1377_s11_q, or_1373, or_1369};
+  logic parity_1389;
+  assign parity_1389 = ^{or_1384_s11_q, or_1380_s11_q, or_1376, or_1372};
   // hls/stages/count_bits.hpp:25
-  logic or_1390;
-  assign or_1390 = (or_1377_s11_q & or_1381_s11_q) | (or_1373 & (or_1377_s11_q | or_1381_s11_q));
-  logic and_1391;
-  assign and_1391 = or_1369 & (^{or_1381_s11_q, or_1377_s11_q, or_1373});
+  logic or_1393;
+  assign or_1393 = (or_1380_s11_q & or_1384_s11_q) | (or_1376 & (or_1380_s11_q | or_1384_s11_q));
+  logic and_1394;
+  assign and_1394 = or_1372 & (^{or_1384_s11_q, or_1380_s11_q, or_1376});
   // hls/stages/count_bits.hpp:24
-  logic xor_1392;
-  assign xor_1392 = or_1390 ^ and_1391;
+  logic xor_1395;
+  assign xor_1395 = or_1393 ^ and_1394;
   // hls/stages/count_bits.hpp:27
-  logic and_1393;
-  assign and_1393 = or_1390 & and_1391;
+  logic and_1396;
+  assign and_1396 = or_1393 & and_1394;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_1394;
-  assign select_1394 = equal_520_s11_q ? {and_1393, xor_1392, parity_1386, parity_1365_s11_q, xor_1320_s11_q, xor_1225_s11_q} : 6'h0;
+  logic [5:0] select_1397;
+  assign select_1397 = equal_523_s11_q ? {and_1396, xor_1395, parity_1389, parity_1368_s11_q, xor_1323_s11_q, xor_1228_s11_q} : 6'h0;
   logic [5:0] column_4;
-  assign column_4 = or_518_s11_q ? 6'h0 : select_1394;
+  assign column_4 = or_521_s11_q ? 6'h0 : select_1397;
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v_2;
   assign before_v_2 = age_s11_q[1] ? sums_0_columns_values_7_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1434;
-  assign sum_1434 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
+  logic [6:0] sum_1437;
+  assign sum_1437 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v_3;
   assign before_v_3 = age_s11_q[1] ? sums_1_columns_values_7_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1437;
-  assign sum_1437 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
-  // hls/stages/patches.hpp:346
-  logic not_1580;
-  assign not_1580 = ~patches_begins_q;
-  // hls/stages/patches.hpp:316
-  logic and_1584;
-  assign and_1584 = patches_capturing_q & not_1583_s11_q;
-  // hls/stages/patches.hpp:97
-  logic and_1592;
-  assign and_1592 = (not_1580 & (patches_work_q == 3'h0)) & (~(and_1584 | or_1589_s11_q));
-  // hls/stages/patches.hpp:454
-  logic equal_1672;
-  assign equal_1672 = patches_work_q == 3'h4;
-  logic equal_1674;
-  assign equal_1674 = patches_work_q == 3'h3;
-  // hls/stages/patches.hpp:143
-  logic equal_1676;
-  assign equal_1676 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:454
-  logic equal_1677;
-  assign equal_1677 = patches_work_q == 3'h2;
-  logic or_1678;
-  assign or_1678 = equal_1676 | equal_1677;
-  // hls/stages/patches.hpp:403
-  logic not_1679;
-  assign not_1679 = ~patches_second_q;
-  // hls/stages/patches.hpp:327
-  logic [4:0] select_1698;
-  assign select_1698 = and_1592 ? 5'h0 : (patches_row_q + 5'h1);
-  // hls/stages/patches.hpp:98
-  logic [4:0] select_1699;
-  assign select_1699 = and_1579_s11_q ? select_1698 : patches_row_q;
-  // hls/stages/patches.hpp:97
-  logic and_1701;
-  assign and_1701 = and_1584 & (patches_row_q == 5'h1f);
-  // hls/stages/patches.hpp:98
-  logic select_1705;
-  assign select_1705 = and_1579_s11_q ? (and_1592 | (and_1584 & (~and_1701))) : patches_capturing_q;
-  // hls/stages/patches.hpp:143
-  logic not_1727;
-  assign not_1727 = ~equal_1676;
-  // hls/stages/agreement.hpp:263
-  logic [3:0] select_1739;
-  assign select_1739 = and_1579_s11_q ? {select_1698[4], select_1698[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
-  // hls/stages/patches.hpp:466
-  logic less_1804;
-  assign less_1804 = patches_step_q[4:0] < 5'h11;
-  logic equal_1805;
-  assign equal_1805 = patches_step_q[6:5] == 2'h0;
-  logic not_1806;
-  assign not_1806 = ~equal_1805;
-  logic equal_1807;
-  assign equal_1807 = patches_step_q[6:5] == 2'h3;
-  logic not_1808;
-  assign not_1808 = ~equal_1807;
-  // hls/stages/patches.hpp:480
-  logic select_1811;
-  assign select_1811 = equal_1807 ? (less_1804 & (less_1804 & not_1808)) : less_1804;
-  // hls/stages/patches.hpp:347
-  logic or_2762;
-  assign or_2762 = patches_begins_q | patches_ends_q;
-  // hls/stages/patches.hpp:349
-  logic [2:0] following;
-  assign following = patches_begins_q ? 3'h1 : patches_following_q;
-  // hls/stages/patches.hpp:163
-  logic and_2768;
-  assign and_2768 = equal_1672 & not_1679;
-  // hls/stages/patches.hpp:353
-  logic and_2769;
-  assign and_2769 = not_1727 & and_2768;
-  logic [1:0] select_2771;
-  assign select_2771 = equal_1674 ? 2'h0 : (equal_1677 ? 2'h3 : {equal_1676, and_2769});
-  // hls/stages/patches.hpp:244
-  logic equal_2773;
-  assign equal_2773 = patches_following_q == 3'h4;
-  // hls/stages/patches.hpp:242
-  logic not_2774;
-  assign not_2774 = ~equal_2773;
-  // hls/stages/patches.hpp:244
-  logic equal_2775;
-  assign equal_2775 = patches_following_q == 3'h3;
-  // hls/stages/patches.hpp:240
-  logic not_2776;
-  assign not_2776 = ~equal_2775;
-  // hls/stages/patches.hpp:248
-  logic not_2778;
-  assign not_2778 = ~(patches_following_q == 3'h2);
-  logic and_2781;
-  assign and_2781 = (~(patches_following_q == 3'h1)) & not_2778;
-  // hls/stages/patches.hpp:351
-  logic [1:0] select_2782;
-  assign select_2782 = equal_2775 ? 2'h2 : {and_2781, not_2778};
-  logic [3:0] select_2783;
-  assign select_2783 = equal_2773 ? 4'h2 : {select_2782, {2{not_2776}}};
-  // hls/stages/patches.hpp:359
-  logic not_2786;
-  assign not_2786 = ~or_2762;
-  // hls/stages/patches.hpp:348
-  logic [4:0] beats;
-  assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
-  // hls/stages/patches.hpp:360
-  logic [11:0] select_2791;
-  assign select_2791 = or_2762 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  logic [6:0] sum_1440;
+  assign sum_1440 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
+  // hls/stages/agreement.hpp:447
+  logic select_2360;
+  assign select_2360 = equal_2263_s11_q ? (~({row_s11_q, 1'b0} < {sum_2357, cfg_height_i[4]})) : lower_half_q;
+  // hls/stages/agreement.hpp:507
+  logic and_2565;
+  assign and_2565 = and_500_s11_q & (equal_2263_s11_q & (row_s11_q[6:2] == 5'h0));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      patches_capturing_q <= 1'b0;
-      patches_row_q <= 5'h0;
-      patches_work_q <= 3'h0;
-      patches_second_q <= 1'b0;
-      patches_following_q <= 3'h0;
-      patches_following_beats_q <= 5'h0;
-      patches_begins_q <= 1'b0;
-      patches_ends_q <= 1'b0;
-      patches_remaining_q <= 12'h0;
-      patches_step_q <= 7'h0;
+      lower_half_q <= 1'b0;
     end else if (s11_en) begin
-      patches_capturing_q <= sample_pair_whole_s11_q ? select_1705 : patches_capturing_q;
-      patches_row_q <= sample_pair_whole_s11_q ? select_1699 : patches_row_q;
-      patches_work_q <= or_2762 ? following : patches_work_q;
-      patches_second_q <= not_1580 & (patches_second_q | (patches_ends_q & equal_1672));
-      patches_following_q <= equal_1672 ? {2'h0, and_2768} : {equal_1674, select_2771};
-      patches_following_beats_q <= {select_2783, not_2774};
-      patches_begins_q <= sample_pair_whole_s11_q & (and_1579_s11_q & and_1701);
-      patches_ends_q <= not_2786 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_2791;
-      patches_step_q <= or_2762 ? 7'h0 : (patches_step_q + 7'h1);
+      lower_half_q <= and_500_s11_q ? select_2360 : lower_half_q;
     end
   end
 
@@ -2626,6 +2336,7 @@ module horopter_agreement (
   logic mask_s12_q;
   logic marks_first_s12_q;
   logic marks_last_s12_q;
+  logic sample_pair_first_s12_q;
   logic sample_pair_whole_s12_q;
   logic sample_present_s12_q;
   logic [5:0] run_shift_s12_q;
@@ -2635,76 +2346,54 @@ module horopter_agreement (
   logic [2:0] slot_s12_q;
   logic ends_cell_s12_q;
   logic lower_half_s12_q;
-  logic [4:0] patches_band_rows_number_s12_q;
-  logic patches_chooses_s12_q;
-  logic [4:0] patches_choosing_band_s12_q;
-  logic patches_second_s12_q;
-  logic [4:0] patches_step_s12_q;
-  logic [3:0] select_458_s12_q;
-  logic equal_459_s12_q;
-  logic [6:0] select_461_s12_q;
-  logic [8:0] select_465_s12_q;
-  logic and_471_s12_q;
-  logic equal_477_s12_q;
+  logic [3:0] select_461_s12_q;
+  logic equal_462_s12_q;
+  logic [6:0] select_464_s12_q;
+  logic [8:0] select_468_s12_q;
+  logic and_474_s12_q;
+  logic equal_480_s12_q;
   logic [6:0] column_s12_q;
-  logic and_495_s12_q;
-  logic and_497_s12_q;
+  logic and_498_s12_q;
+  logic and_500_s12_q;
   logic so_s12_q;
-  logic equal_517_s12_q;
-  logic or_518_s12_q;
-  logic less_525_s12_q;
-  logic not_526_s12_q;
-  logic equal_558_s12_q;
+  logic equal_520_s12_q;
+  logic or_521_s12_q;
+  logic less_528_s12_q;
+  logic not_529_s12_q;
+  logic equal_561_s12_q;
   logic [6:0] x_s12_2_q;
   logic [45:0] best_left_rdata_s12_q;
-  logic select_646_s12_q;
+  logic select_649_s12_q;
   logic [5:0] column_2_s12_q;
-  logic [5:0] select_1147_s12_q;
-  logic [5:0] select_1396_s12_q;
-  logic [6:0] sum_1435_s12_q;
+  logic [5:0] select_1150_s12_q;
+  logic [5:0] select_1399_s12_q;
   logic [6:0] sum_1438_s12_q;
-  logic and_1448_s12_q;
+  logic [6:0] sum_1441_s12_q;
+  logic and_1451_s12_q;
   logic [6:0] right_s12_q;
   logic [28:0] best_right_rdata_s12_q;
-  logic select_1457_s12_q;
-  logic equal_1466_s12_q;
-  logic and_1473_s12_q;
+  logic select_1460_s12_q;
+  logic equal_1469_s12_q;
   logic and_1476_s12_q;
-  logic and_1480_s12_q;
-  logic or_1494_s12_q;
-  logic [6:0] select_1505_s12_q;
-  logic and_1579_s12_q;
-  logic and_1592_s12_q;
-  logic less_1606_s12_q;
-  logic equal_1672_s12_q;
-  logic equal_1674_s12_q;
-  logic equal_1676_s12_q;
-  logic or_1678_s12_q;
-  logic and_1681_s12_q;
-  logic [4:0] select_1699_s12_q;
-  logic select_1705_s12_q;
-  logic and_1711_s12_q;
-  logic and_1728_s12_q;
-  logic [3:0] select_1739_s12_q;
-  logic less_1804_s12_q;
-  logic equal_1805_s12_q;
-  logic not_1806_s12_q;
-  logic equal_1807_s12_q;
-  logic not_1808_s12_q;
-  logic select_1811_s12_q;
-  logic and_1812_s12_q;
-  logic and_1967_s12_q;
-  logic equal_2113_s12_q;
-  logic equal_2237_s12_q;
-  logic and_2548_s12_q;
-  logic and_2550_s12_q;
-  logic not_2723_s12_q;
-  logic or_2762_s12_q;
-  logic not_2786_s12_q;
-  logic and_3250_s12_q;
-  logic equal_3257_s12_q;
-  logic less_3532_s12_q;
-  logic equal_3737_s12_q;
+  logic and_1479_s12_q;
+  logic and_1483_s12_q;
+  logic or_1497_s12_q;
+  logic [6:0] select_1508_s12_q;
+  logic and_1582_s12_q;
+  logic equal_1588_s12_q;
+  logic less_1609_s12_q;
+  logic and_1993_s12_q;
+  logic equal_2139_s12_q;
+  logic equal_2263_s12_q;
+  logic and_2566_s12_q;
+  logic and_2568_s12_q;
+  logic [3:0] phase_s12_q;
+  logic equal_2695_s12_q;
+  logic [3:0] select_2698_s12_q;
+  logic less_2709_s12_q;
+  logic not_2741_s12_q;
+  logic less_3552_s12_q;
+  logic equal_3757_s12_q;
   always_ff @(posedge clk_i) begin
     if (s11_en) begin
       pixel_0_s12_q <= pixel_0_s11_q;
@@ -2713,6 +2402,7 @@ module horopter_agreement (
       mask_s12_q <= mask_s11_q;
       marks_first_s12_q <= marks_first_s11_q;
       marks_last_s12_q <= marks_last_s11_q;
+      sample_pair_first_s12_q <= sample_pair_first_s11_q;
       sample_pair_whole_s12_q <= sample_pair_whole_s11_q;
       sample_present_s12_q <= sample_present_s11_q;
       run_shift_s12_q <= run_shift_s11_q;
@@ -2721,77 +2411,55 @@ module horopter_agreement (
       age_s12_q <= age_s11_q;
       slot_s12_q <= slot_s11_q;
       ends_cell_s12_q <= ends_cell_s11_q;
-      lower_half_s12_q <= lower_half_s11_q;
-      patches_band_rows_number_s12_q <= patches_band_rows_number_s11_q;
-      patches_chooses_s12_q <= patches_chooses_s11_q;
-      patches_choosing_band_s12_q <= patches_choosing_band_s11_q;
-      patches_second_s12_q <= patches_second_q;
-      patches_step_s12_q <= patches_step_q[4:0];
-      select_458_s12_q <= select_458_s11_q;
-      equal_459_s12_q <= equal_459_s11_q;
+      lower_half_s12_q <= lower_half_q;
       select_461_s12_q <= select_461_s11_q;
-      select_465_s12_q <= select_465_s11_q;
-      and_471_s12_q <= and_471_s11_q;
-      equal_477_s12_q <= equal_477_s11_q;
+      equal_462_s12_q <= equal_462_s11_q;
+      select_464_s12_q <= select_464_s11_q;
+      select_468_s12_q <= select_468_s11_q;
+      and_474_s12_q <= and_474_s11_q;
+      equal_480_s12_q <= equal_480_s11_q;
       column_s12_q <= column_s11_q;
-      and_495_s12_q <= and_495_s11_q;
-      and_497_s12_q <= and_497_s11_q;
+      and_498_s12_q <= and_498_s11_q;
+      and_500_s12_q <= and_500_s11_q;
       so_s12_q <= so_s11_q;
-      equal_517_s12_q <= equal_517_s11_q;
-      or_518_s12_q <= or_518_s11_q;
-      less_525_s12_q <= less_525_s11_q;
-      not_526_s12_q <= not_526_s11_q;
-      equal_558_s12_q <= equal_558_s11_q;
+      equal_520_s12_q <= equal_520_s11_q;
+      or_521_s12_q <= or_521_s11_q;
+      less_528_s12_q <= less_528_s11_q;
+      not_529_s12_q <= not_529_s11_q;
+      equal_561_s12_q <= row_s11_q == 7'h0;
       x_s12_2_q <= x_s11_2_q;
       best_left_rdata_s12_q <= best_left_rdata_s11_q;
-      select_646_s12_q <= select_646_s11_q;
+      select_649_s12_q <= select_649_s11_q;
       column_2_s12_q <= column_2;
-      select_1147_s12_q <= age_s11_q[3] ? sums_0_columns_values_13_q : 6'h0;
-      select_1396_s12_q <= age_s11_q[3] ? sums_1_columns_values_13_q : 6'h0;
-      sum_1435_s12_q <= {1'b0, before_v_2} + sum_1434;
-      sum_1438_s12_q <= {1'b0, before_v_3} + sum_1437;
-      and_1448_s12_q <= and_1448_s11_q;
+      select_1150_s12_q <= age_s11_q[3] ? sums_0_columns_values_13_q : 6'h0;
+      select_1399_s12_q <= age_s11_q[3] ? sums_1_columns_values_13_q : 6'h0;
+      sum_1438_s12_q <= {1'b0, before_v_2} + sum_1437;
+      sum_1441_s12_q <= {1'b0, before_v_3} + sum_1440;
+      and_1451_s12_q <= and_1451_s11_q;
       right_s12_q <= right_s11_q;
       best_right_rdata_s12_q <= best_right_rdata_q;
-      select_1457_s12_q <= select_1457_s11_q;
-      equal_1466_s12_q <= equal_1466_s11_q;
-      and_1473_s12_q <= and_1473_s11_q;
+      select_1460_s12_q <= select_1460_s11_q;
+      equal_1469_s12_q <= equal_1469_s11_q;
       and_1476_s12_q <= and_1476_s11_q;
-      and_1480_s12_q <= and_1480_s11_q;
-      or_1494_s12_q <= or_1494_s11_q;
-      select_1505_s12_q <= select_1505_s11_q;
-      and_1579_s12_q <= and_1579_s11_q;
-      and_1592_s12_q <= and_1592;
-      less_1606_s12_q <= less_1606_s11_q;
-      equal_1672_s12_q <= equal_1672;
-      equal_1674_s12_q <= equal_1674;
-      equal_1676_s12_q <= equal_1676;
-      or_1678_s12_q <= or_1678;
-      and_1681_s12_q <= or_1678 & (equal_1676 & not_1679);
-      select_1699_s12_q <= select_1699;
-      select_1705_s12_q <= select_1705;
-      and_1711_s12_q <= or_1678 & (patches_second_q & equal_1676);
-      and_1728_s12_q <= not_1727 & or_1678;
-      select_1739_s12_q <= select_1739;
-      less_1804_s12_q <= less_1804;
-      equal_1805_s12_q <= equal_1805;
-      not_1806_s12_q <= not_1806;
-      equal_1807_s12_q <= equal_1807;
-      not_1808_s12_q <= not_1808;
-      select_1811_s12_q <= select_1811;
-      and_1812_s12_q <= not_1806 & select_1811;
-      and_1967_s12_q <= and_1967_s11_q;
-      equal_2113_s12_q <= equal_2113_s11_q;
-      equal_2237_s12_q <= equal_2237_s11_q;
-      and_2548_s12_q <= and_2548_s11_q;
-      and_2550_s12_q <= and_2550_s11_q;
-      not_2723_s12_q <= not_2723_s11_q;
-      or_2762_s12_q <= or_2762;
-      not_2786_s12_q <= not_2786;
-      and_3250_s12_q <= less_1804 & (patches_step_q[6:5] == 2'h1);
-      equal_3257_s12_q <= patches_step_q[6:5] == 2'h2;
-      less_3532_s12_q <= less_3532_s11_q;
-      equal_3737_s12_q <= equal_3737_s11_q;
+      and_1479_s12_q <= and_1479_s11_q;
+      and_1483_s12_q <= and_1483_s11_q;
+      or_1497_s12_q <= or_1497_s11_q;
+      select_1508_s12_q <= select_1508_s11_q;
+      and_1582_s12_q <= and_1582_s11_q;
+      equal_1588_s12_q <= equal_1588_s11_q;
+      less_1609_s12_q <= less_1609_s11_q;
+      and_1993_s12_q <= and_1993_s11_q;
+      equal_2139_s12_q <= (column_s11_q | row_s11_q) == 7'h0;
+      equal_2263_s12_q <= equal_2263_s11_q;
+      and_2566_s12_q <= and_2264_s11_q & and_2565;
+      and_2568_s12_q <= and_2264_s11_q & (~and_2565);
+      phase_s12_q <= phase_s11_q;
+      equal_2695_s12_q <= row_s11_q == 7'h3;
+      select_2698_s12_q <= (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
+      less_2709_s12_q <= 7'h2 < row_s11_q;
+      not_2741_s12_q <= not_2741_s11_q;
+      less_3552_s12_q <= 6'h2 < row_s11_q[6:1];
+      equal_3757_s12_q <= row_s11_q[6:3] == 4'h0;
     end
   end
 
@@ -2803,137 +2471,54 @@ module horopter_agreement (
   logic [5:0] middle_sum_columns_values_4_q;
   logic [5:0] middle_sum_columns_values_5_q;
   logic [5:0] middle_sum_columns_values_6_q;
-  logic patches_lower_q;
-  logic [4:0] patches_code_row_q;
-  logic [4:0] patches_column_q;
-  logic patches_column_ends_q;
+  logic [3:0] patches_choosing_rows_to_next_q;
+  logic patches_chooses_q;
   // hls/stages/agreement.hpp:762
-  logic [5:0] select_898;
-  assign select_898 = age_s12_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [5:0] select_901;
+  assign select_901 = age_s12_q[3] ? middle_sum_columns_values_6_q : 6'h0;
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v;
   assign before_v = age_s12_q[1] ? middle_sum_columns_values_3_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1430;
-  assign sum_1430 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
+  logic [6:0] sum_1433;
+  assign sum_1433 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
   // hls/stages/agreement.hpp:735
-  logic [6:0] select_1440;
-  assign select_1440 = (sum_1435_s12_q < sum_1438_s12_q) ? sum_1438_s12_q : sum_1435_s12_q;
+  logic [6:0] select_1443;
+  assign select_1443 = (sum_1438_s12_q < sum_1441_s12_q) ? sum_1441_s12_q : sum_1438_s12_q;
   // hls/stages/agreement.hpp:936
   logic [6:0] chosen;
   assign chosen = slot_s12_q[2] ? best_right_rdata_s12_q[14:8] : best_right_rdata_s12_q[28:22];
-  // hls/stages/patches.hpp:435
-  logic not_1673;
-  assign not_1673 = ~equal_1672_s12_q;
-  // hls/stages/patches.hpp:401
-  logic not_1675;
-  assign not_1675 = ~equal_1674_s12_q;
-  logic and_1749;
-  assign and_1749 = not_1673 & (or_1678_s12_q & not_1675);
-  // hls/stages/patches.hpp:160
-  logic and_1814;
-  assign and_1814 = equal_1672_s12_q & (less_1804_s12_q ? and_1812_s12_q : select_1811_s12_q);
   // hls/stages/agreement.hpp:227
-  logic [5:0] select_2337;
-  assign select_2337 = slot_s12_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_2338;
-  assign select_2338 = slot_s12_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
-  logic [5:0] select_2339;
-  assign select_2339 = slot_s12_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
-  logic [5:0] select_2340;
-  assign select_2340 = slot_s12_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
-  logic [5:0] select_2341;
-  assign select_2341 = slot_s12_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
-  logic [5:0] select_2342;
-  assign select_2342 = slot_s12_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
-  // hls/stages/patches.hpp:98
-  logic select_2725;
-  assign select_2725 = and_1579_s12_q ? (and_1592_s12_q ? not_2723_s12_q : patches_lower_q) : patches_lower_q;
-  // hls/stages/patches.hpp:163
-  logic [4:0] select_2793;
-  assign select_2793 = or_2762_s12_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
-  // hls/stages/patches.hpp:477
-  logic select_3252;
-  assign select_3252 = less_1804_s12_q ? (not_1808_s12_q & and_3250_s12_q) : and_3250_s12_q;
-  // hls/stages/patches.hpp:480
-  logic select_3253;
-  assign select_3253 = equal_1807_s12_q ? select_3252 : and_3250_s12_q;
-
-  // Memory patches_right_0, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:677; read in stage 12, written in stage 24: 12 < 24 < 12 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [7:0] patches_right_0_mem [0:1023];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 1024; i++) patches_right_0_mem[i] = 8'h0;
-`endif
-  logic [9:0] patches_right_0_raddr;
-  assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
-  logic patches_right_0_re;
-  assign patches_right_0_re = s12_en & (not_1673 & (not_1675 & and_1681_s12_q));
-  logic [7:0] patches_right_0_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (patches_right_0_re) patches_right_0_rdata_q <= patches_right_0_mem[patches_right_0_raddr];
-  end
-
-  // Memory patches_right_1, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:677; read in stage 12, written in stage 24: 12 < 24 < 12 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [7:0] patches_right_1_mem [0:1023];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 1024; i++) patches_right_1_mem[i] = 8'h0;
-`endif
-  logic [9:0] patches_right_1_raddr;
-  assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
-  logic patches_right_1_re;
-  assign patches_right_1_re = s12_en & (not_1673 & (not_1675 & and_1711_s12_q));
-  logic [7:0] patches_right_1_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (patches_right_1_re) patches_right_1_rdata_q <= patches_right_1_mem[patches_right_1_raddr];
-  end
-
-  // Memory patches_columns_above, 32 x 32, DISTANCE 24, hls/stages/patches.hpp:689; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [31:0] patches_columns_above_mem [0:31];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 32; i++) patches_columns_above_mem[i] = 32'h0;
-`endif
-  logic [4:0] patches_columns_above_raddr;
-  assign patches_columns_above_raddr = patches_column_q;
-  logic patches_columns_above_re;
-  assign patches_columns_above_re = s12_en & and_1749;
-  logic [31:0] patches_columns_above_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (patches_columns_above_re) patches_columns_above_rdata_q <= patches_columns_above_mem[patches_columns_above_raddr];
-  end
-
-  // Memory patches_rows, 17 x 15, DISTANCE 24, hls/stages/patches.hpp:708; read in stage 12, written in stage 26: 12 < 26 < 12 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [14:0] patches_rows_mem [0:16];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 17; i++) patches_rows_mem[i] = 15'h0;
-`endif
-  logic [4:0] patches_rows_raddr;
-  assign patches_rows_raddr = patches_step_s12_q;
-  logic patches_rows_re;
-  assign patches_rows_re = s12_en & and_1814;
-  logic [14:0] patches_rows_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (patches_rows_re) patches_rows_rdata_q <= patches_rows_mem[patches_rows_raddr];
-  end
+  logic [5:0] select_2363;
+  assign select_2363 = slot_s12_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
+  logic [5:0] select_2364;
+  assign select_2364 = slot_s12_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
+  logic [5:0] select_2365;
+  assign select_2365 = slot_s12_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  logic [5:0] select_2366;
+  assign select_2366 = slot_s12_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_2367;
+  assign select_2367 = slot_s12_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_2368;
+  assign select_2368 = slot_s12_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  // hls/stages/patches.hpp:64
+  logic [3:0] select_2699;
+  assign select_2699 = equal_2695_s12_q ? select_2698_s12_q : patches_choosing_rows_to_next_q;
+  logic equal_2700;
+  assign equal_2700 = select_2699 == 4'h0;
+  // hls/stages/agreement.hpp:447
+  logic [3:0] select_2703;
+  assign select_2703 = equal_2263_s12_q ? (equal_2700 ? 4'h2 : (select_2699 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic select_2711;
+  assign select_2711 = equal_2263_s12_q ? (less_2709_s12_q & equal_2700) : patches_chooses_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      patches_lower_q <= 1'b0;
-      patches_code_row_q <= 5'h0;
-      patches_column_q <= 5'h0;
-      patches_column_ends_q <= 1'b0;
+      patches_choosing_rows_to_next_q <= 4'h0;
+      patches_chooses_q <= 1'b0;
     end else if (s12_en) begin
-      patches_lower_q <= sample_pair_whole_s12_q ? select_2725 : patches_lower_q;
-      patches_code_row_q <= select_2793;
-      patches_column_q <= or_2762_s12_q ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_2786_s12_q & (patches_column_q == 5'h1e);
+      patches_choosing_rows_to_next_q <= and_500_s12_q ? select_2703 : patches_choosing_rows_to_next_q;
+      patches_chooses_q <= and_500_s12_q ? select_2711 : patches_chooses_q;
     end
   end
 
@@ -2952,12 +2537,12 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s12_en) begin
       middle_sum_columns_values_0_q <= slot_s12_q[0] ? middle_sum_columns_values_0_q : column_2_s12_q;
-      middle_sum_columns_values_1_q <= select_2337;
-      middle_sum_columns_values_2_q <= select_2338;
-      middle_sum_columns_values_3_q <= select_2339;
-      middle_sum_columns_values_4_q <= select_2340;
-      middle_sum_columns_values_5_q <= select_2341;
-      middle_sum_columns_values_6_q <= select_2342;
+      middle_sum_columns_values_1_q <= select_2363;
+      middle_sum_columns_values_2_q <= select_2364;
+      middle_sum_columns_values_3_q <= select_2365;
+      middle_sum_columns_values_4_q <= select_2366;
+      middle_sum_columns_values_5_q <= select_2367;
+      middle_sum_columns_values_6_q <= select_2368;
     end
   end
 
@@ -2967,6 +2552,7 @@ module horopter_agreement (
   logic mask_s13_q;
   logic marks_first_s13_q;
   logic marks_last_s13_q;
+  logic sample_pair_first_s13_q;
   logic sample_pair_whole_s13_q;
   logic sample_present_s13_q;
   logic [5:0] run_shift_s13_q;
@@ -2976,81 +2562,59 @@ module horopter_agreement (
   logic [2:0] slot_s13_q;
   logic ends_cell_s13_q;
   logic lower_half_s13_q;
-  logic [4:0] patches_band_rows_number_s13_q;
+  logic [3:0] patches_choosing_rows_to_next_s13_q;
   logic patches_chooses_s13_q;
-  logic [4:0] patches_choosing_band_s13_q;
-  logic patches_lower_s13_q;
-  logic patches_second_s13_q;
-  logic [4:0] patches_code_row_s13_q;
-  logic [4:0] patches_column_s13_q;
-  logic [4:0] patches_step_s13_q;
-  logic [3:0] select_458_s13_q;
-  logic equal_459_s13_q;
-  logic [6:0] select_461_s13_q;
-  logic [8:0] select_465_s13_q;
-  logic and_471_s13_q;
-  logic equal_477_s13_q;
+  logic [3:0] select_461_s13_q;
+  logic equal_462_s13_q;
+  logic [6:0] select_464_s13_q;
+  logic [8:0] select_468_s13_q;
+  logic and_474_s13_q;
+  logic equal_480_s13_q;
   logic [6:0] column_s13_q;
-  logic and_495_s13_q;
-  logic and_497_s13_q;
+  logic and_498_s13_q;
+  logic and_500_s13_q;
   logic so_s13_q;
-  logic equal_517_s13_q;
-  logic or_518_s13_q;
-  logic less_525_s13_q;
-  logic not_526_s13_q;
-  logic equal_558_s13_q;
+  logic equal_520_s13_q;
+  logic or_521_s13_q;
+  logic less_528_s13_q;
+  logic not_529_s13_q;
+  logic equal_561_s13_q;
   logic [6:0] x_s13_2_q;
   logic [45:0] best_left_rdata_s13_q;
-  logic select_646_s13_q;
-  logic [6:0] difference_899_s13_q;
-  logic [6:0] difference_1148_s13_q;
-  logic equal_1149_s13_q;
-  logic [6:0] difference_1397_s13_q;
-  logic [6:0] sum_1431_s13_q;
-  logic [6:0] select_1440_s13_q;
-  logic and_1448_s13_q;
+  logic select_649_s13_q;
+  logic [6:0] difference_902_s13_q;
+  logic [6:0] difference_1151_s13_q;
+  logic equal_1152_s13_q;
+  logic [6:0] difference_1400_s13_q;
+  logic [6:0] sum_1434_s13_q;
+  logic [6:0] select_1443_s13_q;
+  logic and_1451_s13_q;
   logic [6:0] right_s13_q;
   logic [28:0] best_right_rdata_s13_q;
-  logic select_1457_s13_q;
-  logic equal_1466_s13_q;
-  logic and_1473_s13_q;
+  logic select_1460_s13_q;
+  logic equal_1469_s13_q;
   logic and_1476_s13_q;
-  logic and_1480_s13_q;
-  logic less_1481_s13_q;
+  logic and_1479_s13_q;
+  logic and_1483_s13_q;
+  logic less_1484_s13_q;
   logic [6:0] chosen_s13_q;
-  logic or_1494_s13_q;
-  logic [6:0] select_1505_s13_q;
-  logic and_1579_s13_q;
-  logic and_1592_s13_q;
-  logic less_1606_s13_q;
-  logic equal_1672_s13_q;
-  logic not_1673_s13_q;
-  logic equal_1674_s13_q;
-  logic not_1675_s13_q;
-  logic equal_1676_s13_q;
-  logic or_1678_s13_q;
-  logic [4:0] select_1699_s13_q;
-  logic select_1705_s13_q;
-  logic and_1730_s13_q;
-  logic [3:0] select_1739_s13_q;
-  logic and_1749_s13_q;
-  logic less_1804_s13_q;
-  logic equal_1805_s13_q;
-  logic not_1806_s13_q;
-  logic equal_1807_s13_q;
-  logic not_1808_s13_q;
-  logic and_1967_s13_q;
-  logic equal_2113_s13_q;
-  logic equal_2237_s13_q;
-  logic and_2548_s13_q;
-  logic and_2550_s13_q;
-  logic and_2557_s13_q;
-  logic or_2762_s13_q;
-  logic not_2786_s13_q;
-  logic select_3255_s13_q;
-  logic equal_3257_s13_q;
-  logic less_3532_s13_q;
-  logic equal_3737_s13_q;
+  logic or_1497_s13_q;
+  logic [6:0] select_1508_s13_q;
+  logic and_1582_s13_q;
+  logic equal_1588_s13_q;
+  logic less_1609_s13_q;
+  logic and_1993_s13_q;
+  logic equal_2139_s13_q;
+  logic equal_2263_s13_q;
+  logic and_2566_s13_q;
+  logic and_2568_s13_q;
+  logic and_2575_s13_q;
+  logic [3:0] phase_s13_q;
+  logic equal_2695_s13_q;
+  logic equal_2700_s13_q;
+  logic not_2741_s13_q;
+  logic less_3552_s13_q;
+  logic equal_3757_s13_q;
   always_ff @(posedge clk_i) begin
     if (s12_en) begin
       pixel_0_s13_q <= pixel_0_s12_q;
@@ -3059,6 +2623,7 @@ module horopter_agreement (
       mask_s13_q <= mask_s12_q;
       marks_first_s13_q <= marks_first_s12_q;
       marks_last_s13_q <= marks_last_s12_q;
+      sample_pair_first_s13_q <= sample_pair_first_s12_q;
       sample_pair_whole_s13_q <= sample_pair_whole_s12_q;
       sample_present_s13_q <= sample_present_s12_q;
       run_shift_s13_q <= run_shift_s12_q;
@@ -3068,81 +2633,59 @@ module horopter_agreement (
       slot_s13_q <= slot_s12_q;
       ends_cell_s13_q <= ends_cell_s12_q;
       lower_half_s13_q <= lower_half_s12_q;
-      patches_band_rows_number_s13_q <= patches_band_rows_number_s12_q;
-      patches_chooses_s13_q <= patches_chooses_s12_q;
-      patches_choosing_band_s13_q <= patches_choosing_band_s12_q;
-      patches_lower_s13_q <= patches_lower_q;
-      patches_second_s13_q <= patches_second_s12_q;
-      patches_code_row_s13_q <= patches_code_row_q;
-      patches_column_s13_q <= patches_column_q;
-      patches_step_s13_q <= patches_step_s12_q;
-      select_458_s13_q <= select_458_s12_q;
-      equal_459_s13_q <= equal_459_s12_q;
+      patches_choosing_rows_to_next_s13_q <= patches_choosing_rows_to_next_q;
+      patches_chooses_s13_q <= patches_chooses_q;
       select_461_s13_q <= select_461_s12_q;
-      select_465_s13_q <= select_465_s12_q;
-      and_471_s13_q <= and_471_s12_q;
-      equal_477_s13_q <= equal_477_s12_q;
+      equal_462_s13_q <= equal_462_s12_q;
+      select_464_s13_q <= select_464_s12_q;
+      select_468_s13_q <= select_468_s12_q;
+      and_474_s13_q <= and_474_s12_q;
+      equal_480_s13_q <= equal_480_s12_q;
       column_s13_q <= column_s12_q;
-      and_495_s13_q <= and_495_s12_q;
-      and_497_s13_q <= and_497_s12_q;
+      and_498_s13_q <= and_498_s12_q;
+      and_500_s13_q <= and_500_s12_q;
       so_s13_q <= so_s12_q;
-      equal_517_s13_q <= equal_517_s12_q;
-      or_518_s13_q <= or_518_s12_q;
-      less_525_s13_q <= less_525_s12_q;
-      not_526_s13_q <= not_526_s12_q;
-      equal_558_s13_q <= equal_558_s12_q;
+      equal_520_s13_q <= equal_520_s12_q;
+      or_521_s13_q <= or_521_s12_q;
+      less_528_s13_q <= less_528_s12_q;
+      not_529_s13_q <= not_529_s12_q;
+      equal_561_s13_q <= equal_561_s12_q;
       x_s13_2_q <= x_s12_2_q;
       best_left_rdata_s13_q <= best_left_rdata_s12_q;
-      select_646_s13_q <= select_646_s12_q;
-      difference_899_s13_q <= {1'b0, column_2_s12_q} - {1'b0, select_898};
-      difference_1148_s13_q <= {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1147_s12_q};
-      equal_1149_s13_q <= {age_s12_q[0], slot_s12_q[0]} == 2'h0;
-      difference_1397_s13_q <= {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1396_s12_q};
-      sum_1431_s13_q <= {1'b0, before_v} + sum_1430;
-      select_1440_s13_q <= select_1440;
-      and_1448_s13_q <= and_1448_s12_q;
+      select_649_s13_q <= select_649_s12_q;
+      difference_902_s13_q <= {1'b0, column_2_s12_q} - {1'b0, select_901};
+      difference_1151_s13_q <= {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1150_s12_q};
+      equal_1152_s13_q <= {age_s12_q[0], slot_s12_q[0]} == 2'h0;
+      difference_1400_s13_q <= {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1399_s12_q};
+      sum_1434_s13_q <= {1'b0, before_v} + sum_1433;
+      select_1443_s13_q <= select_1443;
+      and_1451_s13_q <= and_1451_s12_q;
       right_s13_q <= right_s12_q;
       best_right_rdata_s13_q <= best_right_rdata_s12_q;
-      select_1457_s13_q <= select_1457_s12_q;
-      equal_1466_s13_q <= equal_1466_s12_q;
-      and_1473_s13_q <= and_1473_s12_q;
+      select_1460_s13_q <= select_1460_s12_q;
+      equal_1469_s13_q <= equal_1469_s12_q;
       and_1476_s13_q <= and_1476_s12_q;
-      and_1480_s13_q <= and_1480_s12_q;
-      less_1481_s13_q <= 8'hb6 < best_left_rdata_s12_q[16:9];
+      and_1479_s13_q <= and_1479_s12_q;
+      and_1483_s13_q <= and_1483_s12_q;
+      less_1484_s13_q <= 8'hb6 < best_left_rdata_s12_q[16:9];
       chosen_s13_q <= chosen;
-      or_1494_s13_q <= or_1494_s12_q;
-      select_1505_s13_q <= select_1505_s12_q;
-      and_1579_s13_q <= and_1579_s12_q;
-      and_1592_s13_q <= and_1592_s12_q;
-      less_1606_s13_q <= less_1606_s12_q;
-      equal_1672_s13_q <= equal_1672_s12_q;
-      not_1673_s13_q <= not_1673;
-      equal_1674_s13_q <= equal_1674_s12_q;
-      not_1675_s13_q <= not_1675;
-      equal_1676_s13_q <= equal_1676_s12_q;
-      or_1678_s13_q <= or_1678_s12_q;
-      select_1699_s13_q <= select_1699_s12_q;
-      select_1705_s13_q <= select_1705_s12_q;
-      and_1730_s13_q <= not_1673 & (not_1675 & and_1728_s12_q);
-      select_1739_s13_q <= select_1739_s12_q;
-      and_1749_s13_q <= and_1749;
-      less_1804_s13_q <= less_1804_s12_q;
-      equal_1805_s13_q <= equal_1805_s12_q;
-      not_1806_s13_q <= not_1806_s12_q;
-      equal_1807_s13_q <= equal_1807_s12_q;
-      not_1808_s13_q <= not_1808_s12_q;
-      and_1967_s13_q <= and_1967_s12_q;
-      equal_2113_s13_q <= equal_2113_s12_q;
-      equal_2237_s13_q <= equal_2237_s12_q;
-      and_2548_s13_q <= and_2548_s12_q;
-      and_2550_s13_q <= and_2550_s12_q;
-      and_2557_s13_q <= ends_cell_s12_q & so_s12_q;
-      or_2762_s13_q <= or_2762_s12_q;
-      not_2786_s13_q <= not_2786_s12_q;
-      select_3255_s13_q <= less_1804_s12_q ? (not_1806_s12_q & select_3253) : select_3253;
-      equal_3257_s13_q <= equal_3257_s12_q;
-      less_3532_s13_q <= less_3532_s12_q;
-      equal_3737_s13_q <= equal_3737_s12_q;
+      or_1497_s13_q <= or_1497_s12_q;
+      select_1508_s13_q <= select_1508_s12_q;
+      and_1582_s13_q <= and_1582_s12_q;
+      equal_1588_s13_q <= equal_1588_s12_q;
+      less_1609_s13_q <= less_1609_s12_q;
+      and_1993_s13_q <= and_1993_s12_q;
+      equal_2139_s13_q <= equal_2139_s12_q;
+      equal_2263_s13_q <= equal_2263_s12_q;
+      and_2566_s13_q <= and_2566_s12_q;
+      and_2568_s13_q <= and_2568_s12_q;
+      and_2575_s13_q <= ends_cell_s12_q & so_s12_q;
+      phase_s13_q <= phase_s12_q;
+      equal_2695_s13_q <= equal_2695_s12_q;
+      equal_2700_s13_q <= equal_2700;
+      not_2741_s13_q <= not_2741_s12_q;
+      less_3552_s13_q <= less_3552_s12_q;
+      equal_3757_s13_q <= equal_3757_s12_q;
     end
   end
 
@@ -3156,101 +2699,139 @@ module horopter_agreement (
   logic [23:0] registration_slope_row_q;
   logic [27:0] registration_slope_change_q;
   logic [27:0] registration_slope_q;
-  logic patches_read_searches_q;
+  logic [3:0] patches_band_rows_rows_to_next_q;
+  logic [4:0] patches_band_rows_number_q;
+  logic [3:0] patches_next_band_rows_to_next_q;
+  logic [4:0] patches_next_band_number_q;
+  logic [3:0] patches_first_band_rows_to_next_q;
+  logic patches_first_band_number_q;
+  logic [4:0] patches_choosing_number_q;
+  logic [4:0] patches_choosing_band_q;
   logic [8:0] region_across_rest_q;
   logic [7:0] region_across_back_q;
   logic [8:0] region_across_next_q;
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
   // hls/stages/agreement.hpp:772
-  logic less_647;
-  assign less_647 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
-  logic less_649;
-  assign less_649 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
+  logic less_650;
+  assign less_650 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
+  logic less_652;
+  assign less_652 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
   // hls/stages/agreement.hpp:231
-  logic and_651;
-  assign and_651 = (~less_647) & (~less_649);
+  logic and_654;
+  assign and_654 = (~less_650) & (~less_652);
   // hls/stages/agreement.hpp:762
-  logic [7:0] sum_901;
-  assign sum_901 = {difference_899_s13_q[6], difference_899_s13_q} + (age_s13_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
-  logic [7:0] sum_1151;
-  assign sum_1151 = {difference_1148_s13_q[6], difference_1148_s13_q} + (equal_1149_s13_q ? 8'h0 : sums_0_sum_sums_values_1_q);
-  logic [7:0] sum_1399;
-  assign sum_1399 = {difference_1397_s13_q[6], difference_1397_s13_q} + (equal_1149_s13_q ? 8'h0 : sums_1_sum_sums_values_1_q);
+  logic [7:0] sum_904;
+  assign sum_904 = {difference_902_s13_q[6], difference_902_s13_q} + (age_s13_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  logic [7:0] sum_1154;
+  assign sum_1154 = {difference_1151_s13_q[6], difference_1151_s13_q} + (equal_1152_s13_q ? 8'h0 : sums_0_sum_sums_values_1_q);
+  logic [7:0] sum_1402;
+  assign sum_1402 = {difference_1400_s13_q[6], difference_1400_s13_q} + (equal_1152_s13_q ? 8'h0 : sums_1_sum_sums_values_1_q);
   // hls/stages/agreement.hpp:739
-  logic [6:0] select_1432;
-  assign select_1432 = slot_s13_q[0] ? chosen_near_q : sum_1431_s13_q;
+  logic [6:0] select_1435;
+  assign select_1435 = slot_s13_q[0] ? chosen_near_q : sum_1434_s13_q;
   // hls/stages/agreement.hpp:735
-  logic [6:0] select_1442;
-  assign select_1442 = (select_1432 < select_1440_s13_q) ? select_1440_s13_q : select_1432;
+  logic [6:0] select_1445;
+  assign select_1445 = (select_1435 < select_1443_s13_q) ? select_1443_s13_q : select_1435;
   // hls/stages/agreement.hpp:777
   logic [6:0] of_near;
-  assign of_near = and_651 ? select_1442 : 7'h0;
+  assign of_near = and_654 ? select_1445 : 7'h0;
   // hls/stages/agreement.hpp:935
-  logic select_1483;
-  assign select_1483 = slot_s13_q[2] ? less_1481_s13_q : (6'h2a < best_left_rdata_s13_q[39:34]);
+  logic select_1486;
+  assign select_1486 = slot_s13_q[2] ? less_1484_s13_q : (6'h2a < best_left_rdata_s13_q[39:34]);
   // hls/stages/agreement.hpp:942
-  logic [8:0] difference_1486;
-  assign difference_1486 = {2'h0, chosen_s13_q} - {1'b0, x_s13_q};
-  // hls/stages/registration.hpp:215
-  logic [16:0] select_1640;
-  assign select_1640 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [8:0] difference_1489;
+  assign difference_1489 = {2'h0, chosen_s13_q} - {1'b0, x_s13_q};
+  // hls/stages/census.hpp:31
+  logic not_1586;
+  assign not_1586 = ~sample_pair_first_s13_q;
+  // hls/stages/patches.hpp:282
+  logic equal_1590;
+  assign equal_1590 = patches_band_rows_rows_to_next_q == 4'h0;
+  // hls/stages/registration.hpp:218
+  logic [16:0] select_1658;
+  assign select_1658 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   // hls/stages/division.hpp:34
-  logic [5:0] sum_1835;
-  assign sum_1835 = region_across_rest_q[8:3] + 6'h1;
+  logic [5:0] sum_1861;
+  assign sum_1861 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:227
-  logic [6:0] select_2348;
-  assign select_2348 = slot_s13_q[0] ? 7'h0 : sum_1431_s13_q;
+  logic [6:0] select_2374;
+  assign select_2374 = slot_s13_q[0] ? 7'h0 : sum_1434_s13_q;
   // hls/stages/agreement.hpp:735
-  logic [6:0] select_2350;
-  assign select_2350 = (select_2348 < select_1440_s13_q) ? select_1440_s13_q : select_2348;
-  // hls/stages/registration.hpp:128
-  logic [15:0] select_2551;
-  assign select_2551 = and_2550_s13_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
-  // hls/stages/registration.hpp:131
-  logic [23:0] select_2553;
-  assign select_2553 = and_2548_s13_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2551[15]}}, select_2551});
+  logic [6:0] select_2376;
+  assign select_2376 = (select_2374 < select_1443_s13_q) ? select_1443_s13_q : select_2374;
   // hls/stages/registration.hpp:129
-  logic [15:0] select_2554;
-  assign select_2554 = and_2550_s13_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_2569;
+  assign select_2569 = and_2568_s13_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  // hls/stages/registration.hpp:132
+  logic [23:0] select_2571;
+  assign select_2571 = and_2566_s13_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2569[15]}}, select_2569});
+  // hls/stages/registration.hpp:130
+  logic [15:0] select_2572;
+  assign select_2572 = and_2568_s13_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2554[15]}}, select_2554};
-  // hls/stages/registration.hpp:131
-  logic [27:0] select_2556;
-  assign select_2556 = and_2548_s13_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
-  // hls/stages/registration.hpp:124
+  assign both = registration_slope_change_q + {{12{select_2572[15]}}, select_2572};
+  // hls/stages/registration.hpp:132
+  logic [27:0] select_2574;
+  assign select_2574 = and_2566_s13_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  // hls/stages/registration.hpp:125
   logic [27:0] column_6;
-  assign column_6 = registration_slope_q + (and_2557_s13_q ? registration_slope_change_q : 28'h0);
-  // hls/stages/agreement.hpp:197
-  logic [8:0] select_3544;
-  assign select_3544 = so_s13_q ? (and_2557_s13_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
-  // hls/stages/division.hpp:35
-  logic [8:0] sum_3546;
-  assign sum_3546 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
-  // hls/stages/division.hpp:36
-  logic [8:0] select_3547;
-  assign select_3547 = sum_1835[5] ? {1'b1, sum_1835[4:0], region_across_rest_q[2:0]} : sum_3546;
+  assign column_6 = registration_slope_q + (and_2575_s13_q ? registration_slope_change_q : 28'h0);
+  // hls/stages/patches.hpp:342
+  logic and_2677;
+  assign and_2677 = not_1586 & equal_1588_s13_q;
+  logic [8:0] select_2678;
+  assign select_2678 = and_2677 ? {patches_choosing_number_q, patches_choosing_rows_to_next_s13_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_2679;
+  assign select_2679 = and_2677 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_2680;
+  assign select_2680 = sample_pair_first_s13_q ? select_2678 : select_2679;
+  // hls/stages/patches.hpp:103
+  logic [3:0] select_2681;
+  assign select_2681 = and_1582_s13_q ? select_2680[3:0] : patches_band_rows_rows_to_next_q;
+  // hls/stages/agreement.hpp:263
+  logic [3:0] select_2682;
+  assign select_2682 = sample_pair_whole_s13_q ? select_2681 : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_2684;
+  assign select_2684 = sample_pair_whole_s13_q ? (and_1582_s13_q ? select_2680[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_2687;
+  assign select_2687 = sample_pair_whole_s13_q ? (equal_1590 ? 4'h2 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_2689;
+  assign select_2689 = sample_pair_whole_s13_q ? (patches_band_rows_number_q + {4'h0, equal_1590}) : patches_next_band_number_q;
+  // hls/stages/patches.hpp:300
+  logic equal_2690;
+  assign equal_2690 = phase_s13_q == 4'h0;
+  // hls/stages/patches.hpp:301
+  logic not_2691;
+  assign not_2691 = ~equal_2690;
+  // hls/stages/agreement.hpp:263
+  logic [3:0] select_2693;
+  assign select_2693 = sample_pair_whole_s13_q ? (phase_s13_q + {{2{not_2691}}, 1'b1, not_2691}) : patches_first_band_rows_to_next_q;
+  logic select_2694;
+  assign select_2694 = sample_pair_whole_s13_q ? equal_2690 : patches_first_band_number_q;
+  // hls/stages/patches.hpp:64
+  logic [4:0] select_2705;
+  assign select_2705 = equal_2695_s13_q ? 5'h0 : patches_choosing_number_q;
   // hls/stages/agreement.hpp:447
-  logic [8:0] select_3549;
-  assign select_3549 = equal_2237_s13_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
-  logic [7:0] select_3552;
-  assign select_3552 = equal_2237_s13_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
-
-  // Memory patches_left, 512 x 8, DISTANCE 24, hls/stages/patches.hpp:678; read in stage 13, written in stage 23: 13 < 23 < 13 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [7:0] patches_left_mem [0:511];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 512; i++) patches_left_mem[i] = 8'h0;
-`endif
-  logic [8:0] patches_left_raddr;
-  assign patches_left_raddr = {patches_second_s13_q, patches_code_row_s13_q[3:0], patches_column_s13_q[3:0]};
-  logic patches_left_re;
-  assign patches_left_re = s13_en & and_1730_s13_q;
-  logic [7:0] patches_left_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (patches_left_re) patches_left_rdata_q <= patches_left_mem[patches_left_raddr];
-  end
+  logic [4:0] select_2707;
+  assign select_2707 = equal_2263_s13_q ? (select_2705 + {4'h0, equal_2700_s13_q}) : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:507
+  logic [4:0] select_2714;
+  assign select_2714 = and_500_s13_q ? (equal_2263_s13_q ? select_2705 : patches_choosing_band_q) : patches_choosing_band_q;
+  // hls/stages/agreement.hpp:197
+  logic [8:0] select_3564;
+  assign select_3564 = so_s13_q ? (and_2575_s13_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_3566;
+  assign sum_3566 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_3567;
+  assign select_3567 = sum_1861[5] ? {1'b1, sum_1861[4:0], region_across_rest_q[2:0]} : sum_3566;
+  // hls/stages/agreement.hpp:447
+  logic [8:0] select_3569;
+  assign select_3569 = equal_2263_s13_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
+  logic [7:0] select_3572;
+  assign select_3572 = equal_2263_s13_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -3258,23 +2839,37 @@ module horopter_agreement (
       registration_slope_row_q <= 24'h0;
       registration_slope_change_q <= 28'h0;
       registration_slope_q <= 28'h0;
-      patches_read_searches_q <= 1'b0;
+      patches_band_rows_rows_to_next_q <= 4'h0;
+      patches_band_rows_number_q <= 5'h0;
+      patches_next_band_rows_to_next_q <= 4'h0;
+      patches_next_band_number_q <= 5'h0;
+      patches_first_band_rows_to_next_q <= 4'h0;
+      patches_first_band_number_q <= 1'b0;
+      patches_choosing_number_q <= 5'h0;
+      patches_choosing_band_q <= 5'h0;
       region_across_rest_q <= 9'h0;
       region_across_back_q <= 8'h0;
       region_across_next_q <= 9'h0;
       columns_begin_rest_q <= 9'h0;
       columns_begin_back_q <= 8'h0;
     end else if (s13_en) begin
-      chosen_near_q <= select_2350;
-      registration_slope_row_q <= select_2553;
-      registration_slope_change_q <= select_2556;
+      chosen_near_q <= select_2376;
+      registration_slope_row_q <= select_2571;
+      registration_slope_change_q <= select_2574;
       registration_slope_q <= so_s13_q ? column_6 : {registration_slope_row_q, 4'h0};
-      patches_read_searches_q <= equal_1672_s13_q ? select_3255_s13_q : patches_read_searches_q;
-      region_across_rest_q <= select_3544;
+      patches_band_rows_rows_to_next_q <= select_2682;
+      patches_band_rows_number_q <= select_2684;
+      patches_next_band_rows_to_next_q <= select_2687;
+      patches_next_band_number_q <= select_2689;
+      patches_first_band_rows_to_next_q <= select_2693;
+      patches_first_band_number_q <= select_2694;
+      patches_choosing_number_q <= and_500_s13_q ? select_2707 : patches_choosing_number_q;
+      patches_choosing_band_q <= select_2714;
+      region_across_rest_q <= select_3564;
       region_across_back_q <= so_s13_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3547;
-      columns_begin_rest_q <= and_497_s13_q ? select_3549 : columns_begin_rest_q;
-      columns_begin_back_q <= and_497_s13_q ? select_3552 : columns_begin_back_q;
+      region_across_next_q <= select_3567;
+      columns_begin_rest_q <= and_500_s13_q ? select_3569 : columns_begin_rest_q;
+      columns_begin_back_q <= and_500_s13_q ? select_3572 : columns_begin_back_q;
     end
   end
 
@@ -3290,11 +2885,11 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s13_en) begin
-      middle_sum_sum_sums_values_0_q <= slot_s13_q[0] ? middle_sum_sum_sums_values_0_q : sum_901;
-      sums_0_sum_sums_values_0_q <= sum_1151;
-      sums_0_sum_sums_values_1_q <= equal_1149_s13_q ? 8'h0 : sums_0_sum_sums_values_0_q;
-      sums_1_sum_sums_values_0_q <= sum_1399;
-      sums_1_sum_sums_values_1_q <= equal_1149_s13_q ? 8'h0 : sums_1_sum_sums_values_0_q;
+      middle_sum_sum_sums_values_0_q <= slot_s13_q[0] ? middle_sum_sum_sums_values_0_q : sum_904;
+      sums_0_sum_sums_values_0_q <= sum_1154;
+      sums_0_sum_sums_values_1_q <= equal_1152_s13_q ? 8'h0 : sums_0_sum_sums_values_0_q;
+      sums_1_sum_sums_values_0_q <= sum_1402;
+      sums_1_sum_sums_values_1_q <= equal_1152_s13_q ? 8'h0 : sums_1_sum_sums_values_0_q;
     end
   end
 
@@ -3317,78 +2912,52 @@ module horopter_agreement (
   logic [4:0] patches_band_rows_number_s14_q;
   logic patches_chooses_s14_q;
   logic [4:0] patches_choosing_band_s14_q;
-  logic patches_lower_s14_q;
-  logic patches_second_s14_q;
-  logic [4:0] patches_code_row_s14_q;
-  logic [4:0] patches_column_s14_q;
-  logic [4:0] patches_step_s14_q;
-  logic patches_read_searches_s14_q;
-  logic [3:0] select_458_s14_q;
-  logic equal_459_s14_q;
-  logic [6:0] select_461_s14_q;
-  logic [8:0] select_465_s14_q;
-  logic and_471_s14_q;
-  logic equal_477_s14_q;
+  logic [3:0] select_461_s14_q;
+  logic equal_462_s14_q;
+  logic [6:0] select_464_s14_q;
+  logic [8:0] select_468_s14_q;
+  logic and_474_s14_q;
+  logic equal_480_s14_q;
   logic [6:0] column_s14_q;
-  logic and_495_s14_q;
-  logic and_497_s14_q;
+  logic and_498_s14_q;
+  logic and_500_s14_q;
   logic so_s14_q;
-  logic equal_517_s14_q;
-  logic or_518_s14_q;
-  logic less_525_s14_q;
-  logic not_526_s14_q;
-  logic equal_558_s14_q;
+  logic equal_520_s14_q;
+  logic or_521_s14_q;
+  logic less_528_s14_q;
+  logic not_529_s14_q;
+  logic equal_561_s14_q;
   logic [6:0] x_s14_2_q;
   logic [45:0] best_left_rdata_s14_q;
-  logic select_646_s14_q;
-  logic and_651_s14_q;
-  logic [7:0] sum_901_s14_q;
-  logic less_1400_s14_q;
+  logic select_649_s14_q;
+  logic and_654_s14_q;
+  logic [7:0] sum_904_s14_q;
+  logic less_1403_s14_q;
   logic [6:0] of_near_s14_q;
-  logic and_1448_s14_q;
+  logic and_1451_s14_q;
   logic [6:0] right_s14_q;
   logic [28:0] best_right_rdata_s14_q;
-  logic select_1457_s14_q;
-  logic equal_1466_s14_q;
-  logic and_1473_s14_q;
+  logic select_1460_s14_q;
+  logic equal_1469_s14_q;
   logic and_1476_s14_q;
-  logic and_1480_s14_q;
-  logic select_1483_s14_q;
-  logic [9:0] sum_1487_s14_q;
-  logic or_1494_s14_q;
-  logic [6:0] select_1505_s14_q;
-  logic and_1579_s14_q;
-  logic and_1592_s14_q;
-  logic less_1606_s14_q;
-  logic [16:0] select_1640_s14_q;
-  logic equal_1672_s14_q;
-  logic not_1673_s14_q;
-  logic equal_1674_s14_q;
-  logic not_1675_s14_q;
-  logic equal_1676_s14_q;
-  logic or_1678_s14_q;
-  logic [7:0] patches_right_0_rdata_s14_q;
-  logic [4:0] select_1699_s14_q;
-  logic select_1705_s14_q;
-  logic [7:0] patches_right_1_rdata_s14_q;
-  logic [3:0] select_1739_s14_q;
-  logic and_1749_s14_q;
-  logic [31:0] patches_columns_above_rdata_s14_q;
-  logic less_1804_s14_q;
-  logic equal_1805_s14_q;
-  logic not_1806_s14_q;
-  logic equal_1807_s14_q;
-  logic not_1808_s14_q;
-  logic [14:0] patches_rows_rdata_s14_q;
-  logic sum_1835_s14_q;
-  logic and_1967_s14_q;
-  logic equal_2113_s14_q;
-  logic equal_2237_s14_q;
-  logic or_2762_s14_q;
-  logic not_2786_s14_q;
-  logic equal_3257_s14_q;
-  logic less_3532_s14_q;
-  logic equal_3737_s14_q;
+  logic and_1479_s14_q;
+  logic and_1483_s14_q;
+  logic select_1486_s14_q;
+  logic [9:0] sum_1490_s14_q;
+  logic or_1497_s14_q;
+  logic [6:0] select_1508_s14_q;
+  logic and_1582_s14_q;
+  logic not_1586_s14_q;
+  logic or_1592_s14_q;
+  logic less_1609_s14_q;
+  logic [16:0] select_1658_s14_q;
+  logic sum_1861_s14_q;
+  logic and_1993_s14_q;
+  logic equal_2139_s14_q;
+  logic equal_2263_s14_q;
+  logic not_2741_s14_q;
+  logic less_3552_s14_q;
+  logic equal_3757_s14_q;
   always_ff @(posedge clk_i) begin
     if (s13_en) begin
       pixel_0_s14_q <= pixel_0_s13_q;
@@ -3407,81 +2976,55 @@ module horopter_agreement (
       ends_cell_s14_q <= ends_cell_s13_q;
       lower_half_s14_q <= lower_half_s13_q;
       registration_slope_s14_q <= registration_slope_q[27:16];
-      patches_band_rows_number_s14_q <= patches_band_rows_number_s13_q;
+      patches_band_rows_number_s14_q <= patches_band_rows_number_q;
       patches_chooses_s14_q <= patches_chooses_s13_q;
-      patches_choosing_band_s14_q <= patches_choosing_band_s13_q;
-      patches_lower_s14_q <= patches_lower_s13_q;
-      patches_second_s14_q <= patches_second_s13_q;
-      patches_code_row_s14_q <= patches_code_row_s13_q;
-      patches_column_s14_q <= patches_column_s13_q;
-      patches_step_s14_q <= patches_step_s13_q;
-      patches_read_searches_s14_q <= patches_read_searches_q;
-      select_458_s14_q <= select_458_s13_q;
-      equal_459_s14_q <= equal_459_s13_q;
+      patches_choosing_band_s14_q <= patches_choosing_band_q;
       select_461_s14_q <= select_461_s13_q;
-      select_465_s14_q <= select_465_s13_q;
-      and_471_s14_q <= and_471_s13_q;
-      equal_477_s14_q <= equal_477_s13_q;
+      equal_462_s14_q <= equal_462_s13_q;
+      select_464_s14_q <= select_464_s13_q;
+      select_468_s14_q <= select_468_s13_q;
+      and_474_s14_q <= and_474_s13_q;
+      equal_480_s14_q <= equal_480_s13_q;
       column_s14_q <= column_s13_q;
-      and_495_s14_q <= and_495_s13_q;
-      and_497_s14_q <= and_497_s13_q;
+      and_498_s14_q <= and_498_s13_q;
+      and_500_s14_q <= and_500_s13_q;
       so_s14_q <= so_s13_q;
-      equal_517_s14_q <= equal_517_s13_q;
-      or_518_s14_q <= or_518_s13_q;
-      less_525_s14_q <= less_525_s13_q;
-      not_526_s14_q <= not_526_s13_q;
-      equal_558_s14_q <= equal_558_s13_q;
+      equal_520_s14_q <= equal_520_s13_q;
+      or_521_s14_q <= or_521_s13_q;
+      less_528_s14_q <= less_528_s13_q;
+      not_529_s14_q <= not_529_s13_q;
+      equal_561_s14_q <= equal_561_s13_q;
       x_s14_2_q <= x_s13_2_q;
       best_left_rdata_s14_q <= best_left_rdata_s13_q;
-      select_646_s14_q <= select_646_s13_q;
-      and_651_s14_q <= and_651;
-      sum_901_s14_q <= sum_901;
-      less_1400_s14_q <= sum_1151 < sum_1399;
+      select_649_s14_q <= select_649_s13_q;
+      and_654_s14_q <= and_654;
+      sum_904_s14_q <= sum_904;
+      less_1403_s14_q <= sum_1154 < sum_1402;
       of_near_s14_q <= of_near;
-      and_1448_s14_q <= and_1448_s13_q;
+      and_1451_s14_q <= and_1451_s13_q;
       right_s14_q <= right_s13_q;
       best_right_rdata_s14_q <= best_right_rdata_s13_q;
-      select_1457_s14_q <= select_1457_s13_q;
-      equal_1466_s14_q <= equal_1466_s13_q;
-      and_1473_s14_q <= and_1473_s13_q;
+      select_1460_s14_q <= select_1460_s13_q;
+      equal_1469_s14_q <= equal_1469_s13_q;
       and_1476_s14_q <= and_1476_s13_q;
-      and_1480_s14_q <= and_1480_s13_q;
-      select_1483_s14_q <= select_1483;
-      sum_1487_s14_q <= {difference_1486[8], difference_1486} + 10'h1;
-      or_1494_s14_q <= or_1494_s13_q;
-      select_1505_s14_q <= select_1505_s13_q;
-      and_1579_s14_q <= and_1579_s13_q;
-      and_1592_s14_q <= and_1592_s13_q;
-      less_1606_s14_q <= less_1606_s13_q;
-      select_1640_s14_q <= select_1640;
-      equal_1672_s14_q <= equal_1672_s13_q;
-      not_1673_s14_q <= not_1673_s13_q;
-      equal_1674_s14_q <= equal_1674_s13_q;
-      not_1675_s14_q <= not_1675_s13_q;
-      equal_1676_s14_q <= equal_1676_s13_q;
-      or_1678_s14_q <= or_1678_s13_q;
-      patches_right_0_rdata_s14_q <= patches_right_0_rdata_q;
-      select_1699_s14_q <= select_1699_s13_q;
-      select_1705_s14_q <= select_1705_s13_q;
-      patches_right_1_rdata_s14_q <= patches_right_1_rdata_q;
-      select_1739_s14_q <= select_1739_s13_q;
-      and_1749_s14_q <= and_1749_s13_q;
-      patches_columns_above_rdata_s14_q <= patches_columns_above_rdata_q;
-      less_1804_s14_q <= less_1804_s13_q;
-      equal_1805_s14_q <= equal_1805_s13_q;
-      not_1806_s14_q <= not_1806_s13_q;
-      equal_1807_s14_q <= equal_1807_s13_q;
-      not_1808_s14_q <= not_1808_s13_q;
-      patches_rows_rdata_s14_q <= patches_rows_rdata_q;
-      sum_1835_s14_q <= sum_1835[5];
-      and_1967_s14_q <= and_1967_s13_q;
-      equal_2113_s14_q <= equal_2113_s13_q;
-      equal_2237_s14_q <= equal_2237_s13_q;
-      or_2762_s14_q <= or_2762_s13_q;
-      not_2786_s14_q <= not_2786_s13_q;
-      equal_3257_s14_q <= equal_3257_s13_q;
-      less_3532_s14_q <= less_3532_s13_q;
-      equal_3737_s14_q <= equal_3737_s13_q;
+      and_1479_s14_q <= and_1479_s13_q;
+      and_1483_s14_q <= and_1483_s13_q;
+      select_1486_s14_q <= select_1486;
+      sum_1490_s14_q <= {difference_1489[8], difference_1489} + 10'h1;
+      or_1497_s14_q <= or_1497_s13_q;
+      select_1508_s14_q <= select_1508_s13_q;
+      and_1582_s14_q <= and_1582_s13_q;
+      not_1586_s14_q <= not_1586;
+      or_1592_s14_q <= (~equal_1588_s13_q) | (~equal_1590);
+      less_1609_s14_q <= less_1609_s13_q;
+      select_1658_s14_q <= select_1658;
+      sum_1861_s14_q <= sum_1861[5];
+      and_1993_s14_q <= and_1993_s13_q;
+      equal_2139_s14_q <= equal_2139_s13_q;
+      equal_2263_s14_q <= equal_2263_s13_q;
+      not_2741_s14_q <= not_2741_s13_q;
+      less_3552_s14_q <= less_3552_s13_q;
+      equal_3757_s14_q <= equal_3757_s13_q;
     end
   end
 
@@ -3491,66 +3034,160 @@ module horopter_agreement (
   logic [7:0] before_0_q;
   logic [7:0] before_1_q;
   logic [7:0] before_2_q;
+  logic patches_capturing_q;
+  logic [4:0] patches_row_q;
+  logic [2:0] patches_work_q;
+  logic patches_second_q;
+  logic [2:0] patches_following_q;
+  logic [4:0] patches_following_beats_q;
+  logic patches_begins_q;
+  logic patches_ends_q;
+  logic [11:0] patches_remaining_q;
+  logic [6:0] patches_step_q;
   // hls/stages/agreement.hpp:739
-  logic [7:0] select_902;
-  assign select_902 = slot_s14_q[0] ? chosen_score_q : sum_901_s14_q;
+  logic [7:0] select_905;
+  assign select_905 = slot_s14_q[0] ? chosen_score_q : sum_904_s14_q;
   // hls/stages/agreement.hpp:735
-  logic [7:0] select_1401;
-  assign select_1401 = less_1400_s14_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic less_1402;
-  assign less_1402 = select_902 < select_1401;
+  logic [7:0] select_1404;
+  assign select_1404 = less_1403_s14_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic less_1405;
+  assign less_1405 = select_905 < select_1404;
   // hls/stages/agreement.hpp:776
   logic [7:0] of_best;
-  assign of_best = and_651_s14_q ? (less_1402 ? select_1401 : select_902) : 8'h0;
+  assign of_best = and_654_s14_q ? (less_1405 ? select_1404 : select_905) : 8'h0;
   // hls/stages/agreement.hpp:704
-  logic not_1408;
-  assign not_1408 = ~slot_s14_q[0];
+  logic not_1411;
+  assign not_1411 = ~slot_s14_q[0];
   // hls/stages/agreement.hpp:736
-  logic [1:0] select_1409;
-  assign select_1409 = less_1400_s14_q ? {slot_s14_q[0], not_1408} : 2'h0;
-  logic [2:0] select_1411;
-  assign select_1411 = less_1402 ? {select_1409, not_1408} : (slot_s14_q[0] ? chosen_place_q : 3'h2);
+  logic [1:0] select_1412;
+  assign select_1412 = less_1403_s14_q ? {slot_s14_q[0], not_1411} : 2'h0;
+  logic [2:0] select_1414;
+  assign select_1414 = less_1405 ? {select_1412, not_1411} : (slot_s14_q[0] ? chosen_place_q : 3'h2);
   // hls/stages/agreement.hpp:227
-  logic [7:0] select_1420;
-  assign select_1420 = slot_s14_q[0] ? 8'h0 : sum_901_s14_q;
+  logic [7:0] select_1423;
+  assign select_1423 = slot_s14_q[0] ? 8'h0 : sum_904_s14_q;
   // hls/stages/agreement.hpp:788
-  logic or_1445;
-  assign or_1445 = select_646_s14_q | (best_left_rdata_s14_q[39:33] < of_near_s14_q);
+  logic or_1448;
+  assign or_1448 = select_649_s14_q | (best_left_rdata_s14_q[39:33] < of_near_s14_q);
   // hls/stages/agreement.hpp:801
-  logic or_1463;
-  assign or_1463 = select_1457_s14_q | (best_right_rdata_s14_q[21:15] < of_near_s14_q);
+  logic or_1466;
+  assign or_1466 = select_1460_s14_q | (best_right_rdata_s14_q[21:15] < of_near_s14_q);
   // hls/stages/agreement.hpp:235
-  logic and_1489;
-  assign and_1489 = (and_1476_s14_q & select_1483_s14_q) & ({{22{sum_1487_s14_q[9]}}, sum_1487_s14_q} < 32'h3);
-  // hls/stages/registration.hpp:215
-  logic [13:0] select_1642;
-  assign select_1642 = ($signed(10'h0) < $signed(select_1640_s14_q[16:7])) ? 14'h7f : select_1640_s14_q[13:0];
-  // hls/stages/patches.hpp:148
-  logic [7:0] pixel;
-  assign pixel = equal_1676_s14_q ? (patches_second_s14_q ? 8'h0 : patches_right_0_rdata_s14_q) : 8'h0;
-  // hls/stages/patches.hpp:410
-  logic [8:0] sum_1771;
-  assign sum_1771 = {1'b0, patches_columns_above_rdata_s14_q[23:16]} + {3'h0, patches_columns_above_rdata_s14_q[31:26]};
+  logic and_1492;
+  assign and_1492 = (and_1479_s14_q & select_1486_s14_q) & ({{22{sum_1490_s14_q[9]}}, sum_1490_s14_q} < 32'h3);
+  // hls/stages/patches.hpp:361
+  logic not_1583;
+  assign not_1583 = ~patches_begins_q;
+  // hls/stages/patches.hpp:331
+  logic and_1587;
+  assign and_1587 = patches_capturing_q & not_1586_s14_q;
+  // hls/stages/patches.hpp:102
+  logic and_1595;
+  assign and_1595 = (not_1583 & (patches_work_q == 3'h0)) & (~(and_1587 | or_1592_s14_q));
+  // hls/stages/registration.hpp:218
+  logic [13:0] select_1660;
+  assign select_1660 = ($signed(10'h0) < $signed(select_1658_s14_q[16:7])) ? 14'h7f : select_1658_s14_q[13:0];
+  // hls/stages/patches.hpp:469
+  logic equal_1690;
+  assign equal_1690 = patches_work_q == 3'h4;
+  logic equal_1692;
+  assign equal_1692 = patches_work_q == 3'h3;
+  // hls/stages/patches.hpp:143
+  logic equal_1694;
+  assign equal_1694 = patches_work_q == 3'h1;
+  // hls/stages/patches.hpp:469
+  logic equal_1695;
+  assign equal_1695 = patches_work_q == 3'h2;
+  logic or_1696;
+  assign or_1696 = equal_1694 | equal_1695;
+  // hls/stages/patches.hpp:418
+  logic not_1697;
+  assign not_1697 = ~patches_second_q;
+  // hls/stages/patches.hpp:342
+  logic [4:0] select_1719;
+  assign select_1719 = and_1595 ? 5'h0 : (patches_row_q + 5'h1);
+  // hls/stages/patches.hpp:103
+  logic [4:0] select_1720;
+  assign select_1720 = and_1582_s14_q ? select_1719 : patches_row_q;
+  // hls/stages/patches.hpp:102
+  logic and_1722;
+  assign and_1722 = and_1587 & (patches_row_q == 5'h1f);
+  // hls/stages/patches.hpp:103
+  logic select_1726;
+  assign select_1726 = and_1582_s14_q ? (and_1595 | (and_1587 & (~and_1722))) : patches_capturing_q;
+  // hls/stages/patches.hpp:143
+  logic not_1751;
+  assign not_1751 = ~equal_1694;
+  // hls/stages/agreement.hpp:263
+  logic [3:0] select_1765;
+  assign select_1765 = and_1582_s14_q ? {select_1719[4], select_1719[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  // hls/stages/patches.hpp:481
+  logic less_1830;
+  assign less_1830 = patches_step_q[4:0] < 5'h11;
+  logic equal_1831;
+  assign equal_1831 = patches_step_q[6:5] == 2'h0;
+  logic not_1832;
+  assign not_1832 = ~equal_1831;
+  logic equal_1833;
+  assign equal_1833 = patches_step_q[6:5] == 2'h3;
+  logic not_1834;
+  assign not_1834 = ~equal_1833;
+  // hls/stages/patches.hpp:495
+  logic select_1837;
+  assign select_1837 = equal_1833 ? (less_1830 & (less_1830 & not_1834)) : less_1830;
   // hls/stages/agreement.hpp:735
-  logic less_2346;
-  assign less_2346 = select_1420 < select_1401;
+  logic less_2372;
+  assign less_2372 = select_1423 < select_1404;
   // hls/stages/agreement.hpp:141
-  logic [7:0] select_2441;
-  assign select_2441 = or_518_s14_q ? (less_525_s14_q ? 8'h0 : best_left_rdata_s14_q[32:25]) : 8'h0;
-  logic [7:0] select_2443;
-  assign select_2443 = or_518_s14_q ? (less_525_s14_q ? 8'h0 : best_left_rdata_s14_q[24:17]) : 8'h0;
-  // hls/stages/patches.hpp:476
-  logic [9:0] select_3220;
-  assign select_3220 = less_1804_s14_q ? patches_rows_rdata_s14_q[9:0] : 10'h0;
-  // hls/stages/patches.hpp:477
-  logic [9:0] select_3222;
-  assign select_3222 = less_1804_s14_q ? (equal_1807_s14_q ? 10'h0 : select_3220) : 10'h0;
-  // hls/stages/patches.hpp:476
-  logic [4:0] select_3227;
-  assign select_3227 = less_1804_s14_q ? patches_rows_rdata_s14_q[14:10] : 5'h0;
-  // hls/stages/patches.hpp:480
-  logic [4:0] select_3230;
-  assign select_3230 = equal_1807_s14_q ? (less_1804_s14_q ? (equal_1807_s14_q ? 5'h0 : select_3227) : 5'h0) : select_3227;
+  logic [7:0] select_2467;
+  assign select_2467 = or_521_s14_q ? (less_528_s14_q ? 8'h0 : best_left_rdata_s14_q[32:25]) : 8'h0;
+  logic [7:0] select_2469;
+  assign select_2469 = or_521_s14_q ? (less_528_s14_q ? 8'h0 : best_left_rdata_s14_q[24:17]) : 8'h0;
+  // hls/stages/patches.hpp:362
+  logic or_2782;
+  assign or_2782 = patches_begins_q | patches_ends_q;
+  // hls/stages/patches.hpp:364
+  logic [2:0] following;
+  assign following = patches_begins_q ? 3'h1 : patches_following_q;
+  // hls/stages/patches.hpp:163
+  logic and_2788;
+  assign and_2788 = equal_1690 & not_1697;
+  // hls/stages/patches.hpp:368
+  logic and_2789;
+  assign and_2789 = not_1751 & and_2788;
+  logic [1:0] select_2791;
+  assign select_2791 = equal_1692 ? 2'h0 : (equal_1695 ? 2'h3 : {equal_1694, and_2789});
+  // hls/stages/patches.hpp:250
+  logic equal_2793;
+  assign equal_2793 = patches_following_q == 3'h4;
+  // hls/stages/patches.hpp:248
+  logic not_2794;
+  assign not_2794 = ~equal_2793;
+  // hls/stages/patches.hpp:250
+  logic equal_2795;
+  assign equal_2795 = patches_following_q == 3'h3;
+  // hls/stages/patches.hpp:246
+  logic not_2796;
+  assign not_2796 = ~equal_2795;
+  // hls/stages/patches.hpp:254
+  logic not_2798;
+  assign not_2798 = ~(patches_following_q == 3'h2);
+  logic and_2801;
+  assign and_2801 = (~(patches_following_q == 3'h1)) & not_2798;
+  // hls/stages/patches.hpp:366
+  logic [1:0] select_2802;
+  assign select_2802 = equal_2795 ? 2'h2 : {and_2801, not_2798};
+  logic [3:0] select_2803;
+  assign select_2803 = equal_2793 ? 4'h2 : {select_2802, {2{not_2796}}};
+  // hls/stages/patches.hpp:374
+  logic not_2806;
+  assign not_2806 = ~or_2782;
+  // hls/stages/patches.hpp:363
+  logic [4:0] beats;
+  assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
+  // hls/stages/patches.hpp:375
+  logic [11:0] select_2811;
+  assign select_2811 = or_2782 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -3559,12 +3196,32 @@ module horopter_agreement (
       before_0_q <= 8'h0;
       before_1_q <= 8'h0;
       before_2_q <= 8'h0;
+      patches_capturing_q <= 1'b0;
+      patches_row_q <= 5'h0;
+      patches_work_q <= 3'h0;
+      patches_second_q <= 1'b0;
+      patches_following_q <= 3'h0;
+      patches_following_beats_q <= 5'h0;
+      patches_begins_q <= 1'b0;
+      patches_ends_q <= 1'b0;
+      patches_remaining_q <= 12'h0;
+      patches_step_q <= 7'h0;
     end else if (s14_en) begin
-      chosen_score_q <= less_2346 ? select_1401 : select_1420;
-      chosen_place_q <= less_2346 ? {select_1409, not_1408} : 3'h2;
-      before_0_q <= select_1420;
+      chosen_score_q <= less_2372 ? select_1404 : select_1423;
+      chosen_place_q <= less_2372 ? {select_1412, not_1411} : 3'h2;
+      before_0_q <= select_1423;
       before_1_q <= sums_0_sum_sums_values_0_q;
       before_2_q <= sums_1_sum_sums_values_0_q;
+      patches_capturing_q <= sample_pair_whole_s14_q ? select_1726 : patches_capturing_q;
+      patches_row_q <= sample_pair_whole_s14_q ? select_1720 : patches_row_q;
+      patches_work_q <= or_2782 ? following : patches_work_q;
+      patches_second_q <= not_1583 & (patches_second_q | (patches_ends_q & equal_1690));
+      patches_following_q <= equal_1690 ? {2'h0, and_2788} : {equal_1692, select_2791};
+      patches_following_beats_q <= {select_2803, not_2794};
+      patches_begins_q <= sample_pair_whole_s14_q & (and_1582_s14_q & and_1722);
+      patches_ends_q <= not_2806 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_2811;
+      patches_step_q <= or_2782 ? 7'h0 : (patches_step_q + 7'h1);
     end
   end
 
@@ -3590,84 +3247,77 @@ module horopter_agreement (
   logic [4:0] patches_band_rows_number_s15_q;
   logic patches_chooses_s15_q;
   logic [4:0] patches_choosing_band_s15_q;
-  logic patches_lower_s15_q;
   logic patches_second_s15_q;
-  logic [4:0] patches_code_row_s15_q;
-  logic [4:0] patches_column_s15_q;
   logic [4:0] patches_step_s15_q;
-  logic patches_read_searches_s15_q;
-  logic [3:0] select_458_s15_q;
-  logic equal_459_s15_q;
-  logic [6:0] select_461_s15_q;
-  logic [8:0] select_465_s15_q;
-  logic and_471_s15_q;
-  logic equal_477_s15_q;
+  logic [3:0] select_461_s15_q;
+  logic equal_462_s15_q;
+  logic [6:0] select_464_s15_q;
+  logic [8:0] select_468_s15_q;
+  logic and_474_s15_q;
+  logic equal_480_s15_q;
   logic [6:0] column_s15_q;
-  logic and_495_s15_q;
-  logic and_497_s15_q;
+  logic and_498_s15_q;
+  logic and_500_s15_q;
   logic so_s15_q;
-  logic equal_517_s15_q;
-  logic or_518_s15_q;
-  logic less_525_s15_q;
-  logic not_526_s15_q;
-  logic equal_558_s15_q;
+  logic equal_520_s15_q;
+  logic or_521_s15_q;
+  logic less_528_s15_q;
+  logic not_529_s15_q;
+  logic equal_561_s15_q;
   logic [6:0] x_s15_2_q;
   logic [45:0] best_left_rdata_s15_q;
-  logic select_646_s15_q;
+  logic select_649_s15_q;
   logic [7:0] of_best_s15_q;
-  logic [2:0] select_1411_s15_q;
+  logic [2:0] select_1414_s15_q;
   logic [6:0] of_near_s15_q;
-  logic or_1445_s15_q;
-  logic and_1448_s15_q;
+  logic or_1448_s15_q;
+  logic and_1451_s15_q;
   logic [6:0] right_s15_q;
   logic [28:0] best_right_rdata_s15_q;
-  logic select_1457_s15_q;
-  logic or_1463_s15_q;
-  logic equal_1466_s15_q;
-  logic and_1473_s15_q;
-  logic and_1477_s15_q;
+  logic select_1460_s15_q;
+  logic or_1466_s15_q;
+  logic equal_1469_s15_q;
+  logic and_1476_s15_q;
   logic and_1480_s15_q;
-  logic and_1490_s15_q;
-  logic and_1495_s15_q;
-  logic [8:0] select_1497_s15_q;
-  logic [6:0] select_1505_s15_q;
-  logic and_1579_s15_q;
-  logic and_1592_s15_q;
-  logic less_1606_s15_q;
-  logic [13:0] select_1642_s15_q;
-  logic equal_1672_s15_q;
-  logic not_1673_s15_q;
-  logic equal_1674_s15_q;
-  logic not_1675_s15_q;
-  logic equal_1676_s15_q;
-  logic or_1678_s15_q;
-  logic [4:0] select_1699_s15_q;
-  logic select_1705_s15_q;
-  logic [7:0] patches_left_rdata_s15_q;
-  logic [3:0] select_1739_s15_q;
-  logic and_1749_s15_q;
-  logic [31:0] patches_columns_above_rdata_s15_q;
-  logic [7:0] select_1753_s15_q;
-  logic [8:0] sum_1771_s15_q;
-  logic less_1804_s15_q;
-  logic equal_1805_s15_q;
-  logic not_1806_s15_q;
-  logic equal_1807_s15_q;
-  logic not_1808_s15_q;
-  logic [9:0] patches_rows_rdata_s15_q;
-  logic sum_1835_s15_q;
-  logic and_1967_s15_q;
-  logic equal_2113_s15_q;
-  logic equal_2237_s15_q;
-  logic [7:0] select_2441_s15_q;
-  logic [7:0] select_2443_s15_q;
-  logic or_2762_s15_q;
-  logic not_2786_s15_q;
-  logic [9:0] select_3223_s15_q;
-  logic [4:0] select_3230_s15_q;
-  logic equal_3257_s15_q;
-  logic less_3532_s15_q;
-  logic equal_3737_s15_q;
+  logic and_1483_s15_q;
+  logic and_1493_s15_q;
+  logic and_1498_s15_q;
+  logic [8:0] select_1500_s15_q;
+  logic [6:0] select_1508_s15_q;
+  logic and_1582_s15_q;
+  logic and_1595_s15_q;
+  logic less_1609_s15_q;
+  logic [13:0] select_1660_s15_q;
+  logic equal_1690_s15_q;
+  logic equal_1692_s15_q;
+  logic equal_1694_s15_q;
+  logic or_1696_s15_q;
+  logic and_1699_s15_q;
+  logic [4:0] select_1720_s15_q;
+  logic select_1726_s15_q;
+  logic and_1732_s15_q;
+  logic and_1752_s15_q;
+  logic [3:0] select_1765_s15_q;
+  logic less_1830_s15_q;
+  logic equal_1831_s15_q;
+  logic not_1832_s15_q;
+  logic equal_1833_s15_q;
+  logic not_1834_s15_q;
+  logic select_1837_s15_q;
+  logic and_1838_s15_q;
+  logic sum_1861_s15_q;
+  logic and_1993_s15_q;
+  logic equal_2139_s15_q;
+  logic equal_2263_s15_q;
+  logic [7:0] select_2467_s15_q;
+  logic [7:0] select_2469_s15_q;
+  logic not_2741_s15_q;
+  logic or_2782_s15_q;
+  logic not_2806_s15_q;
+  logic and_3270_s15_q;
+  logic equal_3277_s15_q;
+  logic less_3552_s15_q;
+  logic equal_3757_s15_q;
   always_ff @(posedge clk_i) begin
     if (s14_en) begin
       pixel_0_s15_q <= pixel_0_s14_q;
@@ -3692,180 +3342,249 @@ module horopter_agreement (
       patches_band_rows_number_s15_q <= patches_band_rows_number_s14_q;
       patches_chooses_s15_q <= patches_chooses_s14_q;
       patches_choosing_band_s15_q <= patches_choosing_band_s14_q;
-      patches_lower_s15_q <= patches_lower_s14_q;
-      patches_second_s15_q <= patches_second_s14_q;
-      patches_code_row_s15_q <= patches_code_row_s14_q;
-      patches_column_s15_q <= patches_column_s14_q;
-      patches_step_s15_q <= patches_step_s14_q;
-      patches_read_searches_s15_q <= patches_read_searches_s14_q;
-      select_458_s15_q <= select_458_s14_q;
-      equal_459_s15_q <= equal_459_s14_q;
+      patches_second_s15_q <= patches_second_q;
+      patches_step_s15_q <= patches_step_q[4:0];
       select_461_s15_q <= select_461_s14_q;
-      select_465_s15_q <= select_465_s14_q;
-      and_471_s15_q <= and_471_s14_q;
-      equal_477_s15_q <= equal_477_s14_q;
+      equal_462_s15_q <= equal_462_s14_q;
+      select_464_s15_q <= select_464_s14_q;
+      select_468_s15_q <= select_468_s14_q;
+      and_474_s15_q <= and_474_s14_q;
+      equal_480_s15_q <= equal_480_s14_q;
       column_s15_q <= column_s14_q;
-      and_495_s15_q <= and_495_s14_q;
-      and_497_s15_q <= and_497_s14_q;
+      and_498_s15_q <= and_498_s14_q;
+      and_500_s15_q <= and_500_s14_q;
       so_s15_q <= so_s14_q;
-      equal_517_s15_q <= equal_517_s14_q;
-      or_518_s15_q <= or_518_s14_q;
-      less_525_s15_q <= less_525_s14_q;
-      not_526_s15_q <= not_526_s14_q;
-      equal_558_s15_q <= equal_558_s14_q;
+      equal_520_s15_q <= equal_520_s14_q;
+      or_521_s15_q <= or_521_s14_q;
+      less_528_s15_q <= less_528_s14_q;
+      not_529_s15_q <= not_529_s14_q;
+      equal_561_s15_q <= equal_561_s14_q;
       x_s15_2_q <= x_s14_2_q;
       best_left_rdata_s15_q <= best_left_rdata_s14_q;
-      select_646_s15_q <= select_646_s14_q;
+      select_649_s15_q <= select_649_s14_q;
       of_best_s15_q <= of_best;
-      select_1411_s15_q <= select_1411;
+      select_1414_s15_q <= select_1414;
       of_near_s15_q <= of_near_s14_q;
-      or_1445_s15_q <= or_1445;
-      and_1448_s15_q <= and_1448_s14_q;
+      or_1448_s15_q <= or_1448;
+      and_1451_s15_q <= and_1451_s14_q;
       right_s15_q <= right_s14_q;
       best_right_rdata_s15_q <= best_right_rdata_s14_q;
-      select_1457_s15_q <= select_1457_s14_q;
-      or_1463_s15_q <= or_1463;
-      equal_1466_s15_q <= equal_1466_s14_q;
-      and_1473_s15_q <= and_1473_s14_q;
-      and_1477_s15_q <= not_526_s14_q & and_1476_s14_q;
-      and_1480_s15_q <= and_1480_s14_q;
-      and_1490_s15_q <= not_526_s14_q & and_1489;
-      and_1495_s15_q <= and_1489 & or_1494_s14_q;
-      select_1497_s15_q <= less_525_s14_q ? 9'h0 : best_left_rdata_s14_q[8:0];
-      select_1505_s15_q <= select_1505_s14_q;
-      and_1579_s15_q <= and_1579_s14_q;
-      and_1592_s15_q <= and_1592_s14_q;
-      less_1606_s15_q <= less_1606_s14_q;
-      select_1642_s15_q <= select_1642;
-      equal_1672_s15_q <= equal_1672_s14_q;
-      not_1673_s15_q <= not_1673_s14_q;
-      equal_1674_s15_q <= equal_1674_s14_q;
-      not_1675_s15_q <= not_1675_s14_q;
-      equal_1676_s15_q <= equal_1676_s14_q;
-      or_1678_s15_q <= or_1678_s14_q;
-      select_1699_s15_q <= select_1699_s14_q;
-      select_1705_s15_q <= select_1705_s14_q;
-      patches_left_rdata_s15_q <= patches_left_rdata_q;
-      select_1739_s15_q <= select_1739_s14_q;
-      and_1749_s15_q <= and_1749_s14_q;
-      patches_columns_above_rdata_s15_q <= patches_columns_above_rdata_s14_q;
-      select_1753_s15_q <= patches_second_s14_q ? patches_right_1_rdata_s14_q : pixel;
-      sum_1771_s15_q <= sum_1771;
-      less_1804_s15_q <= less_1804_s14_q;
-      equal_1805_s15_q <= equal_1805_s14_q;
-      not_1806_s15_q <= not_1806_s14_q;
-      equal_1807_s15_q <= equal_1807_s14_q;
-      not_1808_s15_q <= not_1808_s14_q;
-      patches_rows_rdata_s15_q <= patches_rows_rdata_s14_q[9:0];
-      sum_1835_s15_q <= sum_1835_s14_q;
-      and_1967_s15_q <= and_1967_s14_q;
-      equal_2113_s15_q <= equal_2113_s14_q;
-      equal_2237_s15_q <= equal_2237_s14_q;
-      select_2441_s15_q <= select_2441;
-      select_2443_s15_q <= select_2443;
-      or_2762_s15_q <= or_2762_s14_q;
-      not_2786_s15_q <= not_2786_s14_q;
-      select_3223_s15_q <= equal_1807_s14_q ? select_3222 : select_3220;
-      select_3230_s15_q <= select_3230;
-      equal_3257_s15_q <= equal_3257_s14_q;
-      less_3532_s15_q <= less_3532_s14_q;
-      equal_3737_s15_q <= equal_3737_s14_q;
+      select_1460_s15_q <= select_1460_s14_q;
+      or_1466_s15_q <= or_1466;
+      equal_1469_s15_q <= equal_1469_s14_q;
+      and_1476_s15_q <= and_1476_s14_q;
+      and_1480_s15_q <= not_529_s14_q & and_1479_s14_q;
+      and_1483_s15_q <= and_1483_s14_q;
+      and_1493_s15_q <= not_529_s14_q & and_1492;
+      and_1498_s15_q <= and_1492 & or_1497_s14_q;
+      select_1500_s15_q <= less_528_s14_q ? 9'h0 : best_left_rdata_s14_q[8:0];
+      select_1508_s15_q <= select_1508_s14_q;
+      and_1582_s15_q <= and_1582_s14_q;
+      and_1595_s15_q <= and_1595;
+      less_1609_s15_q <= less_1609_s14_q;
+      select_1660_s15_q <= select_1660;
+      equal_1690_s15_q <= equal_1690;
+      equal_1692_s15_q <= equal_1692;
+      equal_1694_s15_q <= equal_1694;
+      or_1696_s15_q <= or_1696;
+      and_1699_s15_q <= or_1696 & (equal_1694 & not_1697);
+      select_1720_s15_q <= select_1720;
+      select_1726_s15_q <= select_1726;
+      and_1732_s15_q <= or_1696 & (patches_second_q & equal_1694);
+      and_1752_s15_q <= not_1751 & or_1696;
+      select_1765_s15_q <= select_1765;
+      less_1830_s15_q <= less_1830;
+      equal_1831_s15_q <= equal_1831;
+      not_1832_s15_q <= not_1832;
+      equal_1833_s15_q <= equal_1833;
+      not_1834_s15_q <= not_1834;
+      select_1837_s15_q <= select_1837;
+      and_1838_s15_q <= not_1832 & select_1837;
+      sum_1861_s15_q <= sum_1861_s14_q;
+      and_1993_s15_q <= and_1993_s14_q;
+      equal_2139_s15_q <= equal_2139_s14_q;
+      equal_2263_s15_q <= equal_2263_s14_q;
+      select_2467_s15_q <= select_2467;
+      select_2469_s15_q <= select_2469;
+      not_2741_s15_q <= not_2741_s14_q;
+      or_2782_s15_q <= or_2782;
+      not_2806_s15_q <= not_2806;
+      and_3270_s15_q <= less_1830 & (patches_step_q[6:5] == 2'h1);
+      equal_3277_s15_q <= patches_step_q[6:5] == 2'h2;
+      less_3552_s15_q <= less_3552_s14_q;
+      equal_3757_s15_q <= equal_3757_s14_q;
     end
   end
 
   // Stage 15 ----------------------------------------------------------------------------------------------------------
   logic [15:0] patches_chance_q;
-  logic [9:0] patches_read_row_differing_q;
-  logic [4:0] patches_read_row_column_q;
+  logic patches_lower_q;
+  logic [4:0] patches_code_row_q;
+  logic [4:0] patches_column_q;
+  logic patches_column_ends_q;
   // hls/stages/agreement.hpp:785
-  logic equal_1414;
-  assign equal_1414 = select_1411_s15_q == 3'h1;
-  logic equal_1415;
-  assign equal_1415 = select_1411_s15_q == 3'h2;
-  logic not_1416;
-  assign not_1416 = ~equal_1415;
-  logic [2:0] select_1417;
-  assign select_1417 = equal_1414 ? 3'h2 : {not_1416, {2{equal_1415}}};
-  logic [7:0] select_1422;
-  assign select_1422 = select_1417[1] ? (select_1417[0] ? before_1_s15_q : before_1_q) : (select_1417[0] ? before_1_q : before_0_q);
-  logic [7:0] select_1423;
-  assign select_1423 = select_1417[2] ? (select_1417[0] ? before_2_s15_q : before_0_s15_q) : select_1422;
+  logic equal_1417;
+  assign equal_1417 = select_1414_s15_q == 3'h1;
+  logic equal_1418;
+  assign equal_1418 = select_1414_s15_q == 3'h2;
+  logic not_1419;
+  assign not_1419 = ~equal_1418;
+  logic [2:0] select_1420;
+  assign select_1420 = equal_1417 ? 3'h2 : {not_1419, {2{equal_1418}}};
+  logic [7:0] select_1425;
+  assign select_1425 = select_1420[1] ? (select_1420[0] ? before_1_s15_q : before_1_q) : (select_1420[0] ? before_1_q : before_0_q);
+  logic [7:0] select_1426;
+  assign select_1426 = select_1420[2] ? (select_1420[0] ? before_2_s15_q : before_0_s15_q) : select_1425;
   // hls/stages/agreement.hpp:786
-  logic [1:0] select_1425;
-  assign select_1425 = equal_1414 ? 2'h0 : {not_1416, equal_1415};
-  logic [7:0] select_1427;
-  assign select_1427 = select_1425[1] ? before_2_q : (select_1425[0] ? before_2_s15_q : before_0_s15_q);
+  logic [1:0] select_1428;
+  assign select_1428 = equal_1417 ? 2'h0 : {not_1419, equal_1418};
+  logic [7:0] select_1430;
+  assign select_1430 = select_1428[1] ? before_2_q : (select_1428[0] ? before_2_s15_q : before_0_s15_q);
   // hls/stages/agreement.hpp:797
-  logic or_1459;
-  assign or_1459 = select_1457_s15_q | (best_right_rdata_s15_q[7:0] < of_best_s15_q);
+  logic or_1462;
+  assign or_1462 = select_1460_s15_q | (best_right_rdata_s15_q[7:0] < of_best_s15_q);
   // hls/stages/agreement.hpp:235
-  logic and_1496;
-  assign and_1496 = not_526_s15_q & and_1495_s15_q;
+  logic and_1499;
+  assign and_1499 = not_529_s15_q & and_1498_s15_q;
   // hls/stages/agreement.hpp:141
   logic [14:0] shift_2;
-  assign shift_2 = or_518_s15_q ? {select_1497_s15_q, and_1496, and_1490_s15_q, and_1480_s15_q, and_1477_s15_q, and_1473_s15_q, not_526_s15_q} : 15'h0;
-  // hls/stages/patches.hpp:75
+  assign shift_2 = or_521_s15_q ? {select_1500_s15_q, and_1499, and_1493_s15_q, and_1483_s15_q, and_1480_s15_q, and_1476_s15_q, not_529_s15_q} : 15'h0;
+  // hls/stages/patches.hpp:80
   logic right_3;
   assign right_3 = {2'h0, last_s15_q[6:1]} < x_s15_q;
-  // hls/stages/registration.hpp:210
-  logic [9:0] select_1643;
-  assign select_1643 = shift_2[10] ? select_1642_s15_q[9:0] : 10'h0;
-  // hls/stages/registration.hpp:208
-  logic [12:0] sum_1648;
-  assign sum_1648 = (shift_2[6] ? select_1642_s15_q[13:1] : 13'h0) + (shift_2[7] ? select_1642_s15_q[12:0] : 13'h0);
-  // hls/stages/registration.hpp:209
-  logic [11:0] select_1649;
-  assign select_1649 = shift_2[8] ? select_1642_s15_q[11:0] : 12'h0;
-  logic [10:0] sum_1651;
-  assign sum_1651 = select_1649[11:1] + (shift_2[9] ? select_1642_s15_q[10:0] : 11'h0);
-  // hls/stages/patches.hpp:148
-  logic [7:0] pixel_2;
-  assign pixel_2 = equal_1676_s15_q ? select_1753_s15_q : patches_left_rdata_s15_q;
-  // hls/stages/patches.hpp:410
-  logic [9:0] sum_1772;
-  assign sum_1772 = {2'h0, patches_columns_above_rdata_s15_q[15:8]} + {1'b0, sum_1771_s15_q};
+  // hls/stages/registration.hpp:213
+  logic [9:0] select_1661;
+  assign select_1661 = shift_2[10] ? select_1660_s15_q[9:0] : 10'h0;
+  // hls/stages/registration.hpp:211
+  logic [12:0] sum_1666;
+  assign sum_1666 = (shift_2[6] ? select_1660_s15_q[13:1] : 13'h0) + (shift_2[7] ? select_1660_s15_q[12:0] : 13'h0);
+  // hls/stages/registration.hpp:212
+  logic [11:0] select_1667;
+  assign select_1667 = shift_2[8] ? select_1660_s15_q[11:0] : 12'h0;
+  logic [10:0] sum_1669;
+  assign sum_1669 = select_1667[11:1] + (shift_2[9] ? select_1660_s15_q[10:0] : 11'h0);
+  // hls/stages/patches.hpp:450
+  logic not_1691;
+  assign not_1691 = ~equal_1690_s15_q;
+  // hls/stages/patches.hpp:416
+  logic not_1693;
+  assign not_1693 = ~equal_1692_s15_q;
+  logic and_1775;
+  assign and_1775 = not_1691 & (or_1696_s15_q & not_1693);
+  // hls/stages/patches.hpp:160
+  logic and_1840;
+  assign and_1840 = equal_1690_s15_q & (less_1830_s15_q ? and_1838_s15_q : select_1837_s15_q);
   // hls/stages/agreement.hpp:250
   logic textured;
   assign textured = shift_2[0] & shift_2[2];
   // hls/stages/agreement.hpp:141
-  logic [7:0] select_2439;
-  assign select_2439 = or_518_s15_q ? (less_525_s15_q ? 8'h0 : best_left_rdata_s15_q[16:9]) : 8'h0;
+  logic [7:0] select_2465;
+  assign select_2465 = or_521_s15_q ? (less_528_s15_q ? 8'h0 : best_left_rdata_s15_q[16:9]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise;
-  assign rise = {1'b0, select_2441_s15_q} - {1'b0, select_2443_s15_q};
+  assign rise = {1'b0, select_2467_s15_q} - {1'b0, select_2469_s15_q};
   // hls/stages/patches.hpp:68
-  logic parity_2700;
-  assign parity_2700 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  logic parity_2718;
+  assign parity_2718 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
   // hls/stages/agreement.hpp:447
-  logic [15:0] select_2701;
-  assign select_2701 = equal_2237_s15_q ? {patches_chance_q[14:0], parity_2700} : patches_chance_q;
-  // hls/stages/patches.hpp:80
+  logic [15:0] select_2719;
+  assign select_2719 = equal_2263_s15_q ? {patches_chance_q[14:0], parity_2718} : patches_chance_q;
+  // hls/stages/patches.hpp:85
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
-  // hls/stages/patches.hpp:81
+  // hls/stages/patches.hpp:86
   logic [5:0] further;
   assign further = last_s15_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
-  // hls/stages/patches.hpp:480
-  logic [9:0] select_3225;
-  assign select_3225 = less_1804_s15_q ? (equal_1805_s15_q ? 10'h0 : select_3223_s15_q) : select_3223_s15_q;
-  logic [4:0] select_3232;
-  assign select_3232 = less_1804_s15_q ? (equal_1805_s15_q ? 5'h0 : select_3230_s15_q) : select_3230_s15_q;
-  // hls/stages/patches.hpp:476
-  logic and_3242;
-  assign and_3242 = less_1804_s15_q & (patches_step_s15_q == 5'h0);
-  // hls/stages/patches.hpp:480
-  logic select_3245;
-  assign select_3245 = equal_1807_s15_q ? (less_1804_s15_q ? (not_1808_s15_q & and_3242) : and_3242) : and_3242;
+  // hls/stages/patches.hpp:103
+  logic select_2743;
+  assign select_2743 = and_1582_s15_q ? (and_1595_s15_q ? not_2741_s15_q : patches_lower_q) : patches_lower_q;
+  // hls/stages/patches.hpp:163
+  logic [4:0] select_2813;
+  assign select_2813 = or_2782_s15_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  // hls/stages/patches.hpp:492
+  logic select_3272;
+  assign select_3272 = less_1830_s15_q ? (not_1834_s15_q & and_3270_s15_q) : and_3270_s15_q;
+  // hls/stages/patches.hpp:495
+  logic select_3273;
+  assign select_3273 = equal_1833_s15_q ? select_3272 : and_3270_s15_q;
+
+  // Memory patches_right_0, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:692; read in stage 15, written in stage 28: 15 < 28 < 15 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [7:0] patches_right_0_mem [0:1023];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 1024; i++) patches_right_0_mem[i] = 8'h0;
+`endif
+  logic [9:0] patches_right_0_raddr;
+  assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
+  logic patches_right_0_re;
+  assign patches_right_0_re = s15_en & (not_1691 & (not_1693 & and_1699_s15_q));
+  logic [7:0] patches_right_0_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_right_0_re) patches_right_0_rdata_q <= patches_right_0_mem[patches_right_0_raddr];
+  end
+
+  // Memory patches_right_1, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:692; read in stage 15, written in stage 28: 15 < 28 < 15 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [7:0] patches_right_1_mem [0:1023];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 1024; i++) patches_right_1_mem[i] = 8'h0;
+`endif
+  logic [9:0] patches_right_1_raddr;
+  assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
+  logic patches_right_1_re;
+  assign patches_right_1_re = s15_en & (not_1691 & (not_1693 & and_1732_s15_q));
+  logic [7:0] patches_right_1_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_right_1_re) patches_right_1_rdata_q <= patches_right_1_mem[patches_right_1_raddr];
+  end
+
+  // Memory patches_columns_above, 32 x 32, DISTANCE 24, hls/stages/patches.hpp:704; read in stage 15, written in stage 19: 15 < 19 < 15 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [31:0] patches_columns_above_mem [0:31];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 32; i++) patches_columns_above_mem[i] = 32'h0;
+`endif
+  logic [4:0] patches_columns_above_raddr;
+  assign patches_columns_above_raddr = patches_column_q;
+  logic patches_columns_above_re;
+  assign patches_columns_above_re = s15_en & and_1775;
+  logic [31:0] patches_columns_above_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_columns_above_re) patches_columns_above_rdata_q <= patches_columns_above_mem[patches_columns_above_raddr];
+  end
+
+  // Memory patches_rows, 17 x 15, DISTANCE 24, hls/stages/patches.hpp:723; read in stage 15, written in stage 29: 15 < 29 < 15 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [14:0] patches_rows_mem [0:16];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 17; i++) patches_rows_mem[i] = 15'h0;
+`endif
+  logic [4:0] patches_rows_raddr;
+  assign patches_rows_raddr = patches_step_s15_q;
+  logic patches_rows_re;
+  assign patches_rows_re = s15_en & and_1840;
+  logic [14:0] patches_rows_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_rows_re) patches_rows_rdata_q <= patches_rows_mem[patches_rows_raddr];
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       patches_chance_q <= 16'h1;
-      patches_read_row_differing_q <= 10'h0;
-      patches_read_row_column_q <= 5'h0;
+      patches_lower_q <= 1'b0;
+      patches_code_row_q <= 5'h0;
+      patches_column_q <= 5'h0;
+      patches_column_ends_q <= 1'b0;
     end else if (s15_en) begin
-      patches_chance_q <= and_497_s15_q ? select_2701 : patches_chance_q;
-      patches_read_row_differing_q <= equal_1672_s15_q ? select_3225 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_1672_s15_q ? select_3232 : patches_read_row_column_q;
+      patches_chance_q <= and_500_s15_q ? select_2719 : patches_chance_q;
+      patches_lower_q <= sample_pair_whole_s15_q ? select_2743 : patches_lower_q;
+      patches_code_row_q <= select_2813;
+      patches_column_q <= or_2782_s15_q ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_2806_s15_q & (patches_column_q == 5'h1e);
     end
   end
 
@@ -3893,85 +3612,78 @@ module horopter_agreement (
   logic [4:0] patches_code_row_s16_q;
   logic [4:0] patches_column_s16_q;
   logic [4:0] patches_step_s16_q;
-  logic [9:0] patches_read_row_differing_s16_q;
-  logic [4:0] patches_read_row_column_s16_q;
-  logic patches_read_searches_s16_q;
-  logic [3:0] select_458_s16_q;
-  logic equal_459_s16_q;
-  logic [6:0] select_461_s16_q;
-  logic [8:0] select_465_s16_q;
-  logic and_471_s16_q;
-  logic equal_477_s16_q;
+  logic [3:0] select_461_s16_q;
+  logic equal_462_s16_q;
+  logic [6:0] select_464_s16_q;
+  logic [8:0] select_468_s16_q;
+  logic and_474_s16_q;
+  logic equal_480_s16_q;
   logic [6:0] column_s16_q;
-  logic and_495_s16_q;
-  logic and_497_s16_q;
+  logic and_498_s16_q;
+  logic and_500_s16_q;
   logic so_s16_q;
-  logic equal_558_s16_q;
+  logic equal_561_s16_q;
   logic [6:0] x_s16_2_q;
   logic [32:0] best_left_rdata_s16_q;
   logic [7:0] of_best_s16_q;
-  logic or_1406_s16_q;
-  logic [2:0] select_1411_s16_q;
-  logic [7:0] select_1423_s16_q;
-  logic [7:0] select_1427_s16_q;
-  logic [6:0] select_1446_s16_q;
-  logic [5:0] select_1447_s16_q;
-  logic and_1448_s16_q;
+  logic or_1409_s16_q;
+  logic [2:0] select_1414_s16_q;
+  logic [7:0] select_1426_s16_q;
+  logic [7:0] select_1430_s16_q;
+  logic [6:0] select_1449_s16_q;
+  logic [5:0] select_1450_s16_q;
+  logic and_1451_s16_q;
   logic [6:0] right_s16_q;
   logic [14:0] best_right_rdata_s16_q;
-  logic or_1459_s16_q;
-  logic [6:0] select_1464_s16_q;
-  logic [6:0] select_1465_s16_q;
-  logic equal_1466_s16_q;
+  logic or_1462_s16_q;
+  logic [6:0] select_1467_s16_q;
+  logic [6:0] select_1468_s16_q;
+  logic equal_1469_s16_q;
   logic [13:0] shift_2_s16_q;
-  logic [6:0] select_1505_s16_q;
-  logic and_1508_s16_q;
-  logic and_1579_s16_q;
-  logic and_1592_s16_q;
+  logic [6:0] select_1508_s16_q;
+  logic and_1511_s16_q;
+  logic and_1582_s16_q;
+  logic and_1595_s16_q;
   logic right_3_s16_q;
-  logic and_1607_s16_q;
   logic less_1609_s16_q;
-  logic select_1643_s16_q;
-  logic [8:0] difference_1645_s16_q;
-  logic [11:0] sum_1648_s16_q;
-  logic select_1649_s16_q;
-  logic [10:0] sum_1651_s16_q;
-  logic equal_1672_s16_q;
-  logic not_1673_s16_q;
-  logic equal_1674_s16_q;
-  logic not_1675_s16_q;
-  logic equal_1676_s16_q;
-  logic or_1678_s16_q;
-  logic [4:0] select_1699_s16_q;
-  logic select_1705_s16_q;
-  logic [3:0] select_1739_s16_q;
-  logic and_1749_s16_q;
-  logic [31:0] patches_columns_above_rdata_s16_q;
-  logic [7:0] pixel_2_s16_q;
-  logic [9:0] sum_1772_s16_q;
-  logic less_1804_s16_q;
-  logic equal_1805_s16_q;
-  logic not_1806_s16_q;
-  logic equal_1807_s16_q;
-  logic not_1808_s16_q;
-  logic [9:0] patches_rows_rdata_s16_q;
-  logic sum_1835_s16_q;
+  logic select_1661_s16_q;
+  logic [8:0] difference_1663_s16_q;
+  logic [11:0] sum_1666_s16_q;
+  logic select_1667_s16_q;
+  logic [10:0] sum_1669_s16_q;
+  logic equal_1690_s16_q;
+  logic not_1691_s16_q;
+  logic equal_1692_s16_q;
+  logic not_1693_s16_q;
+  logic equal_1694_s16_q;
+  logic or_1696_s16_q;
+  logic [4:0] select_1720_s16_q;
+  logic select_1726_s16_q;
+  logic and_1754_s16_q;
+  logic [3:0] select_1765_s16_q;
+  logic and_1775_s16_q;
+  logic less_1830_s16_q;
+  logic equal_1831_s16_q;
+  logic not_1832_s16_q;
+  logic equal_1833_s16_q;
+  logic not_1834_s16_q;
+  logic sum_1861_s16_q;
   logic textured_s16_q;
-  logic and_1967_s16_q;
-  logic equal_2113_s16_q;
-  logic equal_2237_s16_q;
-  logic [7:0] select_2439_s16_q;
+  logic and_1993_s16_q;
+  logic equal_2139_s16_q;
+  logic equal_2263_s16_q;
+  logic [7:0] select_2465_s16_q;
   logic rise_s16_q;
-  logic [7:0] select_2445_s16_q;
-  logic [7:0] xor_2450_s16_q;
-  logic less_2471_s16_q;
+  logic [7:0] select_2471_s16_q;
+  logic [7:0] xor_2476_s16_q;
+  logic less_2500_s16_q;
   logic [5:0] further_s16_q;
-  logic or_2762_s16_q;
-  logic not_2786_s16_q;
-  logic select_3245_s16_q;
-  logic equal_3257_s16_q;
-  logic less_3532_s16_q;
-  logic equal_3737_s16_q;
+  logic or_2782_s16_q;
+  logic not_2806_s16_q;
+  logic select_3275_s16_q;
+  logic equal_3277_s16_q;
+  logic less_3552_s16_q;
+  logic equal_3757_s16_q;
   always_ff @(posedge clk_i) begin
     if (s15_en) begin
       pixel_0_s16_q <= pixel_0_s15_q;
@@ -3993,229 +3705,126 @@ module horopter_agreement (
       patches_band_rows_number_s16_q <= patches_band_rows_number_s15_q;
       patches_chooses_s16_q <= patches_chooses_s15_q;
       patches_choosing_band_s16_q <= patches_choosing_band_s15_q;
-      patches_lower_s16_q <= patches_lower_s15_q;
+      patches_lower_s16_q <= patches_lower_q;
       patches_second_s16_q <= patches_second_s15_q;
-      patches_code_row_s16_q <= patches_code_row_s15_q;
-      patches_column_s16_q <= patches_column_s15_q;
+      patches_code_row_s16_q <= patches_code_row_q;
+      patches_column_s16_q <= patches_column_q;
       patches_step_s16_q <= patches_step_s15_q;
-      patches_read_row_differing_s16_q <= patches_read_row_differing_q;
-      patches_read_row_column_s16_q <= patches_read_row_column_q;
-      patches_read_searches_s16_q <= patches_read_searches_s15_q;
-      select_458_s16_q <= select_458_s15_q;
-      equal_459_s16_q <= equal_459_s15_q;
       select_461_s16_q <= select_461_s15_q;
-      select_465_s16_q <= select_465_s15_q;
-      and_471_s16_q <= and_471_s15_q;
-      equal_477_s16_q <= equal_477_s15_q;
+      equal_462_s16_q <= equal_462_s15_q;
+      select_464_s16_q <= select_464_s15_q;
+      select_468_s16_q <= select_468_s15_q;
+      and_474_s16_q <= and_474_s15_q;
+      equal_480_s16_q <= equal_480_s15_q;
       column_s16_q <= column_s15_q;
-      and_495_s16_q <= and_495_s15_q;
-      and_497_s16_q <= and_497_s15_q;
+      and_498_s16_q <= and_498_s15_q;
+      and_500_s16_q <= and_500_s15_q;
       so_s16_q <= so_s15_q;
-      equal_558_s16_q <= equal_558_s15_q;
+      equal_561_s16_q <= equal_561_s15_q;
       x_s16_2_q <= x_s15_2_q;
       best_left_rdata_s16_q <= best_left_rdata_s15_q[32:0];
       of_best_s16_q <= of_best_s15_q;
-      or_1406_s16_q <= select_646_s15_q | (best_left_rdata_s15_q[16:9] < of_best_s15_q);
-      select_1411_s16_q <= select_1411_s15_q;
-      select_1423_s16_q <= select_1423;
-      select_1427_s16_q <= select_1427;
-      select_1446_s16_q <= or_1445_s15_q ? of_near_s15_q : best_left_rdata_s15_q[39:33];
-      select_1447_s16_q <= or_1445_s15_q ? run_shift_s15_q : best_left_rdata_s15_q[45:40];
-      and_1448_s16_q <= and_1448_s15_q;
+      or_1409_s16_q <= select_649_s15_q | (best_left_rdata_s15_q[16:9] < of_best_s15_q);
+      select_1414_s16_q <= select_1414_s15_q;
+      select_1426_s16_q <= select_1426;
+      select_1430_s16_q <= select_1430;
+      select_1449_s16_q <= or_1448_s15_q ? of_near_s15_q : best_left_rdata_s15_q[39:33];
+      select_1450_s16_q <= or_1448_s15_q ? run_shift_s15_q : best_left_rdata_s15_q[45:40];
+      and_1451_s16_q <= and_1451_s15_q;
       right_s16_q <= right_s15_q;
       best_right_rdata_s16_q <= best_right_rdata_s15_q[14:0];
-      or_1459_s16_q <= or_1459;
-      select_1464_s16_q <= or_1463_s15_q ? of_near_s15_q : best_right_rdata_s15_q[21:15];
-      select_1465_s16_q <= or_1463_s15_q ? x_s15_2_q : best_right_rdata_s15_q[28:22];
-      equal_1466_s16_q <= equal_1466_s15_q;
+      or_1462_s16_q <= or_1462;
+      select_1467_s16_q <= or_1466_s15_q ? of_near_s15_q : best_right_rdata_s15_q[21:15];
+      select_1468_s16_q <= or_1466_s15_q ? x_s15_2_q : best_right_rdata_s15_q[28:22];
+      equal_1469_s16_q <= equal_1469_s15_q;
       shift_2_s16_q <= {shift_2[14:3], shift_2[1:0]};
-      select_1505_s16_q <= select_1505_s15_q;
-      and_1508_s16_q <= equal_517_s15_q & shift_2[4];
-      and_1579_s16_q <= and_1579_s15_q;
-      and_1592_s16_q <= and_1592_s15_q;
+      select_1508_s16_q <= select_1508_s15_q;
+      and_1511_s16_q <= equal_520_s15_q & shift_2[4];
+      and_1582_s16_q <= and_1582_s15_q;
+      and_1595_s16_q <= and_1595_s15_q;
       right_3_s16_q <= right_3;
-      and_1607_s16_q <= shift_2[4] & less_1606_s15_q;
-      less_1609_s16_q <= {3'h0, last_s15_q[6:1]} < ({1'b0, x_s15_q} + 9'h1);
-      select_1643_s16_q <= select_1643[0];
-      difference_1645_s16_q <= select_1643[9:1] - (shift_2[11] ? select_1642_s15_q[8:0] : 9'h0);
-      sum_1648_s16_q <= sum_1648[12:1];
-      select_1649_s16_q <= select_1649[0];
-      sum_1651_s16_q <= sum_1651;
-      equal_1672_s16_q <= equal_1672_s15_q;
-      not_1673_s16_q <= not_1673_s15_q;
-      equal_1674_s16_q <= equal_1674_s15_q;
-      not_1675_s16_q <= not_1675_s15_q;
-      equal_1676_s16_q <= equal_1676_s15_q;
-      or_1678_s16_q <= or_1678_s15_q;
-      select_1699_s16_q <= select_1699_s15_q;
-      select_1705_s16_q <= select_1705_s15_q;
-      select_1739_s16_q <= select_1739_s15_q;
-      and_1749_s16_q <= and_1749_s15_q;
-      patches_columns_above_rdata_s16_q <= patches_columns_above_rdata_s15_q;
-      pixel_2_s16_q <= pixel_2;
-      sum_1772_s16_q <= sum_1772;
-      less_1804_s16_q <= less_1804_s15_q;
-      equal_1805_s16_q <= equal_1805_s15_q;
-      not_1806_s16_q <= not_1806_s15_q;
-      equal_1807_s16_q <= equal_1807_s15_q;
-      not_1808_s16_q <= not_1808_s15_q;
-      patches_rows_rdata_s16_q <= patches_rows_rdata_s15_q;
-      sum_1835_s16_q <= sum_1835_s15_q;
+      less_1609_s16_q <= less_1609_s15_q;
+      select_1661_s16_q <= select_1661[0];
+      difference_1663_s16_q <= select_1661[9:1] - (shift_2[11] ? select_1660_s15_q[8:0] : 9'h0);
+      sum_1666_s16_q <= sum_1666[12:1];
+      select_1667_s16_q <= select_1667[0];
+      sum_1669_s16_q <= sum_1669;
+      equal_1690_s16_q <= equal_1690_s15_q;
+      not_1691_s16_q <= not_1691;
+      equal_1692_s16_q <= equal_1692_s15_q;
+      not_1693_s16_q <= not_1693;
+      equal_1694_s16_q <= equal_1694_s15_q;
+      or_1696_s16_q <= or_1696_s15_q;
+      select_1720_s16_q <= select_1720_s15_q;
+      select_1726_s16_q <= select_1726_s15_q;
+      and_1754_s16_q <= not_1691 & (not_1693 & and_1752_s15_q);
+      select_1765_s16_q <= select_1765_s15_q;
+      and_1775_s16_q <= and_1775;
+      less_1830_s16_q <= less_1830_s15_q;
+      equal_1831_s16_q <= equal_1831_s15_q;
+      not_1832_s16_q <= not_1832_s15_q;
+      equal_1833_s16_q <= equal_1833_s15_q;
+      not_1834_s16_q <= not_1834_s15_q;
+      sum_1861_s16_q <= sum_1861_s15_q;
       textured_s16_q <= textured;
-      and_1967_s16_q <= and_1967_s15_q;
-      equal_2113_s16_q <= equal_2113_s15_q;
-      equal_2237_s16_q <= equal_2237_s15_q;
-      select_2439_s16_q <= select_2439;
+      and_1993_s16_q <= and_1993_s15_q;
+      equal_2139_s16_q <= equal_2139_s15_q;
+      equal_2263_s16_q <= equal_2263_s15_q;
+      select_2465_s16_q <= select_2465;
       rise_s16_q <= rise[8];
-      select_2445_s16_q <= rise[8] ? select_2441_s15_q : select_2443_s15_q;
-      xor_2450_s16_q <= rise[7:0] ^ {8{rise[8]}};
-      less_2471_s16_q <= select_2441_s15_q < select_2443_s15_q;
+      select_2471_s16_q <= rise[8] ? select_2467_s15_q : select_2469_s15_q;
+      xor_2476_s16_q <= rise[7:0] ^ {8{rise[8]}};
+      less_2500_s16_q <= select_2467_s15_q < select_2469_s15_q;
       further_s16_q <= further;
-      or_2762_s16_q <= or_2762_s15_q;
-      not_2786_s16_q <= not_2786_s15_q;
-      select_3245_s16_q <= select_3245;
-      equal_3257_s16_q <= equal_3257_s15_q;
-      less_3532_s16_q <= less_3532_s15_q;
-      equal_3737_s16_q <= equal_3737_s15_q;
+      or_2782_s16_q <= or_2782_s15_q;
+      not_2806_s16_q <= not_2806_s15_q;
+      select_3275_s16_q <= less_1830_s15_q ? (not_1832_s15_q & select_3273) : select_3273;
+      equal_3277_s16_q <= equal_3277_s15_q;
+      less_3552_s16_q <= less_3552_s15_q;
+      equal_3757_s16_q <= equal_3757_s15_q;
     end
   end
 
   // Stage 16 ----------------------------------------------------------------------------------------------------------
-  logic [4:0] patches_band_q;
-  logic [1:0] patches_fetch_q;
-  logic patches_read_first_q;
-  logic [9:0] patches_peak_best_differing_q;
-  logic [4:0] patches_peak_best_column_q;
-  // hls/stages/census.hpp:119
-  logic and_472;
-  assign and_472 = sample_pair_whole_s16_q & and_471_s16_q;
+  logic patches_read_searches_q;
   // hls/stages/agreement.hpp:955
-  logic not_1467;
-  assign not_1467 = ~equal_1466_s16_q;
-  // hls/stages/patches.hpp:303
-  logic and_1499;
-  assign and_1499 = ends_cell_s16_q & shift_2_s16_q[0];
-  logic and_1501;
-  assign and_1501 = not_1467 & (so_s16_q & and_1499);
+  logic not_1470;
+  assign not_1470 = ~equal_1469_s16_q;
+  // hls/stages/patches.hpp:309
+  logic and_1502;
+  assign and_1502 = ends_cell_s16_q & shift_2_s16_q[0];
+  logic and_1504;
+  assign and_1504 = not_1470 & (so_s16_q & and_1502);
   // hls/stages/agreement.hpp:955
-  logic [5:0] sum_1551;
-  assign sum_1551 = {1'b0, last_s16_q[6:2]} + 6'h1;
+  logic [5:0] sum_1554;
+  assign sum_1554 = {1'b0, last_s16_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:250
   logic right_2;
-  assign right_2 = shift_2_s16_q[0] & ({1'b0, sum_1551, last_s16_q[1]} < x_s16_q);
-  // hls/stages/patches.hpp:327
-  logic [1:0] select_1593;
-  assign select_1593 = and_1592_s16_q ? 2'h1 : patches_fetch_q;
-  logic [4:0] select_1594;
-  assign select_1594 = and_1592_s16_q ? patches_band_rows_number_s16_q : patches_band_q;
-  // hls/stages/agreement.hpp:263
-  logic [5:0] select_1595;
-  assign select_1595 = and_1579_s16_q ? {select_1594, select_1593[1]} : {patches_band_q, patches_fetch_q[1]};
-  // hls/stages/patches.hpp:98
-  logic [1:0] select_1596;
-  assign select_1596 = and_1579_s16_q ? select_1593 : patches_fetch_q;
-  logic equal_1597;
-  assign equal_1597 = select_1596 == 2'h0;
-  // hls/stages/patches.hpp:303
-  logic and_1604;
-  assign and_1604 = so_s16_q & (ends_cell_s16_q & (shift_2_s16_q[0] & right_3_s16_q));
-  logic and_1605;
-  assign and_1605 = not_1467 & and_1604;
-  // hls/stages/patches.hpp:74
-  logic [9:0] sum_1618;
-  assign sum_1618 = {2'h0, x_s16_q} + {{4{shift_2_s16_q[10]}}, shift_2_s16_q[10:5]};
-  // hls/stages/registration.hpp:211
-  logic [11:0] sum_1652;
-  assign sum_1652 = sum_1648_s16_q + {sum_1651_s16_q, select_1649_s16_q};
-  logic [9:0] sum_1653;
-  assign sum_1653 = {difference_1645_s16_q, select_1643_s16_q} + sum_1652[11:2];
-  // hls/stages/patches.hpp:98
-  logic [4:0] select_1685;
-  assign select_1685 = and_1579_s16_q ? select_1594 : patches_band_q;
-  // hls/stages/patches.hpp:100
-  logic equal_1686;
-  assign equal_1686 = {patches_choosing_band_s16_q, and_1605} == {select_1685, select_1596[1]};
-  // hls/stages/patches.hpp:412
-  logic [8:0] sum_1761;
-  assign sum_1761 = {1'b0, patches_columns_above_rdata_s16_q[7:0]} + {2'h0, pixel_2_s16_q[7:1]};
-  logic [8:0] sum_1762;
-  assign sum_1762 = {1'b0, patches_columns_above_rdata_s16_q[23:16]} + {2'h0, patches_columns_above_rdata_s16_q[31:25]};
-  // hls/stages/patches.hpp:410
-  logic [10:0] sum_1773;
-  assign sum_1773 = {3'h0, patches_columns_above_rdata_s16_q[15:8]} + {sum_1772_s16_q, patches_columns_above_rdata_s16_q[25]};
-  // hls/stages/patches.hpp:148
-  logic and_1785;
-  assign and_1785 = (~(patches_code_row_s16_q[4:2] == 3'h0)) & (~(patches_column_s16_q[4:2] == 3'h0));
-  // hls/stages/patches.hpp:160
-  logic and_1789;
-  assign and_1789 = or_1678_s16_q & ((equal_1676_s16_q & and_1785) & (patches_column_s16_q == 5'h1f));
-  // hls/stages/patches.hpp:425
-  logic or_1795;
-  assign or_1795 = equal_1676_s16_q | (~and_1785);
-  // hls/stages/patches.hpp:429
-  logic and_1800;
-  assign and_1800 = (~or_1795) & ((~patches_column_s16_q[4]) & (patches_column_s16_q == 5'hf));
+  assign right_2 = shift_2_s16_q[0] & ({1'b0, sum_1554, last_s16_q[1]} < x_s16_q);
+  // hls/stages/patches.hpp:79
+  logic [9:0] sum_1637;
+  assign sum_1637 = {2'h0, x_s16_q} + {{4{shift_2_s16_q[10]}}, shift_2_s16_q[10:5]};
+  // hls/stages/registration.hpp:214
+  logic [11:0] sum_1670;
+  assign sum_1670 = sum_1666_s16_q + {sum_1669_s16_q, select_1667_s16_q};
+  logic [9:0] sum_1671;
+  assign sum_1671 = {difference_1663_s16_q, select_1661_s16_q} + sum_1670[11:2];
   // hls/stages/registration.hpp:35
-  logic [8:0] difference_2446;
-  assign difference_2446 = {1'b0, select_2439_s16_q} - {1'b0, select_2445_s16_q};
+  logic [8:0] difference_2472;
+  assign difference_2472 = {1'b0, select_2465_s16_q} - {1'b0, select_2471_s16_q};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
-  assign wide = difference_2446[8] ? 8'h0 : difference_2446[7:0];
+  assign wide = difference_2472[8] ? 8'h0 : difference_2472[7:0];
   // hls/stages/registration.hpp:34
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_s16_q} + {1'b0, xor_2450_s16_q};
-  // hls/stages/patches.hpp:82
-  logic [5:0] select_2706;
-  assign select_2706 = right_3_s16_q ? last_s16_q[6:1] : 6'h0;
+  assign size_3 = {8'h0, rise_s16_q} + {1'b0, xor_2476_s16_q};
+  // hls/stages/patches.hpp:87
+  logic [5:0] select_2724;
+  assign select_2724 = right_3_s16_q ? last_s16_q[6:1] : 6'h0;
   logic [6:0] from;
-  assign from = {1'b0, further_s16_q} + {1'b0, select_2706};
-  // hls/stages/patches.hpp:101
-  logic not_2729;
-  assign not_2729 = ~select_1596[1];
-  // hls/stages/agreement.hpp:263
-  logic [1:0] select_2731;
-  assign select_2731 = sample_pair_whole_s16_q ? (equal_1597 ? select_1596 : {not_2729, 1'b0}) : patches_fetch_q;
-  // hls/stages/patches.hpp:476
-  logic [4:0] select_3234;
-  assign select_3234 = less_1804_s16_q ? patches_step_s16_q : 5'h0;
-  // hls/stages/patches.hpp:480
-  logic [4:0] select_3237;
-  assign select_3237 = equal_1807_s16_q ? (less_1804_s16_q ? (equal_1807_s16_q ? 5'h0 : select_3234) : 5'h0) : select_3234;
-  logic [4:0] select_3239;
-  assign select_3239 = less_1804_s16_q ? (equal_1805_s16_q ? 5'h0 : select_3237) : select_3237;
-  logic select_3247;
-  assign select_3247 = less_1804_s16_q ? (not_1806_s16_q & select_3245_s16_q) : select_3245_s16_q;
-  // hls/stages/patches.hpp:154
-  logic or_3259;
-  assign or_3259 = patches_read_first_q | (patches_read_row_differing_s16_q < patches_peak_best_differing_q);
-  logic and_3260;
-  assign and_3260 = patches_read_searches_s16_q & or_3259;
-  // hls/stages/patches.hpp:459
-  logic [14:0] select_3292;
-  assign select_3292 = and_3260 ? {patches_read_row_column_s16_q, patches_read_row_differing_s16_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
-  // hls/stages/patches.hpp:160
-  logic [9:0] select_3293;
-  assign select_3293 = equal_1672_s16_q ? select_3292[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3294;
-  assign select_3294 = equal_1672_s16_q ? select_3292[14:10] : patches_peak_best_column_q;
+  assign from = {1'b0, further_s16_q} + {1'b0, select_2724};
 
-  // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:226; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [29:0] averager_memory_mem [0:479];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 480; i++) averager_memory_mem[i] = 30'h0;
-`endif
-  logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_465_s16_q;
-  logic averager_memory_re;
-  assign averager_memory_re = s16_en & and_472;
-  logic [29:0] averager_memory_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
-  end
-
-  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1297; read in stage 16, written in stage 17: 16 < 17 < 16 + DISTANCE.
+  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1298; read in stage 16, written in stage 17: 16 < 17 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] shown_right_mem [0:119];
@@ -4225,13 +3834,29 @@ module horopter_agreement (
   logic [6:0] shown_right_raddr;
   assign shown_right_raddr = x_s16_q[6:0];
   logic shown_right_re;
-  assign shown_right_re = s16_en & and_1501;
+  assign shown_right_re = s16_en & and_1504;
   logic [1:0] shown_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1324; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
+  // Memory patches_left, 512 x 8, DISTANCE 24, hls/stages/patches.hpp:693; read in stage 16, written in stage 27: 16 < 27 < 16 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [7:0] patches_left_mem [0:511];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 512; i++) patches_left_mem[i] = 8'h0;
+`endif
+  logic [8:0] patches_left_raddr;
+  assign patches_left_raddr = {patches_second_s16_q, patches_code_row_s16_q[3:0], patches_column_s16_q[3:0]};
+  logic patches_left_re;
+  assign patches_left_re = s16_en & and_1754_s16_q;
+  logic [7:0] patches_left_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_left_re) patches_left_rdata_q <= patches_left_mem[patches_left_raddr];
+  end
+
+  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1325; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] seen_columns_mem [0:119];
@@ -4241,72 +3866,17 @@ module horopter_agreement (
   logic [6:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s16_q[6:0];
   logic seen_columns_re;
-  assign seen_columns_re = s16_en & and_1501;
+  assign seen_columns_re = s16_en & and_1504;
   logic [17:0] seen_columns_rdata_q;
   always_ff @(posedge clk_i) begin
     if (seen_columns_re) seen_columns_rdata_q <= seen_columns_mem[seen_columns_raddr];
   end
 
-  // Memory patches_columns_above, write
-  logic [4:0] patches_columns_above_waddr;
-  assign patches_columns_above_waddr = patches_column_s16_q;
-  logic patches_columns_above_we;
-  assign patches_columns_above_we = s16_en & and_1749_s16_q;
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_columns_above_we) patches_columns_above_mem[patches_columns_above_waddr] <= {patches_columns_above_rdata_s16_q[23:0], pixel_2_s16_q};
-  end
-`ifndef SYNTHESIS
-  logic [4:0] patches_columns_above_raddr_s13_sim;
-  logic patches_columns_above_re_s13_sim;
-  logic [4:0] patches_columns_above_raddr_s14_sim;
-  logic patches_columns_above_re_s14_sim;
-  logic [4:0] patches_columns_above_raddr_s15_sim;
-  logic patches_columns_above_re_s15_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      patches_columns_above_re_s13_sim <= 1'b0;
-      patches_columns_above_re_s14_sim <= 1'b0;
-      patches_columns_above_re_s15_sim <= 1'b0;
-    end else if (en_i) begin
-      patches_columns_above_re_s13_sim <= patches_columns_above_re;
-      patches_columns_above_raddr_s13_sim <= patches_columns_above_raddr;
-      patches_columns_above_re_s14_sim <= patches_columns_above_re_s13_sim;
-      patches_columns_above_raddr_s14_sim <= patches_columns_above_raddr_s13_sim;
-      patches_columns_above_re_s15_sim <= patches_columns_above_re_s14_sim;
-      patches_columns_above_raddr_s15_sim <= patches_columns_above_raddr_s14_sim;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && patches_columns_above_we) begin
-      if (patches_columns_above_re && patches_columns_above_raddr == patches_columns_above_waddr) begin
-        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
-      end
-      if (patches_columns_above_re_s13_sim && patches_columns_above_raddr_s13_sim == patches_columns_above_waddr) begin
-        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
-      end
-      if (patches_columns_above_re_s14_sim && patches_columns_above_raddr_s14_sim == patches_columns_above_waddr) begin
-        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
-      end
-      if (patches_columns_above_re_s15_sim && patches_columns_above_raddr_s15_sim == patches_columns_above_waddr) begin
-        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
-      end
-    end
-  end
-`endif
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      patches_band_q <= 5'h0;
-      patches_fetch_q <= 2'h0;
-      patches_read_first_q <= 1'b0;
-      patches_peak_best_differing_q <= 10'h0;
-      patches_peak_best_column_q <= 5'h0;
+      patches_read_searches_q <= 1'b0;
     end else if (s16_en) begin
-      patches_band_q <= sample_pair_whole_s16_q ? select_1685 : patches_band_q;
-      patches_fetch_q <= select_2731;
-      patches_read_first_q <= equal_1672_s16_q ? select_3247 : patches_read_first_q;
-      patches_peak_best_differing_q <= select_3293;
-      patches_peak_best_column_q <= select_3294;
+      patches_read_searches_q <= equal_1690_s16_q ? select_3275_s16_q : patches_read_searches_q;
     end
   end
 
@@ -4324,100 +3894,90 @@ module horopter_agreement (
   logic ends_cell_s17_q;
   logic lower_half_s17_q;
   logic [11:0] registration_slope_s17_q;
+  logic [4:0] patches_band_rows_number_s17_q;
   logic patches_chooses_s17_q;
   logic [4:0] patches_choosing_band_s17_q;
   logic patches_lower_s17_q;
   logic patches_second_s17_q;
   logic [4:0] patches_code_row_s17_q;
-  logic patches_column_s17_q;
+  logic [4:0] patches_column_s17_q;
   logic [4:0] patches_step_s17_q;
-  logic [9:0] patches_read_row_differing_s17_q;
-  logic patches_read_first_s17_q;
-  logic [3:0] select_458_s17_q;
-  logic equal_459_s17_q;
-  logic [6:0] select_461_s17_q;
-  logic [8:0] select_465_s17_q;
-  logic and_471_s17_q;
-  logic and_472_s17_q;
-  logic equal_477_s17_q;
+  logic patches_read_searches_s17_q;
+  logic [3:0] select_461_s17_q;
+  logic equal_462_s17_q;
+  logic [6:0] select_464_s17_q;
+  logic [8:0] select_468_s17_q;
+  logic and_474_s17_q;
+  logic equal_480_s17_q;
   logic [6:0] column_s17_q;
-  logic and_495_s17_q;
-  logic and_497_s17_q;
+  logic and_498_s17_q;
+  logic and_500_s17_q;
   logic so_s17_q;
-  logic equal_558_s17_q;
+  logic equal_561_s17_q;
   logic [6:0] x_s17_2_q;
-  logic [5:0] select_1407_s17_q;
-  logic [2:0] select_1412_s17_q;
-  logic [7:0] select_1413_s17_q;
-  logic [7:0] select_1424_s17_q;
-  logic [7:0] select_1428_s17_q;
-  logic [6:0] select_1446_s17_q;
-  logic [5:0] select_1447_s17_q;
-  logic and_1448_s17_q;
+  logic [5:0] select_1410_s17_q;
+  logic [2:0] select_1415_s17_q;
+  logic [7:0] select_1416_s17_q;
+  logic [7:0] select_1427_s17_q;
+  logic [7:0] select_1431_s17_q;
+  logic [6:0] select_1449_s17_q;
+  logic [5:0] select_1450_s17_q;
+  logic and_1451_s17_q;
   logic [6:0] right_s17_q;
-  logic [7:0] select_1460_s17_q;
-  logic [6:0] select_1461_s17_q;
+  logic [7:0] select_1463_s17_q;
   logic [6:0] select_1464_s17_q;
-  logic [6:0] select_1465_s17_q;
-  logic equal_1466_s17_q;
-  logic not_1467_s17_q;
+  logic [6:0] select_1467_s17_q;
+  logic [6:0] select_1468_s17_q;
+  logic equal_1469_s17_q;
+  logic not_1470_s17_q;
   logic [13:0] shift_2_s17_q;
-  logic and_1501_s17_q;
-  logic [6:0] select_1505_s17_q;
-  logic and_1510_s17_q;
+  logic and_1504_s17_q;
+  logic [6:0] select_1508_s17_q;
+  logic and_1513_s17_q;
   logic right_2_s17_q;
-  logic and_1579_s17_q;
-  logic [5:0] select_1595_s17_q;
-  logic select_1596_s17_q;
-  logic equal_1597_s17_q;
-  logic and_1605_s17_q;
-  logic and_1607_s17_q;
-  logic and_1611_s17_q;
-  logic not_1614_s17_q;
-  logic less_1619_s17_q;
-  logic less_1620_s17_q;
-  logic [7:0] sum_1653_s17_q;
-  logic equal_1665_s17_q;
-  logic equal_1672_s17_q;
-  logic not_1673_s17_q;
-  logic equal_1674_s17_q;
-  logic equal_1676_s17_q;
-  logic or_1678_s17_q;
-  logic equal_1686_s17_q;
-  logic [4:0] select_1699_s17_q;
-  logic select_1705_s17_q;
-  logic [3:0] select_1739_s17_q;
-  logic [8:0] patches_columns_above_rdata_s17_q;
-  logic [7:0] pixel_2_s17_q;
-  logic [8:0] sum_1761_s17_q;
-  logic [8:0] sum_1762_s17_q;
-  logic [10:0] sum_1773_s17_q;
-  logic and_1790_s17_q;
-  logic or_1795_s17_q;
-  logic and_1802_s17_q;
-  logic less_1804_s17_q;
-  logic equal_1805_s17_q;
-  logic not_1806_s17_q;
-  logic equal_1807_s17_q;
-  logic not_1808_s17_q;
-  logic [9:0] patches_rows_rdata_s17_q;
-  logic sum_1835_s17_q;
+  logic and_1582_s17_q;
+  logic and_1595_s17_q;
+  logic right_3_s17_q;
+  logic less_1609_s17_q;
+  logic less_1628_s17_q;
+  logic not_1633_s17_q;
+  logic less_1638_s17_q;
+  logic less_1639_s17_q;
+  logic [7:0] sum_1671_s17_q;
+  logic equal_1683_s17_q;
+  logic equal_1690_s17_q;
+  logic not_1691_s17_q;
+  logic equal_1692_s17_q;
+  logic not_1693_s17_q;
+  logic equal_1694_s17_q;
+  logic or_1696_s17_q;
+  logic [7:0] patches_right_0_rdata_s17_q;
+  logic [4:0] select_1720_s17_q;
+  logic select_1726_s17_q;
+  logic [7:0] patches_right_1_rdata_s17_q;
+  logic [3:0] select_1765_s17_q;
+  logic and_1775_s17_q;
+  logic [31:0] patches_columns_above_rdata_s17_q;
+  logic less_1830_s17_q;
+  logic equal_1831_s17_q;
+  logic not_1832_s17_q;
+  logic equal_1833_s17_q;
+  logic not_1834_s17_q;
+  logic [14:0] patches_rows_rdata_s17_q;
+  logic sum_1861_s17_q;
   logic textured_s17_q;
-  logic and_1970_s17_q;
-  logic equal_2113_s17_q;
-  logic equal_2237_s17_q;
+  logic and_1996_s17_q;
+  logic equal_2139_s17_q;
+  logic equal_2263_s17_q;
   logic [7:0] wide_s17_q;
   logic [8:0] size_3_s17_q;
-  logic less_2471_s17_q;
-  logic not_2709_s17_q;
-  logic or_2762_s17_q;
-  logic not_2786_s17_q;
-  logic [4:0] select_3239_s17_q;
-  logic equal_3257_s17_q;
-  logic and_3260_s17_q;
-  logic [14:0] select_3292_s17_q;
-  logic less_3532_s17_q;
-  logic equal_3737_s17_q;
+  logic less_2500_s17_q;
+  logic not_2727_s17_q;
+  logic or_2782_s17_q;
+  logic not_2806_s17_q;
+  logic equal_3277_s17_q;
+  logic less_3552_s17_q;
+  logic equal_3757_s17_q;
   always_ff @(posedge clk_i) begin
     if (s16_en) begin
       pixel_0_s17_q <= pixel_0_s16_q;
@@ -4434,185 +3994,175 @@ module horopter_agreement (
       ends_cell_s17_q <= ends_cell_s16_q;
       lower_half_s17_q <= lower_half_s16_q;
       registration_slope_s17_q <= registration_slope_s16_q;
+      patches_band_rows_number_s17_q <= patches_band_rows_number_s16_q;
       patches_chooses_s17_q <= patches_chooses_s16_q;
       patches_choosing_band_s17_q <= patches_choosing_band_s16_q;
       patches_lower_s17_q <= patches_lower_s16_q;
       patches_second_s17_q <= patches_second_s16_q;
       patches_code_row_s17_q <= patches_code_row_s16_q;
-      patches_column_s17_q <= patches_column_s16_q[4];
+      patches_column_s17_q <= patches_column_s16_q;
       patches_step_s17_q <= patches_step_s16_q;
-      patches_read_row_differing_s17_q <= patches_read_row_differing_s16_q;
-      patches_read_first_s17_q <= patches_read_first_q;
-      select_458_s17_q <= select_458_s16_q;
-      equal_459_s17_q <= equal_459_s16_q;
+      patches_read_searches_s17_q <= patches_read_searches_q;
       select_461_s17_q <= select_461_s16_q;
-      select_465_s17_q <= select_465_s16_q;
-      and_471_s17_q <= and_471_s16_q;
-      and_472_s17_q <= and_472;
-      equal_477_s17_q <= equal_477_s16_q;
+      equal_462_s17_q <= equal_462_s16_q;
+      select_464_s17_q <= select_464_s16_q;
+      select_468_s17_q <= select_468_s16_q;
+      and_474_s17_q <= and_474_s16_q;
+      equal_480_s17_q <= equal_480_s16_q;
       column_s17_q <= column_s16_q;
-      and_495_s17_q <= and_495_s16_q;
-      and_497_s17_q <= and_497_s16_q;
+      and_498_s17_q <= and_498_s16_q;
+      and_500_s17_q <= and_500_s16_q;
       so_s17_q <= so_s16_q;
-      equal_558_s17_q <= equal_558_s16_q;
+      equal_561_s17_q <= equal_561_s16_q;
       x_s17_2_q <= x_s16_2_q;
-      select_1407_s17_q <= or_1406_s16_q ? run_shift_s16_q : best_left_rdata_s16_q[5:0];
-      select_1412_s17_q <= or_1406_s16_q ? select_1411_s16_q : best_left_rdata_s16_q[8:6];
-      select_1413_s17_q <= or_1406_s16_q ? of_best_s16_q : best_left_rdata_s16_q[16:9];
-      select_1424_s17_q <= or_1406_s16_q ? select_1423_s16_q : best_left_rdata_s16_q[24:17];
-      select_1428_s17_q <= or_1406_s16_q ? select_1427_s16_q : best_left_rdata_s16_q[32:25];
-      select_1446_s17_q <= select_1446_s16_q;
-      select_1447_s17_q <= select_1447_s16_q;
-      and_1448_s17_q <= and_1448_s16_q;
+      select_1410_s17_q <= or_1409_s16_q ? run_shift_s16_q : best_left_rdata_s16_q[5:0];
+      select_1415_s17_q <= or_1409_s16_q ? select_1414_s16_q : best_left_rdata_s16_q[8:6];
+      select_1416_s17_q <= or_1409_s16_q ? of_best_s16_q : best_left_rdata_s16_q[16:9];
+      select_1427_s17_q <= or_1409_s16_q ? select_1426_s16_q : best_left_rdata_s16_q[24:17];
+      select_1431_s17_q <= or_1409_s16_q ? select_1430_s16_q : best_left_rdata_s16_q[32:25];
+      select_1449_s17_q <= select_1449_s16_q;
+      select_1450_s17_q <= select_1450_s16_q;
+      and_1451_s17_q <= and_1451_s16_q;
       right_s17_q <= right_s16_q;
-      select_1460_s17_q <= or_1459_s16_q ? of_best_s16_q : best_right_rdata_s16_q[7:0];
-      select_1461_s17_q <= or_1459_s16_q ? x_s16_2_q : best_right_rdata_s16_q[14:8];
-      select_1464_s17_q <= select_1464_s16_q;
-      select_1465_s17_q <= select_1465_s16_q;
-      equal_1466_s17_q <= equal_1466_s16_q;
-      not_1467_s17_q <= not_1467;
+      select_1463_s17_q <= or_1462_s16_q ? of_best_s16_q : best_right_rdata_s16_q[7:0];
+      select_1464_s17_q <= or_1462_s16_q ? x_s16_2_q : best_right_rdata_s16_q[14:8];
+      select_1467_s17_q <= select_1467_s16_q;
+      select_1468_s17_q <= select_1468_s16_q;
+      equal_1469_s17_q <= equal_1469_s16_q;
+      not_1470_s17_q <= not_1470;
       shift_2_s17_q <= shift_2_s16_q;
-      and_1501_s17_q <= and_1501;
-      select_1505_s17_q <= select_1505_s16_q;
-      and_1510_s17_q <= not_1467 & (so_s16_q ? and_1499 : and_1508_s16_q);
+      and_1504_s17_q <= and_1504;
+      select_1508_s17_q <= select_1508_s16_q;
+      and_1513_s17_q <= not_1470 & (so_s16_q ? and_1502 : and_1511_s16_q);
       right_2_s17_q <= right_2;
-      and_1579_s17_q <= and_1579_s16_q;
-      select_1595_s17_q <= select_1595;
-      select_1596_s17_q <= select_1596[1];
-      equal_1597_s17_q <= equal_1597;
-      and_1605_s17_q <= and_1605;
-      and_1607_s17_q <= and_1607_s16_q;
-      and_1611_s17_q <= less_1609_s16_q & (~right_3_s16_q);
-      not_1614_s17_q <= ~(x_s16_q < {1'b0, last_s16_q});
-      less_1619_s17_q <= $signed(10'h0) < $signed(sum_1618);
-      less_1620_s17_q <= $signed(sum_1618) < $signed({3'h0, last_s16_q});
-      sum_1653_s17_q <= sum_1653[9:2];
-      equal_1665_s17_q <= x_s16_q == {1'b0, last_s16_q};
-      equal_1672_s17_q <= equal_1672_s16_q;
-      not_1673_s17_q <= not_1673_s16_q;
-      equal_1674_s17_q <= equal_1674_s16_q;
-      equal_1676_s17_q <= equal_1676_s16_q;
-      or_1678_s17_q <= or_1678_s16_q;
-      equal_1686_s17_q <= equal_1686;
-      select_1699_s17_q <= select_1699_s16_q;
-      select_1705_s17_q <= select_1705_s16_q;
-      select_1739_s17_q <= select_1739_s16_q;
-      patches_columns_above_rdata_s17_q <= {patches_columns_above_rdata_s16_q[24], patches_columns_above_rdata_s16_q[7:0]};
-      pixel_2_s17_q <= pixel_2_s16_q;
-      sum_1761_s17_q <= sum_1761;
-      sum_1762_s17_q <= sum_1762;
-      sum_1773_s17_q <= sum_1773;
-      and_1790_s17_q <= not_1675_s16_q & and_1789;
-      or_1795_s17_q <= or_1795;
-      and_1802_s17_q <= not_1675_s16_q & (or_1678_s16_q & and_1800);
-      less_1804_s17_q <= less_1804_s16_q;
-      equal_1805_s17_q <= equal_1805_s16_q;
-      not_1806_s17_q <= not_1806_s16_q;
-      equal_1807_s17_q <= equal_1807_s16_q;
-      not_1808_s17_q <= not_1808_s16_q;
-      patches_rows_rdata_s17_q <= patches_rows_rdata_s16_q;
-      sum_1835_s17_q <= sum_1835_s16_q;
+      and_1582_s17_q <= and_1582_s16_q;
+      and_1595_s17_q <= and_1595_s16_q;
+      right_3_s17_q <= right_3_s16_q;
+      less_1609_s17_q <= less_1609_s16_q;
+      less_1628_s17_q <= {3'h0, last_s16_q[6:1]} < ({1'b0, x_s16_q} + 9'h1);
+      not_1633_s17_q <= ~(x_s16_q < {1'b0, last_s16_q});
+      less_1638_s17_q <= $signed(10'h0) < $signed(sum_1637);
+      less_1639_s17_q <= $signed(sum_1637) < $signed({3'h0, last_s16_q});
+      sum_1671_s17_q <= sum_1671[9:2];
+      equal_1683_s17_q <= x_s16_q == {1'b0, last_s16_q};
+      equal_1690_s17_q <= equal_1690_s16_q;
+      not_1691_s17_q <= not_1691_s16_q;
+      equal_1692_s17_q <= equal_1692_s16_q;
+      not_1693_s17_q <= not_1693_s16_q;
+      equal_1694_s17_q <= equal_1694_s16_q;
+      or_1696_s17_q <= or_1696_s16_q;
+      patches_right_0_rdata_s17_q <= patches_right_0_rdata_q;
+      select_1720_s17_q <= select_1720_s16_q;
+      select_1726_s17_q <= select_1726_s16_q;
+      patches_right_1_rdata_s17_q <= patches_right_1_rdata_q;
+      select_1765_s17_q <= select_1765_s16_q;
+      and_1775_s17_q <= and_1775_s16_q;
+      patches_columns_above_rdata_s17_q <= patches_columns_above_rdata_q;
+      less_1830_s17_q <= less_1830_s16_q;
+      equal_1831_s17_q <= equal_1831_s16_q;
+      not_1832_s17_q <= not_1832_s16_q;
+      equal_1833_s17_q <= equal_1833_s16_q;
+      not_1834_s17_q <= not_1834_s16_q;
+      patches_rows_rdata_s17_q <= patches_rows_rdata_q;
+      sum_1861_s17_q <= sum_1861_s16_q;
       textured_s17_q <= textured_s16_q;
-      and_1970_s17_q <= and_1967_s16_q & (~({sum_1551, last_s16_q[1:0]} < x_s16_q));
-      equal_2113_s17_q <= equal_2113_s16_q;
-      equal_2237_s17_q <= equal_2237_s16_q;
+      and_1996_s17_q <= and_1993_s16_q & (~({sum_1554, last_s16_q[1:0]} < x_s16_q));
+      equal_2139_s17_q <= equal_2139_s16_q;
+      equal_2263_s17_q <= equal_2263_s16_q;
       wide_s17_q <= wide;
       size_3_s17_q <= size_3;
-      less_2471_s17_q <= less_2471_s16_q;
-      not_2709_s17_q <= ~(x_s16_q < {1'b0, from});
-      or_2762_s17_q <= or_2762_s16_q;
-      not_2786_s17_q <= not_2786_s16_q;
-      select_3239_s17_q <= select_3239;
-      equal_3257_s17_q <= equal_3257_s16_q;
-      and_3260_s17_q <= and_3260;
-      select_3292_s17_q <= select_3292;
-      less_3532_s17_q <= less_3532_s16_q;
-      equal_3737_s17_q <= equal_3737_s16_q;
+      less_2500_s17_q <= less_2500_s16_q;
+      not_2727_s17_q <= ~(x_s16_q < {1'b0, from});
+      or_2782_s17_q <= or_2782_s16_q;
+      not_2806_s17_q <= not_2806_s16_q;
+      equal_3277_s17_q <= equal_3277_s16_q;
+      less_3552_s17_q <= less_3552_s16_q;
+      equal_3757_s17_q <= equal_3757_s16_q;
     end
   end
 
   // Stage 17 ----------------------------------------------------------------------------------------------------------
-  logic [7:0] sample_pair_pixel_0_q;
-  logic [7:0] sample_pair_pixel_1_q;
-  logic [13:0] averager_running_0_q;
-  logic [13:0] averager_running_1_q;
-  logic [4:0] patches_read_at_q;
-  logic [4:0] patches_peak_row_q;
-  // hls/stages/census.hpp:112
-  logic [13:0] select_475;
-  assign select_475 = equal_459_s17_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
-  logic [13:0] sum_481;
-  assign sum_481 = {6'h0, sample_pair_pixel_1_q} + (equal_459_s17_q ? 14'h0 : averager_running_1_q);
+  // hls/stages/census.hpp:119
+  logic and_475;
+  assign and_475 = sample_pair_whole_s17_q & and_474_s17_q;
   // hls/stages/agreement.hpp:193
-  logic not_1506;
-  assign not_1506 = ~so_s17_q;
-  // hls/stages/patches.hpp:303
-  logic and_1507;
-  assign and_1507 = not_1506 & shift_2_s17_q[4];
-  // hls/stages/patches.hpp:77
-  logic equal_1612;
-  assign equal_1612 = x_s17_q == 8'h0;
-  // hls/stages/agreement.hpp:963
-  logic and_1622;
-  assign and_1622 = (~(and_1611_s17_q | (equal_1612 | not_1614_s17_q))) & (less_1619_s17_q & less_1620_s17_q);
+  logic not_1509;
+  assign not_1509 = ~so_s17_q;
+  // hls/stages/patches.hpp:309
+  logic and_1510;
+  assign and_1510 = not_1509 & shift_2_s17_q[4];
+  logic and_1607;
+  assign and_1607 = so_s17_q & (ends_cell_s17_q & (shift_2_s17_q[0] & right_3_s17_q));
+  // hls/stages/patches.hpp:81
+  logic and_1630;
+  assign and_1630 = less_1628_s17_q & (~right_3_s17_q);
+  // hls/stages/patches.hpp:82
+  logic equal_1631;
+  assign equal_1631 = x_s17_q == 8'h0;
+  // hls/stages/agreement.hpp:964
+  logic and_1641;
+  assign and_1641 = (~(and_1630 | (equal_1631 | not_1633_s17_q))) & (less_1638_s17_q & less_1639_s17_q);
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_1654;
-  assign sum_1654 = {registration_slope_s17_q[11], registration_slope_s17_q} + {{5{sum_1653_s17_q[7]}}, sum_1653_s17_q};
-  // hls/stages/patches.hpp:303
-  logic and_1668;
-  assign and_1668 = ends_cell_s17_q & (shift_2_s17_q[0] & (and_1611_s17_q | equal_1665_s17_q));
-  logic and_1670;
-  assign and_1670 = not_1467_s17_q & (so_s17_q & and_1668);
-  // hls/stages/patches.hpp:307
-  logic and_1671;
-  assign and_1671 = patches_chooses_s17_q & and_1670;
-  // hls/stages/patches.hpp:412
-  logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_1761_s17_q, pixel_2_s17_q[0]} - {1'b0, sum_1762_s17_q, patches_columns_above_rdata_s17_q[8]};
-  // hls/stages/patches.hpp:410
-  logic [9:0] sum_1774;
-  assign sum_1774 = {2'h0, patches_columns_above_rdata_s17_q[7:0]} + sum_1773_s17_q[10:1];
-  // hls/stages/agreement.hpp:999
-  logic or_1837;
-  assign or_1837 = (~sum_1835_s17_q) | equal_1665_s17_q;
+  logic [12:0] sum_1672;
+  assign sum_1672 = {registration_slope_s17_q[11], registration_slope_s17_q} + {{5{sum_1671_s17_q[7]}}, sum_1671_s17_q};
+  // hls/stages/patches.hpp:309
+  logic and_1686;
+  assign and_1686 = ends_cell_s17_q & (shift_2_s17_q[0] & (and_1630 | equal_1683_s17_q));
+  logic and_1688;
+  assign and_1688 = not_1470_s17_q & (so_s17_q & and_1686);
+  // hls/stages/patches.hpp:148
+  logic [7:0] pixel;
+  assign pixel = equal_1694_s17_q ? (patches_second_s17_q ? 8'h0 : patches_right_0_rdata_s17_q) : 8'h0;
+  // hls/stages/patches.hpp:425
+  logic [8:0] sum_1797;
+  assign sum_1797 = {1'b0, patches_columns_above_rdata_s17_q[23:16]} + {3'h0, patches_columns_above_rdata_s17_q[31:26]};
+  // hls/stages/agreement.hpp:1000
+  logic or_1863;
+  assign or_1863 = (~sum_1861_s17_q) | equal_1683_s17_q;
   // hls/stages/registration.hpp:40
-  logic [8:0] select_2453;
-  assign select_2453 = ({wide_s17_q, 1'b0} < size_3_s17_q) ? {wide_s17_q, 1'b0} : size_3_s17_q;
+  logic [8:0] select_2479;
+  assign select_2479 = ({wide_s17_q, 1'b0} < size_3_s17_q) ? {wide_s17_q, 1'b0} : size_3_s17_q;
   logic [8:0] taken;
-  assign taken = ~select_2453;
-  // hls/stages/patches.hpp:303
-  logic and_2712;
-  assign and_2712 = so_s17_q & (ends_cell_s17_q & (shift_2_s17_q[0] & not_2709_s17_q));
-  // hls/stages/patches.hpp:460
-  logic [4:0] select_3261;
-  assign select_3261 = and_3260_s17_q ? patches_read_at_q : patches_peak_row_q;
-  // hls/stages/patches.hpp:467
-  logic [5:0] away;
-  assign away = {1'b0, patches_step_s17_q} - {1'b0, select_3261};
+  assign taken = ~select_2479;
+  // hls/stages/patches.hpp:309
+  logic and_2730;
+  assign and_2730 = so_s17_q & (ends_cell_s17_q & (shift_2_s17_q[0] & not_2727_s17_q));
+  // hls/stages/patches.hpp:491
+  logic [9:0] select_3240;
+  assign select_3240 = less_1830_s17_q ? patches_rows_rdata_s17_q[9:0] : 10'h0;
+  // hls/stages/patches.hpp:492
+  logic [9:0] select_3242;
+  assign select_3242 = less_1830_s17_q ? (equal_1833_s17_q ? 10'h0 : select_3240) : 10'h0;
+  // hls/stages/patches.hpp:491
+  logic [4:0] select_3247;
+  assign select_3247 = less_1830_s17_q ? patches_rows_rdata_s17_q[14:10] : 5'h0;
+  // hls/stages/patches.hpp:495
+  logic [4:0] select_3250;
+  assign select_3250 = equal_1833_s17_q ? (less_1830_s17_q ? (equal_1833_s17_q ? 5'h0 : select_3247) : 5'h0) : select_3247;
 
-  // Memory patches_choices, 64 x 23, DISTANCE 24, hls/stages/patches.hpp:665; read in stage 17, written in stage 19: 17 < 19 < 17 + DISTANCE.
+  // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:226; read in stage 17, written in stage 20: 17 < 20 < 17 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [22:0] patches_choices_mem [0:63];
+  logic [29:0] averager_memory_mem [0:479];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 23'h0;
+  initial for (int i = 0; i < 480; i++) averager_memory_mem[i] = 30'h0;
 `endif
-  logic [5:0] patches_choices_raddr;
-  assign patches_choices_raddr = select_1595_s17_q;
-  logic patches_choices_re;
-  assign patches_choices_re = s17_en & (sample_pair_whole_s17_q & (~equal_1597_s17_q));
-  logic [22:0] patches_choices_rdata_q;
+  logic [8:0] averager_memory_raddr;
+  assign averager_memory_raddr = select_468_s17_q;
+  logic averager_memory_re;
+  assign averager_memory_re = s17_en & and_475;
+  logic [29:0] averager_memory_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (patches_choices_re) patches_choices_rdata_q <= patches_choices_mem[patches_choices_raddr];
+    if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
   // Memory best_left, write
   logic [6:0] best_left_waddr;
   assign best_left_waddr = x_s17_2_q;
   logic best_left_we;
-  assign best_left_we = s17_en & and_1448_s17_q;
+  assign best_left_we = s17_en & and_1451_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1447_s17_q, select_1446_s17_q, select_1428_s17_q, select_1424_s17_q, select_1413_s17_q, select_1412_s17_q, select_1407_s17_q};
+    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1450_s17_q, select_1449_s17_q, select_1431_s17_q, select_1427_s17_q, select_1416_s17_q, select_1415_s17_q, select_1410_s17_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] best_left_raddr_s7_sim;
@@ -4715,9 +4265,9 @@ module horopter_agreement (
   logic [6:0] best_right_waddr;
   assign best_right_waddr = right_s17_q;
   logic best_right_we;
-  assign best_right_we = s17_en & and_1448_s17_q;
+  assign best_right_we = s17_en & and_1451_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1465_s17_q, select_1464_s17_q, select_1461_s17_q, select_1460_s17_q};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1468_s17_q, select_1467_s17_q, select_1464_s17_q, select_1463_s17_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] best_right_raddr_s11_sim;
@@ -4786,11 +4336,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_1505_s17_q;
+  assign shown_right_waddr = select_1508_s17_q;
   logic shown_right_we;
-  assign shown_right_we = s17_en & and_1510_s17_q;
+  assign shown_right_we = s17_en & and_1513_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1507, not_1506};
+    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1510, not_1509};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4804,17 +4354,381 @@ module horopter_agreement (
   end
 `endif
 
+  logic [7:0] pixel_0_s18_q;
+  logic [7:0] pixel_1_s18_q;
+  logic saturated_s18_q;
+  logic mask_s18_q;
+  logic marks_first_s18_q;
+  logic marks_last_s18_q;
+  logic sample_pair_whole_s18_q;
+  logic sample_present_s18_q;
+  logic [7:0] x_s18_q;
+  logic age_s18_q;
+  logic [2:0] slot_s18_q;
+  logic ends_cell_s18_q;
+  logic lower_half_s18_q;
+  logic [4:0] patches_band_rows_number_s18_q;
+  logic [4:0] patches_choosing_band_s18_q;
+  logic patches_lower_s18_q;
+  logic patches_second_s18_q;
+  logic [4:0] patches_code_row_s18_q;
+  logic [4:0] patches_column_s18_q;
+  logic [4:0] patches_step_s18_q;
+  logic patches_read_searches_s18_q;
+  logic [3:0] select_461_s18_q;
+  logic equal_462_s18_q;
+  logic [6:0] select_464_s18_q;
+  logic [8:0] select_468_s18_q;
+  logic and_474_s18_q;
+  logic and_475_s18_q;
+  logic equal_480_s18_q;
+  logic [6:0] column_s18_q;
+  logic and_498_s18_q;
+  logic and_500_s18_q;
+  logic so_s18_q;
+  logic equal_561_s18_q;
+  logic equal_1469_s18_q;
+  logic not_1470_s18_q;
+  logic [13:0] shift_2_s18_q;
+  logic and_1504_s18_q;
+  logic [1:0] shown_right_rdata_s18_q;
+  logic not_1509_s18_q;
+  logic right_2_s18_q;
+  logic and_1582_s18_q;
+  logic and_1595_s18_q;
+  logic and_1608_s18_q;
+  logic less_1609_s18_q;
+  logic equal_1631_s18_q;
+  logic and_1641_s18_q;
+  logic [7:0] sum_1672_s18_q;
+  logic less_1673_s18_q;
+  logic less_1674_s18_q;
+  logic and_1688_s18_q;
+  logic and_1689_s18_q;
+  logic equal_1690_s18_q;
+  logic not_1691_s18_q;
+  logic equal_1692_s18_q;
+  logic not_1693_s18_q;
+  logic equal_1694_s18_q;
+  logic or_1696_s18_q;
+  logic [4:0] select_1720_s18_q;
+  logic select_1726_s18_q;
+  logic [7:0] patches_left_rdata_s18_q;
+  logic [3:0] select_1765_s18_q;
+  logic and_1775_s18_q;
+  logic [31:0] patches_columns_above_rdata_s18_q;
+  logic [7:0] select_1779_s18_q;
+  logic [8:0] sum_1797_s18_q;
+  logic less_1830_s18_q;
+  logic equal_1831_s18_q;
+  logic not_1832_s18_q;
+  logic equal_1833_s18_q;
+  logic not_1834_s18_q;
+  logic [9:0] patches_rows_rdata_s18_q;
+  logic sum_1861_s18_q;
+  logic and_1866_s18_q;
+  logic textured_s18_q;
+  logic [17:0] seen_columns_rdata_s18_q;
+  logic and_1999_s18_q;
+  logic equal_2139_s18_q;
+  logic equal_2263_s18_q;
+  logic less_2463_s18_q;
+  logic [7:0] wide_s18_q;
+  logic [8:0] taken_s18_q;
+  logic [7:0] not_2481_s18_q;
+  logic less_2500_s18_q;
+  logic and_2731_s18_q;
+  logic or_2782_s18_q;
+  logic not_2806_s18_q;
+  logic [9:0] select_3243_s18_q;
+  logic [4:0] select_3250_s18_q;
+  logic equal_3277_s18_q;
+  logic less_3552_s18_q;
+  logic select_3595_s18_q;
+  logic equal_3757_s18_q;
+  always_ff @(posedge clk_i) begin
+    if (s17_en) begin
+      pixel_0_s18_q <= pixel_0_s17_q;
+      pixel_1_s18_q <= pixel_1_s17_q;
+      saturated_s18_q <= saturated_s17_q;
+      mask_s18_q <= mask_s17_q;
+      marks_first_s18_q <= marks_first_s17_q;
+      marks_last_s18_q <= marks_last_s17_q;
+      sample_pair_whole_s18_q <= sample_pair_whole_s17_q;
+      sample_present_s18_q <= sample_present_s17_q;
+      x_s18_q <= x_s17_q;
+      age_s18_q <= age_s17_q;
+      slot_s18_q <= slot_s17_q;
+      ends_cell_s18_q <= ends_cell_s17_q;
+      lower_half_s18_q <= lower_half_s17_q;
+      patches_band_rows_number_s18_q <= patches_band_rows_number_s17_q;
+      patches_choosing_band_s18_q <= patches_choosing_band_s17_q;
+      patches_lower_s18_q <= patches_lower_s17_q;
+      patches_second_s18_q <= patches_second_s17_q;
+      patches_code_row_s18_q <= patches_code_row_s17_q;
+      patches_column_s18_q <= patches_column_s17_q;
+      patches_step_s18_q <= patches_step_s17_q;
+      patches_read_searches_s18_q <= patches_read_searches_s17_q;
+      select_461_s18_q <= select_461_s17_q;
+      equal_462_s18_q <= equal_462_s17_q;
+      select_464_s18_q <= select_464_s17_q;
+      select_468_s18_q <= select_468_s17_q;
+      and_474_s18_q <= and_474_s17_q;
+      and_475_s18_q <= and_475;
+      equal_480_s18_q <= equal_480_s17_q;
+      column_s18_q <= column_s17_q;
+      and_498_s18_q <= and_498_s17_q;
+      and_500_s18_q <= and_500_s17_q;
+      so_s18_q <= so_s17_q;
+      equal_561_s18_q <= equal_561_s17_q;
+      equal_1469_s18_q <= equal_1469_s17_q;
+      not_1470_s18_q <= not_1470_s17_q;
+      shift_2_s18_q <= shift_2_s17_q;
+      and_1504_s18_q <= and_1504_s17_q;
+      shown_right_rdata_s18_q <= shown_right_rdata_q;
+      not_1509_s18_q <= not_1509;
+      right_2_s18_q <= right_2_s17_q;
+      and_1582_s18_q <= and_1582_s17_q;
+      and_1595_s18_q <= and_1595_s17_q;
+      and_1608_s18_q <= not_1470_s17_q & and_1607;
+      less_1609_s18_q <= less_1609_s17_q;
+      equal_1631_s18_q <= equal_1631;
+      and_1641_s18_q <= and_1641;
+      sum_1672_s18_q <= sum_1672[7:0];
+      less_1673_s18_q <= $signed(6'h0) < $signed(sum_1672[12:7]);
+      less_1674_s18_q <= $signed(sum_1672[12:7]) < $signed(6'h3f);
+      and_1688_s18_q <= and_1688;
+      and_1689_s18_q <= patches_chooses_s17_q & and_1688;
+      equal_1690_s18_q <= equal_1690_s17_q;
+      not_1691_s18_q <= not_1691_s17_q;
+      equal_1692_s18_q <= equal_1692_s17_q;
+      not_1693_s18_q <= not_1693_s17_q;
+      equal_1694_s18_q <= equal_1694_s17_q;
+      or_1696_s18_q <= or_1696_s17_q;
+      select_1720_s18_q <= select_1720_s17_q;
+      select_1726_s18_q <= select_1726_s17_q;
+      patches_left_rdata_s18_q <= patches_left_rdata_q;
+      select_1765_s18_q <= select_1765_s17_q;
+      and_1775_s18_q <= and_1775_s17_q;
+      patches_columns_above_rdata_s18_q <= patches_columns_above_rdata_s17_q;
+      select_1779_s18_q <= patches_second_s17_q ? patches_right_1_rdata_s17_q : pixel;
+      sum_1797_s18_q <= sum_1797;
+      less_1830_s18_q <= less_1830_s17_q;
+      equal_1831_s18_q <= equal_1831_s17_q;
+      not_1832_s18_q <= not_1832_s17_q;
+      equal_1833_s18_q <= equal_1833_s17_q;
+      not_1834_s18_q <= not_1834_s17_q;
+      patches_rows_rdata_s18_q <= patches_rows_rdata_s17_q[9:0];
+      sum_1861_s18_q <= sum_1861_s17_q;
+      and_1866_s18_q <= so_s17_q & (ends_cell_s17_q & (shift_2_s17_q[0] & or_1863));
+      textured_s18_q <= textured_s17_q;
+      seen_columns_rdata_s18_q <= seen_columns_rdata_q;
+      and_1999_s18_q <= not_1470_s17_q & (so_s17_q & (ends_cell_s17_q & and_1996_s17_q));
+      equal_2139_s18_q <= equal_2139_s17_q;
+      equal_2263_s18_q <= equal_2263_s17_q;
+      less_2463_s18_q <= slot_s17_q < 3'h3;
+      wide_s18_q <= wide_s17_q;
+      taken_s18_q <= taken;
+      not_2481_s18_q <= ~wide_s17_q;
+      less_2500_s18_q <= less_2500_s17_q;
+      and_2731_s18_q <= not_1470_s17_q & and_2730;
+      or_2782_s18_q <= or_2782_s17_q;
+      not_2806_s18_q <= not_2806_s17_q;
+      select_3243_s18_q <= equal_1833_s17_q ? select_3242 : select_3240;
+      select_3250_s18_q <= select_3250;
+      equal_3277_s18_q <= equal_3277_s17_q;
+      less_3552_s18_q <= less_3552_s17_q;
+      select_3595_s18_q <= sum_1861_s17_q ? (equal_1683_s17_q & or_1863) : or_1863;
+      equal_3757_s18_q <= equal_3757_s17_q;
+    end
+  end
+
+  // Stage 18 ----------------------------------------------------------------------------------------------------------
+  logic [7:0] sample_pair_pixel_0_q;
+  logic [7:0] sample_pair_pixel_1_q;
+  logic [13:0] averager_running_0_q;
+  logic [13:0] averager_running_1_q;
+  logic [9:0] registration_displacement_over_q;
+  logic [4:0] registration_displacement_fraction_q;
+  logic [7:0] registration_slope_here_q;
+  logic [9:0] patches_read_row_differing_q;
+  logic [4:0] patches_read_row_column_q;
+  logic shown_shown_q;
+  logic shown_nearer_q;
+  logic [7:0] region_columns_q;
+  logic [8:0] region_down_rest_q;
+  logic [7:0] region_down_back_q;
+  logic [8:0] region_down_next_q;
+  logic segment_starts_q;
+  // hls/stages/census.hpp:112
+  logic [13:0] select_478;
+  assign select_478 = equal_462_s18_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
+  logic [13:0] sum_484;
+  assign sum_484 = {6'h0, sample_pair_pixel_1_q} + (equal_462_s18_q ? 14'h0 : averager_running_1_q);
+  // hls/stages/registration.hpp:83
+  logic equal_1610;
+  assign equal_1610 = slot_s18_q == 3'h7;
+  // hls/stages/registration.hpp:211
+  logic [6:0] select_1611;
+  assign select_1611 = shift_2_s18_q[5] ? registration_slope_here_q[7:1] : 7'h0;
+  logic [7:0] select_1612;
+  assign select_1612 = shift_2_s18_q[6] ? registration_slope_here_q : 8'h0;
+  logic [8:0] sum_1613;
+  assign sum_1613 = {{2{select_1611[6]}}, select_1611} + {select_1612[7], select_1612};
+  // hls/stages/registration.hpp:212
+  logic [7:0] select_1614;
+  assign select_1614 = shift_2_s18_q[7] ? registration_slope_here_q : 8'h0;
+  logic [7:0] select_1615;
+  assign select_1615 = shift_2_s18_q[8] ? registration_slope_here_q : 8'h0;
+  logic [8:0] sum_1616;
+  assign sum_1616 = {{2{select_1614[7]}}, select_1614[7:1]} + {select_1615[7], select_1615};
+  // hls/stages/registration.hpp:213
+  logic [7:0] select_1618;
+  assign select_1618 = shift_2_s18_q[9] ? registration_slope_here_q : 8'h0;
+  logic [7:0] select_1619;
+  assign select_1619 = shift_2_s18_q[10] ? registration_slope_here_q : 8'h0;
+  logic [8:0] difference_1620;
+  assign difference_1620 = {{2{select_1618[7]}}, select_1618[7:1]} - {select_1619[7], select_1619};
+  // hls/stages/patches.hpp:309
+  logic [5:0] select_1654;
+  assign select_1654 = ends_cell_s18_q ? (shift_2_s18_q[0] ? shift_2_s18_q[10:5] : 6'h0) : 6'h0;
+  // hls/stages/registration.hpp:218
+  logic [7:0] select_1676;
+  assign select_1676 = less_1673_s18_q ? 8'h7f : (less_1674_s18_q ? 8'h80 : sum_1672_s18_q);
+  // hls/stages/registration.hpp:107
+  logic [7:0] slope;
+  assign slope = equal_1610 ? registration_slope_here_q : select_1676;
+  // hls/stages/patches.hpp:309
+  logic [7:0] select_1680;
+  assign select_1680 = so_s18_q ? (ends_cell_s18_q ? (shift_2_s18_q[0] ? slope : 8'h0) : 8'h0) : 8'h0;
+  // hls/stages/patches.hpp:148
+  logic [7:0] pixel_2;
+  assign pixel_2 = equal_1694_s18_q ? select_1779_s18_q : patches_left_rdata_s18_q;
+  // hls/stages/patches.hpp:425
+  logic [9:0] sum_1798;
+  assign sum_1798 = {2'h0, patches_columns_above_rdata_s18_q[15:8]} + {1'b0, sum_1797_s18_q};
+  // hls/stages/agreement.hpp:197
+  logic [7:0] select_1848;
+  assign select_1848 = so_s18_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:992
+  logic or_1851;
+  assign or_1851 = select_1848[7] | (~({select_1848[5], select_1848[3], select_1848[1]} == 3'h0));
+  // hls/stages/agreement.hpp:250
+  logic and_1880;
+  assign and_1880 = shift_2_s18_q[0] & ({shift_2_s18_q[4], shift_2_s18_q[2]} == 2'h3);
+  // hls/stages/agreement.hpp:960
+  logic select_1888;
+  assign select_1888 = slot_s18_q[2] ? shown_shown_q : shift_2_s18_q[3];
+  // hls/stages/agreement.hpp:250
+  logic shown;
+  assign shown = shift_2_s18_q[0] & (shown_right_rdata_s18_q[0] | select_1888);
+  // hls/stages/agreement.hpp:960
+  logic select_1891;
+  assign select_1891 = slot_s18_q[2] ? shown_nearer_q : shift_2_s18_q[4];
+  // hls/stages/agreement.hpp:250
+  logic near;
+  assign near = shift_2_s18_q[0] & (select_1888 ? select_1891 : shown_right_rdata_s18_q[1]);
+  // hls/stages/agreement.hpp:976
+  logic [7:0] select_1940;
+  assign select_1940 = shift_2_s18_q[0] ? (sum_1861_s18_q ? select_1848 : {select_1848[6:0], 1'b0}) : select_1848;
+  // hls/stages/agreement.hpp:992
+  logic or_1943;
+  assign or_1943 = select_1940[7] | (~({select_1940[5], select_1940[3], select_1940[1]} == 3'h0));
+  // hls/stages/registration.hpp:37
+  logic not_2474;
+  assign not_2474 = ~registration_displacement_over_q[9];
+  // hls/stages/registration.hpp:39
+  logic [9:0] left;
+  assign left = less_2463_s18_q ? {1'b0, wide_s18_q, 1'b0} : {registration_displacement_over_q[8:0], not_2474};
+  // hls/stages/registration.hpp:40
+  logic [7:0] select_2482;
+  assign select_2482 = registration_displacement_over_q[9] ? wide_s18_q : not_2481_s18_q;
+  logic [9:0] taken_2;
+  assign taken_2 = less_2463_s18_q ? {taken_s18_q, 1'b1} : {not_2474, select_2482, not_2474};
+  // hls/stages/registration.hpp:42
+  logic [10:0] sum_2484;
+  assign sum_2484 = {left, 1'b1} + {taken_2, less_2463_s18_q};
+  // hls/stages/agreement.hpp:245
+  logic [4:0] select_2486;
+  assign select_2486 = so_s18_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  // hls/stages/patches.hpp:309
+  logic [7:0] select_2488;
+  assign select_2488 = equal_1469_s18_q ? registration_slope_here_q : (so_s18_q ? slope : registration_slope_here_q);
+  // hls/stages/patches.hpp:495
+  logic [9:0] select_3245;
+  assign select_3245 = less_1830_s18_q ? (equal_1831_s18_q ? 10'h0 : select_3243_s18_q) : select_3243_s18_q;
+  logic [4:0] select_3252;
+  assign select_3252 = less_1830_s18_q ? (equal_1831_s18_q ? 5'h0 : select_3250_s18_q) : select_3250_s18_q;
+  // hls/stages/patches.hpp:491
+  logic and_3262;
+  assign and_3262 = less_1830_s18_q & (patches_step_s18_q == 5'h0);
+  // hls/stages/patches.hpp:495
+  logic select_3265;
+  assign select_3265 = equal_1833_s18_q ? (less_1830_s18_q ? (not_1834_s18_q & and_3262) : and_3262) : and_3262;
+  // hls/stages/patches.hpp:309
+  logic select_3549;
+  assign select_3549 = equal_1469_s18_q ? shown_shown_q : (so_s18_q ? select_1888 : shown_shown_q);
+  logic select_3551;
+  assign select_3551 = equal_1469_s18_q ? shown_nearer_q : (so_s18_q ? select_1891 : shown_nearer_q);
+  // hls/stages/division.hpp:34
+  logic [7:0] sum_3553;
+  assign sum_3553 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/patches.hpp:309
+  logic [7:0] select_3562;
+  assign select_3562 = equal_1469_s18_q ? select_1848 : (so_s18_q ? (ends_cell_s18_q ? select_1940 : select_1848) : 8'h1);
+  // hls/stages/agreement.hpp:447
+  logic [8:0] select_3576;
+  assign select_3576 = equal_561_s18_q ? {difference_3574[7], difference_3574} : (less_3552_s18_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:507
+  logic [8:0] select_3578;
+  assign select_3578 = and_500_s18_q ? (equal_2263_s18_q ? select_3576 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:447
+  logic [7:0] select_3580;
+  assign select_3580 = equal_561_s18_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:507
+  logic [7:0] select_3582;
+  assign select_3582 = and_500_s18_q ? (equal_2263_s18_q ? select_3580 : region_down_back_q) : region_down_back_q;
+  // hls/stages/division.hpp:36
+  logic [8:0] select_3584;
+  assign select_3584 = sum_3553[7] ? {1'b1, sum_3553[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
+  // hls/stages/agreement.hpp:197
+  logic or_3593;
+  assign or_3593 = segment_starts_q | not_1509_s18_q;
+  // hls/stages/patches.hpp:309
+  logic select_3597;
+  assign select_3597 = ends_cell_s18_q ? (shift_2_s18_q[0] ? select_3595_s18_q : or_3593) : or_3593;
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       sample_pair_pixel_0_q <= 8'h0;
       sample_pair_pixel_1_q <= 8'h0;
-      patches_read_at_q <= 5'h0;
-      patches_peak_row_q <= 5'h0;
-    end else if (s17_en) begin
-      sample_pair_pixel_0_q <= pixel_0_s17_q;
-      sample_pair_pixel_1_q <= pixel_1_s17_q;
-      patches_read_at_q <= equal_1672_s17_q ? select_3239_s17_q : patches_read_at_q;
-      patches_peak_row_q <= equal_1672_s17_q ? select_3261 : patches_peak_row_q;
+      registration_displacement_over_q <= 10'h0;
+      registration_displacement_fraction_q <= 5'h0;
+      registration_slope_here_q <= 8'h0;
+      patches_read_row_differing_q <= 10'h0;
+      patches_read_row_column_q <= 5'h0;
+      shown_shown_q <= 1'b0;
+      shown_nearer_q <= 1'b0;
+      region_columns_q <= 8'h1;
+      region_down_rest_q <= 9'h0;
+      region_down_back_q <= 8'h0;
+      region_down_next_q <= 9'h0;
+      segment_starts_q <= 1'b1;
+    end else if (s18_en) begin
+      sample_pair_pixel_0_q <= pixel_0_s18_q;
+      sample_pair_pixel_1_q <= pixel_1_s18_q;
+      registration_displacement_over_q <= so_s18_q ? sum_2484[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2486;
+      registration_slope_here_q <= select_2488;
+      patches_read_row_differing_q <= equal_1690_s18_q ? select_3245 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_1690_s18_q ? select_3252 : patches_read_row_column_q;
+      shown_shown_q <= select_3549;
+      shown_nearer_q <= select_3551;
+      region_columns_q <= select_3562;
+      region_down_rest_q <= select_3578;
+      region_down_back_q <= select_3582;
+      region_down_next_q <= select_3584;
+      segment_starts_q <= equal_1469_s18_q ? or_3593 : (so_s18_q ? select_3597 : or_3593);
     end
   end
 
@@ -4826,479 +4740,14 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s17_en) begin
-      averager_running_0_q <= sample_pair_whole_s17_q ? select_475 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s17_q ? sum_481 : averager_running_1_q;
+    if (s18_en) begin
+      averager_running_0_q <= sample_pair_whole_s18_q ? select_478 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s18_q ? sum_484 : averager_running_1_q;
     end
   end
 
-  logic saturated_s18_q;
-  logic mask_s18_q;
-  logic marks_first_s18_q;
-  logic marks_last_s18_q;
-  logic [7:0] sample_pair_pixel_0_s18_q;
-  logic [7:0] sample_pair_pixel_1_s18_q;
-  logic sample_pair_whole_s18_q;
-  logic sample_present_s18_q;
-  logic [7:0] x_s18_q;
-  logic age_s18_q;
-  logic [2:0] slot_s18_q;
-  logic ends_cell_s18_q;
-  logic lower_half_s18_q;
-  logic [4:0] patches_choosing_band_s18_q;
-  logic patches_lower_s18_q;
-  logic patches_second_s18_q;
-  logic [4:0] patches_code_row_s18_q;
-  logic patches_column_s18_q;
-  logic [9:0] patches_read_row_differing_s18_q;
-  logic patches_read_first_s18_q;
-  logic [3:0] select_458_s18_q;
-  logic equal_459_s18_q;
-  logic [6:0] select_461_s18_q;
-  logic [8:0] select_465_s18_q;
-  logic and_471_s18_q;
-  logic and_472_s18_q;
-  logic [29:0] averager_memory_rdata_s18_q;
-  logic [13:0] select_475_s18_q;
-  logic equal_477_s18_q;
-  logic [13:0] sum_481_s18_q;
-  logic [6:0] column_s18_q;
-  logic and_495_s18_q;
-  logic and_497_s18_q;
-  logic so_s18_q;
-  logic equal_558_s18_q;
-  logic equal_1466_s18_q;
-  logic not_1467_s18_q;
-  logic [13:0] shift_2_s18_q;
-  logic and_1501_s18_q;
-  logic [1:0] shown_right_rdata_s18_q;
-  logic not_1506_s18_q;
-  logic right_2_s18_q;
-  logic and_1579_s18_q;
-  logic select_1596_s18_q;
-  logic equal_1597_s18_q;
-  logic and_1605_s18_q;
-  logic and_1607_s18_q;
-  logic equal_1612_s18_q;
-  logic and_1624_s18_q;
-  logic [7:0] sum_1654_s18_q;
-  logic less_1655_s18_q;
-  logic less_1656_s18_q;
-  logic and_1670_s18_q;
-  logic and_1671_s18_q;
-  logic equal_1672_s18_q;
-  logic not_1673_s18_q;
-  logic equal_1674_s18_q;
-  logic equal_1676_s18_q;
-  logic or_1678_s18_q;
-  logic and_1687_s18_q;
-  logic [4:0] select_1699_s18_q;
-  logic select_1705_s18_q;
-  logic [3:0] select_1739_s18_q;
-  logic patches_columns_above_rdata_s18_q;
-  logic [7:0] pixel_2_s18_q;
-  logic [10:0] down_2_s18_q;
-  logic sum_1773_s18_q;
-  logic [9:0] sum_1774_s18_q;
-  logic and_1791_s18_q;
-  logic or_1795_s18_q;
-  logic and_1803_s18_q;
-  logic less_1804_s18_q;
-  logic equal_1805_s18_q;
-  logic not_1806_s18_q;
-  logic equal_1807_s18_q;
-  logic not_1808_s18_q;
-  logic [9:0] patches_rows_rdata_s18_q;
-  logic sum_1835_s18_q;
-  logic and_1840_s18_q;
-  logic textured_s18_q;
-  logic [17:0] seen_columns_rdata_s18_q;
-  logic and_1973_s18_q;
-  logic equal_2113_s18_q;
-  logic equal_2237_s18_q;
-  logic less_2437_s18_q;
-  logic [7:0] wide_s18_q;
-  logic [8:0] taken_s18_q;
-  logic [7:0] not_2455_s18_q;
-  logic less_2471_s18_q;
-  logic and_2713_s18_q;
-  logic or_2762_s18_q;
-  logic not_2786_s18_q;
-  logic equal_3257_s18_q;
-  logic [4:0] select_3261_s18_q;
-  logic [5:0] away_s18_q;
-  logic equal_3263_s18_q;
-  logic equal_3272_s18_q;
-  logic [14:0] select_3292_s18_q;
-  logic less_3532_s18_q;
-  logic select_3575_s18_q;
-  logic equal_3737_s18_q;
-  always_ff @(posedge clk_i) begin
-    if (s17_en) begin
-      saturated_s18_q <= saturated_s17_q;
-      mask_s18_q <= mask_s17_q;
-      marks_first_s18_q <= marks_first_s17_q;
-      marks_last_s18_q <= marks_last_s17_q;
-      sample_pair_pixel_0_s18_q <= sample_pair_pixel_0_q;
-      sample_pair_pixel_1_s18_q <= sample_pair_pixel_1_q;
-      sample_pair_whole_s18_q <= sample_pair_whole_s17_q;
-      sample_present_s18_q <= sample_present_s17_q;
-      x_s18_q <= x_s17_q;
-      age_s18_q <= age_s17_q;
-      slot_s18_q <= slot_s17_q;
-      ends_cell_s18_q <= ends_cell_s17_q;
-      lower_half_s18_q <= lower_half_s17_q;
-      patches_choosing_band_s18_q <= patches_choosing_band_s17_q;
-      patches_lower_s18_q <= patches_lower_s17_q;
-      patches_second_s18_q <= patches_second_s17_q;
-      patches_code_row_s18_q <= patches_code_row_s17_q;
-      patches_column_s18_q <= patches_column_s17_q;
-      patches_read_row_differing_s18_q <= patches_read_row_differing_s17_q;
-      patches_read_first_s18_q <= patches_read_first_s17_q;
-      select_458_s18_q <= select_458_s17_q;
-      equal_459_s18_q <= equal_459_s17_q;
-      select_461_s18_q <= select_461_s17_q;
-      select_465_s18_q <= select_465_s17_q;
-      and_471_s18_q <= and_471_s17_q;
-      and_472_s18_q <= and_472_s17_q;
-      averager_memory_rdata_s18_q <= averager_memory_rdata_q;
-      select_475_s18_q <= select_475;
-      equal_477_s18_q <= equal_477_s17_q;
-      sum_481_s18_q <= sum_481;
-      column_s18_q <= column_s17_q;
-      and_495_s18_q <= and_495_s17_q;
-      and_497_s18_q <= and_497_s17_q;
-      so_s18_q <= so_s17_q;
-      equal_558_s18_q <= equal_558_s17_q;
-      equal_1466_s18_q <= equal_1466_s17_q;
-      not_1467_s18_q <= not_1467_s17_q;
-      shift_2_s18_q <= shift_2_s17_q;
-      and_1501_s18_q <= and_1501_s17_q;
-      shown_right_rdata_s18_q <= shown_right_rdata_q;
-      not_1506_s18_q <= not_1506;
-      right_2_s18_q <= right_2_s17_q;
-      and_1579_s18_q <= and_1579_s17_q;
-      select_1596_s18_q <= select_1596_s17_q;
-      equal_1597_s18_q <= equal_1597_s17_q;
-      and_1605_s18_q <= and_1605_s17_q;
-      and_1607_s18_q <= and_1607_s17_q;
-      equal_1612_s18_q <= equal_1612;
-      and_1624_s18_q <= shift_2_s17_q[0] & (and_1607_s17_q & and_1622);
-      sum_1654_s18_q <= sum_1654[7:0];
-      less_1655_s18_q <= $signed(6'h0) < $signed(sum_1654[12:7]);
-      less_1656_s18_q <= $signed(sum_1654[12:7]) < $signed(6'h3f);
-      and_1670_s18_q <= and_1670;
-      and_1671_s18_q <= and_1671;
-      equal_1672_s18_q <= equal_1672_s17_q;
-      not_1673_s18_q <= not_1673_s17_q;
-      equal_1674_s18_q <= equal_1674_s17_q;
-      equal_1676_s18_q <= equal_1676_s17_q;
-      or_1678_s18_q <= or_1678_s17_q;
-      and_1687_s18_q <= and_1671 & equal_1686_s17_q;
-      select_1699_s18_q <= select_1699_s17_q;
-      select_1705_s18_q <= select_1705_s17_q;
-      select_1739_s18_q <= select_1739_s17_q;
-      patches_columns_above_rdata_s18_q <= patches_columns_above_rdata_s17_q[8];
-      pixel_2_s18_q <= pixel_2_s17_q;
-      down_2_s18_q <= down_2;
-      sum_1773_s18_q <= sum_1773_s17_q[0];
-      sum_1774_s18_q <= sum_1774;
-      and_1791_s18_q <= not_1673_s17_q & and_1790_s17_q;
-      or_1795_s18_q <= or_1795_s17_q;
-      and_1803_s18_q <= not_1673_s17_q & and_1802_s17_q;
-      less_1804_s18_q <= less_1804_s17_q;
-      equal_1805_s18_q <= equal_1805_s17_q;
-      not_1806_s18_q <= not_1806_s17_q;
-      equal_1807_s18_q <= equal_1807_s17_q;
-      not_1808_s18_q <= not_1808_s17_q;
-      patches_rows_rdata_s18_q <= patches_rows_rdata_s17_q;
-      sum_1835_s18_q <= sum_1835_s17_q;
-      and_1840_s18_q <= so_s17_q & (ends_cell_s17_q & (shift_2_s17_q[0] & or_1837));
-      textured_s18_q <= textured_s17_q;
-      seen_columns_rdata_s18_q <= seen_columns_rdata_q;
-      and_1973_s18_q <= not_1467_s17_q & (so_s17_q & (ends_cell_s17_q & and_1970_s17_q));
-      equal_2113_s18_q <= equal_2113_s17_q;
-      equal_2237_s18_q <= equal_2237_s17_q;
-      less_2437_s18_q <= slot_s17_q < 3'h3;
-      wide_s18_q <= wide_s17_q;
-      taken_s18_q <= taken;
-      not_2455_s18_q <= ~wide_s17_q;
-      less_2471_s18_q <= less_2471_s17_q;
-      and_2713_s18_q <= not_1467_s17_q & and_2712;
-      or_2762_s18_q <= or_2762_s17_q;
-      not_2786_s18_q <= not_2786_s17_q;
-      equal_3257_s18_q <= equal_3257_s17_q;
-      select_3261_s18_q <= select_3261;
-      away_s18_q <= away;
-      equal_3263_s18_q <= away == 6'h3f;
-      equal_3272_s18_q <= away == 6'h1;
-      select_3292_s18_q <= select_3292_s17_q;
-      less_3532_s18_q <= less_3532_s17_q;
-      select_3575_s18_q <= sum_1835_s17_q ? (equal_1665_s17_q & or_1837) : or_1837;
-      equal_3737_s18_q <= equal_3737_s17_q;
-    end
-  end
-
-  // Stage 18 ----------------------------------------------------------------------------------------------------------
-  logic sample_of_skin_q;
-  logic averager_running_mask_q;
-  logic averager_running_of_skin_q;
-  logic [9:0] registration_displacement_over_q;
-  logic [4:0] registration_displacement_fraction_q;
-  logic [7:0] registration_slope_here_q;
-  logic patches_along_ends_q;
-  logic [10:0] patches_down_values_0_q;
-  logic [10:0] patches_down_values_1_q;
-  logic [4:0] patches_along_q;
-  logic [4:0] patches_summed_row_column_q;
-  logic shown_shown_q;
-  logic shown_nearer_q;
-  logic [7:0] region_columns_q;
-  logic [8:0] region_down_rest_q;
-  logic [7:0] region_down_back_q;
-  logic [8:0] region_down_next_q;
-  logic segment_starts_q;
-  // hls/stages/census.hpp:121
-  logic [13:0] sum_479;
-  assign sum_479 = select_475_s18_q + (equal_477_s18_q ? 14'h0 : averager_memory_rdata_s18_q[13:0]);
-  logic [13:0] sum_483;
-  assign sum_483 = sum_481_s18_q + (equal_477_s18_q ? 14'h0 : averager_memory_rdata_s18_q[27:14]);
-  // hls/stages/agreement.hpp:404
-  logic whole;
-  assign whole = equal_459_s18_q ? sample_present_s18_q : (sample_present_s18_q & averager_running_mask_q);
-  logic all_of_skin;
-  assign all_of_skin = equal_459_s18_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
-  // hls/stages/census.hpp:123
-  logic and_491;
-  assign and_491 = all_of_skin & (averager_memory_rdata_s18_q[29] | equal_477_s18_q);
-  // hls/stages/patches.hpp:303
-  logic [7:0] select_1632;
-  assign select_1632 = so_s18_q ? (ends_cell_s18_q ? (shift_2_s18_q[0] ? x_s18_q : 8'h0) : 8'h0) : 8'h0;
-  logic [5:0] select_1635;
-  assign select_1635 = ends_cell_s18_q ? (shift_2_s18_q[0] ? shift_2_s18_q[10:5] : 6'h0) : 6'h0;
-  // hls/stages/registration.hpp:83
-  logic equal_1638;
-  assign equal_1638 = slot_s18_q == 3'h7;
-  // hls/stages/registration.hpp:215
-  logic [7:0] select_1658;
-  assign select_1658 = less_1655_s18_q ? 8'h7f : (less_1656_s18_q ? 8'h80 : sum_1654_s18_q);
-  // hls/stages/registration.hpp:106
-  logic [7:0] slope;
-  assign slope = equal_1638 ? registration_slope_here_q : select_1658;
-  // hls/stages/patches.hpp:303
-  logic [7:0] select_1662;
-  assign select_1662 = so_s18_q ? (ends_cell_s18_q ? (shift_2_s18_q[0] ? slope : 8'h0) : 8'h0) : 8'h0;
-  // hls/stages/patches.hpp:435
-  logic new_row;
-  assign new_row = patches_along_q == 5'h0;
-  // hls/stages/patches.hpp:414
-  logic [11:0] sum_1764;
-  assign sum_1764 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_1765;
-  assign sum_1765 = {{4{down_2_s18_q[10]}}, down_2_s18_q[10:2]} + {sum_1764[11], sum_1764};
-  // hls/stages/patches.hpp:411
-  logic [11:0] smooth;
-  assign smooth = {sum_1774_s18_q, sum_1773_s18_q, patches_columns_above_rdata_s18_q} + {4'h0, pixel_2_s18_q};
-  // hls/stages/agreement.hpp:197
-  logic [7:0] select_1822;
-  assign select_1822 = so_s18_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:991
-  logic or_1825;
-  assign or_1825 = select_1822[7] | (~({select_1822[5], select_1822[3], select_1822[1]} == 3'h0));
-  // hls/stages/agreement.hpp:250
-  logic explained;
-  assign explained = shift_2_s18_q[0] & shift_2_s18_q[3];
-  logic and_1854;
-  assign and_1854 = shift_2_s18_q[0] & ({shift_2_s18_q[4], shift_2_s18_q[2]} == 2'h3);
-  // hls/stages/agreement.hpp:960
-  logic select_1862;
-  assign select_1862 = slot_s18_q[2] ? shown_shown_q : shift_2_s18_q[3];
-  // hls/stages/agreement.hpp:250
-  logic shown;
-  assign shown = shift_2_s18_q[0] & (shown_right_rdata_s18_q[0] | select_1862);
-  // hls/stages/agreement.hpp:960
-  logic select_1865;
-  assign select_1865 = slot_s18_q[2] ? shown_nearer_q : shift_2_s18_q[4];
-  // hls/stages/agreement.hpp:250
-  logic near;
-  assign near = shift_2_s18_q[0] & (select_1862 ? select_1865 : shown_right_rdata_s18_q[1]);
-  // hls/stages/agreement.hpp:975
-  logic [7:0] select_1914;
-  assign select_1914 = shift_2_s18_q[0] ? (sum_1835_s18_q ? select_1822 : {select_1822[6:0], 1'b0}) : select_1822;
-  // hls/stages/agreement.hpp:991
-  logic or_1917;
-  assign or_1917 = select_1914[7] | (~({select_1914[5], select_1914[3], select_1914[1]} == 3'h0));
-  // hls/stages/agreement.hpp:263
-  logic select_2026;
-  assign select_2026 = sample_pair_whole_s18_q ? all_of_skin : averager_running_of_skin_q;
-  // hls/stages/agreement.hpp:975
-  logic and_2379;
-  assign and_2379 = seen_columns_rdata_s18_q[7] & shift_2_s18_q[0];
-  logic and_2380;
-  assign and_2380 = seen_columns_rdata_s18_q[2] & shift_2_s18_q[0];
-  // hls/stages/registration.hpp:37
-  logic not_2448;
-  assign not_2448 = ~registration_displacement_over_q[9];
-  // hls/stages/registration.hpp:39
-  logic [9:0] left;
-  assign left = less_2437_s18_q ? {1'b0, wide_s18_q, 1'b0} : {registration_displacement_over_q[8:0], not_2448};
-  // hls/stages/registration.hpp:40
-  logic [7:0] select_2456;
-  assign select_2456 = registration_displacement_over_q[9] ? wide_s18_q : not_2455_s18_q;
-  logic [9:0] taken_2;
-  assign taken_2 = less_2437_s18_q ? {taken_s18_q, 1'b1} : {not_2448, select_2456, not_2448};
-  // hls/stages/registration.hpp:42
-  logic [10:0] sum_2458;
-  assign sum_2458 = {left, 1'b1} + {taken_2, less_2437_s18_q};
-  // hls/stages/agreement.hpp:245
-  logic [4:0] select_2460;
-  assign select_2460 = so_s18_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/patches.hpp:303
-  logic [7:0] select_2462;
-  assign select_2462 = equal_1466_s18_q ? registration_slope_here_q : (so_s18_q ? slope : registration_slope_here_q);
-  // hls/stages/registration.hpp:208
-  logic [6:0] select_2475;
-  assign select_2475 = shift_2_s18_q[5] ? registration_slope_here_q[7:1] : 7'h0;
-  logic [7:0] select_2476;
-  assign select_2476 = shift_2_s18_q[6] ? registration_slope_here_q : 8'h0;
-  logic [8:0] sum_2477;
-  assign sum_2477 = {{2{select_2475[6]}}, select_2475} + {select_2476[7], select_2476};
-  // hls/stages/registration.hpp:209
-  logic [7:0] select_2478;
-  assign select_2478 = shift_2_s18_q[7] ? registration_slope_here_q : 8'h0;
-  logic [7:0] select_2479;
-  assign select_2479 = shift_2_s18_q[8] ? registration_slope_here_q : 8'h0;
-  logic [8:0] sum_2480;
-  assign sum_2480 = {{2{select_2478[7]}}, select_2478[7:1]} + {select_2479[7], select_2479};
-  // hls/stages/registration.hpp:210
-  logic [7:0] select_2482;
-  assign select_2482 = shift_2_s18_q[9] ? registration_slope_here_q : 8'h0;
-  logic [7:0] select_2483;
-  assign select_2483 = shift_2_s18_q[10] ? registration_slope_here_q : 8'h0;
-  logic [8:0] difference_2484;
-  assign difference_2484 = {{2{select_2482[7]}}, select_2482[7:1]} - {select_2483[7], select_2483};
-  // hls/stages/patches.hpp:160
-  logic [10:0] select_2816;
-  assign select_2816 = equal_1674_s18_q ? patches_down_values_0_q : (or_1678_s18_q ? down_2_s18_q : patches_down_values_0_q);
-  logic [10:0] select_2818;
-  assign select_2818 = or_1678_s18_q ? patches_down_values_0_q : patches_down_values_1_q;
-  logic [10:0] select_2820;
-  assign select_2820 = equal_1672_s18_q ? patches_down_values_1_q : (equal_1674_s18_q ? patches_down_values_1_q : select_2818);
-  // hls/stages/patches.hpp:367
-  logic [4:0] select_2859;
-  assign select_2859 = or_2762_s18_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
-  // hls/stages/patches.hpp:160
-  logic [4:0] select_3211;
-  assign select_3211 = equal_1672_s18_q ? patches_summed_row_column_q : (equal_1674_s18_q ? patches_along_q : patches_summed_row_column_q);
-  // hls/stages/patches.hpp:476
-  logic and_3265;
-  assign and_3265 = less_1804_s18_q & (equal_3257_s18_q & equal_3263_s18_q);
-  // hls/stages/patches.hpp:480
-  logic select_3268;
-  assign select_3268 = equal_1807_s18_q ? (less_1804_s18_q ? (not_1808_s18_q & and_3265) : and_3265) : and_3265;
-  // hls/stages/patches.hpp:476
-  logic and_3274;
-  assign and_3274 = less_1804_s18_q & (equal_3257_s18_q & equal_3272_s18_q);
-  // hls/stages/patches.hpp:480
-  logic select_3277;
-  assign select_3277 = equal_1807_s18_q ? (less_1804_s18_q ? (not_1808_s18_q & and_3274) : and_3274) : and_3274;
-  // hls/stages/patches.hpp:473
-  logic [6:0] sum_3281;
-  assign sum_3281 = {away_s18_q[5], away_s18_q} + 7'h7d;
-  // hls/stages/patches.hpp:303
-  logic select_3529;
-  assign select_3529 = equal_1466_s18_q ? shown_shown_q : (so_s18_q ? select_1862 : shown_shown_q);
-  logic select_3531;
-  assign select_3531 = equal_1466_s18_q ? shown_nearer_q : (so_s18_q ? select_1865 : shown_nearer_q);
-  // hls/stages/division.hpp:34
-  logic [7:0] sum_3533;
-  assign sum_3533 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/patches.hpp:303
-  logic [7:0] select_3542;
-  assign select_3542 = equal_1466_s18_q ? select_1822 : (so_s18_q ? (ends_cell_s18_q ? select_1914 : select_1822) : 8'h1);
-  // hls/stages/agreement.hpp:447
-  logic [8:0] select_3556;
-  assign select_3556 = equal_558_s18_q ? {difference_3554[7], difference_3554} : (less_3532_s18_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:507
-  logic [8:0] select_3558;
-  assign select_3558 = and_497_s18_q ? (equal_2237_s18_q ? select_3556 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:447
-  logic [7:0] select_3560;
-  assign select_3560 = equal_558_s18_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:507
-  logic [7:0] select_3562;
-  assign select_3562 = and_497_s18_q ? (equal_2237_s18_q ? select_3560 : region_down_back_q) : region_down_back_q;
-  // hls/stages/division.hpp:36
-  logic [8:0] select_3564;
-  assign select_3564 = sum_3533[7] ? {1'b1, sum_3533[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
-  // hls/stages/agreement.hpp:197
-  logic or_3573;
-  assign or_3573 = segment_starts_q | not_1506_s18_q;
-  // hls/stages/patches.hpp:303
-  logic select_3577;
-  assign select_3577 = ends_cell_s18_q ? (shift_2_s18_q[0] ? select_3575_s18_q : or_3573) : or_3573;
-
-  // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:334; read in stage 18, written in stage 20: 18 < 20 < 18 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [77:0] census_memory_mem [0:119];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 120; i++) census_memory_mem[i] = 78'h0;
-`endif
-  logic [6:0] census_memory_raddr;
-  assign census_memory_raddr = column_s18_q;
-  logic census_memory_re;
-  assign census_memory_re = s18_en & and_497_s18_q;
-  logic [77:0] census_memory_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
-  end
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      sample_of_skin_q <= 1'b0;
-      averager_running_mask_q <= 1'b0;
-      averager_running_of_skin_q <= 1'b0;
-      registration_displacement_over_q <= 10'h0;
-      registration_displacement_fraction_q <= 5'h0;
-      registration_slope_here_q <= 8'h0;
-      patches_along_ends_q <= 1'b0;
-      patches_down_values_0_q <= 11'h0;
-      patches_down_values_1_q <= 11'h0;
-      patches_along_q <= 5'h0;
-      patches_summed_row_column_q <= 5'h0;
-      shown_shown_q <= 1'b0;
-      shown_nearer_q <= 1'b0;
-      region_columns_q <= 8'h1;
-      region_down_rest_q <= 9'h0;
-      region_down_back_q <= 8'h0;
-      region_down_next_q <= 9'h0;
-      segment_starts_q <= 1'b1;
-    end else if (s18_en) begin
-      sample_of_skin_q <= mask_s18_q;
-      averager_running_mask_q <= sample_pair_whole_s18_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2026;
-      registration_displacement_over_q <= so_s18_q ? sum_2458[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2460;
-      registration_slope_here_q <= select_2462;
-      patches_along_ends_q <= not_2786_s18_q & (patches_along_q == 5'hf);
-      patches_down_values_0_q <= equal_1672_s18_q ? patches_down_values_0_q : select_2816;
-      patches_down_values_1_q <= select_2820;
-      patches_along_q <= select_2859;
-      patches_summed_row_column_q <= select_3211;
-      shown_shown_q <= select_3529;
-      shown_nearer_q <= select_3531;
-      region_columns_q <= select_3542;
-      region_down_rest_q <= select_3558;
-      region_down_back_q <= select_3562;
-      region_down_next_q <= select_3564;
-      segment_starts_q <= equal_1466_s18_q ? or_3573 : (so_s18_q ? select_3577 : or_3573);
-    end
-  end
-
-  logic [7:0] pixel_0_s19_q;
-  logic [7:0] pixel_1_s19_q;
   logic saturated_s19_q;
+  logic mask_s19_q;
   logic marks_first_s19_q;
   logic marks_last_s19_q;
   logic [7:0] sample_pair_pixel_0_s19_q;
@@ -5310,128 +4759,118 @@ module horopter_agreement (
   logic [2:0] slot_s19_q;
   logic ends_cell_s19_q;
   logic lower_half_s19_q;
+  logic [4:0] patches_band_rows_number_s19_q;
   logic [4:0] patches_choosing_band_s19_q;
   logic patches_lower_s19_q;
   logic patches_second_s19_q;
   logic [4:0] patches_code_row_s19_q;
-  logic patches_column_s19_q;
-  logic patches_along_ends_s19_q;
-  logic [10:0] patches_down_values_1_s19_q;
-  logic [4:0] patches_summed_row_column_s19_q;
+  logic [4:0] patches_column_s19_q;
+  logic [4:0] patches_step_s19_q;
   logic [9:0] patches_read_row_differing_s19_q;
-  logic patches_read_first_s19_q;
-  logic [3:0] select_458_s19_q;
-  logic [6:0] select_461_s19_q;
-  logic [8:0] select_465_s19_q;
-  logic and_471_s19_q;
-  logic and_472_s19_q;
-  logic [13:0] sum_479_s19_q;
-  logic [13:0] sum_483_s19_q;
-  logic and_487_s19_q;
-  logic and_491_s19_q;
+  logic [4:0] patches_read_row_column_s19_q;
+  logic patches_read_searches_s19_q;
+  logic [3:0] select_461_s19_q;
+  logic equal_462_s19_q;
+  logic [6:0] select_464_s19_q;
+  logic [8:0] select_468_s19_q;
+  logic and_474_s19_q;
+  logic and_475_s19_q;
+  logic [29:0] averager_memory_rdata_s19_q;
+  logic [13:0] select_478_s19_q;
+  logic equal_480_s19_q;
+  logic [13:0] sum_484_s19_q;
   logic [6:0] column_s19_q;
-  logic and_495_s19_q;
-  logic and_497_s19_q;
-  logic equal_500_s19_q;
+  logic and_498_s19_q;
+  logic and_500_s19_q;
   logic so_s19_q;
-  logic equal_558_s19_q;
-  logic equal_1466_s19_q;
-  logic not_1467_s19_q;
-  logic [3:0] shift_2_s19_q;
-  logic and_1501_s19_q;
-  logic equal_1511_s19_q;
+  logic equal_561_s19_q;
+  logic equal_1469_s19_q;
+  logic not_1470_s19_q;
+  logic [4:0] shift_2_s19_q;
+  logic and_1504_s19_q;
+  logic equal_1514_s19_q;
   logic right_2_s19_q;
-  logic and_1579_s19_q;
-  logic select_1596_s19_q;
-  logic equal_1597_s19_q;
-  logic [22:0] patches_choices_rdata_s19_q;
-  logic and_1605_s19_q;
-  logic and_1607_s19_q;
-  logic equal_1612_s19_q;
-  logic and_1627_s19_q;
-  logic [7:0] select_1633_s19_q;
-  logic [5:0] select_1637_s19_q;
-  logic equal_1638_s19_q;
-  logic [7:0] select_1663_s19_q;
-  logic and_1670_s19_q;
-  logic and_1671_s19_q;
-  logic equal_1672_s19_q;
-  logic not_1673_s19_q;
-  logic equal_1674_s19_q;
-  logic equal_1676_s19_q;
-  logic or_1678_s19_q;
-  logic and_1687_s19_q;
-  logic [4:0] select_1699_s19_q;
-  logic select_1705_s19_q;
-  logic [3:0] select_1739_s19_q;
-  logic new_row_s19_q;
-  logic [1:0] down_2_s19_q;
-  logic [12:0] sum_1765_s19_q;
-  logic [11:0] smooth_s19_q;
-  logic and_1791_s19_q;
-  logic or_1795_s19_q;
-  logic and_1803_s19_q;
-  logic less_1804_s19_q;
-  logic equal_1805_s19_q;
-  logic not_1806_s19_q;
-  logic equal_1807_s19_q;
+  logic and_1582_s19_q;
+  logic and_1595_s19_q;
+  logic and_1608_s19_q;
+  logic less_1609_s19_q;
+  logic equal_1610_s19_q;
+  logic [7:0] sum_1613_s19_q;
+  logic select_1614_s19_q;
+  logic [8:0] sum_1616_s19_q;
+  logic select_1618_s19_q;
+  logic [8:0] difference_1620_s19_q;
+  logic equal_1631_s19_q;
+  logic and_1641_s19_q;
+  logic [5:0] select_1656_s19_q;
+  logic [7:0] select_1681_s19_q;
+  logic and_1688_s19_q;
+  logic and_1689_s19_q;
+  logic equal_1690_s19_q;
+  logic not_1691_s19_q;
+  logic equal_1692_s19_q;
+  logic not_1693_s19_q;
+  logic equal_1694_s19_q;
+  logic or_1696_s19_q;
+  logic [4:0] select_1720_s19_q;
+  logic select_1726_s19_q;
+  logic [3:0] select_1765_s19_q;
+  logic and_1775_s19_q;
+  logic [31:0] patches_columns_above_rdata_s19_q;
+  logic [7:0] pixel_2_s19_q;
+  logic [9:0] sum_1798_s19_q;
+  logic less_1830_s19_q;
+  logic equal_1831_s19_q;
+  logic not_1832_s19_q;
+  logic equal_1833_s19_q;
+  logic not_1834_s19_q;
   logic [9:0] patches_rows_rdata_s19_q;
-  logic or_1825_s19_q;
-  logic or_1828_s19_q;
-  logic or_1831_s19_q;
-  logic and_1840_s19_q;
+  logic or_1851_s19_q;
+  logic or_1854_s19_q;
+  logic or_1857_s19_q;
+  logic and_1866_s19_q;
   logic textured_s19_q;
-  logic explained_s19_q;
-  logic and_1854_s19_q;
+  logic and_1880_s19_q;
   logic [12:0] seen_columns_rdata_s19_q;
   logic shown_s19_q;
   logic near_s19_q;
-  logic and_1900_s19_q;
-  logic and_1902_s19_q;
-  logic or_1917_s19_q;
-  logic or_1920_s19_q;
-  logic or_1923_s19_q;
-  logic and_1934_s19_q;
-  logic and_1936_s19_q;
-  logic and_1937_s19_q;
-  logic and_1950_s19_q;
-  logic and_1952_s19_q;
-  logic and_1953_s19_q;
-  logic and_1973_s19_q;
-  logic equal_2113_s19_q;
-  logic equal_2237_s19_q;
-  logic and_2377_s19_q;
-  logic and_2378_s19_q;
-  logic [1:0] sum_2382_s19_q;
-  logic or_2469_s19_q;
-  logic [1:0] sum_2470_s19_q;
-  logic less_2471_s19_q;
-  logic [7:0] sum_2477_s19_q;
-  logic select_2478_s19_q;
-  logic [8:0] sum_2480_s19_q;
-  logic select_2482_s19_q;
-  logic [8:0] difference_2484_s19_q;
-  logic and_2713_s19_q;
-  logic or_2762_s19_q;
-  logic not_2786_s19_q;
-  logic [4:0] select_3261_s19_q;
-  logic select_3268_s19_q;
-  logic select_3277_s19_q;
-  logic and_3283_s19_q;
-  logic [14:0] select_3292_s19_q;
-  logic less_3532_s19_q;
-  logic sum_3533_s19_q;
-  logic and_3727_s19_q;
-  logic equal_3737_s19_q;
+  logic and_1926_s19_q;
+  logic and_1928_s19_q;
+  logic or_1943_s19_q;
+  logic or_1946_s19_q;
+  logic or_1949_s19_q;
+  logic and_1960_s19_q;
+  logic and_1962_s19_q;
+  logic and_1963_s19_q;
+  logic and_1976_s19_q;
+  logic and_1978_s19_q;
+  logic and_1979_s19_q;
+  logic and_1999_s19_q;
+  logic equal_2139_s19_q;
+  logic equal_2263_s19_q;
+  logic and_2403_s19_q;
+  logic and_2405_s19_q;
+  logic and_2406_s19_q;
+  logic or_2498_s19_q;
+  logic [1:0] sum_2499_s19_q;
+  logic less_2500_s19_q;
+  logic and_2731_s19_q;
+  logic or_2782_s19_q;
+  logic not_2806_s19_q;
+  logic select_3265_s19_q;
+  logic equal_3277_s19_q;
+  logic less_3552_s19_q;
+  logic sum_3553_s19_q;
+  logic and_3747_s19_q;
+  logic equal_3757_s19_q;
   always_ff @(posedge clk_i) begin
     if (s18_en) begin
-      pixel_0_s19_q <= sample_pair_pixel_0_q;
-      pixel_1_s19_q <= sample_pair_pixel_1_q;
       saturated_s19_q <= saturated_s18_q;
+      mask_s19_q <= mask_s18_q;
       marks_first_s19_q <= marks_first_s18_q;
       marks_last_s19_q <= marks_last_s18_q;
-      sample_pair_pixel_0_s19_q <= sample_pair_pixel_0_s18_q;
-      sample_pair_pixel_1_s19_q <= sample_pair_pixel_1_s18_q;
+      sample_pair_pixel_0_s19_q <= sample_pair_pixel_0_q;
+      sample_pair_pixel_1_s19_q <= sample_pair_pixel_1_q;
       sample_pair_whole_s19_q <= sample_pair_whole_s18_q;
       sample_present_s19_q <= sample_present_s18_q;
       x_s19_q <= x_s18_q;
@@ -5439,147 +4878,120 @@ module horopter_agreement (
       slot_s19_q <= slot_s18_q;
       ends_cell_s19_q <= ends_cell_s18_q;
       lower_half_s19_q <= lower_half_s18_q;
+      patches_band_rows_number_s19_q <= patches_band_rows_number_s18_q;
       patches_choosing_band_s19_q <= patches_choosing_band_s18_q;
       patches_lower_s19_q <= patches_lower_s18_q;
       patches_second_s19_q <= patches_second_s18_q;
       patches_code_row_s19_q <= patches_code_row_s18_q;
       patches_column_s19_q <= patches_column_s18_q;
-      patches_along_ends_s19_q <= patches_along_ends_q;
-      patches_down_values_1_s19_q <= patches_down_values_1_q;
-      patches_summed_row_column_s19_q <= patches_summed_row_column_q;
-      patches_read_row_differing_s19_q <= patches_read_row_differing_s18_q;
-      patches_read_first_s19_q <= patches_read_first_s18_q;
-      select_458_s19_q <= select_458_s18_q;
+      patches_step_s19_q <= patches_step_s18_q;
+      patches_read_row_differing_s19_q <= patches_read_row_differing_q;
+      patches_read_row_column_s19_q <= patches_read_row_column_q;
+      patches_read_searches_s19_q <= patches_read_searches_s18_q;
       select_461_s19_q <= select_461_s18_q;
-      select_465_s19_q <= select_465_s18_q;
-      and_471_s19_q <= and_471_s18_q;
-      and_472_s19_q <= and_472_s18_q;
-      sum_479_s19_q <= sum_479;
-      sum_483_s19_q <= sum_483;
-      and_487_s19_q <= whole & (averager_memory_rdata_s18_q[28] | equal_477_s18_q);
-      and_491_s19_q <= and_491;
+      equal_462_s19_q <= equal_462_s18_q;
+      select_464_s19_q <= select_464_s18_q;
+      select_468_s19_q <= select_468_s18_q;
+      and_474_s19_q <= and_474_s18_q;
+      and_475_s19_q <= and_475_s18_q;
+      averager_memory_rdata_s19_q <= averager_memory_rdata_q;
+      select_478_s19_q <= select_478;
+      equal_480_s19_q <= equal_480_s18_q;
+      sum_484_s19_q <= sum_484;
       column_s19_q <= column_s18_q;
-      and_495_s19_q <= and_495_s18_q;
-      and_497_s19_q <= and_497_s18_q;
-      equal_500_s19_q <= select_458_s18_q == 4'h3;
+      and_498_s19_q <= and_498_s18_q;
+      and_500_s19_q <= and_500_s18_q;
       so_s19_q <= so_s18_q;
-      equal_558_s19_q <= equal_558_s18_q;
-      equal_1466_s19_q <= equal_1466_s18_q;
-      not_1467_s19_q <= not_1467_s18_q;
-      shift_2_s19_q <= {shift_2_s18_q[11], shift_2_s18_q[2:0]};
-      and_1501_s19_q <= and_1501_s18_q;
-      equal_1511_s19_q <= x_s18_q[6:4] == 3'h7;
+      equal_561_s19_q <= equal_561_s18_q;
+      equal_1469_s19_q <= equal_1469_s18_q;
+      not_1470_s19_q <= not_1470_s18_q;
+      shift_2_s19_q <= {shift_2_s18_q[11], shift_2_s18_q[3:0]};
+      and_1504_s19_q <= and_1504_s18_q;
+      equal_1514_s19_q <= x_s18_q[6:4] == 3'h7;
       right_2_s19_q <= right_2_s18_q;
-      and_1579_s19_q <= and_1579_s18_q;
-      select_1596_s19_q <= select_1596_s18_q;
-      equal_1597_s19_q <= equal_1597_s18_q;
-      patches_choices_rdata_s19_q <= patches_choices_rdata_q;
-      and_1605_s19_q <= and_1605_s18_q;
-      and_1607_s19_q <= and_1607_s18_q;
-      equal_1612_s19_q <= equal_1612_s18_q;
-      and_1627_s19_q <= not_1467_s18_q & (so_s18_q & (ends_cell_s18_q & and_1624_s18_q));
-      select_1633_s19_q <= equal_1466_s18_q ? 8'h0 : select_1632;
-      select_1637_s19_q <= equal_1466_s18_q ? 6'h0 : (so_s18_q ? select_1635 : 6'h0);
-      equal_1638_s19_q <= equal_1638;
-      select_1663_s19_q <= equal_1466_s18_q ? 8'h0 : select_1662;
-      and_1670_s19_q <= and_1670_s18_q;
-      and_1671_s19_q <= and_1671_s18_q;
-      equal_1672_s19_q <= equal_1672_s18_q;
-      not_1673_s19_q <= not_1673_s18_q;
-      equal_1674_s19_q <= equal_1674_s18_q;
-      equal_1676_s19_q <= equal_1676_s18_q;
-      or_1678_s19_q <= or_1678_s18_q;
-      and_1687_s19_q <= and_1687_s18_q;
-      select_1699_s19_q <= select_1699_s18_q;
-      select_1705_s19_q <= select_1705_s18_q;
-      select_1739_s19_q <= select_1739_s18_q;
-      new_row_s19_q <= new_row;
-      down_2_s19_q <= down_2_s18_q[1:0];
-      sum_1765_s19_q <= sum_1765;
-      smooth_s19_q <= smooth;
-      and_1791_s19_q <= and_1791_s18_q;
-      or_1795_s19_q <= or_1795_s18_q;
-      and_1803_s19_q <= and_1803_s18_q;
-      less_1804_s19_q <= less_1804_s18_q;
-      equal_1805_s19_q <= equal_1805_s18_q;
-      not_1806_s19_q <= not_1806_s18_q;
-      equal_1807_s19_q <= equal_1807_s18_q;
+      and_1582_s19_q <= and_1582_s18_q;
+      and_1595_s19_q <= and_1595_s18_q;
+      and_1608_s19_q <= and_1608_s18_q;
+      less_1609_s19_q <= less_1609_s18_q;
+      equal_1610_s19_q <= equal_1610;
+      sum_1613_s19_q <= sum_1613[8:1];
+      select_1614_s19_q <= select_1614[0];
+      sum_1616_s19_q <= sum_1616;
+      select_1618_s19_q <= select_1618[0];
+      difference_1620_s19_q <= difference_1620;
+      equal_1631_s19_q <= equal_1631_s18_q;
+      and_1641_s19_q <= and_1641_s18_q;
+      select_1656_s19_q <= equal_1469_s18_q ? 6'h0 : (so_s18_q ? select_1654 : 6'h0);
+      select_1681_s19_q <= equal_1469_s18_q ? 8'h0 : select_1680;
+      and_1688_s19_q <= and_1688_s18_q;
+      and_1689_s19_q <= and_1689_s18_q;
+      equal_1690_s19_q <= equal_1690_s18_q;
+      not_1691_s19_q <= not_1691_s18_q;
+      equal_1692_s19_q <= equal_1692_s18_q;
+      not_1693_s19_q <= not_1693_s18_q;
+      equal_1694_s19_q <= equal_1694_s18_q;
+      or_1696_s19_q <= or_1696_s18_q;
+      select_1720_s19_q <= select_1720_s18_q;
+      select_1726_s19_q <= select_1726_s18_q;
+      select_1765_s19_q <= select_1765_s18_q;
+      and_1775_s19_q <= and_1775_s18_q;
+      patches_columns_above_rdata_s19_q <= patches_columns_above_rdata_s18_q;
+      pixel_2_s19_q <= pixel_2;
+      sum_1798_s19_q <= sum_1798;
+      less_1830_s19_q <= less_1830_s18_q;
+      equal_1831_s19_q <= equal_1831_s18_q;
+      not_1832_s19_q <= not_1832_s18_q;
+      equal_1833_s19_q <= equal_1833_s18_q;
+      not_1834_s19_q <= not_1834_s18_q;
       patches_rows_rdata_s19_q <= patches_rows_rdata_s18_q;
-      or_1825_s19_q <= or_1825;
-      or_1828_s19_q <= select_1822[7] | (~({select_1822[6], select_1822[3:2]} == 3'h0));
-      or_1831_s19_q <= select_1822[7] | (~(select_1822[6:4] == 3'h0));
-      and_1840_s19_q <= and_1840_s18_q;
+      or_1851_s19_q <= or_1851;
+      or_1854_s19_q <= select_1848[7] | (~({select_1848[6], select_1848[3:2]} == 3'h0));
+      or_1857_s19_q <= select_1848[7] | (~(select_1848[6:4] == 3'h0));
+      and_1866_s19_q <= and_1866_s18_q;
       textured_s19_q <= textured_s18_q;
-      explained_s19_q <= explained;
-      and_1854_s19_q <= and_1854;
+      and_1880_s19_q <= and_1880;
       seen_columns_rdata_s19_q <= {seen_columns_rdata_s18_q[13:7], seen_columns_rdata_s18_q[5:0]};
       shown_s19_q <= shown;
       near_s19_q <= near;
-      and_1900_s19_q <= seen_columns_rdata_s18_q[14] & shift_2_s18_q[0];
-      and_1902_s19_q <= seen_columns_rdata_s18_q[5] & shift_2_s18_q[0];
-      or_1917_s19_q <= or_1917;
-      or_1920_s19_q <= select_1914[7] | (~({select_1914[6], select_1914[3:2]} == 3'h0));
-      or_1923_s19_q <= select_1914[7] | (~(select_1914[6:4] == 3'h0));
-      and_1934_s19_q <= seen_columns_rdata_s18_q[16] & shift_2_s18_q[0];
-      and_1936_s19_q <= seen_columns_rdata_s18_q[8] & shift_2_s18_q[0];
-      and_1937_s19_q <= seen_columns_rdata_s18_q[3] & shift_2_s18_q[0];
-      and_1950_s19_q <= seen_columns_rdata_s18_q[17] & shift_2_s18_q[0];
-      and_1952_s19_q <= seen_columns_rdata_s18_q[9] & shift_2_s18_q[0];
-      and_1953_s19_q <= seen_columns_rdata_s18_q[4] & shift_2_s18_q[0];
-      and_1973_s19_q <= and_1973_s18_q;
-      equal_2113_s19_q <= equal_2113_s18_q;
-      equal_2237_s19_q <= equal_2237_s18_q;
-      and_2377_s19_q <= seen_columns_rdata_s18_q[15] & shift_2_s18_q[0];
-      and_2378_s19_q <= seen_columns_rdata_s18_q[11] & shift_2_s18_q[0];
-      sum_2382_s19_q <= {1'b0, and_2379} + ({1'b0, explained} + {1'b0, and_2380});
-      or_2469_s19_q <= (shift_2_s18_q[13:11] == 3'h0) | (shift_2_s18_q[13:11] == 3'h4);
-      sum_2470_s19_q <= shift_2_s18_q[13:12] + 2'h3;
-      less_2471_s19_q <= less_2471_s18_q;
-      sum_2477_s19_q <= sum_2477[8:1];
-      select_2478_s19_q <= select_2478[0];
-      sum_2480_s19_q <= sum_2480;
-      select_2482_s19_q <= select_2482[0];
-      difference_2484_s19_q <= difference_2484;
-      and_2713_s19_q <= and_2713_s18_q;
-      or_2762_s19_q <= or_2762_s18_q;
-      not_2786_s19_q <= not_2786_s18_q;
-      select_3261_s19_q <= select_3261_s18_q;
-      select_3268_s19_q <= select_3268;
-      select_3277_s19_q <= select_3277;
-      and_3283_s19_q <= equal_3257_s18_q & ({sum_3281[6], sum_3281} < 8'hfb);
-      select_3292_s19_q <= select_3292_s18_q;
-      less_3532_s19_q <= less_3532_s18_q;
-      sum_3533_s19_q <= sum_3533[7];
-      and_3727_s19_q <= seen_columns_rdata_s18_q[6] & shift_2_s18_q[0];
-      equal_3737_s19_q <= equal_3737_s18_q;
+      and_1926_s19_q <= seen_columns_rdata_s18_q[14] & shift_2_s18_q[0];
+      and_1928_s19_q <= seen_columns_rdata_s18_q[5] & shift_2_s18_q[0];
+      or_1943_s19_q <= or_1943;
+      or_1946_s19_q <= select_1940[7] | (~({select_1940[6], select_1940[3:2]} == 3'h0));
+      or_1949_s19_q <= select_1940[7] | (~(select_1940[6:4] == 3'h0));
+      and_1960_s19_q <= seen_columns_rdata_s18_q[16] & shift_2_s18_q[0];
+      and_1962_s19_q <= seen_columns_rdata_s18_q[8] & shift_2_s18_q[0];
+      and_1963_s19_q <= seen_columns_rdata_s18_q[3] & shift_2_s18_q[0];
+      and_1976_s19_q <= seen_columns_rdata_s18_q[17] & shift_2_s18_q[0];
+      and_1978_s19_q <= seen_columns_rdata_s18_q[9] & shift_2_s18_q[0];
+      and_1979_s19_q <= seen_columns_rdata_s18_q[4] & shift_2_s18_q[0];
+      and_1999_s19_q <= and_1999_s18_q;
+      equal_2139_s19_q <= equal_2139_s18_q;
+      equal_2263_s19_q <= equal_2263_s18_q;
+      and_2403_s19_q <= seen_columns_rdata_s18_q[15] & shift_2_s18_q[0];
+      and_2405_s19_q <= seen_columns_rdata_s18_q[7] & shift_2_s18_q[0];
+      and_2406_s19_q <= seen_columns_rdata_s18_q[2] & shift_2_s18_q[0];
+      or_2498_s19_q <= (shift_2_s18_q[13:11] == 3'h0) | (shift_2_s18_q[13:11] == 3'h4);
+      sum_2499_s19_q <= shift_2_s18_q[13:12] + 2'h3;
+      less_2500_s19_q <= less_2500_s18_q;
+      and_2731_s19_q <= and_2731_s18_q;
+      or_2782_s19_q <= or_2782_s18_q;
+      not_2806_s19_q <= not_2806_s18_q;
+      select_3265_s19_q <= select_3265;
+      equal_3277_s19_q <= equal_3277_s18_q;
+      less_3552_s19_q <= less_3552_s18_q;
+      sum_3553_s19_q <= sum_3553[7];
+      and_3747_s19_q <= seen_columns_rdata_s18_q[6] & shift_2_s18_q[0];
+      equal_3757_s19_q <= equal_3757_s18_q;
     end
   end
 
   // Stage 19 ----------------------------------------------------------------------------------------------------------
-  logic [10:0] averager_total_0_q;
-  logic [10:0] averager_total_1_q;
-  logic averager_mask_q;
-  logic averager_of_skin_q;
-  logic patches_fixed_q;
-  logic patches_choice_valid_q;
-  logic [7:0] patches_choice_column_q;
-  logic [5:0] patches_choice_shift_q;
-  logic [7:0] patches_choice_slope_q;
-  logic patches_match_row_ends_q;
-  logic [11:0] patches_smooth_values_0_q;
-  logic [11:0] patches_smooth_values_1_q;
-  logic [11:0] patches_smooth_values_2_q;
-  logic [11:0] patches_smooth_values_3_q;
-  logic [10:0] patches_down_values_2_q;
-  logic [10:0] patches_down_values_3_q;
-  logic [4:0] patches_down_by_q;
-  logic [3:0] patches_match_row_q;
-  logic patches_summed_last_q;
-  logic [4:0] patches_summed_down_by_q;
-  logic patches_read_above_q;
-  logic patches_read_below_q;
-  logic [9:0] patches_peak_above_q;
-  logic [9:0] patches_peak_below_q;
+  logic sample_of_skin_q;
+  logic averager_running_mask_q;
+  logic averager_running_of_skin_q;
+  logic patches_read_first_q;
+  logic [9:0] patches_peak_best_differing_q;
+  logic [4:0] patches_peak_best_column_q;
   logic [2:0] region_row_q;
   logic [2:0] next_region_row_q;
   logic region_fresh_q;
@@ -5588,263 +5000,194 @@ module horopter_agreement (
   logic centres_values_0_of_skin_q;
   logic centres_values_1_textured_q;
   logic centres_values_1_of_skin_q;
-  // hls/stages/census.hpp:206
-  logic [8:0] grey;
-  assign grey = and_471_s19_q ? sum_479_s19_q[13:5] : 9'h0;
-  // hls/stages/census.hpp:207
-  logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_500_s19_q ? 11'h0 : averager_total_0_q);
-  // hls/stages/census.hpp:206
-  logic [8:0] grey_2;
-  assign grey_2 = and_471_s19_q ? sum_483_s19_q[13:5] : 9'h0;
-  // hls/stages/census.hpp:207
-  logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_500_s19_q ? 11'h0 : averager_total_1_q);
-  // hls/stages/census.hpp:206
-  logic and_508;
-  assign and_508 = and_471_s19_q & and_487_s19_q;
-  // hls/stages/census.hpp:126
-  logic select_510;
-  assign select_510 = equal_500_s19_q ? and_508 : (averager_mask_q & and_508);
-  // hls/stages/agreement.hpp:263
-  logic whole_2;
-  assign whole_2 = sample_pair_whole_s19_q & select_510;
-  // hls/stages/census.hpp:206
-  logic and_512;
-  assign and_512 = and_471_s19_q & and_491_s19_q;
-  // hls/stages/census.hpp:126
-  logic select_514;
-  assign select_514 = equal_500_s19_q ? and_512 : (averager_of_skin_q & and_512);
-  // hls/stages/registration.hpp:146
+  // hls/stages/census.hpp:121
+  logic [13:0] sum_482;
+  assign sum_482 = select_478_s19_q + (equal_480_s19_q ? 14'h0 : averager_memory_rdata_s19_q[13:0]);
+  logic [13:0] sum_486;
+  assign sum_486 = sum_484_s19_q + (equal_480_s19_q ? 14'h0 : averager_memory_rdata_s19_q[27:14]);
+  // hls/stages/agreement.hpp:404
+  logic whole;
+  assign whole = equal_462_s19_q ? sample_present_s19_q : (sample_present_s19_q & averager_running_mask_q);
+  logic all_of_skin;
+  assign all_of_skin = equal_462_s19_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
+  // hls/stages/census.hpp:123
+  logic and_494;
+  assign and_494 = all_of_skin & (averager_memory_rdata_s19_q[29] | equal_480_s19_q);
+  // hls/stages/registration.hpp:147
   logic all;
   assign all = x_s19_q[5:3] == 3'h4;
   // hls/stages/patches.hpp:184
-  logic equal_1525;
-  assign equal_1525 = x_s19_q[5:0] == 6'h3c;
-  logic equal_1527;
-  assign equal_1527 = x_s19_q[5:0] == 6'h3b;
-  logic equal_1529;
-  assign equal_1529 = x_s19_q[5:0] == 6'h36;
-  logic equal_1531;
-  assign equal_1531 = x_s19_q[5:0] == 6'h35;
-  logic equal_1533;
-  assign equal_1533 = x_s19_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1115
-  logic and_1537;
-  assign and_1537 = (~equal_1527) & ((~equal_1529) & ((~equal_1531) & (~equal_1533)));
-  // hls/stages/patches.hpp:133
-  logic and_1629;
-  assign and_1629 = and_1627_s19_q & (~patches_fixed_q);
-  // hls/stages/patches.hpp:306
-  logic [22:0] select_1664;
-  assign select_1664 = and_1629 ? {select_1663_s19_q, select_1637_s19_q, select_1633_s19_q, and_1627_s19_q} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
+  logic equal_1528;
+  assign equal_1528 = x_s19_q[5:0] == 6'h3c;
+  logic equal_1530;
+  assign equal_1530 = x_s19_q[5:0] == 6'h3b;
+  logic equal_1532;
+  assign equal_1532 = x_s19_q[5:0] == 6'h36;
+  logic equal_1534;
+  assign equal_1534 = x_s19_q[5:0] == 6'h35;
+  logic equal_1536;
+  assign equal_1536 = x_s19_q[5:0] == 6'h34;
+  // hls/stages/agreement.hpp:1116
+  logic and_1540;
+  assign and_1540 = (~equal_1530) & ((~equal_1532) & ((~equal_1534) & (~equal_1536)));
+  // hls/stages/registration.hpp:214
+  logic [10:0] sum_1617;
+  assign sum_1617 = {{3{sum_1613_s19_q[7]}}, sum_1613_s19_q} + {sum_1616_s19_q[8], sum_1616_s19_q, select_1614_s19_q};
+  logic [9:0] sum_1621;
+  assign sum_1621 = {difference_1620_s19_q, select_1618_s19_q} + {sum_1617[10], sum_1617[10:2]};
+  // hls/stages/patches.hpp:427
+  logic [8:0] sum_1787;
+  assign sum_1787 = {1'b0, patches_columns_above_rdata_s19_q[7:0]} + {2'h0, pixel_2_s19_q[7:1]};
+  logic [8:0] sum_1788;
+  assign sum_1788 = {1'b0, patches_columns_above_rdata_s19_q[23:16]} + {2'h0, patches_columns_above_rdata_s19_q[31:25]};
+  // hls/stages/patches.hpp:425
+  logic [10:0] sum_1799;
+  assign sum_1799 = {3'h0, patches_columns_above_rdata_s19_q[15:8]} + {sum_1798_s19_q, patches_columns_above_rdata_s19_q[25]};
+  // hls/stages/patches.hpp:148
+  logic and_1811;
+  assign and_1811 = (~(patches_code_row_s19_q[4:2] == 3'h0)) & (~(patches_column_s19_q[4:2] == 3'h0));
   // hls/stages/patches.hpp:160
-  logic and_1758;
-  assign and_1758 = not_1673_s19_q & (equal_1674_s19_q & new_row_s19_q);
-  // hls/stages/patches.hpp:414
-  logic [13:0] sum_1766;
-  assign sum_1766 = {{3{patches_down_values_1_s19_q[10]}}, patches_down_values_1_s19_q} + {sum_1765_s19_q, down_2_s19_q[1]};
-  logic [12:0] sum_1767;
-  assign sum_1767 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1766[13:1];
-  // hls/stages/patches.hpp:413
-  logic [12:0] sum_1776;
-  assign sum_1776 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth_s19_q[11:1]};
-  logic [12:0] sum_1777;
-  assign sum_1777 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_1778;
-  assign difference_1778 = {1'b0, sum_1776, smooth_s19_q[0]} - {1'b0, sum_1777, patches_smooth_values_3_q[0]};
-  // hls/stages/patches.hpp:303
-  logic [5:0] select_1832;
-  assign select_1832 = equal_1466_s19_q ? x_s19_q[5:0] : {region_row_q, or_1831_s19_q, or_1828_s19_q, or_1825_s19_q};
-  // hls/stages/agreement.hpp:1069
-  logic not_1833;
-  assign not_1833 = ~equal_1511_s19_q;
+  logic and_1815;
+  assign and_1815 = or_1696_s19_q & ((equal_1694_s19_q & and_1811) & (patches_column_s19_q == 5'h1f));
+  // hls/stages/patches.hpp:440
+  logic or_1821;
+  assign or_1821 = equal_1694_s19_q | (~and_1811);
+  // hls/stages/patches.hpp:444
+  logic and_1826;
+  assign and_1826 = (~or_1821) & ((~patches_column_s19_q[4]) & (patches_column_s19_q == 5'hf));
+  // hls/stages/patches.hpp:309
+  logic [5:0] select_1858;
+  assign select_1858 = equal_1469_s19_q ? x_s19_q[5:0] : {region_row_q, or_1857_s19_q, or_1854_s19_q, or_1851_s19_q};
+  // hls/stages/agreement.hpp:1070
+  logic not_1859;
+  assign not_1859 = ~equal_1514_s19_q;
   // hls/stages/agreement.hpp:250
-  logic and_1861;
-  assign and_1861 = shift_2_s19_q[0] & shift_2_s19_q[2];
-  // hls/stages/agreement.hpp:975
-  logic and_1903;
-  assign and_1903 = seen_columns_rdata_s19_q[0] & shift_2_s19_q[0];
-  // hls/stages/agreement.hpp:1028
-  logic [1:0] sum_1905;
-  assign sum_1905 = {1'b0, and_1902_s19_q} + ({1'b0, textured_s19_q} + {1'b0, and_1903});
-  // hls/stages/agreement.hpp:975
-  logic and_1935;
-  assign and_1935 = seen_columns_rdata_s19_q[11] & shift_2_s19_q[0];
-  // hls/stages/agreement.hpp:1030
-  logic [1:0] sum_1939;
-  assign sum_1939 = {1'b0, and_1936_s19_q} + ({1'b0, shown_s19_q} + {1'b0, and_1937_s19_q});
-  // hls/stages/agreement.hpp:975
-  logic and_1951;
-  assign and_1951 = seen_columns_rdata_s19_q[12] & shift_2_s19_q[0];
-  // hls/stages/agreement.hpp:1031
-  logic [1:0] sum_1955;
-  assign sum_1955 = {1'b0, and_1952_s19_q} + ({1'b0, near_s19_q} + {1'b0, and_1953_s19_q});
-  // hls/stages/agreement.hpp:263
-  logic [10:0] select_2005;
-  assign select_2005 = sample_pair_whole_s19_q ? (and_495_s19_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2007;
-  assign select_2007 = sample_pair_whole_s19_q ? (and_495_s19_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2028;
-  assign select_2028 = sample_pair_whole_s19_q ? (and_495_s19_q ? select_510 : averager_mask_q) : averager_mask_q;
-  logic select_2030;
-  assign select_2030 = sample_pair_whole_s19_q ? (and_495_s19_q ? select_514 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/patches.hpp:303
-  logic and_2356;
-  assign and_2356 = so_s19_q & (ends_cell_s19_q & (shift_2_s19_q[0] & shift_2_s19_q[1]));
-  // hls/stages/agreement.hpp:1046
-  logic not_2376;
-  assign not_2376 = ~(x_s19_q[7:1] == 7'h0);
+  logic explained;
+  assign explained = shift_2_s19_q[0] & shift_2_s19_q[3];
+  logic and_1887;
+  assign and_1887 = shift_2_s19_q[0] & shift_2_s19_q[2];
+  // hls/stages/agreement.hpp:976
+  logic and_1929;
+  assign and_1929 = seen_columns_rdata_s19_q[0] & shift_2_s19_q[0];
   // hls/stages/agreement.hpp:1029
-  logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2377_s19_q} + ({2'h0, and_2378_s19_q} + {1'b0, sum_2382_s19_q});
-  // hls/stages/patches.hpp:303
-  logic and_2417;
-  assign and_2417 = ends_cell_s19_q & (shift_2_s19_q[0] & (shift_2_s19_q[2:1] == 2'h3));
-  // hls/stages/agreement.hpp:1051
-  logic and_2423;
-  assign and_2423 = not_2376 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
+  logic [1:0] sum_1931;
+  assign sum_1931 = {1'b0, and_1928_s19_q} + ({1'b0, textured_s19_q} + {1'b0, and_1929});
+  // hls/stages/agreement.hpp:976
+  logic and_1961;
+  assign and_1961 = seen_columns_rdata_s19_q[11] & shift_2_s19_q[0];
+  // hls/stages/agreement.hpp:1031
+  logic [1:0] sum_1965;
+  assign sum_1965 = {1'b0, and_1962_s19_q} + ({1'b0, shown_s19_q} + {1'b0, and_1963_s19_q});
+  // hls/stages/agreement.hpp:976
+  logic and_1977;
+  assign and_1977 = seen_columns_rdata_s19_q[12] & shift_2_s19_q[0];
+  // hls/stages/agreement.hpp:1032
+  logic [1:0] sum_1981;
+  assign sum_1981 = {1'b0, and_1978_s19_q} + ({1'b0, near_s19_q} + {1'b0, and_1979_s19_q});
+  // hls/stages/agreement.hpp:263
+  logic select_2052;
+  assign select_2052 = sample_pair_whole_s19_q ? all_of_skin : averager_running_of_skin_q;
+  // hls/stages/patches.hpp:309
+  logic and_2382;
+  assign and_2382 = so_s19_q & (ends_cell_s19_q & (shift_2_s19_q[0] & shift_2_s19_q[1]));
+  // hls/stages/agreement.hpp:1047
+  logic not_2402;
+  assign not_2402 = ~(x_s19_q[7:1] == 7'h0);
+  // hls/stages/agreement.hpp:976
+  logic and_2404;
+  assign and_2404 = seen_columns_rdata_s19_q[10] & shift_2_s19_q[0];
+  // hls/stages/agreement.hpp:1030
+  logic [1:0] sum_2408;
+  assign sum_2408 = {1'b0, and_2405_s19_q} + ({1'b0, explained} + {1'b0, and_2406_s19_q});
+  // hls/stages/patches.hpp:309
+  logic and_2443;
+  assign and_2443 = ends_cell_s19_q & (shift_2_s19_q[0] & (shift_2_s19_q[2:1] == 2'h3));
+  // hls/stages/agreement.hpp:1052
+  logic and_2449;
+  assign and_2449 = not_2402 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
   // hls/stages/registration.hpp:47
-  logic [7:0] difference_2472;
-  assign difference_2472 = {sum_2470_s19_q, shift_2_s19_q[3], 5'h0} - {3'h0, registration_displacement_fraction_q};
-  // hls/stages/registration.hpp:101
-  logic [7:0] select_2473;
-  assign select_2473 = less_2471_s19_q ? difference_2472 : {sum_2470_s19_q, shift_2_s19_q[3], registration_displacement_fraction_q};
-  logic [7:0] select_2474;
-  assign select_2474 = or_2469_s19_q ? {sum_2470_s19_q, shift_2_s19_q[3], 5'h0} : select_2473;
-  // hls/stages/registration.hpp:211
-  logic [10:0] sum_2481;
-  assign sum_2481 = {{3{sum_2477_s19_q[7]}}, sum_2477_s19_q} + {sum_2480_s19_q[8], sum_2480_s19_q, select_2478_s19_q};
-  logic [9:0] sum_2485;
-  assign sum_2485 = {difference_2484_s19_q, select_2482_s19_q} + {sum_2481[10], sum_2481[10:2]};
-  // hls/stages/patches.hpp:308
-  logic not_2703;
-  assign not_2703 = ~and_1670_s19_q;
-  // hls/stages/patches.hpp:163
-  logic select_2801;
-  assign select_2801 = patches_along_ends_s19_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic [7:0] difference_2501;
+  assign difference_2501 = {sum_2499_s19_q, shift_2_s19_q[4], 5'h0} - {3'h0, registration_displacement_fraction_q};
+  // hls/stages/registration.hpp:102
+  logic [7:0] select_2502;
+  assign select_2502 = less_2500_s19_q ? difference_2501 : {sum_2499_s19_q, shift_2_s19_q[4], registration_displacement_fraction_q};
+  logic [7:0] select_2503;
+  assign select_2503 = or_2498_s19_q ? {sum_2499_s19_q, shift_2_s19_q[4], 5'h0} : select_2502;
+  // hls/stages/patches.hpp:491
+  logic [4:0] select_3254;
+  assign select_3254 = less_1830_s19_q ? patches_step_s19_q : 5'h0;
+  // hls/stages/patches.hpp:495
+  logic [4:0] select_3257;
+  assign select_3257 = equal_1833_s19_q ? (less_1830_s19_q ? (equal_1833_s19_q ? 5'h0 : select_3254) : 5'h0) : select_3254;
+  logic [4:0] select_3259;
+  assign select_3259 = less_1830_s19_q ? (equal_1831_s19_q ? 5'h0 : select_3257) : select_3257;
+  logic select_3267;
+  assign select_3267 = less_1830_s19_q ? (not_1832_s19_q & select_3265_s19_q) : select_3265_s19_q;
+  // hls/stages/patches.hpp:154
+  logic or_3279;
+  assign or_3279 = patches_read_first_q | (patches_read_row_differing_s19_q < patches_peak_best_differing_q);
+  logic and_3280;
+  assign and_3280 = patches_read_searches_s19_q & or_3279;
+  // hls/stages/patches.hpp:474
+  logic [14:0] select_3312;
+  assign select_3312 = and_3280 ? {patches_read_row_column_s19_q, patches_read_row_differing_s19_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/patches.hpp:160
-  logic [11:0] select_2804;
-  assign select_2804 = equal_1674_s19_q ? patches_smooth_values_0_q : (or_1678_s19_q ? smooth_s19_q : patches_smooth_values_0_q);
-  logic [11:0] select_2806;
-  assign select_2806 = or_1678_s19_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
-  logic [11:0] select_2808;
-  assign select_2808 = equal_1672_s19_q ? patches_smooth_values_1_q : (equal_1674_s19_q ? patches_smooth_values_1_q : select_2806);
-  logic [11:0] select_2809;
-  assign select_2809 = or_1678_s19_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
-  logic [11:0] select_2811;
-  assign select_2811 = equal_1672_s19_q ? patches_smooth_values_2_q : (equal_1674_s19_q ? patches_smooth_values_2_q : select_2809);
-  logic [11:0] select_2812;
-  assign select_2812 = or_1678_s19_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
-  logic [11:0] select_2814;
-  assign select_2814 = equal_1672_s19_q ? patches_smooth_values_3_q : (equal_1674_s19_q ? patches_smooth_values_3_q : select_2812);
-  logic [10:0] select_2821;
-  assign select_2821 = or_1678_s19_q ? patches_down_values_1_s19_q : patches_down_values_2_q;
-  logic [10:0] select_2823;
-  assign select_2823 = equal_1672_s19_q ? patches_down_values_2_q : (equal_1674_s19_q ? patches_down_values_2_q : select_2821);
-  logic [10:0] select_2824;
-  assign select_2824 = or_1678_s19_q ? patches_down_values_2_q : patches_down_values_3_q;
-  logic [10:0] select_2826;
-  assign select_2826 = equal_1672_s19_q ? patches_down_values_3_q : (equal_1674_s19_q ? patches_down_values_3_q : select_2824);
-  // hls/stages/patches.hpp:151
-  logic and_2854;
-  assign and_2854 = patches_along_ends_s19_q & patches_match_row_ends_q;
-  // hls/stages/patches.hpp:369
-  logic [3:0] select_2861;
-  assign select_2861 = and_2854 ? 4'h0 : ({3'h0, patches_along_ends_s19_q} + patches_match_row_q);
-  // hls/stages/patches.hpp:160
-  logic [4:0] select_3217;
-  assign select_3217 = equal_1672_s19_q ? patches_summed_down_by_q : (equal_1674_s19_q ? patches_down_by_q : patches_summed_down_by_q);
-  // hls/stages/patches.hpp:480
-  logic select_3270;
-  assign select_3270 = less_1804_s19_q ? (not_1806_s19_q & select_3268_s19_q) : select_3268_s19_q;
-  logic select_3279;
-  assign select_3279 = less_1804_s19_q ? (not_1806_s19_q & select_3277_s19_q) : select_3277_s19_q;
-  // hls/stages/patches.hpp:476
-  logic [9:0] select_3285;
-  assign select_3285 = less_1804_s19_q ? (and_3283_s19_q ? patches_rows_rdata_s19_q : 10'h3ff) : 10'h3ff;
-  // hls/stages/patches.hpp:461
-  logic [9:0] select_3296;
-  assign select_3296 = patches_read_above_q ? patches_read_row_differing_s19_q : patches_peak_above_q;
-  // hls/stages/patches.hpp:462
-  logic [9:0] select_3298;
-  assign select_3298 = patches_read_below_q ? patches_read_row_differing_s19_q : patches_peak_below_q;
-  // hls/stages/patches.hpp:499
-  logic less_3335;
-  assign less_3335 = select_3296 < select_3298;
-  // hls/stages/patches.hpp:500
-  logic [9:0] high;
-  assign high = less_3335 ? select_3298 : select_3296;
-  logic [9:0] low;
-  assign low = (select_3298 < select_3296) ? select_3298 : select_3296;
+  logic [9:0] select_3313;
+  assign select_3313 = equal_1690_s19_q ? select_3312[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3314;
+  assign select_3314 = equal_1690_s19_q ? select_3312[14:10] : patches_peak_best_column_q;
   // hls/stages/agreement.hpp:447
-  logic [2:0] select_3535;
-  assign select_3535 = less_3532_s19_q ? (sum_3533_s19_q ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_3537;
-  assign select_3537 = equal_2237_s19_q ? (equal_558_s19_q ? 3'h0 : select_3535) : region_row_q;
+  logic [2:0] select_3555;
+  assign select_3555 = less_3552_s19_q ? (sum_3553_s19_q ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_3557;
+  assign select_3557 = equal_2263_s19_q ? (equal_561_s19_q ? 3'h0 : select_3555) : region_row_q;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3533_s19_q;
+  assign next = ~sum_3553_s19_q;
   // hls/stages/agreement.hpp:447
-  logic select_3568;
-  assign select_3568 = equal_2237_s19_q ? (equal_558_s19_q | (less_3532_s19_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:1147
-  logic equal_3586;
-  assign equal_3586 = x_s19_q[6:3] == 4'h7;
-  logic equal_3608;
-  assign equal_3608 = x_s19_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1066
-  logic [7:0] select_3621;
-  assign select_3621 = (x_s19_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_3623;
-  assign select_3623 = equal_3608 ? cfg_unproven_skin_limit_i : (equal_3586 ? cfg_unproven_limit_i : select_3621);
-  // hls/stages/patches.hpp:303
-  logic select_3725;
-  assign select_3725 = so_s19_q ? (ends_cell_s19_q ? and_1902_s19_q : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_3729;
-  assign select_3729 = so_s19_q ? (ends_cell_s19_q ? and_3727_s19_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
-  logic select_3731;
-  assign select_3731 = ends_cell_s19_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_3733;
-  assign select_3733 = equal_1466_s19_q ? centres_values_1_textured_q : (so_s19_q ? select_3731 : centres_values_1_textured_q);
-  logic select_3734;
-  assign select_3734 = ends_cell_s19_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_3736;
-  assign select_3736 = equal_1466_s19_q ? centres_values_1_of_skin_q : (so_s19_q ? select_3734 : centres_values_1_of_skin_q);
+  logic select_3588;
+  assign select_3588 = equal_2263_s19_q ? (equal_561_s19_q | (less_3552_s19_q ? next : region_fresh_q)) : region_fresh_q;
+  // hls/stages/agreement.hpp:1148
+  logic equal_3606;
+  assign equal_3606 = x_s19_q[6:3] == 4'h7;
+  logic equal_3628;
+  assign equal_3628 = x_s19_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:1067
+  logic [7:0] select_3641;
+  assign select_3641 = (x_s19_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_3643;
+  assign select_3643 = equal_3628 ? cfg_unproven_skin_limit_i : (equal_3606 ? cfg_unproven_limit_i : select_3641);
+  // hls/stages/patches.hpp:309
+  logic select_3745;
+  assign select_3745 = so_s19_q ? (ends_cell_s19_q ? and_1928_s19_q : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_3749;
+  assign select_3749 = so_s19_q ? (ends_cell_s19_q ? and_3747_s19_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
+  logic select_3751;
+  assign select_3751 = ends_cell_s19_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_3753;
+  assign select_3753 = equal_1469_s19_q ? centres_values_1_textured_q : (so_s19_q ? select_3751 : centres_values_1_textured_q);
+  logic select_3754;
+  assign select_3754 = ends_cell_s19_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_3756;
+  assign select_3756 = equal_1469_s19_q ? centres_values_1_of_skin_q : (so_s19_q ? select_3754 : centres_values_1_of_skin_q);
 
-  // Memory patches_right_codes, 28 x 112, DISTANCE 24, hls/stages/patches.hpp:693; read in stage 19, written in stage 21: 19 < 21 < 19 + DISTANCE.
+  // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:334; read in stage 19, written in stage 21: 19 < 21 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [111:0] patches_right_codes_mem [0:27];
+  logic [77:0] census_memory_mem [0:119];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 28; i++) patches_right_codes_mem[i] = 112'h0;
+  initial for (int i = 0; i < 120; i++) census_memory_mem[i] = 78'h0;
 `endif
-  logic [4:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = patches_down_by_q + {1'b0, patches_match_row_q};
-  logic patches_right_codes_re;
-  assign patches_right_codes_re = s19_en & and_1758;
-  logic [111:0] patches_right_codes_rdata_q;
+  logic [6:0] census_memory_raddr;
+  assign census_memory_raddr = column_s19_q;
+  logic census_memory_re;
+  assign census_memory_re = s19_en & and_500_s19_q;
+  logic [77:0] census_memory_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (patches_right_codes_re) patches_right_codes_rdata_q <= patches_right_codes_mem[patches_right_codes_raddr];
+    if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
   end
 
-  // Memory patches_left_codes, 12 x 48, DISTANCE 24, hls/stages/patches.hpp:694; read in stage 19, written in stage 21: 19 < 21 < 19 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [47:0] patches_left_codes_mem [0:11];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 12; i++) patches_left_codes_mem[i] = 48'h0;
-`endif
-  logic [3:0] patches_left_codes_raddr;
-  assign patches_left_codes_raddr = patches_match_row_q;
-  logic patches_left_codes_re;
-  assign patches_left_codes_re = s19_en & and_1758;
-  logic [47:0] patches_left_codes_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (patches_left_codes_re) patches_left_codes_rdata_q <= patches_left_codes_mem[patches_left_codes_raddr];
-  end
-
-  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1317; read in stage 19, written in stage 22: 19 < 22 < 19 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1318; read in stage 19, written in stage 22: 19 < 22 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] regions_mem [0:63];
@@ -5852,81 +5195,56 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 30'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1832;
+  assign regions_raddr = select_1858;
   logic regions_re;
-  assign regions_re = s19_en & (equal_1466_s19_q ? (x_s19_q[6] & not_1833) : and_1840_s19_q);
+  assign regions_re = s19_en & (equal_1469_s19_q ? (x_s19_q[6] & not_1859) : and_1866_s19_q);
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_rdata_q <= regions_mem[regions_raddr];
   end
 
-  // Memory averager_memory, write
-  logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_465_s19_q;
-  logic averager_memory_we;
-  assign averager_memory_we = s19_en & and_472_s19_q;
+  // Memory patches_columns_above, write
+  logic [4:0] patches_columns_above_waddr;
+  assign patches_columns_above_waddr = patches_column_s19_q;
+  logic patches_columns_above_we;
+  assign patches_columns_above_we = s19_en & and_1775_s19_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_491_s19_q, and_487_s19_q, sum_483_s19_q, sum_479_s19_q};
+    if (patches_columns_above_we) patches_columns_above_mem[patches_columns_above_waddr] <= {patches_columns_above_rdata_s19_q[23:0], pixel_2_s19_q};
   end
 `ifndef SYNTHESIS
-  logic [8:0] averager_memory_raddr_s17_sim;
-  logic averager_memory_re_s17_sim;
-  logic [8:0] averager_memory_raddr_s18_sim;
-  logic averager_memory_re_s18_sim;
+  logic [4:0] patches_columns_above_raddr_s16_sim;
+  logic patches_columns_above_re_s16_sim;
+  logic [4:0] patches_columns_above_raddr_s17_sim;
+  logic patches_columns_above_re_s17_sim;
+  logic [4:0] patches_columns_above_raddr_s18_sim;
+  logic patches_columns_above_re_s18_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      averager_memory_re_s17_sim <= 1'b0;
-      averager_memory_re_s18_sim <= 1'b0;
+      patches_columns_above_re_s16_sim <= 1'b0;
+      patches_columns_above_re_s17_sim <= 1'b0;
+      patches_columns_above_re_s18_sim <= 1'b0;
     end else if (en_i) begin
-      averager_memory_re_s17_sim <= averager_memory_re;
-      averager_memory_raddr_s17_sim <= averager_memory_raddr;
-      averager_memory_re_s18_sim <= averager_memory_re_s17_sim;
-      averager_memory_raddr_s18_sim <= averager_memory_raddr_s17_sim;
+      patches_columns_above_re_s16_sim <= patches_columns_above_re;
+      patches_columns_above_raddr_s16_sim <= patches_columns_above_raddr;
+      patches_columns_above_re_s17_sim <= patches_columns_above_re_s16_sim;
+      patches_columns_above_raddr_s17_sim <= patches_columns_above_raddr_s16_sim;
+      patches_columns_above_re_s18_sim <= patches_columns_above_re_s17_sim;
+      patches_columns_above_raddr_s18_sim <= patches_columns_above_raddr_s17_sim;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (rst_ni && averager_memory_we) begin
-      if (averager_memory_re && averager_memory_raddr == averager_memory_waddr) begin
-        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
+    if (rst_ni && patches_columns_above_we) begin
+      if (patches_columns_above_re && patches_columns_above_raddr == patches_columns_above_waddr) begin
+        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
       end
-      if (averager_memory_re_s17_sim && averager_memory_raddr_s17_sim == averager_memory_waddr) begin
-        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
+      if (patches_columns_above_re_s16_sim && patches_columns_above_raddr_s16_sim == patches_columns_above_waddr) begin
+        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
       end
-      if (averager_memory_re_s18_sim && averager_memory_raddr_s18_sim == averager_memory_waddr) begin
-        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
+      if (patches_columns_above_re_s17_sim && patches_columns_above_raddr_s17_sim == patches_columns_above_waddr) begin
+        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
       end
-      if (averager_memory_waddr >= 9'd480) $error("averager_memory: write outside, address %0d", averager_memory_waddr);
-    end
-    if (rst_ni && averager_memory_re && averager_memory_raddr >= 9'd480) $error("averager_memory: read outside, address %0d", averager_memory_raddr);
-  end
-`endif
-
-  // Memory patches_choices, write
-  logic [5:0] patches_choices_waddr;
-  assign patches_choices_waddr = {patches_choosing_band_s19_q, and_1605_s19_q};
-  logic patches_choices_we;
-  assign patches_choices_we = s19_en & and_1671_s19_q;
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= select_1664;
-  end
-`ifndef SYNTHESIS
-  logic [5:0] patches_choices_raddr_s18_sim;
-  logic patches_choices_re_s18_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      patches_choices_re_s18_sim <= 1'b0;
-    end else if (en_i) begin
-      patches_choices_re_s18_sim <= patches_choices_re;
-      patches_choices_raddr_s18_sim <= patches_choices_raddr;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && patches_choices_we) begin
-      if (patches_choices_re && patches_choices_raddr == patches_choices_waddr) begin
-        $error("patches_choices: address %0d is read less than DISTANCE steps after its write", patches_choices_waddr);
-      end
-      if (patches_choices_re_s18_sim && patches_choices_raddr_s18_sim == patches_choices_waddr) begin
-        $error("patches_choices: address %0d is read less than DISTANCE steps after its write", patches_choices_waddr);
+      if (patches_columns_above_re_s18_sim && patches_columns_above_raddr_s18_sim == patches_columns_above_waddr) begin
+        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
       end
     end
   end
@@ -5936,9 +5254,9 @@ module horopter_agreement (
   logic [6:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s19_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s19_en & and_1501_s19_q;
+  assign seen_columns_we = s19_en & and_1504_s19_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s19_q, near_s19_q, shown_s19_q, explained_s19_q, and_1861, textured_s19_q};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s19_q, near_s19_q, shown_s19_q, explained, and_1887, textured_s19_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] seen_columns_raddr_s17_sim;
@@ -5975,28 +5293,12 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      averager_mask_q <= 1'b0;
-      averager_of_skin_q <= 1'b0;
-      patches_fixed_q <= 1'b0;
-      patches_choice_valid_q <= 1'b0;
-      patches_choice_column_q <= 8'h0;
-      patches_choice_shift_q <= 6'h0;
-      patches_choice_slope_q <= 8'h0;
-      patches_match_row_ends_q <= 1'b0;
-      patches_smooth_values_0_q <= 12'h0;
-      patches_smooth_values_1_q <= 12'h0;
-      patches_smooth_values_2_q <= 12'h0;
-      patches_smooth_values_3_q <= 12'h0;
-      patches_down_values_2_q <= 11'h0;
-      patches_down_values_3_q <= 11'h0;
-      patches_down_by_q <= 5'h0;
-      patches_match_row_q <= 4'h0;
-      patches_summed_last_q <= 1'b0;
-      patches_summed_down_by_q <= 5'h0;
-      patches_read_above_q <= 1'b0;
-      patches_read_below_q <= 1'b0;
-      patches_peak_above_q <= 10'h0;
-      patches_peak_below_q <= 10'h0;
+      sample_of_skin_q <= 1'b0;
+      averager_running_mask_q <= 1'b0;
+      averager_running_of_skin_q <= 1'b0;
+      patches_read_first_q <= 1'b0;
+      patches_peak_best_differing_q <= 10'h0;
+      patches_peak_best_column_q <= 5'h0;
       region_row_q <= 3'h0;
       next_region_row_q <= 3'h0;
       region_fresh_q <= 1'b1;
@@ -6006,57 +5308,26 @@ module horopter_agreement (
       centres_values_1_textured_q <= 1'b0;
       centres_values_1_of_skin_q <= 1'b0;
     end else if (s19_en) begin
-      averager_mask_q <= select_2028;
-      averager_of_skin_q <= select_2030;
-      patches_fixed_q <= not_2703 & (patches_fixed_q | (and_2713_s19_q & and_1629));
-      patches_choice_valid_q <= and_1670_s19_q ? (select_1664[0] & not_2703) : select_1664[0];
-      patches_choice_column_q <= select_1664[8:1];
-      patches_choice_shift_q <= select_1664[14:9];
-      patches_choice_slope_q <= select_1664[22:15];
-      patches_match_row_ends_q <= not_2786_s19_q & select_2801;
-      patches_smooth_values_0_q <= equal_1672_s19_q ? patches_smooth_values_0_q : select_2804;
-      patches_smooth_values_1_q <= select_2808;
-      patches_smooth_values_2_q <= select_2811;
-      patches_smooth_values_3_q <= select_2814;
-      patches_down_values_2_q <= select_2823;
-      patches_down_values_3_q <= select_2826;
-      patches_down_by_q <= or_2762_s19_q ? 5'h0 : (patches_down_by_q + {4'h0, and_2854});
-      patches_match_row_q <= or_2762_s19_q ? 4'h0 : select_2861;
-      patches_summed_last_q <= not_1673_s19_q & (equal_1674_s19_q & and_2854);
-      patches_summed_down_by_q <= select_3217;
-      patches_read_above_q <= equal_1672_s19_q ? select_3270 : patches_read_above_q;
-      patches_read_below_q <= equal_1672_s19_q ? select_3279 : patches_read_below_q;
-      patches_peak_above_q <= equal_1672_s19_q ? select_3296 : patches_peak_above_q;
-      patches_peak_below_q <= equal_1672_s19_q ? select_3298 : patches_peak_below_q;
-      region_row_q <= and_497_s19_q ? select_3537 : region_row_q;
+      sample_of_skin_q <= mask_s19_q;
+      averager_running_mask_q <= sample_pair_whole_s19_q ? whole : averager_running_mask_q;
+      averager_running_of_skin_q <= select_2052;
+      patches_read_first_q <= equal_1690_s19_q ? select_3267 : patches_read_first_q;
+      patches_peak_best_differing_q <= select_3313;
+      patches_peak_best_column_q <= select_3314;
+      region_row_q <= and_500_s19_q ? select_3557 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_fresh_q <= and_497_s19_q ? select_3568 : region_fresh_q;
+      region_fresh_q <= and_500_s19_q ? select_3588 : region_fresh_q;
       segment_started_q <= ~segment_starts_q;
-      centres_values_0_textured_q <= equal_1466_s19_q ? centres_values_0_textured_q : select_3725;
-      centres_values_0_of_skin_q <= equal_1466_s19_q ? centres_values_0_of_skin_q : select_3729;
-      centres_values_1_textured_q <= select_3733;
-      centres_values_1_of_skin_q <= select_3736;
-    end
-  end
-
-  // Not reset: nothing of it counts before it is written anew.
-`ifndef SYNTHESIS
-  initial begin
-    averager_total_0_q = 11'h0;
-    averager_total_1_q = 11'h0;
-  end
-`endif
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s19_en) begin
-      averager_total_0_q <= select_2005;
-      averager_total_1_q <= select_2007;
+      centres_values_0_textured_q <= equal_1469_s19_q ? centres_values_0_textured_q : select_3745;
+      centres_values_0_of_skin_q <= equal_1469_s19_q ? centres_values_0_of_skin_q : select_3749;
+      centres_values_1_textured_q <= select_3753;
+      centres_values_1_of_skin_q <= select_3756;
     end
   end
 
   logic [7:0] pixel_0_s20_q;
   logic [7:0] pixel_1_s20_q;
   logic saturated_s20_q;
-  logic mask_s20_q;
   logic marks_first_s20_q;
   logic marks_last_s20_q;
   logic [7:0] sample_pair_pixel_0_s20_q;
@@ -6068,120 +5339,127 @@ module horopter_agreement (
   logic [2:0] slot_s20_q;
   logic ends_cell_s20_q;
   logic lower_half_s20_q;
+  logic [4:0] patches_band_rows_number_s20_q;
+  logic [4:0] patches_choosing_band_s20_q;
   logic patches_lower_s20_q;
   logic patches_second_s20_q;
   logic [4:0] patches_code_row_s20_q;
   logic patches_column_s20_q;
-  logic [10:0] patches_down_values_3_s20_q;
-  logic [4:0] patches_summed_row_column_s20_q;
-  logic patches_summed_last_s20_q;
-  logic [4:0] patches_summed_down_by_s20_q;
+  logic [4:0] patches_step_s20_q;
+  logic [9:0] patches_read_row_differing_s20_q;
   logic patches_read_first_s20_q;
   logic [2:0] region_row_s20_q;
   logic region_fresh_s20_q;
   logic segment_started_s20_q;
   logic centres_values_1_textured_s20_q;
   logic centres_values_1_of_skin_s20_q;
-  logic [3:0] select_458_s20_q;
-  logic [6:0] select_461_s20_q;
+  logic [3:0] select_461_s20_q;
+  logic [6:0] select_464_s20_q;
+  logic [8:0] select_468_s20_q;
+  logic and_474_s20_q;
+  logic and_475_s20_q;
+  logic [13:0] sum_482_s20_q;
+  logic [13:0] sum_486_s20_q;
+  logic and_490_s20_q;
+  logic and_494_s20_q;
   logic [6:0] column_s20_q;
-  logic and_495_s20_q;
-  logic and_497_s20_q;
-  logic [77:0] census_memory_rdata_s20_q;
-  logic [8:0] grey_s20_q;
-  logic equal_500_s20_q;
-  logic [8:0] select_503_s20_q;
-  logic [8:0] grey_2_s20_q;
-  logic [8:0] select_507_s20_q;
-  logic whole_2_s20_q;
-  logic and_515_s20_q;
+  logic and_498_s20_q;
+  logic and_500_s20_q;
+  logic equal_503_s20_q;
   logic so_s20_q;
-  logic equal_558_s20_q;
-  logic equal_1466_s20_q;
-  logic not_1467_s20_q;
-  logic shift_2_s20_q;
-  logic equal_1511_s20_q;
+  logic equal_561_s20_q;
+  logic equal_1469_s20_q;
+  logic not_1470_s20_q;
+  logic [1:0] shift_2_s20_q;
+  logic equal_1514_s20_q;
   logic all_s20_q;
-  logic equal_1525_s20_q;
-  logic equal_1527_s20_q;
-  logic equal_1529_s20_q;
-  logic equal_1531_s20_q;
-  logic equal_1533_s20_q;
-  logic and_1538_s20_q;
+  logic equal_1528_s20_q;
+  logic equal_1530_s20_q;
+  logic equal_1532_s20_q;
+  logic equal_1534_s20_q;
+  logic equal_1536_s20_q;
+  logic and_1541_s20_q;
   logic right_2_s20_q;
-  logic and_1579_s20_q;
-  logic select_1596_s20_q;
-  logic equal_1597_s20_q;
-  logic and_1607_s20_q;
-  logic equal_1612_s20_q;
-  logic equal_1638_s20_q;
-  logic equal_1672_s20_q;
-  logic equal_1674_s20_q;
-  logic equal_1676_s20_q;
-  logic or_1678_s20_q;
-  logic [22:0] select_1688_s20_q;
-  logic [4:0] select_1699_s20_q;
-  logic select_1705_s20_q;
-  logic [3:0] select_1739_s20_q;
-  logic new_row_s20_q;
-  logic down_2_s20_q;
-  logic sum_1766_s20_q;
-  logic [12:0] sum_1767_s20_q;
-  logic [14:0] difference_1778_s20_q;
-  logic and_1791_s20_q;
-  logic or_1795_s20_q;
-  logic and_1803_s20_q;
-  logic less_1804_s20_q;
-  logic equal_1805_s20_q;
-  logic not_1806_s20_q;
-  logic equal_1807_s20_q;
-  logic or_1825_s20_q;
-  logic or_1828_s20_q;
-  logic or_1831_s20_q;
-  logic not_1833_s20_q;
+  logic and_1582_s20_q;
+  logic and_1595_s20_q;
+  logic and_1608_s20_q;
+  logic less_1609_s20_q;
+  logic equal_1610_s20_q;
+  logic sum_1617_s20_q;
+  logic [9:0] sum_1621_s20_q;
+  logic equal_1631_s20_q;
+  logic and_1641_s20_q;
+  logic [5:0] select_1656_s20_q;
+  logic [7:0] select_1681_s20_q;
+  logic and_1688_s20_q;
+  logic and_1689_s20_q;
+  logic equal_1690_s20_q;
+  logic not_1691_s20_q;
+  logic equal_1692_s20_q;
+  logic equal_1694_s20_q;
+  logic or_1696_s20_q;
+  logic [4:0] select_1720_s20_q;
+  logic select_1726_s20_q;
+  logic [3:0] select_1765_s20_q;
+  logic [8:0] patches_columns_above_rdata_s20_q;
+  logic [7:0] pixel_2_s20_q;
+  logic [8:0] sum_1787_s20_q;
+  logic [8:0] sum_1788_s20_q;
+  logic [10:0] sum_1799_s20_q;
+  logic and_1816_s20_q;
+  logic or_1821_s20_q;
+  logic and_1828_s20_q;
+  logic less_1830_s20_q;
+  logic equal_1831_s20_q;
+  logic not_1832_s20_q;
+  logic equal_1833_s20_q;
+  logic not_1834_s20_q;
+  logic [9:0] patches_rows_rdata_s20_q;
+  logic or_1851_s20_q;
+  logic or_1854_s20_q;
+  logic or_1857_s20_q;
+  logic not_1859_s20_q;
   logic textured_s20_q;
   logic explained_s20_q;
-  logic and_1854_s20_q;
-  logic and_1859_s20_q;
-  logic and_1900_s20_q;
-  logic and_1901_s20_q;
-  logic [1:0] sum_1905_s20_q;
-  logic or_1917_s20_q;
-  logic or_1920_s20_q;
-  logic or_1923_s20_q;
-  logic and_1934_s20_q;
-  logic [2:0] sum_1940_s20_q;
-  logic and_1950_s20_q;
-  logic [2:0] sum_1956_s20_q;
-  logic and_1973_s20_q;
-  logic equal_2113_s20_q;
-  logic equal_2237_s20_q;
-  logic and_2357_s20_q;
-  logic not_2376_s20_q;
-  logic [2:0] explained_2_s20_q;
-  logic and_2419_s20_q;
-  logic and_2426_s20_q;
-  logic [7:0] select_2474_s20_q;
-  logic sum_2481_s20_q;
-  logic [9:0] sum_2485_s20_q;
-  logic equal_3173_s20_q;
-  logic [4:0] select_3261_s20_q;
-  logic [9:0] select_3285_s20_q;
-  logic [14:0] select_3292_s20_q;
-  logic less_3335_s20_q;
-  logic [9:0] high_s20_q;
-  logic [9:0] low_s20_q;
-  logic equal_3586_s20_q;
-  logic equal_3607_s20_q;
-  logic equal_3608_s20_q;
-  logic [7:0] select_3623_s20_q;
-  logic equal_3737_s20_q;
+  logic and_1880_s20_q;
+  logic and_1885_s20_q;
+  logic and_1926_s20_q;
+  logic and_1927_s20_q;
+  logic [1:0] sum_1931_s20_q;
+  logic or_1943_s20_q;
+  logic or_1946_s20_q;
+  logic or_1949_s20_q;
+  logic and_1960_s20_q;
+  logic [2:0] sum_1966_s20_q;
+  logic and_1976_s20_q;
+  logic [2:0] sum_1982_s20_q;
+  logic and_1999_s20_q;
+  logic equal_2139_s20_q;
+  logic equal_2263_s20_q;
+  logic and_2383_s20_q;
+  logic not_2402_s20_q;
+  logic and_2403_s20_q;
+  logic [2:0] sum_2409_s20_q;
+  logic and_2445_s20_q;
+  logic and_2452_s20_q;
+  logic [7:0] select_2503_s20_q;
+  logic and_2731_s20_q;
+  logic or_2782_s20_q;
+  logic not_2806_s20_q;
+  logic [4:0] select_3259_s20_q;
+  logic equal_3277_s20_q;
+  logic and_3280_s20_q;
+  logic [14:0] select_3312_s20_q;
+  logic equal_3606_s20_q;
+  logic equal_3627_s20_q;
+  logic equal_3628_s20_q;
+  logic [7:0] select_3643_s20_q;
+  logic equal_3757_s20_q;
   always_ff @(posedge clk_i) begin
     if (s19_en) begin
-      pixel_0_s20_q <= pixel_0_s19_q;
-      pixel_1_s20_q <= pixel_1_s19_q;
+      pixel_0_s20_q <= sample_pair_pixel_0_q;
+      pixel_1_s20_q <= sample_pair_pixel_1_q;
       saturated_s20_q <= saturated_s19_q;
-      mask_s20_q <= sample_of_skin_q;
       marks_first_s20_q <= marks_first_s19_q;
       marks_last_s20_q <= marks_last_s19_q;
       sample_pair_pixel_0_s20_q <= sample_pair_pixel_0_s19_q;
@@ -6193,118 +5471,838 @@ module horopter_agreement (
       slot_s20_q <= slot_s19_q;
       ends_cell_s20_q <= ends_cell_s19_q;
       lower_half_s20_q <= lower_half_s19_q;
+      patches_band_rows_number_s20_q <= patches_band_rows_number_s19_q;
+      patches_choosing_band_s20_q <= patches_choosing_band_s19_q;
       patches_lower_s20_q <= patches_lower_s19_q;
       patches_second_s20_q <= patches_second_s19_q;
       patches_code_row_s20_q <= patches_code_row_s19_q;
-      patches_column_s20_q <= patches_column_s19_q;
-      patches_down_values_3_s20_q <= patches_down_values_3_q;
-      patches_summed_row_column_s20_q <= patches_summed_row_column_s19_q;
-      patches_summed_last_s20_q <= patches_summed_last_q;
-      patches_summed_down_by_s20_q <= patches_summed_down_by_q;
-      patches_read_first_s20_q <= patches_read_first_s19_q;
+      patches_column_s20_q <= patches_column_s19_q[4];
+      patches_step_s20_q <= patches_step_s19_q;
+      patches_read_row_differing_s20_q <= patches_read_row_differing_s19_q;
+      patches_read_first_s20_q <= patches_read_first_q;
       region_row_s20_q <= region_row_q;
       region_fresh_s20_q <= region_fresh_q;
       segment_started_s20_q <= segment_started_q;
       centres_values_1_textured_s20_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s20_q <= centres_values_1_of_skin_q;
-      select_458_s20_q <= select_458_s19_q;
       select_461_s20_q <= select_461_s19_q;
+      select_464_s20_q <= select_464_s19_q;
+      select_468_s20_q <= select_468_s19_q;
+      and_474_s20_q <= and_474_s19_q;
+      and_475_s20_q <= and_475_s19_q;
+      sum_482_s20_q <= sum_482;
+      sum_486_s20_q <= sum_486;
+      and_490_s20_q <= whole & (averager_memory_rdata_s19_q[28] | equal_480_s19_q);
+      and_494_s20_q <= and_494;
       column_s20_q <= column_s19_q;
-      and_495_s20_q <= and_495_s19_q;
-      and_497_s20_q <= and_497_s19_q;
-      census_memory_rdata_s20_q <= census_memory_rdata_q;
-      grey_s20_q <= grey;
-      equal_500_s20_q <= equal_500_s19_q;
-      select_503_s20_q <= sample_pair_whole_s19_q ? total[10:2] : 9'h0;
-      grey_2_s20_q <= grey_2;
-      select_507_s20_q <= sample_pair_whole_s19_q ? total_2[10:2] : 9'h0;
-      whole_2_s20_q <= whole_2;
-      and_515_s20_q <= sample_pair_whole_s19_q & select_514;
+      and_498_s20_q <= and_498_s19_q;
+      and_500_s20_q <= and_500_s19_q;
+      equal_503_s20_q <= select_461_s19_q == 4'h3;
       so_s20_q <= so_s19_q;
-      equal_558_s20_q <= equal_558_s19_q;
-      equal_1466_s20_q <= equal_1466_s19_q;
-      not_1467_s20_q <= not_1467_s19_q;
-      shift_2_s20_q <= shift_2_s19_q[0];
-      equal_1511_s20_q <= equal_1511_s19_q;
+      equal_561_s20_q <= equal_561_s19_q;
+      equal_1469_s20_q <= equal_1469_s19_q;
+      not_1470_s20_q <= not_1470_s19_q;
+      shift_2_s20_q <= {shift_2_s19_q[3], shift_2_s19_q[0]};
+      equal_1514_s20_q <= equal_1514_s19_q;
       all_s20_q <= all;
-      equal_1525_s20_q <= equal_1525;
-      equal_1527_s20_q <= equal_1527;
-      equal_1529_s20_q <= equal_1529;
-      equal_1531_s20_q <= equal_1531;
-      equal_1533_s20_q <= equal_1533;
-      and_1538_s20_q <= (~equal_1525) & and_1537;
+      equal_1528_s20_q <= equal_1528;
+      equal_1530_s20_q <= equal_1530;
+      equal_1532_s20_q <= equal_1532;
+      equal_1534_s20_q <= equal_1534;
+      equal_1536_s20_q <= equal_1536;
+      and_1541_s20_q <= (~equal_1528) & and_1540;
       right_2_s20_q <= right_2_s19_q;
-      and_1579_s20_q <= and_1579_s19_q;
-      select_1596_s20_q <= select_1596_s19_q;
-      equal_1597_s20_q <= equal_1597_s19_q;
-      and_1607_s20_q <= and_1607_s19_q;
-      equal_1612_s20_q <= equal_1612_s19_q;
-      equal_1638_s20_q <= equal_1638_s19_q;
-      equal_1672_s20_q <= equal_1672_s19_q;
-      equal_1674_s20_q <= equal_1674_s19_q;
-      equal_1676_s20_q <= equal_1676_s19_q;
-      or_1678_s20_q <= or_1678_s19_q;
-      select_1688_s20_q <= and_1687_s19_q ? select_1664 : patches_choices_rdata_s19_q;
-      select_1699_s20_q <= select_1699_s19_q;
-      select_1705_s20_q <= select_1705_s19_q;
-      select_1739_s20_q <= select_1739_s19_q;
-      new_row_s20_q <= new_row_s19_q;
-      down_2_s20_q <= down_2_s19_q[0];
-      sum_1766_s20_q <= sum_1766[0];
-      sum_1767_s20_q <= sum_1767;
-      difference_1778_s20_q <= difference_1778;
-      and_1791_s20_q <= and_1791_s19_q;
-      or_1795_s20_q <= or_1795_s19_q;
-      and_1803_s20_q <= and_1803_s19_q;
-      less_1804_s20_q <= less_1804_s19_q;
-      equal_1805_s20_q <= equal_1805_s19_q;
-      not_1806_s20_q <= not_1806_s19_q;
-      equal_1807_s20_q <= equal_1807_s19_q;
-      or_1825_s20_q <= or_1825_s19_q;
-      or_1828_s20_q <= or_1828_s19_q;
-      or_1831_s20_q <= or_1831_s19_q;
-      not_1833_s20_q <= not_1833;
+      and_1582_s20_q <= and_1582_s19_q;
+      and_1595_s20_q <= and_1595_s19_q;
+      and_1608_s20_q <= and_1608_s19_q;
+      less_1609_s20_q <= less_1609_s19_q;
+      equal_1610_s20_q <= equal_1610_s19_q;
+      sum_1617_s20_q <= sum_1617[1];
+      sum_1621_s20_q <= sum_1621;
+      equal_1631_s20_q <= equal_1631_s19_q;
+      and_1641_s20_q <= and_1641_s19_q;
+      select_1656_s20_q <= select_1656_s19_q;
+      select_1681_s20_q <= select_1681_s19_q;
+      and_1688_s20_q <= and_1688_s19_q;
+      and_1689_s20_q <= and_1689_s19_q;
+      equal_1690_s20_q <= equal_1690_s19_q;
+      not_1691_s20_q <= not_1691_s19_q;
+      equal_1692_s20_q <= equal_1692_s19_q;
+      equal_1694_s20_q <= equal_1694_s19_q;
+      or_1696_s20_q <= or_1696_s19_q;
+      select_1720_s20_q <= select_1720_s19_q;
+      select_1726_s20_q <= select_1726_s19_q;
+      select_1765_s20_q <= select_1765_s19_q;
+      patches_columns_above_rdata_s20_q <= {patches_columns_above_rdata_s19_q[24], patches_columns_above_rdata_s19_q[7:0]};
+      pixel_2_s20_q <= pixel_2_s19_q;
+      sum_1787_s20_q <= sum_1787;
+      sum_1788_s20_q <= sum_1788;
+      sum_1799_s20_q <= sum_1799;
+      and_1816_s20_q <= not_1693_s19_q & and_1815;
+      or_1821_s20_q <= or_1821;
+      and_1828_s20_q <= not_1693_s19_q & (or_1696_s19_q & and_1826);
+      less_1830_s20_q <= less_1830_s19_q;
+      equal_1831_s20_q <= equal_1831_s19_q;
+      not_1832_s20_q <= not_1832_s19_q;
+      equal_1833_s20_q <= equal_1833_s19_q;
+      not_1834_s20_q <= not_1834_s19_q;
+      patches_rows_rdata_s20_q <= patches_rows_rdata_s19_q;
+      or_1851_s20_q <= or_1851_s19_q;
+      or_1854_s20_q <= or_1854_s19_q;
+      or_1857_s20_q <= or_1857_s19_q;
+      not_1859_s20_q <= not_1859;
       textured_s20_q <= textured_s19_q;
-      explained_s20_q <= explained_s19_q;
-      and_1854_s20_q <= and_1854_s19_q;
-      and_1859_s20_q <= not_1467_s19_q & and_1840_s19_q;
-      and_1900_s20_q <= and_1900_s19_q;
-      and_1901_s20_q <= seen_columns_rdata_s19_q[9] & shift_2_s19_q[0];
-      sum_1905_s20_q <= sum_1905;
-      or_1917_s20_q <= or_1917_s19_q;
-      or_1920_s20_q <= or_1920_s19_q;
-      or_1923_s20_q <= or_1923_s19_q;
-      and_1934_s20_q <= and_1934_s19_q;
-      sum_1940_s20_q <= {2'h0, and_1935} + {1'b0, sum_1939};
-      and_1950_s20_q <= and_1950_s19_q;
-      sum_1956_s20_q <= {2'h0, and_1951} + {1'b0, sum_1955};
-      and_1973_s20_q <= and_1973_s19_q;
-      equal_2113_s20_q <= equal_2113_s19_q;
-      equal_2237_s20_q <= equal_2237_s19_q;
-      and_2357_s20_q <= not_1467_s19_q & and_2356;
-      not_2376_s20_q <= not_2376;
-      explained_2_s20_q <= explained_2;
-      and_2419_s20_q <= not_1467_s19_q & (so_s19_q & and_2417);
-      and_2426_s20_q <= not_1467_s19_q & (so_s19_q & (ends_cell_s19_q & and_2423));
-      select_2474_s20_q <= select_2474;
-      sum_2481_s20_q <= sum_2481[1];
-      sum_2485_s20_q <= sum_2485;
-      equal_3173_s20_q <= patches_match_row_q == 4'h0;
-      select_3261_s20_q <= select_3261_s19_q;
-      select_3285_s20_q <= select_3285;
-      select_3292_s20_q <= select_3292_s19_q;
-      less_3335_s20_q <= less_3335;
-      high_s20_q <= high;
-      low_s20_q <= low;
-      equal_3586_s20_q <= equal_3586;
-      equal_3607_s20_q <= x_s19_q[6:3] == 4'h9;
-      equal_3608_s20_q <= equal_3608;
-      select_3623_s20_q <= select_3623;
-      equal_3737_s20_q <= equal_3737_s19_q;
+      explained_s20_q <= explained;
+      and_1880_s20_q <= and_1880_s19_q;
+      and_1885_s20_q <= not_1470_s19_q & and_1866_s19_q;
+      and_1926_s20_q <= and_1926_s19_q;
+      and_1927_s20_q <= seen_columns_rdata_s19_q[9] & shift_2_s19_q[0];
+      sum_1931_s20_q <= sum_1931;
+      or_1943_s20_q <= or_1943_s19_q;
+      or_1946_s20_q <= or_1946_s19_q;
+      or_1949_s20_q <= or_1949_s19_q;
+      and_1960_s20_q <= and_1960_s19_q;
+      sum_1966_s20_q <= {2'h0, and_1961} + {1'b0, sum_1965};
+      and_1976_s20_q <= and_1976_s19_q;
+      sum_1982_s20_q <= {2'h0, and_1977} + {1'b0, sum_1981};
+      and_1999_s20_q <= and_1999_s19_q;
+      equal_2139_s20_q <= equal_2139_s19_q;
+      equal_2263_s20_q <= equal_2263_s19_q;
+      and_2383_s20_q <= not_1470_s19_q & and_2382;
+      not_2402_s20_q <= not_2402;
+      and_2403_s20_q <= and_2403_s19_q;
+      sum_2409_s20_q <= {2'h0, and_2404} + {1'b0, sum_2408};
+      and_2445_s20_q <= not_1470_s19_q & (so_s19_q & and_2443);
+      and_2452_s20_q <= not_1470_s19_q & (so_s19_q & (ends_cell_s19_q & and_2449));
+      select_2503_s20_q <= select_2503;
+      and_2731_s20_q <= and_2731_s19_q;
+      or_2782_s20_q <= or_2782_s19_q;
+      not_2806_s20_q <= not_2806_s19_q;
+      select_3259_s20_q <= select_3259;
+      equal_3277_s20_q <= equal_3277_s19_q;
+      and_3280_s20_q <= and_3280;
+      select_3312_s20_q <= select_3312;
+      equal_3606_s20_q <= equal_3606;
+      equal_3627_s20_q <= x_s19_q[6:3] == 4'h9;
+      equal_3628_s20_q <= equal_3628;
+      select_3643_s20_q <= select_3643;
+      equal_3757_s20_q <= equal_3757_s19_q;
     end
   end
 
   // Stage 20 ----------------------------------------------------------------------------------------------------------
+  logic [10:0] averager_total_0_q;
+  logic [10:0] averager_total_1_q;
+  logic averager_mask_q;
+  logic averager_of_skin_q;
+  logic [3:0] census_filled_q;
+  logic [4:0] rows_passed_above_q;
+  logic [13:0] counts_textured_q;
+  logic [13:0] counts_skin_supervised_q;
+  logic [13:0] counts_skin_textured_q;
+  logic [10:0] registration_expected_q;
+  logic registration_of_right_q;
+  logic registration_was_inside_q;
+  logic [4:0] patches_band_q;
+  logic [1:0] patches_fetch_q;
+  logic [4:0] patches_read_at_q;
+  logic [4:0] patches_peak_row_q;
+  logic [2:0] box_explained_columns_values_0_q;
+  logic [2:0] box_explained_columns_values_1_q;
+  logic [2:0] box_explained_columns_values_2_q;
+  logic [2:0] box_explained_columns_values_3_q;
+  logic [2:0] box_explained_columns_values_4_q;
+  logic [2:0] box_shown_columns_values_0_q;
+  logic [2:0] box_shown_columns_values_1_q;
+  logic [2:0] box_shown_columns_values_2_q;
+  logic [2:0] box_shown_columns_values_3_q;
+  logic [2:0] box_shown_columns_values_4_q;
+  logic [2:0] box_nearer_columns_values_0_q;
+  logic [2:0] box_nearer_columns_values_1_q;
+  logic [2:0] box_nearer_columns_values_2_q;
+  logic [2:0] box_nearer_columns_values_3_q;
+  logic [2:0] box_nearer_columns_values_4_q;
+  // hls/stages/census.hpp:206
+  logic [8:0] grey;
+  assign grey = and_474_s20_q ? sum_482_s20_q[13:5] : 9'h0;
+  // hls/stages/census.hpp:207
+  logic [10:0] total;
+  assign total = {2'h0, grey} + (equal_503_s20_q ? 11'h0 : averager_total_0_q);
+  // hls/stages/census.hpp:206
+  logic [8:0] grey_2;
+  assign grey_2 = and_474_s20_q ? sum_486_s20_q[13:5] : 9'h0;
+  // hls/stages/census.hpp:207
+  logic [10:0] total_2;
+  assign total_2 = {2'h0, grey_2} + (equal_503_s20_q ? 11'h0 : averager_total_1_q);
+  // hls/stages/census.hpp:206
+  logic and_511;
+  assign and_511 = and_474_s20_q & and_490_s20_q;
+  // hls/stages/census.hpp:126
+  logic select_513;
+  assign select_513 = equal_503_s20_q ? and_511 : (averager_mask_q & and_511);
+  // hls/stages/agreement.hpp:263
+  logic whole_2;
+  assign whole_2 = sample_pair_whole_s20_q & select_513;
+  // hls/stages/census.hpp:206
+  logic and_515;
+  assign and_515 = and_474_s20_q & and_494_s20_q;
+  // hls/stages/census.hpp:126
+  logic select_517;
+  assign select_517 = equal_503_s20_q ? and_515 : (averager_of_skin_q & and_515);
+  // hls/stages/agreement.hpp:442
+  logic equal_558;
+  assign equal_558 = column_s20_q == 7'h0;
+  logic [3:0] select_562;
+  assign select_562 = equal_561_s20_q ? 4'h0 : rows_passed_above_q[3:0];
+  // hls/stages/agreement.hpp:443
+  logic [4:0] select_563;
+  assign select_563 = equal_558 ? {select_562, 1'b1} : rows_passed_above_q;
+  // hls/stages/census.hpp:276
+  logic [3:0] select_564;
+  assign select_564 = equal_558 ? 4'h0 : census_filled_q;
+  // hls/stages/agreement.hpp:1116
+  logic [1:0] quarter;
+  assign quarter = x_s20_q[1:0] + 2'h1;
+  // hls/stages/agreement.hpp:1071
+  logic [1:0] select_1517;
+  assign select_1517 = x_s20_q[4] ? {x_s20_q[3], x_s20_q[0]} : {x_s20_q[0], x_s20_q[3]};
+  // hls/stages/agreement.hpp:1084
+  logic [3:0] select_1519;
+  assign select_1519 = equal_1514_s20_q ? {2'h0, quarter} : (all_s20_q ? {1'b0, x_s20_q[2:0]} : {x_s20_q[2:1], select_1517});
+  // hls/stages/registration.hpp:107
+  logic [1:0] sum_1520;
+  assign sum_1520 = slot_s20_q[1:0] + 2'h3;
+  // hls/stages/patches.hpp:309
+  logic [3:0] select_1521;
+  assign select_1521 = equal_1469_s20_q ? select_1519 : {sum_1520, lower_half_s20_q, registration_of_right_q};
+  // hls/stages/patches.hpp:184
+  logic equal_1522;
+  assign equal_1522 = x_s20_q[5:0] == 6'h3f;
+  logic equal_1524;
+  assign equal_1524 = x_s20_q[5:0] == 6'h3e;
+  logic equal_1526;
+  assign equal_1526 = x_s20_q[5:0] == 6'h3d;
+  // hls/stages/agreement.hpp:1116
+  logic and_1544;
+  assign and_1544 = (~equal_1522) & ((~equal_1524) & ((~equal_1526) & and_1541_s20_q));
+  // hls/stages/agreement.hpp:1071
+  logic less_1545;
+  assign less_1545 = x_s20_q[5:0] < 6'h29;
+  // hls/stages/registration.hpp:148
+  logic [1:0] kind;
+  assign kind = all_s20_q ? {1'b0, x_s20_q[2]} : x_s20_q[2:1];
+  // hls/stages/registration.hpp:160
+  logic or_1549;
+  assign or_1549 = (kind == 2'h3) | (x_s20_q[5:3] == 3'h5);
+  // hls/stages/registration.hpp:94
+  logic half_ends;
+  assign half_ends = shift_2_s20_q[0] ? (right_2_s20_q & (~registration_of_right_q)) : registration_was_inside_q;
+  // hls/stages/registration.hpp:107
+  logic [4:0] sum_1560;
+  assign sum_1560 = {2'h0, slot_s20_q} + 5'h1f;
+  // hls/stages/registration.hpp:258
+  logic not_1566;
+  assign not_1566 = ~lower_half_s20_q;
+  logic [3:0] select_1567;
+  assign select_1567 = registration_of_right_q ? {lower_half_s20_q, 1'b0, not_1566, 1'b0} : {1'b0, lower_half_s20_q, 1'b0, not_1566};
+  // hls/stages/patches.hpp:342
+  logic [1:0] select_1596;
+  assign select_1596 = and_1595_s20_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_1597;
+  assign select_1597 = and_1595_s20_q ? patches_band_rows_number_s20_q : patches_band_q;
+  // hls/stages/agreement.hpp:263
+  logic [5:0] select_1598;
+  assign select_1598 = and_1582_s20_q ? {select_1597, select_1596[1]} : {patches_band_q, patches_fetch_q[1]};
+  // hls/stages/patches.hpp:103
+  logic [1:0] select_1599;
+  assign select_1599 = and_1582_s20_q ? select_1596 : patches_fetch_q;
+  logic equal_1600;
+  assign equal_1600 = select_1599 == 2'h0;
+  // hls/stages/registration.hpp:107
+  logic [10:0] expected;
+  assign expected = equal_1610_s20_q ? {sum_1621_s20_q, sum_1617_s20_q} : registration_expected_q;
+  // hls/stages/patches.hpp:103
+  logic [4:0] select_1703;
+  assign select_1703 = and_1582_s20_q ? select_1597 : patches_band_q;
+  // hls/stages/patches.hpp:322
+  logic equal_1704;
+  assign equal_1704 = {patches_choosing_band_s20_q, and_1608_s20_q} == {select_1703, select_1599[1]};
+  // hls/stages/patches.hpp:427
+  logic [10:0] down_2;
+  assign down_2 = {1'b0, sum_1787_s20_q, pixel_2_s20_q[0]} - {1'b0, sum_1788_s20_q, patches_columns_above_rdata_s20_q[8]};
+  // hls/stages/patches.hpp:425
+  logic [9:0] sum_1800;
+  assign sum_1800 = {2'h0, patches_columns_above_rdata_s20_q[7:0]} + sum_1799_s20_q[10:1];
+  // hls/stages/agreement.hpp:1029
+  logic [2:0] textured_2;
+  assign textured_2 = {2'h0, and_1926_s20_q} + ({2'h0, and_1927_s20_q} + {1'b0, sum_1931_s20_q});
+  // hls/stages/agreement.hpp:1031
+  logic [2:0] shown_2;
+  assign shown_2 = {2'h0, and_1960_s20_q} + sum_1966_s20_q;
+  // hls/stages/agreement.hpp:1038
+  logic [2:0] select_1968;
+  assign select_1968 = age_s20_q ? box_shown_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:1032
+  logic [2:0] near_2;
+  assign near_2 = {2'h0, and_1976_s20_q} + sum_1982_s20_q;
+  // hls/stages/agreement.hpp:1039
+  logic [2:0] select_1984;
+  assign select_1984 = age_s20_q ? box_nearer_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:263
+  logic [10:0] select_2031;
+  assign select_2031 = sample_pair_whole_s20_q ? (and_498_s20_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2033;
+  assign select_2033 = sample_pair_whole_s20_q ? (and_498_s20_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2054;
+  assign select_2054 = sample_pair_whole_s20_q ? (and_498_s20_q ? select_513 : averager_mask_q) : averager_mask_q;
+  logic select_2056;
+  assign select_2056 = sample_pair_whole_s20_q ? (and_498_s20_q ? select_517 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/agreement.hpp:507
+  logic and_2379;
+  assign and_2379 = and_500_s20_q & (equal_561_s20_q & equal_2263_s20_q);
+  // hls/stages/patches.hpp:309
+  logic and_2388;
+  assign and_2388 = not_1470_s20_q & (so_s20_q & (ends_cell_s20_q & textured_s20_q));
+  // hls/stages/agreement.hpp:1030
+  logic [2:0] explained_2;
+  assign explained_2 = {2'h0, and_2403_s20_q} + sum_2409_s20_q;
+  // hls/stages/agreement.hpp:1037
+  logic [2:0] select_2411;
+  assign select_2411 = age_s20_q ? box_explained_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:889
+  logic [13:0] select_2447;
+  assign select_2447 = and_2379 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2445_s20_q});
+  logic [13:0] select_2454;
+  assign select_2454 = and_2379 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2452_s20_q});
+  // hls/stages/patches.hpp:309
+  logic [10:0] select_2490;
+  assign select_2490 = equal_1469_s20_q ? registration_expected_q : (so_s20_q ? expected : registration_expected_q);
+  // hls/stages/registration.hpp:108
+  logic equal_2491;
+  assign equal_2491 = slot_s20_q == 3'h4;
+  // hls/stages/registration.hpp:102
+  logic [11:0] value_2;
+  assign value_2 = {{4{select_2503_s20_q[7]}}, select_2503_s20_q} - {sum_1621_s20_q[9], sum_1621_s20_q, sum_1617_s20_q};
+  // hls/stages/patches.hpp:309
+  logic select_2550;
+  assign select_2550 = so_s20_q ? (equal_2491 ? right_2_s20_q : registration_of_right_q) : registration_of_right_q;
+  logic select_2553;
+  assign select_2553 = so_s20_q ? (equal_1610_s20_q ? shift_2_s20_q[0] : registration_was_inside_q) : registration_was_inside_q;
+  // hls/stages/agreement.hpp:1071
+  logic [1:0] quarter_2;
+  assign quarter_2 = all_s20_q ? x_s20_q[1:0] : select_1517;
+  // hls/stages/patches.hpp:323
+  logic not_2747;
+  assign not_2747 = ~select_1599[1];
+  // hls/stages/agreement.hpp:263
+  logic [1:0] select_2749;
+  assign select_2749 = sample_pair_whole_s20_q ? (equal_1600 ? select_1599 : {not_2747, 1'b0}) : patches_fetch_q;
+  // hls/stages/patches.hpp:475
+  logic [4:0] select_3281;
+  assign select_3281 = and_3280_s20_q ? patches_read_at_q : patches_peak_row_q;
+  // hls/stages/patches.hpp:482
+  logic [5:0] away;
+  assign away = {1'b0, patches_step_s20_q} - {1'b0, select_3281};
+  // hls/stages/agreement.hpp:1154
+  logic equal_3434;
+  assign equal_3434 = x_s20_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:1148
+  logic equal_3625;
+  assign equal_3625 = x_s20_q[6:3] == 4'ha;
+  // hls/stages/agreement.hpp:1067
+  logic [7:0] limit;
+  assign limit = equal_3625 ? cfg_regions_limit_i : (equal_3627_s20_q ? cfg_hidden_limit_i : select_3643_s20_q);
+  // hls/stages/agreement.hpp:1161
+  logic not_3646;
+  assign not_3646 = ~x_s20_q[2];
+  logic [3:0] select_3647;
+  assign select_3647 = x_s20_q[1] ? {x_s20_q[2], 1'b0, not_3646, 1'b0} : {1'b0, x_s20_q[2], 1'b0, not_3646};
+  logic [7:0] select_3648;
+  assign select_3648 = x_s20_q[0] ? {select_3647[3], 1'b0, select_3647[2], 1'b0, select_3647[1], 1'b0, select_3647[0], 1'b0} : {1'b0, select_3647[3], 1'b0, select_3647[2], 1'b0, select_3647[1], 1'b0, select_3647[0]};
+  // hls/stages/agreement.hpp:1067
+  logic [13:0] select_3652;
+  assign select_3652 = equal_3627_s20_q ? counts_skin_supervised_q : (equal_3628_s20_q ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] of;
+  assign of = equal_3625 ? counts_textured_q : select_3652;
+  // hls/stages/patches.hpp:309
+  logic [2:0] select_3691;
+  assign select_3691 = so_s20_q ? (ends_cell_s20_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
+  logic [2:0] select_3692;
+  assign select_3692 = equal_1469_s20_q ? box_explained_columns_values_0_q : select_3691;
+  logic [2:0] select_3693;
+  assign select_3693 = ends_cell_s20_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_3695;
+  assign select_3695 = equal_1469_s20_q ? box_explained_columns_values_1_q : (so_s20_q ? select_3693 : box_explained_columns_values_1_q);
+  logic [2:0] select_3696;
+  assign select_3696 = ends_cell_s20_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_3698;
+  assign select_3698 = equal_1469_s20_q ? box_explained_columns_values_2_q : (so_s20_q ? select_3696 : box_explained_columns_values_2_q);
+  logic [2:0] select_3699;
+  assign select_3699 = ends_cell_s20_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_3701;
+  assign select_3701 = equal_1469_s20_q ? box_explained_columns_values_3_q : (so_s20_q ? select_3699 : box_explained_columns_values_3_q);
+  logic [2:0] select_3702;
+  assign select_3702 = ends_cell_s20_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_3704;
+  assign select_3704 = equal_1469_s20_q ? box_explained_columns_values_4_q : (so_s20_q ? select_3702 : box_explained_columns_values_4_q);
+  logic [2:0] select_3709;
+  assign select_3709 = so_s20_q ? (ends_cell_s20_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_3711;
+  assign select_3711 = ends_cell_s20_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_3713;
+  assign select_3713 = equal_1469_s20_q ? box_shown_columns_values_1_q : (so_s20_q ? select_3711 : box_shown_columns_values_1_q);
+  logic [2:0] select_3714;
+  assign select_3714 = ends_cell_s20_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_3716;
+  assign select_3716 = equal_1469_s20_q ? box_shown_columns_values_2_q : (so_s20_q ? select_3714 : box_shown_columns_values_2_q);
+  logic [2:0] select_3717;
+  assign select_3717 = ends_cell_s20_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_3719;
+  assign select_3719 = equal_1469_s20_q ? box_shown_columns_values_3_q : (so_s20_q ? select_3717 : box_shown_columns_values_3_q);
+  logic [2:0] select_3720;
+  assign select_3720 = ends_cell_s20_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_3722;
+  assign select_3722 = equal_1469_s20_q ? box_shown_columns_values_4_q : (so_s20_q ? select_3720 : box_shown_columns_values_4_q);
+  logic [2:0] select_3727;
+  assign select_3727 = so_s20_q ? (ends_cell_s20_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_3729;
+  assign select_3729 = ends_cell_s20_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_3731;
+  assign select_3731 = equal_1469_s20_q ? box_nearer_columns_values_1_q : (so_s20_q ? select_3729 : box_nearer_columns_values_1_q);
+  logic [2:0] select_3732;
+  assign select_3732 = ends_cell_s20_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_3734;
+  assign select_3734 = equal_1469_s20_q ? box_nearer_columns_values_2_q : (so_s20_q ? select_3732 : box_nearer_columns_values_2_q);
+  logic [2:0] select_3735;
+  assign select_3735 = ends_cell_s20_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_3737;
+  assign select_3737 = equal_1469_s20_q ? box_nearer_columns_values_3_q : (so_s20_q ? select_3735 : box_nearer_columns_values_3_q);
+  logic [2:0] select_3738;
+  assign select_3738 = ends_cell_s20_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_3740;
+  assign select_3740 = equal_1469_s20_q ? box_nearer_columns_values_4_q : (so_s20_q ? select_3738 : box_nearer_columns_values_4_q);
+
+  // Memory averager_memory, write
+  logic [8:0] averager_memory_waddr;
+  assign averager_memory_waddr = select_468_s20_q;
+  logic averager_memory_we;
+  assign averager_memory_we = s20_en & and_475_s20_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_494_s20_q, and_490_s20_q, sum_486_s20_q, sum_482_s20_q};
+  end
+`ifndef SYNTHESIS
+  logic [8:0] averager_memory_raddr_s18_sim;
+  logic averager_memory_re_s18_sim;
+  logic [8:0] averager_memory_raddr_s19_sim;
+  logic averager_memory_re_s19_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      averager_memory_re_s18_sim <= 1'b0;
+      averager_memory_re_s19_sim <= 1'b0;
+    end else if (en_i) begin
+      averager_memory_re_s18_sim <= averager_memory_re;
+      averager_memory_raddr_s18_sim <= averager_memory_raddr;
+      averager_memory_re_s19_sim <= averager_memory_re_s18_sim;
+      averager_memory_raddr_s19_sim <= averager_memory_raddr_s18_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && averager_memory_we) begin
+      if (averager_memory_re && averager_memory_raddr == averager_memory_waddr) begin
+        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
+      end
+      if (averager_memory_re_s18_sim && averager_memory_raddr_s18_sim == averager_memory_waddr) begin
+        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
+      end
+      if (averager_memory_re_s19_sim && averager_memory_raddr_s19_sim == averager_memory_waddr) begin
+        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
+      end
+      if (averager_memory_waddr >= 9'd480) $error("averager_memory: write outside, address %0d", averager_memory_waddr);
+    end
+    if (rst_ni && averager_memory_re && averager_memory_raddr >= 9'd480) $error("averager_memory: read outside, address %0d", averager_memory_raddr);
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      averager_mask_q <= 1'b0;
+      averager_of_skin_q <= 1'b0;
+      census_filled_q <= 4'h0;
+      rows_passed_above_q <= 5'h0;
+      counts_textured_q <= 14'h0;
+      counts_skin_supervised_q <= 14'h0;
+      counts_skin_textured_q <= 14'h0;
+      registration_expected_q <= 11'h0;
+      registration_of_right_q <= 1'b0;
+      registration_was_inside_q <= 1'b0;
+      patches_band_q <= 5'h0;
+      patches_fetch_q <= 2'h0;
+      patches_read_at_q <= 5'h0;
+      patches_peak_row_q <= 5'h0;
+    end else if (s20_en) begin
+      averager_mask_q <= select_2054;
+      averager_of_skin_q <= select_2056;
+      census_filled_q <= and_500_s20_q ? {select_564[2:0], 1'b1} : census_filled_q;
+      rows_passed_above_q <= and_500_s20_q ? select_563 : rows_passed_above_q;
+      counts_textured_q <= and_2379 ? 14'h0 : (counts_textured_q + {13'h0, and_2388});
+      counts_skin_supervised_q <= select_2447;
+      counts_skin_textured_q <= select_2454;
+      registration_expected_q <= select_2490;
+      registration_of_right_q <= equal_1469_s20_q ? registration_of_right_q : select_2550;
+      registration_was_inside_q <= equal_1469_s20_q ? registration_was_inside_q : select_2553;
+      patches_band_q <= sample_pair_whole_s20_q ? select_1703 : patches_band_q;
+      patches_fetch_q <= select_2749;
+      patches_read_at_q <= equal_1690_s20_q ? select_3259_s20_q : patches_read_at_q;
+      patches_peak_row_q <= equal_1690_s20_q ? select_3281 : patches_peak_row_q;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    averager_total_0_q = 11'h0;
+    averager_total_1_q = 11'h0;
+    box_explained_columns_values_0_q = 3'h0;
+    box_explained_columns_values_1_q = 3'h0;
+    box_explained_columns_values_2_q = 3'h0;
+    box_explained_columns_values_3_q = 3'h0;
+    box_explained_columns_values_4_q = 3'h0;
+    box_shown_columns_values_0_q = 3'h0;
+    box_shown_columns_values_1_q = 3'h0;
+    box_shown_columns_values_2_q = 3'h0;
+    box_shown_columns_values_3_q = 3'h0;
+    box_shown_columns_values_4_q = 3'h0;
+    box_nearer_columns_values_0_q = 3'h0;
+    box_nearer_columns_values_1_q = 3'h0;
+    box_nearer_columns_values_2_q = 3'h0;
+    box_nearer_columns_values_3_q = 3'h0;
+    box_nearer_columns_values_4_q = 3'h0;
+  end
+`endif
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (s20_en) begin
+      averager_total_0_q <= select_2031;
+      averager_total_1_q <= select_2033;
+      box_explained_columns_values_0_q <= select_3692;
+      box_explained_columns_values_1_q <= select_3695;
+      box_explained_columns_values_2_q <= select_3698;
+      box_explained_columns_values_3_q <= select_3701;
+      box_explained_columns_values_4_q <= select_3704;
+      box_shown_columns_values_0_q <= equal_1469_s20_q ? box_shown_columns_values_0_q : select_3709;
+      box_shown_columns_values_1_q <= select_3713;
+      box_shown_columns_values_2_q <= select_3716;
+      box_shown_columns_values_3_q <= select_3719;
+      box_shown_columns_values_4_q <= select_3722;
+      box_nearer_columns_values_0_q <= equal_1469_s20_q ? box_nearer_columns_values_0_q : select_3727;
+      box_nearer_columns_values_1_q <= select_3731;
+      box_nearer_columns_values_2_q <= select_3734;
+      box_nearer_columns_values_3_q <= select_3737;
+      box_nearer_columns_values_4_q <= select_3740;
+    end
+  end
+
+  logic [7:0] pixel_0_s21_q;
+  logic [7:0] pixel_1_s21_q;
+  logic saturated_s21_q;
+  logic mask_s21_q;
+  logic marks_first_s21_q;
+  logic marks_last_s21_q;
+  logic [7:0] sample_pair_pixel_0_s21_q;
+  logic [7:0] sample_pair_pixel_1_s21_q;
+  logic sample_pair_whole_s21_q;
+  logic sample_present_s21_q;
+  logic [7:0] x_s21_q;
+  logic age_s21_q;
+  logic [2:0] slot_s21_q;
+  logic ends_cell_s21_q;
+  logic lower_half_s21_q;
+  logic [13:0] counts_textured_s21_q;
+  logic registration_of_right_s21_q;
+  logic [4:0] patches_choosing_band_s21_q;
+  logic patches_lower_s21_q;
+  logic patches_second_s21_q;
+  logic [4:0] patches_code_row_s21_q;
+  logic patches_column_s21_q;
+  logic [9:0] patches_read_row_differing_s21_q;
+  logic patches_read_first_s21_q;
+  logic [2:0] region_row_s21_q;
+  logic region_fresh_s21_q;
+  logic segment_started_s21_q;
+  logic centres_values_1_textured_s21_q;
+  logic centres_values_1_of_skin_s21_q;
+  logic [3:0] select_461_s21_q;
+  logic [6:0] select_464_s21_q;
+  logic [6:0] column_s21_q;
+  logic and_498_s21_q;
+  logic and_500_s21_q;
+  logic [77:0] census_memory_rdata_s21_q;
+  logic [8:0] grey_s21_q;
+  logic equal_503_s21_q;
+  logic [8:0] select_506_s21_q;
+  logic [8:0] grey_2_s21_q;
+  logic [8:0] select_510_s21_q;
+  logic whole_2_s21_q;
+  logic and_518_s21_q;
+  logic so_s21_q;
+  logic and_565_s21_q;
+  logic equal_1469_s21_q;
+  logic not_1470_s21_q;
+  logic [1:0] shift_2_s21_q;
+  logic equal_1514_s21_q;
+  logic [1:0] quarter_s21_q;
+  logic all_s21_q;
+  logic [1:0] sum_1520_s21_q;
+  logic [3:0] select_1521_s21_q;
+  logic equal_1522_s21_q;
+  logic equal_1524_s21_q;
+  logic equal_1526_s21_q;
+  logic equal_1528_s21_q;
+  logic equal_1530_s21_q;
+  logic equal_1532_s21_q;
+  logic equal_1534_s21_q;
+  logic equal_1536_s21_q;
+  logic less_1545_s21_q;
+  logic or_1549_s21_q;
+  logic select_1552_s21_q;
+  logic and_1562_s21_q;
+  logic [3:0] select_1567_s21_q;
+  logic and_1582_s21_q;
+  logic [5:0] select_1598_s21_q;
+  logic select_1599_s21_q;
+  logic equal_1600_s21_q;
+  logic and_1608_s21_q;
+  logic less_1609_s21_q;
+  logic equal_1610_s21_q;
+  logic expected_s21_q;
+  logic [10:0] sum_1623_s21_q;
+  logic equal_1631_s21_q;
+  logic and_1641_s21_q;
+  logic [5:0] select_1656_s21_q;
+  logic [7:0] select_1681_s21_q;
+  logic and_1688_s21_q;
+  logic and_1689_s21_q;
+  logic equal_1690_s21_q;
+  logic not_1691_s21_q;
+  logic equal_1692_s21_q;
+  logic equal_1694_s21_q;
+  logic or_1696_s21_q;
+  logic and_1705_s21_q;
+  logic [4:0] select_1720_s21_q;
+  logic select_1726_s21_q;
+  logic [3:0] select_1765_s21_q;
+  logic patches_columns_above_rdata_s21_q;
+  logic [7:0] pixel_2_s21_q;
+  logic [10:0] down_2_s21_q;
+  logic sum_1799_s21_q;
+  logic [9:0] sum_1800_s21_q;
+  logic and_1817_s21_q;
+  logic or_1821_s21_q;
+  logic and_1829_s21_q;
+  logic less_1830_s21_q;
+  logic equal_1831_s21_q;
+  logic not_1832_s21_q;
+  logic equal_1833_s21_q;
+  logic not_1834_s21_q;
+  logic [9:0] patches_rows_rdata_s21_q;
+  logic or_1851_s21_q;
+  logic or_1854_s21_q;
+  logic or_1857_s21_q;
+  logic not_1859_s21_q;
+  logic [29:0] regions_rdata_s21_q;
+  logic textured_s21_q;
+  logic explained_s21_q;
+  logic and_1880_s21_q;
+  logic and_1885_s21_q;
+  logic [2:0] textured_2_s21_q;
+  logic or_1943_s21_q;
+  logic or_1946_s21_q;
+  logic or_1949_s21_q;
+  logic [3:0] difference_1969_s21_q;
+  logic [3:0] difference_1985_s21_q;
+  logic and_1999_s21_q;
+  logic equal_2139_s21_q;
+  logic equal_2263_s21_q;
+  logic and_2379_s21_q;
+  logic and_2383_s21_q;
+  logic and_2388_s21_q;
+  logic not_2402_s21_q;
+  logic [3:0] difference_2412_s21_q;
+  logic and_2494_s21_q;
+  logic [11:0] select_2506_s21_q;
+  logic equal_2555_s21_q;
+  logic [3:0] not_2556_s21_q;
+  logic [1:0] quarter_2_s21_q;
+  logic and_2731_s21_q;
+  logic or_2782_s21_q;
+  logic not_2806_s21_q;
+  logic equal_3277_s21_q;
+  logic [4:0] select_3281_s21_q;
+  logic [5:0] away_s21_q;
+  logic equal_3283_s21_q;
+  logic equal_3292_s21_q;
+  logic [14:0] select_3312_s21_q;
+  logic equal_3434_s21_q;
+  logic and_3607_s21_q;
+  logic equal_3625_s21_q;
+  logic equal_3627_s21_q;
+  logic equal_3628_s21_q;
+  logic equal_3650_s21_q;
+  logic [13:0] of_s21_q;
+  logic equal_3757_s21_q;
+  always_ff @(posedge clk_i) begin
+    if (s20_en) begin
+      pixel_0_s21_q <= pixel_0_s20_q;
+      pixel_1_s21_q <= pixel_1_s20_q;
+      saturated_s21_q <= saturated_s20_q;
+      mask_s21_q <= sample_of_skin_q;
+      marks_first_s21_q <= marks_first_s20_q;
+      marks_last_s21_q <= marks_last_s20_q;
+      sample_pair_pixel_0_s21_q <= sample_pair_pixel_0_s20_q;
+      sample_pair_pixel_1_s21_q <= sample_pair_pixel_1_s20_q;
+      sample_pair_whole_s21_q <= sample_pair_whole_s20_q;
+      sample_present_s21_q <= sample_present_s20_q;
+      x_s21_q <= x_s20_q;
+      age_s21_q <= age_s20_q;
+      slot_s21_q <= slot_s20_q;
+      ends_cell_s21_q <= ends_cell_s20_q;
+      lower_half_s21_q <= lower_half_s20_q;
+      counts_textured_s21_q <= counts_textured_q;
+      registration_of_right_s21_q <= registration_of_right_q;
+      patches_choosing_band_s21_q <= patches_choosing_band_s20_q;
+      patches_lower_s21_q <= patches_lower_s20_q;
+      patches_second_s21_q <= patches_second_s20_q;
+      patches_code_row_s21_q <= patches_code_row_s20_q;
+      patches_column_s21_q <= patches_column_s20_q;
+      patches_read_row_differing_s21_q <= patches_read_row_differing_s20_q;
+      patches_read_first_s21_q <= patches_read_first_s20_q;
+      region_row_s21_q <= region_row_s20_q;
+      region_fresh_s21_q <= region_fresh_s20_q;
+      segment_started_s21_q <= segment_started_s20_q;
+      centres_values_1_textured_s21_q <= centres_values_1_textured_s20_q;
+      centres_values_1_of_skin_s21_q <= centres_values_1_of_skin_s20_q;
+      select_461_s21_q <= select_461_s20_q;
+      select_464_s21_q <= select_464_s20_q;
+      column_s21_q <= column_s20_q;
+      and_498_s21_q <= and_498_s20_q;
+      and_500_s21_q <= and_500_s20_q;
+      census_memory_rdata_s21_q <= census_memory_rdata_q;
+      grey_s21_q <= grey;
+      equal_503_s21_q <= equal_503_s20_q;
+      select_506_s21_q <= sample_pair_whole_s20_q ? total[10:2] : 9'h0;
+      grey_2_s21_q <= grey_2;
+      select_510_s21_q <= sample_pair_whole_s20_q ? total_2[10:2] : 9'h0;
+      whole_2_s21_q <= whole_2;
+      and_518_s21_q <= sample_pair_whole_s20_q & select_517;
+      so_s21_q <= so_s20_q;
+      and_565_s21_q <= select_563[4] & select_564[3];
+      equal_1469_s21_q <= equal_1469_s20_q;
+      not_1470_s21_q <= not_1470_s20_q;
+      shift_2_s21_q <= shift_2_s20_q;
+      equal_1514_s21_q <= equal_1514_s20_q;
+      quarter_s21_q <= quarter;
+      all_s21_q <= all_s20_q;
+      sum_1520_s21_q <= sum_1520;
+      select_1521_s21_q <= select_1521;
+      equal_1522_s21_q <= equal_1522;
+      equal_1524_s21_q <= equal_1524;
+      equal_1526_s21_q <= equal_1526;
+      equal_1528_s21_q <= equal_1528_s20_q;
+      equal_1530_s21_q <= equal_1530_s20_q;
+      equal_1532_s21_q <= equal_1532_s20_q;
+      equal_1534_s21_q <= equal_1534_s20_q;
+      equal_1536_s21_q <= equal_1536_s20_q;
+      less_1545_s21_q <= less_1545;
+      or_1549_s21_q <= or_1549;
+      select_1552_s21_q <= equal_1514_s20_q ? and_1544 : (less_1545 & (~or_1549));
+      and_1562_s21_q <= half_ends & ({{3{sum_1560[4]}}, sum_1560} < 8'h3);
+      select_1567_s21_q <= select_1567;
+      and_1582_s21_q <= and_1582_s20_q;
+      select_1598_s21_q <= select_1598;
+      select_1599_s21_q <= select_1599[1];
+      equal_1600_s21_q <= equal_1600;
+      and_1608_s21_q <= and_1608_s20_q;
+      less_1609_s21_q <= less_1609_s20_q;
+      equal_1610_s21_q <= equal_1610_s20_q;
+      expected_s21_q <= expected[0];
+      sum_1623_s21_q <= {expected[10], expected[10:1]} + 11'h5;
+      equal_1631_s21_q <= equal_1631_s20_q;
+      and_1641_s21_q <= and_1641_s20_q;
+      select_1656_s21_q <= select_1656_s20_q;
+      select_1681_s21_q <= select_1681_s20_q;
+      and_1688_s21_q <= and_1688_s20_q;
+      and_1689_s21_q <= and_1689_s20_q;
+      equal_1690_s21_q <= equal_1690_s20_q;
+      not_1691_s21_q <= not_1691_s20_q;
+      equal_1692_s21_q <= equal_1692_s20_q;
+      equal_1694_s21_q <= equal_1694_s20_q;
+      or_1696_s21_q <= or_1696_s20_q;
+      and_1705_s21_q <= and_1689_s20_q & equal_1704;
+      select_1720_s21_q <= select_1720_s20_q;
+      select_1726_s21_q <= select_1726_s20_q;
+      select_1765_s21_q <= select_1765_s20_q;
+      patches_columns_above_rdata_s21_q <= patches_columns_above_rdata_s20_q[8];
+      pixel_2_s21_q <= pixel_2_s20_q;
+      down_2_s21_q <= down_2;
+      sum_1799_s21_q <= sum_1799_s20_q[0];
+      sum_1800_s21_q <= sum_1800;
+      and_1817_s21_q <= not_1691_s20_q & and_1816_s20_q;
+      or_1821_s21_q <= or_1821_s20_q;
+      and_1829_s21_q <= not_1691_s20_q & and_1828_s20_q;
+      less_1830_s21_q <= less_1830_s20_q;
+      equal_1831_s21_q <= equal_1831_s20_q;
+      not_1832_s21_q <= not_1832_s20_q;
+      equal_1833_s21_q <= equal_1833_s20_q;
+      not_1834_s21_q <= not_1834_s20_q;
+      patches_rows_rdata_s21_q <= patches_rows_rdata_s20_q;
+      or_1851_s21_q <= or_1851_s20_q;
+      or_1854_s21_q <= or_1854_s20_q;
+      or_1857_s21_q <= or_1857_s20_q;
+      not_1859_s21_q <= not_1859_s20_q;
+      regions_rdata_s21_q <= regions_rdata_q;
+      textured_s21_q <= textured_s20_q;
+      explained_s21_q <= explained_s20_q;
+      and_1880_s21_q <= and_1880_s20_q;
+      and_1885_s21_q <= and_1885_s20_q;
+      textured_2_s21_q <= textured_2;
+      or_1943_s21_q <= or_1943_s20_q;
+      or_1946_s21_q <= or_1946_s20_q;
+      or_1949_s21_q <= or_1949_s20_q;
+      difference_1969_s21_q <= {1'b0, shown_2} - {1'b0, select_1968};
+      difference_1985_s21_q <= {1'b0, near_2} - {1'b0, select_1984};
+      and_1999_s21_q <= and_1999_s20_q;
+      equal_2139_s21_q <= equal_2139_s20_q;
+      equal_2263_s21_q <= equal_2263_s20_q;
+      and_2379_s21_q <= and_2379;
+      and_2383_s21_q <= and_2383_s20_q;
+      and_2388_s21_q <= and_2388;
+      not_2402_s21_q <= not_2402_s20_q;
+      difference_2412_s21_q <= {1'b0, explained_2} - {1'b0, select_2411};
+      and_2494_s21_q <= not_1470_s20_q & (so_s20_q & (half_ends & equal_2491));
+      select_2506_s21_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+      equal_2555_s21_q <= sum_1520 == 2'h2;
+      not_2556_s21_q <= ~select_1567;
+      quarter_2_s21_q <= quarter_2;
+      and_2731_s21_q <= and_2731_s20_q;
+      or_2782_s21_q <= or_2782_s20_q;
+      not_2806_s21_q <= not_2806_s20_q;
+      equal_3277_s21_q <= equal_3277_s20_q;
+      select_3281_s21_q <= select_3281;
+      away_s21_q <= away;
+      equal_3283_s21_q <= away == 6'h3f;
+      equal_3292_s21_q <= away == 6'h1;
+      select_3312_s21_q <= select_3312_s20_q;
+      equal_3434_s21_q <= equal_3434;
+      and_3607_s21_q <= equal_3606_s20_q & equal_3434;
+      equal_3625_s21_q <= equal_3625;
+      equal_3627_s21_q <= equal_3627_s20_q;
+      equal_3628_s21_q <= equal_3628_s20_q;
+      equal_3650_s21_q <= (limit & select_3648) == 8'h0;
+      of_s21_q <= of;
+      equal_3757_s21_q <= equal_3757_s20_q;
+    end
+  end
+
+  // Stage 21 ----------------------------------------------------------------------------------------------------------
   logic [8:0] averager_quarter_1_0_q;
   logic [8:0] averager_quarter_1_1_q;
   logic [8:0] averager_quarter_2_0_q;
@@ -6349,461 +6347,426 @@ module horopter_agreement (
   logic [8:0] census_columns_values_3_cell_1_right_q;
   logic [8:0] census_columns_values_3_cell_3_left_q;
   logic [8:0] census_columns_values_3_cell_3_right_q;
-  logic [3:0] census_filled_q;
   logic [8:0] sharpness_last_mean_0_q;
   logic [8:0] sharpness_last_mean_1_q;
-  logic [4:0] rows_passed_above_q;
-  logic [13:0] counts_textured_q;
-  logic [13:0] counts_skin_supervised_q;
-  logic [13:0] counts_skin_textured_q;
-  logic registration_of_right_q;
-  logic registration_was_inside_q;
-  logic [7:0] patches_place_0_column_q;
-  logic [5:0] patches_place_0_shift_q;
-  logic [7:0] patches_place_0_slope_q;
-  logic [7:0] patches_place_1_column_q;
-  logic [5:0] patches_place_1_shift_q;
-  logic [7:0] patches_place_1_slope_q;
-  logic [9:0] patches_read_far_q;
-  logic [2:0] box_explained_columns_values_0_q;
-  logic [2:0] box_explained_columns_values_1_q;
-  logic [2:0] box_explained_columns_values_2_q;
-  logic [2:0] box_explained_columns_values_3_q;
-  logic [2:0] box_explained_columns_values_4_q;
-  logic [2:0] box_shown_columns_values_0_q;
-  logic [2:0] box_shown_columns_values_1_q;
-  logic [2:0] box_shown_columns_values_2_q;
-  logic [2:0] box_shown_columns_values_3_q;
-  logic [2:0] box_shown_columns_values_4_q;
-  logic [2:0] box_nearer_columns_values_0_q;
-  logic [2:0] box_nearer_columns_values_1_q;
-  logic [2:0] box_nearer_columns_values_2_q;
-  logic [2:0] box_nearer_columns_values_3_q;
-  logic [2:0] box_nearer_columns_values_4_q;
+  logic [13:0] counts_explained_q;
+  logic [3:0] registration_fresh_q;
+  logic patches_along_ends_q;
+  logic [10:0] patches_down_values_0_q;
+  logic [10:0] patches_down_values_1_q;
+  logic [4:0] patches_along_q;
+  logic [4:0] patches_summed_row_column_q;
+  logic [6:0] segment_textured_q;
+  logic [6:0] segment_explained_q;
+  logic [6:0] segment_nearer_q;
+  logic [13:0] product_q;
+  logic [2:0] box_textured_columns_values_0_q;
+  logic [2:0] box_textured_columns_values_1_q;
+  logic [2:0] box_textured_columns_values_2_q;
+  logic [2:0] box_textured_columns_values_3_q;
+  logic [2:0] box_textured_columns_values_4_q;
+  logic [4:0] box_explained_sum_sums_values_0_q;
+  logic [4:0] box_shown_sum_sums_values_0_q;
+  logic [4:0] box_nearer_sum_sums_values_0_q;
+  logic [12:0] rows_passed_q;
+  logic [8:0] columns_passed_q;
+  logic line_ended_q;
   // hls/stages/census.hpp:294
-  logic less_531;
-  assign less_531 = census_memory_rdata_s20_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_532;
-  assign less_532 = census_memory_rdata_s20_q[48:40] < census_columns_values_1_cell_2_left_q;
-  logic less_533;
-  assign less_533 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_534;
-  assign less_534 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_534 = census_memory_rdata_s21_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_535;
-  assign less_535 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_535 = census_memory_rdata_s21_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_536;
-  assign less_536 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_536 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_537;
-  assign less_537 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_537 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_538;
-  assign less_538 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_538 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_539;
-  assign less_539 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_539 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_540;
-  assign less_540 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_540 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_541;
-  assign less_541 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_541 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_542;
-  assign less_542 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:295
+  assign less_542 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_543;
-  assign less_543 = census_memory_rdata_s20_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_543 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_544;
-  assign less_544 = census_memory_rdata_s20_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_544 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_545;
-  assign less_545 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_545 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:295
   logic less_546;
-  assign less_546 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_546 = census_memory_rdata_s21_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_547;
-  assign less_547 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_547 = census_memory_rdata_s21_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_548;
-  assign less_548 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_548 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_549;
-  assign less_549 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_549 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_550;
-  assign less_550 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_550 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_551;
-  assign less_551 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_551 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_552;
-  assign less_552 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_552 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   logic less_553;
-  assign less_553 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_553 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_554;
-  assign less_554 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:442
-  logic equal_555;
-  assign equal_555 = column_s20_q == 7'h0;
-  logic [3:0] select_559;
-  assign select_559 = equal_558_s20_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:443
-  logic [4:0] select_560;
-  assign select_560 = equal_555 ? {select_559, 1'b1} : rows_passed_above_q;
-  // hls/stages/census.hpp:276
-  logic [3:0] select_561;
-  assign select_561 = equal_555 ? 4'h0 : census_filled_q;
+  assign less_554 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_555;
+  assign less_555 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_556;
+  assign less_556 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_557;
+  assign less_557 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   // hls/stages/census.hpp:286
-  logic and_564;
-  assign and_564 = census_memory_rdata_s20_q[38] & (census_memory_rdata_s20_q[18] & whole_2_s20_q);
-  logic and_566;
-  assign and_566 = census_memory_rdata_s20_q[77] & (census_memory_rdata_s20_q[58] & and_564);
+  logic and_567;
+  assign and_567 = census_memory_rdata_s21_q[38] & (census_memory_rdata_s21_q[18] & whole_2_s21_q);
+  logic and_569;
+  assign and_569 = census_memory_rdata_s21_q[77] & (census_memory_rdata_s21_q[58] & and_567);
   // hls/stages/census.hpp:270
-  logic [9:0] difference_589;
-  assign difference_589 = {1'b0, select_503_s20_q} - {1'b0, census_columns_values_0_cell_0_left_q};
   logic [9:0] difference_592;
-  assign difference_592 = {1'b0, census_memory_rdata_s20_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [9:0] difference_596;
-  assign difference_596 = {1'b0, census_memory_rdata_s20_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [9:0] difference_600;
-  assign difference_600 = {1'b0, census_memory_rdata_s20_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [9:0] difference_604;
-  assign difference_604 = {1'b0, census_memory_rdata_s20_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  // hls/stages/agreement.hpp:1115
-  logic [1:0] quarter;
-  assign quarter = x_s20_q[1:0] + 2'h1;
-  // hls/stages/agreement.hpp:1070
-  logic [1:0] select_1514;
-  assign select_1514 = x_s20_q[4] ? {x_s20_q[3], x_s20_q[0]} : {x_s20_q[0], x_s20_q[3]};
-  // hls/stages/agreement.hpp:1083
-  logic [3:0] select_1516;
-  assign select_1516 = equal_1511_s20_q ? {2'h0, quarter} : (all_s20_q ? {1'b0, x_s20_q[2:0]} : {x_s20_q[2:1], select_1514});
-  // hls/stages/registration.hpp:106
-  logic [1:0] sum_1517;
-  assign sum_1517 = slot_s20_q[1:0] + 2'h3;
-  // hls/stages/patches.hpp:303
-  logic [3:0] select_1518;
-  assign select_1518 = equal_1466_s20_q ? select_1516 : {sum_1517, lower_half_s20_q, registration_of_right_q};
-  // hls/stages/patches.hpp:184
-  logic equal_1519;
-  assign equal_1519 = x_s20_q[5:0] == 6'h3f;
-  logic equal_1521;
-  assign equal_1521 = x_s20_q[5:0] == 6'h3e;
-  logic equal_1523;
-  assign equal_1523 = x_s20_q[5:0] == 6'h3d;
-  // hls/stages/agreement.hpp:1115
-  logic and_1541;
-  assign and_1541 = (~equal_1519) & ((~equal_1521) & ((~equal_1523) & and_1538_s20_q));
-  // hls/stages/agreement.hpp:1070
-  logic less_1542;
-  assign less_1542 = x_s20_q[5:0] < 6'h29;
-  // hls/stages/registration.hpp:147
-  logic [1:0] kind;
-  assign kind = all_s20_q ? {1'b0, x_s20_q[2]} : x_s20_q[2:1];
-  // hls/stages/registration.hpp:159
-  logic or_1546;
-  assign or_1546 = (kind == 2'h3) | (x_s20_q[5:3] == 3'h5);
-  // hls/stages/registration.hpp:94
-  logic half_ends;
-  assign half_ends = shift_2_s20_q ? (right_2_s20_q & (~registration_of_right_q)) : registration_was_inside_q;
-  // hls/stages/registration.hpp:106
-  logic [4:0] sum_1557;
-  assign sum_1557 = {2'h0, slot_s20_q} + 5'h1f;
-  // hls/stages/registration.hpp:255
-  logic not_1563;
-  assign not_1563 = ~lower_half_s20_q;
-  logic [3:0] select_1564;
-  assign select_1564 = registration_of_right_q ? {lower_half_s20_q, 1'b0, not_1563, 1'b0} : {1'b0, lower_half_s20_q, 1'b0, not_1563};
-  // hls/stages/patches.hpp:101
-  logic [21:0] select_1689;
-  assign select_1689 = select_1596_s20_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1688_s20_q[22:1];
-  // hls/stages/patches.hpp:105
-  logic [7:0] select_1690;
-  assign select_1690 = equal_1597_s20_q ? patches_place_0_column_q : select_1689[7:0];
-  logic [5:0] select_1691;
-  assign select_1691 = equal_1597_s20_q ? patches_place_0_shift_q : select_1689[13:8];
-  // hls/stages/patches.hpp:101
-  logic [21:0] select_1715;
-  assign select_1715 = select_1596_s20_q ? select_1688_s20_q[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
-  // hls/stages/patches.hpp:105
-  logic [7:0] select_1716;
-  assign select_1716 = equal_1597_s20_q ? patches_place_1_column_q : select_1715[7:0];
-  logic [5:0] select_1717;
-  assign select_1717 = equal_1597_s20_q ? patches_place_1_shift_q : select_1715[13:8];
-  // hls/stages/patches.hpp:109
-  logic equal_1732;
-  assign equal_1732 = {select_1690[7], select_461_s20_q, select_458_s20_q} == {1'b0, select_1690[6:0], 4'h0};
-  logic equal_1735;
-  assign equal_1735 = {select_1716[7], select_461_s20_q, select_458_s20_q} == {1'b0, select_1716[6:0], 4'h0};
-  // hls/stages/patches.hpp:414
-  logic [14:0] sum_1768;
-  assign sum_1768 = {{4{patches_down_values_3_s20_q[10]}}, patches_down_values_3_s20_q} + {sum_1767_s20_q, sum_1766_s20_q, down_2_s20_q};
-  // hls/stages/agreement.hpp:1028
-  logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_1900_s20_q} + ({2'h0, and_1901_s20_q} + {1'b0, sum_1905_s20_q});
-  // hls/stages/agreement.hpp:1030
-  logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_1934_s20_q} + sum_1940_s20_q;
-  // hls/stages/agreement.hpp:1037
-  logic [2:0] select_1942;
-  assign select_1942 = age_s20_q ? box_shown_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:1031
-  logic [2:0] near_2;
-  assign near_2 = {2'h0, and_1950_s20_q} + sum_1956_s20_q;
-  // hls/stages/agreement.hpp:1038
-  logic [2:0] select_1958;
-  assign select_1958 = age_s20_q ? box_nearer_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:263
-  logic [8:0] select_1997;
-  assign select_1997 = sample_pair_whole_s20_q ? (and_495_s20_q ? grey_s20_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_1999;
-  assign select_1999 = sample_pair_whole_s20_q ? (and_495_s20_q ? grey_2_s20_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2001;
-  assign select_2001 = sample_pair_whole_s20_q ? (and_495_s20_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2003;
-  assign select_2003 = sample_pair_whole_s20_q ? (and_495_s20_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
-  // hls/stages/census.hpp:208
-  logic [9:0] sum_2008;
-  assign sum_2008 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s20_q};
-  logic [9:0] sum_2016;
-  assign sum_2016 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s20_q};
-  // hls/stages/agreement.hpp:507
-  logic [8:0] select_2031;
-  assign select_2031 = and_497_s20_q ? select_503_s20_q : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2032;
-  assign select_2032 = and_497_s20_q ? select_507_s20_q : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2034;
-  assign select_2034 = and_497_s20_q ? census_memory_rdata_s20_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2035;
-  assign select_2035 = and_497_s20_q ? census_memory_rdata_s20_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2036;
-  assign select_2036 = and_497_s20_q ? census_memory_rdata_s20_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_2037;
-  assign select_2037 = and_497_s20_q ? census_memory_rdata_s20_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2038;
-  assign select_2038 = and_497_s20_q ? census_memory_rdata_s20_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2039;
-  assign select_2039 = and_497_s20_q ? census_memory_rdata_s20_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2040;
-  assign select_2040 = and_497_s20_q ? census_memory_rdata_s20_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_2041;
-  assign select_2041 = and_497_s20_q ? census_memory_rdata_s20_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2042;
-  assign select_2042 = and_497_s20_q ? census_memory_rdata_s20_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2043;
-  assign select_2043 = and_497_s20_q ? census_memory_rdata_s20_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_2044;
-  assign select_2044 = and_497_s20_q ? census_memory_rdata_s20_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2045;
-  assign select_2045 = and_497_s20_q ? census_memory_rdata_s20_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2046;
-  assign select_2046 = and_497_s20_q ? census_memory_rdata_s20_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_2047;
-  assign select_2047 = and_497_s20_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2048;
-  assign select_2048 = and_497_s20_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic [8:0] select_2050;
-  assign select_2050 = and_497_s20_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2051;
-  assign select_2051 = and_497_s20_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic [8:0] select_2053;
-  assign select_2053 = and_497_s20_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2054;
-  assign select_2054 = and_497_s20_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2056;
-  assign select_2056 = and_497_s20_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_2057;
-  assign select_2057 = and_497_s20_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2058;
-  assign select_2058 = and_497_s20_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic [8:0] select_2060;
-  assign select_2060 = and_497_s20_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2061;
-  assign select_2061 = and_497_s20_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic [8:0] select_2063;
-  assign select_2063 = and_497_s20_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2064;
-  assign select_2064 = and_497_s20_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic [8:0] select_2066;
-  assign select_2066 = and_497_s20_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_2067;
-  assign select_2067 = and_497_s20_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic [8:0] select_2069;
-  assign select_2069 = and_497_s20_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_2070;
-  assign select_2070 = and_497_s20_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic [8:0] select_2072;
-  assign select_2072 = and_497_s20_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2073;
-  assign select_2073 = and_497_s20_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic [8:0] select_2075;
-  assign select_2075 = and_497_s20_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2076;
-  assign select_2076 = and_497_s20_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic [8:0] select_2079;
-  assign select_2079 = and_497_s20_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2080;
-  assign select_2080 = and_497_s20_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic [8:0] select_2083;
-  assign select_2083 = and_497_s20_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2084;
-  assign select_2084 = and_497_s20_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  // hls/stages/census.hpp:272
-  logic [9:0] difference_2088;
-  assign difference_2088 = {1'b0, select_507_s20_q} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [9:0] difference_2091;
-  assign difference_2091 = {1'b0, census_memory_rdata_s20_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [9:0] difference_2095;
-  assign difference_2095 = {1'b0, census_memory_rdata_s20_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [9:0] difference_2099;
-  assign difference_2099 = {1'b0, census_memory_rdata_s20_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [9:0] difference_2103;
-  assign difference_2103 = {1'b0, census_memory_rdata_s20_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  // hls/stages/census.hpp:353
-  logic [9:0] difference_2134;
-  assign difference_2134 = {1'b0, select_503_s20_q} - {1'b0, sharpness_last_mean_0_q};
-  logic [9:0] difference_2146;
-  assign difference_2146 = {1'b0, select_507_s20_q} - {1'b0, sharpness_last_mean_1_q};
-  // hls/stages/agreement.hpp:507
-  logic and_2353;
-  assign and_2353 = and_497_s20_q & (equal_558_s20_q & equal_2237_s20_q);
-  // hls/stages/patches.hpp:303
-  logic and_2362;
-  assign and_2362 = not_1467_s20_q & (so_s20_q & (ends_cell_s20_q & textured_s20_q));
+  assign difference_592 = {1'b0, select_506_s21_q} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [9:0] difference_595;
+  assign difference_595 = {1'b0, census_memory_rdata_s21_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [9:0] difference_599;
+  assign difference_599 = {1'b0, census_memory_rdata_s21_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [9:0] difference_603;
+  assign difference_603 = {1'b0, census_memory_rdata_s21_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [9:0] difference_607;
+  assign difference_607 = {1'b0, census_memory_rdata_s21_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  // hls/stages/patches.hpp:309
+  logic and_1563;
+  assign and_1563 = so_s21_q & and_1562_s21_q;
+  // hls/stages/patches.hpp:75
+  logic less_1624;
+  assign less_1624 = {{4{sum_1623_s21_q[10]}}, sum_1623_s21_q, expected_s21_q} < 16'h15;
+  // hls/stages/patches.hpp:88
+  logic and_1642;
+  assign and_1642 = (less_1609_s21_q & (shift_2_s21_q[1] & less_1624)) & and_1641_s21_q;
+  // hls/stages/patches.hpp:450
+  logic new_row;
+  assign new_row = patches_along_q == 5'h0;
+  // hls/stages/patches.hpp:429
+  logic [11:0] sum_1790;
+  assign sum_1790 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_1791;
+  assign sum_1791 = {{4{down_2_s21_q[10]}}, down_2_s21_q[10:2]} + {sum_1790[11], sum_1790};
+  // hls/stages/patches.hpp:426
+  logic [11:0] smooth;
+  assign smooth = {sum_1800_s21_q, sum_1799_s21_q, patches_columns_above_rdata_s21_q} + {4'h0, pixel_2_s21_q};
+  // hls/stages/agreement.hpp:866
+  logic [6:0] select_1870;
+  assign select_1870 = segment_started_s21_q ? segment_textured_q : 7'h0;
+  // hls/stages/agreement.hpp:867
+  logic [6:0] sum_1871;
+  assign sum_1871 = {6'h0, textured_s21_q} + select_1870;
+  // hls/stages/agreement.hpp:1003
+  logic [9:0] sum_1873;
+  assign sum_1873 = {3'h0, sum_1871} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[9:0]);
+  // hls/stages/agreement.hpp:866
+  logic [6:0] select_1875;
+  assign select_1875 = segment_started_s21_q ? segment_explained_q : 7'h0;
+  // hls/stages/agreement.hpp:867
+  logic [6:0] sum_1876;
+  assign sum_1876 = {6'h0, explained_s21_q} + select_1875;
+  // hls/stages/agreement.hpp:1004
+  logic [9:0] sum_1878;
+  assign sum_1878 = {3'h0, sum_1876} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[19:10]);
+  // hls/stages/agreement.hpp:866
+  logic [6:0] select_1881;
+  assign select_1881 = segment_started_s21_q ? segment_nearer_q : 7'h0;
+  // hls/stages/agreement.hpp:868
+  logic [6:0] sum_1882;
+  assign sum_1882 = {6'h0, and_1880_s21_q} + select_1881;
+  // hls/stages/agreement.hpp:1005
+  logic [9:0] sum_1884;
+  assign sum_1884 = {3'h0, sum_1882} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[29:20]);
+  // hls/stages/agreement.hpp:1201
+  logic or_1894;
+  assign or_1894 = marks_first_s21_q | line_ended_q;
+  // hls/stages/agreement.hpp:1203
+  logic [12:0] select_1896;
+  assign select_1896 = marks_first_s21_q ? 13'h1 : (or_1894 ? {rows_passed_q[11:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:1202
+  logic [8:0] select_1898;
+  assign select_1898 = or_1894 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:1210
+  logic select_1900;
+  assign select_1900 = cfg_compete_i ? (or_1894 & select_1896[12]) : (select_1898[8] & select_1896[9]);
   // hls/stages/agreement.hpp:1036
-  logic [2:0] select_2385;
-  assign select_2385 = age_s20_q ? box_explained_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:889
-  logic [13:0] select_2421;
-  assign select_2421 = and_2353 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2419_s20_q});
-  logic [13:0] select_2428;
-  assign select_2428 = and_2353 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2426_s20_q});
-  // hls/stages/registration.hpp:107
-  logic equal_2463;
-  assign equal_2463 = slot_s20_q == 3'h4;
-  // hls/stages/registration.hpp:101
-  logic [11:0] value_2;
-  assign value_2 = {{4{select_2474_s20_q[7]}}, select_2474_s20_q} - {sum_2485_s20_q[9], sum_2485_s20_q, sum_2481_s20_q};
-  // hls/stages/patches.hpp:303
-  logic select_2532;
-  assign select_2532 = so_s20_q ? (equal_2463 ? right_2_s20_q : registration_of_right_q) : registration_of_right_q;
-  logic select_2535;
-  assign select_2535 = so_s20_q ? (equal_1638_s20_q ? shift_2_s20_q : registration_was_inside_q) : registration_was_inside_q;
-  // hls/stages/agreement.hpp:1070
-  logic [1:0] quarter_2;
-  assign quarter_2 = all_s20_q ? x_s20_q[1:0] : select_1514;
+  logic [2:0] select_1934;
+  assign select_1934 = age_s21_q ? box_textured_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:1038
+  logic [4:0] around;
+  assign around = {difference_1969_s21_q[3], difference_1969_s21_q} + (equal_1631_s21_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1039
+  logic [4:0] n;
+  assign n = {difference_1985_s21_q[3], difference_1985_s21_q} + (equal_1631_s21_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:263
-  logic [7:0] select_2735;
-  assign select_2735 = sample_pair_whole_s20_q ? (equal_1597_s20_q ? patches_place_0_slope_q : select_1689[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_2739;
-  assign select_2739 = sample_pair_whole_s20_q ? (equal_1597_s20_q ? patches_place_1_slope_q : select_1715[21:14]) : patches_place_1_slope_q;
-  // hls/stages/patches.hpp:477
-  logic [9:0] select_3287;
-  assign select_3287 = less_1804_s20_q ? (equal_1807_s20_q ? 10'h3ff : select_3285_s20_q) : 10'h3ff;
-  // hls/stages/patches.hpp:480
-  logic [9:0] select_3288;
-  assign select_3288 = equal_1807_s20_q ? select_3287 : select_3285_s20_q;
-  logic [9:0] select_3290;
-  assign select_3290 = less_1804_s20_q ? (equal_1805_s20_q ? 10'h3ff : select_3288) : select_3288;
-  // hls/stages/patches.hpp:501
-  logic [9:0] eight;
-  assign eight = high_s20_q - low_s20_q;
-  logic [9:0] fall;
-  assign fall = high_s20_q - select_3292_s20_q[9:0];
-  // hls/stages/patches.hpp:517
-  logic [7:0] select_3358;
-  assign select_3358 = patches_second_s20_q ? patches_place_1_slope_q : patches_place_0_slope_q;
-  // hls/stages/patches.hpp:516
-  logic [3:0] sum_3359;
-  assign sum_3359 = {2'h0, select_3292_s20_q[14:13]} + 4'hf;
-  logic [5:0] select_3360;
-  assign select_3360 = patches_second_s20_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [6:0] sum_3361;
-  assign sum_3361 = {select_3360[5], select_3360} + {{4{sum_3359[3]}}, sum_3359[3:1]};
-  // hls/stages/agreement.hpp:1153
-  logic equal_3414;
-  assign equal_3414 = x_s20_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1147
-  logic equal_3605;
-  assign equal_3605 = x_s20_q[6:3] == 4'ha;
-  // hls/stages/agreement.hpp:1066
-  logic [7:0] limit;
-  assign limit = equal_3605 ? cfg_regions_limit_i : (equal_3607_s20_q ? cfg_hidden_limit_i : select_3623_s20_q);
-  // hls/stages/agreement.hpp:1160
-  logic not_3626;
-  assign not_3626 = ~x_s20_q[2];
-  logic [3:0] select_3627;
-  assign select_3627 = x_s20_q[1] ? {x_s20_q[2], 1'b0, not_3626, 1'b0} : {1'b0, x_s20_q[2], 1'b0, not_3626};
-  logic [7:0] select_3628;
-  assign select_3628 = x_s20_q[0] ? {select_3627[3], 1'b0, select_3627[2], 1'b0, select_3627[1], 1'b0, select_3627[0], 1'b0} : {1'b0, select_3627[3], 1'b0, select_3627[2], 1'b0, select_3627[1], 1'b0, select_3627[0]};
-  // hls/stages/agreement.hpp:1066
-  logic [13:0] select_3632;
-  assign select_3632 = equal_3607_s20_q ? counts_skin_supervised_q : (equal_3608_s20_q ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] of;
-  assign of = equal_3605 ? counts_textured_q : select_3632;
-  // hls/stages/patches.hpp:303
-  logic [2:0] select_3670;
-  assign select_3670 = ends_cell_s20_q ? explained_2_s20_q : box_explained_columns_values_0_q;
+  logic [8:0] select_2023;
+  assign select_2023 = sample_pair_whole_s21_q ? (and_498_s21_q ? grey_s21_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2025;
+  assign select_2025 = sample_pair_whole_s21_q ? (and_498_s21_q ? grey_2_s21_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2027;
+  assign select_2027 = sample_pair_whole_s21_q ? (and_498_s21_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2029;
+  assign select_2029 = sample_pair_whole_s21_q ? (and_498_s21_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  // hls/stages/census.hpp:208
+  logic [9:0] sum_2034;
+  assign sum_2034 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s21_q};
+  logic [9:0] sum_2042;
+  assign sum_2042 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s21_q};
+  // hls/stages/agreement.hpp:507
+  logic [8:0] select_2057;
+  assign select_2057 = and_500_s21_q ? select_506_s21_q : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2058;
+  assign select_2058 = and_500_s21_q ? select_510_s21_q : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2060;
+  assign select_2060 = and_500_s21_q ? census_memory_rdata_s21_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_2061;
+  assign select_2061 = and_500_s21_q ? census_memory_rdata_s21_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2062;
+  assign select_2062 = and_500_s21_q ? census_memory_rdata_s21_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2063;
+  assign select_2063 = and_500_s21_q ? census_memory_rdata_s21_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2064;
+  assign select_2064 = and_500_s21_q ? census_memory_rdata_s21_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2065;
+  assign select_2065 = and_500_s21_q ? census_memory_rdata_s21_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2066;
+  assign select_2066 = and_500_s21_q ? census_memory_rdata_s21_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2067;
+  assign select_2067 = and_500_s21_q ? census_memory_rdata_s21_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_2068;
+  assign select_2068 = and_500_s21_q ? census_memory_rdata_s21_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2069;
+  assign select_2069 = and_500_s21_q ? census_memory_rdata_s21_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2070;
+  assign select_2070 = and_500_s21_q ? census_memory_rdata_s21_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2071;
+  assign select_2071 = and_500_s21_q ? census_memory_rdata_s21_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2072;
+  assign select_2072 = and_500_s21_q ? census_memory_rdata_s21_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2073;
+  assign select_2073 = and_500_s21_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2074;
+  assign select_2074 = and_500_s21_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic [8:0] select_2076;
+  assign select_2076 = and_500_s21_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_2077;
+  assign select_2077 = and_500_s21_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic [8:0] select_2079;
+  assign select_2079 = and_500_s21_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2080;
+  assign select_2080 = and_500_s21_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2082;
+  assign select_2082 = and_500_s21_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2083;
+  assign select_2083 = and_500_s21_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_2084;
+  assign select_2084 = and_500_s21_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic [8:0] select_2086;
+  assign select_2086 = and_500_s21_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2087;
+  assign select_2087 = and_500_s21_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic [8:0] select_2089;
+  assign select_2089 = and_500_s21_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2090;
+  assign select_2090 = and_500_s21_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic [8:0] select_2092;
+  assign select_2092 = and_500_s21_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2093;
+  assign select_2093 = and_500_s21_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic [8:0] select_2095;
+  assign select_2095 = and_500_s21_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2096;
+  assign select_2096 = and_500_s21_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic [8:0] select_2098;
+  assign select_2098 = and_500_s21_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2099;
+  assign select_2099 = and_500_s21_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic [8:0] select_2101;
+  assign select_2101 = and_500_s21_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2102;
+  assign select_2102 = and_500_s21_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic [8:0] select_2105;
+  assign select_2105 = and_500_s21_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2106;
+  assign select_2106 = and_500_s21_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic [8:0] select_2109;
+  assign select_2109 = and_500_s21_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2110;
+  assign select_2110 = and_500_s21_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  // hls/stages/census.hpp:272
+  logic [9:0] difference_2114;
+  assign difference_2114 = {1'b0, select_510_s21_q} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [9:0] difference_2117;
+  assign difference_2117 = {1'b0, census_memory_rdata_s21_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [9:0] difference_2121;
+  assign difference_2121 = {1'b0, census_memory_rdata_s21_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [9:0] difference_2125;
+  assign difference_2125 = {1'b0, census_memory_rdata_s21_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [9:0] difference_2129;
+  assign difference_2129 = {1'b0, census_memory_rdata_s21_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  // hls/stages/census.hpp:353
+  logic [9:0] difference_2160;
+  assign difference_2160 = {1'b0, select_506_s21_q} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2172;
+  assign difference_2172 = {1'b0, select_510_s21_q} - {1'b0, sharpness_last_mean_1_q};
+  // hls/stages/patches.hpp:309
+  logic and_2393;
+  assign and_2393 = not_1470_s21_q & (so_s21_q & (ends_cell_s21_q & explained_s21_q));
+  // hls/stages/agreement.hpp:889
+  logic [13:0] select_2395;
+  assign select_2395 = and_2379_s21_q ? 14'h0 : (counts_explained_q + {13'h0, and_2393});
+  // hls/stages/patches.hpp:309
+  logic and_2398;
+  assign and_2398 = not_1470_s21_q & (so_s21_q & (ends_cell_s21_q & and_1880_s21_q));
+  // hls/stages/agreement.hpp:1037
+  logic [4:0] e;
+  assign e = {difference_2412_s21_q[3], difference_2412_s21_q} + (equal_1631_s21_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1074
+  logic less_2427;
+  assign less_2427 = region_row_s21_q < x_s21_q[5:3];
+  // hls/stages/registration.hpp:218
+  logic [11:0] residual;
+  assign residual = ($signed(5'h0) < $signed(select_2506_s21_q[11:7])) ? 12'h7f : select_2506_s21_q;
+  // hls/stages/registration.hpp:269
+  logic [3:0] select_2558;
+  assign select_2558 = equal_2555_s21_q ? (registration_fresh_q & not_2556_s21_q) : registration_fresh_q;
+  // hls/stages/patches.hpp:309
+  logic [3:0] select_2560;
+  assign select_2560 = so_s21_q ? (and_1562_s21_q ? select_2558 : registration_fresh_q) : registration_fresh_q;
+  // hls/stages/registration.hpp:242
+  logic [3:0] select_2562;
+  assign select_2562 = and_2379_s21_q ? 4'hf : (equal_1469_s21_q ? registration_fresh_q : select_2560);
+  // hls/stages/registration.hpp:258
+  logic not_2583;
+  assign not_2583 = ~quarter_2_s21_q[1];
+  logic [3:0] select_2584;
+  assign select_2584 = quarter_2_s21_q[0] ? {quarter_2_s21_q[1], 1'b0, not_2583, 1'b0} : {1'b0, quarter_2_s21_q[1], 1'b0, not_2583};
+  // hls/stages/patches.hpp:160
+  logic [10:0] select_2836;
+  assign select_2836 = equal_1692_s21_q ? patches_down_values_0_q : (or_1696_s21_q ? down_2_s21_q : patches_down_values_0_q);
+  logic [10:0] select_2838;
+  assign select_2838 = or_1696_s21_q ? patches_down_values_0_q : patches_down_values_1_q;
+  logic [10:0] select_2840;
+  assign select_2840 = equal_1690_s21_q ? patches_down_values_1_q : (equal_1692_s21_q ? patches_down_values_1_q : select_2838);
+  // hls/stages/patches.hpp:382
+  logic [4:0] select_2879;
+  assign select_2879 = or_2782_s21_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  // hls/stages/patches.hpp:160
+  logic [4:0] select_3231;
+  assign select_3231 = equal_1690_s21_q ? patches_summed_row_column_q : (equal_1692_s21_q ? patches_along_q : patches_summed_row_column_q);
+  // hls/stages/patches.hpp:491
+  logic and_3285;
+  assign and_3285 = less_1830_s21_q & (equal_3277_s21_q & equal_3283_s21_q);
+  // hls/stages/patches.hpp:495
+  logic select_3288;
+  assign select_3288 = equal_1833_s21_q ? (less_1830_s21_q ? (not_1834_s21_q & and_3285) : and_3285) : and_3285;
+  // hls/stages/patches.hpp:491
+  logic and_3294;
+  assign and_3294 = less_1830_s21_q & (equal_3277_s21_q & equal_3292_s21_q);
+  // hls/stages/patches.hpp:495
+  logic select_3297;
+  assign select_3297 = equal_1833_s21_q ? (less_1830_s21_q ? (not_1834_s21_q & and_3294) : and_3294) : and_3294;
+  // hls/stages/patches.hpp:488
+  logic [6:0] sum_3301;
+  assign sum_3301 = {away_s21_q[5], away_s21_q} + 7'h7d;
+  // hls/stages/agreement.hpp:1161
+  logic [13:0] select_3639;
+  assign select_3639 = equal_3434_s21_q ? 14'h0 : product_q;
+  logic [13:0] select_3654;
+  assign select_3654 = equal_3650_s21_q ? 14'h0 : of_s21_q;
+  logic [14:0] sum_4;
+  assign sum_4 = {1'b0, select_3639} + {1'b0, select_3654};
+  // hls/stages/patches.hpp:309
   logic [2:0] select_3672;
-  assign select_3672 = equal_1466_s20_q ? box_explained_columns_values_0_q : (so_s20_q ? select_3670 : box_explained_columns_values_0_q);
-  logic [2:0] select_3673;
-  assign select_3673 = ends_cell_s20_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_3672 = ends_cell_s21_q ? textured_2_s21_q : box_textured_columns_values_0_q;
+  logic [2:0] select_3674;
+  assign select_3674 = equal_1469_s21_q ? box_textured_columns_values_0_q : (so_s21_q ? select_3672 : box_textured_columns_values_0_q);
   logic [2:0] select_3675;
-  assign select_3675 = equal_1466_s20_q ? box_explained_columns_values_1_q : (so_s20_q ? select_3673 : box_explained_columns_values_1_q);
-  logic [2:0] select_3676;
-  assign select_3676 = ends_cell_s20_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_3675 = ends_cell_s21_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_3677;
+  assign select_3677 = equal_1469_s21_q ? box_textured_columns_values_1_q : (so_s21_q ? select_3675 : box_textured_columns_values_1_q);
   logic [2:0] select_3678;
-  assign select_3678 = equal_1466_s20_q ? box_explained_columns_values_2_q : (so_s20_q ? select_3676 : box_explained_columns_values_2_q);
-  logic [2:0] select_3679;
-  assign select_3679 = ends_cell_s20_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  assign select_3678 = ends_cell_s21_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_3680;
+  assign select_3680 = equal_1469_s21_q ? box_textured_columns_values_2_q : (so_s21_q ? select_3678 : box_textured_columns_values_2_q);
   logic [2:0] select_3681;
-  assign select_3681 = equal_1466_s20_q ? box_explained_columns_values_3_q : (so_s20_q ? select_3679 : box_explained_columns_values_3_q);
-  logic [2:0] select_3682;
-  assign select_3682 = ends_cell_s20_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  assign select_3681 = ends_cell_s21_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_3683;
+  assign select_3683 = equal_1469_s21_q ? box_textured_columns_values_3_q : (so_s21_q ? select_3681 : box_textured_columns_values_3_q);
   logic [2:0] select_3684;
-  assign select_3684 = equal_1466_s20_q ? box_explained_columns_values_4_q : (so_s20_q ? select_3682 : box_explained_columns_values_4_q);
-  logic [2:0] select_3689;
-  assign select_3689 = so_s20_q ? (ends_cell_s20_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
-  logic [2:0] select_3691;
-  assign select_3691 = ends_cell_s20_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
-  logic [2:0] select_3693;
-  assign select_3693 = equal_1466_s20_q ? box_shown_columns_values_1_q : (so_s20_q ? select_3691 : box_shown_columns_values_1_q);
-  logic [2:0] select_3694;
-  assign select_3694 = ends_cell_s20_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
-  logic [2:0] select_3696;
-  assign select_3696 = equal_1466_s20_q ? box_shown_columns_values_2_q : (so_s20_q ? select_3694 : box_shown_columns_values_2_q);
-  logic [2:0] select_3697;
-  assign select_3697 = ends_cell_s20_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [2:0] select_3699;
-  assign select_3699 = equal_1466_s20_q ? box_shown_columns_values_3_q : (so_s20_q ? select_3697 : box_shown_columns_values_3_q);
-  logic [2:0] select_3700;
-  assign select_3700 = ends_cell_s20_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_3702;
-  assign select_3702 = equal_1466_s20_q ? box_shown_columns_values_4_q : (so_s20_q ? select_3700 : box_shown_columns_values_4_q);
-  logic [2:0] select_3707;
-  assign select_3707 = so_s20_q ? (ends_cell_s20_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_3709;
-  assign select_3709 = ends_cell_s20_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [2:0] select_3711;
-  assign select_3711 = equal_1466_s20_q ? box_nearer_columns_values_1_q : (so_s20_q ? select_3709 : box_nearer_columns_values_1_q);
-  logic [2:0] select_3712;
-  assign select_3712 = ends_cell_s20_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [2:0] select_3714;
-  assign select_3714 = equal_1466_s20_q ? box_nearer_columns_values_2_q : (so_s20_q ? select_3712 : box_nearer_columns_values_2_q);
-  logic [2:0] select_3715;
-  assign select_3715 = ends_cell_s20_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [2:0] select_3717;
-  assign select_3717 = equal_1466_s20_q ? box_nearer_columns_values_3_q : (so_s20_q ? select_3715 : box_nearer_columns_values_3_q);
-  logic [2:0] select_3718;
-  assign select_3718 = ends_cell_s20_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_3720;
-  assign select_3720 = equal_1466_s20_q ? box_nearer_columns_values_4_q : (so_s20_q ? select_3718 : box_nearer_columns_values_4_q);
+  assign select_3684 = ends_cell_s21_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_3686;
+  assign select_3686 = equal_1469_s21_q ? box_textured_columns_values_4_q : (so_s21_q ? select_3684 : box_textured_columns_values_4_q);
+  logic [4:0] select_3706;
+  assign select_3706 = so_s21_q ? (ends_cell_s21_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_3707;
+  assign select_3707 = equal_1469_s21_q ? box_explained_sum_sums_values_0_q : select_3706;
+  logic [4:0] select_3724;
+  assign select_3724 = so_s21_q ? (ends_cell_s21_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [4:0] select_3742;
+  assign select_3742 = so_s21_q ? (ends_cell_s21_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  // hls/stages/registration.hpp:258
+  logic not_3839;
+  assign not_3839 = ~quarter_s21_q[1];
+  logic [3:0] select_3840;
+  assign select_3840 = quarter_s21_q[0] ? {quarter_s21_q[1], 1'b0, not_3839, 1'b0} : {1'b0, quarter_s21_q[1], 1'b0, not_3839};
+
+  // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:277; read in stage 21, written in stage 25: 21 < 25 < 21 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [31:0] registration_sums_mem [0:11];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
+`endif
+  logic [3:0] registration_sums_raddr;
+  assign registration_sums_raddr = select_1521_s21_q;
+  logic registration_sums_re;
+  assign registration_sums_re = s21_en & (equal_1469_s21_q ? (x_s21_q[6] & select_1552_s21_q) : and_1563);
+  logic [31:0] registration_sums_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (registration_sums_re) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
+  end
+
+  // Memory patches_choices, 64 x 23, DISTANCE 24, hls/stages/patches.hpp:680; read in stage 21, written in stage 23: 21 < 23 < 21 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [22:0] patches_choices_mem [0:63];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 23'h0;
+`endif
+  logic [5:0] patches_choices_raddr;
+  assign patches_choices_raddr = select_1598_s21_q;
+  logic patches_choices_re;
+  assign patches_choices_re = s21_en & (sample_pair_whole_s21_q & (~equal_1600_s21_q));
+  logic [22:0] patches_choices_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_choices_re) patches_choices_rdata_q <= patches_choices_mem[patches_choices_raddr];
+  end
 
   // Memory census_memory, write
   logic [6:0] census_memory_waddr;
-  assign census_memory_waddr = column_s20_q;
+  assign census_memory_waddr = column_s21_q;
   logic census_memory_we;
-  assign census_memory_we = s20_en & and_497_s20_q;
+  assign census_memory_we = s21_en & and_500_s21_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_s20_q[58:40], census_memory_rdata_s20_q[38:0], and_515_s20_q, whole_2_s20_q, select_507_s20_q, select_503_s20_q};
+    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_s21_q[58:40], census_memory_rdata_s21_q[38:0], and_518_s21_q, whole_2_s21_q, select_510_s21_q, select_506_s21_q};
   end
 `ifndef SYNTHESIS
-  logic [6:0] census_memory_raddr_s19_sim;
-  logic census_memory_re_s19_sim;
+  logic [6:0] census_memory_raddr_s20_sim;
+  logic census_memory_re_s20_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      census_memory_re_s19_sim <= 1'b0;
+      census_memory_re_s20_sim <= 1'b0;
     end else if (en_i) begin
-      census_memory_re_s19_sim <= census_memory_re;
-      census_memory_raddr_s19_sim <= census_memory_raddr;
+      census_memory_re_s20_sim <= census_memory_re;
+      census_memory_raddr_s20_sim <= census_memory_raddr;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -6811,7 +6774,7 @@ module horopter_agreement (
       if (census_memory_re && census_memory_raddr == census_memory_waddr) begin
         $error("census_memory: address %0d is read less than DISTANCE steps after its write", census_memory_waddr);
       end
-      if (census_memory_re_s19_sim && census_memory_raddr_s19_sim == census_memory_waddr) begin
+      if (census_memory_re_s20_sim && census_memory_raddr_s20_sim == census_memory_waddr) begin
         $error("census_memory: address %0d is read less than DISTANCE steps after its write", census_memory_waddr);
       end
       if (census_memory_waddr >= 7'd120) $error("census_memory: write outside, address %0d", census_memory_waddr);
@@ -6822,35 +6785,35 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      census_filled_q <= 4'h0;
-      rows_passed_above_q <= 5'h0;
-      counts_textured_q <= 14'h0;
-      counts_skin_supervised_q <= 14'h0;
-      counts_skin_textured_q <= 14'h0;
-      registration_of_right_q <= 1'b0;
-      registration_was_inside_q <= 1'b0;
-      patches_place_0_column_q <= 8'h0;
-      patches_place_0_shift_q <= 6'h0;
-      patches_place_0_slope_q <= 8'h0;
-      patches_place_1_column_q <= 8'h0;
-      patches_place_1_shift_q <= 6'h0;
-      patches_place_1_slope_q <= 8'h0;
-      patches_read_far_q <= 10'h3ff;
-    end else if (s20_en) begin
-      census_filled_q <= and_497_s20_q ? {select_561[2:0], 1'b1} : census_filled_q;
-      rows_passed_above_q <= and_497_s20_q ? select_560 : rows_passed_above_q;
-      counts_textured_q <= and_2353 ? 14'h0 : (counts_textured_q + {13'h0, and_2362});
-      counts_skin_supervised_q <= select_2421;
-      counts_skin_textured_q <= select_2428;
-      registration_of_right_q <= equal_1466_s20_q ? registration_of_right_q : select_2532;
-      registration_was_inside_q <= equal_1466_s20_q ? registration_was_inside_q : select_2535;
-      patches_place_0_column_q <= sample_pair_whole_s20_q ? select_1690 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s20_q ? select_1691 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_2735;
-      patches_place_1_column_q <= sample_pair_whole_s20_q ? select_1716 : patches_place_1_column_q;
-      patches_place_1_shift_q <= sample_pair_whole_s20_q ? select_1717 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_2739;
-      patches_read_far_q <= equal_1672_s20_q ? select_3290 : patches_read_far_q;
+      counts_explained_q <= 14'h0;
+      registration_fresh_q <= 4'hf;
+      patches_along_ends_q <= 1'b0;
+      patches_down_values_0_q <= 11'h0;
+      patches_down_values_1_q <= 11'h0;
+      patches_along_q <= 5'h0;
+      patches_summed_row_column_q <= 5'h0;
+      segment_textured_q <= 7'h0;
+      segment_explained_q <= 7'h0;
+      segment_nearer_q <= 7'h0;
+      product_q <= 14'h0;
+      rows_passed_q <= 13'h0;
+      columns_passed_q <= 9'h0;
+      line_ended_q <= 1'b1;
+    end else if (s21_en) begin
+      counts_explained_q <= select_2395;
+      registration_fresh_q <= select_2562;
+      patches_along_ends_q <= not_2806_s21_q & (patches_along_q == 5'hf);
+      patches_down_values_0_q <= equal_1690_s21_q ? patches_down_values_0_q : select_2836;
+      patches_down_values_1_q <= select_2840;
+      patches_along_q <= select_2879;
+      patches_summed_row_column_q <= select_3231;
+      segment_textured_q <= select_1870 + {6'h0, and_2388_s21_q};
+      segment_explained_q <= select_1875 + {6'h0, and_2393};
+      segment_nearer_q <= select_1881 + {6'h0, and_2398};
+      product_q <= equal_1469_s21_q ? sum_4[14:1] : product_q;
+      rows_passed_q <= select_1896;
+      columns_passed_q <= {select_1898[7:0], or_1894};
+      line_ended_q <= marks_last_s21_q;
     end
   end
 
@@ -6903,902 +6866,6 @@ module horopter_agreement (
     census_columns_values_3_cell_3_right_q = 9'h0;
     sharpness_last_mean_0_q = 9'h0;
     sharpness_last_mean_1_q = 9'h0;
-    box_explained_columns_values_0_q = 3'h0;
-    box_explained_columns_values_1_q = 3'h0;
-    box_explained_columns_values_2_q = 3'h0;
-    box_explained_columns_values_3_q = 3'h0;
-    box_explained_columns_values_4_q = 3'h0;
-    box_shown_columns_values_0_q = 3'h0;
-    box_shown_columns_values_1_q = 3'h0;
-    box_shown_columns_values_2_q = 3'h0;
-    box_shown_columns_values_3_q = 3'h0;
-    box_shown_columns_values_4_q = 3'h0;
-    box_nearer_columns_values_0_q = 3'h0;
-    box_nearer_columns_values_1_q = 3'h0;
-    box_nearer_columns_values_2_q = 3'h0;
-    box_nearer_columns_values_3_q = 3'h0;
-    box_nearer_columns_values_4_q = 3'h0;
-  end
-`endif
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s20_en) begin
-      averager_quarter_1_0_q <= select_1997;
-      averager_quarter_1_1_q <= select_1999;
-      averager_quarter_2_0_q <= select_2001;
-      averager_quarter_2_1_q <= select_2003;
-      census_columns_values_0_cell_0_left_q <= select_2031;
-      census_columns_values_0_cell_0_right_q <= select_2032;
-      census_columns_values_0_cell_1_left_q <= select_2034;
-      census_columns_values_0_cell_1_right_q <= select_2035;
-      census_columns_values_0_cell_1_mask_q <= select_2036;
-      census_columns_values_0_cell_2_left_q <= select_2037;
-      census_columns_values_0_cell_2_right_q <= select_2038;
-      census_columns_values_0_cell_2_mask_q <= select_2039;
-      census_columns_values_0_cell_2_of_skin_q <= select_2040;
-      census_columns_values_0_cell_3_left_q <= select_2041;
-      census_columns_values_0_cell_3_right_q <= select_2042;
-      census_columns_values_0_cell_3_mask_q <= select_2043;
-      census_columns_values_0_cell_4_left_q <= select_2044;
-      census_columns_values_0_cell_4_right_q <= select_2045;
-      census_columns_values_0_cell_4_mask_q <= select_2046;
-      census_columns_values_1_cell_0_left_q <= select_2047;
-      census_columns_values_1_cell_0_right_q <= select_2048;
-      census_columns_values_1_cell_1_left_q <= select_2050;
-      census_columns_values_1_cell_1_right_q <= select_2051;
-      census_columns_values_1_cell_2_left_q <= select_2053;
-      census_columns_values_1_cell_2_right_q <= select_2054;
-      census_columns_values_1_cell_2_of_skin_q <= select_2056;
-      census_columns_values_1_cell_3_left_q <= select_2057;
-      census_columns_values_1_cell_3_right_q <= select_2058;
-      census_columns_values_1_cell_4_left_q <= select_2060;
-      census_columns_values_1_cell_4_right_q <= select_2061;
-      census_columns_values_2_cell_0_left_q <= select_2063;
-      census_columns_values_2_cell_0_right_q <= select_2064;
-      census_columns_values_2_cell_1_left_q <= select_2066;
-      census_columns_values_2_cell_1_right_q <= select_2067;
-      census_columns_values_2_cell_2_left_q <= select_2069;
-      census_columns_values_2_cell_2_right_q <= select_2070;
-      census_columns_values_2_cell_3_left_q <= select_2072;
-      census_columns_values_2_cell_3_right_q <= select_2073;
-      census_columns_values_2_cell_4_left_q <= select_2075;
-      census_columns_values_2_cell_4_right_q <= select_2076;
-      census_columns_values_3_cell_1_left_q <= select_2079;
-      census_columns_values_3_cell_1_right_q <= select_2080;
-      census_columns_values_3_cell_3_left_q <= select_2083;
-      census_columns_values_3_cell_3_right_q <= select_2084;
-      sharpness_last_mean_0_q <= and_497_s20_q ? select_503_s20_q : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_497_s20_q ? select_507_s20_q : sharpness_last_mean_1_q;
-      box_explained_columns_values_0_q <= select_3672;
-      box_explained_columns_values_1_q <= select_3675;
-      box_explained_columns_values_2_q <= select_3678;
-      box_explained_columns_values_3_q <= select_3681;
-      box_explained_columns_values_4_q <= select_3684;
-      box_shown_columns_values_0_q <= equal_1466_s20_q ? box_shown_columns_values_0_q : select_3689;
-      box_shown_columns_values_1_q <= select_3693;
-      box_shown_columns_values_2_q <= select_3696;
-      box_shown_columns_values_3_q <= select_3699;
-      box_shown_columns_values_4_q <= select_3702;
-      box_nearer_columns_values_0_q <= equal_1466_s20_q ? box_nearer_columns_values_0_q : select_3707;
-      box_nearer_columns_values_1_q <= select_3711;
-      box_nearer_columns_values_2_q <= select_3714;
-      box_nearer_columns_values_3_q <= select_3717;
-      box_nearer_columns_values_4_q <= select_3720;
-    end
-  end
-
-  logic [7:0] pixel_0_s21_q;
-  logic [7:0] pixel_1_s21_q;
-  logic saturated_s21_q;
-  logic mask_s21_q;
-  logic marks_first_s21_q;
-  logic marks_last_s21_q;
-  logic [7:0] sample_pair_pixel_0_s21_q;
-  logic [7:0] sample_pair_pixel_1_s21_q;
-  logic sample_pair_whole_s21_q;
-  logic sample_present_s21_q;
-  logic census_columns_values_0_cell_1_mask_s21_q;
-  logic census_columns_values_0_cell_2_mask_s21_q;
-  logic census_columns_values_0_cell_3_mask_s21_q;
-  logic census_columns_values_0_cell_4_mask_s21_q;
-  logic census_columns_values_1_cell_2_of_skin_s21_q;
-  logic [7:0] x_s21_q;
-  logic age_s21_q;
-  logic [2:0] slot_s21_q;
-  logic ends_cell_s21_q;
-  logic lower_half_s21_q;
-  logic [13:0] counts_textured_s21_q;
-  logic registration_of_right_s21_q;
-  logic patches_lower_s21_q;
-  logic patches_second_s21_q;
-  logic [4:0] patches_code_row_s21_q;
-  logic patches_column_s21_q;
-  logic [4:0] patches_summed_row_column_s21_q;
-  logic patches_summed_last_s21_q;
-  logic [4:0] patches_summed_down_by_s21_q;
-  logic patches_read_first_s21_q;
-  logic [9:0] patches_read_far_s21_q;
-  logic [2:0] region_row_s21_q;
-  logic region_fresh_s21_q;
-  logic segment_started_s21_q;
-  logic centres_values_1_textured_s21_q;
-  logic centres_values_1_of_skin_s21_q;
-  logic [3:0] select_458_s21_q;
-  logic [6:0] select_461_s21_q;
-  logic [6:0] column_s21_q;
-  logic and_495_s21_q;
-  logic and_497_s21_q;
-  logic equal_500_s21_q;
-  logic whole_2_s21_q;
-  logic so_s21_q;
-  logic less_531_s21_q;
-  logic less_532_s21_q;
-  logic less_533_s21_q;
-  logic less_534_s21_q;
-  logic less_535_s21_q;
-  logic less_536_s21_q;
-  logic less_537_s21_q;
-  logic less_538_s21_q;
-  logic less_539_s21_q;
-  logic less_540_s21_q;
-  logic less_541_s21_q;
-  logic less_542_s21_q;
-  logic less_543_s21_q;
-  logic less_544_s21_q;
-  logic less_545_s21_q;
-  logic less_546_s21_q;
-  logic less_547_s21_q;
-  logic less_548_s21_q;
-  logic less_549_s21_q;
-  logic less_550_s21_q;
-  logic less_551_s21_q;
-  logic less_552_s21_q;
-  logic less_553_s21_q;
-  logic less_554_s21_q;
-  logic and_562_s21_q;
-  logic and_566_s21_q;
-  logic difference_589_s21_q;
-  logic [8:0] xor_590_s21_q;
-  logic difference_592_s21_q;
-  logic [8:0] xor_593_s21_q;
-  logic difference_596_s21_q;
-  logic [8:0] xor_597_s21_q;
-  logic difference_600_s21_q;
-  logic [8:0] xor_601_s21_q;
-  logic difference_604_s21_q;
-  logic [8:0] xor_605_s21_q;
-  logic equal_1466_s21_q;
-  logic not_1467_s21_q;
-  logic equal_1511_s21_q;
-  logic [1:0] quarter_s21_q;
-  logic all_s21_q;
-  logic [1:0] sum_1517_s21_q;
-  logic [3:0] select_1518_s21_q;
-  logic equal_1519_s21_q;
-  logic equal_1521_s21_q;
-  logic equal_1523_s21_q;
-  logic equal_1525_s21_q;
-  logic equal_1527_s21_q;
-  logic equal_1529_s21_q;
-  logic equal_1531_s21_q;
-  logic equal_1533_s21_q;
-  logic less_1542_s21_q;
-  logic or_1546_s21_q;
-  logic select_1549_s21_q;
-  logic and_1559_s21_q;
-  logic [3:0] select_1564_s21_q;
-  logic and_1579_s21_q;
-  logic select_1596_s21_q;
-  logic equal_1597_s21_q;
-  logic and_1607_s21_q;
-  logic equal_1612_s21_q;
-  logic equal_1638_s21_q;
-  logic equal_1672_s21_q;
-  logic equal_1674_s21_q;
-  logic equal_1676_s21_q;
-  logic or_1678_s21_q;
-  logic select_1688_s21_q;
-  logic [7:0] sum_1692_s21_q;
-  logic [4:0] select_1699_s21_q;
-  logic select_1705_s21_q;
-  logic [7:0] sum_1718_s21_q;
-  logic equal_1732_s21_q;
-  logic equal_1735_s21_q;
-  logic [3:0] select_1739_s21_q;
-  logic new_row_s21_q;
-  logic [111:0] patches_right_codes_rdata_s21_q;
-  logic less_1769_s21_q;
-  logic less_1770_s21_q;
-  logic less_1779_s21_q;
-  logic less_1780_s21_q;
-  logic and_1791_s21_q;
-  logic [47:0] patches_left_codes_rdata_s21_q;
-  logic or_1795_s21_q;
-  logic and_1803_s21_q;
-  logic less_1804_s21_q;
-  logic equal_1805_s21_q;
-  logic not_1806_s21_q;
-  logic equal_1807_s21_q;
-  logic or_1825_s21_q;
-  logic or_1828_s21_q;
-  logic or_1831_s21_q;
-  logic not_1833_s21_q;
-  logic [29:0] regions_rdata_s21_q;
-  logic textured_s21_q;
-  logic explained_s21_q;
-  logic and_1854_s21_q;
-  logic and_1859_s21_q;
-  logic [2:0] textured_2_s21_q;
-  logic or_1917_s21_q;
-  logic or_1920_s21_q;
-  logic or_1923_s21_q;
-  logic [3:0] difference_1943_s21_q;
-  logic [3:0] difference_1959_s21_q;
-  logic and_1973_s21_q;
-  logic sum_2008_s21_q;
-  logic [9:0] difference_2009_s21_q;
-  logic sum_2016_s21_q;
-  logic [9:0] difference_2017_s21_q;
-  logic difference_2088_s21_q;
-  logic [8:0] xor_2089_s21_q;
-  logic difference_2091_s21_q;
-  logic [8:0] xor_2092_s21_q;
-  logic difference_2095_s21_q;
-  logic [8:0] xor_2096_s21_q;
-  logic difference_2099_s21_q;
-  logic [8:0] xor_2100_s21_q;
-  logic difference_2103_s21_q;
-  logic [8:0] xor_2104_s21_q;
-  logic equal_2113_s21_q;
-  logic difference_2134_s21_q;
-  logic [8:0] xor_2135_s21_q;
-  logic difference_2146_s21_q;
-  logic [8:0] xor_2147_s21_q;
-  logic equal_2237_s21_q;
-  logic and_2353_s21_q;
-  logic and_2357_s21_q;
-  logic and_2362_s21_q;
-  logic not_2376_s21_q;
-  logic [3:0] difference_2386_s21_q;
-  logic and_2466_s21_q;
-  logic [11:0] select_2488_s21_q;
-  logic equal_2537_s21_q;
-  logic [3:0] not_2538_s21_q;
-  logic [1:0] quarter_2_s21_q;
-  logic equal_3173_s21_q;
-  logic [4:0] select_3261_s21_q;
-  logic [12:0] select_3292_s21_q;
-  logic less_3335_s21_q;
-  logic [9:0] eight_s21_q;
-  logic [9:0] fall_s21_q;
-  logic [7:0] select_3358_s21_q;
-  logic sum_3359_s21_q;
-  logic [6:0] sum_3361_s21_q;
-  logic equal_3414_s21_q;
-  logic and_3587_s21_q;
-  logic equal_3605_s21_q;
-  logic equal_3607_s21_q;
-  logic equal_3608_s21_q;
-  logic equal_3630_s21_q;
-  logic [13:0] of_s21_q;
-  logic equal_3737_s21_q;
-  always_ff @(posedge clk_i) begin
-    if (s20_en) begin
-      pixel_0_s21_q <= pixel_0_s20_q;
-      pixel_1_s21_q <= pixel_1_s20_q;
-      saturated_s21_q <= saturated_s20_q;
-      mask_s21_q <= mask_s20_q;
-      marks_first_s21_q <= marks_first_s20_q;
-      marks_last_s21_q <= marks_last_s20_q;
-      sample_pair_pixel_0_s21_q <= sample_pair_pixel_0_s20_q;
-      sample_pair_pixel_1_s21_q <= sample_pair_pixel_1_s20_q;
-      sample_pair_whole_s21_q <= sample_pair_whole_s20_q;
-      sample_present_s21_q <= sample_present_s20_q;
-      census_columns_values_0_cell_1_mask_s21_q <= census_columns_values_0_cell_1_mask_q;
-      census_columns_values_0_cell_2_mask_s21_q <= census_columns_values_0_cell_2_mask_q;
-      census_columns_values_0_cell_3_mask_s21_q <= census_columns_values_0_cell_3_mask_q;
-      census_columns_values_0_cell_4_mask_s21_q <= census_columns_values_0_cell_4_mask_q;
-      census_columns_values_1_cell_2_of_skin_s21_q <= census_columns_values_1_cell_2_of_skin_q;
-      x_s21_q <= x_s20_q;
-      age_s21_q <= age_s20_q;
-      slot_s21_q <= slot_s20_q;
-      ends_cell_s21_q <= ends_cell_s20_q;
-      lower_half_s21_q <= lower_half_s20_q;
-      counts_textured_s21_q <= counts_textured_q;
-      registration_of_right_s21_q <= registration_of_right_q;
-      patches_lower_s21_q <= patches_lower_s20_q;
-      patches_second_s21_q <= patches_second_s20_q;
-      patches_code_row_s21_q <= patches_code_row_s20_q;
-      patches_column_s21_q <= patches_column_s20_q;
-      patches_summed_row_column_s21_q <= patches_summed_row_column_s20_q;
-      patches_summed_last_s21_q <= patches_summed_last_s20_q;
-      patches_summed_down_by_s21_q <= patches_summed_down_by_s20_q;
-      patches_read_first_s21_q <= patches_read_first_s20_q;
-      patches_read_far_s21_q <= patches_read_far_q;
-      region_row_s21_q <= region_row_s20_q;
-      region_fresh_s21_q <= region_fresh_s20_q;
-      segment_started_s21_q <= segment_started_s20_q;
-      centres_values_1_textured_s21_q <= centres_values_1_textured_s20_q;
-      centres_values_1_of_skin_s21_q <= centres_values_1_of_skin_s20_q;
-      select_458_s21_q <= select_458_s20_q;
-      select_461_s21_q <= select_461_s20_q;
-      column_s21_q <= column_s20_q;
-      and_495_s21_q <= and_495_s20_q;
-      and_497_s21_q <= and_497_s20_q;
-      equal_500_s21_q <= equal_500_s20_q;
-      whole_2_s21_q <= whole_2_s20_q;
-      so_s21_q <= so_s20_q;
-      less_531_s21_q <= less_531;
-      less_532_s21_q <= less_532;
-      less_533_s21_q <= less_533;
-      less_534_s21_q <= less_534;
-      less_535_s21_q <= less_535;
-      less_536_s21_q <= less_536;
-      less_537_s21_q <= less_537;
-      less_538_s21_q <= less_538;
-      less_539_s21_q <= less_539;
-      less_540_s21_q <= less_540;
-      less_541_s21_q <= less_541;
-      less_542_s21_q <= less_542;
-      less_543_s21_q <= less_543;
-      less_544_s21_q <= less_544;
-      less_545_s21_q <= less_545;
-      less_546_s21_q <= less_546;
-      less_547_s21_q <= less_547;
-      less_548_s21_q <= less_548;
-      less_549_s21_q <= less_549;
-      less_550_s21_q <= less_550;
-      less_551_s21_q <= less_551;
-      less_552_s21_q <= less_552;
-      less_553_s21_q <= less_553;
-      less_554_s21_q <= less_554;
-      and_562_s21_q <= select_560[4] & select_561[3];
-      and_566_s21_q <= and_566;
-      difference_589_s21_q <= difference_589[9];
-      xor_590_s21_q <= difference_589[8:0] ^ {9{difference_589[9]}};
-      difference_592_s21_q <= difference_592[9];
-      xor_593_s21_q <= difference_592[8:0] ^ {9{difference_592[9]}};
-      difference_596_s21_q <= difference_596[9];
-      xor_597_s21_q <= difference_596[8:0] ^ {9{difference_596[9]}};
-      difference_600_s21_q <= difference_600[9];
-      xor_601_s21_q <= difference_600[8:0] ^ {9{difference_600[9]}};
-      difference_604_s21_q <= difference_604[9];
-      xor_605_s21_q <= difference_604[8:0] ^ {9{difference_604[9]}};
-      equal_1466_s21_q <= equal_1466_s20_q;
-      not_1467_s21_q <= not_1467_s20_q;
-      equal_1511_s21_q <= equal_1511_s20_q;
-      quarter_s21_q <= quarter;
-      all_s21_q <= all_s20_q;
-      sum_1517_s21_q <= sum_1517;
-      select_1518_s21_q <= select_1518;
-      equal_1519_s21_q <= equal_1519;
-      equal_1521_s21_q <= equal_1521;
-      equal_1523_s21_q <= equal_1523;
-      equal_1525_s21_q <= equal_1525_s20_q;
-      equal_1527_s21_q <= equal_1527_s20_q;
-      equal_1529_s21_q <= equal_1529_s20_q;
-      equal_1531_s21_q <= equal_1531_s20_q;
-      equal_1533_s21_q <= equal_1533_s20_q;
-      less_1542_s21_q <= less_1542;
-      or_1546_s21_q <= or_1546;
-      select_1549_s21_q <= equal_1511_s20_q ? and_1541 : (less_1542 & (~or_1546));
-      and_1559_s21_q <= half_ends & ({{3{sum_1557[4]}}, sum_1557} < 8'h3);
-      select_1564_s21_q <= select_1564;
-      and_1579_s21_q <= and_1579_s20_q;
-      select_1596_s21_q <= select_1596_s20_q;
-      equal_1597_s21_q <= equal_1597_s20_q;
-      and_1607_s21_q <= and_1607_s20_q;
-      equal_1612_s21_q <= equal_1612_s20_q;
-      equal_1638_s21_q <= equal_1638_s20_q;
-      equal_1672_s21_q <= equal_1672_s20_q;
-      equal_1674_s21_q <= equal_1674_s20_q;
-      equal_1676_s21_q <= equal_1676_s20_q;
-      or_1678_s21_q <= or_1678_s20_q;
-      select_1688_s21_q <= select_1688_s20_q[0];
-      sum_1692_s21_q <= select_1690 + {{2{select_1691[5]}}, select_1691};
-      select_1699_s21_q <= select_1699_s20_q;
-      select_1705_s21_q <= select_1705_s20_q;
-      sum_1718_s21_q <= select_1716 + {{2{select_1717[5]}}, select_1717};
-      equal_1732_s21_q <= equal_1732;
-      equal_1735_s21_q <= equal_1735;
-      select_1739_s21_q <= select_1739_s20_q;
-      new_row_s21_q <= new_row_s20_q;
-      patches_right_codes_rdata_s21_q <= patches_right_codes_rdata_q;
-      less_1769_s21_q <= $signed(15'h100) < $signed(sum_1768);
-      less_1770_s21_q <= $signed(sum_1768[14:8]) < $signed(7'h7f);
-      less_1779_s21_q <= $signed(15'h100) < $signed(difference_1778_s20_q);
-      less_1780_s21_q <= $signed(difference_1778_s20_q[14:8]) < $signed(7'h7f);
-      and_1791_s21_q <= and_1791_s20_q;
-      patches_left_codes_rdata_s21_q <= patches_left_codes_rdata_q;
-      or_1795_s21_q <= or_1795_s20_q;
-      and_1803_s21_q <= and_1803_s20_q;
-      less_1804_s21_q <= less_1804_s20_q;
-      equal_1805_s21_q <= equal_1805_s20_q;
-      not_1806_s21_q <= not_1806_s20_q;
-      equal_1807_s21_q <= equal_1807_s20_q;
-      or_1825_s21_q <= or_1825_s20_q;
-      or_1828_s21_q <= or_1828_s20_q;
-      or_1831_s21_q <= or_1831_s20_q;
-      not_1833_s21_q <= not_1833_s20_q;
-      regions_rdata_s21_q <= regions_rdata_q;
-      textured_s21_q <= textured_s20_q;
-      explained_s21_q <= explained_s20_q;
-      and_1854_s21_q <= and_1854_s20_q;
-      and_1859_s21_q <= and_1859_s20_q;
-      textured_2_s21_q <= textured_2;
-      or_1917_s21_q <= or_1917_s20_q;
-      or_1920_s21_q <= or_1920_s20_q;
-      or_1923_s21_q <= or_1923_s20_q;
-      difference_1943_s21_q <= {1'b0, shown_2} - {1'b0, select_1942};
-      difference_1959_s21_q <= {1'b0, near_2} - {1'b0, select_1958};
-      and_1973_s21_q <= and_1973_s20_q;
-      sum_2008_s21_q <= sum_2008[0];
-      difference_2009_s21_q <= {1'b0, sum_2008[9:1]} - {1'b0, averager_quarter_1_0_q};
-      sum_2016_s21_q <= sum_2016[0];
-      difference_2017_s21_q <= {1'b0, sum_2016[9:1]} - {1'b0, averager_quarter_1_1_q};
-      difference_2088_s21_q <= difference_2088[9];
-      xor_2089_s21_q <= difference_2088[8:0] ^ {9{difference_2088[9]}};
-      difference_2091_s21_q <= difference_2091[9];
-      xor_2092_s21_q <= difference_2091[8:0] ^ {9{difference_2091[9]}};
-      difference_2095_s21_q <= difference_2095[9];
-      xor_2096_s21_q <= difference_2095[8:0] ^ {9{difference_2095[9]}};
-      difference_2099_s21_q <= difference_2099[9];
-      xor_2100_s21_q <= difference_2099[8:0] ^ {9{difference_2099[9]}};
-      difference_2103_s21_q <= difference_2103[9];
-      xor_2104_s21_q <= difference_2103[8:0] ^ {9{difference_2103[9]}};
-      equal_2113_s21_q <= equal_2113_s20_q;
-      difference_2134_s21_q <= difference_2134[9];
-      xor_2135_s21_q <= difference_2134[8:0] ^ {9{difference_2134[9]}};
-      difference_2146_s21_q <= difference_2146[9];
-      xor_2147_s21_q <= difference_2146[8:0] ^ {9{difference_2146[9]}};
-      equal_2237_s21_q <= equal_2237_s20_q;
-      and_2353_s21_q <= and_2353;
-      and_2357_s21_q <= and_2357_s20_q;
-      and_2362_s21_q <= and_2362;
-      not_2376_s21_q <= not_2376_s20_q;
-      difference_2386_s21_q <= {1'b0, explained_2_s20_q} - {1'b0, select_2385};
-      and_2466_s21_q <= not_1467_s20_q & (so_s20_q & (half_ends & equal_2463));
-      select_2488_s21_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
-      equal_2537_s21_q <= sum_1517 == 2'h2;
-      not_2538_s21_q <= ~select_1564;
-      quarter_2_s21_q <= quarter_2;
-      equal_3173_s21_q <= equal_3173_s20_q;
-      select_3261_s21_q <= select_3261_s20_q;
-      select_3292_s21_q <= select_3292_s20_q[12:0];
-      less_3335_s21_q <= less_3335_s20_q;
-      eight_s21_q <= eight;
-      fall_s21_q <= fall;
-      select_3358_s21_q <= select_3358;
-      sum_3359_s21_q <= sum_3359[0];
-      sum_3361_s21_q <= sum_3361;
-      equal_3414_s21_q <= equal_3414;
-      and_3587_s21_q <= equal_3586_s20_q & equal_3414;
-      equal_3605_s21_q <= equal_3605;
-      equal_3607_s21_q <= equal_3607_s20_q;
-      equal_3608_s21_q <= equal_3608_s20_q;
-      equal_3630_s21_q <= (limit & select_3628) == 8'h0;
-      of_s21_q <= of;
-      equal_3737_s21_q <= equal_3737_s20_q;
-    end
-  end
-
-  // Stage 21 ----------------------------------------------------------------------------------------------------------
-  logic census_columns_values_0_cell_0_mask_q;
-  logic census_columns_values_1_cell_0_mask_q;
-  logic census_columns_values_1_cell_1_mask_q;
-  logic census_columns_values_1_cell_2_mask_q;
-  logic census_columns_values_1_cell_3_mask_q;
-  logic census_columns_values_1_cell_4_mask_q;
-  logic census_columns_values_2_cell_0_mask_q;
-  logic census_columns_values_2_cell_1_mask_q;
-  logic [13:0] counts_explained_q;
-  logic [3:0] registration_fresh_q;
-  logic [51:0] patches_codes_low_q;
-  logic [55:0] patches_codes_high_q;
-  logic [47:0] patches_left_row_q;
-  logic patches_summed_first_q;
-  logic [9:0] patches_peak_far_q;
-  logic [6:0] segment_textured_q;
-  logic [6:0] segment_explained_q;
-  logic [6:0] segment_nearer_q;
-  logic [13:0] product_q;
-  logic [2:0] box_textured_columns_values_0_q;
-  logic [2:0] box_textured_columns_values_1_q;
-  logic [2:0] box_textured_columns_values_2_q;
-  logic [2:0] box_textured_columns_values_3_q;
-  logic [2:0] box_textured_columns_values_4_q;
-  logic [4:0] box_explained_sum_sums_values_0_q;
-  logic [4:0] box_shown_sum_sums_values_0_q;
-  logic [4:0] box_nearer_sum_sums_values_0_q;
-  logic [12:0] rows_passed_q;
-  logic [8:0] columns_passed_q;
-  logic line_ended_q;
-  // hls/stages/agreement.hpp:443
-  logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_566_s21_q;
-  logic whole_4;
-  assign whole_4 = census_columns_values_0_cell_1_mask_s21_q & whole_3;
-  logic whole_5;
-  assign whole_5 = census_columns_values_0_cell_2_mask_s21_q & whole_4;
-  logic whole_6;
-  assign whole_6 = census_columns_values_0_cell_3_mask_s21_q & whole_5;
-  logic whole_7;
-  assign whole_7 = census_columns_values_0_cell_4_mask_s21_q & whole_6;
-  logic whole_8;
-  assign whole_8 = census_columns_values_1_cell_0_mask_q & whole_7;
-  logic whole_9;
-  assign whole_9 = census_columns_values_1_cell_1_mask_q & whole_8;
-  // hls/stages/census.hpp:270
-  logic [9:0] sum_591;
-  assign sum_591 = {9'h0, difference_589_s21_q} + {1'b0, xor_590_s21_q};
-  logic [9:0] sum_594;
-  assign sum_594 = {9'h0, difference_592_s21_q} + {1'b0, xor_593_s21_q};
-  // hls/stages/patches.hpp:303
-  logic and_1560;
-  assign and_1560 = so_s21_q & and_1559_s21_q;
-  // hls/stages/patches.hpp:288
-  logic [7:0] sum_1693;
-  assign sum_1693 = sum_1692_s21_q + 8'hff;
-  // hls/stages/patches.hpp:109
-  logic equal_1694;
-  assign equal_1694 = {sum_1693[7], select_461_s21_q, select_458_s21_q} == {1'b0, sum_1693[6:0], 4'h8};
-  // hls/stages/patches.hpp:288
-  logic [7:0] sum_1719;
-  assign sum_1719 = sum_1718_s21_q + 8'hff;
-  // hls/stages/patches.hpp:109
-  logic equal_1720;
-  assign equal_1720 = {sum_1719[7], select_461_s21_q, select_458_s21_q} == {1'b0, sum_1719[6:0], 4'h8};
-  // hls/stages/patches.hpp:423
-  logic [2:0] sum_1760;
-  assign sum_1760 = patches_code_row_s21_q[4:2] + 3'h7;
-  // hls/stages/patches.hpp:427
-  logic [1:0] sum_1793;
-  assign sum_1793 = patches_code_row_s21_q[3:2] + 2'h3;
-  // hls/stages/agreement.hpp:866
-  logic [6:0] select_1844;
-  assign select_1844 = segment_started_s21_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:867
-  logic [6:0] sum_1845;
-  assign sum_1845 = {6'h0, textured_s21_q} + select_1844;
-  // hls/stages/agreement.hpp:1002
-  logic [9:0] sum_1847;
-  assign sum_1847 = {3'h0, sum_1845} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[9:0]);
-  // hls/stages/agreement.hpp:866
-  logic [6:0] select_1849;
-  assign select_1849 = segment_started_s21_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:867
-  logic [6:0] sum_1850;
-  assign sum_1850 = {6'h0, explained_s21_q} + select_1849;
-  // hls/stages/agreement.hpp:1003
-  logic [9:0] sum_1852;
-  assign sum_1852 = {3'h0, sum_1850} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[19:10]);
-  // hls/stages/agreement.hpp:866
-  logic [6:0] select_1855;
-  assign select_1855 = segment_started_s21_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:868
-  logic [6:0] sum_1856;
-  assign sum_1856 = {6'h0, and_1854_s21_q} + select_1855;
-  // hls/stages/agreement.hpp:1004
-  logic [9:0] sum_1858;
-  assign sum_1858 = {3'h0, sum_1856} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[29:20]);
-  // hls/stages/agreement.hpp:1200
-  logic or_1868;
-  assign or_1868 = marks_first_s21_q | line_ended_q;
-  // hls/stages/agreement.hpp:1202
-  logic [12:0] select_1870;
-  assign select_1870 = marks_first_s21_q ? 13'h1 : (or_1868 ? {rows_passed_q[11:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1201
-  logic [8:0] select_1872;
-  assign select_1872 = or_1868 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1209
-  logic select_1874;
-  assign select_1874 = cfg_compete_i ? (or_1868 & select_1870[12]) : (select_1872[8] & select_1870[9]);
-  // hls/stages/agreement.hpp:1035
-  logic [2:0] select_1908;
-  assign select_1908 = age_s21_q ? box_textured_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:1037
-  logic [4:0] around;
-  assign around = {difference_1943_s21_q[3], difference_1943_s21_q} + (equal_1612_s21_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1038
-  logic [4:0] n;
-  assign n = {difference_1959_s21_q[3], difference_1959_s21_q} + (equal_1612_s21_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/census.hpp:209
-  logic [9:0] xor_2010;
-  assign xor_2010 = {difference_2009_s21_q[8:0], sum_2008_s21_q} ^ {10{difference_2009_s21_q[9]}};
-  logic [10:0] size;
-  assign size = {10'h0, difference_2009_s21_q[9]} + {1'b0, xor_2010};
-  logic [9:0] xor_2018;
-  assign xor_2018 = {difference_2017_s21_q[8:0], sum_2016_s21_q} ^ {10{difference_2017_s21_q[9]}};
-  logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2017_s21_q[9]} + {1'b0, xor_2018};
-  // hls/stages/agreement.hpp:507
-  logic select_2033;
-  assign select_2033 = and_497_s21_q ? whole_2_s21_q : census_columns_values_0_cell_0_mask_q;
-  logic select_2049;
-  assign select_2049 = and_497_s21_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic select_2052;
-  assign select_2052 = and_497_s21_q ? census_columns_values_0_cell_1_mask_s21_q : census_columns_values_1_cell_1_mask_q;
-  logic select_2055;
-  assign select_2055 = and_497_s21_q ? census_columns_values_0_cell_2_mask_s21_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2059;
-  assign select_2059 = and_497_s21_q ? census_columns_values_0_cell_3_mask_s21_q : census_columns_values_1_cell_3_mask_q;
-  logic select_2062;
-  assign select_2062 = and_497_s21_q ? census_columns_values_0_cell_4_mask_s21_q : census_columns_values_1_cell_4_mask_q;
-  logic select_2065;
-  assign select_2065 = and_497_s21_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic select_2068;
-  assign select_2068 = and_497_s21_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  // hls/stages/census.hpp:272
-  logic [9:0] sum_2090;
-  assign sum_2090 = {9'h0, difference_2088_s21_q} + {1'b0, xor_2089_s21_q};
-  logic [9:0] sum_2093;
-  assign sum_2093 = {9'h0, difference_2091_s21_q} + {1'b0, xor_2092_s21_q};
-  // hls/stages/census.hpp:353
-  logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2134_s21_q} + xor_2135_s21_q;
-  logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2146_s21_q} + xor_2147_s21_q;
-  // hls/stages/patches.hpp:303
-  logic and_2367;
-  assign and_2367 = not_1467_s21_q & (so_s21_q & (ends_cell_s21_q & explained_s21_q));
-  // hls/stages/agreement.hpp:889
-  logic [13:0] select_2369;
-  assign select_2369 = and_2353_s21_q ? 14'h0 : (counts_explained_q + {13'h0, and_2367});
-  // hls/stages/patches.hpp:303
-  logic and_2372;
-  assign and_2372 = not_1467_s21_q & (so_s21_q & (ends_cell_s21_q & and_1854_s21_q));
-  // hls/stages/agreement.hpp:1036
-  logic [4:0] e;
-  assign e = {difference_2386_s21_q[3], difference_2386_s21_q} + (equal_1612_s21_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1073
-  logic less_2401;
-  assign less_2401 = region_row_s21_q < x_s21_q[5:3];
-  // hls/stages/registration.hpp:215
-  logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2488_s21_q[11:7])) ? 12'h7f : select_2488_s21_q;
-  // hls/stages/registration.hpp:266
-  logic [3:0] select_2540;
-  assign select_2540 = equal_2537_s21_q ? (registration_fresh_q & not_2538_s21_q) : registration_fresh_q;
-  // hls/stages/patches.hpp:303
-  logic [3:0] select_2542;
-  assign select_2542 = so_s21_q ? (and_1559_s21_q ? select_2540 : registration_fresh_q) : registration_fresh_q;
-  // hls/stages/registration.hpp:239
-  logic [3:0] select_2544;
-  assign select_2544 = and_2353_s21_q ? 4'hf : (equal_1466_s21_q ? registration_fresh_q : select_2542);
-  // hls/stages/registration.hpp:255
-  logic not_2565;
-  assign not_2565 = ~quarter_2_s21_q[1];
-  logic [3:0] select_2566;
-  assign select_2566 = quarter_2_s21_q[0] ? {quarter_2_s21_q[1], 1'b0, not_2565, 1'b0} : {1'b0, quarter_2_s21_q[1], 1'b0, not_2565};
-  // hls/stages/patches.hpp:443
-  logic [55:0] other;
-  assign other = new_row_s21_q ? patches_right_codes_rdata_s21_q[55:0] : {patches_codes_high_q[3:0], patches_codes_low_q};
-  // hls/stages/patches.hpp:160
-  logic [51:0] select_2828;
-  assign select_2828 = or_1678_s21_q ? {patches_codes_high_q[3:0], patches_codes_low_q[51:4]} : patches_codes_low_q;
-  logic [51:0] select_2830;
-  assign select_2830 = equal_1672_s21_q ? patches_codes_low_q : (equal_1674_s21_q ? other[55:4] : select_2828);
-  // hls/stages/patches.hpp:443
-  logic [55:0] select_2831;
-  assign select_2831 = new_row_s21_q ? patches_right_codes_rdata_s21_q[111:56] : {4'h0, patches_codes_high_q[55:4]};
-  // hls/stages/patches.hpp:160
-  logic [55:0] select_2832;
-  assign select_2832 = or_1678_s21_q ? {less_1780_s21_q, less_1779_s21_q, less_1770_s21_q, less_1769_s21_q, patches_codes_high_q[55:4]} : patches_codes_high_q;
-  logic [55:0] select_2834;
-  assign select_2834 = equal_1672_s21_q ? patches_codes_high_q : (equal_1674_s21_q ? select_2831 : select_2832);
-  // hls/stages/count_bits.hpp:24
-  logic parity_2839;
-  assign parity_2839 = ^{less_1780_s21_q, less_1779_s21_q, less_1770_s21_q, less_1769_s21_q};
-  // hls/stages/count_bits.hpp:25
-  logic or_2843;
-  assign or_2843 = ({less_1770_s21_q, less_1769_s21_q} == 2'h3) | (less_1779_s21_q & (less_1770_s21_q | less_1769_s21_q));
-  logic and_2844;
-  assign and_2844 = less_1780_s21_q & (^{less_1779_s21_q, less_1770_s21_q, less_1769_s21_q});
-  // hls/stages/count_bits.hpp:24
-  logic xor_2845;
-  assign xor_2845 = or_2843 ^ and_2844;
-  // hls/stages/count_bits.hpp:27
-  logic and_2846;
-  assign and_2846 = or_2843 & and_2844;
-  // hls/stages/patches.hpp:429
-  logic [2:0] select_2848;
-  assign select_2848 = or_1795_s21_q ? 3'h0 : (patches_column_s21_q ? 3'h0 : {and_2846, xor_2845, parity_2839});
-  // hls/stages/patches.hpp:444
-  logic [47:0] select_2863;
-  assign select_2863 = new_row_s21_q ? patches_left_codes_rdata_s21_q : patches_left_row_q;
-  // hls/stages/patches.hpp:160
-  logic [47:0] select_2865;
-  assign select_2865 = equal_1672_s21_q ? patches_left_row_q : (equal_1674_s21_q ? select_2863 : patches_left_row_q);
-  // hls/stages/patches.hpp:444
-  logic [47:0] bits;
-  assign bits = select_2863 ^ other[47:0];
-  // hls/stages/patches.hpp:160
-  logic select_3213;
-  assign select_3213 = equal_1672_s21_q ? patches_summed_first_q : (equal_1674_s21_q ? new_row_s21_q : patches_summed_first_q);
-  // hls/stages/patches.hpp:463
-  logic [9:0] select_3301;
-  assign select_3301 = (patches_read_far_s21_q < patches_peak_far_q) ? patches_read_far_s21_q : patches_peak_far_q;
-  logic [9:0] select_3302;
-  assign select_3302 = patches_read_first_s21_q ? patches_read_far_s21_q : select_3301;
-  // hls/stages/patches.hpp:503
-  logic [10:0] sum_3344;
-  assign sum_3344 = {1'b0, fall_s21_q} + {2'h0, fall_s21_q[9:1]};
-  // hls/stages/patches.hpp:504
-  logic [10:0] sum_3348;
-  assign sum_3348 = {1'b0, fall_s21_q} + {3'h0, fall_s21_q[9:2]};
-  logic not_3353;
-  assign not_3353 = ~({eight_s21_q, 3'h0} < ({fall_s21_q, 3'h0} - {3'h0, fall_s21_q}));
-  // hls/stages/patches.hpp:517
-  logic [18:0] product_3362;
-  assign product_3362 = $signed({{11{select_3358_s21_q[7]}}, select_3358_s21_q}) * $signed({{8{sum_3361_s21_q[6]}}, sum_3361_s21_q, sum_3359_s21_q, select_3292_s21_q[12:10]});
-  // hls/stages/agreement.hpp:1160
-  logic [13:0] select_3619;
-  assign select_3619 = equal_3414_s21_q ? 14'h0 : product_q;
-  logic [13:0] select_3634;
-  assign select_3634 = equal_3630_s21_q ? 14'h0 : of_s21_q;
-  logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_3619} + {1'b0, select_3634};
-  // hls/stages/patches.hpp:303
-  logic [2:0] select_3652;
-  assign select_3652 = ends_cell_s21_q ? textured_2_s21_q : box_textured_columns_values_0_q;
-  logic [2:0] select_3654;
-  assign select_3654 = equal_1466_s21_q ? box_textured_columns_values_0_q : (so_s21_q ? select_3652 : box_textured_columns_values_0_q);
-  logic [2:0] select_3655;
-  assign select_3655 = ends_cell_s21_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_3657;
-  assign select_3657 = equal_1466_s21_q ? box_textured_columns_values_1_q : (so_s21_q ? select_3655 : box_textured_columns_values_1_q);
-  logic [2:0] select_3658;
-  assign select_3658 = ends_cell_s21_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [2:0] select_3660;
-  assign select_3660 = equal_1466_s21_q ? box_textured_columns_values_2_q : (so_s21_q ? select_3658 : box_textured_columns_values_2_q);
-  logic [2:0] select_3661;
-  assign select_3661 = ends_cell_s21_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_3663;
-  assign select_3663 = equal_1466_s21_q ? box_textured_columns_values_3_q : (so_s21_q ? select_3661 : box_textured_columns_values_3_q);
-  logic [2:0] select_3664;
-  assign select_3664 = ends_cell_s21_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_3666;
-  assign select_3666 = equal_1466_s21_q ? box_textured_columns_values_4_q : (so_s21_q ? select_3664 : box_textured_columns_values_4_q);
-  logic [4:0] select_3686;
-  assign select_3686 = so_s21_q ? (ends_cell_s21_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_3687;
-  assign select_3687 = equal_1466_s21_q ? box_explained_sum_sums_values_0_q : select_3686;
-  logic [4:0] select_3704;
-  assign select_3704 = so_s21_q ? (ends_cell_s21_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [4:0] select_3722;
-  assign select_3722 = so_s21_q ? (ends_cell_s21_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  // hls/stages/registration.hpp:255
-  logic not_3819;
-  assign not_3819 = ~quarter_s21_q[1];
-  logic [3:0] select_3820;
-  assign select_3820 = quarter_s21_q[0] ? {quarter_s21_q[1], 1'b0, not_3819, 1'b0} : {1'b0, quarter_s21_q[1], 1'b0, not_3819};
-
-  // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:273; read in stage 21, written in stage 25: 21 < 25 < 21 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [31:0] registration_sums_mem [0:11];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
-`endif
-  logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1518_s21_q;
-  logic registration_sums_re;
-  assign registration_sums_re = s21_en & (equal_1466_s21_q ? (x_s21_q[6] & select_1549_s21_q) : and_1560);
-  logic [31:0] registration_sums_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (registration_sums_re) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
-  end
-
-  // Memory patches_right_codes, write
-  logic [4:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_1760, patches_code_row_s21_q[1:0]};
-  logic patches_right_codes_we;
-  assign patches_right_codes_we = s21_en & and_1791_s21_q;
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {less_1780_s21_q, less_1779_s21_q, less_1770_s21_q, less_1769_s21_q, patches_codes_high_q, patches_codes_low_q};
-  end
-`ifndef SYNTHESIS
-  logic [4:0] patches_right_codes_raddr_s20_sim;
-  logic patches_right_codes_re_s20_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      patches_right_codes_re_s20_sim <= 1'b0;
-    end else if (en_i) begin
-      patches_right_codes_re_s20_sim <= patches_right_codes_re;
-      patches_right_codes_raddr_s20_sim <= patches_right_codes_raddr;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && patches_right_codes_we) begin
-      if (patches_right_codes_re && patches_right_codes_raddr == patches_right_codes_waddr) begin
-        $error("patches_right_codes: address %0d is read less than DISTANCE steps after its write", patches_right_codes_waddr);
-      end
-      if (patches_right_codes_re_s20_sim && patches_right_codes_raddr_s20_sim == patches_right_codes_waddr) begin
-        $error("patches_right_codes: address %0d is read less than DISTANCE steps after its write", patches_right_codes_waddr);
-      end
-      if (patches_right_codes_waddr >= 5'd28) $error("patches_right_codes: write outside, address %0d", patches_right_codes_waddr);
-    end
-    if (rst_ni && patches_right_codes_re && patches_right_codes_raddr >= 5'd28) $error("patches_right_codes: read outside, address %0d", patches_right_codes_raddr);
-  end
-`endif
-
-  // Memory patches_left_codes, write
-  logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_1793, patches_code_row_s21_q[1:0]};
-  logic patches_left_codes_we;
-  assign patches_left_codes_we = s21_en & and_1803_s21_q;
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {less_1780_s21_q, less_1779_s21_q, less_1770_s21_q, less_1769_s21_q, patches_codes_high_q[55:12]};
-  end
-`ifndef SYNTHESIS
-  logic [3:0] patches_left_codes_raddr_s20_sim;
-  logic patches_left_codes_re_s20_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      patches_left_codes_re_s20_sim <= 1'b0;
-    end else if (en_i) begin
-      patches_left_codes_re_s20_sim <= patches_left_codes_re;
-      patches_left_codes_raddr_s20_sim <= patches_left_codes_raddr;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && patches_left_codes_we) begin
-      if (patches_left_codes_re && patches_left_codes_raddr == patches_left_codes_waddr) begin
-        $error("patches_left_codes: address %0d is read less than DISTANCE steps after its write", patches_left_codes_waddr);
-      end
-      if (patches_left_codes_re_s20_sim && patches_left_codes_raddr_s20_sim == patches_left_codes_waddr) begin
-        $error("patches_left_codes: address %0d is read less than DISTANCE steps after its write", patches_left_codes_waddr);
-      end
-      if (patches_left_codes_waddr >= 4'd12) $error("patches_left_codes: write outside, address %0d", patches_left_codes_waddr);
-    end
-    if (rst_ni && patches_left_codes_re && patches_left_codes_raddr >= 4'd12) $error("patches_left_codes: read outside, address %0d", patches_left_codes_raddr);
-  end
-`endif
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      counts_explained_q <= 14'h0;
-      registration_fresh_q <= 4'hf;
-      patches_codes_low_q <= 52'h0;
-      patches_codes_high_q <= 56'h0;
-      patches_left_row_q <= 48'h0;
-      patches_summed_first_q <= 1'b0;
-      patches_peak_far_q <= 10'h0;
-      segment_textured_q <= 7'h0;
-      segment_explained_q <= 7'h0;
-      segment_nearer_q <= 7'h0;
-      product_q <= 14'h0;
-      rows_passed_q <= 13'h0;
-      columns_passed_q <= 9'h0;
-      line_ended_q <= 1'b1;
-    end else if (s21_en) begin
-      counts_explained_q <= select_2369;
-      registration_fresh_q <= select_2544;
-      patches_codes_low_q <= select_2830;
-      patches_codes_high_q <= select_2834;
-      patches_left_row_q <= select_2865;
-      patches_summed_first_q <= select_3213;
-      patches_peak_far_q <= equal_1672_s21_q ? select_3302 : patches_peak_far_q;
-      segment_textured_q <= select_1844 + {6'h0, and_2362_s21_q};
-      segment_explained_q <= select_1849 + {6'h0, and_2367};
-      segment_nearer_q <= select_1855 + {6'h0, and_2372};
-      product_q <= equal_1466_s21_q ? sum_4[14:1] : product_q;
-      rows_passed_q <= select_1870;
-      columns_passed_q <= {select_1872[7:0], or_1868};
-      line_ended_q <= marks_last_s21_q;
-    end
-  end
-
-  // Not reset: nothing of it counts before it is written anew.
-`ifndef SYNTHESIS
-  initial begin
-    census_columns_values_0_cell_0_mask_q = 1'b0;
-    census_columns_values_1_cell_0_mask_q = 1'b0;
-    census_columns_values_1_cell_1_mask_q = 1'b0;
-    census_columns_values_1_cell_2_mask_q = 1'b0;
-    census_columns_values_1_cell_3_mask_q = 1'b0;
-    census_columns_values_1_cell_4_mask_q = 1'b0;
-    census_columns_values_2_cell_0_mask_q = 1'b0;
-    census_columns_values_2_cell_1_mask_q = 1'b0;
     box_textured_columns_values_0_q = 3'h0;
     box_textured_columns_values_1_q = 3'h0;
     box_textured_columns_values_2_q = 3'h0;
@@ -7811,22 +6878,60 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s21_en) begin
-      census_columns_values_0_cell_0_mask_q <= select_2033;
-      census_columns_values_1_cell_0_mask_q <= select_2049;
-      census_columns_values_1_cell_1_mask_q <= select_2052;
-      census_columns_values_1_cell_2_mask_q <= select_2055;
-      census_columns_values_1_cell_3_mask_q <= select_2059;
-      census_columns_values_1_cell_4_mask_q <= select_2062;
-      census_columns_values_2_cell_0_mask_q <= select_2065;
-      census_columns_values_2_cell_1_mask_q <= select_2068;
-      box_textured_columns_values_0_q <= select_3654;
-      box_textured_columns_values_1_q <= select_3657;
-      box_textured_columns_values_2_q <= select_3660;
-      box_textured_columns_values_3_q <= select_3663;
-      box_textured_columns_values_4_q <= select_3666;
-      box_explained_sum_sums_values_0_q <= select_3687;
-      box_shown_sum_sums_values_0_q <= equal_1466_s21_q ? box_shown_sum_sums_values_0_q : select_3704;
-      box_nearer_sum_sums_values_0_q <= equal_1466_s21_q ? box_nearer_sum_sums_values_0_q : select_3722;
+      averager_quarter_1_0_q <= select_2023;
+      averager_quarter_1_1_q <= select_2025;
+      averager_quarter_2_0_q <= select_2027;
+      averager_quarter_2_1_q <= select_2029;
+      census_columns_values_0_cell_0_left_q <= select_2057;
+      census_columns_values_0_cell_0_right_q <= select_2058;
+      census_columns_values_0_cell_1_left_q <= select_2060;
+      census_columns_values_0_cell_1_right_q <= select_2061;
+      census_columns_values_0_cell_1_mask_q <= select_2062;
+      census_columns_values_0_cell_2_left_q <= select_2063;
+      census_columns_values_0_cell_2_right_q <= select_2064;
+      census_columns_values_0_cell_2_mask_q <= select_2065;
+      census_columns_values_0_cell_2_of_skin_q <= select_2066;
+      census_columns_values_0_cell_3_left_q <= select_2067;
+      census_columns_values_0_cell_3_right_q <= select_2068;
+      census_columns_values_0_cell_3_mask_q <= select_2069;
+      census_columns_values_0_cell_4_left_q <= select_2070;
+      census_columns_values_0_cell_4_right_q <= select_2071;
+      census_columns_values_0_cell_4_mask_q <= select_2072;
+      census_columns_values_1_cell_0_left_q <= select_2073;
+      census_columns_values_1_cell_0_right_q <= select_2074;
+      census_columns_values_1_cell_1_left_q <= select_2076;
+      census_columns_values_1_cell_1_right_q <= select_2077;
+      census_columns_values_1_cell_2_left_q <= select_2079;
+      census_columns_values_1_cell_2_right_q <= select_2080;
+      census_columns_values_1_cell_2_of_skin_q <= select_2082;
+      census_columns_values_1_cell_3_left_q <= select_2083;
+      census_columns_values_1_cell_3_right_q <= select_2084;
+      census_columns_values_1_cell_4_left_q <= select_2086;
+      census_columns_values_1_cell_4_right_q <= select_2087;
+      census_columns_values_2_cell_0_left_q <= select_2089;
+      census_columns_values_2_cell_0_right_q <= select_2090;
+      census_columns_values_2_cell_1_left_q <= select_2092;
+      census_columns_values_2_cell_1_right_q <= select_2093;
+      census_columns_values_2_cell_2_left_q <= select_2095;
+      census_columns_values_2_cell_2_right_q <= select_2096;
+      census_columns_values_2_cell_3_left_q <= select_2098;
+      census_columns_values_2_cell_3_right_q <= select_2099;
+      census_columns_values_2_cell_4_left_q <= select_2101;
+      census_columns_values_2_cell_4_right_q <= select_2102;
+      census_columns_values_3_cell_1_left_q <= select_2105;
+      census_columns_values_3_cell_1_right_q <= select_2106;
+      census_columns_values_3_cell_3_left_q <= select_2109;
+      census_columns_values_3_cell_3_right_q <= select_2110;
+      sharpness_last_mean_0_q <= and_500_s21_q ? select_506_s21_q : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_500_s21_q ? select_510_s21_q : sharpness_last_mean_1_q;
+      box_textured_columns_values_0_q <= select_3674;
+      box_textured_columns_values_1_q <= select_3677;
+      box_textured_columns_values_2_q <= select_3680;
+      box_textured_columns_values_3_q <= select_3683;
+      box_textured_columns_values_4_q <= select_3686;
+      box_explained_sum_sums_values_0_q <= select_3707;
+      box_shown_sum_sums_values_0_q <= equal_1469_s21_q ? box_shown_sum_sums_values_0_q : select_3724;
+      box_nearer_sum_sums_values_0_q <= equal_1469_s21_q ? box_nearer_sum_sums_values_0_q : select_3742;
     end
   end
 
@@ -7839,12 +6944,11 @@ module horopter_agreement (
   logic [7:0] sample_pair_pixel_1_s22_q;
   logic sample_pair_whole_s22_q;
   logic sample_present_s22_q;
-  logic census_columns_values_1_cell_2_mask_s22_q;
+  logic census_columns_values_0_cell_1_mask_s22_q;
+  logic census_columns_values_0_cell_2_mask_s22_q;
+  logic census_columns_values_0_cell_3_mask_s22_q;
+  logic census_columns_values_0_cell_4_mask_s22_q;
   logic census_columns_values_1_cell_2_of_skin_s22_q;
-  logic census_columns_values_1_cell_3_mask_s22_q;
-  logic census_columns_values_1_cell_4_mask_s22_q;
-  logic census_columns_values_2_cell_0_mask_s22_q;
-  logic census_columns_values_2_cell_1_mask_s22_q;
   logic [7:0] x_s22_q;
   logic [2:0] slot_s22_q;
   logic ends_cell_s22_q;
@@ -7852,25 +6956,28 @@ module horopter_agreement (
   logic [13:0] counts_textured_s22_q;
   logic [13:0] counts_explained_s22_q;
   logic registration_of_right_s22_q;
+  logic [4:0] patches_choosing_band_s22_q;
   logic patches_lower_s22_q;
   logic patches_second_s22_q;
+  logic [4:0] patches_code_row_s22_q;
+  logic patches_column_s22_q;
+  logic patches_along_ends_s22_q;
+  logic [10:0] patches_down_values_1_s22_q;
   logic [4:0] patches_summed_row_column_s22_q;
-  logic patches_summed_first_s22_q;
-  logic patches_summed_last_s22_q;
-  logic [4:0] patches_summed_down_by_s22_q;
+  logic [9:0] patches_read_row_differing_s22_q;
+  logic patches_read_first_s22_q;
   logic [2:0] region_row_s22_q;
   logic [13:0] product_s22_q;
   logic centres_values_1_textured_s22_q;
   logic centres_values_1_of_skin_s22_q;
+  logic [3:0] select_461_s22_q;
+  logic [6:0] select_464_s22_q;
   logic [6:0] column_s22_q;
-  logic and_495_s22_q;
-  logic and_497_s22_q;
-  logic equal_500_s22_q;
+  logic and_498_s22_q;
+  logic and_500_s22_q;
+  logic equal_503_s22_q;
   logic whole_2_s22_q;
   logic so_s22_q;
-  logic less_531_s22_q;
-  logic less_532_s22_q;
-  logic less_533_s22_q;
   logic less_534_s22_q;
   logic less_535_s22_q;
   logic less_536_s22_q;
@@ -7892,161 +6999,137 @@ module horopter_agreement (
   logic less_552_s22_q;
   logic less_553_s22_q;
   logic less_554_s22_q;
-  logic and_562_s22_q;
-  logic whole_9_s22_q;
-  logic [10:0] sum_595_s22_q;
-  logic [9:0] sum_598_s22_q;
-  logic [9:0] sum_602_s22_q;
-  logic [9:0] sum_606_s22_q;
-  logic equal_1466_s22_q;
-  logic not_1467_s22_q;
-  logic equal_1511_s22_q;
+  logic less_555_s22_q;
+  logic less_556_s22_q;
+  logic less_557_s22_q;
+  logic and_565_s22_q;
+  logic and_569_s22_q;
+  logic difference_592_s22_q;
+  logic [8:0] xor_593_s22_q;
+  logic difference_595_s22_q;
+  logic [8:0] xor_596_s22_q;
+  logic difference_599_s22_q;
+  logic [8:0] xor_600_s22_q;
+  logic difference_603_s22_q;
+  logic [8:0] xor_604_s22_q;
+  logic difference_607_s22_q;
+  logic [8:0] xor_608_s22_q;
+  logic equal_1469_s22_q;
+  logic not_1470_s22_q;
+  logic shift_2_s22_q;
+  logic equal_1514_s22_q;
   logic all_s22_q;
-  logic [1:0] sum_1517_s22_q;
-  logic equal_1519_s22_q;
-  logic equal_1521_s22_q;
-  logic equal_1523_s22_q;
-  logic equal_1525_s22_q;
-  logic equal_1527_s22_q;
-  logic equal_1529_s22_q;
-  logic equal_1531_s22_q;
-  logic equal_1533_s22_q;
-  logic less_1542_s22_q;
-  logic or_1546_s22_q;
-  logic equal_1566_s22_q;
-  logic and_1576_s22_q;
+  logic [1:0] sum_1520_s22_q;
+  logic equal_1522_s22_q;
+  logic equal_1524_s22_q;
+  logic equal_1526_s22_q;
+  logic equal_1528_s22_q;
+  logic equal_1530_s22_q;
+  logic equal_1532_s22_q;
+  logic equal_1534_s22_q;
+  logic equal_1536_s22_q;
+  logic less_1545_s22_q;
+  logic or_1549_s22_q;
+  logic equal_1569_s22_q;
   logic and_1579_s22_q;
-  logic select_1596_s22_q;
-  logic equal_1597_s22_q;
-  logic and_1607_s22_q;
-  logic equal_1612_s22_q;
-  logic equal_1638_s22_q;
-  logic equal_1672_s22_q;
-  logic equal_1674_s22_q;
-  logic equal_1676_s22_q;
-  logic select_1688_s22_q;
+  logic and_1582_s22_q;
+  logic select_1599_s22_q;
+  logic equal_1600_s22_q;
+  logic and_1608_s22_q;
+  logic equal_1610_s22_q;
+  logic equal_1631_s22_q;
+  logic and_1642_s22_q;
+  logic [5:0] select_1656_s22_q;
+  logic [7:0] select_1681_s22_q;
+  logic and_1688_s22_q;
+  logic and_1689_s22_q;
+  logic equal_1690_s22_q;
+  logic not_1691_s22_q;
+  logic equal_1692_s22_q;
   logic equal_1694_s22_q;
-  logic [4:0] select_1699_s22_q;
-  logic select_1705_s22_q;
-  logic equal_1720_s22_q;
-  logic or_1733_s22_q;
-  logic or_1736_s22_q;
-  logic [3:0] select_1739_s22_q;
-  logic less_1804_s22_q;
-  logic equal_1805_s22_q;
-  logic not_1806_s22_q;
-  logic equal_1807_s22_q;
-  logic or_1825_s22_q;
-  logic or_1828_s22_q;
-  logic or_1831_s22_q;
-  logic not_1833_s22_q;
-  logic [9:0] sum_1847_s22_q;
-  logic [9:0] sum_1852_s22_q;
-  logic [9:0] sum_1858_s22_q;
-  logic and_1859_s22_q;
-  logic select_1874_s22_q;
-  logic [3:0] difference_1909_s22_q;
-  logic or_1917_s22_q;
-  logic or_1920_s22_q;
-  logic or_1923_s22_q;
+  logic or_1696_s22_q;
+  logic and_1705_s22_q;
+  logic [4:0] select_1720_s22_q;
+  logic select_1726_s22_q;
+  logic [3:0] select_1765_s22_q;
+  logic new_row_s22_q;
+  logic [1:0] down_2_s22_q;
+  logic [12:0] sum_1791_s22_q;
+  logic [11:0] smooth_s22_q;
+  logic and_1817_s22_q;
+  logic or_1821_s22_q;
+  logic and_1829_s22_q;
+  logic less_1830_s22_q;
+  logic equal_1831_s22_q;
+  logic not_1832_s22_q;
+  logic equal_1833_s22_q;
+  logic [9:0] patches_rows_rdata_s22_q;
+  logic or_1851_s22_q;
+  logic or_1854_s22_q;
+  logic or_1857_s22_q;
+  logic not_1859_s22_q;
+  logic [9:0] sum_1873_s22_q;
+  logic [9:0] sum_1878_s22_q;
+  logic [9:0] sum_1884_s22_q;
+  logic and_1885_s22_q;
+  logic select_1900_s22_q;
+  logic [3:0] difference_1935_s22_q;
+  logic or_1943_s22_q;
+  logic or_1946_s22_q;
+  logic or_1949_s22_q;
   logic [4:0] around_s22_q;
-  logic less_1962_s22_q;
-  logic and_1973_s22_q;
-  logic [10:0] size_s22_q;
-  logic [10:0] size_2_s22_q;
-  logic [10:0] sum_2094_s22_q;
-  logic [9:0] sum_2097_s22_q;
-  logic [9:0] sum_2101_s22_q;
-  logic [9:0] sum_2105_s22_q;
-  logic equal_2113_s22_q;
-  logic [8:0] contrast_s22_q;
-  logic [8:0] contrast_2_s22_q;
-  logic equal_2237_s22_q;
-  logic and_2353_s22_q;
-  logic and_2357_s22_q;
-  logic and_2372_s22_q;
-  logic not_2376_s22_q;
+  logic less_1988_s22_q;
+  logic and_1999_s22_q;
+  logic sum_2034_s22_q;
+  logic [9:0] difference_2035_s22_q;
+  logic sum_2042_s22_q;
+  logic [9:0] difference_2043_s22_q;
+  logic difference_2114_s22_q;
+  logic [8:0] xor_2115_s22_q;
+  logic difference_2117_s22_q;
+  logic [8:0] xor_2118_s22_q;
+  logic difference_2121_s22_q;
+  logic [8:0] xor_2122_s22_q;
+  logic difference_2125_s22_q;
+  logic [8:0] xor_2126_s22_q;
+  logic difference_2129_s22_q;
+  logic [8:0] xor_2130_s22_q;
+  logic equal_2139_s22_q;
+  logic difference_2160_s22_q;
+  logic [8:0] xor_2161_s22_q;
+  logic difference_2172_s22_q;
+  logic [8:0] xor_2173_s22_q;
+  logic equal_2263_s22_q;
+  logic and_2379_s22_q;
+  logic and_2383_s22_q;
+  logic and_2398_s22_q;
+  logic not_2402_s22_q;
   logic [4:0] e_s22_q;
-  logic [9:0] select_2402_s22_q;
-  logic [9:0] select_2405_s22_q;
-  logic and_2466_s22_q;
+  logic [9:0] select_2428_s22_q;
+  logic [9:0] select_2431_s22_q;
+  logic and_2494_s22_q;
+  logic and_2495_s22_q;
   logic [11:0] residual_s22_q;
-  logic equal_2568_s22_q;
-  logic [20:0] other_s22_q;
-  logic [2:0] select_2849_s22_q;
-  logic [20:0] select_2863_s22_q;
-  logic bits_s22_q;
-  logic xor_2869_s22_q;
-  logic xor_2872_s22_q;
-  logic xor_2875_s22_q;
-  logic parity_2877_s22_q;
-  logic xor_2881_s22_q;
-  logic xor_2887_s22_q;
-  logic xor_2890_s22_q;
-  logic xor_2899_s22_q;
-  logic xor_2902_s22_q;
-  logic xor_2905_s22_q;
-  logic xor_2911_s22_q;
-  logic xor_2914_s22_q;
-  logic xor_2917_s22_q;
-  logic parity_2919_s22_q;
-  logic xor_2923_s22_q;
-  logic xor_2926_s22_q;
-  logic xor_2929_s22_q;
-  logic parity_2931_s22_q;
-  logic equal_2942_s22_q;
-  logic and_2944_s22_q;
-  logic equal_2953_s22_q;
-  logic and_2955_s22_q;
-  logic equal_2957_s22_q;
-  logic and_2959_s22_q;
-  logic equal_2961_s22_q;
-  logic and_2963_s22_q;
-  logic equal_2968_s22_q;
-  logic and_2970_s22_q;
-  logic equal_2972_s22_q;
-  logic and_2974_s22_q;
-  logic equal_2976_s22_q;
-  logic and_2978_s22_q;
-  logic equal_2986_s22_q;
-  logic and_2988_s22_q;
-  logic equal_2990_s22_q;
-  logic and_2992_s22_q;
-  logic equal_2994_s22_q;
-  logic and_2996_s22_q;
-  logic equal_3001_s22_q;
-  logic not_3003_s22_q;
-  logic equal_3006_s22_q;
-  logic and_3008_s22_q;
-  logic equal_3010_s22_q;
-  logic and_3012_s22_q;
-  logic equal_3017_s22_q;
-  logic and_3019_s22_q;
-  logic equal_3021_s22_q;
-  logic and_3023_s22_q;
-  logic equal_3025_s22_q;
-  logic and_3027_s22_q;
-  logic equal_3173_s22_q;
-  logic [4:0] select_3261_s22_q;
-  logic [9:0] select_3292_s22_q;
-  logic [9:0] select_3302_s22_q;
-  logic less_3335_s22_q;
-  logic not_3343_s22_q;
-  logic not_3346_s22_q;
-  logic not_3350_s22_q;
-  logic not_3353_s22_q;
-  logic [13:0] product_3362_s22_q;
-  logic equal_3414_s22_q;
-  logic and_3587_s22_q;
-  logic less_3588_s22_q;
-  logic equal_3589_s22_q;
-  logic equal_3605_s22_q;
-  logic equal_3607_s22_q;
-  logic equal_3608_s22_q;
+  logic equal_2586_s22_q;
+  logic and_2731_s22_q;
+  logic or_2782_s22_q;
+  logic not_2806_s22_q;
+  logic [4:0] select_3281_s22_q;
+  logic select_3288_s22_q;
+  logic select_3297_s22_q;
+  logic and_3303_s22_q;
+  logic [14:0] select_3312_s22_q;
+  logic equal_3434_s22_q;
+  logic and_3607_s22_q;
+  logic less_3608_s22_q;
+  logic equal_3609_s22_q;
+  logic equal_3625_s22_q;
+  logic equal_3627_s22_q;
+  logic equal_3628_s22_q;
   logic sum_4_s22_q;
-  logic equal_3737_s22_q;
-  logic equal_3822_s22_q;
-  logic [9:0] select_3832_s22_q;
+  logic equal_3757_s22_q;
+  logic equal_3842_s22_q;
+  logic [9:0] select_3852_s22_q;
   always_ff @(posedge clk_i) begin
     if (s21_en) begin
       pixel_0_s22_q <= pixel_0_s21_q;
@@ -8058,12 +7141,11 @@ module horopter_agreement (
       sample_pair_pixel_1_s22_q <= sample_pair_pixel_1_s21_q;
       sample_pair_whole_s22_q <= sample_pair_whole_s21_q;
       sample_present_s22_q <= sample_present_s21_q;
-      census_columns_values_1_cell_2_mask_s22_q <= census_columns_values_1_cell_2_mask_q;
-      census_columns_values_1_cell_2_of_skin_s22_q <= census_columns_values_1_cell_2_of_skin_s21_q;
-      census_columns_values_1_cell_3_mask_s22_q <= census_columns_values_1_cell_3_mask_q;
-      census_columns_values_1_cell_4_mask_s22_q <= census_columns_values_1_cell_4_mask_q;
-      census_columns_values_2_cell_0_mask_s22_q <= census_columns_values_2_cell_0_mask_q;
-      census_columns_values_2_cell_1_mask_s22_q <= census_columns_values_2_cell_1_mask_q;
+      census_columns_values_0_cell_1_mask_s22_q <= census_columns_values_0_cell_1_mask_q;
+      census_columns_values_0_cell_2_mask_s22_q <= census_columns_values_0_cell_2_mask_q;
+      census_columns_values_0_cell_3_mask_s22_q <= census_columns_values_0_cell_3_mask_q;
+      census_columns_values_0_cell_4_mask_s22_q <= census_columns_values_0_cell_4_mask_q;
+      census_columns_values_1_cell_2_of_skin_s22_q <= census_columns_values_1_cell_2_of_skin_q;
       x_s22_q <= x_s21_q;
       slot_s22_q <= slot_s21_q;
       ends_cell_s22_q <= ends_cell_s21_q;
@@ -8071,221 +7153,208 @@ module horopter_agreement (
       counts_textured_s22_q <= counts_textured_s21_q;
       counts_explained_s22_q <= counts_explained_q;
       registration_of_right_s22_q <= registration_of_right_s21_q;
+      patches_choosing_band_s22_q <= patches_choosing_band_s21_q;
       patches_lower_s22_q <= patches_lower_s21_q;
       patches_second_s22_q <= patches_second_s21_q;
-      patches_summed_row_column_s22_q <= patches_summed_row_column_s21_q;
-      patches_summed_first_s22_q <= patches_summed_first_q;
-      patches_summed_last_s22_q <= patches_summed_last_s21_q;
-      patches_summed_down_by_s22_q <= patches_summed_down_by_s21_q;
+      patches_code_row_s22_q <= patches_code_row_s21_q;
+      patches_column_s22_q <= patches_column_s21_q;
+      patches_along_ends_s22_q <= patches_along_ends_q;
+      patches_down_values_1_s22_q <= patches_down_values_1_q;
+      patches_summed_row_column_s22_q <= patches_summed_row_column_q;
+      patches_read_row_differing_s22_q <= patches_read_row_differing_s21_q;
+      patches_read_first_s22_q <= patches_read_first_s21_q;
       region_row_s22_q <= region_row_s21_q;
       product_s22_q <= product_q;
       centres_values_1_textured_s22_q <= centres_values_1_textured_s21_q;
       centres_values_1_of_skin_s22_q <= centres_values_1_of_skin_s21_q;
+      select_461_s22_q <= select_461_s21_q;
+      select_464_s22_q <= select_464_s21_q;
       column_s22_q <= column_s21_q;
-      and_495_s22_q <= and_495_s21_q;
-      and_497_s22_q <= and_497_s21_q;
-      equal_500_s22_q <= equal_500_s21_q;
+      and_498_s22_q <= and_498_s21_q;
+      and_500_s22_q <= and_500_s21_q;
+      equal_503_s22_q <= equal_503_s21_q;
       whole_2_s22_q <= whole_2_s21_q;
       so_s22_q <= so_s21_q;
-      less_531_s22_q <= less_531_s21_q;
-      less_532_s22_q <= less_532_s21_q;
-      less_533_s22_q <= less_533_s21_q;
-      less_534_s22_q <= less_534_s21_q;
-      less_535_s22_q <= less_535_s21_q;
-      less_536_s22_q <= less_536_s21_q;
-      less_537_s22_q <= less_537_s21_q;
-      less_538_s22_q <= less_538_s21_q;
-      less_539_s22_q <= less_539_s21_q;
-      less_540_s22_q <= less_540_s21_q;
-      less_541_s22_q <= less_541_s21_q;
-      less_542_s22_q <= less_542_s21_q;
-      less_543_s22_q <= less_543_s21_q;
-      less_544_s22_q <= less_544_s21_q;
-      less_545_s22_q <= less_545_s21_q;
-      less_546_s22_q <= less_546_s21_q;
-      less_547_s22_q <= less_547_s21_q;
-      less_548_s22_q <= less_548_s21_q;
-      less_549_s22_q <= less_549_s21_q;
-      less_550_s22_q <= less_550_s21_q;
-      less_551_s22_q <= less_551_s21_q;
-      less_552_s22_q <= less_552_s21_q;
-      less_553_s22_q <= less_553_s21_q;
-      less_554_s22_q <= less_554_s21_q;
-      and_562_s22_q <= and_562_s21_q;
-      whole_9_s22_q <= whole_9;
-      sum_595_s22_q <= {1'b0, sum_591} + {1'b0, sum_594};
-      sum_598_s22_q <= {9'h0, difference_596_s21_q} + {1'b0, xor_597_s21_q};
-      sum_602_s22_q <= {9'h0, difference_600_s21_q} + {1'b0, xor_601_s21_q};
-      sum_606_s22_q <= {9'h0, difference_604_s21_q} + {1'b0, xor_605_s21_q};
-      equal_1466_s22_q <= equal_1466_s21_q;
-      not_1467_s22_q <= not_1467_s21_q;
-      equal_1511_s22_q <= equal_1511_s21_q;
+      less_534_s22_q <= less_534;
+      less_535_s22_q <= less_535;
+      less_536_s22_q <= less_536;
+      less_537_s22_q <= less_537;
+      less_538_s22_q <= less_538;
+      less_539_s22_q <= less_539;
+      less_540_s22_q <= less_540;
+      less_541_s22_q <= less_541;
+      less_542_s22_q <= less_542;
+      less_543_s22_q <= less_543;
+      less_544_s22_q <= less_544;
+      less_545_s22_q <= less_545;
+      less_546_s22_q <= less_546;
+      less_547_s22_q <= less_547;
+      less_548_s22_q <= less_548;
+      less_549_s22_q <= less_549;
+      less_550_s22_q <= less_550;
+      less_551_s22_q <= less_551;
+      less_552_s22_q <= less_552;
+      less_553_s22_q <= less_553;
+      less_554_s22_q <= less_554;
+      less_555_s22_q <= less_555;
+      less_556_s22_q <= less_556;
+      less_557_s22_q <= less_557;
+      and_565_s22_q <= and_565_s21_q;
+      and_569_s22_q <= and_569;
+      difference_592_s22_q <= difference_592[9];
+      xor_593_s22_q <= difference_592[8:0] ^ {9{difference_592[9]}};
+      difference_595_s22_q <= difference_595[9];
+      xor_596_s22_q <= difference_595[8:0] ^ {9{difference_595[9]}};
+      difference_599_s22_q <= difference_599[9];
+      xor_600_s22_q <= difference_599[8:0] ^ {9{difference_599[9]}};
+      difference_603_s22_q <= difference_603[9];
+      xor_604_s22_q <= difference_603[8:0] ^ {9{difference_603[9]}};
+      difference_607_s22_q <= difference_607[9];
+      xor_608_s22_q <= difference_607[8:0] ^ {9{difference_607[9]}};
+      equal_1469_s22_q <= equal_1469_s21_q;
+      not_1470_s22_q <= not_1470_s21_q;
+      shift_2_s22_q <= shift_2_s21_q[0];
+      equal_1514_s22_q <= equal_1514_s21_q;
       all_s22_q <= all_s21_q;
-      sum_1517_s22_q <= sum_1517_s21_q;
-      equal_1519_s22_q <= equal_1519_s21_q;
-      equal_1521_s22_q <= equal_1521_s21_q;
-      equal_1523_s22_q <= equal_1523_s21_q;
-      equal_1525_s22_q <= equal_1525_s21_q;
-      equal_1527_s22_q <= equal_1527_s21_q;
-      equal_1529_s22_q <= equal_1529_s21_q;
-      equal_1531_s22_q <= equal_1531_s21_q;
-      equal_1533_s22_q <= equal_1533_s21_q;
-      less_1542_s22_q <= less_1542_s21_q;
-      or_1546_s22_q <= or_1546_s21_q;
-      equal_1566_s22_q <= (registration_fresh_q & select_1564_s21_q) == 4'h0;
-      and_1576_s22_q <= not_1467_s21_q & and_1560;
-      and_1579_s22_q <= and_1579_s21_q;
-      select_1596_s22_q <= select_1596_s21_q;
-      equal_1597_s22_q <= equal_1597_s21_q;
-      and_1607_s22_q <= and_1607_s21_q;
-      equal_1612_s22_q <= equal_1612_s21_q;
-      equal_1638_s22_q <= equal_1638_s21_q;
-      equal_1672_s22_q <= equal_1672_s21_q;
-      equal_1674_s22_q <= equal_1674_s21_q;
-      equal_1676_s22_q <= equal_1676_s21_q;
-      select_1688_s22_q <= select_1688_s21_q;
-      equal_1694_s22_q <= equal_1694;
-      select_1699_s22_q <= select_1699_s21_q;
-      select_1705_s22_q <= select_1705_s21_q;
-      equal_1720_s22_q <= equal_1720;
-      or_1733_s22_q <= and_1579_s21_q | equal_1732_s21_q;
-      or_1736_s22_q <= and_1579_s21_q | equal_1735_s21_q;
-      select_1739_s22_q <= select_1739_s21_q;
-      less_1804_s22_q <= less_1804_s21_q;
-      equal_1805_s22_q <= equal_1805_s21_q;
-      not_1806_s22_q <= not_1806_s21_q;
-      equal_1807_s22_q <= equal_1807_s21_q;
-      or_1825_s22_q <= or_1825_s21_q;
-      or_1828_s22_q <= or_1828_s21_q;
-      or_1831_s22_q <= or_1831_s21_q;
-      not_1833_s22_q <= not_1833_s21_q;
-      sum_1847_s22_q <= sum_1847;
-      sum_1852_s22_q <= sum_1852;
-      sum_1858_s22_q <= sum_1858;
-      and_1859_s22_q <= and_1859_s21_q;
-      select_1874_s22_q <= select_1874;
-      difference_1909_s22_q <= {1'b0, textured_2_s21_q} - {1'b0, select_1908};
-      or_1917_s22_q <= or_1917_s21_q;
-      or_1920_s22_q <= or_1920_s21_q;
-      or_1923_s22_q <= or_1923_s21_q;
+      sum_1520_s22_q <= sum_1520_s21_q;
+      equal_1522_s22_q <= equal_1522_s21_q;
+      equal_1524_s22_q <= equal_1524_s21_q;
+      equal_1526_s22_q <= equal_1526_s21_q;
+      equal_1528_s22_q <= equal_1528_s21_q;
+      equal_1530_s22_q <= equal_1530_s21_q;
+      equal_1532_s22_q <= equal_1532_s21_q;
+      equal_1534_s22_q <= equal_1534_s21_q;
+      equal_1536_s22_q <= equal_1536_s21_q;
+      less_1545_s22_q <= less_1545_s21_q;
+      or_1549_s22_q <= or_1549_s21_q;
+      equal_1569_s22_q <= (registration_fresh_q & select_1567_s21_q) == 4'h0;
+      and_1579_s22_q <= not_1470_s21_q & and_1563;
+      and_1582_s22_q <= and_1582_s21_q;
+      select_1599_s22_q <= select_1599_s21_q;
+      equal_1600_s22_q <= equal_1600_s21_q;
+      and_1608_s22_q <= and_1608_s21_q;
+      equal_1610_s22_q <= equal_1610_s21_q;
+      equal_1631_s22_q <= equal_1631_s21_q;
+      and_1642_s22_q <= and_1642;
+      select_1656_s22_q <= select_1656_s21_q;
+      select_1681_s22_q <= select_1681_s21_q;
+      and_1688_s22_q <= and_1688_s21_q;
+      and_1689_s22_q <= and_1689_s21_q;
+      equal_1690_s22_q <= equal_1690_s21_q;
+      not_1691_s22_q <= not_1691_s21_q;
+      equal_1692_s22_q <= equal_1692_s21_q;
+      equal_1694_s22_q <= equal_1694_s21_q;
+      or_1696_s22_q <= or_1696_s21_q;
+      and_1705_s22_q <= and_1705_s21_q;
+      select_1720_s22_q <= select_1720_s21_q;
+      select_1726_s22_q <= select_1726_s21_q;
+      select_1765_s22_q <= select_1765_s21_q;
+      new_row_s22_q <= new_row;
+      down_2_s22_q <= down_2_s21_q[1:0];
+      sum_1791_s22_q <= sum_1791;
+      smooth_s22_q <= smooth;
+      and_1817_s22_q <= and_1817_s21_q;
+      or_1821_s22_q <= or_1821_s21_q;
+      and_1829_s22_q <= and_1829_s21_q;
+      less_1830_s22_q <= less_1830_s21_q;
+      equal_1831_s22_q <= equal_1831_s21_q;
+      not_1832_s22_q <= not_1832_s21_q;
+      equal_1833_s22_q <= equal_1833_s21_q;
+      patches_rows_rdata_s22_q <= patches_rows_rdata_s21_q;
+      or_1851_s22_q <= or_1851_s21_q;
+      or_1854_s22_q <= or_1854_s21_q;
+      or_1857_s22_q <= or_1857_s21_q;
+      not_1859_s22_q <= not_1859_s21_q;
+      sum_1873_s22_q <= sum_1873;
+      sum_1878_s22_q <= sum_1878;
+      sum_1884_s22_q <= sum_1884;
+      and_1885_s22_q <= and_1885_s21_q;
+      select_1900_s22_q <= select_1900;
+      difference_1935_s22_q <= {1'b0, textured_2_s21_q} - {1'b0, select_1934};
+      or_1943_s22_q <= or_1943_s21_q;
+      or_1946_s22_q <= or_1946_s21_q;
+      or_1949_s22_q <= or_1949_s21_q;
       around_s22_q <= around;
-      less_1962_s22_q <= {1'b0, around[4:1]} < n;
-      and_1973_s22_q <= and_1973_s21_q;
-      size_s22_q <= size;
-      size_2_s22_q <= size_2;
-      sum_2094_s22_q <= {1'b0, sum_2090} + {1'b0, sum_2093};
-      sum_2097_s22_q <= {9'h0, difference_2095_s21_q} + {1'b0, xor_2096_s21_q};
-      sum_2101_s22_q <= {9'h0, difference_2099_s21_q} + {1'b0, xor_2100_s21_q};
-      sum_2105_s22_q <= {9'h0, difference_2103_s21_q} + {1'b0, xor_2104_s21_q};
-      equal_2113_s22_q <= equal_2113_s21_q;
-      contrast_s22_q <= contrast;
-      contrast_2_s22_q <= contrast_2;
-      equal_2237_s22_q <= equal_2237_s21_q;
-      and_2353_s22_q <= and_2353_s21_q;
-      and_2357_s22_q <= and_2357_s21_q;
-      and_2372_s22_q <= and_2372;
-      not_2376_s22_q <= not_2376_s21_q;
+      less_1988_s22_q <= {1'b0, around[4:1]} < n;
+      and_1999_s22_q <= and_1999_s21_q;
+      sum_2034_s22_q <= sum_2034[0];
+      difference_2035_s22_q <= {1'b0, sum_2034[9:1]} - {1'b0, averager_quarter_1_0_q};
+      sum_2042_s22_q <= sum_2042[0];
+      difference_2043_s22_q <= {1'b0, sum_2042[9:1]} - {1'b0, averager_quarter_1_1_q};
+      difference_2114_s22_q <= difference_2114[9];
+      xor_2115_s22_q <= difference_2114[8:0] ^ {9{difference_2114[9]}};
+      difference_2117_s22_q <= difference_2117[9];
+      xor_2118_s22_q <= difference_2117[8:0] ^ {9{difference_2117[9]}};
+      difference_2121_s22_q <= difference_2121[9];
+      xor_2122_s22_q <= difference_2121[8:0] ^ {9{difference_2121[9]}};
+      difference_2125_s22_q <= difference_2125[9];
+      xor_2126_s22_q <= difference_2125[8:0] ^ {9{difference_2125[9]}};
+      difference_2129_s22_q <= difference_2129[9];
+      xor_2130_s22_q <= difference_2129[8:0] ^ {9{difference_2129[9]}};
+      equal_2139_s22_q <= equal_2139_s21_q;
+      difference_2160_s22_q <= difference_2160[9];
+      xor_2161_s22_q <= difference_2160[8:0] ^ {9{difference_2160[9]}};
+      difference_2172_s22_q <= difference_2172[9];
+      xor_2173_s22_q <= difference_2172[8:0] ^ {9{difference_2172[9]}};
+      equal_2263_s22_q <= equal_2263_s21_q;
+      and_2379_s22_q <= and_2379_s21_q;
+      and_2383_s22_q <= and_2383_s21_q;
+      and_2398_s22_q <= and_2398;
+      not_2402_s22_q <= not_2402_s21_q;
       e_s22_q <= e;
-      select_2402_s22_q <= less_2401 ? 10'h0 : regions_rdata_s21_q[9:0];
-      select_2405_s22_q <= less_2401 ? 10'h0 : regions_rdata_s21_q[19:10];
-      and_2466_s22_q <= and_2466_s21_q;
+      select_2428_s22_q <= less_2427 ? 10'h0 : regions_rdata_s21_q[9:0];
+      select_2431_s22_q <= less_2427 ? 10'h0 : regions_rdata_s21_q[19:10];
+      and_2494_s22_q <= and_2494_s21_q;
+      and_2495_s22_q <= shift_2_s21_q[1] & less_1609_s21_q;
       residual_s22_q <= residual;
-      equal_2568_s22_q <= (registration_fresh_q & select_2566) == 4'h0;
-      other_s22_q <= {other[47:36], other[8:0]};
-      select_2849_s22_q <= or_1678_s21_q ? select_2848 : 3'h0;
-      select_2863_s22_q <= {select_2863[47:36], select_2863[8:0]};
-      bits_s22_q <= bits[8];
-      xor_2869_s22_q <= bits[17] ^ (^{select_2863[16:15], other[16:15]});
-      xor_2872_s22_q <= bits[11] ^ (^{select_2863[10:9], other[10:9]});
-      xor_2875_s22_q <= bits[14] ^ (^{select_2863[13:12], other[13:12]});
-      parity_2877_s22_q <= ^{select_2863[14:9], other[14:9]};
-      xor_2881_s22_q <= bits[47] ^ (^{select_2863[46:45], other[46:45]});
-      xor_2887_s22_q <= bits[2] ^ (^{select_2863[1:0], other[1:0]});
-      xor_2890_s22_q <= bits[5] ^ (^{select_2863[4:3], other[4:3]});
-      xor_2899_s22_q <= bits[44] ^ (^{select_2863[43:42], other[43:42]});
-      xor_2902_s22_q <= bits[38] ^ (^{select_2863[37:36], other[37:36]});
-      xor_2905_s22_q <= bits[41] ^ (^{select_2863[40:39], other[40:39]});
-      xor_2911_s22_q <= bits[26] ^ (^{select_2863[25:24], other[25:24]});
-      xor_2914_s22_q <= bits[20] ^ (^{select_2863[19:18], other[19:18]});
-      xor_2917_s22_q <= bits[23] ^ (^{select_2863[22:21], other[22:21]});
-      parity_2919_s22_q <= ^{select_2863[23:18], other[23:18]};
-      xor_2923_s22_q <= bits[35] ^ (^{select_2863[34:33], other[34:33]});
-      xor_2926_s22_q <= bits[29] ^ (^{select_2863[28:27], other[28:27]});
-      xor_2929_s22_q <= bits[32] ^ (^{select_2863[31:30], other[31:30]});
-      parity_2931_s22_q <= ^{select_2863[32:27], other[32:27]};
-      equal_2942_s22_q <= bits[46:45] == 2'h3;
-      and_2944_s22_q <= bits[47] & (bits[45] | bits[46]);
-      equal_2953_s22_q <= bits[34:33] == 2'h3;
-      and_2955_s22_q <= bits[35] & (bits[33] | bits[34]);
-      equal_2957_s22_q <= bits[28:27] == 2'h3;
-      and_2959_s22_q <= bits[29] & (bits[27] | bits[28]);
-      equal_2961_s22_q <= bits[31:30] == 2'h3;
-      and_2963_s22_q <= bits[32] & (bits[30] | bits[31]);
-      equal_2968_s22_q <= bits[43:42] == 2'h3;
-      and_2970_s22_q <= bits[44] & (bits[42] | bits[43]);
-      equal_2972_s22_q <= bits[37:36] == 2'h3;
-      and_2974_s22_q <= bits[38] & (bits[36] | bits[37]);
-      equal_2976_s22_q <= bits[40:39] == 2'h3;
-      and_2978_s22_q <= bits[41] & (bits[39] | bits[40]);
-      equal_2986_s22_q <= bits[25:24] == 2'h3;
-      and_2988_s22_q <= bits[26] & (bits[24] | bits[25]);
-      equal_2990_s22_q <= bits[19:18] == 2'h3;
-      and_2992_s22_q <= bits[20] & (bits[18] | bits[19]);
-      equal_2994_s22_q <= bits[22:21] == 2'h3;
-      and_2996_s22_q <= bits[23] & (bits[21] | bits[22]);
-      equal_3001_s22_q <= bits[7:6] == 2'h3;
-      not_3003_s22_q <= ~(bits[7:6] == 2'h0);
-      equal_3006_s22_q <= bits[1:0] == 2'h3;
-      and_3008_s22_q <= bits[2] & (bits[0] | bits[1]);
-      equal_3010_s22_q <= bits[4:3] == 2'h3;
-      and_3012_s22_q <= bits[5] & (bits[3] | bits[4]);
-      equal_3017_s22_q <= bits[16:15] == 2'h3;
-      and_3019_s22_q <= bits[17] & (bits[15] | bits[16]);
-      equal_3021_s22_q <= bits[10:9] == 2'h3;
-      and_3023_s22_q <= bits[11] & (bits[9] | bits[10]);
-      equal_3025_s22_q <= bits[13:12] == 2'h3;
-      and_3027_s22_q <= bits[14] & (bits[12] | bits[13]);
-      equal_3173_s22_q <= equal_3173_s21_q;
-      select_3261_s22_q <= select_3261_s21_q;
-      select_3292_s22_q <= select_3292_s21_q[9:0];
-      select_3302_s22_q <= select_3302;
-      less_3335_s22_q <= less_3335_s21_q;
-      not_3343_s22_q <= ~({eight_s21_q, 3'h0} < {3'h0, fall_s21_q});
-      not_3346_s22_q <= ~({eight_s21_q, 3'h0} < {1'b0, sum_3344, fall_s21_q[0]});
-      not_3350_s22_q <= ~({eight_s21_q, 3'h0} < {sum_3348, fall_s21_q[1:0]});
-      not_3353_s22_q <= not_3353;
-      product_3362_s22_q <= product_3362[18:5];
-      equal_3414_s22_q <= equal_3414_s21_q;
-      and_3587_s22_q <= and_3587_s21_q;
-      less_3588_s22_q <= counts_explained_q < product_q;
-      equal_3589_s22_q <= counts_explained_q == product_q;
-      equal_3605_s22_q <= equal_3605_s21_q;
-      equal_3607_s22_q <= equal_3607_s21_q;
-      equal_3608_s22_q <= equal_3608_s21_q;
+      equal_2586_s22_q <= (registration_fresh_q & select_2584) == 4'h0;
+      and_2731_s22_q <= and_2731_s21_q;
+      or_2782_s22_q <= or_2782_s21_q;
+      not_2806_s22_q <= not_2806_s21_q;
+      select_3281_s22_q <= select_3281_s21_q;
+      select_3288_s22_q <= select_3288;
+      select_3297_s22_q <= select_3297;
+      and_3303_s22_q <= equal_3277_s21_q & ({sum_3301[6], sum_3301} < 8'hfb);
+      select_3312_s22_q <= select_3312_s21_q;
+      equal_3434_s22_q <= equal_3434_s21_q;
+      and_3607_s22_q <= and_3607_s21_q;
+      less_3608_s22_q <= counts_explained_q < product_q;
+      equal_3609_s22_q <= counts_explained_q == product_q;
+      equal_3625_s22_q <= equal_3625_s21_q;
+      equal_3627_s22_q <= equal_3627_s21_q;
+      equal_3628_s22_q <= equal_3628_s21_q;
       sum_4_s22_q <= sum_4[0];
-      equal_3737_s22_q <= equal_3737_s21_q;
-      equal_3822_s22_q <= (registration_fresh_q & select_3820) == 4'h0;
-      select_3832_s22_q <= less_2401 ? 10'h0 : regions_rdata_s21_q[29:20];
+      equal_3757_s22_q <= equal_3757_s21_q;
+      equal_3842_s22_q <= (registration_fresh_q & select_3840) == 4'h0;
+      select_3852_s22_q <= less_2427 ? 10'h0 : regions_rdata_s21_q[29:20];
     end
   end
 
   // Stage 22 ----------------------------------------------------------------------------------------------------------
-  logic [13:0] averager_detail_0_q;
-  logic [13:0] averager_detail_1_q;
-  logic census_columns_values_2_cell_2_mask_q;
-  logic census_columns_values_2_cell_3_mask_q;
-  logic census_columns_values_2_cell_4_mask_q;
-  logic census_columns_values_3_cell_0_mask_q;
-  logic census_columns_values_3_cell_1_mask_q;
-  logic census_columns_values_3_cell_2_mask_q;
-  logic census_columns_values_3_cell_3_mask_q;
-  logic sharpness_last_mask_q;
-  logic sharpness_before_last_mask_q;
+  logic census_columns_values_0_cell_0_mask_q;
+  logic census_columns_values_1_cell_0_mask_q;
+  logic census_columns_values_1_cell_1_mask_q;
+  logic census_columns_values_1_cell_2_mask_q;
+  logic census_columns_values_1_cell_3_mask_q;
+  logic census_columns_values_1_cell_4_mask_q;
+  logic census_columns_values_2_cell_0_mask_q;
+  logic census_columns_values_2_cell_1_mask_q;
   logic [13:0] counts_supervised_q;
-  logic [4:0] patches_left_next_0_q;
-  logic [4:0] patches_left_next_1_q;
-  logic [2:0] patches_set_q;
-  logic [9:0] patches_size_q;
+  logic patches_match_row_ends_q;
+  logic [11:0] patches_smooth_values_0_q;
+  logic [11:0] patches_smooth_values_1_q;
+  logic [11:0] patches_smooth_values_2_q;
+  logic [11:0] patches_smooth_values_3_q;
+  logic [10:0] patches_down_values_2_q;
+  logic [10:0] patches_down_values_3_q;
+  logic [4:0] patches_down_by_q;
+  logic [3:0] patches_match_row_q;
+  logic patches_summed_last_q;
+  logic [4:0] patches_summed_down_by_q;
+  logic patches_read_above_q;
+  logic patches_read_below_q;
+  logic [9:0] patches_peak_above_q;
+  logic [9:0] patches_peak_below_q;
   logic product_rest_q;
   logic disagree_q;
   logic [4:0] box_textured_sum_sums_values_0_q;
@@ -8298,216 +7367,243 @@ module horopter_agreement (
   logic was_next_row_q;
   logic [12:0] seen_base_q;
   // hls/stages/agreement.hpp:443
-  logic whole_10;
-  assign whole_10 = census_columns_values_1_cell_2_mask_s22_q & whole_9_s22_q;
-  logic whole_11;
-  assign whole_11 = census_columns_values_1_cell_3_mask_s22_q & whole_10;
-  logic whole_12;
-  assign whole_12 = census_columns_values_1_cell_4_mask_s22_q & whole_11;
-  logic whole_13;
-  assign whole_13 = census_columns_values_2_cell_0_mask_s22_q & whole_12;
-  logic whole_14;
-  assign whole_14 = census_columns_values_2_cell_1_mask_s22_q & whole_13;
-  logic whole_15;
-  assign whole_15 = census_columns_values_2_cell_2_mask_q & whole_14;
-  logic whole_16;
-  assign whole_16 = census_columns_values_2_cell_3_mask_q & whole_15;
+  logic whole_3;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_569_s22_q;
+  logic whole_4;
+  assign whole_4 = census_columns_values_0_cell_1_mask_s22_q & whole_3;
+  logic whole_5;
+  assign whole_5 = census_columns_values_0_cell_2_mask_s22_q & whole_4;
+  logic whole_6;
+  assign whole_6 = census_columns_values_0_cell_3_mask_s22_q & whole_5;
+  logic whole_7;
+  assign whole_7 = census_columns_values_0_cell_4_mask_s22_q & whole_6;
+  logic whole_8;
+  assign whole_8 = census_columns_values_1_cell_0_mask_q & whole_7;
+  logic whole_9;
+  assign whole_9 = census_columns_values_1_cell_1_mask_q & whole_8;
   // hls/stages/census.hpp:270
-  logic [10:0] sum_599;
-  assign sum_599 = sum_595_s22_q + {1'b0, sum_598_s22_q};
-  // hls/stages/patches.hpp:111
-  logic [4:0] select_1734;
-  assign select_1734 = or_1733_s22_q ? {and_1579_s22_q, 4'h0} : patches_left_next_0_q;
-  logic [4:0] select_1737;
-  assign select_1737 = or_1736_s22_q ? {and_1579_s22_q, 4'h0} : patches_left_next_1_q;
-  // hls/stages/patches.hpp:119
-  logic [3:0] column_5;
-  assign column_5 = select_1734[4] ? select_1737[3:0] : select_1734[3:0];
-  logic and_1742;
-  assign and_1742 = select_1705_s22_q & (select_1699_s22_q[3] ^ select_1699_s22_q[4]);
-  logic and_1747;
-  assign and_1747 = sample_pair_whole_s22_q & (and_1742 & ((~select_1734[4]) | (~select_1737[4])));
+  logic [9:0] sum_594;
+  assign sum_594 = {9'h0, difference_592_s22_q} + {1'b0, xor_593_s22_q};
+  logic [9:0] sum_597;
+  assign sum_597 = {9'h0, difference_595_s22_q} + {1'b0, xor_596_s22_q};
+  // hls/stages/patches.hpp:309
+  logic and_1646;
+  assign and_1646 = not_1470_s22_q & (so_s22_q & (ends_cell_s22_q & (shift_2_s22_q & and_1642_s22_q)));
+  logic [7:0] select_1651;
+  assign select_1651 = so_s22_q ? (ends_cell_s22_q ? (shift_2_s22_q ? x_s22_q : 8'h0) : 8'h0) : 8'h0;
+  // hls/stages/patches.hpp:160
+  logic and_1784;
+  assign and_1784 = not_1691_s22_q & (equal_1692_s22_q & new_row_s22_q);
+  // hls/stages/patches.hpp:429
+  logic [13:0] sum_1792;
+  assign sum_1792 = {{3{patches_down_values_1_s22_q[10]}}, patches_down_values_1_s22_q} + {sum_1791_s22_q, down_2_s22_q[1]};
+  logic [12:0] sum_1793;
+  assign sum_1793 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1792[13:1];
+  // hls/stages/patches.hpp:428
+  logic [12:0] sum_1802;
+  assign sum_1802 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth_s22_q[11:1]};
+  logic [12:0] sum_1803;
+  assign sum_1803 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_1804;
+  assign difference_1804 = {1'b0, sum_1802, smooth_s22_q[0]} - {1'b0, sum_1803, patches_smooth_values_3_q[0]};
   // hls/stages/agreement.hpp:422
   logic next_row;
-  assign next_row = select_1874_s22_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1216
-  logic [6:0] select_1877;
-  assign select_1877 = next_row ? cfg_width_i[10:4] : 7'h0;
-  // hls/stages/agreement.hpp:1226
-  logic equal_1880;
-  assign equal_1880 = seen_x_q == 4'hf;
-  // hls/stages/agreement.hpp:1199
-  logic not_1887;
-  assign not_1887 = ~marks_first_s22_q;
-  // hls/stages/agreement.hpp:1035
+  assign next_row = select_1900_s22_q & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1217
+  logic [6:0] select_1903;
+  assign select_1903 = next_row ? cfg_width_i[10:4] : 7'h0;
+  // hls/stages/agreement.hpp:1227
+  logic equal_1906;
+  assign equal_1906 = seen_x_q == 4'hf;
+  // hls/stages/agreement.hpp:1200
+  logic not_1913;
+  assign not_1913 = ~marks_first_s22_q;
+  // hls/stages/agreement.hpp:1036
   logic [4:0] t;
-  assign t = {difference_1909_s22_q[3], difference_1909_s22_q} + (equal_1612_s22_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1042
-  logic not_1924;
-  assign not_1924 = ~region_row_s22_q[2];
-  logic [2:0] select_1925;
-  assign select_1925 = region_row_s22_q[1] ? {1'b0, not_1924, 1'b0} : {region_row_s22_q[2], 1'b0, not_1924};
-  logic [5:0] select_1926;
-  assign select_1926 = region_row_s22_q[0] ? {select_1925[2], 1'b0, select_1925[1], 1'b0, select_1925[0], 1'b0} : {1'b0, select_1925[2], 1'b0, select_1925[1], 1'b0, select_1925[0]};
-  logic [11:0] select_1927;
-  assign select_1927 = or_1923_s22_q ? {select_1926[5], 1'b0, select_1926[4], 1'b0, select_1926[3], 1'b0, select_1926[2], 1'b0, select_1926[1], 1'b0, select_1926[0], 1'b0} : {1'b0, select_1926[5], 1'b0, select_1926[4], 1'b0, select_1926[3], 1'b0, select_1926[2], 1'b0, select_1926[1], 1'b0, select_1926[0]};
-  logic [23:0] select_1928;
-  assign select_1928 = or_1920_s22_q ? {select_1927[11], 1'b0, select_1927[10], 1'b0, select_1927[9], 1'b0, select_1927[8], 1'b0, select_1927[7], 1'b0, select_1927[6], 1'b0, select_1927[5], 1'b0, select_1927[4], 1'b0, select_1927[3], 1'b0, select_1927[2], 1'b0, select_1927[1], 1'b0, select_1927[0], 1'b0} : {1'b0, select_1927[11], 1'b0, select_1927[10], 1'b0, select_1927[9], 1'b0, select_1927[8], 1'b0, select_1927[7], 1'b0, select_1927[6], 1'b0, select_1927[5], 1'b0, select_1927[4], 1'b0, select_1927[3], 1'b0, select_1927[2], 1'b0, select_1927[1], 1'b0, select_1927[0]};
-  // hls/stages/agreement.hpp:1044
-  logic [5:0] sum_1946;
-  assign sum_1946 = {1'b0, around_s22_q} + {2'h0, around_s22_q[4:1]};
-  // hls/stages/census.hpp:210
-  logic [13:0] detail;
-  assign detail = {3'h0, size_s22_q} + (equal_500_s22_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:263
-  logic [13:0] select_2015;
-  assign select_2015 = sample_pair_whole_s22_q ? (and_495_s22_q ? detail : averager_detail_0_q) : averager_detail_0_q;
-  // hls/stages/census.hpp:210
-  logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2_s22_q} + (equal_500_s22_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:263
-  logic [13:0] select_2023;
-  assign select_2023 = sample_pair_whole_s22_q ? (and_495_s22_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/agreement.hpp:507
-  logic select_2071;
-  assign select_2071 = and_497_s22_q ? census_columns_values_1_cell_2_mask_s22_q : census_columns_values_2_cell_2_mask_q;
-  logic select_2074;
-  assign select_2074 = and_497_s22_q ? census_columns_values_1_cell_3_mask_s22_q : census_columns_values_2_cell_3_mask_q;
-  logic select_2077;
-  assign select_2077 = and_497_s22_q ? census_columns_values_1_cell_4_mask_s22_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2078;
-  assign select_2078 = and_497_s22_q ? census_columns_values_2_cell_0_mask_s22_q : census_columns_values_3_cell_0_mask_q;
-  logic select_2081;
-  assign select_2081 = and_497_s22_q ? census_columns_values_2_cell_1_mask_s22_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2082;
-  assign select_2082 = and_497_s22_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic select_2085;
-  assign select_2085 = and_497_s22_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  // hls/stages/census.hpp:272
-  logic [10:0] sum_2098;
-  assign sum_2098 = sum_2094_s22_q + {1'b0, sum_2097_s22_q};
-  // hls/stages/agreement.hpp:507
-  logic select_2130;
-  assign select_2130 = and_497_s22_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
-  // hls/stages/census.hpp:355
-  logic and_2133;
-  assign and_2133 = whole_2_s22_q & (~(column_s22_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:444
-  logic and_2139;
-  assign and_2139 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s22_q[8:2]));
-  logic and_2140;
-  assign and_2140 = and_2133 & and_2139;
-  logic and_2151;
-  assign and_2151 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s22_q[8:2]));
-  logic and_2152;
-  assign and_2152 = and_2133 & and_2151;
-  // hls/stages/census.hpp:409
-  logic not_2169;
-  assign not_2169 = ~x_s22_q[1];
-  logic [2:0] select_2170;
-  assign select_2170 = x_s22_q[0] ? {1'b0, not_2169, 1'b0} : {x_s22_q[1], 1'b0, not_2169};
-  logic [5:0] select_2171;
-  assign select_2171 = slot_s22_q[2] ? {select_2170[2], 1'b0, select_2170[1], 1'b0, select_2170[0], 1'b0} : {1'b0, select_2170[2], 1'b0, select_2170[1], 1'b0, select_2170[0]};
-  logic [11:0] select_2172;
-  assign select_2172 = slot_s22_q[1] ? {select_2171[5], 1'b0, select_2171[4], 1'b0, select_2171[3], 1'b0, select_2171[2], 1'b0, select_2171[1], 1'b0, select_2171[0], 1'b0} : {1'b0, select_2171[5], 1'b0, select_2171[4], 1'b0, select_2171[3], 1'b0, select_2171[2], 1'b0, select_2171[1], 1'b0, select_2171[0]};
-  // hls/stages/agreement.hpp:889
-  logic [13:0] select_2359;
-  assign select_2359 = and_2353_s22_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2357_s22_q});
+  assign t = {difference_1935_s22_q[3], difference_1935_s22_q} + (equal_1631_s22_q ? 5'h0 : box_textured_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1043
-  logic [5:0] sum_2389;
-  assign sum_2389 = {1'b0, e_s22_q} + {2'h0, e_s22_q[4:1]};
-  // hls/stages/registration.hpp:202
-  logic [12:0] difference_2509;
-  assign difference_2509 = 13'h0 - {residual_s22_q[11], residual_s22_q};
-  logic less_2524;
-  assign less_2524 = $signed(difference_2509) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:263
-  logic [4:0] select_2758;
-  assign select_2758 = sample_pair_whole_s22_q ? (select_1734[4] ? {1'b1, select_1734[3:0]} : (select_1734 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_2761;
-  assign select_2761 = sample_pair_whole_s22_q ? (select_1737[4] ? {1'b1, select_1737[3:0]} : (select_1737 + 5'h1)) : patches_left_next_1_q;
+  logic not_1950;
+  assign not_1950 = ~region_row_s22_q[2];
+  logic [2:0] select_1951;
+  assign select_1951 = region_row_s22_q[1] ? {1'b0, not_1950, 1'b0} : {region_row_s22_q[2], 1'b0, not_1950};
+  logic [5:0] select_1952;
+  assign select_1952 = region_row_s22_q[0] ? {select_1951[2], 1'b0, select_1951[1], 1'b0, select_1951[0], 1'b0} : {1'b0, select_1951[2], 1'b0, select_1951[1], 1'b0, select_1951[0]};
+  logic [11:0] select_1953;
+  assign select_1953 = or_1949_s22_q ? {select_1952[5], 1'b0, select_1952[4], 1'b0, select_1952[3], 1'b0, select_1952[2], 1'b0, select_1952[1], 1'b0, select_1952[0], 1'b0} : {1'b0, select_1952[5], 1'b0, select_1952[4], 1'b0, select_1952[3], 1'b0, select_1952[2], 1'b0, select_1952[1], 1'b0, select_1952[0]};
+  logic [23:0] select_1954;
+  assign select_1954 = or_1946_s22_q ? {select_1953[11], 1'b0, select_1953[10], 1'b0, select_1953[9], 1'b0, select_1953[8], 1'b0, select_1953[7], 1'b0, select_1953[6], 1'b0, select_1953[5], 1'b0, select_1953[4], 1'b0, select_1953[3], 1'b0, select_1953[2], 1'b0, select_1953[1], 1'b0, select_1953[0], 1'b0} : {1'b0, select_1953[11], 1'b0, select_1953[10], 1'b0, select_1953[9], 1'b0, select_1953[8], 1'b0, select_1953[7], 1'b0, select_1953[6], 1'b0, select_1953[5], 1'b0, select_1953[4], 1'b0, select_1953[3], 1'b0, select_1953[2], 1'b0, select_1953[1], 1'b0, select_1953[0]};
+  // hls/stages/agreement.hpp:1045
+  logic [5:0] sum_1972;
+  assign sum_1972 = {1'b0, around_s22_q} + {2'h0, around_s22_q[4:1]};
+  // hls/stages/census.hpp:209
+  logic [9:0] xor_2036;
+  assign xor_2036 = {difference_2035_s22_q[8:0], sum_2034_s22_q} ^ {10{difference_2035_s22_q[9]}};
+  logic [10:0] size;
+  assign size = {10'h0, difference_2035_s22_q[9]} + {1'b0, xor_2036};
+  logic [9:0] xor_2044;
+  assign xor_2044 = {difference_2043_s22_q[8:0], sum_2042_s22_q} ^ {10{difference_2043_s22_q[9]}};
+  logic [10:0] size_2;
+  assign size_2 = {10'h0, difference_2043_s22_q[9]} + {1'b0, xor_2044};
+  // hls/stages/agreement.hpp:507
+  logic select_2059;
+  assign select_2059 = and_500_s22_q ? whole_2_s22_q : census_columns_values_0_cell_0_mask_q;
+  logic select_2075;
+  assign select_2075 = and_500_s22_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic select_2078;
+  assign select_2078 = and_500_s22_q ? census_columns_values_0_cell_1_mask_s22_q : census_columns_values_1_cell_1_mask_q;
+  logic select_2081;
+  assign select_2081 = and_500_s22_q ? census_columns_values_0_cell_2_mask_s22_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2085;
+  assign select_2085 = and_500_s22_q ? census_columns_values_0_cell_3_mask_s22_q : census_columns_values_1_cell_3_mask_q;
+  logic select_2088;
+  assign select_2088 = and_500_s22_q ? census_columns_values_0_cell_4_mask_s22_q : census_columns_values_1_cell_4_mask_q;
+  logic select_2091;
+  assign select_2091 = and_500_s22_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic select_2094;
+  assign select_2094 = and_500_s22_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  // hls/stages/census.hpp:272
+  logic [9:0] sum_2116;
+  assign sum_2116 = {9'h0, difference_2114_s22_q} + {1'b0, xor_2115_s22_q};
+  logic [9:0] sum_2119;
+  assign sum_2119 = {9'h0, difference_2117_s22_q} + {1'b0, xor_2118_s22_q};
+  // hls/stages/census.hpp:353
+  logic [8:0] contrast;
+  assign contrast = {8'h0, difference_2160_s22_q} + xor_2161_s22_q;
+  logic [8:0] contrast_2;
+  assign contrast_2 = {8'h0, difference_2172_s22_q} + xor_2173_s22_q;
+  // hls/stages/agreement.hpp:889
+  logic [13:0] select_2385;
+  assign select_2385 = and_2379_s22_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2383_s22_q});
+  // hls/stages/agreement.hpp:1044
+  logic [5:0] sum_2415;
+  assign sum_2415 = {1'b0, e_s22_q} + {2'h0, e_s22_q[4:1]};
+  // hls/stages/registration.hpp:205
+  logic [12:0] difference_2527;
+  assign difference_2527 = 13'h0 - {residual_s22_q[11], residual_s22_q};
+  logic less_2542;
+  assign less_2542 = $signed(difference_2527) < $signed({7'h0, cfg_moved_half_limit_i});
+  // hls/stages/patches.hpp:163
+  logic select_2821;
+  assign select_2821 = patches_along_ends_s22_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/patches.hpp:160
-  logic [2:0] select_2851;
-  assign select_2851 = equal_1672_s22_q ? 3'h0 : (equal_1674_s22_q ? 3'h0 : select_2849_s22_q);
-  // hls/stages/patches.hpp:143
-  logic [9:0] sum_2853;
-  assign sum_2853 = {7'h0, patches_set_q} + (equal_1676_s22_q ? 10'h0 : patches_size_q);
-  // hls/stages/count_bits.hpp:24
-  logic xor_2878;
-  assign xor_2878 = xor_2869_s22_q ^ parity_2877_s22_q;
-  logic xor_2884;
-  assign xor_2884 = bits_s22_q ^ (^{select_2863_s22_q[7:6], other_s22_q[7:6]});
-  logic xor_2893;
-  assign xor_2893 = xor_2884 ^ (^{select_2863_s22_q[5:0], other_s22_q[5:0]});
-  logic parity_2895;
-  assign parity_2895 = ^{select_2863_s22_q[20:18], select_2863_s22_q[8:0], other_s22_q[20:18], other_s22_q[8:0]};
-  logic xor_2896;
-  assign xor_2896 = xor_2878 ^ parity_2895;
-  logic xor_2920;
-  assign xor_2920 = xor_2911_s22_q ^ parity_2919_s22_q;
-  logic xor_2932;
-  assign xor_2932 = xor_2923_s22_q ^ parity_2931_s22_q;
-  logic xor_2933;
-  assign xor_2933 = xor_2920 ^ xor_2932;
-  // hls/stages/count_bits.hpp:25
-  logic or_2941;
-  assign or_2941 = (xor_2872_s22_q & xor_2875_s22_q) | (xor_2869_s22_q & (xor_2872_s22_q | xor_2875_s22_q));
-  logic or_2949;
-  assign or_2949 = (xor_2887_s22_q & xor_2890_s22_q) | (xor_2884 & (xor_2887_s22_q | xor_2890_s22_q));
-  logic or_3038;
-  assign or_3038 = (xor_2902_s22_q & xor_2905_s22_q) | (xor_2899_s22_q & (xor_2902_s22_q | xor_2905_s22_q));
-  logic or_3042;
-  assign or_3042 = (xor_2914_s22_q & xor_2917_s22_q) | (xor_2911_s22_q & (xor_2914_s22_q | xor_2917_s22_q));
-  logic or_3046;
-  assign or_3046 = (xor_2926_s22_q & xor_2929_s22_q) | (xor_2923_s22_q & (xor_2926_s22_q | xor_2929_s22_q));
-  logic and_3050;
-  assign and_3050 = xor_2896 & (^{xor_2933, select_2863_s22_q[17:9], other_s22_q[17:9]});
-  logic or_3054;
-  assign or_3054 = (xor_2881_s22_q & xor_2893) | (xor_2878 & (xor_2881_s22_q | xor_2893));
-  logic and_3057;
-  assign and_3057 = (xor_2899_s22_q ^ (^{select_2863_s22_q[14:9], other_s22_q[14:9]})) & (xor_2920 | xor_2932);
-  // hls/stages/patches.hpp:503
-  logic [1:0] sum_3347;
-  assign sum_3347 = {1'b0, not_3343_s22_q} + {1'b0, not_3346_s22_q};
-  // hls/stages/patches.hpp:504
-  logic [1:0] sum_3354;
-  assign sum_3354 = {1'b0, not_3350_s22_q} + {1'b0, not_3353_s22_q};
-  // hls/stages/patches.hpp:503
-  logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3347} + {1'b0, sum_3354};
-  // hls/stages/agreement.hpp:1125
-  logic or_3584;
-  assign or_3584 = ({counts_textured_s22_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s22_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1156
-  logic too_little;
-  assign too_little = less_3588_s22_q | (product_rest_q & equal_3589_s22_q);
+  logic [11:0] select_2824;
+  assign select_2824 = equal_1692_s22_q ? patches_smooth_values_0_q : (or_1696_s22_q ? smooth_s22_q : patches_smooth_values_0_q);
+  logic [11:0] select_2826;
+  assign select_2826 = or_1696_s22_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_2828;
+  assign select_2828 = equal_1690_s22_q ? patches_smooth_values_1_q : (equal_1692_s22_q ? patches_smooth_values_1_q : select_2826);
+  logic [11:0] select_2829;
+  assign select_2829 = or_1696_s22_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_2831;
+  assign select_2831 = equal_1690_s22_q ? patches_smooth_values_2_q : (equal_1692_s22_q ? patches_smooth_values_2_q : select_2829);
+  logic [11:0] select_2832;
+  assign select_2832 = or_1696_s22_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_2834;
+  assign select_2834 = equal_1690_s22_q ? patches_smooth_values_3_q : (equal_1692_s22_q ? patches_smooth_values_3_q : select_2832);
+  logic [10:0] select_2841;
+  assign select_2841 = or_1696_s22_q ? patches_down_values_1_s22_q : patches_down_values_2_q;
+  logic [10:0] select_2843;
+  assign select_2843 = equal_1690_s22_q ? patches_down_values_2_q : (equal_1692_s22_q ? patches_down_values_2_q : select_2841);
+  logic [10:0] select_2844;
+  assign select_2844 = or_1696_s22_q ? patches_down_values_2_q : patches_down_values_3_q;
+  logic [10:0] select_2846;
+  assign select_2846 = equal_1690_s22_q ? patches_down_values_3_q : (equal_1692_s22_q ? patches_down_values_3_q : select_2844);
+  // hls/stages/patches.hpp:151
+  logic and_2874;
+  assign and_2874 = patches_along_ends_s22_q & patches_match_row_ends_q;
+  // hls/stages/patches.hpp:384
+  logic [3:0] select_2881;
+  assign select_2881 = and_2874 ? 4'h0 : ({3'h0, patches_along_ends_s22_q} + patches_match_row_q);
+  // hls/stages/patches.hpp:160
+  logic [4:0] select_3237;
+  assign select_3237 = equal_1690_s22_q ? patches_summed_down_by_q : (equal_1692_s22_q ? patches_down_by_q : patches_summed_down_by_q);
+  // hls/stages/patches.hpp:495
+  logic select_3290;
+  assign select_3290 = less_1830_s22_q ? (not_1832_s22_q & select_3288_s22_q) : select_3288_s22_q;
+  logic select_3299;
+  assign select_3299 = less_1830_s22_q ? (not_1832_s22_q & select_3297_s22_q) : select_3297_s22_q;
+  // hls/stages/patches.hpp:491
+  logic [9:0] select_3305;
+  assign select_3305 = less_1830_s22_q ? (and_3303_s22_q ? patches_rows_rdata_s22_q : 10'h3ff) : 10'h3ff;
+  // hls/stages/patches.hpp:476
+  logic [9:0] select_3316;
+  assign select_3316 = patches_read_above_q ? patches_read_row_differing_s22_q : patches_peak_above_q;
+  // hls/stages/patches.hpp:477
+  logic [9:0] select_3318;
+  assign select_3318 = patches_read_below_q ? patches_read_row_differing_s22_q : patches_peak_below_q;
+  // hls/stages/patches.hpp:514
+  logic less_3355;
+  assign less_3355 = select_3316 < select_3318;
+  // hls/stages/patches.hpp:515
+  logic [9:0] high;
+  assign high = less_3355 ? select_3318 : select_3316;
+  logic [9:0] low;
+  assign low = (select_3318 < select_3316) ? select_3318 : select_3316;
+  // hls/stages/agreement.hpp:1126
+  logic or_3604;
+  assign or_3604 = ({counts_textured_s22_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s22_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1157
-  logic select_3592;
-  assign select_3592 = and_3587_s22_q ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1076
-  logic [10:0] sum_3595;
-  assign sum_3595 = {1'b0, select_2405_s22_q} + {2'h0, select_2405_s22_q[9:1]};
-  // hls/stages/patches.hpp:303
-  logic select_3639;
-  assign select_3639 = equal_1466_s22_q ? (equal_3414_s22_q ? sum_4_s22_q : (product_rest_q | sum_4_s22_q)) : product_rest_q;
-  logic [4:0] select_3668;
-  assign select_3668 = so_s22_q ? (ends_cell_s22_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [4:0] select_3669;
-  assign select_3669 = equal_1466_s22_q ? box_textured_sum_sums_values_0_q : select_3668;
-  // hls/stages/agreement.hpp:1225
-  logic [3:0] select_3754;
-  assign select_3754 = select_1874_s22_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
+  logic too_little;
+  assign too_little = less_3608_s22_q | (product_rest_q & equal_3609_s22_q);
+  // hls/stages/agreement.hpp:1158
+  logic select_3612;
+  assign select_3612 = and_3607_s22_q ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:1077
+  logic [10:0] sum_3615;
+  assign sum_3615 = {1'b0, select_2431_s22_q} + {2'h0, select_2431_s22_q[9:1]};
+  // hls/stages/patches.hpp:309
+  logic select_3659;
+  assign select_3659 = equal_1469_s22_q ? (equal_3434_s22_q ? sum_4_s22_q : (product_rest_q | sum_4_s22_q)) : product_rest_q;
+  logic [4:0] select_3688;
+  assign select_3688 = so_s22_q ? (ends_cell_s22_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [4:0] select_3689;
+  assign select_3689 = equal_1469_s22_q ? box_textured_sum_sums_values_0_q : select_3688;
+  // hls/stages/agreement.hpp:1226
+  logic [3:0] select_3774;
+  assign select_3774 = select_1900_s22_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:422
-  logic [7:0] select_3760;
-  assign select_3760 = marks_first_s22_q ? (less_3756 ? {sum_3757, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic [7:0] select_3780;
+  assign select_3780 = marks_first_s22_q ? (less_3776 ? {sum_3777, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+
+  // Memory patches_right_codes, 28 x 112, DISTANCE 24, hls/stages/patches.hpp:708; read in stage 22, written in stage 24: 22 < 24 < 22 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [111:0] patches_right_codes_mem [0:27];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 28; i++) patches_right_codes_mem[i] = 112'h0;
+`endif
+  logic [4:0] patches_right_codes_raddr;
+  assign patches_right_codes_raddr = patches_down_by_q + {1'b0, patches_match_row_q};
+  logic patches_right_codes_re;
+  assign patches_right_codes_re = s22_en & and_1784;
+  logic [111:0] patches_right_codes_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_right_codes_re) patches_right_codes_rdata_q <= patches_right_codes_mem[patches_right_codes_raddr];
+  end
+
+  // Memory patches_left_codes, 12 x 48, DISTANCE 24, hls/stages/patches.hpp:709; read in stage 22, written in stage 24: 22 < 24 < 22 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [47:0] patches_left_codes_mem [0:11];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 12; i++) patches_left_codes_mem[i] = 48'h0;
+`endif
+  logic [3:0] patches_left_codes_raddr;
+  assign patches_left_codes_raddr = patches_match_row_q;
+  logic patches_left_codes_re;
+  assign patches_left_codes_re = s22_en & and_1784;
+  logic [47:0] patches_left_codes_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_left_codes_re) patches_left_codes_rdata_q <= patches_left_codes_mem[patches_left_codes_raddr];
+  end
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s22_q, or_1831_s22_q, or_1828_s22_q, or_1825_s22_q};
+  assign regions_waddr = {region_row_s22_q, or_1857_s22_q, or_1854_s22_q, or_1851_s22_q};
   logic regions_we;
-  assign regions_we = s22_en & and_1859_s22_q;
+  assign regions_we = s22_en & and_1885_s22_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_1858_s22_q, sum_1852_s22_q, sum_1847_s22_q};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_1884_s22_q, sum_1878_s22_q, sum_1873_s22_q};
   end
 `ifndef SYNTHESIS
   logic [5:0] regions_raddr_s20_sim;
@@ -8542,12 +7638,22 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      sharpness_before_last_mask_q <= 1'b0;
       counts_supervised_q <= 14'h0;
-      patches_left_next_0_q <= 5'h0;
-      patches_left_next_1_q <= 5'h0;
-      patches_set_q <= 3'h0;
-      patches_size_q <= 10'h0;
+      patches_match_row_ends_q <= 1'b0;
+      patches_smooth_values_0_q <= 12'h0;
+      patches_smooth_values_1_q <= 12'h0;
+      patches_smooth_values_2_q <= 12'h0;
+      patches_smooth_values_3_q <= 12'h0;
+      patches_down_values_2_q <= 11'h0;
+      patches_down_values_3_q <= 11'h0;
+      patches_down_by_q <= 5'h0;
+      patches_match_row_q <= 4'h0;
+      patches_summed_last_q <= 1'b0;
+      patches_summed_down_by_q <= 5'h0;
+      patches_read_above_q <= 1'b0;
+      patches_read_below_q <= 1'b0;
+      patches_peak_above_q <= 10'h0;
+      patches_peak_below_q <= 10'h0;
       product_rest_q <= 1'b0;
       disagree_q <= 1'b0;
       began_q <= 1'b0;
@@ -8559,54 +7665,60 @@ module horopter_agreement (
       was_next_row_q <= 1'b0;
       seen_base_q <= 13'h0;
     end else if (s22_en) begin
-      sharpness_before_last_mask_q <= select_2130;
-      counts_supervised_q <= select_2359;
-      patches_left_next_0_q <= select_2758;
-      patches_left_next_1_q <= select_2761;
-      patches_set_q <= select_2851;
-      patches_size_q <= sum_2853;
-      product_rest_q <= select_3639;
-      disagree_q <= equal_1466_s22_q ? select_3592 : disagree_q;
-      began_q <= not_1887 & (began_q | select_1874_s22_q);
-      seen_x_q <= select_1874_s22_q ? 4'h0 : (seen_x_q + 4'h1);
-      seen_y_q <= marks_first_s22_q ? 4'h0 : select_3754;
-      seen_column_q <= select_1874_s22_q ? 8'h0 : (seen_column_q + {7'h0, equal_1880});
-      seen_rows_left_q <= select_3760;
+      counts_supervised_q <= select_2385;
+      patches_match_row_ends_q <= not_2806_s22_q & select_2821;
+      patches_smooth_values_0_q <= equal_1690_s22_q ? patches_smooth_values_0_q : select_2824;
+      patches_smooth_values_1_q <= select_2828;
+      patches_smooth_values_2_q <= select_2831;
+      patches_smooth_values_3_q <= select_2834;
+      patches_down_values_2_q <= select_2843;
+      patches_down_values_3_q <= select_2846;
+      patches_down_by_q <= or_2782_s22_q ? 5'h0 : (patches_down_by_q + {4'h0, and_2874});
+      patches_match_row_q <= or_2782_s22_q ? 4'h0 : select_2881;
+      patches_summed_last_q <= not_1691_s22_q & (equal_1692_s22_q & and_2874);
+      patches_summed_down_by_q <= select_3237;
+      patches_read_above_q <= equal_1690_s22_q ? select_3290 : patches_read_above_q;
+      patches_read_below_q <= equal_1690_s22_q ? select_3299 : patches_read_below_q;
+      patches_peak_above_q <= equal_1690_s22_q ? select_3316 : patches_peak_above_q;
+      patches_peak_below_q <= equal_1690_s22_q ? select_3318 : patches_peak_below_q;
+      product_rest_q <= select_3659;
+      disagree_q <= equal_1469_s22_q ? select_3612 : disagree_q;
+      began_q <= not_1913 & (began_q | select_1900_s22_q);
+      seen_x_q <= select_1900_s22_q ? 4'h0 : (seen_x_q + 4'h1);
+      seen_y_q <= marks_first_s22_q ? 4'h0 : select_3774;
+      seen_column_q <= select_1900_s22_q ? 8'h0 : (seen_column_q + {7'h0, equal_1906});
+      seen_rows_left_q <= select_3780;
       at_cell_end_q <= (seen_y_q == 4'hf) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= marks_first_s22_q ? 13'h0 : (seen_base_q + {6'h0, select_1877});
+      seen_base_q <= marks_first_s22_q ? 13'h0 : (seen_base_q + {6'h0, select_1903});
     end
   end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
   initial begin
-    averager_detail_0_q = 14'h0;
-    averager_detail_1_q = 14'h0;
-    census_columns_values_2_cell_2_mask_q = 1'b0;
-    census_columns_values_2_cell_3_mask_q = 1'b0;
-    census_columns_values_2_cell_4_mask_q = 1'b0;
-    census_columns_values_3_cell_0_mask_q = 1'b0;
-    census_columns_values_3_cell_1_mask_q = 1'b0;
-    census_columns_values_3_cell_2_mask_q = 1'b0;
-    census_columns_values_3_cell_3_mask_q = 1'b0;
-    sharpness_last_mask_q = 1'b0;
+    census_columns_values_0_cell_0_mask_q = 1'b0;
+    census_columns_values_1_cell_0_mask_q = 1'b0;
+    census_columns_values_1_cell_1_mask_q = 1'b0;
+    census_columns_values_1_cell_2_mask_q = 1'b0;
+    census_columns_values_1_cell_3_mask_q = 1'b0;
+    census_columns_values_1_cell_4_mask_q = 1'b0;
+    census_columns_values_2_cell_0_mask_q = 1'b0;
+    census_columns_values_2_cell_1_mask_q = 1'b0;
     box_textured_sum_sums_values_0_q = 5'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s22_en) begin
-      averager_detail_0_q <= select_2015;
-      averager_detail_1_q <= select_2023;
-      census_columns_values_2_cell_2_mask_q <= select_2071;
-      census_columns_values_2_cell_3_mask_q <= select_2074;
-      census_columns_values_2_cell_4_mask_q <= select_2077;
-      census_columns_values_3_cell_0_mask_q <= select_2078;
-      census_columns_values_3_cell_1_mask_q <= select_2081;
-      census_columns_values_3_cell_2_mask_q <= select_2082;
-      census_columns_values_3_cell_3_mask_q <= select_2085;
-      sharpness_last_mask_q <= and_497_s22_q ? whole_2_s22_q : sharpness_last_mask_q;
-      box_textured_sum_sums_values_0_q <= select_3669;
+      census_columns_values_0_cell_0_mask_q <= select_2059;
+      census_columns_values_1_cell_0_mask_q <= select_2075;
+      census_columns_values_1_cell_1_mask_q <= select_2078;
+      census_columns_values_1_cell_2_mask_q <= select_2081;
+      census_columns_values_1_cell_3_mask_q <= select_2085;
+      census_columns_values_1_cell_4_mask_q <= select_2088;
+      census_columns_values_2_cell_0_mask_q <= select_2091;
+      census_columns_values_2_cell_1_mask_q <= select_2094;
+      box_textured_sum_sums_values_0_q <= select_3689;
     end
   end
 
@@ -8620,35 +7732,41 @@ module horopter_agreement (
   logic [7:0] sample_pair_pixel_1_s23_q;
   logic sample_pair_whole_s23_q;
   logic sample_present_s23_q;
+  logic census_columns_values_1_cell_2_mask_s23_q;
   logic census_columns_values_1_cell_2_of_skin_s23_q;
-  logic census_columns_values_2_cell_4_mask_s23_q;
-  logic census_columns_values_3_cell_0_mask_s23_q;
-  logic census_columns_values_3_cell_1_mask_s23_q;
-  logic census_columns_values_3_cell_2_mask_s23_q;
-  logic census_columns_values_3_cell_3_mask_s23_q;
+  logic census_columns_values_1_cell_3_mask_s23_q;
+  logic census_columns_values_1_cell_4_mask_s23_q;
+  logic census_columns_values_2_cell_0_mask_s23_q;
+  logic census_columns_values_2_cell_1_mask_s23_q;
   logic [6:0] x_s23_q;
-  logic slot_s23_q;
+  logic [2:0] slot_s23_q;
   logic ends_cell_s23_q;
   logic lower_half_s23_q;
   logic [13:0] counts_supervised_s23_q;
   logic [13:0] counts_textured_s23_q;
   logic [13:0] counts_explained_s23_q;
   logic registration_of_right_s23_q;
+  logic [4:0] patches_choosing_band_s23_q;
   logic patches_lower_s23_q;
   logic patches_second_s23_q;
+  logic [4:0] patches_code_row_s23_q;
+  logic patches_column_s23_q;
+  logic [10:0] patches_down_values_3_s23_q;
   logic [4:0] patches_summed_row_column_s23_q;
-  logic patches_summed_first_s23_q;
   logic patches_summed_last_s23_q;
   logic [4:0] patches_summed_down_by_s23_q;
+  logic patches_read_first_s23_q;
   logic [13:0] product_s23_q;
   logic centres_values_1_textured_s23_q;
   logic centres_values_1_of_skin_s23_q;
+  logic [3:0] select_461_s23_q;
+  logic [6:0] select_464_s23_q;
   logic [6:0] column_s23_q;
-  logic and_497_s23_q;
+  logic and_498_s23_q;
+  logic and_500_s23_q;
+  logic equal_503_s23_q;
+  logic whole_2_s23_q;
   logic so_s23_q;
-  logic less_531_s23_q;
-  logic less_532_s23_q;
-  logic less_533_s23_q;
   logic less_534_s23_q;
   logic less_535_s23_q;
   logic less_536_s23_q;
@@ -8670,129 +7788,116 @@ module horopter_agreement (
   logic less_552_s23_q;
   logic less_553_s23_q;
   logic less_554_s23_q;
-  logic and_562_s23_q;
-  logic whole_16_s23_q;
-  logic and_588_s23_q;
-  logic [11:0] sum_603_s23_q;
-  logic [9:0] sum_606_s23_q;
-  logic equal_1466_s23_q;
-  logic not_1467_s23_q;
-  logic equal_1511_s23_q;
+  logic less_555_s23_q;
+  logic less_556_s23_q;
+  logic less_557_s23_q;
+  logic and_565_s23_q;
+  logic whole_9_s23_q;
+  logic [10:0] sum_598_s23_q;
+  logic [9:0] sum_601_s23_q;
+  logic [9:0] sum_605_s23_q;
+  logic [9:0] sum_609_s23_q;
+  logic equal_1469_s23_q;
+  logic not_1470_s23_q;
+  logic equal_1514_s23_q;
   logic all_s23_q;
-  logic [1:0] sum_1517_s23_q;
-  logic equal_1519_s23_q;
-  logic equal_1521_s23_q;
-  logic equal_1523_s23_q;
-  logic equal_1525_s23_q;
-  logic equal_1527_s23_q;
-  logic equal_1529_s23_q;
-  logic equal_1531_s23_q;
-  logic equal_1533_s23_q;
-  logic less_1542_s23_q;
-  logic or_1546_s23_q;
+  logic [1:0] sum_1520_s23_q;
+  logic equal_1522_s23_q;
+  logic equal_1524_s23_q;
+  logic equal_1526_s23_q;
+  logic equal_1528_s23_q;
+  logic equal_1530_s23_q;
+  logic equal_1532_s23_q;
+  logic equal_1534_s23_q;
+  logic equal_1536_s23_q;
+  logic less_1545_s23_q;
+  logic or_1549_s23_q;
   logic [31:0] registration_sums_rdata_s23_q;
-  logic equal_1566_s23_q;
-  logic and_1576_s23_q;
+  logic equal_1569_s23_q;
   logic and_1579_s23_q;
-  logic select_1596_s23_q;
-  logic equal_1597_s23_q;
-  logic and_1607_s23_q;
-  logic equal_1638_s23_q;
-  logic equal_1672_s23_q;
-  logic equal_1674_s23_q;
-  logic select_1688_s23_q;
-  logic or_1695_s23_q;
-  logic [4:0] select_1699_s23_q;
-  logic select_1705_s23_q;
-  logic or_1721_s23_q;
-  logic [3:0] column_5_s23_q;
-  logic [3:0] select_1739_s23_q;
-  logic select_1740_s23_q;
-  logic and_1747_s23_q;
-  logic less_1804_s23_q;
-  logic equal_1805_s23_q;
-  logic not_1806_s23_q;
-  logic equal_1807_s23_q;
-  logic not_1833_s23_q;
-  logic not_1887_s23_q;
-  logic [7:0] sum_1897_s23_q;
-  logic equal_1912_s23_q;
-  logic or_1917_s23_q;
-  logic [23:0] select_1928_s23_q;
-  logic not_1948_s23_q;
-  logic less_1962_s23_q;
-  logic and_1973_s23_q;
-  logic [11:0] sum_2102_s23_q;
-  logic [9:0] sum_2105_s23_q;
-  logic equal_2113_s23_q;
-  logic [27:0] select_2127_s23_q;
-  logic and_2140_s23_q;
-  logic and_2152_s23_q;
-  logic [8:0] select_2159_s23_q;
-  logic [8:0] select_2163_s23_q;
-  logic equal_2166_s23_q;
-  logic less_2167_s23_q;
-  logic [11:0] select_2172_s23_q;
-  logic equal_2210_s23_q;
-  logic equal_2237_s23_q;
-  logic and_2353_s23_q;
-  logic and_2372_s23_q;
-  logic not_2376_s23_q;
-  logic not_2391_s23_q;
-  logic [9:0] select_2402_s23_q;
-  logic [9:0] select_2405_s23_q;
-  logic and_2466_s23_q;
+  logic and_1582_s23_q;
+  logic select_1599_s23_q;
+  logic equal_1600_s23_q;
+  logic [22:0] patches_choices_rdata_s23_q;
+  logic and_1608_s23_q;
+  logic equal_1610_s23_q;
+  logic and_1646_s23_q;
+  logic [7:0] select_1652_s23_q;
+  logic [5:0] select_1656_s23_q;
+  logic [7:0] select_1681_s23_q;
+  logic and_1688_s23_q;
+  logic and_1689_s23_q;
+  logic equal_1690_s23_q;
+  logic equal_1692_s23_q;
+  logic equal_1694_s23_q;
+  logic or_1696_s23_q;
+  logic and_1705_s23_q;
+  logic [4:0] select_1720_s23_q;
+  logic select_1726_s23_q;
+  logic [3:0] select_1765_s23_q;
+  logic new_row_s23_q;
+  logic down_2_s23_q;
+  logic sum_1792_s23_q;
+  logic [12:0] sum_1793_s23_q;
+  logic [14:0] difference_1804_s23_q;
+  logic and_1817_s23_q;
+  logic or_1821_s23_q;
+  logic and_1829_s23_q;
+  logic less_1830_s23_q;
+  logic equal_1831_s23_q;
+  logic not_1832_s23_q;
+  logic equal_1833_s23_q;
+  logic not_1859_s23_q;
+  logic not_1913_s23_q;
+  logic [7:0] sum_1923_s23_q;
+  logic equal_1938_s23_q;
+  logic or_1943_s23_q;
+  logic [23:0] select_1954_s23_q;
+  logic not_1974_s23_q;
+  logic less_1988_s23_q;
+  logic and_1999_s23_q;
+  logic [10:0] size_s23_q;
+  logic [10:0] size_2_s23_q;
+  logic [10:0] sum_2120_s23_q;
+  logic [9:0] sum_2123_s23_q;
+  logic [9:0] sum_2127_s23_q;
+  logic [9:0] sum_2131_s23_q;
+  logic equal_2139_s23_q;
+  logic [8:0] contrast_s23_q;
+  logic [8:0] contrast_2_s23_q;
+  logic equal_2192_s23_q;
+  logic equal_2263_s23_q;
+  logic and_2379_s23_q;
+  logic and_2398_s23_q;
+  logic not_2402_s23_q;
+  logic not_2417_s23_q;
+  logic [9:0] select_2428_s23_q;
+  logic [9:0] select_2431_s23_q;
+  logic and_2494_s23_q;
+  logic and_2495_s23_q;
   logic [7:0] residual_s23_q;
-  logic less_2510_s23_q;
-  logic less_2524_s23_q;
-  logic equal_2568_s23_q;
-  logic [8:0] other_s23_q;
-  logic [8:0] select_2863_s23_q;
-  logic xor_2896_s23_q;
-  logic xor_2933_s23_q;
-  logic or_2941_s23_q;
-  logic or_2945_s23_q;
-  logic or_2949_s23_q;
-  logic or_2956_s23_q;
-  logic or_2960_s23_q;
-  logic or_2964_s23_q;
-  logic or_2971_s23_q;
-  logic or_2975_s23_q;
-  logic or_2979_s23_q;
-  logic or_2989_s23_q;
-  logic or_2993_s23_q;
-  logic or_2997_s23_q;
-  logic or_3005_s23_q;
-  logic or_3009_s23_q;
-  logic or_3013_s23_q;
-  logic or_3020_s23_q;
-  logic or_3024_s23_q;
-  logic or_3028_s23_q;
-  logic or_3038_s23_q;
-  logic or_3042_s23_q;
-  logic or_3046_s23_q;
-  logic and_3050_s23_q;
-  logic or_3054_s23_q;
-  logic or_3058_s23_q;
-  logic equal_3173_s23_q;
-  logic [4:0] select_3261_s23_q;
-  logic [9:0] select_3292_s23_q;
-  logic [9:0] difference_3305_s23_q;
-  logic less_3307_s23_q;
-  logic less_3335_s23_q;
-  logic [2:0] fraction_s23_q;
-  logic [13:0] product_3362_s23_q;
-  logic equal_3414_s23_q;
-  logic equal_3581_s23_q;
-  logic or_3584_s23_q;
-  logic select_3592_s23_q;
-  logic not_3597_s23_q;
-  logic equal_3605_s23_q;
-  logic equal_3607_s23_q;
-  logic equal_3608_s23_q;
-  logic equal_3737_s23_q;
-  logic equal_3822_s23_q;
-  logic [9:0] select_3832_s23_q;
+  logic less_2528_s23_q;
+  logic less_2542_s23_q;
+  logic equal_2586_s23_q;
+  logic and_2731_s23_q;
+  logic equal_3193_s23_q;
+  logic [4:0] select_3281_s23_q;
+  logic [9:0] select_3305_s23_q;
+  logic [14:0] select_3312_s23_q;
+  logic less_3355_s23_q;
+  logic [9:0] high_s23_q;
+  logic [9:0] low_s23_q;
+  logic equal_3434_s23_q;
+  logic equal_3601_s23_q;
+  logic or_3604_s23_q;
+  logic select_3612_s23_q;
+  logic not_3617_s23_q;
+  logic equal_3625_s23_q;
+  logic equal_3627_s23_q;
+  logic equal_3628_s23_q;
+  logic equal_3757_s23_q;
+  logic equal_3842_s23_q;
+  logic [9:0] select_3852_s23_q;
   always_ff @(posedge clk_i) begin
     if (s22_en) begin
       pixel_0_s23_q <= pixel_0_s22_q;
@@ -8805,35 +7910,41 @@ module horopter_agreement (
       sample_pair_pixel_1_s23_q <= sample_pair_pixel_1_s22_q;
       sample_pair_whole_s23_q <= sample_pair_whole_s22_q;
       sample_present_s23_q <= sample_present_s22_q;
+      census_columns_values_1_cell_2_mask_s23_q <= census_columns_values_1_cell_2_mask_q;
       census_columns_values_1_cell_2_of_skin_s23_q <= census_columns_values_1_cell_2_of_skin_s22_q;
-      census_columns_values_2_cell_4_mask_s23_q <= census_columns_values_2_cell_4_mask_q;
-      census_columns_values_3_cell_0_mask_s23_q <= census_columns_values_3_cell_0_mask_q;
-      census_columns_values_3_cell_1_mask_s23_q <= census_columns_values_3_cell_1_mask_q;
-      census_columns_values_3_cell_2_mask_s23_q <= census_columns_values_3_cell_2_mask_q;
-      census_columns_values_3_cell_3_mask_s23_q <= census_columns_values_3_cell_3_mask_q;
+      census_columns_values_1_cell_3_mask_s23_q <= census_columns_values_1_cell_3_mask_q;
+      census_columns_values_1_cell_4_mask_s23_q <= census_columns_values_1_cell_4_mask_q;
+      census_columns_values_2_cell_0_mask_s23_q <= census_columns_values_2_cell_0_mask_q;
+      census_columns_values_2_cell_1_mask_s23_q <= census_columns_values_2_cell_1_mask_q;
       x_s23_q <= x_s22_q[6:0];
-      slot_s23_q <= slot_s22_q[0];
+      slot_s23_q <= slot_s22_q;
       ends_cell_s23_q <= ends_cell_s22_q;
       lower_half_s23_q <= lower_half_s22_q;
       counts_supervised_s23_q <= counts_supervised_q;
       counts_textured_s23_q <= counts_textured_s22_q;
       counts_explained_s23_q <= counts_explained_s22_q;
       registration_of_right_s23_q <= registration_of_right_s22_q;
+      patches_choosing_band_s23_q <= patches_choosing_band_s22_q;
       patches_lower_s23_q <= patches_lower_s22_q;
       patches_second_s23_q <= patches_second_s22_q;
+      patches_code_row_s23_q <= patches_code_row_s22_q;
+      patches_column_s23_q <= patches_column_s22_q;
+      patches_down_values_3_s23_q <= patches_down_values_3_q;
       patches_summed_row_column_s23_q <= patches_summed_row_column_s22_q;
-      patches_summed_first_s23_q <= patches_summed_first_s22_q;
-      patches_summed_last_s23_q <= patches_summed_last_s22_q;
-      patches_summed_down_by_s23_q <= patches_summed_down_by_s22_q;
+      patches_summed_last_s23_q <= patches_summed_last_q;
+      patches_summed_down_by_s23_q <= patches_summed_down_by_q;
+      patches_read_first_s23_q <= patches_read_first_s22_q;
       product_s23_q <= product_s22_q;
       centres_values_1_textured_s23_q <= centres_values_1_textured_s22_q;
       centres_values_1_of_skin_s23_q <= centres_values_1_of_skin_s22_q;
+      select_461_s23_q <= select_461_s22_q;
+      select_464_s23_q <= select_464_s22_q;
       column_s23_q <= column_s22_q;
-      and_497_s23_q <= and_497_s22_q;
+      and_498_s23_q <= and_498_s22_q;
+      and_500_s23_q <= and_500_s22_q;
+      equal_503_s23_q <= equal_503_s22_q;
+      whole_2_s23_q <= whole_2_s22_q;
       so_s23_q <= so_s22_q;
-      less_531_s23_q <= less_531_s22_q;
-      less_532_s23_q <= less_532_s22_q;
-      less_533_s23_q <= less_533_s22_q;
       less_534_s23_q <= less_534_s22_q;
       less_535_s23_q <= less_535_s22_q;
       less_536_s23_q <= less_536_s22_q;
@@ -8855,147 +7966,138 @@ module horopter_agreement (
       less_552_s23_q <= less_552_s22_q;
       less_553_s23_q <= less_553_s22_q;
       less_554_s23_q <= less_554_s22_q;
-      and_562_s23_q <= and_562_s22_q;
-      whole_16_s23_q <= whole_16;
-      and_588_s23_q <= census_columns_values_1_cell_2_mask_s22_q & and_562_s22_q;
-      sum_603_s23_q <= {1'b0, sum_599} + {2'h0, sum_602_s22_q};
-      sum_606_s23_q <= sum_606_s22_q;
-      equal_1466_s23_q <= equal_1466_s22_q;
-      not_1467_s23_q <= not_1467_s22_q;
-      equal_1511_s23_q <= equal_1511_s22_q;
+      less_555_s23_q <= less_555_s22_q;
+      less_556_s23_q <= less_556_s22_q;
+      less_557_s23_q <= less_557_s22_q;
+      and_565_s23_q <= and_565_s22_q;
+      whole_9_s23_q <= whole_9;
+      sum_598_s23_q <= {1'b0, sum_594} + {1'b0, sum_597};
+      sum_601_s23_q <= {9'h0, difference_599_s22_q} + {1'b0, xor_600_s22_q};
+      sum_605_s23_q <= {9'h0, difference_603_s22_q} + {1'b0, xor_604_s22_q};
+      sum_609_s23_q <= {9'h0, difference_607_s22_q} + {1'b0, xor_608_s22_q};
+      equal_1469_s23_q <= equal_1469_s22_q;
+      not_1470_s23_q <= not_1470_s22_q;
+      equal_1514_s23_q <= equal_1514_s22_q;
       all_s23_q <= all_s22_q;
-      sum_1517_s23_q <= sum_1517_s22_q;
-      equal_1519_s23_q <= equal_1519_s22_q;
-      equal_1521_s23_q <= equal_1521_s22_q;
-      equal_1523_s23_q <= equal_1523_s22_q;
-      equal_1525_s23_q <= equal_1525_s22_q;
-      equal_1527_s23_q <= equal_1527_s22_q;
-      equal_1529_s23_q <= equal_1529_s22_q;
-      equal_1531_s23_q <= equal_1531_s22_q;
-      equal_1533_s23_q <= equal_1533_s22_q;
-      less_1542_s23_q <= less_1542_s22_q;
-      or_1546_s23_q <= or_1546_s22_q;
+      sum_1520_s23_q <= sum_1520_s22_q;
+      equal_1522_s23_q <= equal_1522_s22_q;
+      equal_1524_s23_q <= equal_1524_s22_q;
+      equal_1526_s23_q <= equal_1526_s22_q;
+      equal_1528_s23_q <= equal_1528_s22_q;
+      equal_1530_s23_q <= equal_1530_s22_q;
+      equal_1532_s23_q <= equal_1532_s22_q;
+      equal_1534_s23_q <= equal_1534_s22_q;
+      equal_1536_s23_q <= equal_1536_s22_q;
+      less_1545_s23_q <= less_1545_s22_q;
+      or_1549_s23_q <= or_1549_s22_q;
       registration_sums_rdata_s23_q <= registration_sums_rdata_q;
-      equal_1566_s23_q <= equal_1566_s22_q;
-      and_1576_s23_q <= and_1576_s22_q;
+      equal_1569_s23_q <= equal_1569_s22_q;
       and_1579_s23_q <= and_1579_s22_q;
-      select_1596_s23_q <= select_1596_s22_q;
-      equal_1597_s23_q <= equal_1597_s22_q;
-      and_1607_s23_q <= and_1607_s22_q;
-      equal_1638_s23_q <= equal_1638_s22_q;
-      equal_1672_s23_q <= equal_1672_s22_q;
-      equal_1674_s23_q <= equal_1674_s22_q;
-      select_1688_s23_q <= select_1688_s22_q;
-      or_1695_s23_q <= and_1579_s22_q | equal_1694_s22_q;
-      select_1699_s23_q <= select_1699_s22_q;
-      select_1705_s23_q <= select_1705_s22_q;
-      or_1721_s23_q <= and_1579_s22_q | equal_1720_s22_q;
-      column_5_s23_q <= column_5;
-      select_1739_s23_q <= select_1739_s22_q;
-      select_1740_s23_q <= or_1733_s22_q ? and_1579_s22_q : patches_left_next_0_q[4];
-      and_1747_s23_q <= and_1747;
-      less_1804_s23_q <= less_1804_s22_q;
-      equal_1805_s23_q <= equal_1805_s22_q;
-      not_1806_s23_q <= not_1806_s22_q;
-      equal_1807_s23_q <= equal_1807_s22_q;
-      not_1833_s23_q <= not_1833_s22_q;
-      not_1887_s23_q <= not_1887;
-      sum_1897_s23_q <= {2'h0, x_s22_q[7:2]} + 8'hff;
-      equal_1912_s23_q <= t[4:1] == 4'h0;
-      or_1917_s23_q <= or_1917_s22_q;
-      select_1928_s23_q <= select_1928;
-      not_1948_s23_q <= ~({sum_1946, around_s22_q[0]} < {2'h0, t});
-      less_1962_s23_q <= less_1962_s22_q;
-      and_1973_s23_q <= and_1973_s22_q;
-      sum_2102_s23_q <= {1'b0, sum_2098} + {2'h0, sum_2101_s22_q};
-      sum_2105_s23_q <= sum_2105_s22_q;
-      equal_2113_s23_q <= equal_2113_s22_q;
-      select_2127_s23_q <= sample_pair_whole_s22_q ? {detail_2, detail} : 28'h0;
-      and_2140_s23_q <= and_2140;
-      and_2152_s23_q <= and_2152;
-      select_2159_s23_q <= and_2140 ? contrast_s22_q : 9'h0;
-      select_2163_s23_q <= and_2152 ? contrast_2_s22_q : 9'h0;
-      equal_2166_s23_q <= x_s22_q[7:3] == 5'h0;
-      less_2167_s23_q <= 7'h2 < {x_s22_q[4:0], slot_s22_q[2:1]};
-      select_2172_s23_q <= select_2172;
-      equal_2210_s23_q <= {x_s22_q[4:0], slot_s22_q} == 8'h0;
-      equal_2237_s23_q <= equal_2237_s22_q;
-      and_2353_s23_q <= and_2353_s22_q;
-      and_2372_s23_q <= and_2372_s22_q;
-      not_2376_s23_q <= not_2376_s22_q;
-      not_2391_s23_q <= ~({sum_2389, e_s22_q[0]} < {2'h0, t});
-      select_2402_s23_q <= select_2402_s22_q;
-      select_2405_s23_q <= select_2405_s22_q;
-      and_2466_s23_q <= and_2466_s22_q;
+      and_1582_s23_q <= and_1582_s22_q;
+      select_1599_s23_q <= select_1599_s22_q;
+      equal_1600_s23_q <= equal_1600_s22_q;
+      patches_choices_rdata_s23_q <= patches_choices_rdata_q;
+      and_1608_s23_q <= and_1608_s22_q;
+      equal_1610_s23_q <= equal_1610_s22_q;
+      and_1646_s23_q <= and_1646;
+      select_1652_s23_q <= equal_1469_s22_q ? 8'h0 : select_1651;
+      select_1656_s23_q <= select_1656_s22_q;
+      select_1681_s23_q <= select_1681_s22_q;
+      and_1688_s23_q <= and_1688_s22_q;
+      and_1689_s23_q <= and_1689_s22_q;
+      equal_1690_s23_q <= equal_1690_s22_q;
+      equal_1692_s23_q <= equal_1692_s22_q;
+      equal_1694_s23_q <= equal_1694_s22_q;
+      or_1696_s23_q <= or_1696_s22_q;
+      and_1705_s23_q <= and_1705_s22_q;
+      select_1720_s23_q <= select_1720_s22_q;
+      select_1726_s23_q <= select_1726_s22_q;
+      select_1765_s23_q <= select_1765_s22_q;
+      new_row_s23_q <= new_row_s22_q;
+      down_2_s23_q <= down_2_s22_q[0];
+      sum_1792_s23_q <= sum_1792[0];
+      sum_1793_s23_q <= sum_1793;
+      difference_1804_s23_q <= difference_1804;
+      and_1817_s23_q <= and_1817_s22_q;
+      or_1821_s23_q <= or_1821_s22_q;
+      and_1829_s23_q <= and_1829_s22_q;
+      less_1830_s23_q <= less_1830_s22_q;
+      equal_1831_s23_q <= equal_1831_s22_q;
+      not_1832_s23_q <= not_1832_s22_q;
+      equal_1833_s23_q <= equal_1833_s22_q;
+      not_1859_s23_q <= not_1859_s22_q;
+      not_1913_s23_q <= not_1913;
+      sum_1923_s23_q <= {2'h0, x_s22_q[7:2]} + 8'hff;
+      equal_1938_s23_q <= t[4:1] == 4'h0;
+      or_1943_s23_q <= or_1943_s22_q;
+      select_1954_s23_q <= select_1954;
+      not_1974_s23_q <= ~({sum_1972, around_s22_q[0]} < {2'h0, t});
+      less_1988_s23_q <= less_1988_s22_q;
+      and_1999_s23_q <= and_1999_s22_q;
+      size_s23_q <= size;
+      size_2_s23_q <= size_2;
+      sum_2120_s23_q <= {1'b0, sum_2116} + {1'b0, sum_2119};
+      sum_2123_s23_q <= {9'h0, difference_2121_s22_q} + {1'b0, xor_2122_s22_q};
+      sum_2127_s23_q <= {9'h0, difference_2125_s22_q} + {1'b0, xor_2126_s22_q};
+      sum_2131_s23_q <= {9'h0, difference_2129_s22_q} + {1'b0, xor_2130_s22_q};
+      equal_2139_s23_q <= equal_2139_s22_q;
+      contrast_s23_q <= contrast;
+      contrast_2_s23_q <= contrast_2;
+      equal_2192_s23_q <= x_s22_q[7:3] == 5'h0;
+      equal_2263_s23_q <= equal_2263_s22_q;
+      and_2379_s23_q <= and_2379_s22_q;
+      and_2398_s23_q <= and_2398_s22_q;
+      not_2402_s23_q <= not_2402_s22_q;
+      not_2417_s23_q <= ~({sum_2415, e_s22_q[0]} < {2'h0, t});
+      select_2428_s23_q <= select_2428_s22_q;
+      select_2431_s23_q <= select_2431_s22_q;
+      and_2494_s23_q <= and_2494_s22_q;
+      and_2495_s23_q <= and_2495_s22_q;
       residual_s23_q <= residual_s22_q[7:0];
-      less_2510_s23_q <= $signed(difference_2509) < $signed({7'h0, cfg_moved_limit_i});
-      less_2524_s23_q <= less_2524;
-      equal_2568_s23_q <= equal_2568_s22_q;
-      other_s23_q <= other_s22_q[17:9];
-      select_2863_s23_q <= select_2863_s22_q[17:9];
-      xor_2896_s23_q <= xor_2896;
-      xor_2933_s23_q <= xor_2933;
-      or_2941_s23_q <= or_2941;
-      or_2945_s23_q <= equal_2942_s22_q | and_2944_s22_q;
-      or_2949_s23_q <= or_2949;
-      or_2956_s23_q <= equal_2953_s22_q | and_2955_s22_q;
-      or_2960_s23_q <= equal_2957_s22_q | and_2959_s22_q;
-      or_2964_s23_q <= equal_2961_s22_q | and_2963_s22_q;
-      or_2971_s23_q <= equal_2968_s22_q | and_2970_s22_q;
-      or_2975_s23_q <= equal_2972_s22_q | and_2974_s22_q;
-      or_2979_s23_q <= equal_2976_s22_q | and_2978_s22_q;
-      or_2989_s23_q <= equal_2986_s22_q | and_2988_s22_q;
-      or_2993_s23_q <= equal_2990_s22_q | and_2992_s22_q;
-      or_2997_s23_q <= equal_2994_s22_q | and_2996_s22_q;
-      or_3005_s23_q <= equal_3001_s22_q | (bits_s22_q & not_3003_s22_q);
-      or_3009_s23_q <= equal_3006_s22_q | and_3008_s22_q;
-      or_3013_s23_q <= equal_3010_s22_q | and_3012_s22_q;
-      or_3020_s23_q <= equal_3017_s22_q | and_3019_s22_q;
-      or_3024_s23_q <= equal_3021_s22_q | and_3023_s22_q;
-      or_3028_s23_q <= equal_3025_s22_q | and_3027_s22_q;
-      or_3038_s23_q <= or_3038;
-      or_3042_s23_q <= or_3042;
-      or_3046_s23_q <= or_3046;
-      and_3050_s23_q <= and_3050;
-      or_3054_s23_q <= or_3054;
-      or_3058_s23_q <= (xor_2920 & xor_2932) | and_3057;
-      equal_3173_s23_q <= equal_3173_s22_q;
-      select_3261_s23_q <= select_3261_s22_q;
-      select_3292_s23_q <= select_3292_s22_q;
-      difference_3305_s23_q <= select_3302_s22_q - select_3292_s22_q;
-      less_3307_s23_q <= select_3302_s22_q < select_3292_s22_q;
-      less_3335_s23_q <= less_3335_s22_q;
-      fraction_s23_q <= fraction;
-      product_3362_s23_q <= product_3362_s22_q;
-      equal_3414_s23_q <= equal_3414_s22_q;
-      equal_3581_s23_q <= select_2402_s22_q[9:3] == 7'h0;
-      or_3584_s23_q <= or_3584;
-      select_3592_s23_q <= select_3592;
-      not_3597_s23_q <= ~({sum_3595, select_2405_s22_q[0]} < {2'h0, select_2402_s22_q});
-      equal_3605_s23_q <= equal_3605_s22_q;
-      equal_3607_s23_q <= equal_3607_s22_q;
-      equal_3608_s23_q <= equal_3608_s22_q;
-      equal_3737_s23_q <= equal_3737_s22_q;
-      equal_3822_s23_q <= equal_3822_s22_q;
-      select_3832_s23_q <= select_3832_s22_q;
+      less_2528_s23_q <= $signed(difference_2527) < $signed({7'h0, cfg_moved_limit_i});
+      less_2542_s23_q <= less_2542;
+      equal_2586_s23_q <= equal_2586_s22_q;
+      and_2731_s23_q <= and_2731_s22_q;
+      equal_3193_s23_q <= patches_match_row_q == 4'h0;
+      select_3281_s23_q <= select_3281_s22_q;
+      select_3305_s23_q <= select_3305;
+      select_3312_s23_q <= select_3312_s22_q;
+      less_3355_s23_q <= less_3355;
+      high_s23_q <= high;
+      low_s23_q <= low;
+      equal_3434_s23_q <= equal_3434_s22_q;
+      equal_3601_s23_q <= select_2428_s22_q[9:3] == 7'h0;
+      or_3604_s23_q <= or_3604;
+      select_3612_s23_q <= select_3612;
+      not_3617_s23_q <= ~({sum_3615, select_2431_s22_q[0]} < {2'h0, select_2428_s22_q});
+      equal_3625_s23_q <= equal_3625_s22_q;
+      equal_3627_s23_q <= equal_3627_s22_q;
+      equal_3628_s23_q <= equal_3628_s22_q;
+      equal_3757_s23_q <= equal_3757_s22_q;
+      equal_3842_s23_q <= equal_3842_s22_q;
+      select_3852_s23_q <= select_3852_s22_q;
     end
   end
 
   // Stage 23 ----------------------------------------------------------------------------------------------------------
-  logic census_columns_values_3_cell_4_mask_q;
-  logic [11:0] census_changes_values_0_left_q;
-  logic [11:0] census_changes_values_0_right_q;
-  logic [11:0] census_changes_values_1_left_q;
-  logic [11:0] census_changes_values_1_right_q;
-  logic [13:0] sharpness_last_detail_0_q;
-  logic [13:0] sharpness_last_detail_1_q;
-  logic [23:0] sharpness_sums_contrast_0_q;
-  logic [23:0] sharpness_sums_contrast_1_q;
+  logic [13:0] averager_detail_0_q;
+  logic [13:0] averager_detail_1_q;
+  logic census_columns_values_2_cell_2_mask_q;
+  logic census_columns_values_2_cell_3_mask_q;
+  logic census_columns_values_2_cell_4_mask_q;
+  logic census_columns_values_3_cell_0_mask_q;
+  logic census_columns_values_3_cell_1_mask_q;
+  logic census_columns_values_3_cell_2_mask_q;
+  logic census_columns_values_3_cell_3_mask_q;
+  logic sharpness_last_mask_q;
+  logic sharpness_before_last_mask_q;
   logic [13:0] counts_nearer_q;
-  logic patches_valid_0_q;
-  logic patches_valid_1_q;
-  logic [5:0] patches_right_next_0_q;
-  logic [5:0] patches_right_next_1_q;
+  logic patches_fixed_q;
+  logic patches_choice_valid_q;
+  logic [7:0] patches_choice_column_q;
+  logic [5:0] patches_choice_shift_q;
+  logic [7:0] patches_choice_slope_q;
+  logic [9:0] patches_read_far_q;
   logic [47:0] good_q;
   logic [12:0] map_row_q;
   logic [6:0] map_width_q;
@@ -9005,341 +8107,216 @@ module horopter_agreement (
   logic drew_q;
   logic said_q;
   // hls/stages/agreement.hpp:443
-  logic whole_17;
-  assign whole_17 = census_columns_values_2_cell_4_mask_s23_q & whole_16_s23_q;
-  logic whole_18;
-  assign whole_18 = census_columns_values_3_cell_0_mask_s23_q & whole_17;
-  logic whole_19;
-  assign whole_19 = census_columns_values_3_cell_1_mask_s23_q & whole_18;
-  logic whole_20;
-  assign whole_20 = census_columns_values_3_cell_2_mask_s23_q & whole_19;
-  logic whole_21;
-  assign whole_21 = census_columns_values_3_cell_3_mask_s23_q & whole_20;
-  logic whole_22;
-  assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
+  logic whole_10;
+  assign whole_10 = census_columns_values_1_cell_2_mask_s23_q & whole_9_s23_q;
+  logic whole_11;
+  assign whole_11 = census_columns_values_1_cell_3_mask_s23_q & whole_10;
+  logic whole_12;
+  assign whole_12 = census_columns_values_1_cell_4_mask_s23_q & whole_11;
+  logic whole_13;
+  assign whole_13 = census_columns_values_2_cell_0_mask_s23_q & whole_12;
+  logic whole_14;
+  assign whole_14 = census_columns_values_2_cell_1_mask_s23_q & whole_13;
+  logic whole_15;
+  assign whole_15 = census_columns_values_2_cell_2_mask_q & whole_14;
+  logic whole_16;
+  assign whole_16 = census_columns_values_2_cell_3_mask_q & whole_15;
   // hls/stages/census.hpp:270
-  logic [11:0] texture;
-  assign texture = sum_603_s23_q + {2'h0, sum_606_s23_q};
-  // hls/stages/patches.hpp:110
-  logic [5:0] select_1706;
-  assign select_1706 = or_1695_s23_q ? {and_1579_s23_q, 5'h0} : patches_right_next_0_q;
-  // hls/stages/patches.hpp:114
-  logic and_1708;
-  assign and_1708 = select_1705_s23_q & (~select_1706[5]);
-  // hls/stages/patches.hpp:110
-  logic [5:0] select_1723;
-  assign select_1723 = or_1721_s23_q ? {and_1579_s23_q, 5'h0} : patches_right_next_1_q;
-  // hls/stages/patches.hpp:114
-  logic and_1725;
-  assign and_1725 = select_1705_s23_q & (~select_1723[5]);
-  // hls/stages/agreement.hpp:1233
+  logic [10:0] sum_602;
+  assign sum_602 = sum_598_s23_q + {1'b0, sum_601_s23_q};
+  // hls/stages/patches.hpp:133
+  logic and_1648;
+  assign and_1648 = and_1646_s23_q & (~patches_fixed_q);
+  // hls/stages/patches.hpp:312
+  logic [22:0] select_1682;
+  assign select_1682 = and_1648 ? {select_1681_s23_q, select_1656_s23_q, select_1652_s23_q, and_1646_s23_q} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
+  // hls/stages/patches.hpp:429
+  logic [14:0] sum_1794;
+  assign sum_1794 = {{4{patches_down_values_3_s23_q[10]}}, patches_down_values_3_s23_q} + {sum_1793_s23_q, sum_1792_s23_q, down_2_s23_q};
+  // hls/stages/agreement.hpp:1234
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:1200
-  logic select_1885;
-  assign select_1885 = marks_first_s23_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1186
-  logic [10:0] sum_1886;
-  assign sum_1886 = {1'b0, {5{select_1885}}, 1'b0, {2{select_1885}}, 1'b0, select_1885} + {1'b0, index[12:3]};
-  // hls/stages/agreement.hpp:1052
+  // hls/stages/agreement.hpp:1201
+  logic select_1911;
+  assign select_1911 = marks_first_s23_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  // hls/stages/agreement.hpp:1187
+  logic [10:0] sum_1912;
+  assign sum_1912 = {1'b0, {5{select_1911}}, 1'b0, {2{select_1911}}, 1'b0, select_1911} + {1'b0, index[12:3]};
+  // hls/stages/agreement.hpp:1053
   logic [12:0] index_2;
-  assign index_2 = {{3{sum_1897_s23_q[7]}}, sum_1897_s23_q, x_s23_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1186
-  logic [10:0] sum_1899;
-  assign sum_1899 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
-  // hls/stages/agreement.hpp:1042
-  logic [47:0] select_1929;
-  assign select_1929 = or_1917_s23_q ? {select_1928_s23_q[23], 1'b0, select_1928_s23_q[22], 1'b0, select_1928_s23_q[21], 1'b0, select_1928_s23_q[20], 1'b0, select_1928_s23_q[19], 1'b0, select_1928_s23_q[18], 1'b0, select_1928_s23_q[17], 1'b0, select_1928_s23_q[16], 1'b0, select_1928_s23_q[15], 1'b0, select_1928_s23_q[14], 1'b0, select_1928_s23_q[13], 1'b0, select_1928_s23_q[12], 1'b0, select_1928_s23_q[11], 1'b0, select_1928_s23_q[10], 1'b0, select_1928_s23_q[9], 1'b0, select_1928_s23_q[8], 1'b0, select_1928_s23_q[7], 1'b0, select_1928_s23_q[6], 1'b0, select_1928_s23_q[5], 1'b0, select_1928_s23_q[4], 1'b0, select_1928_s23_q[3], 1'b0, select_1928_s23_q[2], 1'b0, select_1928_s23_q[1], 1'b0, select_1928_s23_q[0], 1'b0} : {1'b0, select_1928_s23_q[23], 1'b0, select_1928_s23_q[22], 1'b0, select_1928_s23_q[21], 1'b0, select_1928_s23_q[20], 1'b0, select_1928_s23_q[19], 1'b0, select_1928_s23_q[18], 1'b0, select_1928_s23_q[17], 1'b0, select_1928_s23_q[16], 1'b0, select_1928_s23_q[15], 1'b0, select_1928_s23_q[14], 1'b0, select_1928_s23_q[13], 1'b0, select_1928_s23_q[12], 1'b0, select_1928_s23_q[11], 1'b0, select_1928_s23_q[10], 1'b0, select_1928_s23_q[9], 1'b0, select_1928_s23_q[8], 1'b0, select_1928_s23_q[7], 1'b0, select_1928_s23_q[6], 1'b0, select_1928_s23_q[5], 1'b0, select_1928_s23_q[4], 1'b0, select_1928_s23_q[3], 1'b0, select_1928_s23_q[2], 1'b0, select_1928_s23_q[1], 1'b0, select_1928_s23_q[0]};
+  assign index_2 = {{3{sum_1923_s23_q[7]}}, sum_1923_s23_q, x_s23_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:1187
+  logic [10:0] sum_1925;
+  assign sum_1925 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
+  // hls/stages/agreement.hpp:1043
+  logic [47:0] select_1955;
+  assign select_1955 = or_1943_s23_q ? {select_1954_s23_q[23], 1'b0, select_1954_s23_q[22], 1'b0, select_1954_s23_q[21], 1'b0, select_1954_s23_q[20], 1'b0, select_1954_s23_q[19], 1'b0, select_1954_s23_q[18], 1'b0, select_1954_s23_q[17], 1'b0, select_1954_s23_q[16], 1'b0, select_1954_s23_q[15], 1'b0, select_1954_s23_q[14], 1'b0, select_1954_s23_q[13], 1'b0, select_1954_s23_q[12], 1'b0, select_1954_s23_q[11], 1'b0, select_1954_s23_q[10], 1'b0, select_1954_s23_q[9], 1'b0, select_1954_s23_q[8], 1'b0, select_1954_s23_q[7], 1'b0, select_1954_s23_q[6], 1'b0, select_1954_s23_q[5], 1'b0, select_1954_s23_q[4], 1'b0, select_1954_s23_q[3], 1'b0, select_1954_s23_q[2], 1'b0, select_1954_s23_q[1], 1'b0, select_1954_s23_q[0], 1'b0} : {1'b0, select_1954_s23_q[23], 1'b0, select_1954_s23_q[22], 1'b0, select_1954_s23_q[21], 1'b0, select_1954_s23_q[20], 1'b0, select_1954_s23_q[19], 1'b0, select_1954_s23_q[18], 1'b0, select_1954_s23_q[17], 1'b0, select_1954_s23_q[16], 1'b0, select_1954_s23_q[15], 1'b0, select_1954_s23_q[14], 1'b0, select_1954_s23_q[13], 1'b0, select_1954_s23_q[12], 1'b0, select_1954_s23_q[11], 1'b0, select_1954_s23_q[10], 1'b0, select_1954_s23_q[9], 1'b0, select_1954_s23_q[8], 1'b0, select_1954_s23_q[7], 1'b0, select_1954_s23_q[6], 1'b0, select_1954_s23_q[5], 1'b0, select_1954_s23_q[4], 1'b0, select_1954_s23_q[3], 1'b0, select_1954_s23_q[2], 1'b0, select_1954_s23_q[1], 1'b0, select_1954_s23_q[0]};
+  // hls/stages/census.hpp:210
+  logic [13:0] detail;
+  assign detail = {3'h0, size_s23_q} + (equal_503_s23_q ? 14'h0 : averager_detail_0_q);
+  // hls/stages/agreement.hpp:263
+  logic [13:0] select_2041;
+  assign select_2041 = sample_pair_whole_s23_q ? (and_498_s23_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  // hls/stages/census.hpp:210
+  logic [13:0] detail_2;
+  assign detail_2 = {3'h0, size_2_s23_q} + (equal_503_s23_q ? 14'h0 : averager_detail_1_q);
+  // hls/stages/agreement.hpp:263
+  logic [13:0] select_2049;
+  assign select_2049 = sample_pair_whole_s23_q ? (and_498_s23_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/agreement.hpp:507
-  logic select_2086;
-  assign select_2086 = and_497_s23_q ? census_columns_values_2_cell_4_mask_s23_q : census_columns_values_3_cell_4_mask_q;
+  logic select_2097;
+  assign select_2097 = and_500_s23_q ? census_columns_values_1_cell_2_mask_s23_q : census_columns_values_2_cell_2_mask_q;
+  logic select_2100;
+  assign select_2100 = and_500_s23_q ? census_columns_values_1_cell_3_mask_s23_q : census_columns_values_2_cell_3_mask_q;
+  logic select_2103;
+  assign select_2103 = and_500_s23_q ? census_columns_values_1_cell_4_mask_s23_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2104;
+  assign select_2104 = and_500_s23_q ? census_columns_values_2_cell_0_mask_s23_q : census_columns_values_3_cell_0_mask_q;
+  logic select_2107;
+  assign select_2107 = and_500_s23_q ? census_columns_values_2_cell_1_mask_s23_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2108;
+  assign select_2108 = and_500_s23_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic select_2111;
+  assign select_2111 = and_500_s23_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
   // hls/stages/census.hpp:272
-  logic [11:0] sum_2106;
-  assign sum_2106 = sum_2102_s23_q + {2'h0, sum_2105_s23_q};
+  logic [10:0] sum_2124;
+  assign sum_2124 = sum_2120_s23_q + {1'b0, sum_2123_s23_q};
   // hls/stages/agreement.hpp:507
-  logic [11:0] select_2108;
-  assign select_2108 = and_497_s23_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2109;
-  assign select_2109 = and_497_s23_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [13:0] select_2128;
-  assign select_2128 = and_497_s23_q ? select_2127_s23_q[13:0] : sharpness_last_detail_0_q;
-  logic [13:0] select_2129;
-  assign select_2129 = and_497_s23_q ? select_2127_s23_q[27:14] : sharpness_last_detail_1_q;
-  // hls/stages/census.hpp:354
-  logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2127_s23_q[13:0]};
-  logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2127_s23_q[27:14]};
-  // hls/stages/census.hpp:357
-  logic [23:0] sum_2160;
-  assign sum_2160 = (equal_2113_s23_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2159_s23_q};
-  logic [23:0] sum_2164;
-  assign sum_2164 = (equal_2113_s23_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2163_s23_q};
-  // hls/stages/census.hpp:409
-  logic less_2168;
-  assign less_2168 = x_s23_q[4:0] < 5'h3;
-  logic [23:0] select_2173;
-  assign select_2173 = slot_s23_q ? {select_2172_s23_q[11], 1'b0, select_2172_s23_q[10], 1'b0, select_2172_s23_q[9], 1'b0, select_2172_s23_q[8], 1'b0, select_2172_s23_q[7], 1'b0, select_2172_s23_q[6], 1'b0, select_2172_s23_q[5], 1'b0, select_2172_s23_q[4], 1'b0, select_2172_s23_q[3], 1'b0, select_2172_s23_q[2], 1'b0, select_2172_s23_q[1], 1'b0, select_2172_s23_q[0], 1'b0} : {1'b0, select_2172_s23_q[11], 1'b0, select_2172_s23_q[10], 1'b0, select_2172_s23_q[9], 1'b0, select_2172_s23_q[8], 1'b0, select_2172_s23_q[7], 1'b0, select_2172_s23_q[6], 1'b0, select_2172_s23_q[5], 1'b0, select_2172_s23_q[4], 1'b0, select_2172_s23_q[3], 1'b0, select_2172_s23_q[2], 1'b0, select_2172_s23_q[1], 1'b0, select_2172_s23_q[0]};
-  // hls/stages/census.hpp:372
+  logic select_2156;
+  assign select_2156 = and_500_s23_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  // hls/stages/census.hpp:355
+  logic and_2159;
+  assign and_2159 = whole_2_s23_q & (~(column_s23_q[6:1] == 6'h0));
+  // hls/stages/agreement.hpp:444
+  logic and_2165;
+  assign and_2165 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s23_q[8:2]));
+  logic and_2166;
+  assign and_2166 = and_2159 & and_2165;
   logic and_2177;
-  assign and_2177 = less_2168 & (~((sharpness_sums_contrast_1_q & select_2173) == 24'h0));
-  logic and_2187;
-  assign and_2187 = less_2168 & (~((sharpness_sums_contrast_0_q & select_2173) == 24'h0));
+  assign and_2177 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s23_q[8:2]));
+  logic and_2178;
+  assign and_2178 = and_2159 & and_2177;
+  // hls/stages/census.hpp:409
+  logic not_2195;
+  assign not_2195 = ~x_s23_q[1];
+  logic [2:0] select_2196;
+  assign select_2196 = x_s23_q[0] ? {1'b0, not_2195, 1'b0} : {x_s23_q[1], 1'b0, not_2195};
+  logic [5:0] select_2197;
+  assign select_2197 = slot_s23_q[2] ? {select_2196[2], 1'b0, select_2196[1], 1'b0, select_2196[0], 1'b0} : {1'b0, select_2196[2], 1'b0, select_2196[1], 1'b0, select_2196[0]};
+  logic [11:0] select_2198;
+  assign select_2198 = slot_s23_q[1] ? {select_2197[5], 1'b0, select_2197[4], 1'b0, select_2197[3], 1'b0, select_2197[2], 1'b0, select_2197[1], 1'b0, select_2197[0], 1'b0} : {1'b0, select_2197[5], 1'b0, select_2197[4], 1'b0, select_2197[3], 1'b0, select_2197[2], 1'b0, select_2197[1], 1'b0, select_2197[0]};
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2374;
-  assign select_2374 = and_2353_s23_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2372_s23_q});
-  // hls/stages/agreement.hpp:1074
-  logic [10:0] sum_2406;
-  assign sum_2406 = {1'b0, select_2405_s23_q} + {3'h0, select_2405_s23_q[9:2]};
-  // hls/stages/registration.hpp:106
-  logic [7:0] select_2492;
-  assign select_2492 = equal_1638_s23_q ? (and_1607_s23_q ? residual_s23_q : 8'h0) : 8'h0;
-  logic and_2503;
-  assign and_2503 = and_1607_s23_q & ($signed(residual_s23_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/registration.hpp:202
-  logic less_2517;
-  assign less_2517 = $signed(residual_s23_q) < $signed({2'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:1071
-  logic [11:0] select_2570;
-  assign select_2570 = or_1546_s23_q ? 12'h0 : (equal_2568_s23_q ? registration_sums_rdata_s23_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1083
-  logic [11:0] select_2572;
-  assign select_2572 = equal_1511_s23_q ? 12'h0 : (less_1542_s23_q ? select_2570 : 12'h0);
-  // hls/stages/registration.hpp:152
-  logic and_2575;
-  assign and_2575 = x_s23_q[1] & all_s23_q;
-  // hls/stages/agreement.hpp:1083
-  logic and_2578;
-  assign and_2578 = not_1833_s23_q & (less_1542_s23_q & ({and_2575, x_s23_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:1071
-  logic [11:0] select_2585;
-  assign select_2585 = or_1546_s23_q ? 12'h0 : (equal_2568_s23_q ? registration_sums_rdata_s23_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1083
-  logic [11:0] select_2587;
-  assign select_2587 = equal_1511_s23_q ? 12'h0 : (less_1542_s23_q ? select_2585 : 12'h0);
-  // hls/stages/registration.hpp:149
-  logic not_2593;
-  assign not_2593 = ~all_s23_q;
-  // hls/stages/agreement.hpp:1083
+  logic [13:0] select_2400;
+  assign select_2400 = and_2379_s23_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2398_s23_q});
+  // hls/stages/agreement.hpp:1075
+  logic [10:0] sum_2432;
+  assign sum_2432 = {1'b0, select_2431_s23_q} + {3'h0, select_2431_s23_q[9:2]};
+  // hls/stages/registration.hpp:107
+  logic [7:0] select_2510;
+  assign select_2510 = equal_1610_s23_q ? (and_2495_s23_q ? residual_s23_q : 8'h0) : 8'h0;
+  logic and_2521;
+  assign and_2521 = and_2495_s23_q & ($signed(residual_s23_q) < $signed({2'h0, cfg_moved_limit_i}));
+  // hls/stages/registration.hpp:205
+  logic less_2535;
+  assign less_2535 = $signed(residual_s23_q) < $signed({2'h0, cfg_moved_half_limit_i});
+  // hls/stages/agreement.hpp:1072
+  logic [11:0] select_2588;
+  assign select_2588 = or_1549_s23_q ? 12'h0 : (equal_2586_s23_q ? registration_sums_rdata_s23_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:1084
+  logic [11:0] select_2590;
+  assign select_2590 = equal_1514_s23_q ? 12'h0 : (less_1545_s23_q ? select_2588 : 12'h0);
+  // hls/stages/registration.hpp:153
+  logic and_2593;
+  assign and_2593 = x_s23_q[1] & all_s23_q;
+  // hls/stages/agreement.hpp:1084
   logic and_2596;
-  assign and_2596 = not_1833_s23_q & (less_1542_s23_q & (x_s23_q[2:0] == {all_s23_q, not_2593, 1'b0}));
-  // hls/stages/patches.hpp:303
-  logic and_2602;
-  assign and_2602 = equal_1466_s23_q & (x_s23_q[6] & (not_1833_s23_q & (less_1542_s23_q & all_s23_q)));
-  // hls/stages/registration.hpp:156
-  logic equal_2629;
-  assign equal_2629 = x_s23_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1083
-  logic and_2632;
-  assign and_2632 = not_1833_s23_q & (less_1542_s23_q & (x_s23_q[5] ? x_s23_q[3] : equal_2629));
-  logic and_2641;
-  assign and_2641 = not_1833_s23_q & (less_1542_s23_q & ((~x_s23_q[5]) & (x_s23_q[3] & equal_2629)));
-  // hls/stages/patches.hpp:105
-  logic select_2741;
-  assign select_2741 = equal_1597_s23_q ? patches_valid_0_q : (select_1596_s23_q ? patches_valid_0_q : select_1688_s23_q);
-  // hls/stages/agreement.hpp:263
-  logic select_2744;
-  assign select_2744 = sample_pair_whole_s23_q ? (and_1708 ? (sample_present_s23_q & select_2741) : select_2741) : patches_valid_0_q;
-  // hls/stages/patches.hpp:105
-  logic select_2746;
-  assign select_2746 = equal_1597_s23_q ? patches_valid_1_q : (select_1596_s23_q ? select_1688_s23_q : patches_valid_1_q);
-  // hls/stages/agreement.hpp:263
-  logic select_2749;
-  assign select_2749 = sample_pair_whole_s23_q ? (and_1725 ? (sample_present_s23_q & select_2746) : select_2746) : patches_valid_1_q;
-  logic [5:0] select_2752;
-  assign select_2752 = sample_pair_whole_s23_q ? (select_1706[5] ? {1'b1, select_1706[4:0]} : (select_1706 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_2755;
-  assign select_2755 = sample_pair_whole_s23_q ? (select_1723[5] ? {1'b1, select_1723[4:0]} : (select_1723 + 6'h1)) : patches_right_next_1_q;
-  // hls/stages/count_bits.hpp:24
-  logic parity_2937;
-  assign parity_2937 = ^{xor_2933_s23_q, xor_2896_s23_q, select_2863_s23_q, other_s23_q};
-  logic parity_2967;
-  assign parity_2967 = ^{or_2964_s23_q, or_2960_s23_q, or_2956_s23_q};
-  logic parity_2982;
-  assign parity_2982 = ^{or_2979_s23_q, or_2975_s23_q, or_2971_s23_q};
-  logic parity_2985;
-  assign parity_2985 = ^{or_2979_s23_q, or_2975_s23_q, or_2971_s23_q, or_2964_s23_q, or_2960_s23_q, or_2956_s23_q, or_2949_s23_q, or_2945_s23_q, or_2941_s23_q};
-  logic parity_3016;
-  assign parity_3016 = ^{or_3013_s23_q, or_3009_s23_q, or_3005_s23_q};
-  logic parity_3031;
-  assign parity_3031 = ^{or_3028_s23_q, or_3024_s23_q, or_3020_s23_q};
-  logic parity_3034;
-  assign parity_3034 = ^{or_3028_s23_q, or_3024_s23_q, or_3020_s23_q, or_3013_s23_q, or_3009_s23_q, or_3005_s23_q, or_2997_s23_q, or_2993_s23_q, or_2989_s23_q};
-  logic parity_3049;
-  assign parity_3049 = ^{or_3046_s23_q, or_3042_s23_q, or_3038_s23_q};
-  logic parity_3061;
-  assign parity_3061 = ^{or_3058_s23_q, or_3054_s23_q, and_3050_s23_q};
-  logic parity_3064;
-  assign parity_3064 = ^{or_3058_s23_q, or_3054_s23_q, and_3050_s23_q, or_3046_s23_q, or_3042_s23_q, or_3038_s23_q, or_3028_s23_q, or_3024_s23_q, or_3020_s23_q, or_3013_s23_q, or_3009_s23_q, or_3005_s23_q, or_2997_s23_q, or_2993_s23_q, or_2989_s23_q};
-  logic parity_3066;
-  assign parity_3066 = ^{or_3058_s23_q, or_3054_s23_q, and_3050_s23_q, or_3046_s23_q, or_3042_s23_q, or_3038_s23_q, or_3028_s23_q, or_3024_s23_q, or_3020_s23_q, or_3013_s23_q, or_3009_s23_q, or_3005_s23_q, or_2997_s23_q, or_2993_s23_q, or_2989_s23_q, or_2979_s23_q, or_2975_s23_q, or_2971_s23_q, or_2964_s23_q, or_2960_s23_q, or_2956_s23_q, or_2949_s23_q, or_2945_s23_q, or_2941_s23_q};
-  // hls/stages/count_bits.hpp:25
-  logic and_3067;
-  assign and_3067 = parity_2985 & parity_3064;
-  logic and_3070;
-  assign and_3070 = (^{or_2949_s23_q, or_2945_s23_q, or_2941_s23_q}) & (parity_2967 | parity_2982);
-  logic or_3071;
-  assign or_3071 = (parity_2967 & parity_2982) | and_3070;
-  logic or_3075;
-  assign or_3075 = (parity_3049 & parity_3061) | (parity_3034 & (parity_3049 | parity_3061));
-  logic and_3081;
-  assign and_3081 = (^{or_2997_s23_q, or_2993_s23_q, or_2989_s23_q}) & (parity_3016 | parity_3031);
-  logic or_3082;
-  assign or_3082 = (parity_3016 & parity_3031) | and_3081;
-  logic or_3086;
-  assign or_3086 = (or_3042_s23_q & or_3046_s23_q) | (or_3038_s23_q & (or_3042_s23_q | or_3046_s23_q));
-  logic or_3090;
-  assign or_3090 = (or_3054_s23_q & or_3058_s23_q) | (and_3050_s23_q & (or_3054_s23_q | or_3058_s23_q));
-  // hls/stages/count_bits.hpp:23
-  logic or_3097;
-  assign or_3097 = (or_2993_s23_q & or_2997_s23_q) | (or_2989_s23_q & (or_2993_s23_q | or_2997_s23_q));
-  // hls/stages/count_bits.hpp:25
-  logic or_3101;
-  assign or_3101 = (or_3009_s23_q & or_3013_s23_q) | (or_3005_s23_q & (or_3009_s23_q | or_3013_s23_q));
-  logic or_3105;
-  assign or_3105 = (or_3024_s23_q & or_3028_s23_q) | (or_3020_s23_q & (or_3024_s23_q | or_3028_s23_q));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3108;
-  assign parity_3108 = ^{or_3105, or_3101, or_3097};
-  // hls/stages/count_bits.hpp:23
-  logic or_3112;
-  assign or_3112 = (or_2945_s23_q & or_2949_s23_q) | (or_2941_s23_q & (or_2945_s23_q | or_2949_s23_q));
-  // hls/stages/count_bits.hpp:25
-  logic or_3116;
-  assign or_3116 = (or_2960_s23_q & or_2964_s23_q) | (or_2956_s23_q & (or_2960_s23_q | or_2964_s23_q));
-  logic or_3120;
-  assign or_3120 = (or_2975_s23_q & or_2979_s23_q) | (or_2971_s23_q & (or_2975_s23_q | or_2979_s23_q));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3123;
-  assign parity_3123 = ^{or_3120, or_3116, or_3112};
-  logic parity_3126;
-  assign parity_3126 = ^{or_3120, or_3116, or_3112, or_3105, or_3101, or_3097, or_3090, or_3086, or_3082};
-  // hls/stages/patches.hpp:519
-  logic or_3312;
-  assign or_3312 = (patches_size_q < 10'h39) | ({1'b0, patches_size_q[9:1]} < select_3292_s23_q);
-  logic or_3313;
-  assign or_3313 = (~(patches_second_s23_q ? patches_valid_1_q : patches_valid_0_q)) | or_3312;
-  logic or_3315;
-  assign or_3315 = ({difference_3305_s23_q, 2'h0} < {2'h0, patches_size_q}) | (less_3307_s23_q | or_3313);
-  // hls/stages/patches.hpp:505
-  logic [1:0] sum_3336;
-  assign sum_3336 = select_3261_s23_q[4:3] + 2'h3;
-  // hls/stages/patches.hpp:506
-  logic [7:0] difference_3356;
-  assign difference_3356 = {sum_3336, select_3261_s23_q[2:0], 3'h0} - {5'h0, fraction_s23_q};
-  logic [7:0] select_3357;
-  assign select_3357 = less_3335_s23_q ? difference_3356 : {sum_3336, select_3261_s23_q[2:0], fraction_s23_q};
-  // hls/stages/agreement.hpp:1085
-  logic equal_3513;
-  assign equal_3513 = x_s23_q == 7'h7f;
-  // hls/stages/agreement.hpp:1076
-  logic select_3598;
-  assign select_3598 = equal_3581_s23_q ? ((~or_3584_s23_q) & (~select_3592_s23_q)) : not_3597_s23_q;
-  // hls/stages/agreement.hpp:1083
-  logic [47:0] select_3600;
-  assign select_3600 = x_s23_q[6] ? (equal_1511_s23_q ? good_q : {select_3598, good_q[47:1]}) : good_q;
+  assign and_2596 = not_1859_s23_q & (less_1545_s23_q & ({and_2593, x_s23_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:1072
+  logic [11:0] select_2603;
+  assign select_2603 = or_1549_s23_q ? 12'h0 : (equal_2586_s23_q ? registration_sums_rdata_s23_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:1084
+  logic [11:0] select_2605;
+  assign select_2605 = equal_1514_s23_q ? 12'h0 : (less_1545_s23_q ? select_2603 : 12'h0);
+  // hls/stages/registration.hpp:150
+  logic not_2611;
+  assign not_2611 = ~all_s23_q;
+  // hls/stages/agreement.hpp:1084
+  logic and_2614;
+  assign and_2614 = not_1859_s23_q & (less_1545_s23_q & (x_s23_q[2:0] == {all_s23_q, not_2611, 1'b0}));
+  // hls/stages/patches.hpp:309
+  logic and_2620;
+  assign and_2620 = equal_1469_s23_q & (x_s23_q[6] & (not_1859_s23_q & (less_1545_s23_q & all_s23_q)));
+  // hls/stages/registration.hpp:157
+  logic equal_2647;
+  assign equal_2647 = x_s23_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:1084
+  logic and_2650;
+  assign and_2650 = not_1859_s23_q & (less_1545_s23_q & (x_s23_q[5] ? x_s23_q[3] : equal_2647));
+  logic and_2659;
+  assign and_2659 = not_1859_s23_q & (less_1545_s23_q & ((~x_s23_q[5]) & (x_s23_q[3] & equal_2647)));
+  // hls/stages/patches.hpp:314
+  logic not_2721;
+  assign not_2721 = ~and_1688_s23_q;
+  // hls/stages/patches.hpp:492
+  logic [9:0] select_3307;
+  assign select_3307 = less_1830_s23_q ? (equal_1833_s23_q ? 10'h3ff : select_3305_s23_q) : 10'h3ff;
+  // hls/stages/patches.hpp:495
+  logic [9:0] select_3308;
+  assign select_3308 = equal_1833_s23_q ? select_3307 : select_3305_s23_q;
+  logic [9:0] select_3310;
+  assign select_3310 = less_1830_s23_q ? (equal_1831_s23_q ? 10'h3ff : select_3308) : select_3308;
+  // hls/stages/patches.hpp:516
+  logic [9:0] eight;
+  assign eight = high_s23_q - low_s23_q;
+  logic [9:0] fall;
+  assign fall = high_s23_q - select_3312_s23_q[9:0];
+  // hls/stages/agreement.hpp:1086
+  logic equal_3533;
+  assign equal_3533 = x_s23_q == 7'h7f;
+  // hls/stages/agreement.hpp:1077
+  logic select_3618;
+  assign select_3618 = equal_3601_s23_q ? ((~or_3604_s23_q) & (~select_3612_s23_q)) : not_3617_s23_q;
+  // hls/stages/agreement.hpp:1084
+  logic [47:0] select_3620;
+  assign select_3620 = x_s23_q[6] ? (equal_1514_s23_q ? good_q : {select_3618, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:447
-  logic [12:0] select_3740;
-  assign select_3740 = equal_2237_s23_q ? (equal_3737_s23_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  logic [12:0] select_3760;
+  assign select_3760 = equal_2263_s23_q ? (equal_3757_s23_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:507
-  logic [6:0] select_3743;
-  assign select_3743 = and_497_s23_q ? (equal_2237_s23_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:1081
-  logic [31:0] select_3824;
-  assign select_3824 = equal_1533_s23_q ? {2'h0, counts_explained_s23_q, 2'h0, counts_textured_s23_q} : (equal_3822_s23_q ? registration_sums_rdata_s23_q : 32'h0);
-  logic [31:0] select_3825;
-  assign select_3825 = equal_1531_s23_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_s23_q} : select_3824;
+  logic [6:0] select_3763;
+  assign select_3763 = and_500_s23_q ? (equal_2263_s23_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
+  // hls/stages/agreement.hpp:1082
+  logic [31:0] select_3844;
+  assign select_3844 = equal_1536_s23_q ? {2'h0, counts_explained_s23_q, 2'h0, counts_textured_s23_q} : (equal_3842_s23_q ? registration_sums_rdata_s23_q : 32'h0);
+  logic [31:0] select_3845;
+  assign select_3845 = equal_1534_s23_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_s23_q} : select_3844;
 
-  // Memory patches_left, write
-  logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_1740_s23_q, select_1739_s23_q, column_5_s23_q};
-  logic patches_left_we;
-  assign patches_left_we = s23_en & and_1747_s23_q;
+  // Memory patches_choices, write
+  logic [5:0] patches_choices_waddr;
+  assign patches_choices_waddr = {patches_choosing_band_s23_q, and_1608_s23_q};
+  logic patches_choices_we;
+  assign patches_choices_we = s23_en & and_1689_s23_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_left_we) patches_left_mem[patches_left_waddr] <= sample_pair_pixel_0_s23_q;
+    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= select_1682;
   end
 `ifndef SYNTHESIS
-  logic [8:0] patches_left_raddr_s14_sim;
-  logic patches_left_re_s14_sim;
-  logic [8:0] patches_left_raddr_s15_sim;
-  logic patches_left_re_s15_sim;
-  logic [8:0] patches_left_raddr_s16_sim;
-  logic patches_left_re_s16_sim;
-  logic [8:0] patches_left_raddr_s17_sim;
-  logic patches_left_re_s17_sim;
-  logic [8:0] patches_left_raddr_s18_sim;
-  logic patches_left_re_s18_sim;
-  logic [8:0] patches_left_raddr_s19_sim;
-  logic patches_left_re_s19_sim;
-  logic [8:0] patches_left_raddr_s20_sim;
-  logic patches_left_re_s20_sim;
-  logic [8:0] patches_left_raddr_s21_sim;
-  logic patches_left_re_s21_sim;
-  logic [8:0] patches_left_raddr_s22_sim;
-  logic patches_left_re_s22_sim;
+  logic [5:0] patches_choices_raddr_s22_sim;
+  logic patches_choices_re_s22_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      patches_left_re_s14_sim <= 1'b0;
-      patches_left_re_s15_sim <= 1'b0;
-      patches_left_re_s16_sim <= 1'b0;
-      patches_left_re_s17_sim <= 1'b0;
-      patches_left_re_s18_sim <= 1'b0;
-      patches_left_re_s19_sim <= 1'b0;
-      patches_left_re_s20_sim <= 1'b0;
-      patches_left_re_s21_sim <= 1'b0;
-      patches_left_re_s22_sim <= 1'b0;
+      patches_choices_re_s22_sim <= 1'b0;
     end else if (en_i) begin
-      patches_left_re_s14_sim <= patches_left_re;
-      patches_left_raddr_s14_sim <= patches_left_raddr;
-      patches_left_re_s15_sim <= patches_left_re_s14_sim;
-      patches_left_raddr_s15_sim <= patches_left_raddr_s14_sim;
-      patches_left_re_s16_sim <= patches_left_re_s15_sim;
-      patches_left_raddr_s16_sim <= patches_left_raddr_s15_sim;
-      patches_left_re_s17_sim <= patches_left_re_s16_sim;
-      patches_left_raddr_s17_sim <= patches_left_raddr_s16_sim;
-      patches_left_re_s18_sim <= patches_left_re_s17_sim;
-      patches_left_raddr_s18_sim <= patches_left_raddr_s17_sim;
-      patches_left_re_s19_sim <= patches_left_re_s18_sim;
-      patches_left_raddr_s19_sim <= patches_left_raddr_s18_sim;
-      patches_left_re_s20_sim <= patches_left_re_s19_sim;
-      patches_left_raddr_s20_sim <= patches_left_raddr_s19_sim;
-      patches_left_re_s21_sim <= patches_left_re_s20_sim;
-      patches_left_raddr_s21_sim <= patches_left_raddr_s20_sim;
-      patches_left_re_s22_sim <= patches_left_re_s21_sim;
-      patches_left_raddr_s22_sim <= patches_left_raddr_s21_sim;
+      patches_choices_re_s22_sim <= patches_choices_re;
+      patches_choices_raddr_s22_sim <= patches_choices_raddr;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (rst_ni && patches_left_we) begin
-      if (patches_left_re && patches_left_raddr == patches_left_waddr) begin
-        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+    if (rst_ni && patches_choices_we) begin
+      if (patches_choices_re && patches_choices_raddr == patches_choices_waddr) begin
+        $error("patches_choices: address %0d is read less than DISTANCE steps after its write", patches_choices_waddr);
       end
-      if (patches_left_re_s14_sim && patches_left_raddr_s14_sim == patches_left_waddr) begin
-        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
-      end
-      if (patches_left_re_s15_sim && patches_left_raddr_s15_sim == patches_left_waddr) begin
-        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
-      end
-      if (patches_left_re_s16_sim && patches_left_raddr_s16_sim == patches_left_waddr) begin
-        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
-      end
-      if (patches_left_re_s17_sim && patches_left_raddr_s17_sim == patches_left_waddr) begin
-        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
-      end
-      if (patches_left_re_s18_sim && patches_left_raddr_s18_sim == patches_left_waddr) begin
-        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
-      end
-      if (patches_left_re_s19_sim && patches_left_raddr_s19_sim == patches_left_waddr) begin
-        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
-      end
-      if (patches_left_re_s20_sim && patches_left_raddr_s20_sim == patches_left_waddr) begin
-        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
-      end
-      if (patches_left_re_s21_sim && patches_left_raddr_s21_sim == patches_left_waddr) begin
-        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
-      end
-      if (patches_left_re_s22_sim && patches_left_raddr_s22_sim == patches_left_waddr) begin
-        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      if (patches_choices_re_s22_sim && patches_choices_raddr_s22_sim == patches_choices_waddr) begin
+        $error("patches_choices: address %0d is read less than DISTANCE steps after its write", patches_choices_waddr);
       end
     end
   end
@@ -9347,13 +8324,14 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      sharpness_sums_contrast_0_q <= 24'h0;
-      sharpness_sums_contrast_1_q <= 24'h0;
+      sharpness_before_last_mask_q <= 1'b0;
       counts_nearer_q <= 14'h0;
-      patches_valid_0_q <= 1'b0;
-      patches_valid_1_q <= 1'b0;
-      patches_right_next_0_q <= 6'h0;
-      patches_right_next_1_q <= 6'h0;
+      patches_fixed_q <= 1'b0;
+      patches_choice_valid_q <= 1'b0;
+      patches_choice_column_q <= 8'h0;
+      patches_choice_shift_q <= 6'h0;
+      patches_choice_slope_q <= 8'h0;
+      patches_read_far_q <= 10'h3ff;
       good_q <= 48'h0;
       map_row_q <= 13'h0;
       map_width_q <= 7'h0;
@@ -9363,45 +8341,52 @@ module horopter_agreement (
       drew_q <= 1'b0;
       said_q <= 1'b0;
     end else if (s23_en) begin
-      sharpness_sums_contrast_0_q <= and_497_s23_q ? sum_2160 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_497_s23_q ? sum_2164 : sharpness_sums_contrast_1_q;
-      counts_nearer_q <= select_2374;
-      patches_valid_0_q <= select_2744;
-      patches_valid_1_q <= select_2749;
-      patches_right_next_0_q <= select_2752;
-      patches_right_next_1_q <= select_2755;
-      good_q <= equal_1466_s23_q ? select_3600 : good_q;
-      map_row_q <= and_497_s23_q ? select_3740 : map_row_q;
-      map_width_q <= select_3743;
+      sharpness_before_last_mask_q <= select_2156;
+      counts_nearer_q <= select_2400;
+      patches_fixed_q <= not_2721 & (patches_fixed_q | (and_2731_s23_q & and_1648));
+      patches_choice_valid_q <= and_1688_s23_q ? (select_1682[0] & not_2721) : select_1682[0];
+      patches_choice_column_q <= select_1682[8:1];
+      patches_choice_shift_q <= select_1682[14:9];
+      patches_choice_slope_q <= select_1682[22:15];
+      patches_read_far_q <= equal_1690_s23_q ? select_3310 : patches_read_far_q;
+      good_q <= equal_1469_s23_q ? select_3620 : good_q;
+      map_row_q <= and_500_s23_q ? select_3760 : map_row_q;
+      map_width_q <= select_3763;
       write_half_q <= marks_first_s23_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_1885;
-      done_q <= not_1887_s23_q & ((~drew_q) & (done_q | said_q));
+      read_half_q <= select_1911;
+      done_q <= not_1913_s23_q & ((~drew_q) & (done_q | said_q));
       drew_q <= so_s23_q;
-      said_q <= equal_1466_s23_q & equal_3513;
+      said_q <= equal_1469_s23_q & equal_3533;
     end
   end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
   initial begin
-    census_columns_values_3_cell_4_mask_q = 1'b0;
-    census_changes_values_0_left_q = 12'h0;
-    census_changes_values_0_right_q = 12'h0;
-    census_changes_values_1_left_q = 12'h0;
-    census_changes_values_1_right_q = 12'h0;
-    sharpness_last_detail_0_q = 14'h0;
-    sharpness_last_detail_1_q = 14'h0;
+    averager_detail_0_q = 14'h0;
+    averager_detail_1_q = 14'h0;
+    census_columns_values_2_cell_2_mask_q = 1'b0;
+    census_columns_values_2_cell_3_mask_q = 1'b0;
+    census_columns_values_2_cell_4_mask_q = 1'b0;
+    census_columns_values_3_cell_0_mask_q = 1'b0;
+    census_columns_values_3_cell_1_mask_q = 1'b0;
+    census_columns_values_3_cell_2_mask_q = 1'b0;
+    census_columns_values_3_cell_3_mask_q = 1'b0;
+    sharpness_last_mask_q = 1'b0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s23_en) begin
-      census_columns_values_3_cell_4_mask_q <= select_2086;
-      census_changes_values_0_left_q <= and_497_s23_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_497_s23_q ? sum_2106 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2108;
-      census_changes_values_1_right_q <= select_2109;
-      sharpness_last_detail_0_q <= select_2128;
-      sharpness_last_detail_1_q <= select_2129;
+      averager_detail_0_q <= select_2041;
+      averager_detail_1_q <= select_2049;
+      census_columns_values_2_cell_2_mask_q <= select_2097;
+      census_columns_values_2_cell_3_mask_q <= select_2100;
+      census_columns_values_2_cell_4_mask_q <= select_2103;
+      census_columns_values_3_cell_0_mask_q <= select_2104;
+      census_columns_values_3_cell_1_mask_q <= select_2107;
+      census_columns_values_3_cell_2_mask_q <= select_2108;
+      census_columns_values_3_cell_3_mask_q <= select_2111;
+      sharpness_last_mask_q <= and_500_s23_q ? whole_2_s23_q : sharpness_last_mask_q;
     end
   end
 
@@ -9411,32 +8396,39 @@ module horopter_agreement (
   logic mask_s24_q;
   logic marks_first_s24_q;
   logic marks_last_s24_q;
+  logic [7:0] sample_pair_pixel_0_s24_q;
   logic [7:0] sample_pair_pixel_1_s24_q;
+  logic sample_pair_whole_s24_q;
+  logic sample_present_s24_q;
   logic census_columns_values_1_cell_2_of_skin_s24_q;
-  logic [11:0] census_changes_values_1_left_s24_q;
-  logic [11:0] census_changes_values_1_right_s24_q;
-  logic [23:0] sharpness_sums_contrast_0_s24_q;
-  logic [23:0] sharpness_sums_contrast_1_s24_q;
+  logic census_columns_values_2_cell_4_mask_s24_q;
+  logic census_columns_values_3_cell_0_mask_s24_q;
+  logic census_columns_values_3_cell_1_mask_s24_q;
+  logic census_columns_values_3_cell_2_mask_s24_q;
+  logic census_columns_values_3_cell_3_mask_s24_q;
   logic [6:0] x_s24_q;
+  logic slot_s24_q;
   logic ends_cell_s24_q;
   logic lower_half_s24_q;
   logic [13:0] counts_nearer_s24_q;
   logic registration_of_right_s24_q;
   logic patches_lower_s24_q;
   logic patches_second_s24_q;
+  logic [4:0] patches_code_row_s24_q;
+  logic patches_column_s24_q;
   logic [4:0] patches_summed_row_column_s24_q;
-  logic patches_summed_first_s24_q;
   logic patches_summed_last_s24_q;
   logic [4:0] patches_summed_down_by_s24_q;
+  logic patches_read_first_s24_q;
+  logic [9:0] patches_read_far_s24_q;
   logic [13:0] product_s24_q;
   logic centres_values_1_textured_s24_q;
   logic centres_values_1_of_skin_s24_q;
   logic done_s24_q;
+  logic [3:0] select_461_s24_q;
+  logic [6:0] select_464_s24_q;
   logic [6:0] column_s24_q;
-  logic and_497_s24_q;
-  logic less_531_s24_q;
-  logic less_532_s24_q;
-  logic less_533_s24_q;
+  logic and_500_s24_q;
   logic less_534_s24_q;
   logic less_535_s24_q;
   logic less_536_s24_q;
@@ -9458,112 +8450,114 @@ module horopter_agreement (
   logic less_552_s24_q;
   logic less_553_s24_q;
   logic less_554_s24_q;
-  logic and_562_s24_q;
-  logic and_587_s24_q;
-  logic and_588_s24_q;
-  logic [12:0] sum_608_s24_q;
-  logic equal_1466_s24_q;
-  logic not_1467_s24_q;
-  logic equal_1511_s24_q;
-  logic [1:0] sum_1517_s24_q;
-  logic equal_1519_s24_q;
-  logic equal_1521_s24_q;
-  logic equal_1523_s24_q;
-  logic equal_1525_s24_q;
-  logic equal_1527_s24_q;
-  logic equal_1529_s24_q;
-  logic less_1542_s24_q;
-  logic [19:0] select_1567_s24_q;
-  logic [11:0] select_1572_s24_q;
-  logic and_1576_s24_q;
-  logic and_1607_s24_q;
-  logic equal_1638_s24_q;
-  logic equal_1672_s24_q;
-  logic equal_1674_s24_q;
-  logic [4:0] select_1696_s24_q;
-  logic [4:0] select_1699_s24_q;
-  logic and_1709_s24_q;
-  logic [4:0] select_1722_s24_q;
-  logic and_1726_s24_q;
-  logic less_1804_s24_q;
-  logic equal_1805_s24_q;
-  logic not_1806_s24_q;
-  logic equal_1807_s24_q;
-  logic not_1833_s24_q;
+  logic less_555_s24_q;
+  logic less_556_s24_q;
+  logic less_557_s24_q;
+  logic and_565_s24_q;
+  logic whole_16_s24_q;
+  logic and_591_s24_q;
+  logic [11:0] sum_606_s24_q;
+  logic [9:0] sum_609_s24_q;
+  logic equal_1469_s24_q;
+  logic not_1470_s24_q;
+  logic equal_1514_s24_q;
+  logic [1:0] sum_1520_s24_q;
+  logic equal_1522_s24_q;
+  logic equal_1524_s24_q;
+  logic equal_1526_s24_q;
+  logic equal_1528_s24_q;
+  logic equal_1530_s24_q;
+  logic equal_1532_s24_q;
+  logic less_1545_s24_q;
+  logic [19:0] select_1570_s24_q;
+  logic [11:0] select_1575_s24_q;
+  logic and_1579_s24_q;
+  logic and_1582_s24_q;
+  logic select_1599_s24_q;
+  logic equal_1600_s24_q;
+  logic equal_1610_s24_q;
+  logic equal_1690_s24_q;
+  logic equal_1692_s24_q;
+  logic equal_1694_s24_q;
+  logic or_1696_s24_q;
+  logic [22:0] select_1706_s24_q;
+  logic [4:0] select_1720_s24_q;
+  logic select_1726_s24_q;
+  logic [3:0] select_1765_s24_q;
+  logic new_row_s24_q;
+  logic [111:0] patches_right_codes_rdata_s24_q;
+  logic less_1795_s24_q;
+  logic less_1796_s24_q;
+  logic less_1805_s24_q;
+  logic less_1806_s24_q;
+  logic and_1817_s24_q;
+  logic [47:0] patches_left_codes_rdata_s24_q;
+  logic or_1821_s24_q;
+  logic and_1829_s24_q;
+  logic less_1830_s24_q;
+  logic equal_1831_s24_q;
+  logic not_1832_s24_q;
+  logic equal_1833_s24_q;
+  logic not_1859_s24_q;
   logic [2:0] index_s24_q;
-  logic [10:0] sum_1886_s24_q;
-  logic and_1893_s24_q;
-  logic less_1894_s24_q;
+  logic [10:0] sum_1912_s24_q;
+  logic and_1919_s24_q;
+  logic less_1920_s24_q;
   logic [2:0] index_2_s24_q;
-  logic [10:0] sum_1899_s24_q;
-  logic equal_1912_s24_q;
-  logic not_1932_s24_q;
-  logic not_1948_s24_q;
-  logic less_1962_s24_q;
-  logic and_1973_s24_q;
-  logic equal_2113_s24_q;
-  logic [12:0] sum_2114_s24_q;
-  logic [12:0] select_2142_s24_q;
-  logic [12:0] select_2154_s24_q;
-  logic equal_2166_s24_q;
-  logic less_2167_s24_q;
-  logic and_2177_s24_q;
-  logic and_2187_s24_q;
-  logic equal_2210_s24_q;
-  logic and_2353_s24_q;
-  logic not_2376_s24_q;
-  logic not_2391_s24_q;
-  logic [9:0] select_2402_s24_q;
-  logic [9:0] select_2405_s24_q;
-  logic less_2407_s24_q;
-  logic and_2466_s24_q;
-  logic [7:0] select_2494_s24_q;
-  logic and_2503_s24_q;
-  logic and_2511_s24_q;
-  logic and_2518_s24_q;
-  logic and_2525_s24_q;
-  logic [11:0] select_2572_s24_q;
-  logic and_2580_s24_q;
-  logic [11:0] select_2587_s24_q;
+  logic [10:0] sum_1925_s24_q;
+  logic equal_1938_s24_q;
+  logic not_1958_s24_q;
+  logic not_1974_s24_q;
+  logic less_1988_s24_q;
+  logic and_1999_s24_q;
+  logic [11:0] sum_2128_s24_q;
+  logic [9:0] sum_2131_s24_q;
+  logic equal_2139_s24_q;
+  logic [27:0] select_2153_s24_q;
+  logic and_2166_s24_q;
+  logic and_2178_s24_q;
+  logic [8:0] select_2185_s24_q;
+  logic [8:0] select_2189_s24_q;
+  logic equal_2192_s24_q;
+  logic less_2193_s24_q;
+  logic [11:0] select_2198_s24_q;
+  logic equal_2236_s24_q;
+  logic and_2379_s24_q;
+  logic not_2402_s24_q;
+  logic not_2417_s24_q;
+  logic [9:0] select_2428_s24_q;
+  logic [9:0] select_2431_s24_q;
+  logic less_2433_s24_q;
+  logic and_2494_s24_q;
+  logic and_2495_s24_q;
+  logic [7:0] select_2512_s24_q;
+  logic and_2521_s24_q;
+  logic and_2529_s24_q;
+  logic and_2536_s24_q;
+  logic and_2543_s24_q;
+  logic [11:0] select_2590_s24_q;
   logic and_2598_s24_q;
-  logic and_2602_s24_q;
-  logic equal_2629_s24_q;
-  logic and_2634_s24_q;
-  logic and_2642_s24_q;
-  logic parity_2937_s24_q;
-  logic parity_3066_s24_q;
-  logic and_3067_s24_q;
-  logic or_3071_s24_q;
-  logic or_3075_s24_q;
-  logic or_3082_s24_q;
-  logic or_3086_s24_q;
-  logic or_3090_s24_q;
-  logic or_3097_s24_q;
-  logic or_3101_s24_q;
-  logic or_3105_s24_q;
-  logic or_3112_s24_q;
-  logic or_3116_s24_q;
-  logic or_3120_s24_q;
-  logic parity_3126_s24_q;
-  logic or_3136_s24_q;
-  logic or_3140_s24_q;
-  logic and_3147_s24_q;
-  logic and_3149_s24_q;
-  logic and_3151_s24_q;
-  logic equal_3173_s24_q;
-  logic equal_3304_s24_q;
-  logic or_3315_s24_q;
-  logic [7:0] select_3357_s24_q;
-  logic [13:0] product_3362_s24_q;
-  logic equal_3414_s24_q;
-  logic equal_3513_s24_q;
-  logic or_3584_s24_q;
-  logic select_3592_s24_q;
-  logic equal_3605_s24_q;
-  logic equal_3607_s24_q;
-  logic equal_3608_s24_q;
-  logic [31:0] select_3825_s24_q;
-  logic [9:0] select_3832_s24_q;
+  logic [11:0] select_2605_s24_q;
+  logic and_2616_s24_q;
+  logic and_2620_s24_q;
+  logic equal_2647_s24_q;
+  logic and_2652_s24_q;
+  logic and_2660_s24_q;
+  logic equal_3193_s24_q;
+  logic [4:0] select_3281_s24_q;
+  logic [14:0] select_3312_s24_q;
+  logic less_3355_s24_q;
+  logic [9:0] eight_s24_q;
+  logic [9:0] fall_s24_q;
+  logic equal_3434_s24_q;
+  logic equal_3533_s24_q;
+  logic or_3604_s24_q;
+  logic select_3612_s24_q;
+  logic equal_3625_s24_q;
+  logic equal_3627_s24_q;
+  logic equal_3628_s24_q;
+  logic [31:0] select_3845_s24_q;
+  logic [9:0] select_3852_s24_q;
   always_ff @(posedge clk_i) begin
     if (s23_en) begin
       pixel_0_s24_q <= pixel_0_s23_q;
@@ -9572,32 +8566,39 @@ module horopter_agreement (
       mask_s24_q <= mask_s23_q;
       marks_first_s24_q <= marks_first_s23_q;
       marks_last_s24_q <= marks_last_s23_q;
+      sample_pair_pixel_0_s24_q <= sample_pair_pixel_0_s23_q;
       sample_pair_pixel_1_s24_q <= sample_pair_pixel_1_s23_q;
+      sample_pair_whole_s24_q <= sample_pair_whole_s23_q;
+      sample_present_s24_q <= sample_present_s23_q;
       census_columns_values_1_cell_2_of_skin_s24_q <= census_columns_values_1_cell_2_of_skin_s23_q;
-      census_changes_values_1_left_s24_q <= census_changes_values_1_left_q;
-      census_changes_values_1_right_s24_q <= census_changes_values_1_right_q;
-      sharpness_sums_contrast_0_s24_q <= sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_s24_q <= sharpness_sums_contrast_1_q;
+      census_columns_values_2_cell_4_mask_s24_q <= census_columns_values_2_cell_4_mask_q;
+      census_columns_values_3_cell_0_mask_s24_q <= census_columns_values_3_cell_0_mask_q;
+      census_columns_values_3_cell_1_mask_s24_q <= census_columns_values_3_cell_1_mask_q;
+      census_columns_values_3_cell_2_mask_s24_q <= census_columns_values_3_cell_2_mask_q;
+      census_columns_values_3_cell_3_mask_s24_q <= census_columns_values_3_cell_3_mask_q;
       x_s24_q <= x_s23_q;
+      slot_s24_q <= slot_s23_q[0];
       ends_cell_s24_q <= ends_cell_s23_q;
       lower_half_s24_q <= lower_half_s23_q;
       counts_nearer_s24_q <= counts_nearer_q;
       registration_of_right_s24_q <= registration_of_right_s23_q;
       patches_lower_s24_q <= patches_lower_s23_q;
       patches_second_s24_q <= patches_second_s23_q;
+      patches_code_row_s24_q <= patches_code_row_s23_q;
+      patches_column_s24_q <= patches_column_s23_q;
       patches_summed_row_column_s24_q <= patches_summed_row_column_s23_q;
-      patches_summed_first_s24_q <= patches_summed_first_s23_q;
       patches_summed_last_s24_q <= patches_summed_last_s23_q;
       patches_summed_down_by_s24_q <= patches_summed_down_by_s23_q;
+      patches_read_first_s24_q <= patches_read_first_s23_q;
+      patches_read_far_s24_q <= patches_read_far_q;
       product_s24_q <= product_s23_q;
       centres_values_1_textured_s24_q <= centres_values_1_textured_s23_q;
       centres_values_1_of_skin_s24_q <= centres_values_1_of_skin_s23_q;
       done_s24_q <= done_q;
+      select_461_s24_q <= select_461_s23_q;
+      select_464_s24_q <= select_464_s23_q;
       column_s24_q <= column_s23_q;
-      and_497_s24_q <= and_497_s23_q;
-      less_531_s24_q <= less_531_s23_q;
-      less_532_s24_q <= less_532_s23_q;
-      less_533_s24_q <= less_533_s23_q;
+      and_500_s24_q <= and_500_s23_q;
       less_534_s24_q <= less_534_s23_q;
       less_535_s24_q <= less_535_s23_q;
       less_536_s24_q <= less_536_s23_q;
@@ -9619,124 +8620,127 @@ module horopter_agreement (
       less_552_s24_q <= less_552_s23_q;
       less_553_s24_q <= less_553_s23_q;
       less_554_s24_q <= less_554_s23_q;
-      and_562_s24_q <= and_562_s23_q;
-      and_587_s24_q <= whole_22 & and_562_s23_q;
-      and_588_s24_q <= and_588_s23_q;
-      sum_608_s24_q <= {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-      equal_1466_s24_q <= equal_1466_s23_q;
-      not_1467_s24_q <= not_1467_s23_q;
-      equal_1511_s24_q <= equal_1511_s23_q;
-      sum_1517_s24_q <= sum_1517_s23_q;
-      equal_1519_s24_q <= equal_1519_s23_q;
-      equal_1521_s24_q <= equal_1521_s23_q;
-      equal_1523_s24_q <= equal_1523_s23_q;
-      equal_1525_s24_q <= equal_1525_s23_q;
-      equal_1527_s24_q <= equal_1527_s23_q;
-      equal_1529_s24_q <= equal_1529_s23_q;
-      less_1542_s24_q <= less_1542_s23_q;
-      select_1567_s24_q <= equal_1566_s23_q ? registration_sums_rdata_s23_q[19:0] : 20'h0;
-      select_1572_s24_q <= equal_1566_s23_q ? registration_sums_rdata_s23_q[31:20] : 12'h0;
-      and_1576_s24_q <= and_1576_s23_q;
-      and_1607_s24_q <= and_1607_s23_q;
-      equal_1638_s24_q <= equal_1638_s23_q;
-      equal_1672_s24_q <= equal_1672_s23_q;
-      equal_1674_s24_q <= equal_1674_s23_q;
-      select_1696_s24_q <= or_1695_s23_q ? 5'h0 : patches_right_next_0_q[4:0];
-      select_1699_s24_q <= select_1699_s23_q;
-      and_1709_s24_q <= sample_pair_whole_s23_q & and_1708;
-      select_1722_s24_q <= or_1721_s23_q ? 5'h0 : patches_right_next_1_q[4:0];
-      and_1726_s24_q <= sample_pair_whole_s23_q & and_1725;
-      less_1804_s24_q <= less_1804_s23_q;
-      equal_1805_s24_q <= equal_1805_s23_q;
-      not_1806_s24_q <= not_1806_s23_q;
-      equal_1807_s24_q <= equal_1807_s23_q;
-      not_1833_s24_q <= not_1833_s23_q;
+      less_555_s24_q <= less_555_s23_q;
+      less_556_s24_q <= less_556_s23_q;
+      less_557_s24_q <= less_557_s23_q;
+      and_565_s24_q <= and_565_s23_q;
+      whole_16_s24_q <= whole_16;
+      and_591_s24_q <= census_columns_values_1_cell_2_mask_s23_q & and_565_s23_q;
+      sum_606_s24_q <= {1'b0, sum_602} + {2'h0, sum_605_s23_q};
+      sum_609_s24_q <= sum_609_s23_q;
+      equal_1469_s24_q <= equal_1469_s23_q;
+      not_1470_s24_q <= not_1470_s23_q;
+      equal_1514_s24_q <= equal_1514_s23_q;
+      sum_1520_s24_q <= sum_1520_s23_q;
+      equal_1522_s24_q <= equal_1522_s23_q;
+      equal_1524_s24_q <= equal_1524_s23_q;
+      equal_1526_s24_q <= equal_1526_s23_q;
+      equal_1528_s24_q <= equal_1528_s23_q;
+      equal_1530_s24_q <= equal_1530_s23_q;
+      equal_1532_s24_q <= equal_1532_s23_q;
+      less_1545_s24_q <= less_1545_s23_q;
+      select_1570_s24_q <= equal_1569_s23_q ? registration_sums_rdata_s23_q[19:0] : 20'h0;
+      select_1575_s24_q <= equal_1569_s23_q ? registration_sums_rdata_s23_q[31:20] : 12'h0;
+      and_1579_s24_q <= and_1579_s23_q;
+      and_1582_s24_q <= and_1582_s23_q;
+      select_1599_s24_q <= select_1599_s23_q;
+      equal_1600_s24_q <= equal_1600_s23_q;
+      equal_1610_s24_q <= equal_1610_s23_q;
+      equal_1690_s24_q <= equal_1690_s23_q;
+      equal_1692_s24_q <= equal_1692_s23_q;
+      equal_1694_s24_q <= equal_1694_s23_q;
+      or_1696_s24_q <= or_1696_s23_q;
+      select_1706_s24_q <= and_1705_s23_q ? select_1682 : patches_choices_rdata_s23_q;
+      select_1720_s24_q <= select_1720_s23_q;
+      select_1726_s24_q <= select_1726_s23_q;
+      select_1765_s24_q <= select_1765_s23_q;
+      new_row_s24_q <= new_row_s23_q;
+      patches_right_codes_rdata_s24_q <= patches_right_codes_rdata_q;
+      less_1795_s24_q <= $signed(15'h100) < $signed(sum_1794);
+      less_1796_s24_q <= $signed(sum_1794[14:8]) < $signed(7'h7f);
+      less_1805_s24_q <= $signed(15'h100) < $signed(difference_1804_s23_q);
+      less_1806_s24_q <= $signed(difference_1804_s23_q[14:8]) < $signed(7'h7f);
+      and_1817_s24_q <= and_1817_s23_q;
+      patches_left_codes_rdata_s24_q <= patches_left_codes_rdata_q;
+      or_1821_s24_q <= or_1821_s23_q;
+      and_1829_s24_q <= and_1829_s23_q;
+      less_1830_s24_q <= less_1830_s23_q;
+      equal_1831_s24_q <= equal_1831_s23_q;
+      not_1832_s24_q <= not_1832_s23_q;
+      equal_1833_s24_q <= equal_1833_s23_q;
+      not_1859_s24_q <= not_1859_s23_q;
       index_s24_q <= index[2:0];
-      sum_1886_s24_q <= sum_1886;
-      and_1893_s24_q <= began_q & (seen_x_q == 4'h0);
-      less_1894_s24_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
+      sum_1912_s24_q <= sum_1912;
+      and_1919_s24_q <= began_q & (seen_x_q == 4'h0);
+      less_1920_s24_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
       index_2_s24_q <= index_2[2:0];
-      sum_1899_s24_q <= sum_1899;
-      equal_1912_s24_q <= equal_1912_s23_q;
-      not_1932_s24_q <= ~((good_q & select_1929) == 48'h0);
-      not_1948_s24_q <= not_1948_s23_q;
-      less_1962_s24_q <= less_1962_s23_q;
-      and_1973_s24_q <= and_1973_s23_q;
-      equal_2113_s24_q <= equal_2113_s23_q;
-      sum_2114_s24_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2106};
-      select_2142_s24_q <= and_2140_s23_q ? detail_3[14:2] : 13'h0;
-      select_2154_s24_q <= and_2152_s23_q ? detail_4[14:2] : 13'h0;
-      equal_2166_s24_q <= equal_2166_s23_q;
-      less_2167_s24_q <= less_2167_s23_q;
-      and_2177_s24_q <= and_2177;
-      and_2187_s24_q <= and_2187;
-      equal_2210_s24_q <= equal_2210_s23_q;
-      and_2353_s24_q <= and_2353_s23_q;
-      not_2376_s24_q <= not_2376_s23_q;
-      not_2391_s24_q <= not_2391_s23_q;
-      select_2402_s24_q <= select_2402_s23_q;
-      select_2405_s24_q <= select_2405_s23_q;
-      less_2407_s24_q <= {sum_2406, select_2405_s23_q[1:0]} < {3'h0, select_2402_s23_q};
-      and_2466_s24_q <= and_2466_s23_q;
-      select_2494_s24_q <= equal_1466_s23_q ? 8'h0 : (so_s23_q ? select_2492 : 8'h0);
-      and_2503_s24_q <= and_2503;
-      and_2511_s24_q <= and_1607_s23_q & less_2510_s23_q;
-      and_2518_s24_q <= and_1607_s23_q & less_2517;
-      and_2525_s24_q <= and_1607_s23_q & less_2524_s23_q;
-      select_2572_s24_q <= select_2572;
-      and_2580_s24_q <= equal_1466_s23_q & (x_s23_q[6] & and_2578);
-      select_2587_s24_q <= select_2587;
-      and_2598_s24_q <= equal_1466_s23_q & (x_s23_q[6] & and_2596);
-      and_2602_s24_q <= and_2602;
-      equal_2629_s24_q <= equal_2629;
-      and_2634_s24_q <= equal_1466_s23_q & (x_s23_q[6] & and_2632);
-      and_2642_s24_q <= x_s23_q[6] & and_2641;
-      parity_2937_s24_q <= parity_2937;
-      parity_3066_s24_q <= parity_3066;
-      and_3067_s24_q <= and_3067;
-      or_3071_s24_q <= or_3071;
-      or_3075_s24_q <= or_3075;
-      or_3082_s24_q <= or_3082;
-      or_3086_s24_q <= or_3086;
-      or_3090_s24_q <= or_3090;
-      or_3097_s24_q <= or_3097;
-      or_3101_s24_q <= or_3101;
-      or_3105_s24_q <= or_3105;
-      or_3112_s24_q <= or_3112;
-      or_3116_s24_q <= or_3116;
-      or_3120_s24_q <= or_3120;
-      parity_3126_s24_q <= parity_3126;
-      or_3136_s24_q <= (or_3101 & or_3105) | (or_3097 & (or_3101 | or_3105));
-      or_3140_s24_q <= (or_3116 & or_3120) | (or_3112 & (or_3116 | or_3120));
-      and_3147_s24_q <= and_3067 & (or_3071 | or_3075);
-      and_3149_s24_q <= parity_3108 & parity_3123;
-      and_3151_s24_q <= (^{or_3090, or_3086, or_3082}) & (parity_3108 | parity_3123);
-      equal_3173_s24_q <= equal_3173_s23_q;
-      equal_3304_s24_q <= select_3261_s23_q[3:0] == 4'h0;
-      or_3315_s24_q <= or_3315;
-      select_3357_s24_q <= select_3357;
-      product_3362_s24_q <= product_3362_s23_q;
-      equal_3414_s24_q <= equal_3414_s23_q;
-      equal_3513_s24_q <= equal_3513;
-      or_3584_s24_q <= or_3584_s23_q;
-      select_3592_s24_q <= select_3592_s23_q;
-      equal_3605_s24_q <= equal_3605_s23_q;
-      equal_3607_s24_q <= equal_3607_s23_q;
-      equal_3608_s24_q <= equal_3608_s23_q;
-      select_3825_s24_q <= select_3825;
-      select_3832_s24_q <= select_3832_s23_q;
+      sum_1925_s24_q <= sum_1925;
+      equal_1938_s24_q <= equal_1938_s23_q;
+      not_1958_s24_q <= ~((good_q & select_1955) == 48'h0);
+      not_1974_s24_q <= not_1974_s23_q;
+      less_1988_s24_q <= less_1988_s23_q;
+      and_1999_s24_q <= and_1999_s23_q;
+      sum_2128_s24_q <= {1'b0, sum_2124} + {2'h0, sum_2127_s23_q};
+      sum_2131_s24_q <= sum_2131_s23_q;
+      equal_2139_s24_q <= equal_2139_s23_q;
+      select_2153_s24_q <= sample_pair_whole_s23_q ? {detail_2, detail} : 28'h0;
+      and_2166_s24_q <= and_2166;
+      and_2178_s24_q <= and_2178;
+      select_2185_s24_q <= and_2166 ? contrast_s23_q : 9'h0;
+      select_2189_s24_q <= and_2178 ? contrast_2_s23_q : 9'h0;
+      equal_2192_s24_q <= equal_2192_s23_q;
+      less_2193_s24_q <= 7'h2 < {x_s23_q[4:0], slot_s23_q[2:1]};
+      select_2198_s24_q <= select_2198;
+      equal_2236_s24_q <= {x_s23_q[4:0], slot_s23_q} == 8'h0;
+      and_2379_s24_q <= and_2379_s23_q;
+      not_2402_s24_q <= not_2402_s23_q;
+      not_2417_s24_q <= not_2417_s23_q;
+      select_2428_s24_q <= select_2428_s23_q;
+      select_2431_s24_q <= select_2431_s23_q;
+      less_2433_s24_q <= {sum_2432, select_2431_s23_q[1:0]} < {3'h0, select_2428_s23_q};
+      and_2494_s24_q <= and_2494_s23_q;
+      and_2495_s24_q <= and_2495_s23_q;
+      select_2512_s24_q <= equal_1469_s23_q ? 8'h0 : (so_s23_q ? select_2510 : 8'h0);
+      and_2521_s24_q <= and_2521;
+      and_2529_s24_q <= and_2495_s23_q & less_2528_s23_q;
+      and_2536_s24_q <= and_2495_s23_q & less_2535;
+      and_2543_s24_q <= and_2495_s23_q & less_2542_s23_q;
+      select_2590_s24_q <= select_2590;
+      and_2598_s24_q <= equal_1469_s23_q & (x_s23_q[6] & and_2596);
+      select_2605_s24_q <= select_2605;
+      and_2616_s24_q <= equal_1469_s23_q & (x_s23_q[6] & and_2614);
+      and_2620_s24_q <= and_2620;
+      equal_2647_s24_q <= equal_2647;
+      and_2652_s24_q <= equal_1469_s23_q & (x_s23_q[6] & and_2650);
+      and_2660_s24_q <= x_s23_q[6] & and_2659;
+      equal_3193_s24_q <= equal_3193_s23_q;
+      select_3281_s24_q <= select_3281_s23_q;
+      select_3312_s24_q <= select_3312_s23_q;
+      less_3355_s24_q <= less_3355_s23_q;
+      eight_s24_q <= eight;
+      fall_s24_q <= fall;
+      equal_3434_s24_q <= equal_3434_s23_q;
+      equal_3533_s24_q <= equal_3533;
+      or_3604_s24_q <= or_3604_s23_q;
+      select_3612_s24_q <= select_3612_s23_q;
+      equal_3625_s24_q <= equal_3625_s23_q;
+      equal_3627_s24_q <= equal_3627_s23_q;
+      equal_3628_s24_q <= equal_3628_s23_q;
+      select_3845_s24_q <= select_3845;
+      select_3852_s24_q <= select_3852_s23_q;
     end
   end
 
   // Stage 24 ----------------------------------------------------------------------------------------------------------
-  logic [11:0] census_changes_values_2_left_q;
-  logic [11:0] census_changes_values_2_right_q;
-  logic [23:0] sharpness_sums_detail_0_q;
-  logic [23:0] sharpness_sums_detail_1_q;
-  logic [1:0] sharpness_comparing_contrast_0_q;
-  logic [1:0] sharpness_comparing_contrast_1_q;
-  logic sharpness_comparing_less_contrast_0_q;
-  logic sharpness_comparing_less_contrast_1_q;
+  logic census_columns_values_3_cell_4_mask_q;
+  logic [11:0] census_changes_values_0_left_q;
+  logic [11:0] census_changes_values_0_right_q;
+  logic [11:0] census_changes_values_1_left_q;
+  logic [11:0] census_changes_values_1_right_q;
+  logic [13:0] sharpness_last_detail_0_q;
+  logic [13:0] sharpness_last_detail_1_q;
+  logic [23:0] sharpness_sums_contrast_0_q;
+  logic [23:0] sharpness_sums_contrast_1_q;
   logic [13:0] registration_half_across_q;
   logic [5:0] registration_half_measured_q;
   logic [6:0] registration_half_votes_down_q;
@@ -9751,221 +8755,305 @@ module horopter_agreement (
   logic registration_other_enough_q;
   logic registration_other_down_q;
   logic registration_other_up_q;
+  logic [7:0] patches_place_0_column_q;
+  logic [5:0] patches_place_0_shift_q;
+  logic [7:0] patches_place_0_slope_q;
+  logic [7:0] patches_place_1_column_q;
+  logic [5:0] patches_place_1_shift_q;
+  logic [7:0] patches_place_1_slope_q;
+  logic [51:0] patches_codes_low_q;
+  logic [55:0] patches_codes_high_q;
+  logic [47:0] patches_left_row_q;
+  logic patches_summed_first_q;
+  logic [9:0] patches_peak_far_q;
   logic good_known_q;
-  // hls/stages/census.hpp:281
-  logic [13:0] sum_609;
-  assign sum_609 = {2'h0, census_changes_values_1_left_s24_q} + {1'b0, sum_608_s24_q};
-  logic [13:0] sum_610;
-  assign sum_610 = {2'h0, census_changes_values_2_left_q} + sum_609;
-  // hls/stages/registration.hpp:262
-  logic equal_1568;
-  assign equal_1568 = sum_1517_s24_q == 2'h0;
-  // hls/stages/registration.hpp:260
-  logic [6:0] down;
-  assign down = sum_1517_s24_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
-  // hls/stages/registration.hpp:262
-  logic [13:0] select_1570;
-  assign select_1570 = equal_1568 ? registration_half_across_q : {{7{down[6]}}, down};
-  // hls/stages/registration.hpp:261
-  logic [6:0] up;
-  assign up = sum_1517_s24_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  // hls/stages/agreement.hpp:443
+  logic whole_17;
+  assign whole_17 = census_columns_values_2_cell_4_mask_s24_q & whole_16_s24_q;
+  logic whole_18;
+  assign whole_18 = census_columns_values_3_cell_0_mask_s24_q & whole_17;
+  logic whole_19;
+  assign whole_19 = census_columns_values_3_cell_1_mask_s24_q & whole_18;
+  logic whole_20;
+  assign whole_20 = census_columns_values_3_cell_2_mask_s24_q & whole_19;
+  logic whole_21;
+  assign whole_21 = census_columns_values_3_cell_3_mask_s24_q & whole_20;
+  logic whole_22;
+  assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
+  // hls/stages/census.hpp:270
+  logic [11:0] texture;
+  assign texture = sum_606_s24_q + {2'h0, sum_609_s24_q};
+  // hls/stages/registration.hpp:265
+  logic equal_1571;
+  assign equal_1571 = sum_1520_s24_q == 2'h0;
   // hls/stages/registration.hpp:263
-  logic [6:0] select_1574;
-  assign select_1574 = equal_1568 ? {1'b0, registration_half_measured_q} : up;
-  // hls/stages/agreement.hpp:975
-  logic and_1933;
-  assign and_1933 = good_known_q & not_1932_s24_q;
-  // hls/stages/agreement.hpp:1044
+  logic [6:0] down;
+  assign down = sum_1520_s24_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  // hls/stages/registration.hpp:265
+  logic [13:0] select_1573;
+  assign select_1573 = equal_1571 ? registration_half_across_q : {{7{down[6]}}, down};
+  // hls/stages/registration.hpp:264
+  logic [6:0] up;
+  assign up = sum_1520_s24_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  // hls/stages/registration.hpp:266
+  logic [6:0] select_1577;
+  assign select_1577 = equal_1571 ? {1'b0, registration_half_measured_q} : up;
+  // hls/stages/patches.hpp:323
+  logic [21:0] select_1709;
+  assign select_1709 = select_1599_s24_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1706_s24_q[22:1];
+  // hls/stages/patches.hpp:104
+  logic [7:0] select_1710;
+  assign select_1710 = equal_1600_s24_q ? patches_place_0_column_q : select_1709[7:0];
+  logic [5:0] select_1711;
+  assign select_1711 = equal_1600_s24_q ? patches_place_0_shift_q : select_1709[13:8];
+  // hls/stages/patches.hpp:323
+  logic [21:0] select_1738;
+  assign select_1738 = select_1599_s24_q ? select_1706_s24_q[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  // hls/stages/patches.hpp:104
+  logic [7:0] select_1739;
+  assign select_1739 = equal_1600_s24_q ? patches_place_1_column_q : select_1738[7:0];
+  logic [5:0] select_1740;
+  assign select_1740 = equal_1600_s24_q ? patches_place_1_shift_q : select_1738[13:8];
+  // hls/stages/patches.hpp:109
+  logic equal_1756;
+  assign equal_1756 = {select_1710[7], select_464_s24_q, select_461_s24_q} == {1'b0, select_1710[6:0], 4'h0};
+  logic equal_1760;
+  assign equal_1760 = {select_1739[7], select_464_s24_q, select_461_s24_q} == {1'b0, select_1739[6:0], 4'h0};
+  // hls/stages/patches.hpp:438
+  logic [2:0] sum_1786;
+  assign sum_1786 = patches_code_row_s24_q[4:2] + 3'h7;
+  // hls/stages/patches.hpp:442
+  logic [1:0] sum_1819;
+  assign sum_1819 = patches_code_row_s24_q[3:2] + 2'h3;
+  // hls/stages/agreement.hpp:976
+  logic and_1959;
+  assign and_1959 = good_known_q & not_1958_s24_q;
+  // hls/stages/agreement.hpp:1045
   logic is_seen;
-  assign is_seen = equal_1912_s24_q ? and_1933 : not_1948_s24_q;
+  assign is_seen = equal_1938_s24_q ? and_1959 : not_1974_s24_q;
   // hls/stages/agreement.hpp:507
-  logic [11:0] select_2110;
-  assign select_2110 = and_497_s24_q ? census_changes_values_1_left_s24_q : census_changes_values_2_left_q;
-  logic [11:0] select_2111;
-  assign select_2111 = and_497_s24_q ? census_changes_values_1_right_s24_q : census_changes_values_2_right_q;
-  // hls/stages/census.hpp:282
-  logic [13:0] sum_2115;
-  assign sum_2115 = {2'h0, census_changes_values_1_right_s24_q} + {1'b0, sum_2114_s24_q};
-  logic [13:0] sum_2116;
-  assign sum_2116 = {2'h0, census_changes_values_2_right_q} + sum_2115;
+  logic select_2112;
+  assign select_2112 = and_500_s24_q ? census_columns_values_2_cell_4_mask_s24_q : census_columns_values_3_cell_4_mask_q;
+  // hls/stages/census.hpp:272
+  logic [11:0] sum_2132;
+  assign sum_2132 = sum_2128_s24_q + {2'h0, sum_2131_s24_q};
+  // hls/stages/agreement.hpp:507
+  logic [11:0] select_2134;
+  assign select_2134 = and_500_s24_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2135;
+  assign select_2135 = and_500_s24_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [13:0] select_2154;
+  assign select_2154 = and_500_s24_q ? select_2153_s24_q[13:0] : sharpness_last_detail_0_q;
+  logic [13:0] select_2155;
+  assign select_2155 = and_500_s24_q ? select_2153_s24_q[27:14] : sharpness_last_detail_1_q;
+  // hls/stages/census.hpp:354
+  logic [14:0] detail_3;
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2153_s24_q[13:0]};
+  logic [14:0] detail_4;
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2153_s24_q[27:14]};
   // hls/stages/census.hpp:357
-  logic [23:0] select_2144;
-  assign select_2144 = equal_2113_s24_q ? {11'h0, select_2142_s24_q} : (sharpness_sums_detail_0_q + {11'h0, select_2142_s24_q});
-  logic [23:0] select_2156;
-  assign select_2156 = equal_2113_s24_q ? {11'h0, select_2154_s24_q} : (sharpness_sums_detail_1_q + {11'h0, select_2154_s24_q});
-  // hls/stages/census.hpp:377
-  logic [17:0] select_2179;
-  assign select_2179 = (less_2167_s24_q & and_2177_s24_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
-  logic [17:0] select_2189;
-  assign select_2189 = (less_2167_s24_q & and_2187_s24_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
-  // hls/stages/agreement.hpp:207
-  logic [1:0] select_2198;
-  assign select_2198 = equal_2166_s24_q ? {sharpness_comparing_contrast_0_q[0], and_2187_s24_q} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2200;
-  assign select_2200 = equal_2166_s24_q ? {sharpness_comparing_contrast_1_q[0], and_2177_s24_q} : sharpness_comparing_contrast_1_q;
-  // hls/stages/census.hpp:386
-  logic xor_2223;
-  assign xor_2223 = sharpness_comparing_contrast_0_q[1] ^ and_2177_s24_q;
-  logic select_2226;
-  assign select_2226 = (equal_2210_s24_q | xor_2223) ? (and_2177_s24_q & xor_2223) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/agreement.hpp:207
-  logic select_2227;
-  assign select_2227 = equal_2166_s24_q ? select_2226 : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:386
-  logic xor_2229;
-  assign xor_2229 = sharpness_comparing_contrast_1_q[1] ^ and_2187_s24_q;
-  logic select_2232;
-  assign select_2232 = (equal_2210_s24_q | xor_2229) ? (and_2187_s24_q & xor_2229) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:207
-  logic select_2233;
-  assign select_2233 = equal_2166_s24_q ? select_2232 : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:1047
-  logic not_2393;
-  assign not_2393 = ~(equal_1912_s24_q ? and_1933 : not_2391_s24_q);
-  // hls/stages/patches.hpp:303
-  logic and_2396;
-  assign and_2396 = ends_cell_s24_q & (not_2376_s24_q & (centres_values_1_textured_s24_q & not_2393));
-  // hls/stages/agreement.hpp:1079
-  logic [9:0] select_2409;
-  assign select_2409 = ((~(select_2402_s24_q[9:4] == 6'h0)) & less_2407_s24_q) ? select_2402_s24_q : 10'h0;
-  // hls/stages/patches.hpp:303
-  logic [9:0] select_2412;
-  assign select_2412 = equal_1466_s24_q ? (x_s24_q[6] ? (equal_1511_s24_q ? 10'h0 : select_2409) : 10'h0) : 10'h0;
-  // hls/stages/agreement.hpp:1051
-  logic and_2430;
-  assign and_2430 = centres_values_1_textured_s24_q & (centres_values_1_of_skin_s24_q & not_2393);
-  // hls/stages/registration.hpp:132
-  logic [13:0] sum_2495;
-  assign sum_2495 = registration_half_across_q + {{6{select_2494_s24_q[7]}}, select_2494_s24_q};
-  // hls/stages/patches.hpp:303
-  logic and_2499;
-  assign and_2499 = not_1467_s24_q & (drew_q & (and_1607_s24_q & equal_1638_s24_q));
+  logic [23:0] sum_2186;
+  assign sum_2186 = (equal_2139_s24_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2185_s24_q};
+  logic [23:0] sum_2190;
+  assign sum_2190 = (equal_2139_s24_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2189_s24_q};
+  // hls/stages/census.hpp:409
+  logic less_2194;
+  assign less_2194 = x_s24_q[4:0] < 5'h3;
+  logic [23:0] select_2199;
+  assign select_2199 = slot_s24_q ? {select_2198_s24_q[11], 1'b0, select_2198_s24_q[10], 1'b0, select_2198_s24_q[9], 1'b0, select_2198_s24_q[8], 1'b0, select_2198_s24_q[7], 1'b0, select_2198_s24_q[6], 1'b0, select_2198_s24_q[5], 1'b0, select_2198_s24_q[4], 1'b0, select_2198_s24_q[3], 1'b0, select_2198_s24_q[2], 1'b0, select_2198_s24_q[1], 1'b0, select_2198_s24_q[0], 1'b0} : {1'b0, select_2198_s24_q[11], 1'b0, select_2198_s24_q[10], 1'b0, select_2198_s24_q[9], 1'b0, select_2198_s24_q[8], 1'b0, select_2198_s24_q[7], 1'b0, select_2198_s24_q[6], 1'b0, select_2198_s24_q[5], 1'b0, select_2198_s24_q[4], 1'b0, select_2198_s24_q[3], 1'b0, select_2198_s24_q[2], 1'b0, select_2198_s24_q[1], 1'b0, select_2198_s24_q[0]};
+  // hls/stages/census.hpp:372
+  logic and_2203;
+  assign and_2203 = less_2194 & (~((sharpness_sums_contrast_1_q & select_2199) == 24'h0));
+  logic and_2213;
+  assign and_2213 = less_2194 & (~((sharpness_sums_contrast_0_q & select_2199) == 24'h0));
+  // hls/stages/agreement.hpp:1048
+  logic not_2419;
+  assign not_2419 = ~(equal_1938_s24_q ? and_1959 : not_2417_s24_q);
+  // hls/stages/patches.hpp:309
+  logic and_2422;
+  assign and_2422 = ends_cell_s24_q & (not_2402_s24_q & (centres_values_1_textured_s24_q & not_2419));
+  // hls/stages/agreement.hpp:1080
+  logic [9:0] select_2435;
+  assign select_2435 = ((~(select_2428_s24_q[9:4] == 6'h0)) & less_2433_s24_q) ? select_2428_s24_q : 10'h0;
+  // hls/stages/patches.hpp:309
+  logic [9:0] select_2438;
+  assign select_2438 = equal_1469_s24_q ? (x_s24_q[6] ? (equal_1514_s24_q ? 10'h0 : select_2435) : 10'h0) : 10'h0;
+  // hls/stages/agreement.hpp:1052
+  logic and_2456;
+  assign and_2456 = centres_values_1_textured_s24_q & (centres_values_1_of_skin_s24_q & not_2419);
   // hls/stages/registration.hpp:133
-  logic [5:0] select_2501;
-  assign select_2501 = and_2466_s24_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2499});
-  // hls/stages/patches.hpp:303
-  logic [1:0] select_2505;
-  assign select_2505 = drew_q ? (equal_1638_s24_q ? {and_2503_s24_q, and_1607_s24_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2506;
-  assign select_2506 = equal_1466_s24_q ? 2'h0 : select_2505;
-  // hls/stages/registration.hpp:181
-  logic [6:0] sum_2507;
-  assign sum_2507 = registration_half_votes_down_q + {{5{select_2506[1]}}, select_2506};
-  // hls/stages/patches.hpp:303
-  logic [1:0] select_2513;
-  assign select_2513 = drew_q ? (equal_1638_s24_q ? {and_2511_s24_q, and_1607_s24_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2514;
-  assign select_2514 = equal_1466_s24_q ? 2'h0 : select_2513;
-  // hls/stages/registration.hpp:182
-  logic [6:0] sum_2515;
-  assign sum_2515 = registration_half_votes_up_q + {{5{select_2514[1]}}, select_2514};
-  // hls/stages/patches.hpp:303
-  logic [1:0] select_2520;
-  assign select_2520 = drew_q ? (equal_1638_s24_q ? {and_2518_s24_q, and_1607_s24_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2521;
-  assign select_2521 = equal_1466_s24_q ? 2'h0 : select_2520;
-  // hls/stages/registration.hpp:181
-  logic [6:0] sum_2522;
-  assign sum_2522 = registration_half_half_votes_down_q + {{5{select_2521[1]}}, select_2521};
-  // hls/stages/patches.hpp:303
-  logic [1:0] select_2527;
-  assign select_2527 = drew_q ? (equal_1638_s24_q ? {and_2525_s24_q, and_1607_s24_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2528;
-  assign select_2528 = equal_1466_s24_q ? 2'h0 : select_2527;
-  // hls/stages/registration.hpp:182
-  logic [6:0] sum_2529;
-  assign sum_2529 = registration_half_half_votes_up_q + {{5{select_2528[1]}}, select_2528};
-  // hls/stages/patches.hpp:303
-  logic and_2563;
-  assign and_2563 = equal_1466_s24_q & (x_s24_q[6] & (not_1833_s24_q & less_1542_s24_q));
-  logic [11:0] select_2574;
-  assign select_2574 = equal_1466_s24_q ? (x_s24_q[6] ? select_2572_s24_q : 12'h0) : 12'h0;
-  // hls/stages/registration.hpp:249
-  logic [13:0] sum_2582;
-  assign sum_2582 = {{2{select_2574[11]}}, select_2574} + (and_2580_s24_q ? 14'h0 : registration_down_q);
-  // hls/stages/patches.hpp:303
-  logic [11:0] select_2589;
-  assign select_2589 = equal_1466_s24_q ? (x_s24_q[6] ? select_2587_s24_q : 12'h0) : 12'h0;
-  // hls/stages/registration.hpp:250
-  logic [13:0] sum_2591;
-  assign sum_2591 = {{2{select_2589[11]}}, select_2589} + (and_2580_s24_q ? 14'h0 : registration_up_q);
-  // hls/stages/registration.hpp:243
-  logic not_2603;
-  assign not_2603 = ~and_2602_s24_q;
-  logic less_2604;
-  assign less_2604 = $signed({9'h1, {2{not_2603}}, and_2602_s24_q}) < $signed(registration_up_q[13:2]);
-  logic select_2605;
-  assign select_2605 = and_2598_s24_q ? less_2604 : registration_enough_q;
-  // hls/stages/agreement.hpp:1083
-  logic and_2609;
-  assign and_2609 = x_s24_q[6] & (not_1833_s24_q & (less_1542_s24_q & (x_s24_q[2:0] == 3'h4)));
-  // hls/stages/patches.hpp:303
-  logic and_2610;
-  assign and_2610 = equal_1466_s24_q & and_2609;
-  // hls/stages/registration.hpp:239
-  logic less_2611;
-  assign less_2611 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_2613;
-  assign less_2613 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/agreement.hpp:1083
-  logic and_2618;
-  assign and_2618 = x_s24_q[6] & (not_1833_s24_q & (less_1542_s24_q & (x_s24_q[2:0] == 3'h7)));
-  // hls/stages/patches.hpp:303
-  logic and_2619;
-  assign and_2619 = equal_1466_s24_q & and_2618;
-  // hls/stages/agreement.hpp:1083
-  logic and_2626;
-  assign and_2626 = x_s24_q[6] & (not_1833_s24_q & (less_1542_s24_q & (x_s24_q[5:0] == 6'h0)));
-  // hls/stages/registration.hpp:241
+  logic [13:0] sum_2513;
+  assign sum_2513 = registration_half_across_q + {{6{select_2512_s24_q[7]}}, select_2512_s24_q};
+  // hls/stages/patches.hpp:309
+  logic and_2517;
+  assign and_2517 = not_1470_s24_q & (drew_q & (and_2495_s24_q & equal_1610_s24_q));
+  // hls/stages/registration.hpp:134
+  logic [5:0] select_2519;
+  assign select_2519 = and_2494_s24_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2517});
+  // hls/stages/patches.hpp:309
+  logic [1:0] select_2523;
+  assign select_2523 = drew_q ? (equal_1610_s24_q ? {and_2521_s24_q, and_2495_s24_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2524;
+  assign select_2524 = equal_1469_s24_q ? 2'h0 : select_2523;
+  // hls/stages/registration.hpp:184
+  logic [6:0] sum_2525;
+  assign sum_2525 = registration_half_votes_down_q + {{5{select_2524[1]}}, select_2524};
+  // hls/stages/patches.hpp:309
+  logic [1:0] select_2531;
+  assign select_2531 = drew_q ? (equal_1610_s24_q ? {and_2529_s24_q, and_2495_s24_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2532;
+  assign select_2532 = equal_1469_s24_q ? 2'h0 : select_2531;
+  // hls/stages/registration.hpp:185
+  logic [6:0] sum_2533;
+  assign sum_2533 = registration_half_votes_up_q + {{5{select_2532[1]}}, select_2532};
+  // hls/stages/patches.hpp:309
+  logic [1:0] select_2538;
+  assign select_2538 = drew_q ? (equal_1610_s24_q ? {and_2536_s24_q, and_2495_s24_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2539;
+  assign select_2539 = equal_1469_s24_q ? 2'h0 : select_2538;
+  // hls/stages/registration.hpp:184
+  logic [6:0] sum_2540;
+  assign sum_2540 = registration_half_half_votes_down_q + {{5{select_2539[1]}}, select_2539};
+  // hls/stages/patches.hpp:309
+  logic [1:0] select_2545;
+  assign select_2545 = drew_q ? (equal_1610_s24_q ? {and_2543_s24_q, and_2495_s24_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2546;
+  assign select_2546 = equal_1469_s24_q ? 2'h0 : select_2545;
+  // hls/stages/registration.hpp:185
+  logic [6:0] sum_2547;
+  assign sum_2547 = registration_half_half_votes_up_q + {{5{select_2546[1]}}, select_2546};
+  // hls/stages/patches.hpp:309
+  logic and_2581;
+  assign and_2581 = equal_1469_s24_q & (x_s24_q[6] & (not_1859_s24_q & less_1545_s24_q));
+  logic [11:0] select_2592;
+  assign select_2592 = equal_1469_s24_q ? (x_s24_q[6] ? select_2590_s24_q : 12'h0) : 12'h0;
+  // hls/stages/registration.hpp:252
+  logic [13:0] sum_2600;
+  assign sum_2600 = {{2{select_2592[11]}}, select_2592} + (and_2598_s24_q ? 14'h0 : registration_down_q);
+  // hls/stages/patches.hpp:309
+  logic [11:0] select_2607;
+  assign select_2607 = equal_1469_s24_q ? (x_s24_q[6] ? select_2605_s24_q : 12'h0) : 12'h0;
+  // hls/stages/registration.hpp:253
+  logic [13:0] sum_2609;
+  assign sum_2609 = {{2{select_2607[11]}}, select_2607} + (and_2598_s24_q ? 14'h0 : registration_up_q);
+  // hls/stages/registration.hpp:246
+  logic not_2621;
+  assign not_2621 = ~and_2620_s24_q;
+  logic less_2622;
+  assign less_2622 = $signed({9'h1, {2{not_2621}}, and_2620_s24_q}) < $signed(registration_up_q[13:2]);
+  logic select_2623;
+  assign select_2623 = and_2616_s24_q ? less_2622 : registration_enough_q;
+  // hls/stages/agreement.hpp:1084
+  logic and_2627;
+  assign and_2627 = x_s24_q[6] & (not_1859_s24_q & (less_1545_s24_q & (x_s24_q[2:0] == 3'h4)));
+  // hls/stages/patches.hpp:309
+  logic and_2628;
+  assign and_2628 = equal_1469_s24_q & and_2627;
+  // hls/stages/registration.hpp:242
+  logic less_2629;
+  assign less_2629 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2631;
+  assign less_2631 = $signed(14'h0) < $signed(registration_up_q);
+  // hls/stages/agreement.hpp:1084
+  logic and_2636;
+  assign and_2636 = x_s24_q[6] & (not_1859_s24_q & (less_1545_s24_q & (x_s24_q[2:0] == 3'h7)));
+  // hls/stages/patches.hpp:309
+  logic and_2637;
+  assign and_2637 = equal_1469_s24_q & and_2636;
+  // hls/stages/agreement.hpp:1084
   logic and_2644;
-  assign and_2644 = registration_votes_up_q & registration_other_down_q;
-  logic select_2646;
-  assign select_2646 = registration_votes_down_q ? (registration_other_up_q | and_2644) : and_2644;
-  // hls/stages/registration.hpp:137
-  logic and_2648;
-  assign and_2648 = (equal_1466_s24_q & and_2642_s24_q) & (registration_other_enough_q & select_2646);
-  logic and_2650;
-  assign and_2650 = registration_enough_q & ((and_2634_s24_q & (less_2613 | less_2611)) | and_2648);
+  assign and_2644 = x_s24_q[6] & (not_1859_s24_q & (less_1545_s24_q & (x_s24_q[5:0] == 6'h0)));
+  // hls/stages/registration.hpp:244
+  logic and_2662;
+  assign and_2662 = registration_votes_up_q & registration_other_down_q;
+  logic select_2664;
+  assign select_2664 = registration_votes_down_q ? (registration_other_up_q | and_2662) : and_2662;
+  // hls/stages/registration.hpp:138
+  logic and_2666;
+  assign and_2666 = (equal_1469_s24_q & and_2660_s24_q) & (registration_other_enough_q & select_2664);
+  logic and_2668;
+  assign and_2668 = registration_enough_q & ((and_2652_s24_q & (less_2631 | less_2629)) | and_2666);
+  // hls/stages/agreement.hpp:263
+  logic [7:0] select_2754;
+  assign select_2754 = sample_pair_whole_s24_q ? (equal_1600_s24_q ? patches_place_0_slope_q : select_1709[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_2759;
+  assign select_2759 = sample_pair_whole_s24_q ? (equal_1600_s24_q ? patches_place_1_slope_q : select_1738[21:14]) : patches_place_1_slope_q;
+  // hls/stages/patches.hpp:458
+  logic [55:0] other;
+  assign other = new_row_s24_q ? patches_right_codes_rdata_s24_q[55:0] : {patches_codes_high_q[3:0], patches_codes_low_q};
+  // hls/stages/patches.hpp:160
+  logic [51:0] select_2848;
+  assign select_2848 = or_1696_s24_q ? {patches_codes_high_q[3:0], patches_codes_low_q[51:4]} : patches_codes_low_q;
+  logic [51:0] select_2850;
+  assign select_2850 = equal_1690_s24_q ? patches_codes_low_q : (equal_1692_s24_q ? other[55:4] : select_2848);
+  // hls/stages/patches.hpp:458
+  logic [55:0] select_2851;
+  assign select_2851 = new_row_s24_q ? patches_right_codes_rdata_s24_q[111:56] : {4'h0, patches_codes_high_q[55:4]};
+  // hls/stages/patches.hpp:160
+  logic [55:0] select_2852;
+  assign select_2852 = or_1696_s24_q ? {less_1806_s24_q, less_1805_s24_q, less_1796_s24_q, less_1795_s24_q, patches_codes_high_q[55:4]} : patches_codes_high_q;
+  logic [55:0] select_2854;
+  assign select_2854 = equal_1690_s24_q ? patches_codes_high_q : (equal_1692_s24_q ? select_2851 : select_2852);
   // hls/stages/count_bits.hpp:24
-  logic parity_3128;
-  assign parity_3128 = ^{or_3120_s24_q, or_3116_s24_q, or_3112_s24_q, or_3105_s24_q, or_3101_s24_q, or_3097_s24_q, or_3090_s24_q, or_3086_s24_q, or_3082_s24_q, or_3075_s24_q, or_3071_s24_q, and_3067_s24_q};
+  logic parity_2859;
+  assign parity_2859 = ^{less_1806_s24_q, less_1805_s24_q, less_1796_s24_q, less_1795_s24_q};
   // hls/stages/count_bits.hpp:25
-  logic or_3132;
-  assign or_3132 = (or_3086_s24_q & or_3090_s24_q) | (or_3082_s24_q & (or_3086_s24_q | or_3090_s24_q));
+  logic or_2863;
+  assign or_2863 = ({less_1796_s24_q, less_1795_s24_q} == 2'h3) | (less_1805_s24_q & (less_1796_s24_q | less_1795_s24_q));
+  logic and_2864;
+  assign and_2864 = less_1806_s24_q & (^{less_1805_s24_q, less_1796_s24_q, less_1795_s24_q});
   // hls/stages/count_bits.hpp:24
-  logic parity_3143;
-  assign parity_3143 = ^{or_3140_s24_q, or_3136_s24_q, or_3132};
-  // hls/stages/count_bits.hpp:25
-  logic and_3144;
-  assign and_3144 = (^{or_3075_s24_q, or_3071_s24_q, and_3067_s24_q}) & parity_3126_s24_q;
-  logic or_3148;
-  assign or_3148 = (or_3071_s24_q & or_3075_s24_q) | and_3147_s24_q;
-  logic or_3152;
-  assign or_3152 = and_3149_s24_q | and_3151_s24_q;
-  // hls/stages/count_bits.hpp:24
-  logic parity_3155;
-  assign parity_3155 = ^{or_3152, or_3148, and_3144};
-  // hls/stages/count_bits.hpp:25
-  logic and_3157;
-  assign and_3157 = parity_3143 & parity_3155;
-  logic or_3161;
-  assign or_3161 = (or_3136_s24_q & or_3140_s24_q) | (or_3132 & (or_3136_s24_q | or_3140_s24_q));
-  logic or_3165;
-  assign or_3165 = (or_3148 & or_3152) | (and_3144 & (or_3148 | or_3152));
+  logic xor_2865;
+  assign xor_2865 = or_2863 ^ and_2864;
+  // hls/stages/count_bits.hpp:27
+  logic and_2866;
+  assign and_2866 = or_2863 & and_2864;
+  // hls/stages/patches.hpp:444
+  logic [2:0] select_2868;
+  assign select_2868 = or_1821_s24_q ? 3'h0 : (patches_column_s24_q ? 3'h0 : {and_2866, xor_2865, parity_2859});
+  // hls/stages/patches.hpp:459
+  logic [47:0] select_2883;
+  assign select_2883 = new_row_s24_q ? patches_left_codes_rdata_s24_q : patches_left_row_q;
+  // hls/stages/patches.hpp:160
+  logic [47:0] select_2885;
+  assign select_2885 = equal_1690_s24_q ? patches_left_row_q : (equal_1692_s24_q ? select_2883 : patches_left_row_q);
+  // hls/stages/patches.hpp:459
+  logic [47:0] bits;
+  assign bits = select_2883 ^ other[47:0];
+  // hls/stages/patches.hpp:160
+  logic select_3233;
+  assign select_3233 = equal_1690_s24_q ? patches_summed_first_q : (equal_1692_s24_q ? new_row_s24_q : patches_summed_first_q);
+  // hls/stages/patches.hpp:478
+  logic [9:0] select_3321;
+  assign select_3321 = (patches_read_far_s24_q < patches_peak_far_q) ? patches_read_far_s24_q : patches_peak_far_q;
+  logic [9:0] select_3322;
+  assign select_3322 = patches_read_first_s24_q ? patches_read_far_s24_q : select_3321;
   // hls/stages/patches.hpp:518
-  logic [14:0] difference_3363;
-  assign difference_3363 = {{7{select_3357_s24_q[7]}}, select_3357_s24_q} - {product_3362_s24_q[13], product_3362_s24_q};
-  // hls/stages/patches.hpp:524
-  logic less_3364;
-  assign less_3364 = $signed({{8{difference_3334[6]}}, difference_3334}) < $signed(difference_3363);
-  // hls/stages/patches.hpp:303
-  logic select_3604;
-  assign select_3604 = equal_1466_s24_q ? ((x_s24_q[6] & good_known_q) | equal_3513_s24_q) : good_known_q;
-  // hls/stages/agreement.hpp:1233
-  logic and_3766;
-  assign and_3766 = and_1973_s24_q & ({sum_1899_s24_q, index_2_s24_q} == {sum_1886_s24_q, index_s24_q});
+  logic [10:0] sum_3364;
+  assign sum_3364 = {1'b0, fall_s24_q} + {2'h0, fall_s24_q[9:1]};
+  // hls/stages/patches.hpp:519
+  logic [10:0] sum_3368;
+  assign sum_3368 = {1'b0, fall_s24_q} + {3'h0, fall_s24_q[9:2]};
+  logic not_3373;
+  assign not_3373 = ~({eight_s24_q, 3'h0} < ({fall_s24_q, 3'h0} - {3'h0, fall_s24_q}));
+  // hls/stages/patches.hpp:532
+  logic [7:0] select_3378;
+  assign select_3378 = patches_second_s24_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  // hls/stages/patches.hpp:531
+  logic [3:0] sum_3379;
+  assign sum_3379 = {2'h0, select_3312_s24_q[14:13]} + 4'hf;
+  logic [5:0] select_3380;
+  assign select_3380 = patches_second_s24_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [6:0] sum_3381;
+  assign sum_3381 = {select_3380[5], select_3380} + {{4{sum_3379[3]}}, sum_3379[3:1]};
+  // hls/stages/patches.hpp:309
+  logic select_3624;
+  assign select_3624 = equal_1469_s24_q ? ((x_s24_q[6] & good_known_q) | equal_3533_s24_q) : good_known_q;
+  // hls/stages/agreement.hpp:1234
+  logic and_3786;
+  assign and_3786 = and_1999_s24_q & ({sum_1925_s24_q, index_2_s24_q} == {sum_1912_s24_q, index_s24_q});
 
-  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1328; read in stage 24, written in stage 25: 24 < 25 < 24 + DISTANCE.
+  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1329; read in stage 24, written in stage 25: 24 < 25 < 24 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:16079];
@@ -9973,244 +9061,84 @@ module horopter_agreement (
   initial for (int i = 0; i < 16080; i++) map_mem[i] = 2'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_1886_s24_q, index_s24_q};
+  assign map_raddr = {sum_1912_s24_q, index_s24_q};
   logic map_re;
-  assign map_re = s24_en & (and_1893_s24_q & less_1894_s24_q);
+  assign map_re = s24_en & (and_1919_s24_q & less_1920_s24_q);
   logic [1:0] map_rdata_q;
   always_ff @(posedge clk_i) begin
     if (map_re) map_rdata_q <= map_mem[map_raddr];
   end
 
-  // Memory patches_right_0, write
-  logic [9:0] patches_right_0_waddr;
-  assign patches_right_0_waddr = {select_1699_s24_q, select_1696_s24_q};
-  logic patches_right_0_we;
-  assign patches_right_0_we = s24_en & and_1709_s24_q;
+  // Memory patches_right_codes, write
+  logic [4:0] patches_right_codes_waddr;
+  assign patches_right_codes_waddr = {sum_1786, patches_code_row_s24_q[1:0]};
+  logic patches_right_codes_we;
+  assign patches_right_codes_we = s24_en & and_1817_s24_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_right_0_we) patches_right_0_mem[patches_right_0_waddr] <= sample_pair_pixel_1_s24_q;
+    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {less_1806_s24_q, less_1805_s24_q, less_1796_s24_q, less_1795_s24_q, patches_codes_high_q, patches_codes_low_q};
   end
 `ifndef SYNTHESIS
-  logic [9:0] patches_right_0_raddr_s13_sim;
-  logic patches_right_0_re_s13_sim;
-  logic [9:0] patches_right_0_raddr_s14_sim;
-  logic patches_right_0_re_s14_sim;
-  logic [9:0] patches_right_0_raddr_s15_sim;
-  logic patches_right_0_re_s15_sim;
-  logic [9:0] patches_right_0_raddr_s16_sim;
-  logic patches_right_0_re_s16_sim;
-  logic [9:0] patches_right_0_raddr_s17_sim;
-  logic patches_right_0_re_s17_sim;
-  logic [9:0] patches_right_0_raddr_s18_sim;
-  logic patches_right_0_re_s18_sim;
-  logic [9:0] patches_right_0_raddr_s19_sim;
-  logic patches_right_0_re_s19_sim;
-  logic [9:0] patches_right_0_raddr_s20_sim;
-  logic patches_right_0_re_s20_sim;
-  logic [9:0] patches_right_0_raddr_s21_sim;
-  logic patches_right_0_re_s21_sim;
-  logic [9:0] patches_right_0_raddr_s22_sim;
-  logic patches_right_0_re_s22_sim;
-  logic [9:0] patches_right_0_raddr_s23_sim;
-  logic patches_right_0_re_s23_sim;
+  logic [4:0] patches_right_codes_raddr_s23_sim;
+  logic patches_right_codes_re_s23_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      patches_right_0_re_s13_sim <= 1'b0;
-      patches_right_0_re_s14_sim <= 1'b0;
-      patches_right_0_re_s15_sim <= 1'b0;
-      patches_right_0_re_s16_sim <= 1'b0;
-      patches_right_0_re_s17_sim <= 1'b0;
-      patches_right_0_re_s18_sim <= 1'b0;
-      patches_right_0_re_s19_sim <= 1'b0;
-      patches_right_0_re_s20_sim <= 1'b0;
-      patches_right_0_re_s21_sim <= 1'b0;
-      patches_right_0_re_s22_sim <= 1'b0;
-      patches_right_0_re_s23_sim <= 1'b0;
+      patches_right_codes_re_s23_sim <= 1'b0;
     end else if (en_i) begin
-      patches_right_0_re_s13_sim <= patches_right_0_re;
-      patches_right_0_raddr_s13_sim <= patches_right_0_raddr;
-      patches_right_0_re_s14_sim <= patches_right_0_re_s13_sim;
-      patches_right_0_raddr_s14_sim <= patches_right_0_raddr_s13_sim;
-      patches_right_0_re_s15_sim <= patches_right_0_re_s14_sim;
-      patches_right_0_raddr_s15_sim <= patches_right_0_raddr_s14_sim;
-      patches_right_0_re_s16_sim <= patches_right_0_re_s15_sim;
-      patches_right_0_raddr_s16_sim <= patches_right_0_raddr_s15_sim;
-      patches_right_0_re_s17_sim <= patches_right_0_re_s16_sim;
-      patches_right_0_raddr_s17_sim <= patches_right_0_raddr_s16_sim;
-      patches_right_0_re_s18_sim <= patches_right_0_re_s17_sim;
-      patches_right_0_raddr_s18_sim <= patches_right_0_raddr_s17_sim;
-      patches_right_0_re_s19_sim <= patches_right_0_re_s18_sim;
-      patches_right_0_raddr_s19_sim <= patches_right_0_raddr_s18_sim;
-      patches_right_0_re_s20_sim <= patches_right_0_re_s19_sim;
-      patches_right_0_raddr_s20_sim <= patches_right_0_raddr_s19_sim;
-      patches_right_0_re_s21_sim <= patches_right_0_re_s20_sim;
-      patches_right_0_raddr_s21_sim <= patches_right_0_raddr_s20_sim;
-      patches_right_0_re_s22_sim <= patches_right_0_re_s21_sim;
-      patches_right_0_raddr_s22_sim <= patches_right_0_raddr_s21_sim;
-      patches_right_0_re_s23_sim <= patches_right_0_re_s22_sim;
-      patches_right_0_raddr_s23_sim <= patches_right_0_raddr_s22_sim;
+      patches_right_codes_re_s23_sim <= patches_right_codes_re;
+      patches_right_codes_raddr_s23_sim <= patches_right_codes_raddr;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (rst_ni && patches_right_0_we) begin
-      if (patches_right_0_re && patches_right_0_raddr == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+    if (rst_ni && patches_right_codes_we) begin
+      if (patches_right_codes_re && patches_right_codes_raddr == patches_right_codes_waddr) begin
+        $error("patches_right_codes: address %0d is read less than DISTANCE steps after its write", patches_right_codes_waddr);
       end
-      if (patches_right_0_re_s13_sim && patches_right_0_raddr_s13_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      if (patches_right_codes_re_s23_sim && patches_right_codes_raddr_s23_sim == patches_right_codes_waddr) begin
+        $error("patches_right_codes: address %0d is read less than DISTANCE steps after its write", patches_right_codes_waddr);
       end
-      if (patches_right_0_re_s14_sim && patches_right_0_raddr_s14_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
-      end
-      if (patches_right_0_re_s15_sim && patches_right_0_raddr_s15_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
-      end
-      if (patches_right_0_re_s16_sim && patches_right_0_raddr_s16_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
-      end
-      if (patches_right_0_re_s17_sim && patches_right_0_raddr_s17_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
-      end
-      if (patches_right_0_re_s18_sim && patches_right_0_raddr_s18_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
-      end
-      if (patches_right_0_re_s19_sim && patches_right_0_raddr_s19_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
-      end
-      if (patches_right_0_re_s20_sim && patches_right_0_raddr_s20_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
-      end
-      if (patches_right_0_re_s21_sim && patches_right_0_raddr_s21_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
-      end
-      if (patches_right_0_re_s22_sim && patches_right_0_raddr_s22_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
-      end
-      if (patches_right_0_re_s23_sim && patches_right_0_raddr_s23_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
-      end
+      if (patches_right_codes_waddr >= 5'd28) $error("patches_right_codes: write outside, address %0d", patches_right_codes_waddr);
     end
+    if (rst_ni && patches_right_codes_re && patches_right_codes_raddr >= 5'd28) $error("patches_right_codes: read outside, address %0d", patches_right_codes_raddr);
   end
 `endif
 
-  // Memory patches_right_1, write
-  logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_1699_s24_q, select_1722_s24_q};
-  logic patches_right_1_we;
-  assign patches_right_1_we = s24_en & and_1726_s24_q;
+  // Memory patches_left_codes, write
+  logic [3:0] patches_left_codes_waddr;
+  assign patches_left_codes_waddr = {sum_1819, patches_code_row_s24_q[1:0]};
+  logic patches_left_codes_we;
+  assign patches_left_codes_we = s24_en & and_1829_s24_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_right_1_we) patches_right_1_mem[patches_right_1_waddr] <= sample_pair_pixel_1_s24_q;
+    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {less_1806_s24_q, less_1805_s24_q, less_1796_s24_q, less_1795_s24_q, patches_codes_high_q[55:12]};
   end
 `ifndef SYNTHESIS
-  logic [9:0] patches_right_1_raddr_s13_sim;
-  logic patches_right_1_re_s13_sim;
-  logic [9:0] patches_right_1_raddr_s14_sim;
-  logic patches_right_1_re_s14_sim;
-  logic [9:0] patches_right_1_raddr_s15_sim;
-  logic patches_right_1_re_s15_sim;
-  logic [9:0] patches_right_1_raddr_s16_sim;
-  logic patches_right_1_re_s16_sim;
-  logic [9:0] patches_right_1_raddr_s17_sim;
-  logic patches_right_1_re_s17_sim;
-  logic [9:0] patches_right_1_raddr_s18_sim;
-  logic patches_right_1_re_s18_sim;
-  logic [9:0] patches_right_1_raddr_s19_sim;
-  logic patches_right_1_re_s19_sim;
-  logic [9:0] patches_right_1_raddr_s20_sim;
-  logic patches_right_1_re_s20_sim;
-  logic [9:0] patches_right_1_raddr_s21_sim;
-  logic patches_right_1_re_s21_sim;
-  logic [9:0] patches_right_1_raddr_s22_sim;
-  logic patches_right_1_re_s22_sim;
-  logic [9:0] patches_right_1_raddr_s23_sim;
-  logic patches_right_1_re_s23_sim;
+  logic [3:0] patches_left_codes_raddr_s23_sim;
+  logic patches_left_codes_re_s23_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      patches_right_1_re_s13_sim <= 1'b0;
-      patches_right_1_re_s14_sim <= 1'b0;
-      patches_right_1_re_s15_sim <= 1'b0;
-      patches_right_1_re_s16_sim <= 1'b0;
-      patches_right_1_re_s17_sim <= 1'b0;
-      patches_right_1_re_s18_sim <= 1'b0;
-      patches_right_1_re_s19_sim <= 1'b0;
-      patches_right_1_re_s20_sim <= 1'b0;
-      patches_right_1_re_s21_sim <= 1'b0;
-      patches_right_1_re_s22_sim <= 1'b0;
-      patches_right_1_re_s23_sim <= 1'b0;
+      patches_left_codes_re_s23_sim <= 1'b0;
     end else if (en_i) begin
-      patches_right_1_re_s13_sim <= patches_right_1_re;
-      patches_right_1_raddr_s13_sim <= patches_right_1_raddr;
-      patches_right_1_re_s14_sim <= patches_right_1_re_s13_sim;
-      patches_right_1_raddr_s14_sim <= patches_right_1_raddr_s13_sim;
-      patches_right_1_re_s15_sim <= patches_right_1_re_s14_sim;
-      patches_right_1_raddr_s15_sim <= patches_right_1_raddr_s14_sim;
-      patches_right_1_re_s16_sim <= patches_right_1_re_s15_sim;
-      patches_right_1_raddr_s16_sim <= patches_right_1_raddr_s15_sim;
-      patches_right_1_re_s17_sim <= patches_right_1_re_s16_sim;
-      patches_right_1_raddr_s17_sim <= patches_right_1_raddr_s16_sim;
-      patches_right_1_re_s18_sim <= patches_right_1_re_s17_sim;
-      patches_right_1_raddr_s18_sim <= patches_right_1_raddr_s17_sim;
-      patches_right_1_re_s19_sim <= patches_right_1_re_s18_sim;
-      patches_right_1_raddr_s19_sim <= patches_right_1_raddr_s18_sim;
-      patches_right_1_re_s20_sim <= patches_right_1_re_s19_sim;
-      patches_right_1_raddr_s20_sim <= patches_right_1_raddr_s19_sim;
-      patches_right_1_re_s21_sim <= patches_right_1_re_s20_sim;
-      patches_right_1_raddr_s21_sim <= patches_right_1_raddr_s20_sim;
-      patches_right_1_re_s22_sim <= patches_right_1_re_s21_sim;
-      patches_right_1_raddr_s22_sim <= patches_right_1_raddr_s21_sim;
-      patches_right_1_re_s23_sim <= patches_right_1_re_s22_sim;
-      patches_right_1_raddr_s23_sim <= patches_right_1_raddr_s22_sim;
+      patches_left_codes_re_s23_sim <= patches_left_codes_re;
+      patches_left_codes_raddr_s23_sim <= patches_left_codes_raddr;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (rst_ni && patches_right_1_we) begin
-      if (patches_right_1_re && patches_right_1_raddr == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+    if (rst_ni && patches_left_codes_we) begin
+      if (patches_left_codes_re && patches_left_codes_raddr == patches_left_codes_waddr) begin
+        $error("patches_left_codes: address %0d is read less than DISTANCE steps after its write", patches_left_codes_waddr);
       end
-      if (patches_right_1_re_s13_sim && patches_right_1_raddr_s13_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      if (patches_left_codes_re_s23_sim && patches_left_codes_raddr_s23_sim == patches_left_codes_waddr) begin
+        $error("patches_left_codes: address %0d is read less than DISTANCE steps after its write", patches_left_codes_waddr);
       end
-      if (patches_right_1_re_s14_sim && patches_right_1_raddr_s14_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
-      end
-      if (patches_right_1_re_s15_sim && patches_right_1_raddr_s15_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
-      end
-      if (patches_right_1_re_s16_sim && patches_right_1_raddr_s16_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
-      end
-      if (patches_right_1_re_s17_sim && patches_right_1_raddr_s17_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
-      end
-      if (patches_right_1_re_s18_sim && patches_right_1_raddr_s18_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
-      end
-      if (patches_right_1_re_s19_sim && patches_right_1_raddr_s19_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
-      end
-      if (patches_right_1_re_s20_sim && patches_right_1_raddr_s20_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
-      end
-      if (patches_right_1_re_s21_sim && patches_right_1_raddr_s21_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
-      end
-      if (patches_right_1_re_s22_sim && patches_right_1_raddr_s22_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
-      end
-      if (patches_right_1_re_s23_sim && patches_right_1_raddr_s23_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
-      end
+      if (patches_left_codes_waddr >= 4'd12) $error("patches_left_codes: write outside, address %0d", patches_left_codes_waddr);
     end
+    if (rst_ni && patches_left_codes_re && patches_left_codes_raddr >= 4'd12) $error("patches_left_codes: read outside, address %0d", patches_left_codes_raddr);
   end
 `endif
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      sharpness_sums_detail_0_q <= 24'h0;
-      sharpness_sums_detail_1_q <= 24'h0;
-      sharpness_comparing_contrast_0_q <= 2'h0;
-      sharpness_comparing_contrast_1_q <= 2'h0;
-      sharpness_comparing_less_contrast_0_q <= 1'b0;
-      sharpness_comparing_less_contrast_1_q <= 1'b0;
+      sharpness_sums_contrast_0_q <= 24'h0;
+      sharpness_sums_contrast_1_q <= 24'h0;
       registration_half_across_q <= 14'h0;
       registration_half_measured_q <= 6'h0;
       registration_half_votes_down_q <= 7'h0;
@@ -10225,43 +9153,71 @@ module horopter_agreement (
       registration_other_enough_q <= 1'b0;
       registration_other_down_q <= 1'b0;
       registration_other_up_q <= 1'b0;
+      patches_place_0_column_q <= 8'h0;
+      patches_place_0_shift_q <= 6'h0;
+      patches_place_0_slope_q <= 8'h0;
+      patches_place_1_column_q <= 8'h0;
+      patches_place_1_shift_q <= 6'h0;
+      patches_place_1_slope_q <= 8'h0;
+      patches_codes_low_q <= 52'h0;
+      patches_codes_high_q <= 56'h0;
+      patches_left_row_q <= 48'h0;
+      patches_summed_first_q <= 1'b0;
+      patches_peak_far_q <= 10'h0;
       good_known_q <= 1'b0;
     end else if (s24_en) begin
-      sharpness_sums_detail_0_q <= and_497_s24_q ? select_2144 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_497_s24_q ? select_2156 : sharpness_sums_detail_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2198 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2200 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_less_contrast_0_q <= drew_q ? select_2227 : sharpness_comparing_less_contrast_0_q;
-      sharpness_comparing_less_contrast_1_q <= drew_q ? select_2233 : sharpness_comparing_less_contrast_1_q;
-      registration_half_across_q <= and_2466_s24_q ? 14'h0 : sum_2495;
-      registration_half_measured_q <= select_2501;
-      registration_half_votes_down_q <= and_2466_s24_q ? 7'h0 : sum_2507;
-      registration_half_votes_up_q <= and_2466_s24_q ? 7'h0 : sum_2515;
-      registration_half_half_votes_down_q <= and_2466_s24_q ? 7'h0 : sum_2522;
-      registration_half_half_votes_up_q <= and_2466_s24_q ? 7'h0 : sum_2529;
-      registration_down_q <= and_2563 ? sum_2582 : registration_down_q;
-      registration_up_q <= and_2563 ? sum_2591 : registration_up_q;
-      registration_enough_q <= select_2605;
-      registration_votes_down_q <= and_2610 ? less_2611 : registration_votes_down_q;
-      registration_votes_up_q <= and_2610 ? less_2613 : registration_votes_up_q;
-      registration_other_enough_q <= and_2619 ? select_2605 : registration_other_enough_q;
-      registration_other_down_q <= and_2619 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2619 ? registration_votes_up_q : registration_other_up_q;
-      good_known_q <= select_3604;
+      sharpness_sums_contrast_0_q <= and_500_s24_q ? sum_2186 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_500_s24_q ? sum_2190 : sharpness_sums_contrast_1_q;
+      registration_half_across_q <= and_2494_s24_q ? 14'h0 : sum_2513;
+      registration_half_measured_q <= select_2519;
+      registration_half_votes_down_q <= and_2494_s24_q ? 7'h0 : sum_2525;
+      registration_half_votes_up_q <= and_2494_s24_q ? 7'h0 : sum_2533;
+      registration_half_half_votes_down_q <= and_2494_s24_q ? 7'h0 : sum_2540;
+      registration_half_half_votes_up_q <= and_2494_s24_q ? 7'h0 : sum_2547;
+      registration_down_q <= and_2581 ? sum_2600 : registration_down_q;
+      registration_up_q <= and_2581 ? sum_2609 : registration_up_q;
+      registration_enough_q <= select_2623;
+      registration_votes_down_q <= and_2628 ? less_2629 : registration_votes_down_q;
+      registration_votes_up_q <= and_2628 ? less_2631 : registration_votes_up_q;
+      registration_other_enough_q <= and_2637 ? select_2623 : registration_other_enough_q;
+      registration_other_down_q <= and_2637 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2637 ? registration_votes_up_q : registration_other_up_q;
+      patches_place_0_column_q <= sample_pair_whole_s24_q ? select_1710 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s24_q ? select_1711 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_2754;
+      patches_place_1_column_q <= sample_pair_whole_s24_q ? select_1739 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s24_q ? select_1740 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_2759;
+      patches_codes_low_q <= select_2850;
+      patches_codes_high_q <= select_2854;
+      patches_left_row_q <= select_2885;
+      patches_summed_first_q <= select_3233;
+      patches_peak_far_q <= equal_1690_s24_q ? select_3322 : patches_peak_far_q;
+      good_known_q <= select_3624;
     end
   end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
   initial begin
-    census_changes_values_2_left_q = 12'h0;
-    census_changes_values_2_right_q = 12'h0;
+    census_columns_values_3_cell_4_mask_q = 1'b0;
+    census_changes_values_0_left_q = 12'h0;
+    census_changes_values_0_right_q = 12'h0;
+    census_changes_values_1_left_q = 12'h0;
+    census_changes_values_1_right_q = 12'h0;
+    sharpness_last_detail_0_q = 14'h0;
+    sharpness_last_detail_1_q = 14'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s24_en) begin
-      census_changes_values_2_left_q <= select_2110;
-      census_changes_values_2_right_q <= select_2111;
+      census_columns_values_3_cell_4_mask_q <= select_2112;
+      census_changes_values_0_left_q <= and_500_s24_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_500_s24_q ? sum_2132 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2134;
+      census_changes_values_1_right_q <= select_2135;
+      sharpness_last_detail_0_q <= select_2154;
+      sharpness_last_detail_1_q <= select_2155;
     end
   end
 
@@ -10271,9 +9227,13 @@ module horopter_agreement (
   logic mask_s25_q;
   logic marks_first_s25_q;
   logic marks_last_s25_q;
+  logic [7:0] sample_pair_pixel_0_s25_q;
+  logic [7:0] sample_pair_pixel_1_s25_q;
+  logic sample_pair_whole_s25_q;
+  logic sample_present_s25_q;
   logic census_columns_values_1_cell_2_of_skin_s25_q;
-  logic [23:0] sharpness_sums_detail_0_s25_q;
-  logic [23:0] sharpness_sums_detail_1_s25_q;
+  logic [11:0] census_changes_values_1_left_s25_q;
+  logic [11:0] census_changes_values_1_right_s25_q;
   logic [23:0] sharpness_sums_contrast_0_s25_q;
   logic [23:0] sharpness_sums_contrast_1_s25_q;
   logic [6:0] x_s25_q;
@@ -10288,12 +9248,11 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s25_q;
   logic [13:0] product_s25_q;
   logic done_s25_q;
+  logic [3:0] select_461_s25_q;
+  logic [6:0] select_464_s25_q;
   logic [6:0] column_s25_q;
-  logic and_497_s25_q;
+  logic and_500_s25_q;
   logic so_s25_q;
-  logic less_531_s25_q;
-  logic less_532_s25_q;
-  logic less_533_s25_q;
   logic less_534_s25_q;
   logic less_535_s25_q;
   logic less_536_s25_q;
@@ -10315,78 +9274,147 @@ module horopter_agreement (
   logic less_552_s25_q;
   logic less_553_s25_q;
   logic less_554_s25_q;
-  logic and_562_s25_q;
-  logic and_587_s25_q;
-  logic and_588_s25_q;
-  logic [8:0] sum_610_s25_q;
-  logic equal_1466_s25_q;
-  logic not_1467_s25_q;
-  logic equal_1511_s25_q;
-  logic [1:0] sum_1517_s25_q;
-  logic equal_1519_s25_q;
-  logic equal_1521_s25_q;
-  logic equal_1523_s25_q;
-  logic equal_1525_s25_q;
-  logic equal_1527_s25_q;
-  logic equal_1529_s25_q;
-  logic [19:0] sum_1571_s25_q;
-  logic [11:0] sum_1575_s25_q;
-  logic and_1576_s25_q;
-  logic equal_1672_s25_q;
-  logic equal_1674_s25_q;
-  logic less_1804_s25_q;
-  logic equal_1805_s25_q;
-  logic not_1806_s25_q;
-  logic equal_1807_s25_q;
-  logic not_1833_s25_q;
-  logic and_1893_s25_q;
-  logic less_1894_s25_q;
+  logic less_555_s25_q;
+  logic less_556_s25_q;
+  logic less_557_s25_q;
+  logic and_565_s25_q;
+  logic and_590_s25_q;
+  logic and_591_s25_q;
+  logic [12:0] sum_611_s25_q;
+  logic equal_1469_s25_q;
+  logic not_1470_s25_q;
+  logic equal_1514_s25_q;
+  logic [1:0] sum_1520_s25_q;
+  logic equal_1522_s25_q;
+  logic equal_1524_s25_q;
+  logic equal_1526_s25_q;
+  logic equal_1528_s25_q;
+  logic equal_1530_s25_q;
+  logic equal_1532_s25_q;
+  logic [19:0] sum_1574_s25_q;
+  logic [11:0] sum_1578_s25_q;
+  logic and_1579_s25_q;
+  logic and_1582_s25_q;
+  logic select_1599_s25_q;
+  logic equal_1600_s25_q;
+  logic equal_1690_s25_q;
+  logic equal_1692_s25_q;
+  logic equal_1694_s25_q;
+  logic select_1706_s25_q;
+  logic [7:0] sum_1712_s25_q;
+  logic [4:0] select_1720_s25_q;
+  logic select_1726_s25_q;
+  logic [7:0] sum_1741_s25_q;
+  logic equal_1756_s25_q;
+  logic equal_1760_s25_q;
+  logic [3:0] select_1765_s25_q;
+  logic less_1830_s25_q;
+  logic equal_1831_s25_q;
+  logic not_1832_s25_q;
+  logic equal_1833_s25_q;
+  logic not_1859_s25_q;
+  logic and_1919_s25_q;
+  logic less_1920_s25_q;
   logic [2:0] index_2_s25_q;
-  logic [10:0] sum_1899_s25_q;
+  logic [10:0] sum_1925_s25_q;
   logic is_seen_s25_q;
-  logic and_1963_s25_q;
-  logic and_1973_s25_q;
-  logic equal_2113_s25_q;
-  logic [8:0] sum_2116_s25_q;
-  logic equal_2166_s25_q;
-  logic less_2167_s25_q;
-  logic [17:0] select_2179_s25_q;
-  logic [17:0] select_2189_s25_q;
-  logic equal_2210_s25_q;
-  logic and_2353_s25_q;
-  logic and_2398_s25_q;
-  logic [9:0] select_2402_s25_q;
-  logic [9:0] select_2405_s25_q;
-  logic [9:0] select_2412_s25_q;
-  logic and_2433_s25_q;
-  logic not_2628_s25_q;
-  logic equal_2629_s25_q;
-  logic and_2650_s25_q;
-  logic parity_2937_s25_q;
-  logic parity_3066_s25_q;
-  logic parity_3128_s25_q;
-  logic xor_3156_s25_q;
-  logic parity_3168_s25_q;
-  logic and_3169_s25_q;
-  logic and_3171_s25_q;
-  logic equal_3173_s25_q;
-  logic or_3316_s25_q;
-  logic [5:0] difference_3363_s25_q;
-  logic not_3365_s25_q;
-  logic not_3375_s25_q;
-  logic equal_3414_s25_q;
-  logic less_3484_s25_q;
-  logic less_3485_s25_q;
-  logic equal_3513_s25_q;
-  logic or_3584_s25_q;
-  logic select_3592_s25_q;
-  logic equal_3605_s25_q;
-  logic equal_3607_s25_q;
-  logic equal_3608_s25_q;
-  logic and_3751_s25_q;
-  logic and_3766_s25_q;
-  logic [31:0] select_3825_s25_q;
-  logic [9:0] select_3832_s25_q;
+  logic and_1989_s25_q;
+  logic and_1999_s25_q;
+  logic equal_2139_s25_q;
+  logic [12:0] sum_2140_s25_q;
+  logic [12:0] select_2168_s25_q;
+  logic [12:0] select_2180_s25_q;
+  logic equal_2192_s25_q;
+  logic less_2193_s25_q;
+  logic and_2203_s25_q;
+  logic and_2213_s25_q;
+  logic equal_2236_s25_q;
+  logic and_2379_s25_q;
+  logic and_2424_s25_q;
+  logic [9:0] select_2428_s25_q;
+  logic [9:0] select_2431_s25_q;
+  logic [9:0] select_2438_s25_q;
+  logic and_2459_s25_q;
+  logic not_2646_s25_q;
+  logic equal_2647_s25_q;
+  logic and_2668_s25_q;
+  logic [20:0] other_s25_q;
+  logic [2:0] select_2869_s25_q;
+  logic [20:0] select_2883_s25_q;
+  logic bits_s25_q;
+  logic xor_2889_s25_q;
+  logic xor_2892_s25_q;
+  logic xor_2895_s25_q;
+  logic parity_2897_s25_q;
+  logic xor_2901_s25_q;
+  logic xor_2907_s25_q;
+  logic xor_2910_s25_q;
+  logic xor_2919_s25_q;
+  logic xor_2922_s25_q;
+  logic xor_2925_s25_q;
+  logic xor_2931_s25_q;
+  logic xor_2934_s25_q;
+  logic xor_2937_s25_q;
+  logic parity_2939_s25_q;
+  logic xor_2943_s25_q;
+  logic xor_2946_s25_q;
+  logic xor_2949_s25_q;
+  logic parity_2951_s25_q;
+  logic equal_2962_s25_q;
+  logic and_2964_s25_q;
+  logic equal_2973_s25_q;
+  logic and_2975_s25_q;
+  logic equal_2977_s25_q;
+  logic and_2979_s25_q;
+  logic equal_2981_s25_q;
+  logic and_2983_s25_q;
+  logic equal_2988_s25_q;
+  logic and_2990_s25_q;
+  logic equal_2992_s25_q;
+  logic and_2994_s25_q;
+  logic equal_2996_s25_q;
+  logic and_2998_s25_q;
+  logic equal_3006_s25_q;
+  logic and_3008_s25_q;
+  logic equal_3010_s25_q;
+  logic and_3012_s25_q;
+  logic equal_3014_s25_q;
+  logic and_3016_s25_q;
+  logic equal_3021_s25_q;
+  logic not_3023_s25_q;
+  logic equal_3026_s25_q;
+  logic and_3028_s25_q;
+  logic equal_3030_s25_q;
+  logic and_3032_s25_q;
+  logic equal_3037_s25_q;
+  logic and_3039_s25_q;
+  logic equal_3041_s25_q;
+  logic and_3043_s25_q;
+  logic equal_3045_s25_q;
+  logic and_3047_s25_q;
+  logic equal_3193_s25_q;
+  logic [4:0] select_3281_s25_q;
+  logic [12:0] select_3312_s25_q;
+  logic [9:0] select_3322_s25_q;
+  logic less_3355_s25_q;
+  logic not_3363_s25_q;
+  logic not_3366_s25_q;
+  logic not_3370_s25_q;
+  logic not_3373_s25_q;
+  logic [7:0] select_3378_s25_q;
+  logic sum_3379_s25_q;
+  logic [6:0] sum_3381_s25_q;
+  logic equal_3434_s25_q;
+  logic equal_3533_s25_q;
+  logic or_3604_s25_q;
+  logic select_3612_s25_q;
+  logic equal_3625_s25_q;
+  logic equal_3627_s25_q;
+  logic equal_3628_s25_q;
+  logic and_3771_s25_q;
+  logic and_3786_s25_q;
+  logic [31:0] select_3845_s25_q;
+  logic [9:0] select_3852_s25_q;
   always_ff @(posedge clk_i) begin
     if (s24_en) begin
       pixel_0_s25_q <= pixel_0_s24_q;
@@ -10395,11 +9423,15 @@ module horopter_agreement (
       mask_s25_q <= mask_s24_q;
       marks_first_s25_q <= marks_first_s24_q;
       marks_last_s25_q <= marks_last_s24_q;
+      sample_pair_pixel_0_s25_q <= sample_pair_pixel_0_s24_q;
+      sample_pair_pixel_1_s25_q <= sample_pair_pixel_1_s24_q;
+      sample_pair_whole_s25_q <= sample_pair_whole_s24_q;
+      sample_present_s25_q <= sample_present_s24_q;
       census_columns_values_1_cell_2_of_skin_s25_q <= census_columns_values_1_cell_2_of_skin_s24_q;
-      sharpness_sums_detail_0_s25_q <= sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_s25_q <= sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_s25_q <= sharpness_sums_contrast_0_s24_q;
-      sharpness_sums_contrast_1_s25_q <= sharpness_sums_contrast_1_s24_q;
+      census_changes_values_1_left_s25_q <= census_changes_values_1_left_q;
+      census_changes_values_1_right_s25_q <= census_changes_values_1_right_q;
+      sharpness_sums_contrast_0_s25_q <= sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_s25_q <= sharpness_sums_contrast_1_q;
       x_s25_q <= x_s24_q;
       lower_half_s25_q <= lower_half_s24_q;
       counts_nearer_s25_q <= counts_nearer_s24_q;
@@ -10407,17 +9439,16 @@ module horopter_agreement (
       patches_lower_s25_q <= patches_lower_s24_q;
       patches_second_s25_q <= patches_second_s24_q;
       patches_summed_row_column_s25_q <= patches_summed_row_column_s24_q;
-      patches_summed_first_s25_q <= patches_summed_first_s24_q;
+      patches_summed_first_s25_q <= patches_summed_first_q;
       patches_summed_last_s25_q <= patches_summed_last_s24_q;
       patches_summed_down_by_s25_q <= patches_summed_down_by_s24_q;
       product_s25_q <= product_s24_q;
       done_s25_q <= done_s24_q;
+      select_461_s25_q <= select_461_s24_q;
+      select_464_s25_q <= select_464_s24_q;
       column_s25_q <= column_s24_q;
-      and_497_s25_q <= and_497_s24_q;
+      and_500_s25_q <= and_500_s24_q;
       so_s25_q <= drew_q;
-      less_531_s25_q <= less_531_s24_q;
-      less_532_s25_q <= less_532_s24_q;
-      less_533_s25_q <= less_533_s24_q;
       less_534_s25_q <= less_534_s24_q;
       less_535_s25_q <= less_535_s24_q;
       less_536_s25_q <= less_536_s24_q;
@@ -10439,292 +9470,322 @@ module horopter_agreement (
       less_552_s25_q <= less_552_s24_q;
       less_553_s25_q <= less_553_s24_q;
       less_554_s25_q <= less_554_s24_q;
-      and_562_s25_q <= and_562_s24_q;
-      and_587_s25_q <= and_587_s24_q;
-      and_588_s25_q <= and_588_s24_q;
-      sum_610_s25_q <= sum_610[13:5];
-      equal_1466_s25_q <= equal_1466_s24_q;
-      not_1467_s25_q <= not_1467_s24_q;
-      equal_1511_s25_q <= equal_1511_s24_q;
-      sum_1517_s25_q <= sum_1517_s24_q;
-      equal_1519_s25_q <= equal_1519_s24_q;
-      equal_1521_s25_q <= equal_1521_s24_q;
-      equal_1523_s25_q <= equal_1523_s24_q;
-      equal_1525_s25_q <= equal_1525_s24_q;
-      equal_1527_s25_q <= equal_1527_s24_q;
-      equal_1529_s25_q <= equal_1529_s24_q;
-      sum_1571_s25_q <= select_1567_s24_q + {{6{select_1570[13]}}, select_1570};
-      sum_1575_s25_q <= select_1572_s24_q + {{5{select_1574[6]}}, select_1574};
-      and_1576_s25_q <= and_1576_s24_q;
-      equal_1672_s25_q <= equal_1672_s24_q;
-      equal_1674_s25_q <= equal_1674_s24_q;
-      less_1804_s25_q <= less_1804_s24_q;
-      equal_1805_s25_q <= equal_1805_s24_q;
-      not_1806_s25_q <= not_1806_s24_q;
-      equal_1807_s25_q <= equal_1807_s24_q;
-      not_1833_s25_q <= not_1833_s24_q;
-      and_1893_s25_q <= and_1893_s24_q;
-      less_1894_s25_q <= less_1894_s24_q;
+      less_555_s25_q <= less_555_s24_q;
+      less_556_s25_q <= less_556_s24_q;
+      less_557_s25_q <= less_557_s24_q;
+      and_565_s25_q <= and_565_s24_q;
+      and_590_s25_q <= whole_22 & and_565_s24_q;
+      and_591_s25_q <= and_591_s24_q;
+      sum_611_s25_q <= {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+      equal_1469_s25_q <= equal_1469_s24_q;
+      not_1470_s25_q <= not_1470_s24_q;
+      equal_1514_s25_q <= equal_1514_s24_q;
+      sum_1520_s25_q <= sum_1520_s24_q;
+      equal_1522_s25_q <= equal_1522_s24_q;
+      equal_1524_s25_q <= equal_1524_s24_q;
+      equal_1526_s25_q <= equal_1526_s24_q;
+      equal_1528_s25_q <= equal_1528_s24_q;
+      equal_1530_s25_q <= equal_1530_s24_q;
+      equal_1532_s25_q <= equal_1532_s24_q;
+      sum_1574_s25_q <= select_1570_s24_q + {{6{select_1573[13]}}, select_1573};
+      sum_1578_s25_q <= select_1575_s24_q + {{5{select_1577[6]}}, select_1577};
+      and_1579_s25_q <= and_1579_s24_q;
+      and_1582_s25_q <= and_1582_s24_q;
+      select_1599_s25_q <= select_1599_s24_q;
+      equal_1600_s25_q <= equal_1600_s24_q;
+      equal_1690_s25_q <= equal_1690_s24_q;
+      equal_1692_s25_q <= equal_1692_s24_q;
+      equal_1694_s25_q <= equal_1694_s24_q;
+      select_1706_s25_q <= select_1706_s24_q[0];
+      sum_1712_s25_q <= select_1710 + {{2{select_1711[5]}}, select_1711};
+      select_1720_s25_q <= select_1720_s24_q;
+      select_1726_s25_q <= select_1726_s24_q;
+      sum_1741_s25_q <= select_1739 + {{2{select_1740[5]}}, select_1740};
+      equal_1756_s25_q <= equal_1756;
+      equal_1760_s25_q <= equal_1760;
+      select_1765_s25_q <= select_1765_s24_q;
+      less_1830_s25_q <= less_1830_s24_q;
+      equal_1831_s25_q <= equal_1831_s24_q;
+      not_1832_s25_q <= not_1832_s24_q;
+      equal_1833_s25_q <= equal_1833_s24_q;
+      not_1859_s25_q <= not_1859_s24_q;
+      and_1919_s25_q <= and_1919_s24_q;
+      less_1920_s25_q <= less_1920_s24_q;
       index_2_s25_q <= index_2_s24_q;
-      sum_1899_s25_q <= sum_1899_s24_q;
+      sum_1925_s25_q <= sum_1925_s24_q;
       is_seen_s25_q <= is_seen;
-      and_1963_s25_q <= is_seen & less_1962_s24_q;
-      and_1973_s25_q <= and_1973_s24_q;
-      equal_2113_s25_q <= equal_2113_s24_q;
-      sum_2116_s25_q <= sum_2116[13:5];
-      equal_2166_s25_q <= equal_2166_s24_q;
-      less_2167_s25_q <= less_2167_s24_q;
-      select_2179_s25_q <= select_2179;
-      select_2189_s25_q <= select_2189;
-      equal_2210_s25_q <= equal_2210_s24_q;
-      and_2353_s25_q <= and_2353_s24_q;
-      and_2398_s25_q <= not_1467_s24_q & (drew_q & and_2396);
-      select_2402_s25_q <= select_2402_s24_q;
-      select_2405_s25_q <= select_2405_s24_q;
-      select_2412_s25_q <= select_2412;
-      and_2433_s25_q <= drew_q & (ends_cell_s24_q & (not_2376_s24_q & and_2430));
-      not_2628_s25_q <= ~(equal_1466_s24_q & and_2626);
-      equal_2629_s25_q <= equal_2629_s24_q;
-      and_2650_s25_q <= and_2650;
-      parity_2937_s25_q <= parity_2937_s24_q;
-      parity_3066_s25_q <= parity_3066_s24_q;
-      parity_3128_s25_q <= parity_3128;
-      xor_3156_s25_q <= parity_3143 ^ parity_3155;
-      parity_3168_s25_q <= ^{or_3165, or_3161, and_3157};
-      and_3169_s25_q <= or_3161 & or_3165;
-      and_3171_s25_q <= and_3157 & (or_3161 | or_3165);
-      equal_3173_s25_q <= equal_3173_s24_q;
-      or_3316_s25_q <= equal_3304_s24_q | or_3315_s24_q;
-      difference_3363_s25_q <= difference_3363[5:0];
-      not_3365_s25_q <= ~less_3364;
-      not_3375_s25_q <= ~($signed(difference_3363) < $signed({9'h0, cfg_patch_limit_i}));
-      equal_3414_s25_q <= equal_3414_s24_q;
-      less_3484_s25_q <= $signed(15'h10) < $signed(difference_3363);
-      less_3485_s25_q <= $signed(difference_3363[14:4]) < $signed(11'h7ff);
-      equal_3513_s25_q <= equal_3513_s24_q;
-      or_3584_s25_q <= or_3584_s24_q;
-      select_3592_s25_q <= select_3592_s24_q;
-      equal_3605_s25_q <= equal_3605_s24_q;
-      equal_3607_s25_q <= equal_3607_s24_q;
-      equal_3608_s25_q <= equal_3608_s24_q;
-      and_3751_s25_q <= said_q;
-      and_3766_s25_q <= and_3766;
-      select_3825_s25_q <= select_3825_s24_q;
-      select_3832_s25_q <= select_3832_s24_q;
+      and_1989_s25_q <= is_seen & less_1988_s24_q;
+      and_1999_s25_q <= and_1999_s24_q;
+      equal_2139_s25_q <= equal_2139_s24_q;
+      sum_2140_s25_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2132};
+      select_2168_s25_q <= and_2166_s24_q ? detail_3[14:2] : 13'h0;
+      select_2180_s25_q <= and_2178_s24_q ? detail_4[14:2] : 13'h0;
+      equal_2192_s25_q <= equal_2192_s24_q;
+      less_2193_s25_q <= less_2193_s24_q;
+      and_2203_s25_q <= and_2203;
+      and_2213_s25_q <= and_2213;
+      equal_2236_s25_q <= equal_2236_s24_q;
+      and_2379_s25_q <= and_2379_s24_q;
+      and_2424_s25_q <= not_1470_s24_q & (drew_q & and_2422);
+      select_2428_s25_q <= select_2428_s24_q;
+      select_2431_s25_q <= select_2431_s24_q;
+      select_2438_s25_q <= select_2438;
+      and_2459_s25_q <= drew_q & (ends_cell_s24_q & (not_2402_s24_q & and_2456));
+      not_2646_s25_q <= ~(equal_1469_s24_q & and_2644);
+      equal_2647_s25_q <= equal_2647_s24_q;
+      and_2668_s25_q <= and_2668;
+      other_s25_q <= {other[47:36], other[8:0]};
+      select_2869_s25_q <= or_1696_s24_q ? select_2868 : 3'h0;
+      select_2883_s25_q <= {select_2883[47:36], select_2883[8:0]};
+      bits_s25_q <= bits[8];
+      xor_2889_s25_q <= bits[17] ^ (^{select_2883[16:15], other[16:15]});
+      xor_2892_s25_q <= bits[11] ^ (^{select_2883[10:9], other[10:9]});
+      xor_2895_s25_q <= bits[14] ^ (^{select_2883[13:12], other[13:12]});
+      parity_2897_s25_q <= ^{select_2883[14:9], other[14:9]};
+      xor_2901_s25_q <= bits[47] ^ (^{select_2883[46:45], other[46:45]});
+      xor_2907_s25_q <= bits[2] ^ (^{select_2883[1:0], other[1:0]});
+      xor_2910_s25_q <= bits[5] ^ (^{select_2883[4:3], other[4:3]});
+      xor_2919_s25_q <= bits[44] ^ (^{select_2883[43:42], other[43:42]});
+      xor_2922_s25_q <= bits[38] ^ (^{select_2883[37:36], other[37:36]});
+      xor_2925_s25_q <= bits[41] ^ (^{select_2883[40:39], other[40:39]});
+      xor_2931_s25_q <= bits[26] ^ (^{select_2883[25:24], other[25:24]});
+      xor_2934_s25_q <= bits[20] ^ (^{select_2883[19:18], other[19:18]});
+      xor_2937_s25_q <= bits[23] ^ (^{select_2883[22:21], other[22:21]});
+      parity_2939_s25_q <= ^{select_2883[23:18], other[23:18]};
+      xor_2943_s25_q <= bits[35] ^ (^{select_2883[34:33], other[34:33]});
+      xor_2946_s25_q <= bits[29] ^ (^{select_2883[28:27], other[28:27]});
+      xor_2949_s25_q <= bits[32] ^ (^{select_2883[31:30], other[31:30]});
+      parity_2951_s25_q <= ^{select_2883[32:27], other[32:27]};
+      equal_2962_s25_q <= bits[46:45] == 2'h3;
+      and_2964_s25_q <= bits[47] & (bits[45] | bits[46]);
+      equal_2973_s25_q <= bits[34:33] == 2'h3;
+      and_2975_s25_q <= bits[35] & (bits[33] | bits[34]);
+      equal_2977_s25_q <= bits[28:27] == 2'h3;
+      and_2979_s25_q <= bits[29] & (bits[27] | bits[28]);
+      equal_2981_s25_q <= bits[31:30] == 2'h3;
+      and_2983_s25_q <= bits[32] & (bits[30] | bits[31]);
+      equal_2988_s25_q <= bits[43:42] == 2'h3;
+      and_2990_s25_q <= bits[44] & (bits[42] | bits[43]);
+      equal_2992_s25_q <= bits[37:36] == 2'h3;
+      and_2994_s25_q <= bits[38] & (bits[36] | bits[37]);
+      equal_2996_s25_q <= bits[40:39] == 2'h3;
+      and_2998_s25_q <= bits[41] & (bits[39] | bits[40]);
+      equal_3006_s25_q <= bits[25:24] == 2'h3;
+      and_3008_s25_q <= bits[26] & (bits[24] | bits[25]);
+      equal_3010_s25_q <= bits[19:18] == 2'h3;
+      and_3012_s25_q <= bits[20] & (bits[18] | bits[19]);
+      equal_3014_s25_q <= bits[22:21] == 2'h3;
+      and_3016_s25_q <= bits[23] & (bits[21] | bits[22]);
+      equal_3021_s25_q <= bits[7:6] == 2'h3;
+      not_3023_s25_q <= ~(bits[7:6] == 2'h0);
+      equal_3026_s25_q <= bits[1:0] == 2'h3;
+      and_3028_s25_q <= bits[2] & (bits[0] | bits[1]);
+      equal_3030_s25_q <= bits[4:3] == 2'h3;
+      and_3032_s25_q <= bits[5] & (bits[3] | bits[4]);
+      equal_3037_s25_q <= bits[16:15] == 2'h3;
+      and_3039_s25_q <= bits[17] & (bits[15] | bits[16]);
+      equal_3041_s25_q <= bits[10:9] == 2'h3;
+      and_3043_s25_q <= bits[11] & (bits[9] | bits[10]);
+      equal_3045_s25_q <= bits[13:12] == 2'h3;
+      and_3047_s25_q <= bits[14] & (bits[12] | bits[13]);
+      equal_3193_s25_q <= equal_3193_s24_q;
+      select_3281_s25_q <= select_3281_s24_q;
+      select_3312_s25_q <= select_3312_s24_q[12:0];
+      select_3322_s25_q <= select_3322;
+      less_3355_s25_q <= less_3355_s24_q;
+      not_3363_s25_q <= ~({eight_s24_q, 3'h0} < {3'h0, fall_s24_q});
+      not_3366_s25_q <= ~({eight_s24_q, 3'h0} < {1'b0, sum_3364, fall_s24_q[0]});
+      not_3370_s25_q <= ~({eight_s24_q, 3'h0} < {sum_3368, fall_s24_q[1:0]});
+      not_3373_s25_q <= not_3373;
+      select_3378_s25_q <= select_3378;
+      sum_3379_s25_q <= sum_3379[0];
+      sum_3381_s25_q <= sum_3381;
+      equal_3434_s25_q <= equal_3434_s24_q;
+      equal_3533_s25_q <= equal_3533_s24_q;
+      or_3604_s25_q <= or_3604_s24_q;
+      select_3612_s25_q <= select_3612_s24_q;
+      equal_3625_s25_q <= equal_3625_s24_q;
+      equal_3627_s25_q <= equal_3627_s24_q;
+      equal_3628_s25_q <= equal_3628_s24_q;
+      and_3771_s25_q <= said_q;
+      and_3786_s25_q <= and_3786;
+      select_3845_s25_q <= select_3845_s24_q;
+      select_3852_s25_q <= select_3852_s24_q;
     end
   end
 
   // Stage 25 ----------------------------------------------------------------------------------------------------------
-  logic [7:0] left_pixel_q;
-  logic [17:0] sharpness_comparing_rest_0_q;
-  logic [17:0] sharpness_comparing_rest_1_q;
+  logic [11:0] census_changes_values_2_left_q;
+  logic [11:0] census_changes_values_2_right_q;
+  logic [23:0] sharpness_sums_detail_0_q;
+  logic [23:0] sharpness_sums_detail_1_q;
+  logic [1:0] sharpness_comparing_contrast_0_q;
+  logic [1:0] sharpness_comparing_contrast_1_q;
+  logic sharpness_comparing_less_contrast_0_q;
+  logic sharpness_comparing_less_contrast_1_q;
   logic [13:0] counts_unproven_q;
   logic [13:0] counts_regions_bad_q;
   logic [13:0] counts_skin_unproven_q;
   logic registration_moved_q;
-  logic [9:0] patches_sums_values_0_q;
-  logic [9:0] patches_sums_values_1_q;
-  logic [9:0] patches_sums_values_2_q;
-  logic [9:0] patches_sums_values_3_q;
-  logic [9:0] patches_sums_values_4_q;
-  logic [9:0] patches_sums_values_5_q;
-  logic [9:0] patches_sums_values_6_q;
-  logic [9:0] patches_sums_values_7_q;
-  logic [9:0] patches_sums_values_8_q;
-  logic [9:0] patches_sums_values_9_q;
-  logic [9:0] patches_sums_values_10_q;
-  logic [9:0] patches_sums_values_11_q;
-  logic [9:0] patches_sums_values_12_q;
-  logic [9:0] patches_sums_values_13_q;
-  logic [9:0] patches_sums_values_14_q;
-  logic [9:0] patches_sums_values_15_q;
-  logic [9:0] patches_sums_values_16_q;
-  logic [9:0] patches_best_differing_q;
-  logic [4:0] patches_best_column_q;
+  logic patches_place_0_valid_q;
+  logic patches_place_1_valid_q;
+  logic [2:0] patches_set_q;
+  logic [9:0] patches_size_q;
   logic proven_q;
-  // hls/stages/patches.hpp:160
-  logic less_1816;
-  assign less_1816 = patches_sums_values_0_q < patches_best_differing_q;
-  // hls/stages/patches.hpp:161
-  logic not_1817;
-  assign not_1817 = ~less_1816;
-  logic [1:0] select_1818;
-  assign select_1818 = patches_summed_first_s25_q ? 2'h2 : {less_1816, not_1817};
-  logic [12:0] select_1819;
-  assign select_1819 = select_1818[0] ? {4'h0, patches_summed_first_s25_q, 3'h0, patches_summed_row_column_s25_q} : {patches_summed_row_column_s25_q, patches_sums_values_0_q[7:0]};
-  logic [14:0] select_1820;
-  assign select_1820 = select_1818[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
-  logic [14:0] select_1821;
-  assign select_1821 = select_1818[1] ? {select_1819[12:8], patches_sums_values_0_q[9:8], select_1819[7:0]} : select_1820;
+  // hls/stages/census.hpp:281
+  logic [13:0] sum_612;
+  assign sum_612 = {2'h0, census_changes_values_1_left_s25_q} + {1'b0, sum_611_s25_q};
+  logic [13:0] sum_613;
+  assign sum_613 = {2'h0, census_changes_values_2_left_q} + sum_612;
+  // hls/stages/patches.hpp:104
+  logic select_1708;
+  assign select_1708 = equal_1600_s25_q ? patches_place_0_valid_q : (select_1599_s25_q ? patches_place_0_valid_q : select_1706_s25_q);
+  // hls/stages/patches.hpp:294
+  logic [7:0] sum_1713;
+  assign sum_1713 = sum_1712_s25_q + 8'hff;
+  // hls/stages/patches.hpp:108
+  logic equal_1714;
+  assign equal_1714 = {sum_1713[7], select_464_s25_q, select_461_s25_q} == {1'b0, sum_1713[6:0], 4'h8};
+  // hls/stages/patches.hpp:104
+  logic select_1737;
+  assign select_1737 = equal_1600_s25_q ? patches_place_1_valid_q : (select_1599_s25_q ? select_1706_s25_q : patches_place_1_valid_q);
+  // hls/stages/patches.hpp:294
+  logic [7:0] sum_1742;
+  assign sum_1742 = sum_1741_s25_q + 8'hff;
+  // hls/stages/patches.hpp:108
+  logic equal_1743;
+  assign equal_1743 = {sum_1742[7], select_464_s25_q, select_461_s25_q} == {1'b0, sum_1742[6:0], 4'h8};
+  // hls/stages/agreement.hpp:507
+  logic [11:0] select_2136;
+  assign select_2136 = and_500_s25_q ? census_changes_values_1_left_s25_q : census_changes_values_2_left_q;
+  logic [11:0] select_2137;
+  assign select_2137 = and_500_s25_q ? census_changes_values_1_right_s25_q : census_changes_values_2_right_q;
+  // hls/stages/census.hpp:282
+  logic [13:0] sum_2141;
+  assign sum_2141 = {2'h0, census_changes_values_1_right_s25_q} + {1'b0, sum_2140_s25_q};
+  logic [13:0] sum_2142;
+  assign sum_2142 = {2'h0, census_changes_values_2_right_q} + sum_2141;
+  // hls/stages/census.hpp:357
+  logic [23:0] select_2170;
+  assign select_2170 = equal_2139_s25_q ? {11'h0, select_2168_s25_q} : (sharpness_sums_detail_0_q + {11'h0, select_2168_s25_q});
+  logic [23:0] select_2182;
+  assign select_2182 = equal_2139_s25_q ? {11'h0, select_2180_s25_q} : (sharpness_sums_detail_1_q + {11'h0, select_2180_s25_q});
   // hls/stages/census.hpp:377
-  logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2179_s25_q};
+  logic [17:0] select_2205;
+  assign select_2205 = (less_2193_s25_q & and_2203_s25_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2215;
+  assign select_2215 = (less_2193_s25_q & and_2213_s25_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   // hls/stages/agreement.hpp:207
-  logic [17:0] select_2182;
-  assign select_2182 = equal_2166_s25_q ? (less_2167_s25_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  // hls/stages/census.hpp:377
-  logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2189_s25_q};
+  logic [1:0] select_2224;
+  assign select_2224 = equal_2192_s25_q ? {sharpness_comparing_contrast_0_q[0], and_2213_s25_q} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2226;
+  assign select_2226 = equal_2192_s25_q ? {sharpness_comparing_contrast_1_q[0], and_2203_s25_q} : sharpness_comparing_contrast_1_q;
+  // hls/stages/census.hpp:386
+  logic xor_2249;
+  assign xor_2249 = sharpness_comparing_contrast_0_q[1] ^ and_2203_s25_q;
+  logic select_2252;
+  assign select_2252 = (equal_2236_s25_q | xor_2249) ? (and_2203_s25_q & xor_2249) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:207
-  logic [17:0] select_2192;
-  assign select_2192 = equal_2166_s25_q ? (less_2167_s25_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic select_2253;
+  assign select_2253 = equal_2192_s25_q ? select_2252 : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:386
+  logic xor_2255;
+  assign xor_2255 = sharpness_comparing_contrast_1_q[1] ^ and_2213_s25_q;
+  logic select_2258;
+  assign select_2258 = (equal_2236_s25_q | xor_2255) ? (and_2213_s25_q & xor_2255) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:207
+  logic select_2259;
+  assign select_2259 = equal_2192_s25_q ? select_2258 : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2400;
-  assign select_2400 = and_2353_s25_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2398_s25_q});
-  logic [13:0] select_2414;
-  assign select_2414 = and_2353_s25_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2412_s25_q});
-  // hls/stages/patches.hpp:303
-  logic and_2434;
-  assign and_2434 = not_1467_s25_q & and_2433_s25_q;
+  logic [13:0] select_2426;
+  assign select_2426 = and_2379_s25_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2424_s25_q});
+  logic [13:0] select_2440;
+  assign select_2440 = and_2379_s25_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2438_s25_q});
+  // hls/stages/patches.hpp:309
+  logic and_2460;
+  assign and_2460 = not_1470_s25_q & and_2459_s25_q;
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2436;
-  assign select_2436 = and_2353_s25_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2434});
-  // hls/stages/count_bits.hpp:27
-  logic or_3172;
-  assign or_3172 = and_3169_s25_q | and_3171_s25_q;
-  // hls/stages/patches.hpp:445
-  logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3172, parity_3168_s25_q, xor_3156_s25_q, parity_3128_s25_q, parity_3066_s25_q, parity_2937_s25_q} + (equal_3173_s25_q ? 10'h0 : patches_sums_values_16_q);
+  logic [13:0] select_2462;
+  assign select_2462 = and_2379_s25_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2460});
   // hls/stages/patches.hpp:160
-  logic [9:0] select_3177;
-  assign select_3177 = equal_1672_s25_q ? patches_sums_values_0_q : (equal_1674_s25_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3178;
-  assign select_3178 = equal_1674_s25_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3180;
-  assign select_3180 = equal_1674_s25_q ? patches_sums_values_1_q : patches_sums_values_2_q;
-  logic [9:0] select_3182;
-  assign select_3182 = equal_1674_s25_q ? patches_sums_values_2_q : patches_sums_values_3_q;
-  logic [9:0] select_3184;
-  assign select_3184 = equal_1674_s25_q ? patches_sums_values_3_q : patches_sums_values_4_q;
-  logic [9:0] select_3186;
-  assign select_3186 = equal_1674_s25_q ? patches_sums_values_4_q : patches_sums_values_5_q;
-  logic [9:0] select_3188;
-  assign select_3188 = equal_1674_s25_q ? patches_sums_values_5_q : patches_sums_values_6_q;
-  logic [9:0] select_3190;
-  assign select_3190 = equal_1674_s25_q ? patches_sums_values_6_q : patches_sums_values_7_q;
-  logic [9:0] select_3192;
-  assign select_3192 = equal_1674_s25_q ? patches_sums_values_7_q : patches_sums_values_8_q;
-  logic [9:0] select_3194;
-  assign select_3194 = equal_1674_s25_q ? patches_sums_values_8_q : patches_sums_values_9_q;
-  logic [9:0] select_3196;
-  assign select_3196 = equal_1674_s25_q ? patches_sums_values_9_q : patches_sums_values_10_q;
-  logic [9:0] select_3198;
-  assign select_3198 = equal_1674_s25_q ? patches_sums_values_10_q : patches_sums_values_11_q;
-  logic [9:0] select_3200;
-  assign select_3200 = equal_1674_s25_q ? patches_sums_values_11_q : patches_sums_values_12_q;
-  logic [9:0] select_3202;
-  assign select_3202 = equal_1674_s25_q ? patches_sums_values_12_q : patches_sums_values_13_q;
-  logic [9:0] select_3204;
-  assign select_3204 = equal_1674_s25_q ? patches_sums_values_13_q : patches_sums_values_14_q;
-  logic [9:0] select_3206;
-  assign select_3206 = equal_1674_s25_q ? patches_sums_values_14_q : patches_sums_values_15_q;
-  logic [9:0] select_3208;
-  assign select_3208 = equal_1674_s25_q ? patches_sums_values_15_q : patches_sums_values_16_q;
-  // hls/stages/patches.hpp:499
-  logic not_3317;
-  assign not_3317 = ~or_3316_s25_q;
-  // hls/stages/patches.hpp:480
-  logic and_3318;
-  assign and_3318 = equal_1807_s25_q & not_3317;
-  // hls/stages/patches.hpp:160
-  logic and_3321;
-  assign and_3321 = equal_1672_s25_q & (less_1804_s25_q ? (not_1806_s25_q & and_3318) : and_3318);
-  // hls/stages/patches.hpp:480
-  logic and_3324;
-  assign and_3324 = equal_1807_s25_q & (patches_second_s25_q & not_3317);
-  // hls/stages/patches.hpp:160
-  logic and_3327;
-  assign and_3327 = equal_1672_s25_q & (less_1804_s25_q ? (not_1806_s25_q & and_3324) : and_3324);
-  // hls/stages/patches.hpp:480
-  logic and_3367;
-  assign and_3367 = equal_1807_s25_q & (not_3317 & not_3365_s25_q);
-  // hls/stages/patches.hpp:160
-  logic and_3370;
-  assign and_3370 = equal_1672_s25_q & (less_1804_s25_q ? (not_1806_s25_q & and_3367) : and_3367);
-  // hls/stages/patches.hpp:480
-  logic and_3377;
-  assign and_3377 = equal_1807_s25_q & (not_3317 & not_3375_s25_q);
-  // hls/stages/patches.hpp:160
-  logic and_3380;
-  assign and_3380 = equal_1672_s25_q & (less_1804_s25_q ? (not_1806_s25_q & and_3377) : and_3377);
-  // hls/stages/agreement.hpp:1071
-  logic less_3413;
-  assign less_3413 = x_s25_q[5:3] < 3'h5;
-  // hls/stages/registration.hpp:149
-  logic not_3415;
-  assign not_3415 = ~x_s25_q[4];
-  // hls/stages/registration.hpp:156
-  logic not_3416;
-  assign not_3416 = ~x_s25_q[3];
-  // hls/stages/patches.hpp:175
-  logic and_3417;
-  assign and_3417 = not_3415 & not_3416;
-  logic [1:0] select_3418;
-  assign select_3418 = x_s25_q[4] ? {1'b1, x_s25_q[3]} : {not_3416, 1'b1};
-  logic [3:0] select_3419;
-  assign select_3419 = x_s25_q[5] ? {{2{and_3417}}, 2'h0} : {not_3416, not_3415, select_3418};
-  // hls/stages/agreement.hpp:1083
-  logic and_3422;
-  assign and_3422 = not_1833_s25_q & (less_3413 & (equal_3414_s25_q & select_3419[0]));
-  // hls/stages/patches.hpp:175
-  logic equal_3426;
-  assign equal_3426 = x_s25_q[2:0] == 3'h1;
-  // hls/stages/agreement.hpp:1083
-  logic and_3430;
-  assign and_3430 = x_s25_q[6] & (not_1833_s25_q & (less_3413 & (select_3419[1] & equal_3426)));
-  logic and_3437;
-  assign and_3437 = not_1833_s25_q & (less_3413 & (select_3419[2] & (x_s25_q[2:0] == 3'h2)));
-  logic and_3445;
-  assign and_3445 = not_1833_s25_q & (less_3413 & (select_3419[3] & (x_s25_q[2:0] == 3'h3)));
-  // hls/stages/patches.hpp:179
-  logic [4:0] sum_3464;
-  assign sum_3464 = {2'h0, x_s25_q[2:0]} + 5'h1f;
-  // hls/stages/patches.hpp:303
-  logic and_3473;
-  assign and_3473 = equal_1466_s25_q & (x_s25_q[6] & (not_1833_s25_q & (less_3413 & equal_3426)));
-  // hls/stages/patches.hpp:525
-  logic [5:0] select_3487;
-  assign select_3487 = less_3484_s25_q ? 6'h10 : (less_3485_s25_q ? 6'h30 : difference_3363_s25_q);
-  // hls/stages/patches.hpp:480
-  logic [5:0] select_3489;
-  assign select_3489 = equal_1807_s25_q ? (or_3316_s25_q ? 6'h0 : select_3487) : 6'h0;
-  logic [5:0] select_3491;
-  assign select_3491 = less_1804_s25_q ? (equal_1805_s25_q ? 6'h0 : select_3489) : select_3489;
-  // hls/stages/patches.hpp:303
-  logic and_3498;
-  assign and_3498 = equal_1466_s25_q & (x_s25_q[6] & (not_1833_s25_q & (equal_2629_s25_q & less_3413)));
-  // hls/stages/agreement.hpp:1083
-  logic and_3502;
-  assign and_3502 = x_s25_q[6] & (not_1833_s25_q & (less_3413 & (x_s25_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:1066
-  logic [13:0] select_3610;
-  assign select_3610 = equal_3607_s25_q ? counts_skin_unproven_q : (equal_3608_s25_q ? counts_unproven_q : counts_regions_bad_q);
+  logic [2:0] select_2871;
+  assign select_2871 = equal_1690_s25_q ? 3'h0 : (equal_1692_s25_q ? 3'h0 : select_2869_s25_q);
+  // hls/stages/patches.hpp:143
+  logic [9:0] sum_2873;
+  assign sum_2873 = {7'h0, patches_set_q} + (equal_1694_s25_q ? 10'h0 : patches_size_q);
+  // hls/stages/count_bits.hpp:24
+  logic xor_2898;
+  assign xor_2898 = xor_2889_s25_q ^ parity_2897_s25_q;
+  logic xor_2904;
+  assign xor_2904 = bits_s25_q ^ (^{select_2883_s25_q[7:6], other_s25_q[7:6]});
+  logic xor_2913;
+  assign xor_2913 = xor_2904 ^ (^{select_2883_s25_q[5:0], other_s25_q[5:0]});
+  logic parity_2915;
+  assign parity_2915 = ^{select_2883_s25_q[20:18], select_2883_s25_q[8:0], other_s25_q[20:18], other_s25_q[8:0]};
+  logic xor_2916;
+  assign xor_2916 = xor_2898 ^ parity_2915;
+  logic xor_2940;
+  assign xor_2940 = xor_2931_s25_q ^ parity_2939_s25_q;
+  logic xor_2952;
+  assign xor_2952 = xor_2943_s25_q ^ parity_2951_s25_q;
+  logic xor_2953;
+  assign xor_2953 = xor_2940 ^ xor_2952;
+  // hls/stages/count_bits.hpp:25
+  logic or_2961;
+  assign or_2961 = (xor_2892_s25_q & xor_2895_s25_q) | (xor_2889_s25_q & (xor_2892_s25_q | xor_2895_s25_q));
+  logic or_2969;
+  assign or_2969 = (xor_2907_s25_q & xor_2910_s25_q) | (xor_2904 & (xor_2907_s25_q | xor_2910_s25_q));
+  logic or_3058;
+  assign or_3058 = (xor_2922_s25_q & xor_2925_s25_q) | (xor_2919_s25_q & (xor_2922_s25_q | xor_2925_s25_q));
+  logic or_3062;
+  assign or_3062 = (xor_2934_s25_q & xor_2937_s25_q) | (xor_2931_s25_q & (xor_2934_s25_q | xor_2937_s25_q));
+  logic or_3066;
+  assign or_3066 = (xor_2946_s25_q & xor_2949_s25_q) | (xor_2943_s25_q & (xor_2946_s25_q | xor_2949_s25_q));
+  logic and_3070;
+  assign and_3070 = xor_2916 & (^{xor_2953, select_2883_s25_q[17:9], other_s25_q[17:9]});
+  logic or_3074;
+  assign or_3074 = (xor_2901_s25_q & xor_2913) | (xor_2898 & (xor_2901_s25_q | xor_2913));
+  logic and_3077;
+  assign and_3077 = (xor_2919_s25_q ^ (^{select_2883_s25_q[14:9], other_s25_q[14:9]})) & (xor_2940 | xor_2952);
+  // hls/stages/patches.hpp:518
+  logic [1:0] sum_3367;
+  assign sum_3367 = {1'b0, not_3363_s25_q} + {1'b0, not_3366_s25_q};
+  // hls/stages/patches.hpp:519
+  logic [1:0] sum_3374;
+  assign sum_3374 = {1'b0, not_3370_s25_q} + {1'b0, not_3373_s25_q};
+  // hls/stages/patches.hpp:518
+  logic [2:0] fraction;
+  assign fraction = {1'b0, sum_3367} + {1'b0, sum_3374};
+  // hls/stages/patches.hpp:532
+  logic [18:0] product_3382;
+  assign product_3382 = $signed({{11{select_3378_s25_q[7]}}, select_3378_s25_q}) * $signed({{8{sum_3381_s25_q[6]}}, sum_3381_s25_q, sum_3379_s25_q, select_3312_s25_q[12:10]});
+  // hls/stages/agreement.hpp:1067
+  logic [13:0] select_3630;
+  assign select_3630 = equal_3627_s25_q ? counts_skin_unproven_q : (equal_3628_s25_q ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_3605_s25_q ? counts_nearer_s25_q : select_3610;
-  // hls/stages/patches.hpp:303
-  logic and_3781;
-  assign and_3781 = equal_1466_s25_q & (equal_3513_s25_q & (cfg_prove_i & (~proven_q)));
-  logic and_3816;
-  assign and_3816 = equal_1466_s25_q & (x_s25_q[6] & (not_1833_s25_q | (4'hc < x_s25_q[5:2])));
-  // hls/stages/agreement.hpp:1081
-  logic [31:0] select_3826;
-  assign select_3826 = equal_1529_s25_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_3825_s25_q;
-  logic [31:0] select_3827;
-  assign select_3827 = equal_1527_s25_q ? {8'h0, sharpness_sums_detail_0_s25_q} : select_3826;
-  logic [31:0] select_3828;
-  assign select_3828 = equal_1525_s25_q ? {8'h0, sharpness_sums_detail_1_s25_q} : select_3827;
-  logic [31:0] select_3829;
-  assign select_3829 = equal_1523_s25_q ? {8'h0, sharpness_sums_contrast_0_s25_q} : select_3828;
-  logic [31:0] select_3830;
-  assign select_3830 = equal_1521_s25_q ? {8'h0, sharpness_sums_contrast_1_s25_q} : select_3829;
+  assign before_v_4 = equal_3625_s25_q ? counts_nearer_s25_q : select_3630;
+  // hls/stages/patches.hpp:309
+  logic and_3801;
+  assign and_3801 = equal_1469_s25_q & (equal_3533_s25_q & (cfg_prove_i & (~proven_q)));
+  // hls/stages/agreement.hpp:1082
+  logic [31:0] select_3846;
+  assign select_3846 = equal_1532_s25_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_3845_s25_q;
+  logic [31:0] select_3847;
+  assign select_3847 = equal_1530_s25_q ? {8'h0, sharpness_sums_detail_0_q} : select_3846;
+  logic [31:0] select_3848;
+  assign select_3848 = equal_1528_s25_q ? {8'h0, sharpness_sums_detail_1_q} : select_3847;
+  logic [31:0] select_3849;
+  assign select_3849 = equal_1526_s25_q ? {8'h0, sharpness_sums_contrast_0_s25_q} : select_3848;
+  logic [31:0] select_3850;
+  assign select_3850 = equal_1524_s25_q ? {8'h0, sharpness_sums_contrast_1_s25_q} : select_3849;
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1517_s25_q, lower_half_s25_q, registration_of_right_s25_q};
+  assign registration_sums_waddr = {sum_1520_s25_q, lower_half_s25_q, registration_of_right_s25_q};
   logic registration_sums_we;
-  assign registration_sums_we = s25_en & and_1576_s25_q;
+  assign registration_sums_we = s25_en & and_1579_s25_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1575_s25_q, sum_1571_s25_q};
+    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1578_s25_q, sum_1574_s25_q};
   end
 `ifndef SYNTHESIS
   logic [3:0] registration_sums_raddr_s22_sim;
@@ -10769,11 +9830,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_1899_s25_q, index_2_s25_q};
+  assign map_waddr = {sum_1925_s25_q, index_2_s25_q};
   logic map_we;
-  assign map_we = s25_en & and_1973_s25_q;
+  assign map_we = s25_en & and_1999_s25_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_1963_s25_q, is_seen_s25_q};
+    if (map_we) map_mem[map_waddr] <= {and_1989_s25_q, is_seen_s25_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -10789,58 +9850,36 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      sharpness_comparing_rest_0_q <= 18'h0;
-      sharpness_comparing_rest_1_q <= 18'h0;
+      sharpness_sums_detail_0_q <= 24'h0;
+      sharpness_sums_detail_1_q <= 24'h0;
+      sharpness_comparing_contrast_0_q <= 2'h0;
+      sharpness_comparing_contrast_1_q <= 2'h0;
+      sharpness_comparing_less_contrast_0_q <= 1'b0;
+      sharpness_comparing_less_contrast_1_q <= 1'b0;
       counts_unproven_q <= 14'h0;
       counts_regions_bad_q <= 14'h0;
       counts_skin_unproven_q <= 14'h0;
       registration_moved_q <= 1'b0;
-      patches_sums_values_0_q <= 10'h0;
-      patches_sums_values_1_q <= 10'h0;
-      patches_sums_values_2_q <= 10'h0;
-      patches_sums_values_3_q <= 10'h0;
-      patches_sums_values_4_q <= 10'h0;
-      patches_sums_values_5_q <= 10'h0;
-      patches_sums_values_6_q <= 10'h0;
-      patches_sums_values_7_q <= 10'h0;
-      patches_sums_values_8_q <= 10'h0;
-      patches_sums_values_9_q <= 10'h0;
-      patches_sums_values_10_q <= 10'h0;
-      patches_sums_values_11_q <= 10'h0;
-      patches_sums_values_12_q <= 10'h0;
-      patches_sums_values_13_q <= 10'h0;
-      patches_sums_values_14_q <= 10'h0;
-      patches_sums_values_15_q <= 10'h0;
-      patches_sums_values_16_q <= 10'h0;
-      patches_best_differing_q <= 10'h0;
-      patches_best_column_q <= 5'h0;
+      patches_place_0_valid_q <= 1'b0;
+      patches_place_1_valid_q <= 1'b0;
+      patches_set_q <= 3'h0;
+      patches_size_q <= 10'h0;
       proven_q <= 1'b0;
     end else if (s25_en) begin
-      sharpness_comparing_rest_0_q <= so_s25_q ? select_2182 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= so_s25_q ? select_2192 : sharpness_comparing_rest_1_q;
-      counts_unproven_q <= select_2400;
-      counts_regions_bad_q <= select_2414;
-      counts_skin_unproven_q <= select_2436;
-      registration_moved_q <= not_2628_s25_q & (registration_moved_q | and_2650_s25_q);
-      patches_sums_values_0_q <= select_3177;
-      patches_sums_values_1_q <= equal_1672_s25_q ? patches_sums_values_1_q : select_3178;
-      patches_sums_values_2_q <= equal_1672_s25_q ? patches_sums_values_2_q : select_3180;
-      patches_sums_values_3_q <= equal_1672_s25_q ? patches_sums_values_3_q : select_3182;
-      patches_sums_values_4_q <= equal_1672_s25_q ? patches_sums_values_4_q : select_3184;
-      patches_sums_values_5_q <= equal_1672_s25_q ? patches_sums_values_5_q : select_3186;
-      patches_sums_values_6_q <= equal_1672_s25_q ? patches_sums_values_6_q : select_3188;
-      patches_sums_values_7_q <= equal_1672_s25_q ? patches_sums_values_7_q : select_3190;
-      patches_sums_values_8_q <= equal_1672_s25_q ? patches_sums_values_8_q : select_3192;
-      patches_sums_values_9_q <= equal_1672_s25_q ? patches_sums_values_9_q : select_3194;
-      patches_sums_values_10_q <= equal_1672_s25_q ? patches_sums_values_10_q : select_3196;
-      patches_sums_values_11_q <= equal_1672_s25_q ? patches_sums_values_11_q : select_3198;
-      patches_sums_values_12_q <= equal_1672_s25_q ? patches_sums_values_12_q : select_3200;
-      patches_sums_values_13_q <= equal_1672_s25_q ? patches_sums_values_13_q : select_3202;
-      patches_sums_values_14_q <= equal_1672_s25_q ? patches_sums_values_14_q : select_3204;
-      patches_sums_values_15_q <= equal_1672_s25_q ? patches_sums_values_15_q : select_3206;
-      patches_sums_values_16_q <= equal_1672_s25_q ? patches_sums_values_16_q : select_3208;
-      patches_best_differing_q <= select_1821[9:0];
-      patches_best_column_q <= select_1821[14:10];
+      sharpness_sums_detail_0_q <= and_500_s25_q ? select_2170 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_500_s25_q ? select_2182 : sharpness_sums_detail_1_q;
+      sharpness_comparing_contrast_0_q <= so_s25_q ? select_2224 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= so_s25_q ? select_2226 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_less_contrast_0_q <= so_s25_q ? select_2253 : sharpness_comparing_less_contrast_0_q;
+      sharpness_comparing_less_contrast_1_q <= so_s25_q ? select_2259 : sharpness_comparing_less_contrast_1_q;
+      counts_unproven_q <= select_2426;
+      counts_regions_bad_q <= select_2440;
+      counts_skin_unproven_q <= select_2462;
+      registration_moved_q <= not_2646_s25_q & (registration_moved_q | and_2668_s25_q);
+      patches_place_0_valid_q <= sample_pair_whole_s25_q ? select_1708 : patches_place_0_valid_q;
+      patches_place_1_valid_q <= sample_pair_whole_s25_q ? select_1737 : patches_place_1_valid_q;
+      patches_set_q <= select_2871;
+      patches_size_q <= sum_2873;
       proven_q <= marks_first_s25_q ? done_s25_q : proven_q;
     end
   end
@@ -10848,12 +9887,14 @@ module horopter_agreement (
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
   initial begin
-    left_pixel_q = 8'h0;
+    census_changes_values_2_left_q = 12'h0;
+    census_changes_values_2_right_q = 12'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s25_en) begin
-      left_pixel_q <= left_pixel_q;
+      census_changes_values_2_left_q <= select_2136;
+      census_changes_values_2_right_q <= select_2137;
     end
   end
 
@@ -10863,19 +9904,23 @@ module horopter_agreement (
   logic mask_s26_q;
   logic marks_first_s26_q;
   logic marks_last_s26_q;
+  logic [7:0] sample_pair_pixel_0_s26_q;
+  logic [7:0] sample_pair_pixel_1_s26_q;
+  logic sample_pair_whole_s26_q;
+  logic sample_present_s26_q;
   logic census_columns_values_1_cell_2_of_skin_s26_q;
   logic [6:0] x_s26_q;
   logic registration_moved_s26_q;
   logic patches_lower_s26_q;
+  logic patches_second_s26_q;
+  logic [4:0] patches_summed_row_column_s26_q;
+  logic patches_summed_first_s26_q;
   logic patches_summed_last_s26_q;
   logic [4:0] patches_summed_down_by_s26_q;
   logic [13:0] product_s26_q;
   logic [6:0] column_s26_q;
-  logic and_497_s26_q;
+  logic and_500_s26_q;
   logic so_s26_q;
-  logic less_531_s26_q;
-  logic less_532_s26_q;
-  logic less_533_s26_q;
   logic less_534_s26_q;
   logic less_535_s26_q;
   logic less_536_s26_q;
@@ -10897,55 +9942,99 @@ module horopter_agreement (
   logic less_552_s26_q;
   logic less_553_s26_q;
   logic less_554_s26_q;
-  logic and_562_s26_q;
-  logic and_587_s26_q;
-  logic and_588_s26_q;
-  logic less_611_s26_q;
-  logic equal_1466_s26_q;
-  logic equal_1511_s26_q;
-  logic equal_1519_s26_q;
-  logic and_1893_s26_q;
-  logic less_1894_s26_q;
+  logic less_555_s26_q;
+  logic less_556_s26_q;
+  logic less_557_s26_q;
+  logic and_565_s26_q;
+  logic and_590_s26_q;
+  logic and_591_s26_q;
+  logic [8:0] sum_613_s26_q;
+  logic equal_1469_s26_q;
+  logic equal_1514_s26_q;
+  logic equal_1522_s26_q;
+  logic and_1582_s26_q;
+  logic select_1599_s26_q;
+  logic equal_1600_s26_q;
+  logic equal_1690_s26_q;
+  logic equal_1692_s26_q;
+  logic select_1706_s26_q;
+  logic select_1708_s26_q;
+  logic equal_1714_s26_q;
+  logic [4:0] select_1720_s26_q;
+  logic select_1726_s26_q;
+  logic select_1737_s26_q;
+  logic equal_1743_s26_q;
+  logic or_1758_s26_q;
+  logic or_1762_s26_q;
+  logic [3:0] select_1765_s26_q;
+  logic less_1830_s26_q;
+  logic equal_1831_s26_q;
+  logic not_1832_s26_q;
+  logic equal_1833_s26_q;
+  logic not_1859_s26_q;
+  logic and_1919_s26_q;
+  logic less_1920_s26_q;
   logic [1:0] map_rdata_s26_q;
   logic is_seen_s26_q;
-  logic and_1963_s26_q;
-  logic equal_2113_s26_q;
-  logic and_2118_s26_q;
-  logic equal_2166_s26_q;
-  logic sum_s26_q;
-  logic sum_2_s26_q;
-  logic equal_2210_s26_q;
-  logic select_2228_s26_q;
-  logic select_2234_s26_q;
-  logic [9:0] select_2402_s26_q;
-  logic [9:0] select_2405_s26_q;
-  logic and_3321_s26_q;
-  logic and_3327_s26_q;
-  logic and_3370_s26_q;
-  logic and_3380_s26_q;
-  logic equal_3414_s26_q;
-  logic and_3423_s26_q;
-  logic and_3430_s26_q;
-  logic and_3438_s26_q;
-  logic and_3446_s26_q;
-  logic and_3467_s26_q;
-  logic and_3473_s26_q;
-  logic [5:0] select_3492_s26_q;
-  logic and_3498_s26_q;
-  logic and_3503_s26_q;
-  logic equal_3513_s26_q;
-  logic or_3584_s26_q;
-  logic select_3592_s26_q;
-  logic and_3606_s26_q;
+  logic and_1989_s26_q;
+  logic equal_2139_s26_q;
+  logic [8:0] sum_2142_s26_q;
+  logic equal_2192_s26_q;
+  logic less_2193_s26_q;
+  logic [17:0] select_2205_s26_q;
+  logic [17:0] select_2215_s26_q;
+  logic equal_2236_s26_q;
+  logic [9:0] select_2428_s26_q;
+  logic [9:0] select_2431_s26_q;
+  logic equal_2647_s26_q;
+  logic [8:0] other_s26_q;
+  logic [8:0] select_2883_s26_q;
+  logic xor_2916_s26_q;
+  logic xor_2953_s26_q;
+  logic or_2961_s26_q;
+  logic or_2965_s26_q;
+  logic or_2969_s26_q;
+  logic or_2976_s26_q;
+  logic or_2980_s26_q;
+  logic or_2984_s26_q;
+  logic or_2991_s26_q;
+  logic or_2995_s26_q;
+  logic or_2999_s26_q;
+  logic or_3009_s26_q;
+  logic or_3013_s26_q;
+  logic or_3017_s26_q;
+  logic or_3025_s26_q;
+  logic or_3029_s26_q;
+  logic or_3033_s26_q;
+  logic or_3040_s26_q;
+  logic or_3044_s26_q;
+  logic or_3048_s26_q;
+  logic or_3058_s26_q;
+  logic or_3062_s26_q;
+  logic or_3066_s26_q;
+  logic and_3070_s26_q;
+  logic or_3074_s26_q;
+  logic or_3078_s26_q;
+  logic equal_3193_s26_q;
+  logic [4:0] select_3281_s26_q;
+  logic [9:0] select_3312_s26_q;
+  logic [9:0] select_3322_s26_q;
+  logic less_3355_s26_q;
+  logic [2:0] fraction_s26_q;
+  logic [13:0] product_3382_s26_q;
+  logic equal_3434_s26_q;
+  logic equal_3533_s26_q;
+  logic or_3604_s26_q;
+  logic select_3612_s26_q;
+  logic and_3626_s26_q;
   logic [13:0] before_v_4_s26_q;
-  logic not_3643_s26_q;
-  logic or_3647_s26_q;
-  logic and_3751_s26_q;
-  logic and_3766_s26_q;
-  logic and_3781_s26_q;
-  logic and_3816_s26_q;
-  logic [31:0] select_3830_s26_q;
-  logic [9:0] select_3832_s26_q;
+  logic not_3663_s26_q;
+  logic or_3667_s26_q;
+  logic and_3771_s26_q;
+  logic and_3786_s26_q;
+  logic and_3801_s26_q;
+  logic [31:0] select_3850_s26_q;
+  logic [9:0] select_3852_s26_q;
   always_ff @(posedge clk_i) begin
     if (s25_en) begin
       pixel_0_s26_q <= pixel_0_s25_q;
@@ -10954,19 +10043,23 @@ module horopter_agreement (
       mask_s26_q <= mask_s25_q;
       marks_first_s26_q <= marks_first_s25_q;
       marks_last_s26_q <= marks_last_s25_q;
+      sample_pair_pixel_0_s26_q <= sample_pair_pixel_0_s25_q;
+      sample_pair_pixel_1_s26_q <= sample_pair_pixel_1_s25_q;
+      sample_pair_whole_s26_q <= sample_pair_whole_s25_q;
+      sample_present_s26_q <= sample_present_s25_q;
       census_columns_values_1_cell_2_of_skin_s26_q <= census_columns_values_1_cell_2_of_skin_s25_q;
       x_s26_q <= x_s25_q;
       registration_moved_s26_q <= registration_moved_q;
       patches_lower_s26_q <= patches_lower_s25_q;
+      patches_second_s26_q <= patches_second_s25_q;
+      patches_summed_row_column_s26_q <= patches_summed_row_column_s25_q;
+      patches_summed_first_s26_q <= patches_summed_first_s25_q;
       patches_summed_last_s26_q <= patches_summed_last_s25_q;
       patches_summed_down_by_s26_q <= patches_summed_down_by_s25_q;
       product_s26_q <= product_s25_q;
       column_s26_q <= column_s25_q;
-      and_497_s26_q <= and_497_s25_q;
+      and_500_s26_q <= and_500_s25_q;
       so_s26_q <= so_s25_q;
-      less_531_s26_q <= less_531_s25_q;
-      less_532_s26_q <= less_532_s25_q;
-      less_533_s26_q <= less_533_s25_q;
       less_534_s26_q <= less_534_s25_q;
       less_535_s26_q <= less_535_s25_q;
       less_536_s26_q <= less_536_s25_q;
@@ -10988,293 +10081,644 @@ module horopter_agreement (
       less_552_s26_q <= less_552_s25_q;
       less_553_s26_q <= less_553_s25_q;
       less_554_s26_q <= less_554_s25_q;
-      and_562_s26_q <= and_562_s25_q;
-      and_587_s26_q <= and_587_s25_q;
-      and_588_s26_q <= and_588_s25_q;
-      less_611_s26_q <= 9'h4 < sum_610_s25_q;
-      equal_1466_s26_q <= equal_1466_s25_q;
-      equal_1511_s26_q <= equal_1511_s25_q;
-      equal_1519_s26_q <= equal_1519_s25_q;
-      and_1893_s26_q <= and_1893_s25_q;
-      less_1894_s26_q <= less_1894_s25_q;
+      less_555_s26_q <= less_555_s25_q;
+      less_556_s26_q <= less_556_s25_q;
+      less_557_s26_q <= less_557_s25_q;
+      and_565_s26_q <= and_565_s25_q;
+      and_590_s26_q <= and_590_s25_q;
+      and_591_s26_q <= and_591_s25_q;
+      sum_613_s26_q <= sum_613[13:5];
+      equal_1469_s26_q <= equal_1469_s25_q;
+      equal_1514_s26_q <= equal_1514_s25_q;
+      equal_1522_s26_q <= equal_1522_s25_q;
+      and_1582_s26_q <= and_1582_s25_q;
+      select_1599_s26_q <= select_1599_s25_q;
+      equal_1600_s26_q <= equal_1600_s25_q;
+      equal_1690_s26_q <= equal_1690_s25_q;
+      equal_1692_s26_q <= equal_1692_s25_q;
+      select_1706_s26_q <= select_1706_s25_q;
+      select_1708_s26_q <= select_1708;
+      equal_1714_s26_q <= equal_1714;
+      select_1720_s26_q <= select_1720_s25_q;
+      select_1726_s26_q <= select_1726_s25_q;
+      select_1737_s26_q <= select_1737;
+      equal_1743_s26_q <= equal_1743;
+      or_1758_s26_q <= and_1582_s25_q | (select_1708 & equal_1756_s25_q);
+      or_1762_s26_q <= and_1582_s25_q | (select_1737 & equal_1760_s25_q);
+      select_1765_s26_q <= select_1765_s25_q;
+      less_1830_s26_q <= less_1830_s25_q;
+      equal_1831_s26_q <= equal_1831_s25_q;
+      not_1832_s26_q <= not_1832_s25_q;
+      equal_1833_s26_q <= equal_1833_s25_q;
+      not_1859_s26_q <= not_1859_s25_q;
+      and_1919_s26_q <= and_1919_s25_q;
+      less_1920_s26_q <= less_1920_s25_q;
       map_rdata_s26_q <= map_rdata_q;
       is_seen_s26_q <= is_seen_s25_q;
-      and_1963_s26_q <= and_1963_s25_q;
-      equal_2113_s26_q <= equal_2113_s25_q;
-      and_2118_s26_q <= and_587_s25_q & (9'h4 < sum_2116_s25_q);
-      equal_2166_s26_q <= equal_2166_s25_q;
-      sum_s26_q <= sum[0];
-      sum_2_s26_q <= sum_2[0];
-      equal_2210_s26_q <= equal_2210_s25_q;
-      select_2228_s26_q <= sharpness_comparing_less_contrast_0_q;
-      select_2234_s26_q <= sharpness_comparing_less_contrast_1_q;
-      select_2402_s26_q <= select_2402_s25_q;
-      select_2405_s26_q <= select_2405_s25_q;
-      and_3321_s26_q <= and_3321;
-      and_3327_s26_q <= and_3327;
-      and_3370_s26_q <= and_3370;
-      and_3380_s26_q <= and_3380;
-      equal_3414_s26_q <= equal_3414_s25_q;
-      and_3423_s26_q <= x_s25_q[6] & and_3422;
-      and_3430_s26_q <= and_3430;
-      and_3438_s26_q <= x_s25_q[6] & and_3437;
-      and_3446_s26_q <= x_s25_q[6] & and_3445;
-      and_3467_s26_q <= not_1833_s25_q & (less_3413 & (sum_3464[4:2] == 3'h0));
-      and_3473_s26_q <= and_3473;
-      select_3492_s26_q <= equal_1672_s25_q ? select_3491 : 6'h0;
-      and_3498_s26_q <= and_3498;
-      and_3503_s26_q <= equal_1466_s25_q & and_3502;
-      equal_3513_s26_q <= equal_3513_s25_q;
-      or_3584_s26_q <= or_3584_s25_q;
-      select_3592_s26_q <= select_3592_s25_q;
-      and_3606_s26_q <= equal_3605_s25_q & equal_3414_s25_q;
+      and_1989_s26_q <= and_1989_s25_q;
+      equal_2139_s26_q <= equal_2139_s25_q;
+      sum_2142_s26_q <= sum_2142[13:5];
+      equal_2192_s26_q <= equal_2192_s25_q;
+      less_2193_s26_q <= less_2193_s25_q;
+      select_2205_s26_q <= select_2205;
+      select_2215_s26_q <= select_2215;
+      equal_2236_s26_q <= equal_2236_s25_q;
+      select_2428_s26_q <= select_2428_s25_q;
+      select_2431_s26_q <= select_2431_s25_q;
+      equal_2647_s26_q <= equal_2647_s25_q;
+      other_s26_q <= other_s25_q[17:9];
+      select_2883_s26_q <= select_2883_s25_q[17:9];
+      xor_2916_s26_q <= xor_2916;
+      xor_2953_s26_q <= xor_2953;
+      or_2961_s26_q <= or_2961;
+      or_2965_s26_q <= equal_2962_s25_q | and_2964_s25_q;
+      or_2969_s26_q <= or_2969;
+      or_2976_s26_q <= equal_2973_s25_q | and_2975_s25_q;
+      or_2980_s26_q <= equal_2977_s25_q | and_2979_s25_q;
+      or_2984_s26_q <= equal_2981_s25_q | and_2983_s25_q;
+      or_2991_s26_q <= equal_2988_s25_q | and_2990_s25_q;
+      or_2995_s26_q <= equal_2992_s25_q | and_2994_s25_q;
+      or_2999_s26_q <= equal_2996_s25_q | and_2998_s25_q;
+      or_3009_s26_q <= equal_3006_s25_q | and_3008_s25_q;
+      or_3013_s26_q <= equal_3010_s25_q | and_3012_s25_q;
+      or_3017_s26_q <= equal_3014_s25_q | and_3016_s25_q;
+      or_3025_s26_q <= equal_3021_s25_q | (bits_s25_q & not_3023_s25_q);
+      or_3029_s26_q <= equal_3026_s25_q | and_3028_s25_q;
+      or_3033_s26_q <= equal_3030_s25_q | and_3032_s25_q;
+      or_3040_s26_q <= equal_3037_s25_q | and_3039_s25_q;
+      or_3044_s26_q <= equal_3041_s25_q | and_3043_s25_q;
+      or_3048_s26_q <= equal_3045_s25_q | and_3047_s25_q;
+      or_3058_s26_q <= or_3058;
+      or_3062_s26_q <= or_3062;
+      or_3066_s26_q <= or_3066;
+      and_3070_s26_q <= and_3070;
+      or_3074_s26_q <= or_3074;
+      or_3078_s26_q <= (xor_2940 & xor_2952) | and_3077;
+      equal_3193_s26_q <= equal_3193_s25_q;
+      select_3281_s26_q <= select_3281_s25_q;
+      select_3312_s26_q <= select_3312_s25_q[9:0];
+      select_3322_s26_q <= select_3322_s25_q;
+      less_3355_s26_q <= less_3355_s25_q;
+      fraction_s26_q <= fraction;
+      product_3382_s26_q <= product_3382[18:5];
+      equal_3434_s26_q <= equal_3434_s25_q;
+      equal_3533_s26_q <= equal_3533_s25_q;
+      or_3604_s26_q <= or_3604_s25_q;
+      select_3612_s26_q <= select_3612_s25_q;
+      and_3626_s26_q <= equal_3625_s25_q & equal_3434_s25_q;
       before_v_4_s26_q <= before_v_4;
-      not_3643_s26_q <= ~(equal_3608_s25_q & equal_3414_s25_q);
-      or_3647_s26_q <= (equal_3608_s25_q | equal_3607_s25_q) | (x_s25_q[6:3] == 4'hf);
-      and_3751_s26_q <= and_3751_s25_q;
-      and_3766_s26_q <= and_3766_s25_q;
-      and_3781_s26_q <= and_3781;
-      and_3816_s26_q <= and_3816;
-      select_3830_s26_q <= select_3830;
-      select_3832_s26_q <= select_3832_s25_q;
+      not_3663_s26_q <= ~(equal_3628_s25_q & equal_3434_s25_q);
+      or_3667_s26_q <= (equal_3628_s25_q | equal_3627_s25_q) | (x_s25_q[6:3] == 4'hf);
+      and_3771_s26_q <= and_3771_s25_q;
+      and_3786_s26_q <= and_3786_s25_q;
+      and_3801_s26_q <= and_3801;
+      select_3850_s26_q <= select_3850;
+      select_3852_s26_q <= select_3852_s25_q;
     end
   end
 
   // Stage 26 ----------------------------------------------------------------------------------------------------------
+  logic [17:0] sharpness_comparing_rest_0_q;
+  logic [17:0] sharpness_comparing_rest_1_q;
+  logic [4:0] patches_left_next_0_q;
+  logic [4:0] patches_left_next_1_q;
+  logic hides_q;
+  // hls/stages/patches.hpp:111
+  logic [4:0] select_1759;
+  assign select_1759 = or_1758_s26_q ? {and_1582_s26_q, 4'h0} : patches_left_next_0_q;
+  logic [4:0] select_1763;
+  assign select_1763 = or_1762_s26_q ? {and_1582_s26_q, 4'h0} : patches_left_next_1_q;
+  // hls/stages/patches.hpp:119
+  logic [3:0] column_5;
+  assign column_5 = select_1759[4] ? select_1763[3:0] : select_1759[3:0];
+  logic and_1768;
+  assign and_1768 = select_1726_s26_q & (select_1720_s26_q[3] ^ select_1720_s26_q[4]);
+  logic and_1773;
+  assign and_1773 = sample_pair_whole_s26_q & (and_1768 & ((~select_1759[4]) | (~select_1763[4])));
+  // hls/stages/census.hpp:377
+  logic [18:0] sum;
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2205_s26_q};
+  // hls/stages/agreement.hpp:207
+  logic [17:0] select_2208;
+  assign select_2208 = equal_2192_s26_q ? (less_2193_s26_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  // hls/stages/census.hpp:377
+  logic [18:0] sum_2;
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2215_s26_q};
+  // hls/stages/agreement.hpp:207
+  logic [17:0] select_2218;
+  assign select_2218 = equal_2192_s26_q ? (less_2193_s26_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  // hls/stages/agreement.hpp:263
+  logic [4:0] select_2778;
+  assign select_2778 = sample_pair_whole_s26_q ? (select_1759[4] ? {1'b1, select_1759[3:0]} : (select_1759 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_2781;
+  assign select_2781 = sample_pair_whole_s26_q ? (select_1763[4] ? {1'b1, select_1763[3:0]} : (select_1763 + 5'h1)) : patches_left_next_1_q;
+  // hls/stages/count_bits.hpp:24
+  logic parity_2957;
+  assign parity_2957 = ^{xor_2953_s26_q, xor_2916_s26_q, select_2883_s26_q, other_s26_q};
+  logic parity_2987;
+  assign parity_2987 = ^{or_2984_s26_q, or_2980_s26_q, or_2976_s26_q};
+  logic parity_3002;
+  assign parity_3002 = ^{or_2999_s26_q, or_2995_s26_q, or_2991_s26_q};
+  logic parity_3005;
+  assign parity_3005 = ^{or_2999_s26_q, or_2995_s26_q, or_2991_s26_q, or_2984_s26_q, or_2980_s26_q, or_2976_s26_q, or_2969_s26_q, or_2965_s26_q, or_2961_s26_q};
+  logic parity_3036;
+  assign parity_3036 = ^{or_3033_s26_q, or_3029_s26_q, or_3025_s26_q};
+  logic parity_3051;
+  assign parity_3051 = ^{or_3048_s26_q, or_3044_s26_q, or_3040_s26_q};
+  logic parity_3054;
+  assign parity_3054 = ^{or_3048_s26_q, or_3044_s26_q, or_3040_s26_q, or_3033_s26_q, or_3029_s26_q, or_3025_s26_q, or_3017_s26_q, or_3013_s26_q, or_3009_s26_q};
+  logic parity_3069;
+  assign parity_3069 = ^{or_3066_s26_q, or_3062_s26_q, or_3058_s26_q};
+  logic parity_3081;
+  assign parity_3081 = ^{or_3078_s26_q, or_3074_s26_q, and_3070_s26_q};
+  logic parity_3084;
+  assign parity_3084 = ^{or_3078_s26_q, or_3074_s26_q, and_3070_s26_q, or_3066_s26_q, or_3062_s26_q, or_3058_s26_q, or_3048_s26_q, or_3044_s26_q, or_3040_s26_q, or_3033_s26_q, or_3029_s26_q, or_3025_s26_q, or_3017_s26_q, or_3013_s26_q, or_3009_s26_q};
+  logic parity_3086;
+  assign parity_3086 = ^{or_3078_s26_q, or_3074_s26_q, and_3070_s26_q, or_3066_s26_q, or_3062_s26_q, or_3058_s26_q, or_3048_s26_q, or_3044_s26_q, or_3040_s26_q, or_3033_s26_q, or_3029_s26_q, or_3025_s26_q, or_3017_s26_q, or_3013_s26_q, or_3009_s26_q, or_2999_s26_q, or_2995_s26_q, or_2991_s26_q, or_2984_s26_q, or_2980_s26_q, or_2976_s26_q, or_2969_s26_q, or_2965_s26_q, or_2961_s26_q};
+  // hls/stages/count_bits.hpp:25
+  logic and_3087;
+  assign and_3087 = parity_3005 & parity_3084;
+  logic and_3090;
+  assign and_3090 = (^{or_2969_s26_q, or_2965_s26_q, or_2961_s26_q}) & (parity_2987 | parity_3002);
+  logic or_3091;
+  assign or_3091 = (parity_2987 & parity_3002) | and_3090;
+  logic or_3095;
+  assign or_3095 = (parity_3069 & parity_3081) | (parity_3054 & (parity_3069 | parity_3081));
+  logic and_3101;
+  assign and_3101 = (^{or_3017_s26_q, or_3013_s26_q, or_3009_s26_q}) & (parity_3036 | parity_3051);
+  logic or_3102;
+  assign or_3102 = (parity_3036 & parity_3051) | and_3101;
+  logic or_3106;
+  assign or_3106 = (or_3062_s26_q & or_3066_s26_q) | (or_3058_s26_q & (or_3062_s26_q | or_3066_s26_q));
+  logic or_3110;
+  assign or_3110 = (or_3074_s26_q & or_3078_s26_q) | (and_3070_s26_q & (or_3074_s26_q | or_3078_s26_q));
+  // hls/stages/count_bits.hpp:23
+  logic or_3117;
+  assign or_3117 = (or_3013_s26_q & or_3017_s26_q) | (or_3009_s26_q & (or_3013_s26_q | or_3017_s26_q));
+  // hls/stages/count_bits.hpp:25
+  logic or_3121;
+  assign or_3121 = (or_3029_s26_q & or_3033_s26_q) | (or_3025_s26_q & (or_3029_s26_q | or_3033_s26_q));
+  logic or_3125;
+  assign or_3125 = (or_3044_s26_q & or_3048_s26_q) | (or_3040_s26_q & (or_3044_s26_q | or_3048_s26_q));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3128;
+  assign parity_3128 = ^{or_3125, or_3121, or_3117};
+  // hls/stages/count_bits.hpp:23
+  logic or_3132;
+  assign or_3132 = (or_2965_s26_q & or_2969_s26_q) | (or_2961_s26_q & (or_2965_s26_q | or_2969_s26_q));
+  // hls/stages/count_bits.hpp:25
+  logic or_3136;
+  assign or_3136 = (or_2980_s26_q & or_2984_s26_q) | (or_2976_s26_q & (or_2980_s26_q | or_2984_s26_q));
+  logic or_3140;
+  assign or_3140 = (or_2995_s26_q & or_2999_s26_q) | (or_2991_s26_q & (or_2995_s26_q | or_2999_s26_q));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3143;
+  assign parity_3143 = ^{or_3140, or_3136, or_3132};
+  logic parity_3146;
+  assign parity_3146 = ^{or_3140, or_3136, or_3132, or_3125, or_3121, or_3117, or_3110, or_3106, or_3102};
+  // hls/stages/patches.hpp:529
+  logic [9:0] difference_3325;
+  assign difference_3325 = select_3322_s26_q - select_3312_s26_q;
+  // hls/stages/patches.hpp:534
+  logic or_3332;
+  assign or_3332 = (patches_size_q < 10'h39) | ({1'b0, patches_size_q[9:1]} < select_3312_s26_q);
+  // hls/stages/patches.hpp:520
+  logic [1:0] sum_3356;
+  assign sum_3356 = select_3281_s26_q[4:3] + 2'h3;
+  // hls/stages/patches.hpp:521
+  logic [7:0] difference_3376;
+  assign difference_3376 = {sum_3356, select_3281_s26_q[2:0], 3'h0} - {5'h0, fraction_s26_q};
+  logic [7:0] select_3377;
+  assign select_3377 = less_3355_s26_q ? difference_3376 : {sum_3356, select_3281_s26_q[2:0], fraction_s26_q};
+  // hls/stages/agreement.hpp:1153
+  logic [14:0] over;
+  assign over = {1'b0, product_s26_q} - {1'b0, before_v_4_s26_q};
+  // hls/stages/agreement.hpp:1161
+  logic select_3633;
+  assign select_3633 = and_3626_s26_q ? over[14] : hides_q;
+  // hls/stages/agreement.hpp:1234
+  logic [1:0] select_3787;
+  assign select_3787 = and_3786_s26_q ? {and_1989_s26_q, is_seen_s26_q} : map_rdata_s26_q;
+  // hls/stages/agreement.hpp:1235
+  logic and_3788;
+  assign and_3788 = proven_q & less_3776;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      sharpness_comparing_rest_0_q <= 18'h0;
+      sharpness_comparing_rest_1_q <= 18'h0;
+      patches_left_next_0_q <= 5'h0;
+      patches_left_next_1_q <= 5'h0;
+      hides_q <= 1'b0;
+    end else if (s26_en) begin
+      sharpness_comparing_rest_0_q <= so_s26_q ? select_2208 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= so_s26_q ? select_2218 : sharpness_comparing_rest_1_q;
+      patches_left_next_0_q <= select_2778;
+      patches_left_next_1_q <= select_2781;
+      hides_q <= equal_1469_s26_q ? select_3633 : hides_q;
+    end
+  end
+
+  logic [7:0] pixel_0_s27_q;
+  logic [7:0] pixel_1_s27_q;
+  logic saturated_s27_q;
+  logic mask_s27_q;
+  logic marks_first_s27_q;
+  logic marks_last_s27_q;
+  logic [7:0] sample_pair_pixel_0_s27_q;
+  logic [7:0] sample_pair_pixel_1_s27_q;
+  logic sample_pair_whole_s27_q;
+  logic sample_present_s27_q;
+  logic census_columns_values_1_cell_2_of_skin_s27_q;
+  logic [6:0] x_s27_q;
+  logic registration_moved_s27_q;
+  logic patches_lower_s27_q;
+  logic patches_second_s27_q;
+  logic [4:0] patches_summed_row_column_s27_q;
+  logic patches_summed_first_s27_q;
+  logic patches_summed_last_s27_q;
+  logic [4:0] patches_summed_down_by_s27_q;
+  logic [6:0] column_s27_q;
+  logic and_500_s27_q;
+  logic so_s27_q;
+  logic less_534_s27_q;
+  logic less_535_s27_q;
+  logic less_536_s27_q;
+  logic less_537_s27_q;
+  logic less_538_s27_q;
+  logic less_539_s27_q;
+  logic less_540_s27_q;
+  logic less_541_s27_q;
+  logic less_542_s27_q;
+  logic less_543_s27_q;
+  logic less_544_s27_q;
+  logic less_545_s27_q;
+  logic less_546_s27_q;
+  logic less_547_s27_q;
+  logic less_548_s27_q;
+  logic less_549_s27_q;
+  logic less_550_s27_q;
+  logic less_551_s27_q;
+  logic less_552_s27_q;
+  logic less_553_s27_q;
+  logic less_554_s27_q;
+  logic less_555_s27_q;
+  logic less_556_s27_q;
+  logic less_557_s27_q;
+  logic and_565_s27_q;
+  logic and_590_s27_q;
+  logic and_591_s27_q;
+  logic less_614_s27_q;
+  logic equal_1469_s27_q;
+  logic equal_1514_s27_q;
+  logic equal_1522_s27_q;
+  logic and_1582_s27_q;
+  logic select_1599_s27_q;
+  logic equal_1600_s27_q;
+  logic equal_1690_s27_q;
+  logic equal_1692_s27_q;
+  logic select_1706_s27_q;
+  logic or_1716_s27_q;
+  logic [4:0] select_1720_s27_q;
+  logic select_1726_s27_q;
+  logic or_1745_s27_q;
+  logic [3:0] column_5_s27_q;
+  logic [3:0] select_1765_s27_q;
+  logic select_1766_s27_q;
+  logic and_1773_s27_q;
+  logic less_1830_s27_q;
+  logic equal_1831_s27_q;
+  logic not_1832_s27_q;
+  logic equal_1833_s27_q;
+  logic not_1859_s27_q;
+  logic and_1919_s27_q;
+  logic less_1920_s27_q;
+  logic equal_2139_s27_q;
+  logic and_2144_s27_q;
+  logic equal_2192_s27_q;
+  logic sum_s27_q;
+  logic sum_2_s27_q;
+  logic equal_2236_s27_q;
+  logic select_2254_s27_q;
+  logic select_2260_s27_q;
+  logic [9:0] select_2428_s27_q;
+  logic [9:0] select_2431_s27_q;
+  logic equal_2647_s27_q;
+  logic parity_2957_s27_q;
+  logic parity_3086_s27_q;
+  logic and_3087_s27_q;
+  logic or_3091_s27_q;
+  logic or_3095_s27_q;
+  logic or_3102_s27_q;
+  logic or_3106_s27_q;
+  logic or_3110_s27_q;
+  logic or_3117_s27_q;
+  logic or_3121_s27_q;
+  logic or_3125_s27_q;
+  logic or_3132_s27_q;
+  logic or_3136_s27_q;
+  logic or_3140_s27_q;
+  logic parity_3146_s27_q;
+  logic or_3156_s27_q;
+  logic or_3160_s27_q;
+  logic and_3167_s27_q;
+  logic and_3169_s27_q;
+  logic and_3171_s27_q;
+  logic equal_3193_s27_q;
+  logic equal_3324_s27_q;
+  logic less_3326_s27_q;
+  logic less_3327_s27_q;
+  logic or_3332_s27_q;
+  logic [7:0] select_3377_s27_q;
+  logic [13:0] product_3382_s27_q;
+  logic equal_3434_s27_q;
+  logic equal_3533_s27_q;
+  logic or_3604_s27_q;
+  logic select_3612_s27_q;
+  logic select_3633_s27_q;
+  logic and_3661_s27_q;
+  logic not_3663_s27_q;
+  logic or_3667_s27_q;
+  logic and_3771_s27_q;
+  logic and_3789_s27_q;
+  logic and_3792_s27_q;
+  logic and_3801_s27_q;
+  logic [31:0] select_3850_s27_q;
+  logic [9:0] select_3852_s27_q;
+  always_ff @(posedge clk_i) begin
+    if (s26_en) begin
+      pixel_0_s27_q <= pixel_0_s26_q;
+      pixel_1_s27_q <= pixel_1_s26_q;
+      saturated_s27_q <= saturated_s26_q;
+      mask_s27_q <= mask_s26_q;
+      marks_first_s27_q <= marks_first_s26_q;
+      marks_last_s27_q <= marks_last_s26_q;
+      sample_pair_pixel_0_s27_q <= sample_pair_pixel_0_s26_q;
+      sample_pair_pixel_1_s27_q <= sample_pair_pixel_1_s26_q;
+      sample_pair_whole_s27_q <= sample_pair_whole_s26_q;
+      sample_present_s27_q <= sample_present_s26_q;
+      census_columns_values_1_cell_2_of_skin_s27_q <= census_columns_values_1_cell_2_of_skin_s26_q;
+      x_s27_q <= x_s26_q;
+      registration_moved_s27_q <= registration_moved_s26_q;
+      patches_lower_s27_q <= patches_lower_s26_q;
+      patches_second_s27_q <= patches_second_s26_q;
+      patches_summed_row_column_s27_q <= patches_summed_row_column_s26_q;
+      patches_summed_first_s27_q <= patches_summed_first_s26_q;
+      patches_summed_last_s27_q <= patches_summed_last_s26_q;
+      patches_summed_down_by_s27_q <= patches_summed_down_by_s26_q;
+      column_s27_q <= column_s26_q;
+      and_500_s27_q <= and_500_s26_q;
+      so_s27_q <= so_s26_q;
+      less_534_s27_q <= less_534_s26_q;
+      less_535_s27_q <= less_535_s26_q;
+      less_536_s27_q <= less_536_s26_q;
+      less_537_s27_q <= less_537_s26_q;
+      less_538_s27_q <= less_538_s26_q;
+      less_539_s27_q <= less_539_s26_q;
+      less_540_s27_q <= less_540_s26_q;
+      less_541_s27_q <= less_541_s26_q;
+      less_542_s27_q <= less_542_s26_q;
+      less_543_s27_q <= less_543_s26_q;
+      less_544_s27_q <= less_544_s26_q;
+      less_545_s27_q <= less_545_s26_q;
+      less_546_s27_q <= less_546_s26_q;
+      less_547_s27_q <= less_547_s26_q;
+      less_548_s27_q <= less_548_s26_q;
+      less_549_s27_q <= less_549_s26_q;
+      less_550_s27_q <= less_550_s26_q;
+      less_551_s27_q <= less_551_s26_q;
+      less_552_s27_q <= less_552_s26_q;
+      less_553_s27_q <= less_553_s26_q;
+      less_554_s27_q <= less_554_s26_q;
+      less_555_s27_q <= less_555_s26_q;
+      less_556_s27_q <= less_556_s26_q;
+      less_557_s27_q <= less_557_s26_q;
+      and_565_s27_q <= and_565_s26_q;
+      and_590_s27_q <= and_590_s26_q;
+      and_591_s27_q <= and_591_s26_q;
+      less_614_s27_q <= 9'h4 < sum_613_s26_q;
+      equal_1469_s27_q <= equal_1469_s26_q;
+      equal_1514_s27_q <= equal_1514_s26_q;
+      equal_1522_s27_q <= equal_1522_s26_q;
+      and_1582_s27_q <= and_1582_s26_q;
+      select_1599_s27_q <= select_1599_s26_q;
+      equal_1600_s27_q <= equal_1600_s26_q;
+      equal_1690_s27_q <= equal_1690_s26_q;
+      equal_1692_s27_q <= equal_1692_s26_q;
+      select_1706_s27_q <= select_1706_s26_q;
+      or_1716_s27_q <= and_1582_s26_q | (select_1708_s26_q & equal_1714_s26_q);
+      select_1720_s27_q <= select_1720_s26_q;
+      select_1726_s27_q <= select_1726_s26_q;
+      or_1745_s27_q <= and_1582_s26_q | (select_1737_s26_q & equal_1743_s26_q);
+      column_5_s27_q <= column_5;
+      select_1765_s27_q <= select_1765_s26_q;
+      select_1766_s27_q <= or_1758_s26_q ? and_1582_s26_q : patches_left_next_0_q[4];
+      and_1773_s27_q <= and_1773;
+      less_1830_s27_q <= less_1830_s26_q;
+      equal_1831_s27_q <= equal_1831_s26_q;
+      not_1832_s27_q <= not_1832_s26_q;
+      equal_1833_s27_q <= equal_1833_s26_q;
+      not_1859_s27_q <= not_1859_s26_q;
+      and_1919_s27_q <= and_1919_s26_q;
+      less_1920_s27_q <= less_1920_s26_q;
+      equal_2139_s27_q <= equal_2139_s26_q;
+      and_2144_s27_q <= and_590_s26_q & (9'h4 < sum_2142_s26_q);
+      equal_2192_s27_q <= equal_2192_s26_q;
+      sum_s27_q <= sum[0];
+      sum_2_s27_q <= sum_2[0];
+      equal_2236_s27_q <= equal_2236_s26_q;
+      select_2254_s27_q <= sharpness_comparing_less_contrast_0_q;
+      select_2260_s27_q <= sharpness_comparing_less_contrast_1_q;
+      select_2428_s27_q <= select_2428_s26_q;
+      select_2431_s27_q <= select_2431_s26_q;
+      equal_2647_s27_q <= equal_2647_s26_q;
+      parity_2957_s27_q <= parity_2957;
+      parity_3086_s27_q <= parity_3086;
+      and_3087_s27_q <= and_3087;
+      or_3091_s27_q <= or_3091;
+      or_3095_s27_q <= or_3095;
+      or_3102_s27_q <= or_3102;
+      or_3106_s27_q <= or_3106;
+      or_3110_s27_q <= or_3110;
+      or_3117_s27_q <= or_3117;
+      or_3121_s27_q <= or_3121;
+      or_3125_s27_q <= or_3125;
+      or_3132_s27_q <= or_3132;
+      or_3136_s27_q <= or_3136;
+      or_3140_s27_q <= or_3140;
+      parity_3146_s27_q <= parity_3146;
+      or_3156_s27_q <= (or_3121 & or_3125) | (or_3117 & (or_3121 | or_3125));
+      or_3160_s27_q <= (or_3136 & or_3140) | (or_3132 & (or_3136 | or_3140));
+      and_3167_s27_q <= and_3087 & (or_3091 | or_3095);
+      and_3169_s27_q <= parity_3128 & parity_3143;
+      and_3171_s27_q <= (^{or_3110, or_3106, or_3102}) & (parity_3128 | parity_3143);
+      equal_3193_s27_q <= equal_3193_s26_q;
+      equal_3324_s27_q <= select_3281_s26_q[3:0] == 4'h0;
+      less_3326_s27_q <= {difference_3325, 2'h0} < {2'h0, patches_size_q};
+      less_3327_s27_q <= select_3322_s26_q < select_3312_s26_q;
+      or_3332_s27_q <= or_3332;
+      select_3377_s27_q <= select_3377;
+      product_3382_s27_q <= product_3382_s26_q;
+      equal_3434_s27_q <= equal_3434_s26_q;
+      equal_3533_s27_q <= equal_3533_s26_q;
+      or_3604_s27_q <= or_3604_s26_q;
+      select_3612_s27_q <= select_3612_s26_q;
+      select_3633_s27_q <= select_3633;
+      and_3661_s27_q <= over[14] & equal_3434_s26_q;
+      not_3663_s27_q <= not_3663_s26_q;
+      or_3667_s27_q <= or_3667_s26_q;
+      and_3771_s27_q <= and_3771_s26_q;
+      and_3789_s27_q <= select_3787[0] & and_3788;
+      and_3792_s27_q <= select_3787[1] & and_3788;
+      and_3801_s27_q <= and_3801_s26_q;
+      select_3850_s27_q <= select_3850_s26_q;
+      select_3852_s27_q <= select_3852_s26_q;
+    end
+  end
+
+  // Stage 27 ----------------------------------------------------------------------------------------------------------
   logic [19:0] census_left_misses_q;
   logic [2:0] sharpness_comparing_product_0_q;
   logic [2:0] sharpness_comparing_product_1_q;
   logic sharpness_comparing_carry_0_q;
   logic sharpness_comparing_carry_1_q;
-  logic [7:0] patches_quarters_0_places_q;
-  logic [7:0] patches_quarters_0_up_q;
-  logic [7:0] patches_quarters_0_down_q;
-  logic [7:0] patches_quarters_1_places_q;
-  logic [7:0] patches_quarters_1_up_q;
-  logic [7:0] patches_quarters_1_down_q;
-  logic [7:0] patches_quarters_2_places_q;
-  logic [7:0] patches_quarters_2_up_q;
-  logic [7:0] patches_quarters_2_down_q;
-  logic [7:0] patches_quarters_3_places_q;
-  logic [7:0] patches_quarters_3_up_q;
-  logic [7:0] patches_quarters_3_down_q;
-  logic [7:0] patches_word_places_q;
-  logic [7:0] patches_word_up_q;
-  logic [7:0] patches_word_down_q;
-  logic [7:0] patches_sum_places_q;
-  logic [7:0] patches_sum_up_q;
-  logic [7:0] patches_sum_down_q;
-  logic [11:0] patches_across_q;
-  logic [7:0] patches_places_q;
-  logic patches_enough_q;
-  logic patches_mostly_q;
-  logic patches_complete_q;
-  logic patches_round_ends_q;
-  logic [4:0] patches_found_q;
-  logic [7:0] patches_round_places_q;
-  logic [11:0] patches_round_across_q;
-  logic [4:0] patches_round_moved_q;
-  logic patches_moved_q;
-  logic hides_q;
+  logic patches_valid_0_q;
+  logic patches_valid_1_q;
+  logic [5:0] patches_right_next_0_q;
+  logic [5:0] patches_right_next_1_q;
+  logic [7:0] hidden_for_q;
+  logic too_much_q;
+  logic seen_q;
+  logic nearer_q;
   // hls/stages/census.hpp:303
-  logic and_612;
-  assign and_612 = and_562_s26_q & less_611_s26_q;
+  logic and_615;
+  assign and_615 = and_565_s27_q & less_614_s27_q;
+  // hls/stages/patches.hpp:110
+  logic [5:0] select_1727;
+  assign select_1727 = or_1716_s27_q ? {and_1582_s27_q, 5'h0} : patches_right_next_0_q;
+  // hls/stages/patches.hpp:114
+  logic and_1729;
+  assign and_1729 = select_1726_s27_q & (~select_1727[5]);
+  // hls/stages/patches.hpp:110
+  logic [5:0] select_1747;
+  assign select_1747 = or_1745_s27_q ? {and_1582_s27_q, 5'h0} : patches_right_next_1_q;
+  // hls/stages/patches.hpp:114
+  logic and_1749;
+  assign and_1749 = select_1726_s27_q & (~select_1747[5]);
   // hls/stages/census.hpp:306
-  logic and_2119;
-  assign and_2119 = and_587_s26_q & less_611_s26_q;
+  logic and_2145;
+  assign and_2145 = and_590_s27_q & less_614_s27_q;
   // hls/stages/census.hpp:307
-  logic [19:0] sum_2120;
-  assign sum_2120 = census_left_misses_q + {{17{and_2119}}, and_2118_s26_q, 1'b0, and_2118_s26_q};
+  logic [19:0] sum_2146;
+  assign sum_2146 = census_left_misses_q + {{17{and_2145}}, and_2144_s27_q, 1'b0, and_2144_s27_q};
   // hls/stages/agreement.hpp:507
-  logic [19:0] select_2122;
-  assign select_2122 = and_497_s26_q ? (equal_2113_s26_q ? 20'h0 : sum_2120) : census_left_misses_q;
+  logic [19:0] select_2148;
+  assign select_2148 = and_500_s27_q ? (equal_2139_s27_q ? 20'h0 : sum_2146) : census_left_misses_q;
   // hls/stages/agreement.hpp:207
-  logic [2:0] select_2194;
-  assign select_2194 = equal_2166_s26_q ? {sharpness_comparing_product_0_q[1:0], sum_s26_q} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2196;
-  assign select_2196 = equal_2166_s26_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s26_q} : sharpness_comparing_product_1_q;
+  logic [2:0] select_2220;
+  assign select_2220 = equal_2192_s27_q ? {sharpness_comparing_product_0_q[1:0], sum_s27_q} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2222;
+  assign select_2222 = equal_2192_s27_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s27_q} : sharpness_comparing_product_1_q;
   // hls/stages/census.hpp:383
   logic [1:0] five_times;
-  assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s26_q});
+  assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s27_q});
   // hls/stages/agreement.hpp:207
-  logic select_2205;
-  assign select_2205 = so_s26_q ? (equal_2166_s26_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2231;
+  assign select_2231 = so_s27_q ? (equal_2192_s27_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:383
   logic [1:0] five_times_2;
-  assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s26_q});
+  assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s27_q});
   // hls/stages/agreement.hpp:207
-  logic select_2208;
-  assign select_2208 = equal_2166_s26_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
+  logic select_2234;
+  assign select_2234 = equal_2192_s27_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:385
-  logic xor_2211;
-  assign xor_2211 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic xor_2217;
-  assign xor_2217 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  // hls/stages/patches.hpp:557
-  logic not_3322;
-  assign not_3322 = ~patches_lower_s26_q;
-  logic not_3328;
-  assign not_3328 = ~and_3327_s26_q;
-  // hls/stages/patches.hpp:164
-  logic and_3330;
-  assign and_3330 = and_3321_s26_q & (not_3322 & not_3328);
-  // hls/stages/patches.hpp:559
-  logic [7:0] sum_3332;
-  assign sum_3332 = {7'h0, and_3330} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
-  // hls/stages/patches.hpp:560
-  logic and_3371;
-  assign and_3371 = and_3370_s26_q & and_3330;
-  logic [7:0] sum_3372;
-  assign sum_3372 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3371};
-  // hls/stages/patches.hpp:561
-  logic and_3381;
-  assign and_3381 = and_3380_s26_q & and_3330;
-  logic [7:0] sum_3382;
-  assign sum_3382 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3381};
-  // hls/stages/patches.hpp:164
-  logic and_3384;
-  assign and_3384 = and_3321_s26_q & (and_3327_s26_q & not_3322);
-  // hls/stages/patches.hpp:559
-  logic [7:0] sum_3386;
-  assign sum_3386 = {7'h0, and_3384} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:560
-  logic and_3388;
-  assign and_3388 = and_3370_s26_q & and_3384;
-  logic [7:0] sum_3389;
-  assign sum_3389 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3388};
-  // hls/stages/patches.hpp:561
-  logic and_3391;
-  assign and_3391 = and_3380_s26_q & and_3384;
-  logic [7:0] sum_3392;
-  assign sum_3392 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3391};
-  // hls/stages/patches.hpp:164
-  logic and_3394;
-  assign and_3394 = and_3321_s26_q & (patches_lower_s26_q & not_3328);
-  // hls/stages/patches.hpp:559
-  logic [7:0] sum_3396;
-  assign sum_3396 = {7'h0, and_3394} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:560
-  logic and_3398;
-  assign and_3398 = and_3370_s26_q & and_3394;
-  logic [7:0] sum_3399;
-  assign sum_3399 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3398};
-  // hls/stages/patches.hpp:561
-  logic and_3401;
-  assign and_3401 = and_3380_s26_q & and_3394;
-  logic [7:0] sum_3402;
-  assign sum_3402 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3401};
-  // hls/stages/patches.hpp:164
-  logic and_3404;
-  assign and_3404 = and_3321_s26_q & (patches_lower_s26_q & and_3327_s26_q);
-  // hls/stages/patches.hpp:559
-  logic [7:0] sum_3406;
-  assign sum_3406 = {7'h0, and_3404} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
-  // hls/stages/patches.hpp:560
-  logic and_3408;
-  assign and_3408 = and_3370_s26_q & and_3404;
-  logic [7:0] sum_3409;
-  assign sum_3409 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3408};
-  // hls/stages/patches.hpp:561
-  logic and_3411;
-  assign and_3411 = and_3380_s26_q & and_3404;
-  logic [7:0] sum_3412;
-  assign sum_3412 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3411};
-  // hls/stages/patches.hpp:303
-  logic and_3424;
-  assign and_3424 = equal_1466_s26_q & and_3423_s26_q;
-  logic and_3431;
-  assign and_3431 = equal_1466_s26_q & and_3430_s26_q;
-  // hls/stages/patches.hpp:541
-  logic [7:0] or_3433;
-  assign or_3433 = (and_3424 ? patches_quarters_0_places_q : 8'h0) | (and_3431 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/patches.hpp:303
-  logic and_3439;
-  assign and_3439 = equal_1466_s26_q & and_3438_s26_q;
-  logic and_3447;
-  assign and_3447 = equal_1466_s26_q & and_3446_s26_q;
-  // hls/stages/patches.hpp:541
-  logic [7:0] or_3449;
-  assign or_3449 = (or_3433 | (and_3439 ? patches_quarters_2_places_q : 8'h0)) | (and_3447 ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/patches.hpp:542
-  logic [7:0] or_3452;
-  assign or_3452 = (and_3424 ? patches_quarters_0_up_q : 8'h0) | (and_3431 ? patches_quarters_1_up_q : 8'h0);
-  logic [7:0] or_3456;
-  assign or_3456 = (or_3452 | (and_3439 ? patches_quarters_2_up_q : 8'h0)) | (and_3447 ? patches_quarters_3_up_q : 8'h0);
-  // hls/stages/patches.hpp:543
-  logic [7:0] or_3459;
-  assign or_3459 = (and_3424 ? patches_quarters_0_down_q : 8'h0) | (and_3431 ? patches_quarters_1_down_q : 8'h0);
-  logic [7:0] or_3463;
-  assign or_3463 = (or_3459 | (and_3439 ? patches_quarters_2_down_q : 8'h0)) | (and_3447 ? patches_quarters_3_down_q : 8'h0);
-  // hls/stages/patches.hpp:303
-  logic and_3469;
-  assign and_3469 = equal_1466_s26_q & (x_s26_q[6] & and_3467_s26_q);
-  // hls/stages/patches.hpp:536
-  logic [7:0] sum_3475;
-  assign sum_3475 = patches_word_places_q + (and_3473_s26_q ? 8'h0 : patches_sum_places_q);
-  // hls/stages/patches.hpp:538
-  logic [7:0] select_3479;
-  assign select_3479 = and_3469 ? (patches_word_up_q + (and_3473_s26_q ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] sum_3481;
-  assign sum_3481 = patches_word_down_q + (and_3473_s26_q ? 8'h0 : patches_sum_down_q);
-  // hls/stages/patches.hpp:563
-  logic [5:0] select_3493;
-  assign select_3493 = and_3321_s26_q ? select_3492_s26_q : 6'h0;
-  logic [11:0] sum_3494;
-  assign sum_3494 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3493[5]}}, select_3493};
-  // hls/stages/patches.hpp:552
-  logic [7:0] select_3505;
-  assign select_3505 = and_3498_s26_q ? (and_3503_s26_q ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:554
-  logic or_3509;
-  assign or_3509 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:551
-  logic select_3511;
-  assign select_3511 = and_3498_s26_q ? (and_3503_s26_q ? patches_enough_q : patches_complete_q) : patches_complete_q;
-  // hls/stages/patches.hpp:164
-  logic and_3517;
-  assign and_3517 = patches_complete_q & (equal_1466_s26_q & ((x_s26_q == 7'h70) & (~equal_3513_s26_q)));
-  logic and_3518;
-  assign and_3518 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:551
-  logic [4:0] select_3519;
-  assign select_3519 = and_3498_s26_q ? {and_3518, patches_found_q[4:1]} : patches_found_q;
-  logic [4:0] select_3521;
-  assign select_3521 = and_3498_s26_q ? (and_3503_s26_q ? {and_3518, patches_found_q[4:1]} : select_3519) : patches_found_q;
-  // hls/stages/patches.hpp:550
-  logic select_3527;
-  assign select_3527 = patches_round_ends_q ? (~(patches_found_q == 5'h0)) : patches_moved_q;
-  // hls/stages/agreement.hpp:1152
-  logic [14:0] over;
-  assign over = {1'b0, product_s26_q} - {1'b0, before_v_4_s26_q};
+  logic xor_2237;
+  assign xor_2237 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic xor_2243;
+  assign xor_2243 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  // hls/stages/patches.hpp:104
+  logic select_2761;
+  assign select_2761 = equal_1600_s27_q ? patches_valid_0_q : (select_1599_s27_q ? patches_valid_0_q : select_1706_s27_q);
+  // hls/stages/agreement.hpp:263
+  logic select_2764;
+  assign select_2764 = sample_pair_whole_s27_q ? (and_1729 ? (sample_present_s27_q & select_2761) : select_2761) : patches_valid_0_q;
+  // hls/stages/patches.hpp:104
+  logic select_2766;
+  assign select_2766 = equal_1600_s27_q ? patches_valid_1_q : (select_1599_s27_q ? select_1706_s27_q : patches_valid_1_q);
+  // hls/stages/agreement.hpp:263
+  logic select_2769;
+  assign select_2769 = sample_pair_whole_s27_q ? (and_1749 ? (sample_present_s27_q & select_2766) : select_2766) : patches_valid_1_q;
+  logic [5:0] select_2772;
+  assign select_2772 = sample_pair_whole_s27_q ? (select_1727[5] ? {1'b1, select_1727[4:0]} : (select_1727 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_2775;
+  assign select_2775 = sample_pair_whole_s27_q ? (select_1747[5] ? {1'b1, select_1747[4:0]} : (select_1747 + 6'h1)) : patches_right_next_1_q;
+  // hls/stages/count_bits.hpp:24
+  logic parity_3148;
+  assign parity_3148 = ^{or_3140_s27_q, or_3136_s27_q, or_3132_s27_q, or_3125_s27_q, or_3121_s27_q, or_3117_s27_q, or_3110_s27_q, or_3106_s27_q, or_3102_s27_q, or_3095_s27_q, or_3091_s27_q, and_3087_s27_q};
+  // hls/stages/count_bits.hpp:25
+  logic or_3152;
+  assign or_3152 = (or_3106_s27_q & or_3110_s27_q) | (or_3102_s27_q & (or_3106_s27_q | or_3110_s27_q));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3163;
+  assign parity_3163 = ^{or_3160_s27_q, or_3156_s27_q, or_3152};
+  // hls/stages/count_bits.hpp:25
+  logic and_3164;
+  assign and_3164 = (^{or_3095_s27_q, or_3091_s27_q, and_3087_s27_q}) & parity_3146_s27_q;
+  logic or_3168;
+  assign or_3168 = (or_3091_s27_q & or_3095_s27_q) | and_3167_s27_q;
+  logic or_3172;
+  assign or_3172 = and_3169_s27_q | and_3171_s27_q;
+  // hls/stages/count_bits.hpp:24
+  logic parity_3175;
+  assign parity_3175 = ^{or_3172, or_3168, and_3164};
+  // hls/stages/count_bits.hpp:25
+  logic and_3177;
+  assign and_3177 = parity_3163 & parity_3175;
+  logic or_3181;
+  assign or_3181 = (or_3156_s27_q & or_3160_s27_q) | (or_3152 & (or_3156_s27_q | or_3160_s27_q));
+  logic or_3185;
+  assign or_3185 = (or_3168 & or_3172) | (and_3164 & (or_3168 | or_3172));
+  // hls/stages/patches.hpp:534
+  logic or_3333;
+  assign or_3333 = (~(patches_second_s27_q ? patches_valid_1_q : patches_valid_0_q)) | or_3332_s27_q;
+  logic or_3336;
+  assign or_3336 = equal_3324_s27_q | (less_3326_s27_q | (less_3327_s27_q | or_3333));
+  // hls/stages/patches.hpp:533
+  logic [14:0] difference_3383;
+  assign difference_3383 = {{7{select_3377_s27_q[7]}}, select_3377_s27_q} - {product_3382_s27_q[13], product_3382_s27_q};
+  // hls/stages/patches.hpp:539
+  logic less_3384;
+  assign less_3384 = $signed({{8{difference_3354[6]}}, difference_3354}) < $signed(difference_3383);
+  // hls/stages/agreement.hpp:1086
+  logic not_3634;
+  assign not_3634 = ~hidden_for_q[7];
+  logic [7:0] select_3636;
+  assign select_3636 = select_3633_s27_q ? (hidden_for_q + {7'h0, not_3634}) : 8'h0;
+  // hls/stages/patches.hpp:309
+  logic [7:0] select_3638;
+  assign select_3638 = equal_1469_s27_q ? (equal_3533_s27_q ? select_3636 : hidden_for_q) : hidden_for_q;
+  // hls/stages/agreement.hpp:1159
+  logic and_3664;
+  assign and_3664 = too_much_q & not_3663_s27_q;
   // hls/stages/agreement.hpp:1160
-  logic select_3613;
-  assign select_3613 = and_3606_s26_q ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1233
-  logic [1:0] select_3767;
-  assign select_3767 = and_3766_s26_q ? {and_1963_s26_q, is_seen_s26_q} : map_rdata_s26_q;
-  // hls/stages/agreement.hpp:1234
-  logic and_3768;
-  assign and_3768 = proven_q & less_3756;
-  // hls/stages/patches.hpp:303
-  logic and_3793;
-  assign and_3793 = equal_3513_s26_q & (cfg_prove_i & (registration_moved_s26_q | patches_moved_q));
-  // hls/stages/agreement.hpp:1087
-  logic or_3796;
-  assign or_3796 = select_2228_s26_q | ($signed(20'h0) < $signed(census_left_misses_q));
-  // hls/stages/agreement.hpp:1081
-  logic [31:0] select_3831;
-  assign select_3831 = equal_1519_s26_q ? {7'h0, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_3830_s26_q;
-  // hls/stages/agreement.hpp:1083
-  logic [31:0] select_3833;
-  assign select_3833 = equal_1511_s26_q ? select_3831 : {2'h0, select_3832_s26_q, select_2405_s26_q, select_2402_s26_q};
+  logic select_3669;
+  assign select_3669 = and_3661_s27_q ? (and_3664 | or_3667_s27_q) : and_3664;
+  // hls/stages/agreement.hpp:424
+  logic select_3791;
+  assign select_3791 = and_1919_s27_q ? (less_1920_s27_q ? and_3789_s27_q : seen_q) : seen_q;
+  logic select_3794;
+  assign select_3794 = and_1919_s27_q ? (less_1920_s27_q ? and_3792_s27_q : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:1088
+  logic or_3816;
+  assign or_3816 = select_2254_s27_q | ($signed(20'h0) < $signed(census_left_misses_q));
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
-  assign fresh_waddr = column_s26_q;
+  assign fresh_waddr = column_s27_q;
   logic fresh_we;
-  assign fresh_we = s26_en & and_497_s26_q;
+  assign fresh_we = s27_en & and_500_s27_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s26_q, and_612, and_588_s26_q, and_587_s26_q, and_562_s26_q, less_554_s26_q, less_553_s26_q, less_552_s26_q, less_551_s26_q, less_550_s26_q, less_549_s26_q, less_548_s26_q, less_547_s26_q, less_546_s26_q, less_545_s26_q, less_544_s26_q, less_543_s26_q, less_542_s26_q, less_541_s26_q, less_540_s26_q, less_539_s26_q, less_538_s26_q, less_537_s26_q, less_536_s26_q, less_535_s26_q, less_534_s26_q, less_533_s26_q, less_532_s26_q, less_531_s26_q};
+    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s27_q, and_615, and_591_s27_q, and_590_s27_q, and_565_s27_q, less_557_s27_q, less_556_s27_q, less_555_s27_q, less_554_s27_q, less_553_s27_q, less_552_s27_q, less_551_s27_q, less_550_s27_q, less_549_s27_q, less_548_s27_q, less_547_s27_q, less_546_s27_q, less_545_s27_q, less_544_s27_q, less_543_s27_q, less_542_s27_q, less_541_s27_q, less_540_s27_q, less_539_s27_q, less_538_s27_q, less_537_s27_q, less_536_s27_q, less_535_s27_q, less_534_s27_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] fresh_raddr_s8_sim;
@@ -11313,6 +10757,8 @@ module horopter_agreement (
   logic fresh_re_s24_sim;
   logic [6:0] fresh_raddr_s25_sim;
   logic fresh_re_s25_sim;
+  logic [6:0] fresh_raddr_s26_sim;
+  logic fresh_re_s26_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       fresh_re_s8_sim <= 1'b0;
@@ -11333,6 +10779,7 @@ module horopter_agreement (
       fresh_re_s23_sim <= 1'b0;
       fresh_re_s24_sim <= 1'b0;
       fresh_re_s25_sim <= 1'b0;
+      fresh_re_s26_sim <= 1'b0;
     end else if (en_i) begin
       fresh_re_s8_sim <= fresh_re;
       fresh_raddr_s8_sim <= fresh_raddr;
@@ -11370,6 +10817,8 @@ module horopter_agreement (
       fresh_raddr_s24_sim <= fresh_raddr_s23_sim;
       fresh_re_s25_sim <= fresh_re_s24_sim;
       fresh_raddr_s25_sim <= fresh_raddr_s24_sim;
+      fresh_re_s26_sim <= fresh_re_s25_sim;
+      fresh_raddr_s26_sim <= fresh_raddr_s25_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -11431,27 +10880,1040 @@ module horopter_agreement (
       if (fresh_re_s25_sim && fresh_raddr_s25_sim == fresh_waddr) begin
         $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
       end
+      if (fresh_re_s26_sim && fresh_raddr_s26_sim == fresh_waddr) begin
+        $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
+      end
       if (fresh_waddr >= 7'd120) $error("fresh: write outside, address %0d", fresh_waddr);
     end
     if (rst_ni && fresh_re && fresh_raddr >= 7'd120) $error("fresh: read outside, address %0d", fresh_raddr);
   end
 `endif
 
+  // Memory patches_left, write
+  logic [8:0] patches_left_waddr;
+  assign patches_left_waddr = {select_1766_s27_q, select_1765_s27_q, column_5_s27_q};
+  logic patches_left_we;
+  assign patches_left_we = s27_en & and_1773_s27_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (patches_left_we) patches_left_mem[patches_left_waddr] <= sample_pair_pixel_0_s27_q;
+  end
+`ifndef SYNTHESIS
+  logic [8:0] patches_left_raddr_s17_sim;
+  logic patches_left_re_s17_sim;
+  logic [8:0] patches_left_raddr_s18_sim;
+  logic patches_left_re_s18_sim;
+  logic [8:0] patches_left_raddr_s19_sim;
+  logic patches_left_re_s19_sim;
+  logic [8:0] patches_left_raddr_s20_sim;
+  logic patches_left_re_s20_sim;
+  logic [8:0] patches_left_raddr_s21_sim;
+  logic patches_left_re_s21_sim;
+  logic [8:0] patches_left_raddr_s22_sim;
+  logic patches_left_re_s22_sim;
+  logic [8:0] patches_left_raddr_s23_sim;
+  logic patches_left_re_s23_sim;
+  logic [8:0] patches_left_raddr_s24_sim;
+  logic patches_left_re_s24_sim;
+  logic [8:0] patches_left_raddr_s25_sim;
+  logic patches_left_re_s25_sim;
+  logic [8:0] patches_left_raddr_s26_sim;
+  logic patches_left_re_s26_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_left_re_s17_sim <= 1'b0;
+      patches_left_re_s18_sim <= 1'b0;
+      patches_left_re_s19_sim <= 1'b0;
+      patches_left_re_s20_sim <= 1'b0;
+      patches_left_re_s21_sim <= 1'b0;
+      patches_left_re_s22_sim <= 1'b0;
+      patches_left_re_s23_sim <= 1'b0;
+      patches_left_re_s24_sim <= 1'b0;
+      patches_left_re_s25_sim <= 1'b0;
+      patches_left_re_s26_sim <= 1'b0;
+    end else if (en_i) begin
+      patches_left_re_s17_sim <= patches_left_re;
+      patches_left_raddr_s17_sim <= patches_left_raddr;
+      patches_left_re_s18_sim <= patches_left_re_s17_sim;
+      patches_left_raddr_s18_sim <= patches_left_raddr_s17_sim;
+      patches_left_re_s19_sim <= patches_left_re_s18_sim;
+      patches_left_raddr_s19_sim <= patches_left_raddr_s18_sim;
+      patches_left_re_s20_sim <= patches_left_re_s19_sim;
+      patches_left_raddr_s20_sim <= patches_left_raddr_s19_sim;
+      patches_left_re_s21_sim <= patches_left_re_s20_sim;
+      patches_left_raddr_s21_sim <= patches_left_raddr_s20_sim;
+      patches_left_re_s22_sim <= patches_left_re_s21_sim;
+      patches_left_raddr_s22_sim <= patches_left_raddr_s21_sim;
+      patches_left_re_s23_sim <= patches_left_re_s22_sim;
+      patches_left_raddr_s23_sim <= patches_left_raddr_s22_sim;
+      patches_left_re_s24_sim <= patches_left_re_s23_sim;
+      patches_left_raddr_s24_sim <= patches_left_raddr_s23_sim;
+      patches_left_re_s25_sim <= patches_left_re_s24_sim;
+      patches_left_raddr_s25_sim <= patches_left_raddr_s24_sim;
+      patches_left_re_s26_sim <= patches_left_re_s25_sim;
+      patches_left_raddr_s26_sim <= patches_left_raddr_s25_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && patches_left_we) begin
+      if (patches_left_re && patches_left_raddr == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s17_sim && patches_left_raddr_s17_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s18_sim && patches_left_raddr_s18_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s19_sim && patches_left_raddr_s19_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s20_sim && patches_left_raddr_s20_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s21_sim && patches_left_raddr_s21_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s22_sim && patches_left_raddr_s22_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s23_sim && patches_left_raddr_s23_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s24_sim && patches_left_raddr_s24_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s25_sim && patches_left_raddr_s25_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s26_sim && patches_left_raddr_s26_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+    end
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      census_left_misses_q <= 20'h0;
+      sharpness_comparing_product_0_q <= 3'h0;
+      sharpness_comparing_product_1_q <= 3'h0;
+      sharpness_comparing_carry_0_q <= 1'b0;
+      sharpness_comparing_carry_1_q <= 1'b0;
+      patches_valid_0_q <= 1'b0;
+      patches_valid_1_q <= 1'b0;
+      patches_right_next_0_q <= 6'h0;
+      patches_right_next_1_q <= 6'h0;
+      hidden_for_q <= 8'h0;
+      too_much_q <= 1'b0;
+      seen_q <= 1'b0;
+      nearer_q <= 1'b0;
+    end else if (s27_en) begin
+      census_left_misses_q <= select_2148;
+      sharpness_comparing_product_0_q <= so_s27_q ? select_2220 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= so_s27_q ? select_2222 : sharpness_comparing_product_1_q;
+      sharpness_comparing_carry_0_q <= select_2231;
+      sharpness_comparing_carry_1_q <= so_s27_q ? select_2234 : sharpness_comparing_carry_1_q;
+      patches_valid_0_q <= select_2764;
+      patches_valid_1_q <= select_2769;
+      patches_right_next_0_q <= select_2772;
+      patches_right_next_1_q <= select_2775;
+      hidden_for_q <= select_3638;
+      too_much_q <= equal_1469_s27_q ? select_3669 : too_much_q;
+      seen_q <= select_3791;
+      nearer_q <= select_3794;
+    end
+  end
+
+  logic [7:0] pixel_0_s28_q;
+  logic [7:0] pixel_1_s28_q;
+  logic saturated_s28_q;
+  logic mask_s28_q;
+  logic marks_first_s28_q;
+  logic marks_last_s28_q;
+  logic [7:0] sample_pair_pixel_1_s28_q;
+  logic [6:0] x_s28_q;
+  logic registration_moved_s28_q;
+  logic patches_lower_s28_q;
+  logic patches_second_s28_q;
+  logic [4:0] patches_summed_row_column_s28_q;
+  logic patches_summed_first_s28_q;
+  logic patches_summed_last_s28_q;
+  logic [4:0] patches_summed_down_by_s28_q;
+  logic so_s28_q;
+  logic equal_1469_s28_q;
+  logic equal_1514_s28_q;
+  logic equal_1522_s28_q;
+  logic equal_1690_s28_q;
+  logic equal_1692_s28_q;
+  logic [4:0] select_1717_s28_q;
+  logic [4:0] select_1720_s28_q;
+  logic and_1730_s28_q;
+  logic [4:0] select_1746_s28_q;
+  logic and_1750_s28_q;
+  logic less_1830_s28_q;
+  logic equal_1831_s28_q;
+  logic not_1832_s28_q;
+  logic equal_1833_s28_q;
+  logic not_1859_s28_q;
+  logic equal_2192_s28_q;
+  logic or_2238_s28_q;
+  logic and_2239_s28_q;
+  logic or_2244_s28_q;
+  logic and_2245_s28_q;
+  logic select_2260_s28_q;
+  logic [9:0] select_2428_s28_q;
+  logic [9:0] select_2431_s28_q;
+  logic equal_2647_s28_q;
+  logic parity_2957_s28_q;
+  logic parity_3086_s28_q;
+  logic parity_3148_s28_q;
+  logic xor_3176_s28_q;
+  logic parity_3188_s28_q;
+  logic and_3189_s28_q;
+  logic and_3191_s28_q;
+  logic equal_3193_s28_q;
+  logic or_3336_s28_q;
+  logic [5:0] difference_3383_s28_q;
+  logic not_3385_s28_q;
+  logic not_3395_s28_q;
+  logic equal_3434_s28_q;
+  logic less_3504_s28_q;
+  logic less_3505_s28_q;
+  logic equal_3533_s28_q;
+  logic or_3604_s28_q;
+  logic and_3771_s28_q;
+  logic and_3801_s28_q;
+  logic or_3807_s28_q;
+  logic or_3816_s28_q;
+  logic not_3828_s28_q;
+  logic [31:0] select_3850_s28_q;
+  logic [9:0] select_3852_s28_q;
+  always_ff @(posedge clk_i) begin
+    if (s27_en) begin
+      pixel_0_s28_q <= pixel_0_s27_q;
+      pixel_1_s28_q <= pixel_1_s27_q;
+      saturated_s28_q <= saturated_s27_q;
+      mask_s28_q <= mask_s27_q;
+      marks_first_s28_q <= marks_first_s27_q;
+      marks_last_s28_q <= marks_last_s27_q;
+      sample_pair_pixel_1_s28_q <= sample_pair_pixel_1_s27_q;
+      x_s28_q <= x_s27_q;
+      registration_moved_s28_q <= registration_moved_s27_q;
+      patches_lower_s28_q <= patches_lower_s27_q;
+      patches_second_s28_q <= patches_second_s27_q;
+      patches_summed_row_column_s28_q <= patches_summed_row_column_s27_q;
+      patches_summed_first_s28_q <= patches_summed_first_s27_q;
+      patches_summed_last_s28_q <= patches_summed_last_s27_q;
+      patches_summed_down_by_s28_q <= patches_summed_down_by_s27_q;
+      so_s28_q <= so_s27_q;
+      equal_1469_s28_q <= equal_1469_s27_q;
+      equal_1514_s28_q <= equal_1514_s27_q;
+      equal_1522_s28_q <= equal_1522_s27_q;
+      equal_1690_s28_q <= equal_1690_s27_q;
+      equal_1692_s28_q <= equal_1692_s27_q;
+      select_1717_s28_q <= or_1716_s27_q ? 5'h0 : patches_right_next_0_q[4:0];
+      select_1720_s28_q <= select_1720_s27_q;
+      and_1730_s28_q <= sample_pair_whole_s27_q & and_1729;
+      select_1746_s28_q <= or_1745_s27_q ? 5'h0 : patches_right_next_1_q[4:0];
+      and_1750_s28_q <= sample_pair_whole_s27_q & and_1749;
+      less_1830_s28_q <= less_1830_s27_q;
+      equal_1831_s28_q <= equal_1831_s27_q;
+      not_1832_s28_q <= not_1832_s27_q;
+      equal_1833_s28_q <= equal_1833_s27_q;
+      not_1859_s28_q <= not_1859_s27_q;
+      equal_2192_s28_q <= equal_2192_s27_q;
+      or_2238_s28_q <= equal_2236_s27_q | xor_2237;
+      and_2239_s28_q <= five_times[0] & xor_2237;
+      or_2244_s28_q <= equal_2236_s27_q | xor_2243;
+      and_2245_s28_q <= five_times_2[0] & xor_2243;
+      select_2260_s28_q <= select_2260_s27_q;
+      select_2428_s28_q <= select_2428_s27_q;
+      select_2431_s28_q <= select_2431_s27_q;
+      equal_2647_s28_q <= equal_2647_s27_q;
+      parity_2957_s28_q <= parity_2957_s27_q;
+      parity_3086_s28_q <= parity_3086_s27_q;
+      parity_3148_s28_q <= parity_3148;
+      xor_3176_s28_q <= parity_3163 ^ parity_3175;
+      parity_3188_s28_q <= ^{or_3185, or_3181, and_3177};
+      and_3189_s28_q <= or_3181 & or_3185;
+      and_3191_s28_q <= and_3177 & (or_3181 | or_3185);
+      equal_3193_s28_q <= equal_3193_s27_q;
+      or_3336_s28_q <= or_3336;
+      difference_3383_s28_q <= difference_3383[5:0];
+      not_3385_s28_q <= ~less_3384;
+      not_3395_s28_q <= ~($signed(difference_3383) < $signed({9'h0, cfg_patch_limit_i}));
+      equal_3434_s28_q <= equal_3434_s27_q;
+      less_3504_s28_q <= $signed(15'h10) < $signed(difference_3383);
+      less_3505_s28_q <= $signed(difference_3383[14:4]) < $signed(11'h7ff);
+      equal_3533_s28_q <= equal_3533_s27_q;
+      or_3604_s28_q <= or_3604_s27_q;
+      and_3771_s28_q <= and_3771_s27_q;
+      and_3801_s28_q <= and_3801_s27_q;
+      or_3807_s28_q <= select_3612_s27_q | select_3669;
+      or_3816_s28_q <= or_3816;
+      not_3828_s28_q <= ~(select_3636 < cfg_hidden_frames_i);
+      select_3850_s28_q <= select_3850_s27_q;
+      select_3852_s28_q <= select_3852_s27_q;
+    end
+  end
+
+  // Stage 28 ----------------------------------------------------------------------------------------------------------
+  logic [7:0] left_pixel_q;
+  logic sharpness_comparing_less_detail_0_q;
+  logic sharpness_comparing_less_detail_1_q;
+  logic [9:0] patches_sums_values_0_q;
+  logic [9:0] patches_sums_values_1_q;
+  logic [9:0] patches_sums_values_2_q;
+  logic [9:0] patches_sums_values_3_q;
+  logic [9:0] patches_sums_values_4_q;
+  logic [9:0] patches_sums_values_5_q;
+  logic [9:0] patches_sums_values_6_q;
+  logic [9:0] patches_sums_values_7_q;
+  logic [9:0] patches_sums_values_8_q;
+  logic [9:0] patches_sums_values_9_q;
+  logic [9:0] patches_sums_values_10_q;
+  logic [9:0] patches_sums_values_11_q;
+  logic [9:0] patches_sums_values_12_q;
+  logic [9:0] patches_sums_values_13_q;
+  logic [9:0] patches_sums_values_14_q;
+  logic [9:0] patches_sums_values_15_q;
+  logic [9:0] patches_sums_values_16_q;
+  logic [9:0] patches_best_differing_q;
+  logic [4:0] patches_best_column_q;
+  // hls/stages/patches.hpp:160
+  logic less_1842;
+  assign less_1842 = patches_sums_values_0_q < patches_best_differing_q;
+  // hls/stages/patches.hpp:161
+  logic not_1843;
+  assign not_1843 = ~less_1842;
+  logic [1:0] select_1844;
+  assign select_1844 = patches_summed_first_s28_q ? 2'h2 : {less_1842, not_1843};
+  logic [12:0] select_1845;
+  assign select_1845 = select_1844[0] ? {4'h0, patches_summed_first_s28_q, 3'h0, patches_summed_row_column_s28_q} : {patches_summed_row_column_s28_q, patches_sums_values_0_q[7:0]};
+  logic [14:0] select_1846;
+  assign select_1846 = select_1844[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
+  logic [14:0] select_1847;
+  assign select_1847 = select_1844[1] ? {select_1845[12:8], patches_sums_values_0_q[9:8], select_1845[7:0]} : select_1846;
+  // hls/stages/census.hpp:385
+  logic select_2240;
+  assign select_2240 = or_2238_s28_q ? and_2239_s28_q : sharpness_comparing_less_detail_0_q;
+  // hls/stages/agreement.hpp:207
+  logic select_2241;
+  assign select_2241 = equal_2192_s28_q ? select_2240 : sharpness_comparing_less_detail_0_q;
+  logic select_2242;
+  assign select_2242 = so_s28_q ? select_2241 : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:385
+  logic select_2246;
+  assign select_2246 = or_2244_s28_q ? and_2245_s28_q : sharpness_comparing_less_detail_1_q;
+  // hls/stages/agreement.hpp:207
+  logic select_2247;
+  assign select_2247 = equal_2192_s28_q ? select_2246 : sharpness_comparing_less_detail_1_q;
+  logic select_2248;
+  assign select_2248 = so_s28_q ? select_2247 : sharpness_comparing_less_detail_1_q;
+  // hls/stages/count_bits.hpp:27
+  logic or_3192;
+  assign or_3192 = and_3189_s28_q | and_3191_s28_q;
+  // hls/stages/patches.hpp:460
+  logic [9:0] sum_3;
+  assign sum_3 = {4'h0, or_3192, parity_3188_s28_q, xor_3176_s28_q, parity_3148_s28_q, parity_3086_s28_q, parity_2957_s28_q} + (equal_3193_s28_q ? 10'h0 : patches_sums_values_16_q);
+  // hls/stages/patches.hpp:160
+  logic [9:0] select_3197;
+  assign select_3197 = equal_1690_s28_q ? patches_sums_values_0_q : (equal_1692_s28_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3198;
+  assign select_3198 = equal_1692_s28_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3200;
+  assign select_3200 = equal_1692_s28_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3202;
+  assign select_3202 = equal_1692_s28_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  logic [9:0] select_3204;
+  assign select_3204 = equal_1692_s28_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  logic [9:0] select_3206;
+  assign select_3206 = equal_1692_s28_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  logic [9:0] select_3208;
+  assign select_3208 = equal_1692_s28_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  logic [9:0] select_3210;
+  assign select_3210 = equal_1692_s28_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  logic [9:0] select_3212;
+  assign select_3212 = equal_1692_s28_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  logic [9:0] select_3214;
+  assign select_3214 = equal_1692_s28_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  logic [9:0] select_3216;
+  assign select_3216 = equal_1692_s28_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3218;
+  assign select_3218 = equal_1692_s28_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3220;
+  assign select_3220 = equal_1692_s28_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3222;
+  assign select_3222 = equal_1692_s28_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3224;
+  assign select_3224 = equal_1692_s28_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3226;
+  assign select_3226 = equal_1692_s28_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3228;
+  assign select_3228 = equal_1692_s28_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  // hls/stages/patches.hpp:514
+  logic not_3337;
+  assign not_3337 = ~or_3336_s28_q;
+  // hls/stages/patches.hpp:495
+  logic and_3338;
+  assign and_3338 = equal_1833_s28_q & not_3337;
+  // hls/stages/patches.hpp:160
+  logic and_3341;
+  assign and_3341 = equal_1690_s28_q & (less_1830_s28_q ? (not_1832_s28_q & and_3338) : and_3338);
+  // hls/stages/patches.hpp:495
+  logic and_3344;
+  assign and_3344 = equal_1833_s28_q & (patches_second_s28_q & not_3337);
+  // hls/stages/patches.hpp:160
+  logic and_3347;
+  assign and_3347 = equal_1690_s28_q & (less_1830_s28_q ? (not_1832_s28_q & and_3344) : and_3344);
+  // hls/stages/patches.hpp:495
+  logic and_3387;
+  assign and_3387 = equal_1833_s28_q & (not_3337 & not_3385_s28_q);
+  // hls/stages/patches.hpp:160
+  logic and_3390;
+  assign and_3390 = equal_1690_s28_q & (less_1830_s28_q ? (not_1832_s28_q & and_3387) : and_3387);
+  // hls/stages/patches.hpp:495
+  logic and_3397;
+  assign and_3397 = equal_1833_s28_q & (not_3337 & not_3395_s28_q);
+  // hls/stages/patches.hpp:160
+  logic and_3400;
+  assign and_3400 = equal_1690_s28_q & (less_1830_s28_q ? (not_1832_s28_q & and_3397) : and_3397);
+  // hls/stages/agreement.hpp:1072
+  logic less_3433;
+  assign less_3433 = x_s28_q[5:3] < 3'h5;
+  // hls/stages/registration.hpp:150
+  logic not_3435;
+  assign not_3435 = ~x_s28_q[4];
+  // hls/stages/registration.hpp:157
+  logic not_3436;
+  assign not_3436 = ~x_s28_q[3];
+  // hls/stages/patches.hpp:175
+  logic and_3437;
+  assign and_3437 = not_3435 & not_3436;
+  logic [1:0] select_3438;
+  assign select_3438 = x_s28_q[4] ? {1'b1, x_s28_q[3]} : {not_3436, 1'b1};
+  logic [3:0] select_3439;
+  assign select_3439 = x_s28_q[5] ? {{2{and_3437}}, 2'h0} : {not_3436, not_3435, select_3438};
+  // hls/stages/agreement.hpp:1084
+  logic and_3442;
+  assign and_3442 = not_1859_s28_q & (less_3433 & (equal_3434_s28_q & select_3439[0]));
+  // hls/stages/patches.hpp:175
+  logic equal_3446;
+  assign equal_3446 = x_s28_q[2:0] == 3'h1;
+  // hls/stages/agreement.hpp:1084
+  logic and_3450;
+  assign and_3450 = x_s28_q[6] & (not_1859_s28_q & (less_3433 & (select_3439[1] & equal_3446)));
+  logic and_3457;
+  assign and_3457 = not_1859_s28_q & (less_3433 & (select_3439[2] & (x_s28_q[2:0] == 3'h2)));
+  logic and_3465;
+  assign and_3465 = not_1859_s28_q & (less_3433 & (select_3439[3] & (x_s28_q[2:0] == 3'h3)));
+  // hls/stages/patches.hpp:179
+  logic [4:0] sum_3484;
+  assign sum_3484 = {2'h0, x_s28_q[2:0]} + 5'h1f;
+  // hls/stages/patches.hpp:309
+  logic and_3493;
+  assign and_3493 = equal_1469_s28_q & (x_s28_q[6] & (not_1859_s28_q & (less_3433 & equal_3446)));
+  // hls/stages/patches.hpp:540
+  logic [5:0] select_3507;
+  assign select_3507 = less_3504_s28_q ? 6'h10 : (less_3505_s28_q ? 6'h30 : difference_3383_s28_q);
+  // hls/stages/patches.hpp:495
+  logic [5:0] select_3509;
+  assign select_3509 = equal_1833_s28_q ? (or_3336_s28_q ? 6'h0 : select_3507) : 6'h0;
+  logic [5:0] select_3511;
+  assign select_3511 = less_1830_s28_q ? (equal_1831_s28_q ? 6'h0 : select_3509) : select_3509;
+  // hls/stages/patches.hpp:309
+  logic and_3518;
+  assign and_3518 = equal_1469_s28_q & (x_s28_q[6] & (not_1859_s28_q & (equal_2647_s28_q & less_3433)));
+  // hls/stages/agreement.hpp:1084
+  logic and_3522;
+  assign and_3522 = x_s28_q[6] & (not_1859_s28_q & (less_3433 & (x_s28_q[5:3] == 3'h0)));
+  // hls/stages/patches.hpp:309
+  logic and_3804;
+  assign and_3804 = equal_1469_s28_q & (equal_3533_s28_q & (cfg_prove_i & or_3604_s28_q));
+  // hls/stages/agreement.hpp:1170
+  logic not_3806;
+  assign not_3806 = ~(or_3604_s28_q | not_3795);
+  // hls/stages/patches.hpp:309
+  logic and_3810;
+  assign and_3810 = equal_1469_s28_q & (equal_3533_s28_q & (not_3806 & or_3807_s28_q));
+  logic and_3823;
+  assign and_3823 = equal_3533_s28_q & (not_3806 & (select_2248 | select_2260_s28_q));
+  // hls/stages/agreement.hpp:1088
+  logic and_3830;
+  assign and_3830 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_3828_s28_q);
+  // hls/stages/patches.hpp:309
+  logic and_3836;
+  assign and_3836 = equal_1469_s28_q & (x_s28_q[6] & (not_1859_s28_q | (4'hc < x_s28_q[5:2])));
+
+  // Memory patches_right_0, write
+  logic [9:0] patches_right_0_waddr;
+  assign patches_right_0_waddr = {select_1720_s28_q, select_1717_s28_q};
+  logic patches_right_0_we;
+  assign patches_right_0_we = s28_en & and_1730_s28_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (patches_right_0_we) patches_right_0_mem[patches_right_0_waddr] <= sample_pair_pixel_1_s28_q;
+  end
+`ifndef SYNTHESIS
+  logic [9:0] patches_right_0_raddr_s16_sim;
+  logic patches_right_0_re_s16_sim;
+  logic [9:0] patches_right_0_raddr_s17_sim;
+  logic patches_right_0_re_s17_sim;
+  logic [9:0] patches_right_0_raddr_s18_sim;
+  logic patches_right_0_re_s18_sim;
+  logic [9:0] patches_right_0_raddr_s19_sim;
+  logic patches_right_0_re_s19_sim;
+  logic [9:0] patches_right_0_raddr_s20_sim;
+  logic patches_right_0_re_s20_sim;
+  logic [9:0] patches_right_0_raddr_s21_sim;
+  logic patches_right_0_re_s21_sim;
+  logic [9:0] patches_right_0_raddr_s22_sim;
+  logic patches_right_0_re_s22_sim;
+  logic [9:0] patches_right_0_raddr_s23_sim;
+  logic patches_right_0_re_s23_sim;
+  logic [9:0] patches_right_0_raddr_s24_sim;
+  logic patches_right_0_re_s24_sim;
+  logic [9:0] patches_right_0_raddr_s25_sim;
+  logic patches_right_0_re_s25_sim;
+  logic [9:0] patches_right_0_raddr_s26_sim;
+  logic patches_right_0_re_s26_sim;
+  logic [9:0] patches_right_0_raddr_s27_sim;
+  logic patches_right_0_re_s27_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_right_0_re_s16_sim <= 1'b0;
+      patches_right_0_re_s17_sim <= 1'b0;
+      patches_right_0_re_s18_sim <= 1'b0;
+      patches_right_0_re_s19_sim <= 1'b0;
+      patches_right_0_re_s20_sim <= 1'b0;
+      patches_right_0_re_s21_sim <= 1'b0;
+      patches_right_0_re_s22_sim <= 1'b0;
+      patches_right_0_re_s23_sim <= 1'b0;
+      patches_right_0_re_s24_sim <= 1'b0;
+      patches_right_0_re_s25_sim <= 1'b0;
+      patches_right_0_re_s26_sim <= 1'b0;
+      patches_right_0_re_s27_sim <= 1'b0;
+    end else if (en_i) begin
+      patches_right_0_re_s16_sim <= patches_right_0_re;
+      patches_right_0_raddr_s16_sim <= patches_right_0_raddr;
+      patches_right_0_re_s17_sim <= patches_right_0_re_s16_sim;
+      patches_right_0_raddr_s17_sim <= patches_right_0_raddr_s16_sim;
+      patches_right_0_re_s18_sim <= patches_right_0_re_s17_sim;
+      patches_right_0_raddr_s18_sim <= patches_right_0_raddr_s17_sim;
+      patches_right_0_re_s19_sim <= patches_right_0_re_s18_sim;
+      patches_right_0_raddr_s19_sim <= patches_right_0_raddr_s18_sim;
+      patches_right_0_re_s20_sim <= patches_right_0_re_s19_sim;
+      patches_right_0_raddr_s20_sim <= patches_right_0_raddr_s19_sim;
+      patches_right_0_re_s21_sim <= patches_right_0_re_s20_sim;
+      patches_right_0_raddr_s21_sim <= patches_right_0_raddr_s20_sim;
+      patches_right_0_re_s22_sim <= patches_right_0_re_s21_sim;
+      patches_right_0_raddr_s22_sim <= patches_right_0_raddr_s21_sim;
+      patches_right_0_re_s23_sim <= patches_right_0_re_s22_sim;
+      patches_right_0_raddr_s23_sim <= patches_right_0_raddr_s22_sim;
+      patches_right_0_re_s24_sim <= patches_right_0_re_s23_sim;
+      patches_right_0_raddr_s24_sim <= patches_right_0_raddr_s23_sim;
+      patches_right_0_re_s25_sim <= patches_right_0_re_s24_sim;
+      patches_right_0_raddr_s25_sim <= patches_right_0_raddr_s24_sim;
+      patches_right_0_re_s26_sim <= patches_right_0_re_s25_sim;
+      patches_right_0_raddr_s26_sim <= patches_right_0_raddr_s25_sim;
+      patches_right_0_re_s27_sim <= patches_right_0_re_s26_sim;
+      patches_right_0_raddr_s27_sim <= patches_right_0_raddr_s26_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && patches_right_0_we) begin
+      if (patches_right_0_re && patches_right_0_raddr == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s16_sim && patches_right_0_raddr_s16_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s17_sim && patches_right_0_raddr_s17_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s18_sim && patches_right_0_raddr_s18_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s19_sim && patches_right_0_raddr_s19_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s20_sim && patches_right_0_raddr_s20_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s21_sim && patches_right_0_raddr_s21_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s22_sim && patches_right_0_raddr_s22_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s23_sim && patches_right_0_raddr_s23_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s24_sim && patches_right_0_raddr_s24_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s25_sim && patches_right_0_raddr_s25_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s26_sim && patches_right_0_raddr_s26_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s27_sim && patches_right_0_raddr_s27_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+    end
+  end
+`endif
+
+  // Memory patches_right_1, write
+  logic [9:0] patches_right_1_waddr;
+  assign patches_right_1_waddr = {select_1720_s28_q, select_1746_s28_q};
+  logic patches_right_1_we;
+  assign patches_right_1_we = s28_en & and_1750_s28_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (patches_right_1_we) patches_right_1_mem[patches_right_1_waddr] <= sample_pair_pixel_1_s28_q;
+  end
+`ifndef SYNTHESIS
+  logic [9:0] patches_right_1_raddr_s16_sim;
+  logic patches_right_1_re_s16_sim;
+  logic [9:0] patches_right_1_raddr_s17_sim;
+  logic patches_right_1_re_s17_sim;
+  logic [9:0] patches_right_1_raddr_s18_sim;
+  logic patches_right_1_re_s18_sim;
+  logic [9:0] patches_right_1_raddr_s19_sim;
+  logic patches_right_1_re_s19_sim;
+  logic [9:0] patches_right_1_raddr_s20_sim;
+  logic patches_right_1_re_s20_sim;
+  logic [9:0] patches_right_1_raddr_s21_sim;
+  logic patches_right_1_re_s21_sim;
+  logic [9:0] patches_right_1_raddr_s22_sim;
+  logic patches_right_1_re_s22_sim;
+  logic [9:0] patches_right_1_raddr_s23_sim;
+  logic patches_right_1_re_s23_sim;
+  logic [9:0] patches_right_1_raddr_s24_sim;
+  logic patches_right_1_re_s24_sim;
+  logic [9:0] patches_right_1_raddr_s25_sim;
+  logic patches_right_1_re_s25_sim;
+  logic [9:0] patches_right_1_raddr_s26_sim;
+  logic patches_right_1_re_s26_sim;
+  logic [9:0] patches_right_1_raddr_s27_sim;
+  logic patches_right_1_re_s27_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_right_1_re_s16_sim <= 1'b0;
+      patches_right_1_re_s17_sim <= 1'b0;
+      patches_right_1_re_s18_sim <= 1'b0;
+      patches_right_1_re_s19_sim <= 1'b0;
+      patches_right_1_re_s20_sim <= 1'b0;
+      patches_right_1_re_s21_sim <= 1'b0;
+      patches_right_1_re_s22_sim <= 1'b0;
+      patches_right_1_re_s23_sim <= 1'b0;
+      patches_right_1_re_s24_sim <= 1'b0;
+      patches_right_1_re_s25_sim <= 1'b0;
+      patches_right_1_re_s26_sim <= 1'b0;
+      patches_right_1_re_s27_sim <= 1'b0;
+    end else if (en_i) begin
+      patches_right_1_re_s16_sim <= patches_right_1_re;
+      patches_right_1_raddr_s16_sim <= patches_right_1_raddr;
+      patches_right_1_re_s17_sim <= patches_right_1_re_s16_sim;
+      patches_right_1_raddr_s17_sim <= patches_right_1_raddr_s16_sim;
+      patches_right_1_re_s18_sim <= patches_right_1_re_s17_sim;
+      patches_right_1_raddr_s18_sim <= patches_right_1_raddr_s17_sim;
+      patches_right_1_re_s19_sim <= patches_right_1_re_s18_sim;
+      patches_right_1_raddr_s19_sim <= patches_right_1_raddr_s18_sim;
+      patches_right_1_re_s20_sim <= patches_right_1_re_s19_sim;
+      patches_right_1_raddr_s20_sim <= patches_right_1_raddr_s19_sim;
+      patches_right_1_re_s21_sim <= patches_right_1_re_s20_sim;
+      patches_right_1_raddr_s21_sim <= patches_right_1_raddr_s20_sim;
+      patches_right_1_re_s22_sim <= patches_right_1_re_s21_sim;
+      patches_right_1_raddr_s22_sim <= patches_right_1_raddr_s21_sim;
+      patches_right_1_re_s23_sim <= patches_right_1_re_s22_sim;
+      patches_right_1_raddr_s23_sim <= patches_right_1_raddr_s22_sim;
+      patches_right_1_re_s24_sim <= patches_right_1_re_s23_sim;
+      patches_right_1_raddr_s24_sim <= patches_right_1_raddr_s23_sim;
+      patches_right_1_re_s25_sim <= patches_right_1_re_s24_sim;
+      patches_right_1_raddr_s25_sim <= patches_right_1_raddr_s24_sim;
+      patches_right_1_re_s26_sim <= patches_right_1_re_s25_sim;
+      patches_right_1_raddr_s26_sim <= patches_right_1_raddr_s25_sim;
+      patches_right_1_re_s27_sim <= patches_right_1_re_s26_sim;
+      patches_right_1_raddr_s27_sim <= patches_right_1_raddr_s26_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && patches_right_1_we) begin
+      if (patches_right_1_re && patches_right_1_raddr == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s16_sim && patches_right_1_raddr_s16_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s17_sim && patches_right_1_raddr_s17_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s18_sim && patches_right_1_raddr_s18_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s19_sim && patches_right_1_raddr_s19_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s20_sim && patches_right_1_raddr_s20_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s21_sim && patches_right_1_raddr_s21_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s22_sim && patches_right_1_raddr_s22_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s23_sim && patches_right_1_raddr_s23_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s24_sim && patches_right_1_raddr_s24_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s25_sim && patches_right_1_raddr_s25_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s26_sim && patches_right_1_raddr_s26_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s27_sim && patches_right_1_raddr_s27_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+    end
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      sharpness_comparing_less_detail_0_q <= 1'b0;
+      sharpness_comparing_less_detail_1_q <= 1'b0;
+      patches_sums_values_0_q <= 10'h0;
+      patches_sums_values_1_q <= 10'h0;
+      patches_sums_values_2_q <= 10'h0;
+      patches_sums_values_3_q <= 10'h0;
+      patches_sums_values_4_q <= 10'h0;
+      patches_sums_values_5_q <= 10'h0;
+      patches_sums_values_6_q <= 10'h0;
+      patches_sums_values_7_q <= 10'h0;
+      patches_sums_values_8_q <= 10'h0;
+      patches_sums_values_9_q <= 10'h0;
+      patches_sums_values_10_q <= 10'h0;
+      patches_sums_values_11_q <= 10'h0;
+      patches_sums_values_12_q <= 10'h0;
+      patches_sums_values_13_q <= 10'h0;
+      patches_sums_values_14_q <= 10'h0;
+      patches_sums_values_15_q <= 10'h0;
+      patches_sums_values_16_q <= 10'h0;
+      patches_best_differing_q <= 10'h0;
+      patches_best_column_q <= 5'h0;
+    end else if (s28_en) begin
+      sharpness_comparing_less_detail_0_q <= select_2242;
+      sharpness_comparing_less_detail_1_q <= select_2248;
+      patches_sums_values_0_q <= select_3197;
+      patches_sums_values_1_q <= equal_1690_s28_q ? patches_sums_values_1_q : select_3198;
+      patches_sums_values_2_q <= equal_1690_s28_q ? patches_sums_values_2_q : select_3200;
+      patches_sums_values_3_q <= equal_1690_s28_q ? patches_sums_values_3_q : select_3202;
+      patches_sums_values_4_q <= equal_1690_s28_q ? patches_sums_values_4_q : select_3204;
+      patches_sums_values_5_q <= equal_1690_s28_q ? patches_sums_values_5_q : select_3206;
+      patches_sums_values_6_q <= equal_1690_s28_q ? patches_sums_values_6_q : select_3208;
+      patches_sums_values_7_q <= equal_1690_s28_q ? patches_sums_values_7_q : select_3210;
+      patches_sums_values_8_q <= equal_1690_s28_q ? patches_sums_values_8_q : select_3212;
+      patches_sums_values_9_q <= equal_1690_s28_q ? patches_sums_values_9_q : select_3214;
+      patches_sums_values_10_q <= equal_1690_s28_q ? patches_sums_values_10_q : select_3216;
+      patches_sums_values_11_q <= equal_1690_s28_q ? patches_sums_values_11_q : select_3218;
+      patches_sums_values_12_q <= equal_1690_s28_q ? patches_sums_values_12_q : select_3220;
+      patches_sums_values_13_q <= equal_1690_s28_q ? patches_sums_values_13_q : select_3222;
+      patches_sums_values_14_q <= equal_1690_s28_q ? patches_sums_values_14_q : select_3224;
+      patches_sums_values_15_q <= equal_1690_s28_q ? patches_sums_values_15_q : select_3226;
+      patches_sums_values_16_q <= equal_1690_s28_q ? patches_sums_values_16_q : select_3228;
+      patches_best_differing_q <= select_1847[9:0];
+      patches_best_column_q <= select_1847[14:10];
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    left_pixel_q = 8'h0;
+  end
+`endif
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (s28_en) begin
+      left_pixel_q <= left_pixel_q;
+    end
+  end
+
+  logic [7:0] pixel_0_s29_q;
+  logic [7:0] pixel_1_s29_q;
+  logic saturated_s29_q;
+  logic mask_s29_q;
+  logic marks_first_s29_q;
+  logic marks_last_s29_q;
+  logic [6:0] x_s29_q;
+  logic registration_moved_s29_q;
+  logic patches_lower_s29_q;
+  logic patches_summed_last_s29_q;
+  logic [4:0] patches_summed_down_by_s29_q;
+  logic equal_1469_s29_q;
+  logic equal_1514_s29_q;
+  logic equal_1522_s29_q;
+  logic [9:0] select_2428_s29_q;
+  logic [9:0] select_2431_s29_q;
+  logic and_3341_s29_q;
+  logic and_3347_s29_q;
+  logic and_3390_s29_q;
+  logic and_3400_s29_q;
+  logic and_3443_s29_q;
+  logic and_3450_s29_q;
+  logic and_3458_s29_q;
+  logic and_3466_s29_q;
+  logic and_3487_s29_q;
+  logic and_3493_s29_q;
+  logic [5:0] select_3512_s29_q;
+  logic and_3518_s29_q;
+  logic and_3523_s29_q;
+  logic equal_3533_s29_q;
+  logic and_3771_s29_q;
+  logic or_3796_s29_q;
+  logic and_3797_s29_q;
+  logic and_3801_s29_q;
+  logic and_3804_s29_q;
+  logic and_3810_s29_q;
+  logic and_3819_s29_q;
+  logic and_3823_s29_q;
+  logic and_3832_s29_q;
+  logic and_3836_s29_q;
+  logic [31:0] select_3850_s29_q;
+  logic [9:0] select_3852_s29_q;
+  always_ff @(posedge clk_i) begin
+    if (s28_en) begin
+      pixel_0_s29_q <= pixel_0_s28_q;
+      pixel_1_s29_q <= pixel_1_s28_q;
+      saturated_s29_q <= saturated_s28_q;
+      mask_s29_q <= mask_s28_q;
+      marks_first_s29_q <= marks_first_s28_q;
+      marks_last_s29_q <= marks_last_s28_q;
+      x_s29_q <= x_s28_q;
+      registration_moved_s29_q <= registration_moved_s28_q;
+      patches_lower_s29_q <= patches_lower_s28_q;
+      patches_summed_last_s29_q <= patches_summed_last_s28_q;
+      patches_summed_down_by_s29_q <= patches_summed_down_by_s28_q;
+      equal_1469_s29_q <= equal_1469_s28_q;
+      equal_1514_s29_q <= equal_1514_s28_q;
+      equal_1522_s29_q <= equal_1522_s28_q;
+      select_2428_s29_q <= select_2428_s28_q;
+      select_2431_s29_q <= select_2431_s28_q;
+      and_3341_s29_q <= and_3341;
+      and_3347_s29_q <= and_3347;
+      and_3390_s29_q <= and_3390;
+      and_3400_s29_q <= and_3400;
+      and_3443_s29_q <= x_s28_q[6] & and_3442;
+      and_3450_s29_q <= and_3450;
+      and_3458_s29_q <= x_s28_q[6] & and_3457;
+      and_3466_s29_q <= x_s28_q[6] & and_3465;
+      and_3487_s29_q <= not_1859_s28_q & (less_3433 & (sum_3484[4:2] == 3'h0));
+      and_3493_s29_q <= and_3493;
+      select_3512_s29_q <= equal_1690_s28_q ? select_3511 : 6'h0;
+      and_3518_s29_q <= and_3518;
+      and_3523_s29_q <= equal_1469_s28_q & and_3522;
+      equal_3533_s29_q <= equal_3533_s28_q;
+      and_3771_s29_q <= and_3771_s28_q;
+      or_3796_s29_q <= not_3795 | seen_q;
+      and_3797_s29_q <= cfg_prove_i & nearer_q;
+      and_3801_s29_q <= and_3801_s28_q;
+      and_3804_s29_q <= and_3804;
+      and_3810_s29_q <= and_3810;
+      and_3819_s29_q <= equal_3533_s28_q & (not_3806 & (select_2242 | or_3816_s28_q));
+      and_3823_s29_q <= and_3823;
+      and_3832_s29_q <= equal_1469_s28_q & (equal_3533_s28_q & and_3830);
+      and_3836_s29_q <= and_3836;
+      select_3850_s29_q <= select_3850_s28_q;
+      select_3852_s29_q <= select_3852_s28_q;
+    end
+  end
+
+  // Stage 29 ----------------------------------------------------------------------------------------------------------
+  logic [7:0] patches_quarters_0_places_q;
+  logic [7:0] patches_quarters_0_up_q;
+  logic [7:0] patches_quarters_0_down_q;
+  logic [7:0] patches_quarters_1_places_q;
+  logic [7:0] patches_quarters_1_up_q;
+  logic [7:0] patches_quarters_1_down_q;
+  logic [7:0] patches_quarters_2_places_q;
+  logic [7:0] patches_quarters_2_up_q;
+  logic [7:0] patches_quarters_2_down_q;
+  logic [7:0] patches_quarters_3_places_q;
+  logic [7:0] patches_quarters_3_up_q;
+  logic [7:0] patches_quarters_3_down_q;
+  logic [7:0] patches_word_places_q;
+  logic [7:0] patches_word_up_q;
+  logic [7:0] patches_word_down_q;
+  logic [7:0] patches_sum_places_q;
+  logic [7:0] patches_sum_up_q;
+  logic [7:0] patches_sum_down_q;
+  logic [11:0] patches_across_q;
+  logic [7:0] patches_places_q;
+  logic patches_enough_q;
+  logic patches_mostly_q;
+  logic patches_complete_q;
+  logic patches_round_ends_q;
+  logic [4:0] patches_found_q;
+  logic [7:0] patches_round_places_q;
+  logic [11:0] patches_round_across_q;
+  logic [4:0] patches_round_moved_q;
+  logic patches_moved_q;
+  // hls/stages/patches.hpp:572
+  logic not_3342;
+  assign not_3342 = ~patches_lower_s29_q;
+  logic not_3348;
+  assign not_3348 = ~and_3347_s29_q;
+  // hls/stages/patches.hpp:164
+  logic and_3350;
+  assign and_3350 = and_3341_s29_q & (not_3342 & not_3348);
+  // hls/stages/patches.hpp:574
+  logic [7:0] sum_3352;
+  assign sum_3352 = {7'h0, and_3350} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  // hls/stages/patches.hpp:575
+  logic and_3391;
+  assign and_3391 = and_3390_s29_q & and_3350;
+  logic [7:0] sum_3392;
+  assign sum_3392 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3391};
+  // hls/stages/patches.hpp:576
+  logic and_3401;
+  assign and_3401 = and_3400_s29_q & and_3350;
+  logic [7:0] sum_3402;
+  assign sum_3402 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3401};
+  // hls/stages/patches.hpp:164
+  logic and_3404;
+  assign and_3404 = and_3341_s29_q & (and_3347_s29_q & not_3342);
+  // hls/stages/patches.hpp:574
+  logic [7:0] sum_3406;
+  assign sum_3406 = {7'h0, and_3404} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:575
+  logic and_3408;
+  assign and_3408 = and_3390_s29_q & and_3404;
+  logic [7:0] sum_3409;
+  assign sum_3409 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3408};
+  // hls/stages/patches.hpp:576
+  logic and_3411;
+  assign and_3411 = and_3400_s29_q & and_3404;
+  logic [7:0] sum_3412;
+  assign sum_3412 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3411};
+  // hls/stages/patches.hpp:164
+  logic and_3414;
+  assign and_3414 = and_3341_s29_q & (patches_lower_s29_q & not_3348);
+  // hls/stages/patches.hpp:574
+  logic [7:0] sum_3416;
+  assign sum_3416 = {7'h0, and_3414} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:575
+  logic and_3418;
+  assign and_3418 = and_3390_s29_q & and_3414;
+  logic [7:0] sum_3419;
+  assign sum_3419 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3418};
+  // hls/stages/patches.hpp:576
+  logic and_3421;
+  assign and_3421 = and_3400_s29_q & and_3414;
+  logic [7:0] sum_3422;
+  assign sum_3422 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3421};
+  // hls/stages/patches.hpp:164
+  logic and_3424;
+  assign and_3424 = and_3341_s29_q & (patches_lower_s29_q & and_3347_s29_q);
+  // hls/stages/patches.hpp:574
+  logic [7:0] sum_3426;
+  assign sum_3426 = {7'h0, and_3424} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:575
+  logic and_3428;
+  assign and_3428 = and_3390_s29_q & and_3424;
+  logic [7:0] sum_3429;
+  assign sum_3429 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3428};
+  // hls/stages/patches.hpp:576
+  logic and_3431;
+  assign and_3431 = and_3400_s29_q & and_3424;
+  logic [7:0] sum_3432;
+  assign sum_3432 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3431};
+  // hls/stages/patches.hpp:309
+  logic and_3444;
+  assign and_3444 = equal_1469_s29_q & and_3443_s29_q;
+  logic and_3451;
+  assign and_3451 = equal_1469_s29_q & and_3450_s29_q;
+  // hls/stages/patches.hpp:556
+  logic [7:0] or_3453;
+  assign or_3453 = (and_3444 ? patches_quarters_0_places_q : 8'h0) | (and_3451 ? patches_quarters_1_places_q : 8'h0);
+  // hls/stages/patches.hpp:309
+  logic and_3459;
+  assign and_3459 = equal_1469_s29_q & and_3458_s29_q;
+  logic and_3467;
+  assign and_3467 = equal_1469_s29_q & and_3466_s29_q;
+  // hls/stages/patches.hpp:556
+  logic [7:0] or_3469;
+  assign or_3469 = (or_3453 | (and_3459 ? patches_quarters_2_places_q : 8'h0)) | (and_3467 ? patches_quarters_3_places_q : 8'h0);
+  // hls/stages/patches.hpp:557
+  logic [7:0] or_3472;
+  assign or_3472 = (and_3444 ? patches_quarters_0_up_q : 8'h0) | (and_3451 ? patches_quarters_1_up_q : 8'h0);
+  logic [7:0] or_3476;
+  assign or_3476 = (or_3472 | (and_3459 ? patches_quarters_2_up_q : 8'h0)) | (and_3467 ? patches_quarters_3_up_q : 8'h0);
+  // hls/stages/patches.hpp:558
+  logic [7:0] or_3479;
+  assign or_3479 = (and_3444 ? patches_quarters_0_down_q : 8'h0) | (and_3451 ? patches_quarters_1_down_q : 8'h0);
+  logic [7:0] or_3483;
+  assign or_3483 = (or_3479 | (and_3459 ? patches_quarters_2_down_q : 8'h0)) | (and_3467 ? patches_quarters_3_down_q : 8'h0);
+  // hls/stages/patches.hpp:309
+  logic and_3489;
+  assign and_3489 = equal_1469_s29_q & (x_s29_q[6] & and_3487_s29_q);
+  // hls/stages/patches.hpp:551
+  logic [7:0] sum_3495;
+  assign sum_3495 = patches_word_places_q + (and_3493_s29_q ? 8'h0 : patches_sum_places_q);
+  // hls/stages/patches.hpp:553
+  logic [7:0] select_3499;
+  assign select_3499 = and_3489 ? (patches_word_up_q + (and_3493_s29_q ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] sum_3501;
+  assign sum_3501 = patches_word_down_q + (and_3493_s29_q ? 8'h0 : patches_sum_down_q);
+  // hls/stages/patches.hpp:578
+  logic [5:0] select_3513;
+  assign select_3513 = and_3341_s29_q ? select_3512_s29_q : 6'h0;
+  logic [11:0] sum_3514;
+  assign sum_3514 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3513[5]}}, select_3513};
+  // hls/stages/patches.hpp:567
+  logic [7:0] select_3525;
+  assign select_3525 = and_3518_s29_q ? (and_3523_s29_q ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  // hls/stages/patches.hpp:569
+  logic or_3529;
+  assign or_3529 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  // hls/stages/patches.hpp:566
+  logic select_3531;
+  assign select_3531 = and_3518_s29_q ? (and_3523_s29_q ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  // hls/stages/patches.hpp:164
+  logic and_3537;
+  assign and_3537 = patches_complete_q & (equal_1469_s29_q & ((x_s29_q == 7'h70) & (~equal_3533_s29_q)));
+  logic and_3538;
+  assign and_3538 = patches_enough_q & patches_mostly_q;
+  // hls/stages/patches.hpp:566
+  logic [4:0] select_3539;
+  assign select_3539 = and_3518_s29_q ? {and_3538, patches_found_q[4:1]} : patches_found_q;
+  logic [4:0] select_3541;
+  assign select_3541 = and_3518_s29_q ? (and_3523_s29_q ? {and_3538, patches_found_q[4:1]} : select_3539) : patches_found_q;
+  // hls/stages/patches.hpp:565
+  logic select_3547;
+  assign select_3547 = patches_round_ends_q ? (~(patches_found_q == 5'h0)) : patches_moved_q;
+  // hls/stages/patches.hpp:309
+  logic and_3813;
+  assign and_3813 = equal_3533_s29_q & (cfg_prove_i & (registration_moved_s29_q | patches_moved_q));
+  // hls/stages/agreement.hpp:1082
+  logic [31:0] select_3851;
+  assign select_3851 = equal_1522_s29_q ? {7'h0, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_3850_s29_q;
+  // hls/stages/agreement.hpp:1084
+  logic [31:0] select_3853;
+  assign select_3853 = equal_1514_s29_q ? select_3851 : {2'h0, select_3852_s29_q, select_2431_s29_q, select_2428_s29_q};
+
   // Memory patches_rows, write
   logic [4:0] patches_rows_waddr;
-  assign patches_rows_waddr = patches_summed_down_by_s26_q;
+  assign patches_rows_waddr = patches_summed_down_by_s29_q;
   logic patches_rows_we;
-  assign patches_rows_we = s26_en & patches_summed_last_s26_q;
+  assign patches_rows_we = s29_en & patches_summed_last_s29_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= {patches_best_column_q, patches_best_differing_q};
   end
 `ifndef SYNTHESIS
-  logic [4:0] patches_rows_raddr_s13_sim;
-  logic patches_rows_re_s13_sim;
-  logic [4:0] patches_rows_raddr_s14_sim;
-  logic patches_rows_re_s14_sim;
-  logic [4:0] patches_rows_raddr_s15_sim;
-  logic patches_rows_re_s15_sim;
   logic [4:0] patches_rows_raddr_s16_sim;
   logic patches_rows_re_s16_sim;
   logic [4:0] patches_rows_raddr_s17_sim;
@@ -11472,11 +11934,14 @@ module horopter_agreement (
   logic patches_rows_re_s24_sim;
   logic [4:0] patches_rows_raddr_s25_sim;
   logic patches_rows_re_s25_sim;
+  logic [4:0] patches_rows_raddr_s26_sim;
+  logic patches_rows_re_s26_sim;
+  logic [4:0] patches_rows_raddr_s27_sim;
+  logic patches_rows_re_s27_sim;
+  logic [4:0] patches_rows_raddr_s28_sim;
+  logic patches_rows_re_s28_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      patches_rows_re_s13_sim <= 1'b0;
-      patches_rows_re_s14_sim <= 1'b0;
-      patches_rows_re_s15_sim <= 1'b0;
       patches_rows_re_s16_sim <= 1'b0;
       patches_rows_re_s17_sim <= 1'b0;
       patches_rows_re_s18_sim <= 1'b0;
@@ -11487,15 +11952,12 @@ module horopter_agreement (
       patches_rows_re_s23_sim <= 1'b0;
       patches_rows_re_s24_sim <= 1'b0;
       patches_rows_re_s25_sim <= 1'b0;
+      patches_rows_re_s26_sim <= 1'b0;
+      patches_rows_re_s27_sim <= 1'b0;
+      patches_rows_re_s28_sim <= 1'b0;
     end else if (en_i) begin
-      patches_rows_re_s13_sim <= patches_rows_re;
-      patches_rows_raddr_s13_sim <= patches_rows_raddr;
-      patches_rows_re_s14_sim <= patches_rows_re_s13_sim;
-      patches_rows_raddr_s14_sim <= patches_rows_raddr_s13_sim;
-      patches_rows_re_s15_sim <= patches_rows_re_s14_sim;
-      patches_rows_raddr_s15_sim <= patches_rows_raddr_s14_sim;
-      patches_rows_re_s16_sim <= patches_rows_re_s15_sim;
-      patches_rows_raddr_s16_sim <= patches_rows_raddr_s15_sim;
+      patches_rows_re_s16_sim <= patches_rows_re;
+      patches_rows_raddr_s16_sim <= patches_rows_raddr;
       patches_rows_re_s17_sim <= patches_rows_re_s16_sim;
       patches_rows_raddr_s17_sim <= patches_rows_raddr_s16_sim;
       patches_rows_re_s18_sim <= patches_rows_re_s17_sim;
@@ -11514,20 +11976,17 @@ module horopter_agreement (
       patches_rows_raddr_s24_sim <= patches_rows_raddr_s23_sim;
       patches_rows_re_s25_sim <= patches_rows_re_s24_sim;
       patches_rows_raddr_s25_sim <= patches_rows_raddr_s24_sim;
+      patches_rows_re_s26_sim <= patches_rows_re_s25_sim;
+      patches_rows_raddr_s26_sim <= patches_rows_raddr_s25_sim;
+      patches_rows_re_s27_sim <= patches_rows_re_s26_sim;
+      patches_rows_raddr_s27_sim <= patches_rows_raddr_s26_sim;
+      patches_rows_re_s28_sim <= patches_rows_re_s27_sim;
+      patches_rows_raddr_s28_sim <= patches_rows_raddr_s27_sim;
     end
   end
   always_ff @(posedge clk_i) begin
     if (rst_ni && patches_rows_we) begin
       if (patches_rows_re && patches_rows_raddr == patches_rows_waddr) begin
-        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
-      end
-      if (patches_rows_re_s13_sim && patches_rows_raddr_s13_sim == patches_rows_waddr) begin
-        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
-      end
-      if (patches_rows_re_s14_sim && patches_rows_raddr_s14_sim == patches_rows_waddr) begin
-        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
-      end
-      if (patches_rows_re_s15_sim && patches_rows_raddr_s15_sim == patches_rows_waddr) begin
         $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
       end
       if (patches_rows_re_s16_sim && patches_rows_raddr_s16_sim == patches_rows_waddr) begin
@@ -11560,6 +12019,15 @@ module horopter_agreement (
       if (patches_rows_re_s25_sim && patches_rows_raddr_s25_sim == patches_rows_waddr) begin
         $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
       end
+      if (patches_rows_re_s26_sim && patches_rows_raddr_s26_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s27_sim && patches_rows_raddr_s27_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s28_sim && patches_rows_raddr_s28_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
       if (patches_rows_waddr >= 5'd17) $error("patches_rows: write outside, address %0d", patches_rows_waddr);
     end
     if (rst_ni && patches_rows_re && patches_rows_raddr >= 5'd17) $error("patches_rows: read outside, address %0d", patches_rows_raddr);
@@ -11568,11 +12036,6 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      census_left_misses_q <= 20'h0;
-      sharpness_comparing_product_0_q <= 3'h0;
-      sharpness_comparing_product_1_q <= 3'h0;
-      sharpness_comparing_carry_0_q <= 1'b0;
-      sharpness_comparing_carry_1_q <= 1'b0;
       patches_quarters_0_places_q <= 8'h0;
       patches_quarters_0_up_q <= 8'h0;
       patches_quarters_0_down_q <= 8'h0;
@@ -11602,299 +12065,103 @@ module horopter_agreement (
       patches_round_across_q <= 12'h0;
       patches_round_moved_q <= 5'h0;
       patches_moved_q <= 1'b0;
-      hides_q <= 1'b0;
-    end else if (s26_en) begin
-      census_left_misses_q <= select_2122;
-      sharpness_comparing_product_0_q <= so_s26_q ? select_2194 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= so_s26_q ? select_2196 : sharpness_comparing_product_1_q;
-      sharpness_comparing_carry_0_q <= select_2205;
-      sharpness_comparing_carry_1_q <= so_s26_q ? select_2208 : sharpness_comparing_carry_1_q;
-      patches_quarters_0_places_q <= sum_3332;
-      patches_quarters_0_up_q <= sum_3372;
-      patches_quarters_0_down_q <= sum_3382;
-      patches_quarters_1_places_q <= sum_3386;
-      patches_quarters_1_up_q <= sum_3389;
-      patches_quarters_1_down_q <= sum_3392;
-      patches_quarters_2_places_q <= sum_3396;
-      patches_quarters_2_up_q <= sum_3399;
-      patches_quarters_2_down_q <= sum_3402;
-      patches_quarters_3_places_q <= sum_3406;
-      patches_quarters_3_up_q <= sum_3409;
-      patches_quarters_3_down_q <= sum_3412;
-      patches_word_places_q <= or_3449;
-      patches_word_up_q <= or_3456;
-      patches_word_down_q <= or_3463;
-      patches_sum_places_q <= and_3469 ? sum_3475 : patches_sum_places_q;
-      patches_sum_up_q <= select_3479;
-      patches_sum_down_q <= and_3469 ? sum_3481 : patches_sum_down_q;
-      patches_across_q <= sum_3494;
-      patches_places_q <= select_3505;
-      patches_enough_q <= {4'h0, and_3503_s26_q} < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_3509;
-      patches_complete_q <= select_3511;
-      patches_round_ends_q <= and_3517;
-      patches_found_q <= select_3521;
+    end else if (s29_en) begin
+      patches_quarters_0_places_q <= sum_3352;
+      patches_quarters_0_up_q <= sum_3392;
+      patches_quarters_0_down_q <= sum_3402;
+      patches_quarters_1_places_q <= sum_3406;
+      patches_quarters_1_up_q <= sum_3409;
+      patches_quarters_1_down_q <= sum_3412;
+      patches_quarters_2_places_q <= sum_3416;
+      patches_quarters_2_up_q <= sum_3419;
+      patches_quarters_2_down_q <= sum_3422;
+      patches_quarters_3_places_q <= sum_3426;
+      patches_quarters_3_up_q <= sum_3429;
+      patches_quarters_3_down_q <= sum_3432;
+      patches_word_places_q <= or_3469;
+      patches_word_up_q <= or_3476;
+      patches_word_down_q <= or_3483;
+      patches_sum_places_q <= and_3489 ? sum_3495 : patches_sum_places_q;
+      patches_sum_up_q <= select_3499;
+      patches_sum_down_q <= and_3489 ? sum_3501 : patches_sum_down_q;
+      patches_across_q <= sum_3514;
+      patches_places_q <= select_3525;
+      patches_enough_q <= {3'h0, and_3523_s29_q, 1'b0} < patches_sum_places_q[7:3];
+      patches_mostly_q <= or_3529;
+      patches_complete_q <= select_3531;
+      patches_round_ends_q <= and_3537;
+      patches_found_q <= select_3541;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_moved_q <= select_3527;
-      hides_q <= equal_1466_s26_q ? select_3613 : hides_q;
+      patches_moved_q <= select_3547;
     end
   end
 
-  logic [7:0] pixel_0_s27_q;
-  logic [7:0] pixel_1_s27_q;
-  logic saturated_s27_q;
-  logic mask_s27_q;
-  logic marks_first_s27_q;
-  logic marks_last_s27_q;
-  logic so_s27_q;
-  logic equal_1466_s27_q;
-  logic and_1893_s27_q;
-  logic less_1894_s27_q;
-  logic equal_2166_s27_q;
-  logic or_2212_s27_q;
-  logic and_2213_s27_q;
-  logic or_2218_s27_q;
-  logic and_2219_s27_q;
-  logic select_2234_s27_q;
-  logic equal_3513_s27_q;
-  logic or_3584_s27_q;
-  logic select_3592_s27_q;
-  logic select_3613_s27_q;
-  logic and_3641_s27_q;
-  logic not_3643_s27_q;
-  logic or_3647_s27_q;
-  logic and_3751_s27_q;
-  logic and_3769_s27_q;
-  logic and_3772_s27_q;
-  logic and_3781_s27_q;
-  logic and_3794_s27_q;
-  logic or_3796_s27_q;
-  logic and_3816_s27_q;
-  logic [5:0] select_3818_s27_q;
-  logic [31:0] select_3835_s27_q;
+  logic [7:0] pixel_0_s30_q;
+  logic [7:0] pixel_1_s30_q;
+  logic saturated_s30_q;
+  logic mask_s30_q;
+  logic marks_first_s30_q;
+  logic marks_last_s30_q;
+  logic and_3771_s30_q;
+  logic or_3796_s30_q;
+  logic and_3797_s30_q;
+  logic and_3801_s30_q;
+  logic and_3804_s30_q;
+  logic and_3810_s30_q;
+  logic and_3814_s30_q;
+  logic and_3820_s30_q;
+  logic and_3824_s30_q;
+  logic and_3832_s30_q;
+  logic and_3836_s30_q;
+  logic [5:0] select_3838_s30_q;
+  logic [31:0] select_3855_s30_q;
   always_ff @(posedge clk_i) begin
-    if (s26_en) begin
-      pixel_0_s27_q <= pixel_0_s26_q;
-      pixel_1_s27_q <= pixel_1_s26_q;
-      saturated_s27_q <= saturated_s26_q;
-      mask_s27_q <= mask_s26_q;
-      marks_first_s27_q <= marks_first_s26_q;
-      marks_last_s27_q <= marks_last_s26_q;
-      so_s27_q <= so_s26_q;
-      equal_1466_s27_q <= equal_1466_s26_q;
-      and_1893_s27_q <= and_1893_s26_q;
-      less_1894_s27_q <= less_1894_s26_q;
-      equal_2166_s27_q <= equal_2166_s26_q;
-      or_2212_s27_q <= equal_2210_s26_q | xor_2211;
-      and_2213_s27_q <= five_times[0] & xor_2211;
-      or_2218_s27_q <= equal_2210_s26_q | xor_2217;
-      and_2219_s27_q <= five_times_2[0] & xor_2217;
-      select_2234_s27_q <= select_2234_s26_q;
-      equal_3513_s27_q <= equal_3513_s26_q;
-      or_3584_s27_q <= or_3584_s26_q;
-      select_3592_s27_q <= select_3592_s26_q;
-      select_3613_s27_q <= select_3613;
-      and_3641_s27_q <= over[14] & equal_3414_s26_q;
-      not_3643_s27_q <= not_3643_s26_q;
-      or_3647_s27_q <= or_3647_s26_q;
-      and_3751_s27_q <= and_3751_s26_q;
-      and_3769_s27_q <= select_3767[0] & and_3768;
-      and_3772_s27_q <= select_3767[1] & and_3768;
-      and_3781_s27_q <= and_3781_s26_q;
-      and_3794_s27_q <= equal_1466_s26_q & and_3793;
-      or_3796_s27_q <= or_3796;
-      and_3816_s27_q <= and_3816_s26_q;
-      select_3818_s27_q <= equal_1466_s26_q ? (x_s26_q[6] ? x_s26_q[5:0] : 6'h0) : 6'h0;
-      select_3835_s27_q <= equal_1466_s26_q ? (x_s26_q[6] ? select_3833 : 32'h0) : 32'h0;
-    end
-  end
-
-  // Stage 27 ----------------------------------------------------------------------------------------------------------
-  logic sharpness_comparing_less_detail_0_q;
-  logic sharpness_comparing_less_detail_1_q;
-  logic [7:0] hidden_for_q;
-  logic too_much_q;
-  logic seen_q;
-  logic nearer_q;
-  // hls/stages/census.hpp:385
-  logic select_2214;
-  assign select_2214 = or_2212_s27_q ? and_2213_s27_q : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:207
-  logic select_2215;
-  assign select_2215 = equal_2166_s27_q ? select_2214 : sharpness_comparing_less_detail_0_q;
-  logic select_2216;
-  assign select_2216 = so_s27_q ? select_2215 : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:385
-  logic select_2220;
-  assign select_2220 = or_2218_s27_q ? and_2219_s27_q : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:207
-  logic select_2221;
-  assign select_2221 = equal_2166_s27_q ? select_2220 : sharpness_comparing_less_detail_1_q;
-  logic select_2222;
-  assign select_2222 = so_s27_q ? select_2221 : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:1085
-  logic not_3614;
-  assign not_3614 = ~hidden_for_q[7];
-  logic [7:0] select_3616;
-  assign select_3616 = select_3613_s27_q ? (hidden_for_q + {7'h0, not_3614}) : 8'h0;
-  // hls/stages/patches.hpp:303
-  logic [7:0] select_3618;
-  assign select_3618 = equal_1466_s27_q ? (equal_3513_s27_q ? select_3616 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:1158
-  logic and_3644;
-  assign and_3644 = too_much_q & not_3643_s27_q;
-  // hls/stages/agreement.hpp:1159
-  logic select_3649;
-  assign select_3649 = and_3641_s27_q ? (and_3644 | or_3647_s27_q) : and_3644;
-  // hls/stages/agreement.hpp:424
-  logic select_3771;
-  assign select_3771 = and_1893_s27_q ? (less_1894_s27_q ? and_3769_s27_q : seen_q) : seen_q;
-  logic select_3774;
-  assign select_3774 = and_1893_s27_q ? (less_1894_s27_q ? and_3772_s27_q : nearer_q) : nearer_q;
-  // hls/stages/patches.hpp:303
-  logic and_3784;
-  assign and_3784 = equal_1466_s27_q & (equal_3513_s27_q & (cfg_prove_i & or_3584_s27_q));
-  // hls/stages/agreement.hpp:1169
-  logic not_3786;
-  assign not_3786 = ~(or_3584_s27_q | not_3775);
-  // hls/stages/patches.hpp:303
-  logic and_3789;
-  assign and_3789 = equal_3513_s27_q & (not_3786 & (select_3592_s27_q | select_3649));
-  logic and_3803;
-  assign and_3803 = equal_3513_s27_q & (not_3786 & (select_2222 | select_2234_s27_q));
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      sharpness_comparing_less_detail_0_q <= 1'b0;
-      sharpness_comparing_less_detail_1_q <= 1'b0;
-      hidden_for_q <= 8'h0;
-      too_much_q <= 1'b0;
-      seen_q <= 1'b0;
-      nearer_q <= 1'b0;
-    end else if (s27_en) begin
-      sharpness_comparing_less_detail_0_q <= select_2216;
-      sharpness_comparing_less_detail_1_q <= select_2222;
-      hidden_for_q <= select_3618;
-      too_much_q <= equal_1466_s27_q ? select_3649 : too_much_q;
-      seen_q <= select_3771;
-      nearer_q <= select_3774;
-    end
-  end
-
-  logic [7:0] pixel_0_s28_q;
-  logic [7:0] pixel_1_s28_q;
-  logic saturated_s28_q;
-  logic mask_s28_q;
-  logic marks_first_s28_q;
-  logic marks_last_s28_q;
-  logic equal_1466_s28_q;
-  logic equal_3513_s28_q;
-  logic and_3751_s28_q;
-  logic and_3781_s28_q;
-  logic and_3784_s28_q;
-  logic and_3790_s28_q;
-  logic and_3794_s28_q;
-  logic and_3799_s28_q;
-  logic and_3803_s28_q;
-  logic not_3808_s28_q;
-  logic and_3816_s28_q;
-  logic [5:0] select_3818_s28_q;
-  logic [31:0] select_3835_s28_q;
-  always_ff @(posedge clk_i) begin
-    if (s27_en) begin
-      pixel_0_s28_q <= pixel_0_s27_q;
-      pixel_1_s28_q <= pixel_1_s27_q;
-      saturated_s28_q <= saturated_s27_q;
-      mask_s28_q <= mask_s27_q;
-      marks_first_s28_q <= marks_first_s27_q;
-      marks_last_s28_q <= marks_last_s27_q;
-      equal_1466_s28_q <= equal_1466_s27_q;
-      equal_3513_s28_q <= equal_3513_s27_q;
-      and_3751_s28_q <= and_3751_s27_q;
-      and_3781_s28_q <= and_3781_s27_q;
-      and_3784_s28_q <= and_3784;
-      and_3790_s28_q <= equal_1466_s27_q & and_3789;
-      and_3794_s28_q <= and_3794_s27_q;
-      and_3799_s28_q <= equal_3513_s27_q & (not_3786 & (select_2216 | or_3796_s27_q));
-      and_3803_s28_q <= and_3803;
-      not_3808_s28_q <= ~(select_3616 < cfg_hidden_frames_i);
-      and_3816_s28_q <= and_3816_s27_q;
-      select_3818_s28_q <= select_3818_s27_q;
-      select_3835_s28_q <= select_3835_s27_q;
-    end
-  end
-
-  // Stage 28 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:1087
-  logic and_3810;
-  assign and_3810 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_3808_s28_q);
-
-  logic [7:0] pixel_0_s29_q;
-  logic [7:0] pixel_1_s29_q;
-  logic saturated_s29_q;
-  logic mask_s29_q;
-  logic marks_first_s29_q;
-  logic marks_last_s29_q;
-  logic and_3751_s29_q;
-  logic or_3776_s29_q;
-  logic and_3777_s29_q;
-  logic and_3781_s29_q;
-  logic and_3784_s29_q;
-  logic and_3790_s29_q;
-  logic and_3794_s29_q;
-  logic and_3800_s29_q;
-  logic and_3804_s29_q;
-  logic and_3812_s29_q;
-  logic and_3816_s29_q;
-  logic [5:0] select_3818_s29_q;
-  logic [31:0] select_3835_s29_q;
-  always_ff @(posedge clk_i) begin
-    if (s28_en) begin
-      pixel_0_s29_q <= pixel_0_s28_q;
-      pixel_1_s29_q <= pixel_1_s28_q;
-      saturated_s29_q <= saturated_s28_q;
-      mask_s29_q <= mask_s28_q;
-      marks_first_s29_q <= marks_first_s28_q;
-      marks_last_s29_q <= marks_last_s28_q;
-      and_3751_s29_q <= and_3751_s28_q;
-      or_3776_s29_q <= not_3775 | seen_q;
-      and_3777_s29_q <= cfg_prove_i & nearer_q;
-      and_3781_s29_q <= and_3781_s28_q;
-      and_3784_s29_q <= and_3784_s28_q;
-      and_3790_s29_q <= and_3790_s28_q;
-      and_3794_s29_q <= and_3794_s28_q;
-      and_3800_s29_q <= equal_1466_s28_q & and_3799_s28_q;
-      and_3804_s29_q <= equal_1466_s28_q & and_3803_s28_q;
-      and_3812_s29_q <= equal_1466_s28_q & (equal_3513_s28_q & and_3810);
-      and_3816_s29_q <= and_3816_s28_q;
-      select_3818_s29_q <= select_3818_s28_q;
-      select_3835_s29_q <= select_3835_s28_q;
+    if (s29_en) begin
+      pixel_0_s30_q <= pixel_0_s29_q;
+      pixel_1_s30_q <= pixel_1_s29_q;
+      saturated_s30_q <= saturated_s29_q;
+      mask_s30_q <= mask_s29_q;
+      marks_first_s30_q <= marks_first_s29_q;
+      marks_last_s30_q <= marks_last_s29_q;
+      and_3771_s30_q <= and_3771_s29_q;
+      or_3796_s30_q <= or_3796_s29_q;
+      and_3797_s30_q <= and_3797_s29_q;
+      and_3801_s30_q <= and_3801_s29_q;
+      and_3804_s30_q <= and_3804_s29_q;
+      and_3810_s30_q <= and_3810_s29_q;
+      and_3814_s30_q <= equal_1469_s29_q & and_3813;
+      and_3820_s30_q <= equal_1469_s29_q & and_3819_s29_q;
+      and_3824_s30_q <= equal_1469_s29_q & and_3823_s29_q;
+      and_3832_s30_q <= and_3832_s29_q;
+      and_3836_s30_q <= and_3836_s29_q;
+      select_3838_s30_q <= equal_1469_s29_q ? (x_s29_q[6] ? x_s29_q[5:0] : 6'h0) : 6'h0;
+      select_3855_s30_q <= equal_1469_s29_q ? (x_s29_q[6] ? select_3853 : 32'h0) : 32'h0;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = pixel_0_s29_q;
-  assign pixel_1_o = pixel_1_s29_q;
-  assign saturated_o = saturated_s29_q;
-  assign mask_o = mask_s29_q;
-  assign marks_first_o = marks_first_s29_q;
-  assign marks_last_o = marks_last_s29_q;
-  assign marks_seen_o = or_3776_s29_q;
-  assign marks_nearer_o = and_3777_s29_q;
-  assign verdict_valid_o = and_3751_s29_q;
-  assign verdict_unproven_yet_o = and_3781_s29_q;
-  assign verdict_untextured_o = and_3784_s29_q;
-  assign verdict_disagree_o = and_3790_s29_q;
-  assign verdict_moved_o = and_3794_s29_q;
-  assign verdict_unsharp_left_o = and_3800_s29_q;
-  assign verdict_unsharp_right_o = and_3804_s29_q;
-  assign verdict_hidden_o = and_3812_s29_q;
-  assign frame_valid_o = and_3816_s29_q;
-  assign frame_index_o = select_3818_s29_q;
-  assign frame_word_o = select_3835_s29_q;
-  assign valid_o = valid_s29_q;
+  assign pixel_0_o = pixel_0_s30_q;
+  assign pixel_1_o = pixel_1_s30_q;
+  assign saturated_o = saturated_s30_q;
+  assign mask_o = mask_s30_q;
+  assign marks_first_o = marks_first_s30_q;
+  assign marks_last_o = marks_last_s30_q;
+  assign marks_seen_o = or_3796_s30_q;
+  assign marks_nearer_o = and_3797_s30_q;
+  assign verdict_valid_o = and_3771_s30_q;
+  assign verdict_unproven_yet_o = and_3801_s30_q;
+  assign verdict_untextured_o = and_3804_s30_q;
+  assign verdict_disagree_o = and_3810_s30_q;
+  assign verdict_moved_o = and_3814_s30_q;
+  assign verdict_unsharp_left_o = and_3820_s30_q;
+  assign verdict_unsharp_right_o = and_3824_s30_q;
+  assign verdict_hidden_o = and_3832_s30_q;
+  assign frame_valid_o = and_3836_s30_q;
+  assign frame_index_o = select_3838_s30_q;
+  assign frame_word_o = select_3855_s30_q;
+  assign valid_o = valid_s30_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -11927,6 +12194,7 @@ module horopter_agreement (
       valid_s27_q <= 1'b0;
       valid_s28_q <= 1'b0;
       valid_s29_q <= 1'b0;
+      valid_s30_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -11957,11 +12225,12 @@ module horopter_agreement (
       valid_s27_q <= valid_s26_q;
       valid_s28_q <= valid_s27_q;
       valid_s29_q <= valid_s28_q;
+      valid_s30_q <= valid_s29_q;
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], sum_3464[1:0], product_3362[4:0], sum_2481[0], sum_2477[0], sum_2458[0], detail_4[1:0], detail_3[1:0], sum_2116[4:0], sum_1653[1:0], sum_1652[1:0], sum_1648[0], sum_610[4:0], cfg_width_i[3:0]};
+  assign unused_bits = ^{over[13:0], sum_3484[1:0], product_3382[4:0], sum_2484[0], detail_4[1:0], detail_3[1:0], sum_2142[4:0], sum_1671[1:0], sum_1670[1:0], sum_1666[0], sum_1617[0], sum_1613[0], sum_613[4:0], cfg_width_i[3:0]};
 
 endmodule

@@ -51,6 +51,7 @@ rtl/store/horopter_table_lookup.sv
 rtl/store/horopter_map_store.sv
 rtl/store/horopter_control_point.sv
 rtl/store/horopter_raster.sv
+rtl/store/horopter_areas.sv
 rtl/store/horopter_row_span.sv
 rtl/store/horopter_places.sv
 rtl/store/horopter_interlock.sv
@@ -60,6 +61,7 @@ rtl/camera/horopter_camera_input.sv
 rtl/camera/horopter_coarse_check.sv
 rtl/top/horopter_settings.sv
 rtl/top/horopter_agreement_result.sv
+rtl/top/horopter_object_stream.sv
 rtl/top/horopter_object_check.sv
 rtl/top/horopter_output.sv
 rtl/top/horopter_status.sv

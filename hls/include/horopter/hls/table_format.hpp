@@ -28,8 +28,8 @@
 //   there, but are not supervised: y is 0xA000 + ⌊(px + 64) · 16⌋. All ones: no source
 //   CRC-32 (IEEE 802.3) of all words before it as little-endian bytes
 //
-// The machine stores spans and control points, and of the facts words 6 and 7. It reads over the others, which the CRC
-// protects: they cost no memory.
+// The machine stores areas, spans and control points, and of the facts words 6 and 7. It reads over the others, which the
+// CRC protects: they cost no memory. In its pool, of two words each, areas and spans begin with a new pair.
 // A table made without a rig knows no areas and no shifts.
 #pragma once
 
@@ -55,6 +55,7 @@ inline constexpr int header_words = 4;            // before the facts
 inline constexpr int fact_words = 5;              // before the areas
 inline constexpr int largest_spacing_log2 = 6;    // of control points
 inline constexpr int area_block_log2 = 5;         // side of a block that has one area
+inline constexpr int unknown_area = 0xFF;         // code of a pixel's, where a table knows none: the largest
 inline constexpr int control_offset_px = 64;      // control points are unsigned: 0 means -64 px
 inline constexpr int control_scale = 32;          // steps per pixel
 inline constexpr int around_skin = 0xA000;        // y of points around the skin, from here on
@@ -80,8 +81,10 @@ struct Geometry {
   [[nodiscard]] constexpr std::size_t span_words() const {
     return spans ? 2 * static_cast<std::size_t>((height + 1) / 2) : 0;
   }
-  /// What the machine's pool holds.
-  [[nodiscard]] constexpr std::size_t pool_words() const { return span_words() + control_words(); }
+  /// What the machine's pool holds. `area_words`: of the facts.
+  [[nodiscard]] constexpr std::size_t pool_words(std::size_t area_words) const {
+    return (area_words + 1) / 2 * 2 + span_words() + control_words();
+  }
   /// Of a control point among the control words.
   [[nodiscard]] constexpr std::size_t control_index(int column, int row) const {
     return 2 * (static_cast<std::size_t>(row / 2) * static_cast<std::size_t>(columns()) +
@@ -131,11 +134,14 @@ constexpr std::optional<Geometry> read_geometry(std::span<const std::uint32_t> w
   return geometry;
 }
 
-/// Word 3: words between it and the first span, or control point; nothing where there are too few. The machine judges it
-/// likewise.
+inline constexpr std::uint32_t areas_known = 1U << 16;   // of word 3
+inline constexpr std::uint32_t shifts_known = 1U << 17;  // the same
+
+/// Word 3: words between it and the first span, or control point; nothing where there are too few, or areas that are not
+/// known, or none that are. The machine judges it likewise.
 constexpr std::optional<std::size_t> read_fact_words(std::uint32_t word) {
   const std::uint32_t count = word & 0xFFFU;
-  if (count < fact_words) return {};
+  if (count < fact_words || (count > fact_words) != ((word & areas_known) != 0)) return {};
   return count;
 }
 
@@ -199,12 +205,8 @@ struct Facts {
   [[nodiscard]] std::size_t area_count(const Geometry& geometry) const {
     return static_cast<std::size_t>(area_columns(geometry)) * static_cast<std::size_t>(area_rows(geometry));
   }
+  static constexpr std::size_t words_of(std::size_t areas) { return (areas + 3) / 4; }
 };
-
-namespace detail {
-inline constexpr std::uint32_t areas_known = 1U << 16;
-inline constexpr std::uint32_t shifts_known = 1U << 17;
-}  // namespace detail
 
 /// Words of a table, without CRC: 0 stands for it. `control(column, row)` gives the words of the control points. A
 /// geometry with spans needs one of each row.
@@ -214,7 +216,7 @@ std::vector<std::uint32_t> write(const Geometry& geometry, const Facts& facts, C
   if (spans.size() != (geometry.spans ? static_cast<std::size_t>(geometry.height) : 0)) {
     throw std::invalid_argument("as many spans as the table has rows");
   }
-  const std::size_t area_words = (facts.areas.size() + 3) / 4;
+  const std::size_t area_words = Facts::words_of(facts.areas.size());
   const std::uint32_t pixels = facts.result_pixels(geometry);
   const ShiftRange shifts = facts.shifts.value_or(ShiftRange{});
   std::vector<std::uint32_t> words{
@@ -223,7 +225,7 @@ std::vector<std::uint32_t> write(const Geometry& geometry, const Facts& facts, C
           static_cast<std::uint32_t>(geometry.spacing_y_log2),
       static_cast<std::uint32_t>(geometry.row_pairs()) << 16 | static_cast<std::uint32_t>(geometry.columns()),
       geometry.size_word(),
-      (facts.shifts ? detail::shifts_known : 0U) | (facts.areas.empty() ? 0U : detail::areas_known) |
+      (facts.shifts ? shifts_known : 0U) | (facts.areas.empty() ? 0U : areas_known) |
           static_cast<std::uint32_t>(facts.subsample) << 12 | static_cast<std::uint32_t>(fact_words + area_words),
       facts.judgeable_by_thesis,
       facts.judgeable_by_compete,
@@ -234,7 +236,7 @@ std::vector<std::uint32_t> write(const Geometry& geometry, const Facts& facts, C
   for (std::size_t i = 0; i < facts.areas.size(); ++i) {
     words[header_words + fact_words + i / 4] |= std::uint32_t{facts.areas[i]} << (8 * (i % 4));
   }
-  words.reserve(words.size() + geometry.pool_words() + 1);
+  words.reserve(words.size() + geometry.span_words() + geometry.control_words() + 1);
   for (const Span& span : spans) words.push_back(span.word());
   if (spans.size() % 2 != 0) words.push_back(0);
   for (int pair = 0; pair < geometry.row_pairs(); ++pair) {
@@ -253,6 +255,10 @@ struct Header {
   Facts facts;
   std::size_t first_span = 0;     // word
   std::size_t first_control = 0;  // word
+
+  [[nodiscard]] std::size_t pool_words() const {
+    return geometry.pool_words(first_span - header_words - fact_words);
+  }
 };
 
 /// Throws std::invalid_argument that says what is wrong with the words of a table. Does not look at the CRC.
@@ -273,28 +279,29 @@ inline Header read(std::span<const std::uint32_t> words) {
   Header header{*geometry, {}, 0, 0};
   Facts& facts = header.facts;
   const auto count = read_fact_words(words[3]);
-  require(count.has_value(), text(words[3] & 0xFFFU) + " words of facts");
+  require(count.has_value(), text(words[3] & 0xFFFU) + " words of facts, with areas " +
+                                 ((words[3] & areas_known) != 0 ? "known" : "not known"));
   header.first_span = header_words + *count;
   header.first_control = header.first_span + geometry->span_words();
   require(words.size() == header.first_control + geometry->control_words() + 1,
           text(words.size()) + " words for " + text(*count) + " words of facts, " + text(geometry->span_words()) +
               " of spans and " + text(geometry->columns()) + " x " + text(2 * geometry->row_pairs()) +
               " control points");
-  const bool areas_known = (words[3] & detail::areas_known) != 0;
-  const bool shifts_known = (words[3] & detail::shifts_known) != 0;
+  const bool knows_areas = (words[3] & areas_known) != 0;
+  const bool knows_shifts = (words[3] & shifts_known) != 0;
   facts.subsample = static_cast<int>(words[3] >> 12 & 15U);
   require(words[3] >> 18 == 0 && (facts.subsample == 1 || facts.subsample == 2), "bad flags or sub-sampling");
-  const std::size_t areas = areas_known ? facts.area_count(*geometry) : 0;
-  require(*count == fact_words + (areas + 3) / 4, text(*count) + " words of facts for " + text(areas) + " areas");
+  const std::size_t areas = knows_areas ? facts.area_count(*geometry) : 0;
+  require(*count == fact_words + Facts::words_of(areas), text(*count) + " words of facts for " + text(areas) + " areas");
   facts.judgeable_by_thesis = words[4];
   facts.judgeable_by_compete = words[5];
   const std::uint32_t pixels = facts.result_pixels(*geometry);
   require(words[4] <= pixels && words[5] <= pixels && words[6] == pixels - words[4] && words[7] == pixels - words[5],
           "judgeable and unsupervised pixels that are not together those of the result");
   const ShiftRange shifts{static_cast<std::int16_t>(words[8]), static_cast<std::int16_t>(words[8] >> 16)};
-  require(shifts_known ? shifts.lowest_px <= 0 && shifts.highest_px >= 0 : words[8] == 0,
+  require(knows_shifts ? shifts.lowest_px <= 0 && shifts.highest_px >= 0 : words[8] == 0,
           "shifts that do not hold the skin's, or are there and not known");
-  if (shifts_known) facts.shifts = shifts;
+  if (knows_shifts) facts.shifts = shifts;
   facts.areas.resize(areas);
   for (std::size_t i = 0; i < (areas + 3) / 4 * 4; ++i) {
     const auto code = static_cast<std::uint8_t>(words[header_words + fact_words + i / 4] >> (8 * (i % 4)));

@@ -44,6 +44,9 @@ struct Settings {
   /// An object on the skin that is this many px across in the left image is an alarm; 0 = none is. object_limit() says how
   /// many pixels that is.
   double object_px = 100;
+  /// Where it is not 0: a body this many mm across is, wherever it is. object_area_limit() says what area that is, and no
+  /// number of pixels is an alarm. object_px must be what it has where the skin is farthest. For tables that know areas.
+  double object_mm = 0;
   BlindSettings blind;  ///< what counts as an object where nothing can be decided
   /// Of supported_pixels (support.hpp); more are a fault. Noise alone leaves more undecidable with `thesis`; `compete`
   /// decides some of it, the more the stronger it is (its votes gather in patches).
@@ -109,7 +112,10 @@ struct FrameResult {
   std::int64_t undecidable_pixels = 0;
   std::int64_t unsupervised_pixels = 0;
   std::int64_t largest_object_pixels = 0;  ///< pixels that touch each other and are in the skin or blind
-  std::int64_t object_limit_pixels = 0;    ///< an object of so many is an alarm
+  std::int64_t object_limit_pixels = 0;    ///< an object of so many is an alarm; of an area: the fewest it can have
+  std::uint32_t largest_object_area = 0;   ///< of the same object, 1/1024 mm² (horopter/hls/area.hpp)
+  std::uint32_t object_area_limit = 0;     ///< an object of so much is an alarm, and no number of pixels; 0: pixels are
+  std::vector<std::uint8_t> areas;         ///< of the table that made it, as in its facts; empty: not known
   std::int64_t blind_pixels = 0;           ///< undecidable, where that could be decided when it was taught
   std::vector<std::uint8_t> blind;         ///< of each pixel: 1 = it is one of these; empty where none can be
   std::int64_t hidden_pixels = 0;          ///< undecidable: something nearer than the skin is seen there
@@ -130,6 +136,11 @@ struct FrameResult {
 /// Pixels of the result of which an object is an alarm: half the disc that is settings.object_px across, for what the
 /// windows, places without texture and the majority leave of it. More than a frame has where none is.
 std::int64_t object_limit(const Settings& settings, const MachineProfile& profile);
+/// Half the disc that is settings.object_mm across.
+double half_disc_mm2(const Settings& settings);
+/// Area of the skin of which an object is an alarm, 1/1024 mm²: that, less what a table's code can be too small. 0 where
+/// pixels are. Throws UsageError for a size that no area stands for.
+std::uint32_t object_area_limit(const Settings& settings);
 /// px of the left image across; of what is smaller the windows and the majority leave nothing certain.
 double smallest_object_px(const MachineProfile& profile);
 
@@ -191,6 +202,7 @@ class Monitor {
   struct Slot {
     std::size_t base_word64 = 0;
     std::size_t words64 = 0;
+    std::vector<std::uint8_t> areas;  ///< of its table's facts
   };
 
   std::unique_ptr<Device> device_;

@@ -20,6 +20,9 @@ struct Region {
   double centroid_x = 0;
   double centroid_y = 0;
   std::int64_t blind_pixels = 0;  ///< of `pixels`
+  /// That they cover of the skin as the machine says it, 1/1024 mm² (horopter/hls/area.hpp); 0 where the frame has no limit of
+  /// areas.
+  std::uint32_t area = 0;
   friend bool operator==(const Region&, const Region&) = default;
 };
 
@@ -27,6 +30,8 @@ struct Region {
 std::vector<Region> regions_of(const Image& states);
 /// The same of pixels in the skin and blind ones: the machine's objects (hls/stages/objects.hpp).
 std::vector<Region> objects_of(const FrameResult& result);
+/// Whether one of these is an alarm.
+bool is_alarm(const Region& object, const FrameResult& result);
 
 /// Pixels of a row that belong together, ends included.
 struct PixelRun {

@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 244> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 246> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -147,7 +147,7 @@ inline constexpr std::array<RegisterField, 244> kRegisterFields = {{
     {0x0E8, "base_word64", {0, 16}, "Index of its first 64-bit word."},
     {0x0E8, "end_word64", {16, 16}, "Index after the last one, modulo 65536: it takes (end - base) modulo 65536 words, and all 65536 where that is 0."},
     {0x100, "value", {0, 32}, "0 = none yet."},
-    {0x104, "alarm", {0, 1}, "More skin pixels than ALARM_LIMIT, or an object of OBJECT_LIMIT."},
+    {0x104, "alarm", {0, 1}, "More skin pixels than ALARM_LIMIT, or an object of OBJECT_LIMIT or OBJECT_AREA_LIMIT."},
     {0x104, "safe", {1, 1}, "Complete, free of faults and of alarm."},
     {0x104, "slot", {2, 4}, "Slot of the table that made it, 15 = none."},
     {0x108, "left_short_line", {0, 1}, "A line of the left camera ended early; the whole row counts as missing."},
@@ -264,6 +264,8 @@ inline constexpr std::array<RegisterField, 244> kRegisterFields = {{
     {0x1B0, "margin", {2, 8}, "1/64 of a block's pixels."},
     {0x1B4, "pixels", {0, 24}, "Pixels of the result."},
     {0x1B8, "frames", {0, 16}, "Frames that have taught, before the one that is output, since it was begun or forgotten; at most 65535."},
+    {0x1BC, "of_1024", {0, 32}, "1/1024 mm², at most 4,194,303.999 mm²."},
+    {0x1C0, "of_1024", {0, 32}, "1/1024 mm²; all ones = never."},
 }};
 // clang-format on
 

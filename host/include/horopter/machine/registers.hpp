@@ -47,7 +47,7 @@ inline constexpr std::uint32_t kAddress = 0x004;
 inline constexpr Access kAccess = Access::kReadOnly;
 /// Counts compatible additions.
 inline constexpr Field kMinor{0, 16};
-inline constexpr std::uint32_t kMinorValue = 0x4;
+inline constexpr std::uint32_t kMinorValue = 0x5;
 /// Counts incompatible changes.
 inline constexpr Field kMajor{16, 16};
 inline constexpr std::uint32_t kMajorValue = 0x2;
@@ -603,7 +603,7 @@ inline constexpr Field kValue{0, 32};
 namespace frame_status {
 inline constexpr std::uint32_t kAddress = 0x104;
 inline constexpr Access kAccess = Access::kReadOnly;
-/// More skin pixels than ALARM_LIMIT, or an object of OBJECT_LIMIT.
+/// More skin pixels than ALARM_LIMIT, or an object of OBJECT_LIMIT or OBJECT_AREA_LIMIT.
 inline constexpr Field kAlarm{0, 1};
 /// Complete, free of faults and of alarm.
 inline constexpr Field kSafe{1, 1};
@@ -1075,7 +1075,7 @@ inline constexpr std::uint32_t kReset = 0x3E8;
 inline constexpr Field kPixels{0, 24};
 }  // namespace object_limit
 
-/// The largest object; this and the following two change some clocks before the others.
+/// The largest object; this, the following two and FRAME_OBJECT_AREA change some clocks before the others.
 namespace frame_object {
 inline constexpr std::uint32_t kAddress = 0x1A4;
 inline constexpr Access kAccess = Access::kReadOnly;
@@ -1134,6 +1134,24 @@ inline constexpr Access kAccess = Access::kReadOnly;
 /// Frames that have taught, before the one that is output, since it was begun or forgotten; at most 65535.
 inline constexpr Field kFrames{0, 16};
 }  // namespace taught
+
+/// What it covers of the skin, by the table's areas (OBJECT_AREA_LIMIT).
+namespace frame_object_area {
+inline constexpr std::uint32_t kAddress = 0x1BC;
+inline constexpr Access kAccess = Access::kReadOnly;
+/// 1/1024 mm², at most 4,194,303.999 mm².
+inline constexpr Field kOf1024{0, 32};
+}  // namespace frame_object_area
+
+/// And so is an object that covers this much of the skin, by the table's areas. A pixel of a table without areas covers
+/// 1023.999 mm².
+namespace object_area_limit {
+inline constexpr std::uint32_t kAddress = 0x1C0;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0xFFFFFFFF;
+/// 1/1024 mm²; all ones = never.
+inline constexpr Field kOf1024{0, 32};
+}  // namespace object_area_limit
 
 /// Every fault, as its bit of 64: FAULTS_CAMERAS is the lower word, FAULTS_MACHINE the upper.
 enum class Fault : std::uint8_t {
@@ -1247,7 +1265,7 @@ struct Register {
   bool locked;  ///< writes are refused while CONTROL.enable is 1
 };
 
-inline constexpr std::array<Register, 89> kRegisters = {{
+inline constexpr std::array<Register, 91> kRegisters = {{
     {"id", 0x000, Access::kReadOnly, false},
     {"version", 0x004, Access::kReadOnly, false},
     {"build_size", 0x008, Access::kReadOnly, false},
@@ -1337,6 +1355,8 @@ inline constexpr std::array<Register, 89> kRegisters = {{
     {"blocks", 0x1B0, Access::kReadWrite, false},
     {"frame_blind", 0x1B4, Access::kReadOnly, false},
     {"taught", 0x1B8, Access::kReadOnly, false},
+    {"frame_object_area", 0x1BC, Access::kReadOnly, false},
+    {"object_area_limit", 0x1C0, Access::kReadWrite, false},
 }};
 
 }  // namespace horopter::registers

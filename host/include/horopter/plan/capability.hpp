@@ -35,9 +35,10 @@ double disc_share(Decision decision, double diameter_px);
 struct Crossing {
   Decision decision = Decision::thesis;
   Body body = Body::ball;
-  double object_limit_px = 0;  ///< pixels of the result that are an alarm: object_limit()
-  double step_mm = 0;          ///< that a body goes from image to image; 0: it stands still
-  int images = 1;              ///< that must show it
+  double object_limit_px = 0;   ///< pixels of the result that are an alarm: object_limit()
+  double step_mm = 0;           ///< that a body goes from image to image; 0: it stands still
+  int images = 1;               ///< that must show it
+  double object_limit_mm2 = 0;  ///< where it is not 0: the area that is one, instead, whatever a table's codes are off
 };
 
 /// The smallest diameter, mm, from which on all bodies are found where the skin is so thick and a px of the result is so
