@@ -961,8 +961,8 @@ class Agreement {
     Seen seen;
     if (looked.inside) {
       const bool in_reach = OfPatches::in_reach(registration_.expected());
-      patches_.step_cell(x_, last_, looked.explained && in_reach && row_ >= first_row + across_reach,
-                         looked.best.shift, registration_.slope_here());
+      patches_.step_cell(x_, last_, looked.explained && in_reach && row_ >= first_row + across_reach, looked.best.shift,
+                         registration_.slope_here());
       const Shown right = shown_right_.read(x_);
       shown_right_.write(x_, Shown{});
       seen.textured = looked.textured;

@@ -79,8 +79,8 @@ class Patches {
     const s<10> other(s<10>(x) + shift);
     const bool right = shl<1>(x) > last;
     const bool beside_middle = !right && shl<1>(x) + lit<2>() > last;  // windows of both halves do not meet
-    const bool fits = x >= 1 && x < last && !beside_middle && other >= margin_cells &&
-                      other + lit<margin_cells>() <= s<10>(last);
+    const bool fits =
+        x >= 1 && x < last && !beside_middle && other >= margin_cells && other + lit<margin_cells>() <= s<10>(last);
     // The first one from a column of chance on, or the last one before it.
     const u<5> of_32 = right ? chance_.template bits<4, 0>() : chance_.template bits<9, 5>();
     const Column further(last >= 64 ? u<6>(shl<1>(of_32)) : u<6>(of_32));
@@ -172,7 +172,8 @@ class Patches {
     const u<3> at = step.template bits<2, 0>();
     decision_.is = true;
     for (int q = 0; q < 4; ++q) {
-      decision_.takes[static_cast<std::size_t>(q)] = at == q && (halves[step.template bits<5, 3>().value()] >> q & 1) != 0;
+      decision_.takes[static_cast<std::size_t>(q)] =
+          at == q && (halves[step.template bits<5, 3>().value()] >> q & 1) != 0;
     }
     decision_.all = step.template bits<5, 3>() == 0;
     decision_.begins = at == 1;
@@ -216,17 +217,19 @@ class Patches {
       });
       left_next_[h] = overlap(left_begins, left_window, [&](int column, int i) {
         if (row < reach || row >= reach + left_window) return;
-        left_.write(left_window * (left_window * h + static_cast<std::size_t>(row - reach)) + static_cast<std::size_t>(column), left[i]);
+        left_.write(
+            left_window * (left_window * h + static_cast<std::size_t>(row - reach)) + static_cast<std::size_t>(column),
+            left[i]);
       });
     }
   }
 #endif
 
  private:
-  static constexpr int side = 12;                          // px, of what is compared
-  static constexpr int reach = 8;                          // px to each side
-  static constexpr int border = 2;                         // px that a gradient needs around it
-  static constexpr int left_window = side + 2 * border;    // px
+  static constexpr int side = 12;                        // px, of what is compared
+  static constexpr int reach = 8;                        // px to each side
+  static constexpr int border = 2;                       // px that a gradient needs around it
+  static constexpr int left_window = side + 2 * border;  // px
   static constexpr int right_window = left_window + 2 * reach;
   static constexpr int displacements = 2 * reach + 1;
   static constexpr int right_codes = side + 2 * reach;
@@ -254,7 +257,8 @@ class Patches {
     return 0;
   }
 
-  static constexpr int patch_beats = beats_of(Work::code_right) + beats_of(Work::code_left) + beats_of(Work::match) + beats_of(Work::weigh);
+  static constexpr int patch_beats =
+      beats_of(Work::code_right) + beats_of(Work::code_left) + beats_of(Work::match) + beats_of(Work::weigh);
   /// Rows of cells from a band to the next: until both places are compared.
   static constexpr int stride = [] {
     constexpr int row_beats = P.result_width() * (P.packed() ? 2 : 1);
@@ -287,7 +291,8 @@ class Patches {
 
   [[nodiscard]] u<4> next_phase() const { return phase_ == stride - 1 ? u<4>(0) : u<4>(phase_ + lit<1>()); }
   static u<x_bits> left_from(const Choice& choice) {
-    return u<x_bits>(s<x_bits + 2>(u<x_bits>(shl<bits_for(CELL - 1)>(choice.column))) + s<5>(CELL / 2 - left_window / 2));
+    return u<x_bits>(s<x_bits + 2>(u<x_bits>(shl<bits_for(CELL - 1)>(choice.column))) +
+                     s<5>(CELL / 2 - left_window / 2));
   }
   static u<x_bits> right_from(const Choice& choice) {
     const s<10> column(s<10>(choice.column) + choice.shift);
@@ -365,11 +370,11 @@ class Patches {
     idle_ = now == Work::idle && !begins_;
     following_beats_ = u<12>(beats_of(following_) - 1);
     // What follows is known long before.
-    following_ = now == Work::code_right                ? Work::code_left
-                 : now == Work::code_left               ? Work::match
-                 : now == Work::match                   ? Work::weigh
-                 : (now == Work::weigh && !second_)     ? Work::code_right
-                                                        : Work::idle;
+    following_ = now == Work::code_right            ? Work::code_left
+                 : now == Work::code_left           ? Work::match
+                 : now == Work::match               ? Work::weigh
+                 : (now == Work::weigh && !second_) ? Work::code_right
+                                                    : Work::idle;
     second_ = !begins_ && (second_ || (ends_ && now == Work::weigh));
     ends_ = !next && remaining_ == 1;
     remaining_ = next ? beats : u<12>(remaining_ - lit<1>());
@@ -386,7 +391,6 @@ class Patches {
     step_ = next ? u<7>(0) : u<7>(step_ + lit<1>());
     begins_ = false;
   }
-
 
   struct Above {
     std::array<u<8>, 4> pixel{};  // the row above first
@@ -407,7 +411,8 @@ class Patches {
   };
 
   static u<4> code_of(s<15> gx, s<15> gy) {
-    return cat(u<1>(gx < -gradient_limit), u<1>(gx > gradient_limit), u<1>(gy < -gradient_limit), u<1>(gy > gradient_limit));
+    return cat(u<1>(gx < -gradient_limit), u<1>(gx > gradient_limit), u<1>(gy < -gradient_limit),
+               u<1>(gy > gradient_limit));
   }
 
   /// Pixels of the right window, then of the left one, become bits. Both have rows of right_window beats.
@@ -628,7 +633,8 @@ class Patches {
     });
     const Codes left = codes_at_once<left_window>([&](int y, int x) {
       return static_cast<int>(
-          left_.read(left_window * (left_window * half + static_cast<std::size_t>(y)) + static_cast<std::size_t>(x)).value());
+          left_.read(left_window * (left_window * half + static_cast<std::size_t>(y)) + static_cast<std::size_t>(x))
+              .value());
     });
     Peak peak;
     int size = 0;
@@ -689,12 +695,12 @@ class Patches {
   std::array<bool, 2> valid_{};
   std::array<u<6>, 2> right_next_{};
   std::array<u<5>, 2> left_next_{};
-  RAM<u<8>, std::size_t{right_window* right_window}, DISTANCE> right_0_, right_1_;
+  RAM<u<8>, std::size_t{right_window * right_window}, DISTANCE> right_0_, right_1_;
   RAM<u<8>, std::size_t{2 * left_window * left_window}, DISTANCE> left_;
 
   // Comparison.
   Work work_ = Work::idle;
-  bool second_ = false;    // place
+  bool second_ = false;  // place
   Work following_ = Work::idle;
   u<12> following_beats_{0};
   bool begins_ = false, ends_ = false, idle_ = true;
@@ -734,8 +740,8 @@ class Patches {
   };
   struct Decision {
     bool is = false;
-    bool all = false;                 // quarters, or those of a half
-    std::array<bool, 4> takes{};      // one of them
+    bool all = false;                   // quarters, or those of a half
+    std::array<bool, 4> takes{};        // one of them
     bool begins = false, adds = false;  // what was taken a beat before
     bool ends = false;
   };

@@ -127,7 +127,7 @@ struct Object {
   int pixels = 0;
   int blind = 0;           // of these
   std::uint32_t area = 0;  // that it covers of the skin, 1/1024 mm² (horopter/hls/area.hpp)
-  int left = 0;  // box: columns and rows, inclusive
+  int left = 0;            // box: columns and rows, inclusive
   int top = 0;
   int right = 0;
   int bottom = 0;

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "horopter/base/error.hpp"
-#include "horopter/hls/area.hpp"
 #include "horopter/map/map.hpp"
 #include "horopter/map/skin_places.hpp"
 #include "horopter/map/support.hpp"
@@ -173,9 +172,10 @@ std::string object_text(const ObjectOption& option, const Settings& settings, co
   const std::string mm = option.mm ? fmt::format("{:g} mm, ", *option.mm) : "";
   const std::int64_t limit = object_limit(settings, profile);
   std::string text = fmt::format("{}{:.0f} px across, {} pixels of the result", mm, settings.object_px, limit);
-  if (const double area_mm2 = object_area_limit(settings) / double{hls::area_steps_per_mm2}; area_mm2 > 0) {
-    text = fmt::format("{}an area of {:.0f} mm2; where the skin is farthest {:.0f} px across, about {} pixels of the result",
-                       mm, area_mm2, settings.object_px, limit);
+  if (const double area_mm2 = object_area_limit_mm2(settings); area_mm2 > 0) {
+    text = fmt::format(
+        "{}an area of {:.0f} mm2; where the skin is farthest {:.0f} px across, about {} pixels of the result", mm,
+        area_mm2, settings.object_px, limit);
   }
   if (limit > judgeable_pixels) {
     text += fmt::format("; {} can judge {} of this skin, so only --alarm-limit counts", name_of(settings.decision),

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "horopter/hls/area.hpp"
 #include "horopter/base/ending.hpp"
 #include "horopter/base/json_text.hpp"
 #include "horopter/draw/overlay.hpp"
@@ -247,9 +246,9 @@ ExitStatus run(const RunOptions& options) {
                        {"pixels", object_limit(session.settings, *session.profile)},
                        {"judgeable_pixels", session.judgeable_pixels},
                        {"in_mm", session.follower->in_mm()}};
-  const std::uint32_t area_limit = object_area_limit(session.settings);
-  summary["object"]["limit"] = area_limit != 0 ? "area" : "pixels";
-  if (area_limit != 0) summary["object"]["area_mm2"] = area_limit / double{hls::area_steps_per_mm2};
+  const double area_limit_mm2 = object_area_limit_mm2(session.settings);
+  summary["object"]["limit"] = area_limit_mm2 > 0 ? "area" : "pixels";
+  if (area_limit_mm2 > 0) summary["object"]["area_mm2"] = area_limit_mm2;
   if (session.results_per_s) summary["frame_rate_per_s"] = *session.results_per_s;
   if (!options.json) {
     fmt::print("object: {}{}\n",

@@ -376,8 +376,8 @@ module horopter_csr #(
       agreement_limits_unproven_q <= 8'd115;
       agreement_limits_hidden_q <= 8'd26;
       hidden_frames_q <= 8'd50;
-      registration_moved_q <= 6'd8;
-      registration_moved_half_q <= 6'd14;
+      registration_moved_q <= 6'd3;
+      registration_moved_half_q <= 6'd5;
       registration_patches_q <= 6'd8;
       epipolar_slope_q <= 16'd0;
       epipolar_column_q <= 16'd0;

@@ -174,9 +174,8 @@ inline std::uint32_t bits_of(const ObjectBits& bits, unsigned lowest, unsigned c
 }
 inline native::Object object_of(const ObjectBits& bits) {
   const auto number = [&](unsigned lowest, unsigned count) { return static_cast<int>(bits_of(bits, lowest, count)); };
-  return {number(0, 24),  number(24, 24),  bits_of(bits, 48, 32),  number(80, 16),
-          number(112, 16), number(96, 16), number(128, 16),        bits_of(bits, 144, 32),
-          bits_of(bits, 176, 32)};
+  return {number(0, 24),  number(24, 24),  bits_of(bits, 48, 32),  number(80, 16),        number(112, 16),
+          number(96, 16), number(128, 16), bits_of(bits, 144, 32), bits_of(bits, 176, 32)};
 }
 
 struct MachineOptions {
@@ -215,7 +214,8 @@ class Machine : public Endpoint {
     settings_.object_limit = static_cast<int>(options.width * options.height) + 1;  // none is an alarm
     for (Endpoint* endpoint :
          {static_cast<Endpoint*>(&left_), static_cast<Endpoint*>(&right_), static_cast<Endpoint*>(&states_),
-          static_cast<Endpoint*>(&runs_), static_cast<Endpoint*>(&objects_), static_cast<Endpoint*>(&host_), static_cast<Endpoint*>(this)}) {
+          static_cast<Endpoint*>(&runs_), static_cast<Endpoint*>(&objects_), static_cast<Endpoint*>(&host_),
+          static_cast<Endpoint*>(this)}) {
       simulation_.attach(*endpoint);
     }
     model().s_axis_test_tvalid = 0;
@@ -351,8 +351,8 @@ class Machine : public Endpoint {
     const auto pair = [](int low, int high) {
       return static_cast<std::uint32_t>(low) | static_cast<std::uint32_t>(high) << 16;
     };
-    return {static_cast<std::uint32_t>(object.pixels), pair(object.left, object.right),
-            pair(object.top, object.bottom), object.area};
+    return {static_cast<std::uint32_t>(object.pixels), pair(object.left, object.right), pair(object.top, object.bottom),
+            object.area};
   }
 
   /// States, runs, counts, table, the largest object and alarm of a frame without faults are those of the native engine. It is safe, and the
@@ -454,7 +454,8 @@ class Machine : public Endpoint {
   void take_objects(Published& p) {
     auto& objects = objects_.beats();
     const auto is_last = [](const auto& beat) { return beat.last; };
-    simulation_.run_until([&] { return std::ranges::any_of(objects, is_last); }, 10'000, "the last beat of m_axis_objects");
+    simulation_.run_until([&] { return std::ranges::any_of(objects, is_last); }, 10'000,
+                          "the last beat of m_axis_objects");
     const auto last = std::ranges::find_if(objects, is_last);
     for (auto beat = objects.begin(); beat != last; ++beat) p.objects.push_back(object_of(beat->data));
     p.objects_found = bits_of(last->data, 0, 24);

@@ -533,8 +533,9 @@ TEMPLATE_TEST_CASE("every fault is named, and not safe", "[faults][every]", Fiel
   }
 }
 
-TEMPLATE_TEST_CASE("a bit of a row's span, or of an area, falls over in the pool: named, not safe, and over when it is back",
-                   "[faults][every]", FieldThesis, VgaThesis, HdThesis) {
+TEMPLATE_TEST_CASE(
+    "a bit of a row's span, or of an area, falls over in the pool: named, not safe, and over when it is back",
+    "[faults][every]", FieldThesis, VgaThesis, HdThesis) {
   Rng rng{"spans"};
   const hls::Profile profile = native::make_engine(TestType::kProfile)->profile();
   const auto table = with_areas(with_spans(plane_table(kWidth, kHeight, kShift), rng), profile, rng);

@@ -709,7 +709,8 @@ void slow_reader_of_objects(const std::string& profile, bool compete, unsigned w
   machine.objects().set_pace(Pace::random(0, 1));
   const unsigned before = machine.frames_done();
   for (int frame = 0; frame < 2; ++frame) machine.send(scene());
-  machine.simulation().run_until([&] { return machine.frames_done() == before + 2; }, 80ULL * width * height, "2 frames");
+  machine.simulation().run_until([&] { return machine.frames_done() == before + 2; }, 80ULL * width * height,
+                                 "2 frames");
   machine.settle();
   machine.objects().set_pace({});
   machine.settle();

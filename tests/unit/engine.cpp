@@ -206,7 +206,8 @@ TEST_CASE("engine: objects are those of one step a pixel") {
     const native::TableView table(frame.table);
     const auto code_at = [&](int x, int y) {
       const int columns = (result.width + 31) / 32;
-      return table.areas().empty() ? std::uint8_t{hls::table::unknown_area} : table.areas()[static_cast<std::size_t>(y / 32 * columns + x / 32)];
+      return table.areas().empty() ? std::uint8_t{hls::table::unknown_area}
+                                   : table.areas()[static_cast<std::size_t>(y / 32 * columns + x / 32)];
     };
     typename Finder::Out out;
     const auto step = [&](const typename Finder::In& in) {
@@ -214,8 +215,8 @@ TEST_CASE("engine: objects are those of one step a pixel") {
       if (!out.ended) return;
       const auto& o = out.object;
       found.push_back({static_cast<int>(o.pixels.value()), static_cast<int>(o.blind.value()), o.area.value(),
-                       o.left.value(), o.top.value(), o.right.value(), o.bottom.value(), static_cast<std::int64_t>(o.columns.value()),
-                       static_cast<std::int64_t>(o.rows.value())});
+                       o.left.value(), o.top.value(), o.right.value(), o.bottom.value(),
+                       static_cast<std::int64_t>(o.columns.value()), static_cast<std::int64_t>(o.rows.value())});
     };
     for (int y = 0; y < result.height; ++y) {
       for (int x = 0; x < result.width; ++x) {

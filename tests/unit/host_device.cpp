@@ -587,7 +587,8 @@ TEST_CASE("A body of so many mm is an alarm by the area that it covers, and with
       if (x < 20 || x >= 68 || y < 8 || y >= 56) right.at(x, y) = other.at(x, y);
     }
   }
-  for (const auto& [slot, pixel_mm2, alarm] : {std::tuple{0, 1.0, true}, {1, 0.25, false}, {2, 1048575.0 / 1024, true}}) {
+  for (const auto& [slot, pixel_mm2, alarm] :
+       {std::tuple{0, 1.0, true}, {1, 0.25, false}, {2, 1048575.0 / 1024, true}}) {
     CAPTURE(slot);
     monitor.select(slot);
     const FrameResult result = monitor.process(left, right);

@@ -52,8 +52,9 @@ void add_limits(std::vector<RegisterWord>& words, const MachineProfile& profile,
       RegisterWord{reg::self_limit::kAddress, limit_of(settings.self_percent, largest_sum)},
       RegisterWord{reg::texture_limit::kAddress, number(native::Settings::texture_limit_for(settings.texture))},
       RegisterWord{reg::alarm_limit::kAddress, limit_of(settings.alarm_percent, result)},
-      RegisterWord{reg::object_limit::kAddress,
-                   static_cast<std::uint32_t>(area != 0 ? pixels_of_frame(profile) + 1 : object_limit(settings, profile))},
+      RegisterWord{
+          reg::object_limit::kAddress,
+          static_cast<std::uint32_t>(area != 0 ? pixels_of_frame(profile) + 1 : object_limit(settings, profile))},
       RegisterWord{reg::object_area_limit::kAddress, area != 0 ? area : reg::object_area_limit::kReset},
       blocks_word(settings.blind),
       RegisterWord{reg::unsupervised_limit::kAddress, limit_of(settings.unsupervised_percent, result)},
@@ -135,10 +136,14 @@ std::uint32_t object_area_limit(const Settings& settings) {
   constexpr double kLargestError = 1.0 / 16;  // of a code: half a step of its mantissa, of 1 at least
   const double steps = std::floor(half_disc_mm2(settings) * (1 - kLargestError) * hls::area_steps_per_mm2);
   if (!(steps >= 1 && steps < reg::object_area_limit::kReset)) {
-    throw UsageError(fmt::format("an object of {:g} mm across has no area that the machine can compare with",
-                                 settings.object_mm));
+    throw UsageError(
+        fmt::format("an object of {:g} mm across has no area that the machine can compare with", settings.object_mm));
   }
   return static_cast<std::uint32_t>(steps);
+}
+
+double object_area_limit_mm2(const Settings& settings) {
+  return object_area_limit(settings) / double{hls::area_steps_per_mm2};
 }
 
 double smallest_object_px(const MachineProfile& profile) {

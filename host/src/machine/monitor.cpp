@@ -78,9 +78,8 @@ void check_objects(const FrameResult& result) {
                                   alarming->pixels, alarming->area / double{hls::area_steps_per_mm2}));
   }
   // Of several with as many pixels it tells of one.
-  const bool same_area = std::ranges::any_of(objects, [&](const Region& o) {
-    return o.pixels == largest && o.area == result.largest_object_area;
-  });
+  const bool same_area = std::ranges::any_of(
+      objects, [&](const Region& o) { return o.pixels == largest && o.area == result.largest_object_area; });
   if (result.object_area_limit != 0 && !objects.empty() && !same_area) {
     throw DeviceError(fmt::format("the machine's largest object covers {} of 1/1024 mm2; by the table's areas it is {}",
                                   result.largest_object_area, objects.front().area));
@@ -248,8 +247,7 @@ Monitor::Repeated::Repeated(Monitor& monitor) : monitor_(monitor) {
 Monitor::Repeated::~Repeated() {
   try {
     monitor_.device_->write(reg::frozen_limit::kAddress, static_cast<std::uint32_t>(monitor_.settings_.frozen_limit));
-    monitor_.device_->write(reg::still_limit::kAddress,
-                            static_cast<std::uint32_t>(monitor_.settings_.still_limit));
+    monitor_.device_->write(reg::still_limit::kAddress, static_cast<std::uint32_t>(monitor_.settings_.still_limit));
   } catch (const Error&) {
     // The machine does not answer: the next frame says so.
   }

@@ -80,7 +80,8 @@ std::vector<FrameResult> MovingSupervisor::process(const Image& left, const Imag
     settled_ = true;
     const bool whole = maps_.geometry().scan == Scan::progressive;
     const auto show = [&] {
-      return (whole ? monitor_.process(left, right) : monitor_.process(field_of(left, 0), field_of(right, 0))).agreement.patches;
+      return (whole ? monitor_.process(left, right) : monitor_.process(field_of(left, 0), field_of(right, 0)))
+          .agreement.patches;
     };
     bool round = show() != 0;
     const Monitor::Repeated repeated(monitor_);

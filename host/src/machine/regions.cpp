@@ -59,10 +59,14 @@ Labelled connected(const cv::Mat& mask, const cv::Mat& blind, const std::vector<
   if (codes != nullptr) areas = areas_of(found.labels, count, *codes);
   for (int i = 1; i < count; ++i) {
     const int* row = stats.ptr<int>(i);
-    const Region region{row[cv::CC_STAT_LEFT],      row[cv::CC_STAT_TOP],
-                        row[cv::CC_STAT_WIDTH],     row[cv::CC_STAT_HEIGHT],
-                        row[cv::CC_STAT_AREA],      centroids.at<double>(i, 0),
-                        centroids.at<double>(i, 1), blind_pixels[static_cast<std::size_t>(i)],
+    const Region region{row[cv::CC_STAT_LEFT],
+                        row[cv::CC_STAT_TOP],
+                        row[cv::CC_STAT_WIDTH],
+                        row[cv::CC_STAT_HEIGHT],
+                        row[cv::CC_STAT_AREA],
+                        centroids.at<double>(i, 0),
+                        centroids.at<double>(i, 1),
+                        blind_pixels[static_cast<std::size_t>(i)],
                         areas[static_cast<std::size_t>(i)]};
     found.regions.emplace_back(region, i);
   }

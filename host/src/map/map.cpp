@@ -29,7 +29,8 @@ std::vector<ScanGeometry> scans_of(const MachineProfile& profile, int image_widt
 
 std::size_t MapTable::pool_bytes(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2, bool spans,
                                  std::size_t areas) {
-  return table_geometry(geometry, spacing_x_log2, spacing_y_log2, spans).pool_words(hls::table::Facts::words_of(areas)) *
+  return table_geometry(geometry, spacing_x_log2, spacing_y_log2, spans)
+             .pool_words(hls::table::Facts::words_of(areas)) *
          sizeof(std::uint32_t);
 }
 

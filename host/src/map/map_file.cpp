@@ -64,9 +64,9 @@ void check_table(const CompiledMap& map, const MachineProfile& profile, const Sc
   require(found.width == scan.width && found.height == scan.height && found.scan == scan.scan,
           fmt::format("{} rows of {} px, {}, where the image has {} rows of {} px, {}", found.height, found.width,
                       scan_name(found.scan), scan.height, scan.width, scan_name(scan.scan)));
-  require(
-      table.pool_bytes() <= static_cast<std::size_t>(profile.pool_bytes),
-      fmt::format("{} bytes of areas, spans and control points; the pool holds {}", table.pool_bytes(), profile.pool_bytes));
+  require(table.pool_bytes() <= static_cast<std::size_t>(profile.pool_bytes),
+          fmt::format("{} bytes of areas, spans and control points; the pool holds {}", table.pool_bytes(),
+                      profile.pool_bytes));
   const hls::table::Facts true_facts = facts_of(table, profile);
   const hls::table::Facts& facts = table.facts();
   require(facts.subsample == true_facts.subsample && facts.judgeable_by_thesis == true_facts.judgeable_by_thesis &&

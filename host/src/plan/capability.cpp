@@ -77,8 +77,7 @@ bool is_found(const Crossing& crossing, double diameter_mm, double thickness_mm,
   if (!(needed < kPlaces)) return false;
   const int length = static_cast<int>(std::ceil(needed)) + 1;
   const double px_mm2 = mm_per_px * mm_per_px;
-  const double limit_px =
-      crossing.object_limit_mm2 > 0 ? crossing.object_limit_mm2 / px_mm2 : crossing.object_limit_px;
+  const double limit_px = crossing.object_limit_mm2 > 0 ? crossing.object_limit_mm2 / px_mm2 : crossing.object_limit_px;
   int good = 0;
   for (int i = 0; i <= kPlaces; ++i) {
     const Part part = part_in_skin(crossing.body, radius_mm, way_mm * i / kPlaces, thickness_mm);

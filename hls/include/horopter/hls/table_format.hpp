@@ -256,9 +256,7 @@ struct Header {
   std::size_t first_span = 0;     // word
   std::size_t first_control = 0;  // word
 
-  [[nodiscard]] std::size_t pool_words() const {
-    return geometry.pool_words(first_span - header_words - fact_words);
-  }
+  [[nodiscard]] std::size_t pool_words() const { return geometry.pool_words(first_span - header_words - fact_words); }
 };
 
 /// Throws std::invalid_argument that says what is wrong with the words of a table. Does not look at the CRC.
@@ -292,7 +290,8 @@ inline Header read(std::span<const std::uint32_t> words) {
   facts.subsample = static_cast<int>(words[3] >> 12 & 15U);
   require(words[3] >> 18 == 0 && (facts.subsample == 1 || facts.subsample == 2), "bad flags or sub-sampling");
   const std::size_t areas = knows_areas ? facts.area_count(*geometry) : 0;
-  require(*count == fact_words + Facts::words_of(areas), text(*count) + " words of facts for " + text(areas) + " areas");
+  require(*count == fact_words + Facts::words_of(areas),
+          text(*count) + " words of facts for " + text(areas) + " areas");
   facts.judgeable_by_thesis = words[4];
   facts.judgeable_by_compete = words[5];
   const std::uint32_t pixels = facts.result_pixels(*geometry);

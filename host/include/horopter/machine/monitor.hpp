@@ -141,6 +141,8 @@ double half_disc_mm2(const Settings& settings);
 /// Area of the skin of which an object is an alarm, 1/1024 mm²: that, less what a table's code can be too small. 0 where
 /// pixels are. Throws UsageError for a size that no area stands for.
 std::uint32_t object_area_limit(const Settings& settings);
+/// The same in mm².
+double object_area_limit_mm2(const Settings& settings);
 /// px of the left image across; of what is smaller the windows and the majority leave nothing certain.
 double smallest_object_px(const MachineProfile& profile);
 

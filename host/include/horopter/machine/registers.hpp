@@ -842,7 +842,7 @@ inline constexpr Field kFrames{0, 8};
 namespace registration {
 inline constexpr std::uint32_t kAddress = 0x13C;
 inline constexpr Access kAccess = Access::kReadWrite;
-inline constexpr std::uint32_t kReset = 0x8388;
+inline constexpr std::uint32_t kReset = 0x8143;
 /// A median of this or more is a fault, of the image or, in opposite directions, of two halves of it.
 inline constexpr Field kMoved{0, 6};
 /// In one half of the image a median of this or more is.

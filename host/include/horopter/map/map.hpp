@@ -48,8 +48,8 @@ class MapTable {
   std::uint32_t crc() const { return words_.back(); }
   /// Areas, spans and control points: what the pool must hold.
   std::size_t pool_bytes() const { return header_.pool_words() * sizeof(std::uint32_t); }
-  static std::size_t pool_bytes(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2, bool spans = false,
-                                std::size_t areas = 0);
+  static std::size_t pool_bytes(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2,
+                                bool spans = false, std::size_t areas = 0);
 
   std::uint32_t control(int column, int row) const { return words_[index(column, row)]; }
   void set_control(int column, int row, std::uint32_t value) { words_[index(column, row)] = value; }
