@@ -520,7 +520,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:507
   logic select_2356;
   assign select_2356 = and_500_s4_q ? (equal_2263_s4_q ? equal_2354 : final_row_q) : final_row_q;
-  // hls/stages/patches.hpp:340
+  // hls/stages/patches.hpp:345
   logic [8:0] sum_2739;
   assign sum_2739 = {1'b0, select_464_s4_q[3], or_2738_s4_q, select_559_s4_q} + 9'h1;
 
@@ -1943,7 +1943,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:99
   logic and_1582;
   assign and_1582 = (select_461_s10_q == 4'h0) & (select_464_s10_q == 7'h0);
-  // hls/stages/patches.hpp:288
+  // hls/stages/patches.hpp:292
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:103
@@ -2745,7 +2745,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:31
   logic not_1586;
   assign not_1586 = ~sample_pair_first_s13_q;
-  // hls/stages/patches.hpp:282
+  // hls/stages/patches.hpp:286
   logic equal_1590;
   assign equal_1590 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/registration.hpp:218
@@ -2777,7 +2777,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:125
   logic [27:0] column_6;
   assign column_6 = registration_slope_q + (and_2575_s13_q ? registration_slope_change_q : 28'h0);
-  // hls/stages/patches.hpp:342
+  // hls/stages/patches.hpp:347
   logic and_2677;
   assign and_2677 = not_1586 & equal_1588_s13_q;
   logic [8:0] select_2678;
@@ -2798,10 +2798,10 @@ module horopter_agreement (
   assign select_2687 = sample_pair_whole_s13_q ? (equal_1590 ? 4'h2 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
   logic [4:0] select_2689;
   assign select_2689 = sample_pair_whole_s13_q ? (patches_band_rows_number_q + {4'h0, equal_1590}) : patches_next_band_number_q;
-  // hls/stages/patches.hpp:300
+  // hls/stages/patches.hpp:305
   logic equal_2690;
   assign equal_2690 = phase_s13_q == 4'h0;
-  // hls/stages/patches.hpp:301
+  // hls/stages/patches.hpp:306
   logic not_2691;
   assign not_2691 = ~equal_2690;
   // hls/stages/agreement.hpp:263
@@ -3075,10 +3075,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:235
   logic and_1492;
   assign and_1492 = (and_1479_s14_q & select_1486_s14_q) & ({{22{sum_1490_s14_q[9]}}, sum_1490_s14_q} < 32'h3);
-  // hls/stages/patches.hpp:361
+  // hls/stages/patches.hpp:366
   logic not_1583;
   assign not_1583 = ~patches_begins_q;
-  // hls/stages/patches.hpp:331
+  // hls/stages/patches.hpp:336
   logic and_1587;
   assign and_1587 = patches_capturing_q & not_1586_s14_q;
   // hls/stages/patches.hpp:102
@@ -3087,7 +3087,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:218
   logic [13:0] select_1660;
   assign select_1660 = ($signed(10'h0) < $signed(select_1658_s14_q[16:7])) ? 14'h7f : select_1658_s14_q[13:0];
-  // hls/stages/patches.hpp:469
+  // hls/stages/patches.hpp:474
   logic equal_1690;
   assign equal_1690 = patches_work_q == 3'h4;
   logic equal_1692;
@@ -3095,15 +3095,15 @@ module horopter_agreement (
   // hls/stages/patches.hpp:143
   logic equal_1694;
   assign equal_1694 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:469
+  // hls/stages/patches.hpp:474
   logic equal_1695;
   assign equal_1695 = patches_work_q == 3'h2;
   logic or_1696;
   assign or_1696 = equal_1694 | equal_1695;
-  // hls/stages/patches.hpp:418
+  // hls/stages/patches.hpp:423
   logic not_1697;
   assign not_1697 = ~patches_second_q;
-  // hls/stages/patches.hpp:342
+  // hls/stages/patches.hpp:347
   logic [4:0] select_1719;
   assign select_1719 = and_1595 ? 5'h0 : (patches_row_q + 5'h1);
   // hls/stages/patches.hpp:103
@@ -3121,7 +3121,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:263
   logic [3:0] select_1765;
   assign select_1765 = and_1582_s14_q ? {select_1719[4], select_1719[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
-  // hls/stages/patches.hpp:481
+  // hls/stages/patches.hpp:486
   logic less_1830;
   assign less_1830 = patches_step_q[4:0] < 5'h11;
   logic equal_1831;
@@ -3132,7 +3132,7 @@ module horopter_agreement (
   assign equal_1833 = patches_step_q[6:5] == 2'h3;
   logic not_1834;
   assign not_1834 = ~equal_1833;
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic select_1837;
   assign select_1837 = equal_1833 ? (less_1830 & (less_1830 & not_1834)) : less_1830;
   // hls/stages/agreement.hpp:735
@@ -3143,49 +3143,49 @@ module horopter_agreement (
   assign select_2467 = or_521_s14_q ? (less_528_s14_q ? 8'h0 : best_left_rdata_s14_q[32:25]) : 8'h0;
   logic [7:0] select_2469;
   assign select_2469 = or_521_s14_q ? (less_528_s14_q ? 8'h0 : best_left_rdata_s14_q[24:17]) : 8'h0;
-  // hls/stages/patches.hpp:362
+  // hls/stages/patches.hpp:367
   logic or_2782;
   assign or_2782 = patches_begins_q | patches_ends_q;
-  // hls/stages/patches.hpp:364
+  // hls/stages/patches.hpp:369
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:163
   logic and_2788;
   assign and_2788 = equal_1690 & not_1697;
-  // hls/stages/patches.hpp:368
+  // hls/stages/patches.hpp:373
   logic and_2789;
   assign and_2789 = not_1751 & and_2788;
   logic [1:0] select_2791;
   assign select_2791 = equal_1692 ? 2'h0 : (equal_1695 ? 2'h3 : {equal_1694, and_2789});
-  // hls/stages/patches.hpp:250
+  // hls/stages/patches.hpp:253
   logic equal_2793;
   assign equal_2793 = patches_following_q == 3'h4;
-  // hls/stages/patches.hpp:248
+  // hls/stages/patches.hpp:251
   logic not_2794;
   assign not_2794 = ~equal_2793;
-  // hls/stages/patches.hpp:250
+  // hls/stages/patches.hpp:253
   logic equal_2795;
   assign equal_2795 = patches_following_q == 3'h3;
-  // hls/stages/patches.hpp:246
+  // hls/stages/patches.hpp:249
   logic not_2796;
   assign not_2796 = ~equal_2795;
-  // hls/stages/patches.hpp:254
+  // hls/stages/patches.hpp:257
   logic not_2798;
   assign not_2798 = ~(patches_following_q == 3'h2);
   logic and_2801;
   assign and_2801 = (~(patches_following_q == 3'h1)) & not_2798;
-  // hls/stages/patches.hpp:366
+  // hls/stages/patches.hpp:371
   logic [1:0] select_2802;
   assign select_2802 = equal_2795 ? 2'h2 : {and_2801, not_2798};
   logic [3:0] select_2803;
   assign select_2803 = equal_2793 ? 4'h2 : {select_2802, {2{not_2796}}};
-  // hls/stages/patches.hpp:374
+  // hls/stages/patches.hpp:379
   logic not_2806;
   assign not_2806 = ~or_2782;
-  // hls/stages/patches.hpp:363
+  // hls/stages/patches.hpp:368
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
-  // hls/stages/patches.hpp:375
+  // hls/stages/patches.hpp:380
   logic [11:0] select_2811;
   assign select_2811 = or_2782 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
 
@@ -3463,10 +3463,10 @@ module horopter_agreement (
   assign select_1667 = shift_2[8] ? select_1660_s15_q[11:0] : 12'h0;
   logic [10:0] sum_1669;
   assign sum_1669 = select_1667[11:1] + (shift_2[9] ? select_1660_s15_q[10:0] : 11'h0);
-  // hls/stages/patches.hpp:450
+  // hls/stages/patches.hpp:455
   logic not_1691;
   assign not_1691 = ~equal_1690_s15_q;
-  // hls/stages/patches.hpp:416
+  // hls/stages/patches.hpp:421
   logic not_1693;
   assign not_1693 = ~equal_1692_s15_q;
   logic and_1775;
@@ -3501,14 +3501,14 @@ module horopter_agreement (
   // hls/stages/patches.hpp:163
   logic [4:0] select_2813;
   assign select_2813 = or_2782_s15_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
-  // hls/stages/patches.hpp:492
+  // hls/stages/patches.hpp:497
   logic select_3272;
   assign select_3272 = less_1830_s15_q ? (not_1834_s15_q & and_3270_s15_q) : and_3270_s15_q;
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic select_3273;
   assign select_3273 = equal_1833_s15_q ? select_3272 : and_3270_s15_q;
 
-  // Memory patches_right_0, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:692; read in stage 15, written in stage 28: 15 < 28 < 15 + DISTANCE.
+  // Memory patches_right_0, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:698; read in stage 15, written in stage 28: 15 < 28 < 15 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_right_0_mem [0:1023];
@@ -3524,7 +3524,7 @@ module horopter_agreement (
     if (patches_right_0_re) patches_right_0_rdata_q <= patches_right_0_mem[patches_right_0_raddr];
   end
 
-  // Memory patches_right_1, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:692; read in stage 15, written in stage 28: 15 < 28 < 15 + DISTANCE.
+  // Memory patches_right_1, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:698; read in stage 15, written in stage 28: 15 < 28 < 15 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_right_1_mem [0:1023];
@@ -3540,9 +3540,10 @@ module horopter_agreement (
     if (patches_right_1_re) patches_right_1_rdata_q <= patches_right_1_mem[patches_right_1_raddr];
   end
 
-  // Memory patches_columns_above, 32 x 32, DISTANCE 24, hls/stages/patches.hpp:704; read in stage 15, written in stage 19: 15 < 19 < 15 + DISTANCE.
+  // Memory patches_columns_above, 32 x 32, DISTANCE 24, hls/stages/patches.hpp:710; read in stage 15, written in stage 19: 15 < 19 < 15 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [31:0] patches_columns_above_mem [0:31];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 32; i++) patches_columns_above_mem[i] = 32'h0;
@@ -3556,9 +3557,10 @@ module horopter_agreement (
     if (patches_columns_above_re) patches_columns_above_rdata_q <= patches_columns_above_mem[patches_columns_above_raddr];
   end
 
-  // Memory patches_rows, 17 x 15, DISTANCE 24, hls/stages/patches.hpp:723; read in stage 15, written in stage 29: 15 < 29 < 15 + DISTANCE.
+  // Memory patches_rows, 17 x 15, DISTANCE 24, hls/stages/patches.hpp:729; read in stage 15, written in stage 29: 15 < 29 < 15 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [14:0] patches_rows_mem [0:16];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 17; i++) patches_rows_mem[i] = 15'h0;
@@ -3790,7 +3792,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:955
   logic not_1470;
   assign not_1470 = ~equal_1469_s16_q;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_1502;
   assign and_1502 = ends_cell_s16_q & shift_2_s16_q[0];
   logic and_1504;
@@ -3840,7 +3842,7 @@ module horopter_agreement (
     if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory patches_left, 512 x 8, DISTANCE 24, hls/stages/patches.hpp:693; read in stage 16, written in stage 27: 16 < 27 < 16 + DISTANCE.
+  // Memory patches_left, 512 x 8, DISTANCE 24, hls/stages/patches.hpp:699; read in stage 16, written in stage 27: 16 < 27 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_left_mem [0:511];
@@ -4088,7 +4090,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:193
   logic not_1509;
   assign not_1509 = ~so_s17_q;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_1510;
   assign and_1510 = not_1509 & shift_2_s17_q[4];
   logic and_1607;
@@ -4096,7 +4098,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:81
   logic and_1630;
   assign and_1630 = less_1628_s17_q & (~right_3_s17_q);
-  // hls/stages/patches.hpp:82
+  // hls/stages/patches.hpp:83
   logic equal_1631;
   assign equal_1631 = x_s17_q == 8'h0;
   // hls/stages/agreement.hpp:964
@@ -4105,7 +4107,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:96
   logic [12:0] sum_1672;
   assign sum_1672 = {registration_slope_s17_q[11], registration_slope_s17_q} + {{5{sum_1671_s17_q[7]}}, sum_1671_s17_q};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_1686;
   assign and_1686 = ends_cell_s17_q & (shift_2_s17_q[0] & (and_1630 | equal_1683_s17_q));
   logic and_1688;
@@ -4113,7 +4115,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:148
   logic [7:0] pixel;
   assign pixel = equal_1694_s17_q ? (patches_second_s17_q ? 8'h0 : patches_right_0_rdata_s17_q) : 8'h0;
-  // hls/stages/patches.hpp:425
+  // hls/stages/patches.hpp:430
   logic [8:0] sum_1797;
   assign sum_1797 = {1'b0, patches_columns_above_rdata_s17_q[23:16]} + {3'h0, patches_columns_above_rdata_s17_q[31:26]};
   // hls/stages/agreement.hpp:1000
@@ -4124,19 +4126,19 @@ module horopter_agreement (
   assign select_2479 = ({wide_s17_q, 1'b0} < size_3_s17_q) ? {wide_s17_q, 1'b0} : size_3_s17_q;
   logic [8:0] taken;
   assign taken = ~select_2479;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2730;
   assign and_2730 = so_s17_q & (ends_cell_s17_q & (shift_2_s17_q[0] & not_2727_s17_q));
-  // hls/stages/patches.hpp:491
+  // hls/stages/patches.hpp:496
   logic [9:0] select_3240;
   assign select_3240 = less_1830_s17_q ? patches_rows_rdata_s17_q[9:0] : 10'h0;
-  // hls/stages/patches.hpp:492
+  // hls/stages/patches.hpp:497
   logic [9:0] select_3242;
   assign select_3242 = less_1830_s17_q ? (equal_1833_s17_q ? 10'h0 : select_3240) : 10'h0;
-  // hls/stages/patches.hpp:491
+  // hls/stages/patches.hpp:496
   logic [4:0] select_3247;
   assign select_3247 = less_1830_s17_q ? patches_rows_rdata_s17_q[14:10] : 5'h0;
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic [4:0] select_3250;
   assign select_3250 = equal_1833_s17_q ? (less_1830_s17_q ? (equal_1833_s17_q ? 5'h0 : select_3247) : 5'h0) : select_3247;
 
@@ -4589,7 +4591,7 @@ module horopter_agreement (
   assign select_1619 = shift_2_s18_q[10] ? registration_slope_here_q : 8'h0;
   logic [8:0] difference_1620;
   assign difference_1620 = {{2{select_1618[7]}}, select_1618[7:1]} - {select_1619[7], select_1619};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [5:0] select_1654;
   assign select_1654 = ends_cell_s18_q ? (shift_2_s18_q[0] ? shift_2_s18_q[10:5] : 6'h0) : 6'h0;
   // hls/stages/registration.hpp:218
@@ -4598,13 +4600,13 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
   assign slope = equal_1610 ? registration_slope_here_q : select_1676;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [7:0] select_1680;
   assign select_1680 = so_s18_q ? (ends_cell_s18_q ? (shift_2_s18_q[0] ? slope : 8'h0) : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:148
   logic [7:0] pixel_2;
   assign pixel_2 = equal_1694_s18_q ? select_1779_s18_q : patches_left_rdata_s18_q;
-  // hls/stages/patches.hpp:425
+  // hls/stages/patches.hpp:430
   logic [9:0] sum_1798;
   assign sum_1798 = {2'h0, patches_columns_above_rdata_s18_q[15:8]} + {1'b0, sum_1797_s18_q};
   // hls/stages/agreement.hpp:197
@@ -4651,21 +4653,21 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:245
   logic [4:0] select_2486;
   assign select_2486 = so_s18_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [7:0] select_2488;
   assign select_2488 = equal_1469_s18_q ? registration_slope_here_q : (so_s18_q ? slope : registration_slope_here_q);
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic [9:0] select_3245;
   assign select_3245 = less_1830_s18_q ? (equal_1831_s18_q ? 10'h0 : select_3243_s18_q) : select_3243_s18_q;
   logic [4:0] select_3252;
   assign select_3252 = less_1830_s18_q ? (equal_1831_s18_q ? 5'h0 : select_3250_s18_q) : select_3250_s18_q;
-  // hls/stages/patches.hpp:491
+  // hls/stages/patches.hpp:496
   logic and_3262;
   assign and_3262 = less_1830_s18_q & (patches_step_s18_q == 5'h0);
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic select_3265;
   assign select_3265 = equal_1833_s18_q ? (less_1830_s18_q ? (not_1834_s18_q & and_3262) : and_3262) : and_3262;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic select_3549;
   assign select_3549 = equal_1469_s18_q ? shown_shown_q : (so_s18_q ? select_1888 : shown_shown_q);
   logic select_3551;
@@ -4673,7 +4675,7 @@ module horopter_agreement (
   // hls/stages/division.hpp:34
   logic [7:0] sum_3553;
   assign sum_3553 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [7:0] select_3562;
   assign select_3562 = equal_1469_s18_q ? select_1848 : (so_s18_q ? (ends_cell_s18_q ? select_1940 : select_1848) : 8'h1);
   // hls/stages/agreement.hpp:447
@@ -4694,7 +4696,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:197
   logic or_3593;
   assign or_3593 = segment_starts_q | not_1509_s18_q;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic select_3597;
   assign select_3597 = ends_cell_s18_q ? (shift_2_s18_q[0] ? select_3595_s18_q : or_3593) : or_3593;
 
@@ -5016,7 +5018,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:147
   logic all;
   assign all = x_s19_q[5:3] == 3'h4;
-  // hls/stages/patches.hpp:184
+  // hls/stages/patches.hpp:185
   logic equal_1528;
   assign equal_1528 = x_s19_q[5:0] == 6'h3c;
   logic equal_1530;
@@ -5035,12 +5037,12 @@ module horopter_agreement (
   assign sum_1617 = {{3{sum_1613_s19_q[7]}}, sum_1613_s19_q} + {sum_1616_s19_q[8], sum_1616_s19_q, select_1614_s19_q};
   logic [9:0] sum_1621;
   assign sum_1621 = {difference_1620_s19_q, select_1618_s19_q} + {sum_1617[10], sum_1617[10:2]};
-  // hls/stages/patches.hpp:427
+  // hls/stages/patches.hpp:432
   logic [8:0] sum_1787;
   assign sum_1787 = {1'b0, patches_columns_above_rdata_s19_q[7:0]} + {2'h0, pixel_2_s19_q[7:1]};
   logic [8:0] sum_1788;
   assign sum_1788 = {1'b0, patches_columns_above_rdata_s19_q[23:16]} + {2'h0, patches_columns_above_rdata_s19_q[31:25]};
-  // hls/stages/patches.hpp:425
+  // hls/stages/patches.hpp:430
   logic [10:0] sum_1799;
   assign sum_1799 = {3'h0, patches_columns_above_rdata_s19_q[15:8]} + {sum_1798_s19_q, patches_columns_above_rdata_s19_q[25]};
   // hls/stages/patches.hpp:148
@@ -5049,13 +5051,13 @@ module horopter_agreement (
   // hls/stages/patches.hpp:160
   logic and_1815;
   assign and_1815 = or_1696_s19_q & ((equal_1694_s19_q & and_1811) & (patches_column_s19_q == 5'h1f));
-  // hls/stages/patches.hpp:440
+  // hls/stages/patches.hpp:445
   logic or_1821;
   assign or_1821 = equal_1694_s19_q | (~and_1811);
-  // hls/stages/patches.hpp:444
+  // hls/stages/patches.hpp:449
   logic and_1826;
   assign and_1826 = (~or_1821) & ((~patches_column_s19_q[4]) & (patches_column_s19_q == 5'hf));
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [5:0] select_1858;
   assign select_1858 = equal_1469_s19_q ? x_s19_q[5:0] : {region_row_q, or_1857_s19_q, or_1854_s19_q, or_1851_s19_q};
   // hls/stages/agreement.hpp:1070
@@ -5087,7 +5089,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:263
   logic select_2052;
   assign select_2052 = sample_pair_whole_s19_q ? all_of_skin : averager_running_of_skin_q;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2382;
   assign and_2382 = so_s19_q & (ends_cell_s19_q & (shift_2_s19_q[0] & shift_2_s19_q[1]));
   // hls/stages/agreement.hpp:1047
@@ -5099,7 +5101,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1030
   logic [1:0] sum_2408;
   assign sum_2408 = {1'b0, and_2405_s19_q} + ({1'b0, explained} + {1'b0, and_2406_s19_q});
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2443;
   assign and_2443 = ends_cell_s19_q & (shift_2_s19_q[0] & (shift_2_s19_q[2:1] == 2'h3));
   // hls/stages/agreement.hpp:1052
@@ -5113,10 +5115,10 @@ module horopter_agreement (
   assign select_2502 = less_2500_s19_q ? difference_2501 : {sum_2499_s19_q, shift_2_s19_q[4], registration_displacement_fraction_q};
   logic [7:0] select_2503;
   assign select_2503 = or_2498_s19_q ? {sum_2499_s19_q, shift_2_s19_q[4], 5'h0} : select_2502;
-  // hls/stages/patches.hpp:491
+  // hls/stages/patches.hpp:496
   logic [4:0] select_3254;
   assign select_3254 = less_1830_s19_q ? patches_step_s19_q : 5'h0;
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic [4:0] select_3257;
   assign select_3257 = equal_1833_s19_q ? (less_1830_s19_q ? (equal_1833_s19_q ? 5'h0 : select_3254) : 5'h0) : select_3254;
   logic [4:0] select_3259;
@@ -5128,7 +5130,7 @@ module horopter_agreement (
   assign or_3279 = patches_read_first_q | (patches_read_row_differing_s19_q < patches_peak_best_differing_q);
   logic and_3280;
   assign and_3280 = patches_read_searches_s19_q & or_3279;
-  // hls/stages/patches.hpp:474
+  // hls/stages/patches.hpp:479
   logic [14:0] select_3312;
   assign select_3312 = and_3280 ? {patches_read_row_column_s19_q, patches_read_row_differing_s19_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/patches.hpp:160
@@ -5157,7 +5159,7 @@ module horopter_agreement (
   assign select_3641 = (x_s19_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_3643;
   assign select_3643 = equal_3628 ? cfg_unproven_skin_limit_i : (equal_3606 ? cfg_unproven_limit_i : select_3641);
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic select_3745;
   assign select_3745 = so_s19_q ? (ends_cell_s19_q ? and_1928_s19_q : centres_values_0_textured_q) : centres_values_0_textured_q;
   logic select_3749;
@@ -5672,10 +5674,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic [1:0] sum_1520;
   assign sum_1520 = slot_s20_q[1:0] + 2'h3;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [3:0] select_1521;
   assign select_1521 = equal_1469_s20_q ? select_1519 : {sum_1520, lower_half_s20_q, registration_of_right_q};
-  // hls/stages/patches.hpp:184
+  // hls/stages/patches.hpp:185
   logic equal_1522;
   assign equal_1522 = x_s20_q[5:0] == 6'h3f;
   logic equal_1524;
@@ -5705,7 +5707,7 @@ module horopter_agreement (
   assign not_1566 = ~lower_half_s20_q;
   logic [3:0] select_1567;
   assign select_1567 = registration_of_right_q ? {lower_half_s20_q, 1'b0, not_1566, 1'b0} : {1'b0, lower_half_s20_q, 1'b0, not_1566};
-  // hls/stages/patches.hpp:342
+  // hls/stages/patches.hpp:347
   logic [1:0] select_1596;
   assign select_1596 = and_1595_s20_q ? 2'h1 : patches_fetch_q;
   logic [4:0] select_1597;
@@ -5724,13 +5726,13 @@ module horopter_agreement (
   // hls/stages/patches.hpp:103
   logic [4:0] select_1703;
   assign select_1703 = and_1582_s20_q ? select_1597 : patches_band_q;
-  // hls/stages/patches.hpp:322
+  // hls/stages/patches.hpp:327
   logic equal_1704;
   assign equal_1704 = {patches_choosing_band_s20_q, and_1608_s20_q} == {select_1703, select_1599[1]};
-  // hls/stages/patches.hpp:427
+  // hls/stages/patches.hpp:432
   logic [10:0] down_2;
   assign down_2 = {1'b0, sum_1787_s20_q, pixel_2_s20_q[0]} - {1'b0, sum_1788_s20_q, patches_columns_above_rdata_s20_q[8]};
-  // hls/stages/patches.hpp:425
+  // hls/stages/patches.hpp:430
   logic [9:0] sum_1800;
   assign sum_1800 = {2'h0, patches_columns_above_rdata_s20_q[7:0]} + sum_1799_s20_q[10:1];
   // hls/stages/agreement.hpp:1029
@@ -5760,7 +5762,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:507
   logic and_2379;
   assign and_2379 = and_500_s20_q & (equal_561_s20_q & equal_2263_s20_q);
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2388;
   assign and_2388 = not_1470_s20_q & (so_s20_q & (ends_cell_s20_q & textured_s20_q));
   // hls/stages/agreement.hpp:1030
@@ -5774,7 +5776,7 @@ module horopter_agreement (
   assign select_2447 = and_2379 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2445_s20_q});
   logic [13:0] select_2454;
   assign select_2454 = and_2379 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2452_s20_q});
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [10:0] select_2490;
   assign select_2490 = equal_1469_s20_q ? registration_expected_q : (so_s20_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
@@ -5783,7 +5785,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:102
   logic [11:0] value_2;
   assign value_2 = {{4{select_2503_s20_q[7]}}, select_2503_s20_q} - {sum_1621_s20_q[9], sum_1621_s20_q, sum_1617_s20_q};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic select_2550;
   assign select_2550 = so_s20_q ? (equal_2491 ? right_2_s20_q : registration_of_right_q) : registration_of_right_q;
   logic select_2553;
@@ -5791,16 +5793,16 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1071
   logic [1:0] quarter_2;
   assign quarter_2 = all_s20_q ? x_s20_q[1:0] : select_1517;
-  // hls/stages/patches.hpp:323
+  // hls/stages/patches.hpp:328
   logic not_2747;
   assign not_2747 = ~select_1599[1];
   // hls/stages/agreement.hpp:263
   logic [1:0] select_2749;
   assign select_2749 = sample_pair_whole_s20_q ? (equal_1600 ? select_1599 : {not_2747, 1'b0}) : patches_fetch_q;
-  // hls/stages/patches.hpp:475
+  // hls/stages/patches.hpp:480
   logic [4:0] select_3281;
   assign select_3281 = and_3280_s20_q ? patches_read_at_q : patches_peak_row_q;
-  // hls/stages/patches.hpp:482
+  // hls/stages/patches.hpp:487
   logic [5:0] away;
   assign away = {1'b0, patches_step_s20_q} - {1'b0, select_3281};
   // hls/stages/agreement.hpp:1154
@@ -5824,7 +5826,7 @@ module horopter_agreement (
   assign select_3652 = equal_3627_s20_q ? counts_skin_supervised_q : (equal_3628_s20_q ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] of;
   assign of = equal_3625 ? counts_textured_q : select_3652;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [2:0] select_3691;
   assign select_3691 = so_s20_q ? (ends_cell_s20_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
   logic [2:0] select_3692;
@@ -6437,7 +6439,7 @@ module horopter_agreement (
   assign difference_603 = {1'b0, census_memory_rdata_s21_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
   logic [9:0] difference_607;
   assign difference_607 = {1'b0, census_memory_rdata_s21_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_1563;
   assign and_1563 = so_s21_q & and_1562_s21_q;
   // hls/stages/patches.hpp:75
@@ -6446,15 +6448,15 @@ module horopter_agreement (
   // hls/stages/patches.hpp:88
   logic and_1642;
   assign and_1642 = (less_1609_s21_q & (shift_2_s21_q[1] & less_1624)) & and_1641_s21_q;
-  // hls/stages/patches.hpp:450
+  // hls/stages/patches.hpp:455
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
-  // hls/stages/patches.hpp:429
+  // hls/stages/patches.hpp:434
   logic [11:0] sum_1790;
   assign sum_1790 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
   logic [12:0] sum_1791;
   assign sum_1791 = {{4{down_2_s21_q[10]}}, down_2_s21_q[10:2]} + {sum_1790[11], sum_1790};
-  // hls/stages/patches.hpp:426
+  // hls/stages/patches.hpp:431
   logic [11:0] smooth;
   assign smooth = {sum_1800_s21_q, sum_1799_s21_q, patches_columns_above_rdata_s21_q} + {4'h0, pixel_2_s21_q};
   // hls/stages/agreement.hpp:866
@@ -6616,13 +6618,13 @@ module horopter_agreement (
   assign difference_2160 = {1'b0, select_506_s21_q} - {1'b0, sharpness_last_mean_0_q};
   logic [9:0] difference_2172;
   assign difference_2172 = {1'b0, select_510_s21_q} - {1'b0, sharpness_last_mean_1_q};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2393;
   assign and_2393 = not_1470_s21_q & (so_s21_q & (ends_cell_s21_q & explained_s21_q));
   // hls/stages/agreement.hpp:889
   logic [13:0] select_2395;
   assign select_2395 = and_2379_s21_q ? 14'h0 : (counts_explained_q + {13'h0, and_2393});
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2398;
   assign and_2398 = not_1470_s21_q & (so_s21_q & (ends_cell_s21_q & and_1880_s21_q));
   // hls/stages/agreement.hpp:1037
@@ -6637,7 +6639,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:269
   logic [3:0] select_2558;
   assign select_2558 = equal_2555_s21_q ? (registration_fresh_q & not_2556_s21_q) : registration_fresh_q;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [3:0] select_2560;
   assign select_2560 = so_s21_q ? (and_1562_s21_q ? select_2558 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
@@ -6655,25 +6657,25 @@ module horopter_agreement (
   assign select_2838 = or_1696_s21_q ? patches_down_values_0_q : patches_down_values_1_q;
   logic [10:0] select_2840;
   assign select_2840 = equal_1690_s21_q ? patches_down_values_1_q : (equal_1692_s21_q ? patches_down_values_1_q : select_2838);
-  // hls/stages/patches.hpp:382
+  // hls/stages/patches.hpp:387
   logic [4:0] select_2879;
   assign select_2879 = or_2782_s21_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:160
   logic [4:0] select_3231;
   assign select_3231 = equal_1690_s21_q ? patches_summed_row_column_q : (equal_1692_s21_q ? patches_along_q : patches_summed_row_column_q);
-  // hls/stages/patches.hpp:491
+  // hls/stages/patches.hpp:496
   logic and_3285;
   assign and_3285 = less_1830_s21_q & (equal_3277_s21_q & equal_3283_s21_q);
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic select_3288;
   assign select_3288 = equal_1833_s21_q ? (less_1830_s21_q ? (not_1834_s21_q & and_3285) : and_3285) : and_3285;
-  // hls/stages/patches.hpp:491
+  // hls/stages/patches.hpp:496
   logic and_3294;
   assign and_3294 = less_1830_s21_q & (equal_3277_s21_q & equal_3292_s21_q);
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic select_3297;
   assign select_3297 = equal_1833_s21_q ? (less_1830_s21_q ? (not_1834_s21_q & and_3294) : and_3294) : and_3294;
-  // hls/stages/patches.hpp:488
+  // hls/stages/patches.hpp:493
   logic [6:0] sum_3301;
   assign sum_3301 = {away_s21_q[5], away_s21_q} + 7'h7d;
   // hls/stages/agreement.hpp:1161
@@ -6683,7 +6685,7 @@ module horopter_agreement (
   assign select_3654 = equal_3650_s21_q ? 14'h0 : of_s21_q;
   logic [14:0] sum_4;
   assign sum_4 = {1'b0, select_3639} + {1'b0, select_3654};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [2:0] select_3672;
   assign select_3672 = ends_cell_s21_q ? textured_2_s21_q : box_textured_columns_values_0_q;
   logic [2:0] select_3674;
@@ -6721,6 +6723,7 @@ module horopter_agreement (
   // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:277; read in stage 21, written in stage 25: 21 < 25 < 21 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [31:0] registration_sums_mem [0:11];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
@@ -6734,7 +6737,7 @@ module horopter_agreement (
     if (registration_sums_re) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
   end
 
-  // Memory patches_choices, 64 x 23, DISTANCE 24, hls/stages/patches.hpp:680; read in stage 21, written in stage 23: 21 < 23 < 21 + DISTANCE.
+  // Memory patches_choices, 64 x 23, DISTANCE 24, hls/stages/patches.hpp:686; read in stage 21, written in stage 23: 21 < 23 < 21 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [22:0] patches_choices_mem [0:63];
@@ -7386,7 +7389,7 @@ module horopter_agreement (
   assign sum_594 = {9'h0, difference_592_s22_q} + {1'b0, xor_593_s22_q};
   logic [9:0] sum_597;
   assign sum_597 = {9'h0, difference_595_s22_q} + {1'b0, xor_596_s22_q};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_1646;
   assign and_1646 = not_1470_s22_q & (so_s22_q & (ends_cell_s22_q & (shift_2_s22_q & and_1642_s22_q)));
   logic [7:0] select_1651;
@@ -7394,12 +7397,12 @@ module horopter_agreement (
   // hls/stages/patches.hpp:160
   logic and_1784;
   assign and_1784 = not_1691_s22_q & (equal_1692_s22_q & new_row_s22_q);
-  // hls/stages/patches.hpp:429
+  // hls/stages/patches.hpp:434
   logic [13:0] sum_1792;
   assign sum_1792 = {{3{patches_down_values_1_s22_q[10]}}, patches_down_values_1_s22_q} + {sum_1791_s22_q, down_2_s22_q[1]};
   logic [12:0] sum_1793;
   assign sum_1793 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1792[13:1];
-  // hls/stages/patches.hpp:428
+  // hls/stages/patches.hpp:433
   logic [12:0] sum_1802;
   assign sum_1802 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth_s22_q[11:1]};
   logic [12:0] sum_1803;
@@ -7511,30 +7514,30 @@ module horopter_agreement (
   // hls/stages/patches.hpp:151
   logic and_2874;
   assign and_2874 = patches_along_ends_s22_q & patches_match_row_ends_q;
-  // hls/stages/patches.hpp:384
+  // hls/stages/patches.hpp:389
   logic [3:0] select_2881;
   assign select_2881 = and_2874 ? 4'h0 : ({3'h0, patches_along_ends_s22_q} + patches_match_row_q);
   // hls/stages/patches.hpp:160
   logic [4:0] select_3237;
   assign select_3237 = equal_1690_s22_q ? patches_summed_down_by_q : (equal_1692_s22_q ? patches_down_by_q : patches_summed_down_by_q);
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic select_3290;
   assign select_3290 = less_1830_s22_q ? (not_1832_s22_q & select_3288_s22_q) : select_3288_s22_q;
   logic select_3299;
   assign select_3299 = less_1830_s22_q ? (not_1832_s22_q & select_3297_s22_q) : select_3297_s22_q;
-  // hls/stages/patches.hpp:491
+  // hls/stages/patches.hpp:496
   logic [9:0] select_3305;
   assign select_3305 = less_1830_s22_q ? (and_3303_s22_q ? patches_rows_rdata_s22_q : 10'h3ff) : 10'h3ff;
-  // hls/stages/patches.hpp:476
+  // hls/stages/patches.hpp:481
   logic [9:0] select_3316;
   assign select_3316 = patches_read_above_q ? patches_read_row_differing_s22_q : patches_peak_above_q;
-  // hls/stages/patches.hpp:477
+  // hls/stages/patches.hpp:482
   logic [9:0] select_3318;
   assign select_3318 = patches_read_below_q ? patches_read_row_differing_s22_q : patches_peak_below_q;
-  // hls/stages/patches.hpp:514
+  // hls/stages/patches.hpp:519
   logic less_3355;
   assign less_3355 = select_3316 < select_3318;
-  // hls/stages/patches.hpp:515
+  // hls/stages/patches.hpp:520
   logic [9:0] high;
   assign high = less_3355 ? select_3318 : select_3316;
   logic [9:0] low;
@@ -7551,7 +7554,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1077
   logic [10:0] sum_3615;
   assign sum_3615 = {1'b0, select_2431_s22_q} + {2'h0, select_2431_s22_q[9:1]};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic select_3659;
   assign select_3659 = equal_1469_s22_q ? (equal_3434_s22_q ? sum_4_s22_q : (product_rest_q | sum_4_s22_q)) : product_rest_q;
   logic [4:0] select_3688;
@@ -7565,9 +7568,10 @@ module horopter_agreement (
   logic [7:0] select_3780;
   assign select_3780 = marks_first_s22_q ? (less_3776 ? {sum_3777, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
 
-  // Memory patches_right_codes, 28 x 112, DISTANCE 24, hls/stages/patches.hpp:708; read in stage 22, written in stage 24: 22 < 24 < 22 + DISTANCE.
+  // Memory patches_right_codes, 28 x 112, DISTANCE 24, hls/stages/patches.hpp:714; read in stage 22, written in stage 24: 22 < 24 < 22 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [111:0] patches_right_codes_mem [0:27];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 28; i++) patches_right_codes_mem[i] = 112'h0;
@@ -7581,9 +7585,10 @@ module horopter_agreement (
     if (patches_right_codes_re) patches_right_codes_rdata_q <= patches_right_codes_mem[patches_right_codes_raddr];
   end
 
-  // Memory patches_left_codes, 12 x 48, DISTANCE 24, hls/stages/patches.hpp:709; read in stage 22, written in stage 24: 22 < 24 < 22 + DISTANCE.
+  // Memory patches_left_codes, 12 x 48, DISTANCE 24, hls/stages/patches.hpp:715; read in stage 22, written in stage 24: 22 < 24 < 22 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [47:0] patches_left_codes_mem [0:11];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 12; i++) patches_left_codes_mem[i] = 48'h0;
@@ -8127,10 +8132,10 @@ module horopter_agreement (
   // hls/stages/patches.hpp:133
   logic and_1648;
   assign and_1648 = and_1646_s23_q & (~patches_fixed_q);
-  // hls/stages/patches.hpp:312
+  // hls/stages/patches.hpp:317
   logic [22:0] select_1682;
   assign select_1682 = and_1648 ? {select_1681_s23_q, select_1656_s23_q, select_1652_s23_q, and_1646_s23_q} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
-  // hls/stages/patches.hpp:429
+  // hls/stages/patches.hpp:434
   logic [14:0] sum_1794;
   assign sum_1794 = {{4{patches_down_values_3_s23_q[10]}}, patches_down_values_3_s23_q} + {sum_1793_s23_q, sum_1792_s23_q, down_2_s23_q};
   // hls/stages/agreement.hpp:1234
@@ -8243,7 +8248,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_2614;
   assign and_2614 = not_1859_s23_q & (less_1545_s23_q & (x_s23_q[2:0] == {all_s23_q, not_2611, 1'b0}));
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2620;
   assign and_2620 = equal_1469_s23_q & (x_s23_q[6] & (not_1859_s23_q & (less_1545_s23_q & all_s23_q)));
   // hls/stages/registration.hpp:157
@@ -8254,18 +8259,18 @@ module horopter_agreement (
   assign and_2650 = not_1859_s23_q & (less_1545_s23_q & (x_s23_q[5] ? x_s23_q[3] : equal_2647));
   logic and_2659;
   assign and_2659 = not_1859_s23_q & (less_1545_s23_q & ((~x_s23_q[5]) & (x_s23_q[3] & equal_2647)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:319
   logic not_2721;
   assign not_2721 = ~and_1688_s23_q;
-  // hls/stages/patches.hpp:492
+  // hls/stages/patches.hpp:497
   logic [9:0] select_3307;
   assign select_3307 = less_1830_s23_q ? (equal_1833_s23_q ? 10'h3ff : select_3305_s23_q) : 10'h3ff;
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic [9:0] select_3308;
   assign select_3308 = equal_1833_s23_q ? select_3307 : select_3305_s23_q;
   logic [9:0] select_3310;
   assign select_3310 = less_1830_s23_q ? (equal_1831_s23_q ? 10'h3ff : select_3308) : select_3308;
-  // hls/stages/patches.hpp:516
+  // hls/stages/patches.hpp:521
   logic [9:0] eight;
   assign eight = high_s23_q - low_s23_q;
   logic [9:0] fall;
@@ -8798,7 +8803,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:266
   logic [6:0] select_1577;
   assign select_1577 = equal_1571 ? {1'b0, registration_half_measured_q} : up;
-  // hls/stages/patches.hpp:323
+  // hls/stages/patches.hpp:328
   logic [21:0] select_1709;
   assign select_1709 = select_1599_s24_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1706_s24_q[22:1];
   // hls/stages/patches.hpp:104
@@ -8806,7 +8811,7 @@ module horopter_agreement (
   assign select_1710 = equal_1600_s24_q ? patches_place_0_column_q : select_1709[7:0];
   logic [5:0] select_1711;
   assign select_1711 = equal_1600_s24_q ? patches_place_0_shift_q : select_1709[13:8];
-  // hls/stages/patches.hpp:323
+  // hls/stages/patches.hpp:328
   logic [21:0] select_1738;
   assign select_1738 = select_1599_s24_q ? select_1706_s24_q[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:104
@@ -8819,10 +8824,10 @@ module horopter_agreement (
   assign equal_1756 = {select_1710[7], select_464_s24_q, select_461_s24_q} == {1'b0, select_1710[6:0], 4'h0};
   logic equal_1760;
   assign equal_1760 = {select_1739[7], select_464_s24_q, select_461_s24_q} == {1'b0, select_1739[6:0], 4'h0};
-  // hls/stages/patches.hpp:438
+  // hls/stages/patches.hpp:443
   logic [2:0] sum_1786;
   assign sum_1786 = patches_code_row_s24_q[4:2] + 3'h7;
-  // hls/stages/patches.hpp:442
+  // hls/stages/patches.hpp:447
   logic [1:0] sum_1819;
   assign sum_1819 = patches_code_row_s24_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:976
@@ -8869,13 +8874,13 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1048
   logic not_2419;
   assign not_2419 = ~(equal_1938_s24_q ? and_1959 : not_2417_s24_q);
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2422;
   assign and_2422 = ends_cell_s24_q & (not_2402_s24_q & (centres_values_1_textured_s24_q & not_2419));
   // hls/stages/agreement.hpp:1080
   logic [9:0] select_2435;
   assign select_2435 = ((~(select_2428_s24_q[9:4] == 6'h0)) & less_2433_s24_q) ? select_2428_s24_q : 10'h0;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [9:0] select_2438;
   assign select_2438 = equal_1469_s24_q ? (x_s24_q[6] ? (equal_1514_s24_q ? 10'h0 : select_2435) : 10'h0) : 10'h0;
   // hls/stages/agreement.hpp:1052
@@ -8884,13 +8889,13 @@ module horopter_agreement (
   // hls/stages/registration.hpp:133
   logic [13:0] sum_2513;
   assign sum_2513 = registration_half_across_q + {{6{select_2512_s24_q[7]}}, select_2512_s24_q};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2517;
   assign and_2517 = not_1470_s24_q & (drew_q & (and_2495_s24_q & equal_1610_s24_q));
   // hls/stages/registration.hpp:134
   logic [5:0] select_2519;
   assign select_2519 = and_2494_s24_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2517});
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [1:0] select_2523;
   assign select_2523 = drew_q ? (equal_1610_s24_q ? {and_2521_s24_q, and_2495_s24_q} : 2'h0) : 2'h0;
   logic [1:0] select_2524;
@@ -8898,7 +8903,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:184
   logic [6:0] sum_2525;
   assign sum_2525 = registration_half_votes_down_q + {{5{select_2524[1]}}, select_2524};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [1:0] select_2531;
   assign select_2531 = drew_q ? (equal_1610_s24_q ? {and_2529_s24_q, and_2495_s24_q} : 2'h0) : 2'h0;
   logic [1:0] select_2532;
@@ -8906,7 +8911,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:185
   logic [6:0] sum_2533;
   assign sum_2533 = registration_half_votes_up_q + {{5{select_2532[1]}}, select_2532};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [1:0] select_2538;
   assign select_2538 = drew_q ? (equal_1610_s24_q ? {and_2536_s24_q, and_2495_s24_q} : 2'h0) : 2'h0;
   logic [1:0] select_2539;
@@ -8914,7 +8919,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:184
   logic [6:0] sum_2540;
   assign sum_2540 = registration_half_half_votes_down_q + {{5{select_2539[1]}}, select_2539};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [1:0] select_2545;
   assign select_2545 = drew_q ? (equal_1610_s24_q ? {and_2543_s24_q, and_2495_s24_q} : 2'h0) : 2'h0;
   logic [1:0] select_2546;
@@ -8922,7 +8927,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:185
   logic [6:0] sum_2547;
   assign sum_2547 = registration_half_half_votes_up_q + {{5{select_2546[1]}}, select_2546};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2581;
   assign and_2581 = equal_1469_s24_q & (x_s24_q[6] & (not_1859_s24_q & less_1545_s24_q));
   logic [11:0] select_2592;
@@ -8930,7 +8935,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:252
   logic [13:0] sum_2600;
   assign sum_2600 = {{2{select_2592[11]}}, select_2592} + (and_2598_s24_q ? 14'h0 : registration_down_q);
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [11:0] select_2607;
   assign select_2607 = equal_1469_s24_q ? (x_s24_q[6] ? select_2605_s24_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:253
@@ -8946,7 +8951,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_2627;
   assign and_2627 = x_s24_q[6] & (not_1859_s24_q & (less_1545_s24_q & (x_s24_q[2:0] == 3'h4)));
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2628;
   assign and_2628 = equal_1469_s24_q & and_2627;
   // hls/stages/registration.hpp:242
@@ -8957,7 +8962,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_2636;
   assign and_2636 = x_s24_q[6] & (not_1859_s24_q & (less_1545_s24_q & (x_s24_q[2:0] == 3'h7)));
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2637;
   assign and_2637 = equal_1469_s24_q & and_2636;
   // hls/stages/agreement.hpp:1084
@@ -8978,7 +8983,7 @@ module horopter_agreement (
   assign select_2754 = sample_pair_whole_s24_q ? (equal_1600_s24_q ? patches_place_0_slope_q : select_1709[21:14]) : patches_place_0_slope_q;
   logic [7:0] select_2759;
   assign select_2759 = sample_pair_whole_s24_q ? (equal_1600_s24_q ? patches_place_1_slope_q : select_1738[21:14]) : patches_place_1_slope_q;
-  // hls/stages/patches.hpp:458
+  // hls/stages/patches.hpp:463
   logic [55:0] other;
   assign other = new_row_s24_q ? patches_right_codes_rdata_s24_q[55:0] : {patches_codes_high_q[3:0], patches_codes_low_q};
   // hls/stages/patches.hpp:160
@@ -8986,7 +8991,7 @@ module horopter_agreement (
   assign select_2848 = or_1696_s24_q ? {patches_codes_high_q[3:0], patches_codes_low_q[51:4]} : patches_codes_low_q;
   logic [51:0] select_2850;
   assign select_2850 = equal_1690_s24_q ? patches_codes_low_q : (equal_1692_s24_q ? other[55:4] : select_2848);
-  // hls/stages/patches.hpp:458
+  // hls/stages/patches.hpp:463
   logic [55:0] select_2851;
   assign select_2851 = new_row_s24_q ? patches_right_codes_rdata_s24_q[111:56] : {4'h0, patches_codes_high_q[55:4]};
   // hls/stages/patches.hpp:160
@@ -9008,45 +9013,45 @@ module horopter_agreement (
   // hls/stages/count_bits.hpp:27
   logic and_2866;
   assign and_2866 = or_2863 & and_2864;
-  // hls/stages/patches.hpp:444
+  // hls/stages/patches.hpp:449
   logic [2:0] select_2868;
   assign select_2868 = or_1821_s24_q ? 3'h0 : (patches_column_s24_q ? 3'h0 : {and_2866, xor_2865, parity_2859});
-  // hls/stages/patches.hpp:459
+  // hls/stages/patches.hpp:464
   logic [47:0] select_2883;
   assign select_2883 = new_row_s24_q ? patches_left_codes_rdata_s24_q : patches_left_row_q;
   // hls/stages/patches.hpp:160
   logic [47:0] select_2885;
   assign select_2885 = equal_1690_s24_q ? patches_left_row_q : (equal_1692_s24_q ? select_2883 : patches_left_row_q);
-  // hls/stages/patches.hpp:459
+  // hls/stages/patches.hpp:464
   logic [47:0] bits;
   assign bits = select_2883 ^ other[47:0];
   // hls/stages/patches.hpp:160
   logic select_3233;
   assign select_3233 = equal_1690_s24_q ? patches_summed_first_q : (equal_1692_s24_q ? new_row_s24_q : patches_summed_first_q);
-  // hls/stages/patches.hpp:478
+  // hls/stages/patches.hpp:483
   logic [9:0] select_3321;
   assign select_3321 = (patches_read_far_s24_q < patches_peak_far_q) ? patches_read_far_s24_q : patches_peak_far_q;
   logic [9:0] select_3322;
   assign select_3322 = patches_read_first_s24_q ? patches_read_far_s24_q : select_3321;
-  // hls/stages/patches.hpp:518
+  // hls/stages/patches.hpp:523
   logic [10:0] sum_3364;
   assign sum_3364 = {1'b0, fall_s24_q} + {2'h0, fall_s24_q[9:1]};
-  // hls/stages/patches.hpp:519
+  // hls/stages/patches.hpp:524
   logic [10:0] sum_3368;
   assign sum_3368 = {1'b0, fall_s24_q} + {3'h0, fall_s24_q[9:2]};
   logic not_3373;
   assign not_3373 = ~({eight_s24_q, 3'h0} < ({fall_s24_q, 3'h0} - {3'h0, fall_s24_q}));
-  // hls/stages/patches.hpp:532
+  // hls/stages/patches.hpp:537
   logic [7:0] select_3378;
   assign select_3378 = patches_second_s24_q ? patches_place_1_slope_q : patches_place_0_slope_q;
-  // hls/stages/patches.hpp:531
+  // hls/stages/patches.hpp:536
   logic [3:0] sum_3379;
   assign sum_3379 = {2'h0, select_3312_s24_q[14:13]} + 4'hf;
   logic [5:0] select_3380;
   assign select_3380 = patches_second_s24_q ? patches_place_1_shift_q : patches_place_0_shift_q;
   logic [6:0] sum_3381;
   assign sum_3381 = {select_3380[5], select_3380} + {{4{sum_3379[3]}}, sum_3379[3:1]};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic select_3624;
   assign select_3624 = equal_1469_s24_q ? ((x_s24_q[6] & good_known_q) | equal_3533_s24_q) : good_known_q;
   // hls/stages/agreement.hpp:1234
@@ -9640,7 +9645,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:104
   logic select_1708;
   assign select_1708 = equal_1600_s25_q ? patches_place_0_valid_q : (select_1599_s25_q ? patches_place_0_valid_q : select_1706_s25_q);
-  // hls/stages/patches.hpp:294
+  // hls/stages/patches.hpp:299
   logic [7:0] sum_1713;
   assign sum_1713 = sum_1712_s25_q + 8'hff;
   // hls/stages/patches.hpp:108
@@ -9649,7 +9654,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:104
   logic select_1737;
   assign select_1737 = equal_1600_s25_q ? patches_place_1_valid_q : (select_1599_s25_q ? select_1706_s25_q : patches_place_1_valid_q);
-  // hls/stages/patches.hpp:294
+  // hls/stages/patches.hpp:299
   logic [7:0] sum_1742;
   assign sum_1742 = sum_1741_s25_q + 8'hff;
   // hls/stages/patches.hpp:108
@@ -9701,7 +9706,7 @@ module horopter_agreement (
   assign select_2426 = and_2379_s25_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2424_s25_q});
   logic [13:0] select_2440;
   assign select_2440 = and_2379_s25_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2438_s25_q});
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_2460;
   assign and_2460 = not_1470_s25_q & and_2459_s25_q;
   // hls/stages/agreement.hpp:889
@@ -9747,16 +9752,16 @@ module horopter_agreement (
   assign or_3074 = (xor_2901_s25_q & xor_2913) | (xor_2898 & (xor_2901_s25_q | xor_2913));
   logic and_3077;
   assign and_3077 = (xor_2919_s25_q ^ (^{select_2883_s25_q[14:9], other_s25_q[14:9]})) & (xor_2940 | xor_2952);
-  // hls/stages/patches.hpp:518
+  // hls/stages/patches.hpp:523
   logic [1:0] sum_3367;
   assign sum_3367 = {1'b0, not_3363_s25_q} + {1'b0, not_3366_s25_q};
-  // hls/stages/patches.hpp:519
+  // hls/stages/patches.hpp:524
   logic [1:0] sum_3374;
   assign sum_3374 = {1'b0, not_3370_s25_q} + {1'b0, not_3373_s25_q};
-  // hls/stages/patches.hpp:518
+  // hls/stages/patches.hpp:523
   logic [2:0] fraction;
   assign fraction = {1'b0, sum_3367} + {1'b0, sum_3374};
-  // hls/stages/patches.hpp:532
+  // hls/stages/patches.hpp:537
   logic [18:0] product_3382;
   assign product_3382 = $signed({{11{select_3378_s25_q[7]}}, select_3378_s25_q}) * $signed({{8{sum_3381_s25_q[6]}}, sum_3381_s25_q, sum_3379_s25_q, select_3312_s25_q[12:10]});
   // hls/stages/agreement.hpp:1067
@@ -9764,7 +9769,7 @@ module horopter_agreement (
   assign select_3630 = equal_3627_s25_q ? counts_skin_unproven_q : (equal_3628_s25_q ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_4;
   assign before_v_4 = equal_3625_s25_q ? counts_nearer_s25_q : select_3630;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_3801;
   assign and_3801 = equal_1469_s25_q & (equal_3533_s25_q & (cfg_prove_i & (~proven_q)));
   // hls/stages/agreement.hpp:1082
@@ -10276,16 +10281,16 @@ module horopter_agreement (
   assign parity_3143 = ^{or_3140, or_3136, or_3132};
   logic parity_3146;
   assign parity_3146 = ^{or_3140, or_3136, or_3132, or_3125, or_3121, or_3117, or_3110, or_3106, or_3102};
-  // hls/stages/patches.hpp:529
+  // hls/stages/patches.hpp:534
   logic [9:0] difference_3325;
   assign difference_3325 = select_3322_s26_q - select_3312_s26_q;
-  // hls/stages/patches.hpp:534
+  // hls/stages/patches.hpp:539
   logic or_3332;
   assign or_3332 = (patches_size_q < 10'h39) | ({1'b0, patches_size_q[9:1]} < select_3312_s26_q);
-  // hls/stages/patches.hpp:520
+  // hls/stages/patches.hpp:525
   logic [1:0] sum_3356;
   assign sum_3356 = select_3281_s26_q[4:3] + 2'h3;
-  // hls/stages/patches.hpp:521
+  // hls/stages/patches.hpp:526
   logic [7:0] difference_3376;
   assign difference_3376 = {sum_3356, select_3281_s26_q[2:0], 3'h0} - {5'h0, fraction_s26_q};
   logic [7:0] select_3377;
@@ -10678,15 +10683,15 @@ module horopter_agreement (
   assign or_3181 = (or_3156_s27_q & or_3160_s27_q) | (or_3152 & (or_3156_s27_q | or_3160_s27_q));
   logic or_3185;
   assign or_3185 = (or_3168 & or_3172) | (and_3164 & (or_3168 | or_3172));
-  // hls/stages/patches.hpp:534
+  // hls/stages/patches.hpp:539
   logic or_3333;
   assign or_3333 = (~(patches_second_s27_q ? patches_valid_1_q : patches_valid_0_q)) | or_3332_s27_q;
   logic or_3336;
   assign or_3336 = equal_3324_s27_q | (less_3326_s27_q | (less_3327_s27_q | or_3333));
-  // hls/stages/patches.hpp:533
+  // hls/stages/patches.hpp:538
   logic [14:0] difference_3383;
   assign difference_3383 = {{7{select_3377_s27_q[7]}}, select_3377_s27_q} - {product_3382_s27_q[13], product_3382_s27_q};
-  // hls/stages/patches.hpp:539
+  // hls/stages/patches.hpp:544
   logic less_3384;
   assign less_3384 = $signed({{8{difference_3354[6]}}, difference_3354}) < $signed(difference_3383);
   // hls/stages/agreement.hpp:1086
@@ -10694,7 +10699,7 @@ module horopter_agreement (
   assign not_3634 = ~hidden_for_q[7];
   logic [7:0] select_3636;
   assign select_3636 = select_3633_s27_q ? (hidden_for_q + {7'h0, not_3634}) : 8'h0;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic [7:0] select_3638;
   assign select_3638 = equal_1469_s27_q ? (equal_3533_s27_q ? select_3636 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1159
@@ -11213,7 +11218,7 @@ module horopter_agreement (
   // hls/stages/count_bits.hpp:27
   logic or_3192;
   assign or_3192 = and_3189_s28_q | and_3191_s28_q;
-  // hls/stages/patches.hpp:460
+  // hls/stages/patches.hpp:465
   logic [9:0] sum_3;
   assign sum_3 = {4'h0, or_3192, parity_3188_s28_q, xor_3176_s28_q, parity_3148_s28_q, parity_3086_s28_q, parity_2957_s28_q} + (equal_3193_s28_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/patches.hpp:160
@@ -11251,28 +11256,28 @@ module horopter_agreement (
   assign select_3226 = equal_1692_s28_q ? patches_sums_values_14_q : patches_sums_values_15_q;
   logic [9:0] select_3228;
   assign select_3228 = equal_1692_s28_q ? patches_sums_values_15_q : patches_sums_values_16_q;
-  // hls/stages/patches.hpp:514
+  // hls/stages/patches.hpp:519
   logic not_3337;
   assign not_3337 = ~or_3336_s28_q;
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic and_3338;
   assign and_3338 = equal_1833_s28_q & not_3337;
   // hls/stages/patches.hpp:160
   logic and_3341;
   assign and_3341 = equal_1690_s28_q & (less_1830_s28_q ? (not_1832_s28_q & and_3338) : and_3338);
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic and_3344;
   assign and_3344 = equal_1833_s28_q & (patches_second_s28_q & not_3337);
   // hls/stages/patches.hpp:160
   logic and_3347;
   assign and_3347 = equal_1690_s28_q & (less_1830_s28_q ? (not_1832_s28_q & and_3344) : and_3344);
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic and_3387;
   assign and_3387 = equal_1833_s28_q & (not_3337 & not_3385_s28_q);
   // hls/stages/patches.hpp:160
   logic and_3390;
   assign and_3390 = equal_1690_s28_q & (less_1830_s28_q ? (not_1832_s28_q & and_3387) : and_3387);
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic and_3397;
   assign and_3397 = equal_1833_s28_q & (not_3337 & not_3395_s28_q);
   // hls/stages/patches.hpp:160
@@ -11287,7 +11292,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:157
   logic not_3436;
   assign not_3436 = ~x_s28_q[3];
-  // hls/stages/patches.hpp:175
+  // hls/stages/patches.hpp:176
   logic and_3437;
   assign and_3437 = not_3435 & not_3436;
   logic [1:0] select_3438;
@@ -11297,7 +11302,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_3442;
   assign and_3442 = not_1859_s28_q & (less_3433 & (equal_3434_s28_q & select_3439[0]));
-  // hls/stages/patches.hpp:175
+  // hls/stages/patches.hpp:176
   logic equal_3446;
   assign equal_3446 = x_s28_q[2:0] == 3'h1;
   // hls/stages/agreement.hpp:1084
@@ -11307,33 +11312,33 @@ module horopter_agreement (
   assign and_3457 = not_1859_s28_q & (less_3433 & (select_3439[2] & (x_s28_q[2:0] == 3'h2)));
   logic and_3465;
   assign and_3465 = not_1859_s28_q & (less_3433 & (select_3439[3] & (x_s28_q[2:0] == 3'h3)));
-  // hls/stages/patches.hpp:179
+  // hls/stages/patches.hpp:180
   logic [4:0] sum_3484;
   assign sum_3484 = {2'h0, x_s28_q[2:0]} + 5'h1f;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_3493;
   assign and_3493 = equal_1469_s28_q & (x_s28_q[6] & (not_1859_s28_q & (less_3433 & equal_3446)));
-  // hls/stages/patches.hpp:540
+  // hls/stages/patches.hpp:545
   logic [5:0] select_3507;
   assign select_3507 = less_3504_s28_q ? 6'h10 : (less_3505_s28_q ? 6'h30 : difference_3383_s28_q);
-  // hls/stages/patches.hpp:495
+  // hls/stages/patches.hpp:500
   logic [5:0] select_3509;
   assign select_3509 = equal_1833_s28_q ? (or_3336_s28_q ? 6'h0 : select_3507) : 6'h0;
   logic [5:0] select_3511;
   assign select_3511 = less_1830_s28_q ? (equal_1831_s28_q ? 6'h0 : select_3509) : select_3509;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_3518;
   assign and_3518 = equal_1469_s28_q & (x_s28_q[6] & (not_1859_s28_q & (equal_2647_s28_q & less_3433)));
   // hls/stages/agreement.hpp:1084
   logic and_3522;
   assign and_3522 = x_s28_q[6] & (not_1859_s28_q & (less_3433 & (x_s28_q[5:3] == 3'h0)));
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_3804;
   assign and_3804 = equal_1469_s28_q & (equal_3533_s28_q & (cfg_prove_i & or_3604_s28_q));
   // hls/stages/agreement.hpp:1170
   logic not_3806;
   assign not_3806 = ~(or_3604_s28_q | not_3795);
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_3810;
   assign and_3810 = equal_1469_s28_q & (equal_3533_s28_q & (not_3806 & or_3807_s28_q));
   logic and_3823;
@@ -11341,7 +11346,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1088
   logic and_3830;
   assign and_3830 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_3828_s28_q);
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_3836;
   assign and_3836 = equal_1469_s28_q & (x_s28_q[6] & (not_1859_s28_q | (4'hc < x_s28_q[5:2])));
 
@@ -11762,7 +11767,7 @@ module horopter_agreement (
   logic [11:0] patches_round_across_q;
   logic [4:0] patches_round_moved_q;
   logic patches_moved_q;
-  // hls/stages/patches.hpp:572
+  // hls/stages/patches.hpp:577
   logic not_3342;
   assign not_3342 = ~patches_lower_s29_q;
   logic not_3348;
@@ -11770,15 +11775,15 @@ module horopter_agreement (
   // hls/stages/patches.hpp:164
   logic and_3350;
   assign and_3350 = and_3341_s29_q & (not_3342 & not_3348);
-  // hls/stages/patches.hpp:574
+  // hls/stages/patches.hpp:579
   logic [7:0] sum_3352;
   assign sum_3352 = {7'h0, and_3350} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
-  // hls/stages/patches.hpp:575
+  // hls/stages/patches.hpp:580
   logic and_3391;
   assign and_3391 = and_3390_s29_q & and_3350;
   logic [7:0] sum_3392;
   assign sum_3392 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3391};
-  // hls/stages/patches.hpp:576
+  // hls/stages/patches.hpp:581
   logic and_3401;
   assign and_3401 = and_3400_s29_q & and_3350;
   logic [7:0] sum_3402;
@@ -11786,15 +11791,15 @@ module horopter_agreement (
   // hls/stages/patches.hpp:164
   logic and_3404;
   assign and_3404 = and_3341_s29_q & (and_3347_s29_q & not_3342);
-  // hls/stages/patches.hpp:574
+  // hls/stages/patches.hpp:579
   logic [7:0] sum_3406;
   assign sum_3406 = {7'h0, and_3404} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:575
+  // hls/stages/patches.hpp:580
   logic and_3408;
   assign and_3408 = and_3390_s29_q & and_3404;
   logic [7:0] sum_3409;
   assign sum_3409 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3408};
-  // hls/stages/patches.hpp:576
+  // hls/stages/patches.hpp:581
   logic and_3411;
   assign and_3411 = and_3400_s29_q & and_3404;
   logic [7:0] sum_3412;
@@ -11802,15 +11807,15 @@ module horopter_agreement (
   // hls/stages/patches.hpp:164
   logic and_3414;
   assign and_3414 = and_3341_s29_q & (patches_lower_s29_q & not_3348);
-  // hls/stages/patches.hpp:574
+  // hls/stages/patches.hpp:579
   logic [7:0] sum_3416;
   assign sum_3416 = {7'h0, and_3414} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:575
+  // hls/stages/patches.hpp:580
   logic and_3418;
   assign and_3418 = and_3390_s29_q & and_3414;
   logic [7:0] sum_3419;
   assign sum_3419 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3418};
-  // hls/stages/patches.hpp:576
+  // hls/stages/patches.hpp:581
   logic and_3421;
   assign and_3421 = and_3400_s29_q & and_3414;
   logic [7:0] sum_3422;
@@ -11818,68 +11823,68 @@ module horopter_agreement (
   // hls/stages/patches.hpp:164
   logic and_3424;
   assign and_3424 = and_3341_s29_q & (patches_lower_s29_q & and_3347_s29_q);
-  // hls/stages/patches.hpp:574
+  // hls/stages/patches.hpp:579
   logic [7:0] sum_3426;
   assign sum_3426 = {7'h0, and_3424} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
-  // hls/stages/patches.hpp:575
+  // hls/stages/patches.hpp:580
   logic and_3428;
   assign and_3428 = and_3390_s29_q & and_3424;
   logic [7:0] sum_3429;
   assign sum_3429 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3428};
-  // hls/stages/patches.hpp:576
+  // hls/stages/patches.hpp:581
   logic and_3431;
   assign and_3431 = and_3400_s29_q & and_3424;
   logic [7:0] sum_3432;
   assign sum_3432 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3431};
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_3444;
   assign and_3444 = equal_1469_s29_q & and_3443_s29_q;
   logic and_3451;
   assign and_3451 = equal_1469_s29_q & and_3450_s29_q;
-  // hls/stages/patches.hpp:556
+  // hls/stages/patches.hpp:561
   logic [7:0] or_3453;
   assign or_3453 = (and_3444 ? patches_quarters_0_places_q : 8'h0) | (and_3451 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_3459;
   assign and_3459 = equal_1469_s29_q & and_3458_s29_q;
   logic and_3467;
   assign and_3467 = equal_1469_s29_q & and_3466_s29_q;
-  // hls/stages/patches.hpp:556
+  // hls/stages/patches.hpp:561
   logic [7:0] or_3469;
   assign or_3469 = (or_3453 | (and_3459 ? patches_quarters_2_places_q : 8'h0)) | (and_3467 ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/patches.hpp:557
+  // hls/stages/patches.hpp:562
   logic [7:0] or_3472;
   assign or_3472 = (and_3444 ? patches_quarters_0_up_q : 8'h0) | (and_3451 ? patches_quarters_1_up_q : 8'h0);
   logic [7:0] or_3476;
   assign or_3476 = (or_3472 | (and_3459 ? patches_quarters_2_up_q : 8'h0)) | (and_3467 ? patches_quarters_3_up_q : 8'h0);
-  // hls/stages/patches.hpp:558
+  // hls/stages/patches.hpp:563
   logic [7:0] or_3479;
   assign or_3479 = (and_3444 ? patches_quarters_0_down_q : 8'h0) | (and_3451 ? patches_quarters_1_down_q : 8'h0);
   logic [7:0] or_3483;
   assign or_3483 = (or_3479 | (and_3459 ? patches_quarters_2_down_q : 8'h0)) | (and_3467 ? patches_quarters_3_down_q : 8'h0);
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_3489;
   assign and_3489 = equal_1469_s29_q & (x_s29_q[6] & and_3487_s29_q);
-  // hls/stages/patches.hpp:551
+  // hls/stages/patches.hpp:556
   logic [7:0] sum_3495;
   assign sum_3495 = patches_word_places_q + (and_3493_s29_q ? 8'h0 : patches_sum_places_q);
-  // hls/stages/patches.hpp:553
+  // hls/stages/patches.hpp:558
   logic [7:0] select_3499;
   assign select_3499 = and_3489 ? (patches_word_up_q + (and_3493_s29_q ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
   logic [7:0] sum_3501;
   assign sum_3501 = patches_word_down_q + (and_3493_s29_q ? 8'h0 : patches_sum_down_q);
-  // hls/stages/patches.hpp:578
+  // hls/stages/patches.hpp:583
   logic [5:0] select_3513;
   assign select_3513 = and_3341_s29_q ? select_3512_s29_q : 6'h0;
   logic [11:0] sum_3514;
   assign sum_3514 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3513[5]}}, select_3513};
-  // hls/stages/patches.hpp:567
+  // hls/stages/patches.hpp:572
   logic [7:0] select_3525;
   assign select_3525 = and_3518_s29_q ? (and_3523_s29_q ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:569
+  // hls/stages/patches.hpp:574
   logic or_3529;
   assign or_3529 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:566
+  // hls/stages/patches.hpp:571
   logic select_3531;
   assign select_3531 = and_3518_s29_q ? (and_3523_s29_q ? patches_enough_q : patches_complete_q) : patches_complete_q;
   // hls/stages/patches.hpp:164
@@ -11887,15 +11892,15 @@ module horopter_agreement (
   assign and_3537 = patches_complete_q & (equal_1469_s29_q & ((x_s29_q == 7'h70) & (~equal_3533_s29_q)));
   logic and_3538;
   assign and_3538 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:566
+  // hls/stages/patches.hpp:571
   logic [4:0] select_3539;
   assign select_3539 = and_3518_s29_q ? {and_3538, patches_found_q[4:1]} : patches_found_q;
   logic [4:0] select_3541;
   assign select_3541 = and_3518_s29_q ? (and_3523_s29_q ? {and_3538, patches_found_q[4:1]} : select_3539) : patches_found_q;
-  // hls/stages/patches.hpp:565
+  // hls/stages/patches.hpp:570
   logic select_3547;
   assign select_3547 = patches_round_ends_q ? (~(patches_found_q == 5'h0)) : patches_moved_q;
-  // hls/stages/patches.hpp:309
+  // hls/stages/patches.hpp:314
   logic and_3813;
   assign and_3813 = equal_3533_s29_q & (cfg_prove_i & (registration_moved_s29_q | patches_moved_q));
   // hls/stages/agreement.hpp:1082

@@ -105,6 +105,9 @@ struct LeafFinder {
   HOROPTER_TB_OPEN(18, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r)
   HOROPTER_TB_OPEN(19, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s)
   HOROPTER_TB_OPEN(20, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t)
+  HOROPTER_TB_OPEN(21, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u)
+  HOROPTER_TB_OPEN(22, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v)
+  HOROPTER_TB_OPEN(23, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w)
 #undef HOROPTER_TB_OPEN
 
   void add(const void* leaf, std::size_t bytes, int width, bool is_signed) {
