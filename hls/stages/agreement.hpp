@@ -347,7 +347,7 @@ class Agreement {
   using Age = u<std::max(window, box) + 1>;
   static_assert(columns + half_window + gap < 256 && rows < 128);
   using OfImage = Registration<columns, rows, gap, !fast>;
-  using OfPatches = Patches<P, cell, gap, AT_ONCE>;
+  using OfPatches = std::conditional_t<cell == 8, Patches<P, cell, gap, AT_ONCE>, NoPatches>;
   using Shift = typename OfImage::Shift;
   static constexpr int slots = OfImage::slots;  // beats of a cell where a row concludes
   using Score = u<8>;
@@ -1109,7 +1109,7 @@ class Agreement {
       case 62:
         return u<32>(sums.contrast[1]);
       case 63: {
-        const auto& round = patches_.round();
+        const auto round = patches_.round();
         return u<32>(cat(round.moved, round.across, round.places));
       }
       default: {

@@ -761,4 +761,32 @@ class Patches {
 #endif
 };
 
+/// Where there is no room for it: an ECP5-85F has no block memories left beside `hd`. Cells alone tell there.
+struct NoPatches {
+  struct Round {
+    u<8> places;
+    s<12> across;
+    u<5> moved;
+  };
+  static constexpr int decide_steps = 0;
+  static constexpr bool in_reach(s<11> /*expected*/) { return false; }
+  static void begin_step() {}
+  static void start_row(bool /*of_image*/, bool /*first*/) {}
+  static void step_cell(u<8> /*x*/, u<8> /*last*/, bool /*explained*/, s<6> /*shift*/, s<8> /*slope*/) {}
+  template <class Position, class Config>
+  static void take(const Position& /*at*/, const std::array<u<8>, 2>& /*pixel*/, bool /*present*/,
+                   const Config& /*config*/) {}
+  template <class Config>
+  static void work(const Config& /*config*/) {}
+  static void step_decide(u<6> /*step*/) {}
+  static void end_frame() {}
+  static bool moved() { return false; }
+  static Round round() { return {}; }
+  template <class Config>
+  static void skip(int /*beats*/, const Config& /*config*/) {}
+  template <class Position>
+  static void take_row(const Position& /*at*/, int /*count*/, const u<8>* /*left*/, const u<8>* /*right*/,
+                       const bool* /*present*/) {}
+};
+
 }  // namespace horopter::stages

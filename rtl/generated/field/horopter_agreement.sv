@@ -335,7 +335,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:447
   logic select_2356;
   assign select_2356 = equal_2264 ? ({sum_2354[6], cfg_height_i[8:3]} == {1'b0, sum_2354[5:0]}) : final_row_q;
-  // hls/stages/patches.hpp:345
+  // hls/stages/patches.hpp:344
   logic or_2738;
   assign or_2738 = select_464[0] | select_557[5];
   logic [7:0] sum_2739;
@@ -1208,51 +1208,51 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:235
   logic or_1495;
   assign or_1495 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [5:0] select_1506;
   assign select_1506 = so_s1_q ? x_s1_q[5:0] : (or_519_s1_q ? (less_526_s1_q ? 6'h0 : select_1453) : 6'h0);
   // hls/stages/patches.hpp:99
   logic and_1580;
   assign and_1580 = (select_462_s1_q == 3'h0) & (select_464_s1_q == 6'h0);
-  // hls/stages/patches.hpp:366
+  // hls/stages/patches.hpp:365
   logic not_1581;
   assign not_1581 = ~patches_begins_q;
   // hls/stages/census.hpp:31
   logic not_1584;
   assign not_1584 = ~sample_pair_first_s1_q;
-  // hls/stages/patches.hpp:336
+  // hls/stages/patches.hpp:335
   logic and_1585;
   assign and_1585 = patches_capturing_q & not_1584;
-  // hls/stages/patches.hpp:286
+  // hls/stages/patches.hpp:285
   logic equal_1588;
   assign equal_1588 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/patches.hpp:102
   logic and_1593;
   assign and_1593 = (not_1581 & (patches_work_q == 3'h0)) & (~(and_1585 | ((~equal_1586_s1_q) | (~equal_1588))));
-  // hls/stages/patches.hpp:474
+  // hls/stages/patches.hpp:473
   logic equal_1680;
   assign equal_1680 = patches_work_q == 3'h4;
-  // hls/stages/patches.hpp:455
+  // hls/stages/patches.hpp:454
   logic not_1681;
   assign not_1681 = ~equal_1680;
-  // hls/stages/patches.hpp:474
+  // hls/stages/patches.hpp:473
   logic equal_1682;
   assign equal_1682 = patches_work_q == 3'h3;
-  // hls/stages/patches.hpp:421
+  // hls/stages/patches.hpp:420
   logic not_1683;
   assign not_1683 = ~equal_1682;
   // hls/stages/patches.hpp:143
   logic equal_1684;
   assign equal_1684 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:474
+  // hls/stages/patches.hpp:473
   logic equal_1685;
   assign equal_1685 = patches_work_q == 3'h2;
   logic or_1686;
   assign or_1686 = equal_1684 | equal_1685;
-  // hls/stages/patches.hpp:423
+  // hls/stages/patches.hpp:422
   logic not_1687;
   assign not_1687 = ~patches_second_q;
-  // hls/stages/patches.hpp:347
+  // hls/stages/patches.hpp:346
   logic [4:0] select_1709;
   assign select_1709 = and_1593 ? 5'h0 : (patches_row_q + 5'h1);
   // hls/stages/patches.hpp:103
@@ -1273,7 +1273,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:263
   logic [3:0] select_1757;
   assign select_1757 = and_1580 ? {select_1709[4], select_1709[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
-  // hls/stages/patches.hpp:421
+  // hls/stages/patches.hpp:420
   logic and_1767;
   assign and_1767 = not_1681 & (or_1686 & not_1683);
   // hls/stages/agreement.hpp:447
@@ -1282,7 +1282,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:507
   logic and_2566;
   assign and_2566 = and_498_s1_q & (equal_2264_s1_q & (row_s1_q[5:2] == 4'h0));
-  // hls/stages/patches.hpp:292
+  // hls/stages/patches.hpp:291
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:103
@@ -1291,7 +1291,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:263
   logic [3:0] select_2677;
   assign select_2677 = sample_pair_whole_s1_q ? select_2676 : patches_phase_q;
-  // hls/stages/patches.hpp:347
+  // hls/stages/patches.hpp:346
   logic and_2678;
   assign and_2678 = not_1584 & equal_1586_s1_q;
   logic [8:0] select_2679;
@@ -1309,10 +1309,10 @@ module horopter_agreement (
   assign select_2688 = sample_pair_whole_s1_q ? (equal_1588 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
   logic [4:0] select_2690;
   assign select_2690 = sample_pair_whole_s1_q ? (patches_band_rows_number_q + {4'h0, equal_1588}) : patches_next_band_number_q;
-  // hls/stages/patches.hpp:305
+  // hls/stages/patches.hpp:304
   logic equal_2691;
   assign equal_2691 = phase[3:1] == 3'h0;
-  // hls/stages/patches.hpp:306
+  // hls/stages/patches.hpp:305
   logic not_2692;
   assign not_2692 = ~equal_2691;
   // hls/stages/agreement.hpp:263
@@ -1345,16 +1345,16 @@ module horopter_agreement (
   // hls/stages/patches.hpp:103
   logic select_2743;
   assign select_2743 = and_1580 ? (and_1593 ? not_2741_s1_q : patches_lower_q) : patches_lower_q;
-  // hls/stages/patches.hpp:367
+  // hls/stages/patches.hpp:366
   logic or_2782;
   assign or_2782 = patches_begins_q | patches_ends_q;
-  // hls/stages/patches.hpp:369
+  // hls/stages/patches.hpp:368
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:163
   logic and_2788;
   assign and_2788 = equal_1680 & not_1687;
-  // hls/stages/patches.hpp:373
+  // hls/stages/patches.hpp:372
   logic and_2789;
   assign and_2789 = not_1741 & and_2788;
   logic [1:0] select_2791;
@@ -1376,18 +1376,18 @@ module horopter_agreement (
   assign not_2798 = ~(patches_following_q == 3'h2);
   logic and_2801;
   assign and_2801 = (~(patches_following_q == 3'h1)) & not_2798;
-  // hls/stages/patches.hpp:371
+  // hls/stages/patches.hpp:370
   logic [1:0] select_2802;
   assign select_2802 = equal_2795 ? 2'h2 : {and_2801, not_2798};
   logic [3:0] select_2803;
   assign select_2803 = equal_2793 ? 4'h2 : {select_2802, {2{not_2796}}};
-  // hls/stages/patches.hpp:379
+  // hls/stages/patches.hpp:378
   logic not_2806;
   assign not_2806 = ~or_2782;
-  // hls/stages/patches.hpp:368
+  // hls/stages/patches.hpp:367
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
-  // hls/stages/patches.hpp:380
+  // hls/stages/patches.hpp:379
   logic [11:0] select_2811;
   assign select_2811 = or_2782 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/patches.hpp:163
@@ -1410,7 +1410,7 @@ module horopter_agreement (
     if (best_right_re) best_right_rdata_q <= best_right_mem[best_right_raddr];
   end
 
-  // Memory patches_right_0, 1024 x 8, DISTANCE 12, hls/stages/patches.hpp:698; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory patches_right_0, 1024 x 8, DISTANCE 12, hls/stages/patches.hpp:697; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_right_0_mem [0:1023];
@@ -1426,7 +1426,7 @@ module horopter_agreement (
     if (patches_right_0_re) patches_right_0_rdata_q <= patches_right_0_mem[patches_right_0_raddr];
   end
 
-  // Memory patches_right_1, 1024 x 8, DISTANCE 12, hls/stages/patches.hpp:698; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory patches_right_1, 1024 x 8, DISTANCE 12, hls/stages/patches.hpp:697; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_right_1_mem [0:1023];
@@ -1442,7 +1442,7 @@ module horopter_agreement (
     if (patches_right_1_re) patches_right_1_rdata_q <= patches_right_1_mem[patches_right_1_raddr];
   end
 
-  // Memory patches_left, 512 x 8, DISTANCE 12, hls/stages/patches.hpp:699; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory patches_left, 512 x 8, DISTANCE 12, hls/stages/patches.hpp:698; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_left_mem [0:511];
@@ -1458,7 +1458,7 @@ module horopter_agreement (
     if (patches_left_re) patches_left_rdata_q <= patches_left_mem[patches_left_raddr];
   end
 
-  // Memory patches_columns_above, 32 x 32, DISTANCE 12, hls/stages/patches.hpp:710; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory patches_columns_above, 32 x 32, DISTANCE 12, hls/stages/patches.hpp:709; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2020,7 +2020,7 @@ module horopter_agreement (
   assign select_1498 = less_526_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
   logic [14:0] shift_2;
   assign shift_2 = or_519_s2_q ? {select_1498, and_1497, and_1491, and_1481_s2_q, and_1478, and_1474_s2_q, not_527_s2_q} : 15'h0;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_1500;
   assign and_1500 = ends_cell_s2_q & shift_2[0];
   logic and_1502;
@@ -2035,20 +2035,20 @@ module horopter_agreement (
   assign pixel = equal_1684_s2_q ? (patches_second_s2_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
   assign pixel_2 = equal_1684_s2_q ? (patches_second_s2_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
-  // hls/stages/patches.hpp:455
+  // hls/stages/patches.hpp:454
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
   // hls/stages/patches.hpp:160
   logic and_1776;
   assign and_1776 = not_1681_s2_q & (equal_1682_s2_q & new_row);
-  // hls/stages/patches.hpp:432
+  // hls/stages/patches.hpp:431
   logic [8:0] sum_1779;
   assign sum_1779 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
   logic [8:0] sum_1780;
   assign sum_1780 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
   logic [10:0] down_2;
   assign down_2 = {1'b0, sum_1779, pixel_2[0]} - {1'b0, sum_1780, patches_columns_above_rdata_q[24]};
-  // hls/stages/patches.hpp:434
+  // hls/stages/patches.hpp:433
   logic [11:0] sum_1782;
   assign sum_1782 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
   logic [12:0] sum_1783;
@@ -2059,7 +2059,7 @@ module horopter_agreement (
   assign sum_1785 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1784[13:1];
   logic [14:0] sum_1786;
   assign sum_1786 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_1785, sum_1784[0], down_2[0]};
-  // hls/stages/patches.hpp:430
+  // hls/stages/patches.hpp:429
   logic [8:0] sum_1789;
   assign sum_1789 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
   logic [9:0] sum_1790;
@@ -2068,10 +2068,10 @@ module horopter_agreement (
   assign sum_1791 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_1790, patches_columns_above_rdata_q[25]};
   logic [9:0] sum_1792;
   assign sum_1792 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_1791[10:1];
-  // hls/stages/patches.hpp:431
+  // hls/stages/patches.hpp:430
   logic [11:0] smooth;
   assign smooth = {sum_1792, sum_1791[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
-  // hls/stages/patches.hpp:433
+  // hls/stages/patches.hpp:432
   logic [12:0] sum_1794;
   assign sum_1794 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
   logic [12:0] sum_1795;
@@ -2084,13 +2084,13 @@ module horopter_agreement (
   // hls/stages/patches.hpp:160
   logic and_1807;
   assign and_1807 = or_1686_s2_q & ((equal_1684_s2_q & and_1803) & (patches_column_s2_q == 5'h1f));
-  // hls/stages/patches.hpp:445
+  // hls/stages/patches.hpp:444
   logic or_1813;
   assign or_1813 = equal_1684_s2_q | (~and_1803);
-  // hls/stages/patches.hpp:449
+  // hls/stages/patches.hpp:448
   logic and_1818;
   assign and_1818 = (~or_1813) & ((~patches_column_s2_q[4]) & (patches_column_s2_q == 5'hf));
-  // hls/stages/patches.hpp:486
+  // hls/stages/patches.hpp:485
   logic less_1822;
   assign less_1822 = patches_step_q[4:0] < 5'h11;
   logic equal_1823;
@@ -2101,7 +2101,7 @@ module horopter_agreement (
   assign equal_1825 = patches_step_q[6:5] == 2'h3;
   logic not_1826;
   assign not_1826 = ~equal_1825;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic select_1829;
   assign select_1829 = equal_1825 ? (less_1822 & (less_1822 & not_1826)) : less_1822;
   // hls/stages/patches.hpp:160
@@ -2226,10 +2226,10 @@ module horopter_agreement (
   // hls/stages/patches.hpp:151
   logic and_2874;
   assign and_2874 = patches_along_ends_q & patches_match_row_ends_q;
-  // hls/stages/patches.hpp:387
+  // hls/stages/patches.hpp:386
   logic [4:0] select_2879;
   assign select_2879 = or_2782_s2_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
-  // hls/stages/patches.hpp:389
+  // hls/stages/patches.hpp:388
   logic [3:0] select_2881;
   assign select_2881 = and_2874 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/patches.hpp:160
@@ -2237,10 +2237,10 @@ module horopter_agreement (
   assign select_3231 = equal_1680_s2_q ? patches_summed_row_column_q : (equal_1682_s2_q ? patches_along_q : patches_summed_row_column_q);
   logic [4:0] select_3237;
   assign select_3237 = equal_1680_s2_q ? patches_summed_down_by_q : (equal_1682_s2_q ? patches_down_by_q : patches_summed_down_by_q);
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic and_3270;
   assign and_3270 = less_1822 & (patches_step_q[6:5] == 2'h1);
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic select_3273;
   assign select_3273 = equal_1825 ? (less_1822 ? (not_1826 & and_3270) : and_3270) : and_3270;
   // hls/stages/patches.hpp:160
@@ -2309,7 +2309,7 @@ module horopter_agreement (
     if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory patches_right_codes, 28 x 112, DISTANCE 12, hls/stages/patches.hpp:714; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory patches_right_codes, 28 x 112, DISTANCE 12, hls/stages/patches.hpp:713; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2326,7 +2326,7 @@ module horopter_agreement (
     if (patches_right_codes_re) patches_right_codes_rdata_q <= patches_right_codes_mem[patches_right_codes_raddr];
   end
 
-  // Memory patches_left_codes, 12 x 48, DISTANCE 12, hls/stages/patches.hpp:715; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory patches_left_codes, 12 x 48, DISTANCE 12, hls/stages/patches.hpp:714; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2343,7 +2343,7 @@ module horopter_agreement (
     if (patches_left_codes_re) patches_left_codes_rdata_q <= patches_left_codes_mem[patches_left_codes_raddr];
   end
 
-  // Memory patches_rows, 17 x 15, DISTANCE 12, hls/stages/patches.hpp:729; read in stage 2, written in stage 4: 2 < 4 < 2 + DISTANCE.
+  // Memory patches_rows, 17 x 15, DISTANCE 12, hls/stages/patches.hpp:728; read in stage 2, written in stage 4: 2 < 4 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -3090,7 +3090,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:193
   logic not_1507;
   assign not_1507 = ~so_s3_q;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_1508;
   assign and_1508 = not_1507 & shift_2_s3_q[4];
   // hls/stages/agreement.hpp:1070
@@ -3111,7 +3111,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic [1:0] sum_1518;
   assign sum_1518 = slot_s3_q[1:0] + 2'h3;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [3:0] select_1519;
   assign select_1519 = equal_1467_s3_q ? select_1517 : {sum_1518, lower_half_s3_q, registration_of_right_q};
   // hls/stages/patches.hpp:185
@@ -3159,7 +3159,7 @@ module horopter_agreement (
   assign sum_1558 = {2'h0, slot_s3_q} + 5'h1f;
   logic and_1560;
   assign and_1560 = half_ends & ({{3{sum_1558[4]}}, sum_1558} < 8'h3);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_1561;
   assign and_1561 = so_s3_q & and_1560;
   logic select_1562;
@@ -3169,7 +3169,7 @@ module horopter_agreement (
   assign not_1564 = ~lower_half_s3_q;
   logic [3:0] select_1565;
   assign select_1565 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_1564, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_1564};
-  // hls/stages/patches.hpp:347
+  // hls/stages/patches.hpp:346
   logic [1:0] select_1594;
   assign select_1594 = and_1593_s3_q ? 2'h1 : patches_fetch_q;
   logic [4:0] select_1595;
@@ -3185,7 +3185,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:80
   logic right_3;
   assign right_3 = {3'h0, last_s3_q[5:1]} < x_s3_q;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_1606;
   assign and_1606 = not_1468_s3_q & (so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & right_3)));
   // hls/stages/registration.hpp:83
@@ -3247,7 +3247,7 @@ module horopter_agreement (
   assign and_1645 = ($signed(9'h0) < $signed(sum_1640[9:1])) & (~($signed({5'h0, last_s3_q}) < $signed({sum_1642, sum_1640[0]})));
   logic and_1646;
   assign and_1646 = (~(and_1633 | (equal_1634 | (~(x_s3_q < {2'h0, last_s3_q}))))) & and_1645;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_1649;
   assign and_1649 = ends_cell_s3_q & (shift_2_s3_q[0] & ((less_1607_s3_q & and_1628) & and_1646));
   logic and_1651;
@@ -3255,7 +3255,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:133
   logic and_1653;
   assign and_1653 = and_1651 & (~patches_fixed_q);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [6:0] select_1656;
   assign select_1656 = so_s3_q ? (ends_cell_s3_q ? (shift_2_s3_q[0] ? x_s3_q[6:0] : 7'h0) : 7'h0) : 7'h0;
   logic [6:0] select_1657;
@@ -3273,35 +3273,35 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
   assign slope = equal_1608 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_1662[12:7])) ? 8'h7f : select_1665);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [7:0] select_1670;
   assign select_1670 = so_s3_q ? (ends_cell_s3_q ? (shift_2_s3_q[0] ? slope : 8'h0) : 8'h0) : 8'h0;
   logic [7:0] select_1671;
   assign select_1671 = equal_1467_s3_q ? 8'h0 : select_1670;
-  // hls/stages/patches.hpp:317
+  // hls/stages/patches.hpp:316
   logic [21:0] select_1672;
   assign select_1672 = and_1653 ? {select_1671, select_1661, select_1657, and_1651} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
   // hls/stages/patches.hpp:90
   logic equal_1673;
   assign equal_1673 = x_s3_q == {2'h0, last_s3_q};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_1677;
   assign and_1677 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & (and_1633 | equal_1673)));
   logic and_1678;
   assign and_1678 = not_1468_s3_q & and_1677;
-  // hls/stages/patches.hpp:318
+  // hls/stages/patches.hpp:317
   logic and_1679;
   assign and_1679 = patches_chooses_s3_q & and_1678;
   // hls/stages/patches.hpp:103
   logic [4:0] select_1693;
   assign select_1693 = and_1580_s3_q ? select_1595 : patches_band_q;
-  // hls/stages/patches.hpp:327
+  // hls/stages/patches.hpp:326
   logic equal_1694;
   assign equal_1694 = {patches_choosing_band_s3_q, and_1606} == {select_1693, select_1597[1]};
-  // hls/stages/patches.hpp:443
+  // hls/stages/patches.hpp:442
   logic [2:0] sum_1778;
   assign sum_1778 = patches_code_row_s3_q[4:2] + 3'h7;
-  // hls/stages/patches.hpp:447
+  // hls/stages/patches.hpp:446
   logic [1:0] sum_1811;
   assign sum_1811 = patches_code_row_s3_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:197
@@ -3316,7 +3316,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:990
   logic or_1857;
   assign or_1857 = select_1848[7] | (~(select_1848[6:4] == 3'h0));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [5:0] select_1858;
   assign select_1858 = equal_1467_s3_q ? x_s3_q[5:0] : {region_row_q, or_1857, or_1854, or_1851};
   // hls/stages/agreement.hpp:1070
@@ -3325,7 +3325,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1000
   logic or_1863;
   assign or_1863 = (~sum_1861_s3_q) | equal_1673;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_1866;
   assign and_1866 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & or_1863));
   // hls/stages/agreement.hpp:250
@@ -3483,7 +3483,7 @@ module horopter_agreement (
   assign difference_1986 = {1'b0, near_2} - {1'b0, select_1985};
   logic [4:0] n;
   assign n = {difference_1986[3], difference_1986} + (equal_1634 ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_1998;
   assign and_1998 = ends_cell_s3_q & (and_1994_s3_q & (~({1'b0, sum_1552, last_s3_q[1:0]} < x_s3_q)));
   logic and_2000;
@@ -3653,7 +3653,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:507
   logic and_2380;
   assign and_2380 = and_498_s3_q & (equal_559_s3_q & equal_2264_s3_q);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2384;
   assign and_2384 = not_1468_s3_q & (so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & shift_2_s3_q[1])));
   // hls/stages/agreement.hpp:976
@@ -3680,7 +3680,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1044
   logic [5:0] sum_2416;
   assign sum_2416 = {1'b0, e} + {2'h0, e[4:1]};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2445;
   assign and_2445 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & (shift_2_s3_q[2:1] == 2'h3)));
   logic [7:0] select_2489;
@@ -3720,7 +3720,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:205
   logic less_2543;
   assign less_2543 = $signed(difference_2528) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic select_2551;
   assign select_2551 = so_s3_q ? (equal_2492 ? right_2 : registration_of_right_q) : registration_of_right_q;
   logic select_2554;
@@ -3728,7 +3728,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:269
   logic [3:0] select_2559;
   assign select_2559 = (sum_1518 == 2'h2) ? (registration_fresh_q & (~select_1565)) : registration_fresh_q;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [3:0] select_2561;
   assign select_2561 = so_s3_q ? (and_1560 ? select_2559 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
@@ -3748,7 +3748,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:447
   logic [15:0] select_2720;
   assign select_2720 = equal_2264_s3_q ? {patches_chance_q[14:0], parity_2719} : patches_chance_q;
-  // hls/stages/patches.hpp:319
+  // hls/stages/patches.hpp:318
   logic not_2722;
   assign not_2722 = ~and_1678;
   // hls/stages/patches.hpp:85
@@ -3759,19 +3759,19 @@ module horopter_agreement (
   assign select_2724 = right_3 ? last_s3_q[5:1] : 5'h0;
   logic [5:0] from;
   assign from = {1'b0, of_32} + {1'b0, select_2724};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2730;
   assign and_2730 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & (~(x_s3_q < {2'h0, from}))));
   // hls/stages/patches.hpp:133
   logic and_2734;
   assign and_2734 = not_2722 & (patches_fixed_q | ((not_1468_s3_q & and_2730) & and_1653));
-  // hls/stages/patches.hpp:328
+  // hls/stages/patches.hpp:327
   logic not_2747;
   assign not_2747 = ~select_1597[1];
   // hls/stages/agreement.hpp:263
   logic [1:0] select_2749;
   assign select_2749 = sample_pair_whole_s3_q ? (equal_1598 ? select_1597 : {not_2747, 1'b0}) : patches_fetch_q;
-  // hls/stages/patches.hpp:463
+  // hls/stages/patches.hpp:462
   logic [55:0] other;
   assign other = new_row_s3_q ? patches_right_codes_rdata_q[55:0] : {patches_codes_high_q[3:0], patches_codes_low_q};
   // hls/stages/patches.hpp:160
@@ -3779,7 +3779,7 @@ module horopter_agreement (
   assign select_2848 = or_1686_s3_q ? {patches_codes_high_q[3:0], patches_codes_low_q[51:4]} : patches_codes_low_q;
   logic [51:0] select_2850;
   assign select_2850 = equal_1680_s3_q ? patches_codes_low_q : (equal_1682_s3_q ? other[55:4] : select_2848);
-  // hls/stages/patches.hpp:463
+  // hls/stages/patches.hpp:462
   logic [55:0] select_2851;
   assign select_2851 = new_row_s3_q ? patches_right_codes_rdata_q[111:56] : {4'h0, patches_codes_high_q[55:4]};
   // hls/stages/patches.hpp:160
@@ -3801,7 +3801,7 @@ module horopter_agreement (
   // hls/stages/count_bits.hpp:27
   logic and_2866;
   assign and_2866 = or_2863 & and_2864;
-  // hls/stages/patches.hpp:449
+  // hls/stages/patches.hpp:448
   logic [2:0] select_2868;
   assign select_2868 = or_1813_s3_q ? 3'h0 : (patches_column_s3_q ? 3'h0 : {and_2866, xor_2865, parity_2859});
   // hls/stages/patches.hpp:160
@@ -3810,13 +3810,13 @@ module horopter_agreement (
   // hls/stages/patches.hpp:143
   logic [9:0] sum_2873;
   assign sum_2873 = {7'h0, patches_set_q} + (equal_1684_s3_q ? 10'h0 : patches_size_q);
-  // hls/stages/patches.hpp:464
+  // hls/stages/patches.hpp:463
   logic [47:0] select_2883;
   assign select_2883 = new_row_s3_q ? patches_left_codes_rdata_q : patches_left_row_q;
   // hls/stages/patches.hpp:160
   logic [47:0] select_2885;
   assign select_2885 = equal_1680_s3_q ? patches_left_row_q : (equal_1682_s3_q ? select_2883 : patches_left_row_q);
-  // hls/stages/patches.hpp:464
+  // hls/stages/patches.hpp:463
   logic [47:0] bits;
   assign bits = select_2883 ^ other[47:0];
   // hls/stages/count_bits.hpp:24
@@ -4024,34 +4024,34 @@ module horopter_agreement (
   // hls/stages/patches.hpp:160
   logic select_3233;
   assign select_3233 = equal_1680_s3_q ? patches_summed_first_q : (equal_1682_s3_q ? new_row_s3_q : patches_summed_first_q);
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic [9:0] select_3240;
   assign select_3240 = less_1822_s3_q ? patches_rows_rdata_q[9:0] : 10'h0;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic [9:0] select_3243;
   assign select_3243 = equal_1825_s3_q ? (less_1822_s3_q ? (equal_1825_s3_q ? 10'h0 : select_3240) : 10'h0) : select_3240;
   logic [9:0] select_3245;
   assign select_3245 = less_1822_s3_q ? (equal_1823_s3_q ? 10'h0 : select_3243) : select_3243;
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic [4:0] select_3247;
   assign select_3247 = less_1822_s3_q ? patches_rows_rdata_q[14:10] : 5'h0;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic [4:0] select_3250;
   assign select_3250 = equal_1825_s3_q ? (less_1822_s3_q ? (equal_1825_s3_q ? 5'h0 : select_3247) : 5'h0) : select_3247;
   logic [4:0] select_3252;
   assign select_3252 = less_1822_s3_q ? (equal_1823_s3_q ? 5'h0 : select_3250) : select_3250;
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic [4:0] select_3254;
   assign select_3254 = less_1822_s3_q ? patches_step_s3_q : 5'h0;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic [4:0] select_3257;
   assign select_3257 = equal_1825_s3_q ? (less_1822_s3_q ? (equal_1825_s3_q ? 5'h0 : select_3254) : 5'h0) : select_3254;
   logic [4:0] select_3259;
   assign select_3259 = less_1822_s3_q ? (equal_1823_s3_q ? 5'h0 : select_3257) : select_3257;
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic and_3262;
   assign and_3262 = less_1822_s3_q & (patches_step_s3_q == 5'h0);
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic select_3265;
   assign select_3265 = equal_1825_s3_q ? (less_1822_s3_q ? (not_1826_s3_q & and_3262) : and_3262) : and_3262;
   // hls/stages/patches.hpp:160
@@ -4062,48 +4062,48 @@ module horopter_agreement (
   assign or_3279 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
   logic and_3280;
   assign and_3280 = patches_read_searches_s3_q & or_3279;
-  // hls/stages/patches.hpp:480
+  // hls/stages/patches.hpp:479
   logic [4:0] select_3281;
   assign select_3281 = and_3280 ? patches_read_at_q : patches_peak_row_q;
-  // hls/stages/patches.hpp:487
+  // hls/stages/patches.hpp:486
   logic [5:0] away;
   assign away = {1'b0, patches_step_s3_q} - {1'b0, select_3281};
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic and_3285;
   assign and_3285 = less_1822_s3_q & (equal_3277_s3_q & (away == 6'h3f));
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic select_3288;
   assign select_3288 = equal_1825_s3_q ? (less_1822_s3_q ? (not_1826_s3_q & and_3285) : and_3285) : and_3285;
   // hls/stages/patches.hpp:160
   logic select_3291;
   assign select_3291 = equal_1680_s3_q ? (less_1822_s3_q ? (not_1824_s3_q & select_3288) : select_3288) : patches_read_above_q;
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic and_3294;
   assign and_3294 = less_1822_s3_q & (equal_3277_s3_q & (away == 6'h1));
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic select_3297;
   assign select_3297 = equal_1825_s3_q ? (less_1822_s3_q ? (not_1826_s3_q & and_3294) : and_3294) : and_3294;
   // hls/stages/patches.hpp:160
   logic select_3300;
   assign select_3300 = equal_1680_s3_q ? (less_1822_s3_q ? (not_1824_s3_q & select_3297) : select_3297) : patches_read_below_q;
-  // hls/stages/patches.hpp:493
+  // hls/stages/patches.hpp:492
   logic [6:0] sum_3301;
   assign sum_3301 = {away[5], away} + 7'h7d;
-  // hls/stages/patches.hpp:494
+  // hls/stages/patches.hpp:493
   logic [9:0] select_3304;
   assign select_3304 = (equal_3277_s3_q & ({sum_3301[6], sum_3301} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic [9:0] select_3305;
   assign select_3305 = less_1822_s3_q ? select_3304 : 10'h3ff;
-  // hls/stages/patches.hpp:497
+  // hls/stages/patches.hpp:496
   logic [9:0] select_3307;
   assign select_3307 = less_1822_s3_q ? (equal_1825_s3_q ? 10'h3ff : select_3305) : 10'h3ff;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic [9:0] select_3308;
   assign select_3308 = equal_1825_s3_q ? select_3307 : select_3305;
   logic [9:0] select_3310;
   assign select_3310 = less_1822_s3_q ? (equal_1823_s3_q ? 10'h3ff : select_3308) : select_3308;
-  // hls/stages/patches.hpp:479
+  // hls/stages/patches.hpp:478
   logic [14:0] select_3312;
   assign select_3312 = and_3280 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/patches.hpp:160
@@ -4111,37 +4111,37 @@ module horopter_agreement (
   assign select_3313 = equal_1680_s3_q ? select_3312[9:0] : patches_peak_best_differing_q;
   logic [4:0] select_3314;
   assign select_3314 = equal_1680_s3_q ? select_3312[14:10] : patches_peak_best_column_q;
-  // hls/stages/patches.hpp:481
+  // hls/stages/patches.hpp:480
   logic [9:0] select_3316;
   assign select_3316 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
-  // hls/stages/patches.hpp:482
+  // hls/stages/patches.hpp:481
   logic [9:0] select_3318;
   assign select_3318 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
-  // hls/stages/patches.hpp:483
+  // hls/stages/patches.hpp:482
   logic [9:0] select_3321;
   assign select_3321 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
   logic [9:0] select_3322;
   assign select_3322 = patches_read_first_q ? patches_read_far_q : select_3321;
-  // hls/stages/patches.hpp:534
+  // hls/stages/patches.hpp:533
   logic [9:0] difference_3325;
   assign difference_3325 = select_3322 - select_3312[9:0];
-  // hls/stages/patches.hpp:519
+  // hls/stages/patches.hpp:518
   logic less_3355;
   assign less_3355 = select_3316 < select_3318;
-  // hls/stages/patches.hpp:525
+  // hls/stages/patches.hpp:524
   logic [1:0] sum_3356;
   assign sum_3356 = select_3281[4:3] + 2'h3;
-  // hls/stages/patches.hpp:520
+  // hls/stages/patches.hpp:519
   logic [9:0] high;
   assign high = less_3355 ? select_3318 : select_3316;
   logic [9:0] low;
   assign low = (select_3318 < select_3316) ? select_3318 : select_3316;
-  // hls/stages/patches.hpp:521
+  // hls/stages/patches.hpp:520
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall;
   assign fall = high - select_3312[9:0];
-  // hls/stages/patches.hpp:523
+  // hls/stages/patches.hpp:522
   logic not_3363;
   assign not_3363 = ~({eight, 3'h0} < {3'h0, fall});
   logic [10:0] sum_3364;
@@ -4150,7 +4150,7 @@ module horopter_agreement (
   assign not_3366 = ~({eight, 3'h0} < {1'b0, sum_3364, fall[0]});
   logic [1:0] sum_3367;
   assign sum_3367 = {1'b0, not_3363} + {1'b0, not_3366};
-  // hls/stages/patches.hpp:524
+  // hls/stages/patches.hpp:523
   logic [10:0] sum_3368;
   assign sum_3368 = {1'b0, fall} + {3'h0, fall[9:2]};
   logic not_3370;
@@ -4159,16 +4159,16 @@ module horopter_agreement (
   assign not_3373 = ~({eight, 3'h0} < ({fall, 3'h0} - {3'h0, fall}));
   logic [1:0] sum_3374;
   assign sum_3374 = {1'b0, not_3370} + {1'b0, not_3373};
-  // hls/stages/patches.hpp:523
+  // hls/stages/patches.hpp:522
   logic [2:0] fraction;
   assign fraction = {1'b0, sum_3367} + {1'b0, sum_3374};
-  // hls/stages/patches.hpp:526
+  // hls/stages/patches.hpp:525
   logic [7:0] select_3377;
   assign select_3377 = less_3355 ? ({sum_3356, select_3281[2:0], 3'h0} - {5'h0, fraction}) : {sum_3356, select_3281[2:0], fraction};
   // hls/stages/agreement.hpp:1086
   logic equal_3533;
   assign equal_3533 = x_s3_q[6:0] == 7'h7f;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic select_3549;
   assign select_3549 = equal_1467_s3_q ? shown_shown_q : (so_s3_q ? select_1888 : shown_shown_q);
   logic select_3551;
@@ -4181,7 +4181,7 @@ module horopter_agreement (
   assign select_3555 = less_3552_s3_q ? (sum_3553[7] ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_3557;
   assign select_3557 = equal_2264_s3_q ? (equal_559_s3_q ? 3'h0 : select_3555) : region_row_q;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [7:0] select_3562;
   assign select_3562 = equal_1467_s3_q ? select_1848 : (so_s3_q ? (ends_cell_s3_q ? select_1941 : select_1848) : 8'h1);
   // hls/stages/agreement.hpp:447
@@ -4214,7 +4214,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:976
   logic select_3596;
   assign select_3596 = shift_2_s3_q[0] ? (sum_1861_s3_q ? (equal_1673 & or_1863) : or_1863) : or_3593;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic select_3599;
   assign select_3599 = equal_1467_s3_q ? or_3593 : (so_s3_q ? (ends_cell_s3_q ? select_3596 : or_3593) : or_3593);
   logic [2:0] select_3673;
@@ -4389,7 +4389,7 @@ module horopter_agreement (
     if (registration_sums_re) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
   end
 
-  // Memory patches_choices, 64 x 22, DISTANCE 12, hls/stages/patches.hpp:686; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory patches_choices, 64 x 22, DISTANCE 12, hls/stages/patches.hpp:685; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [21:0] patches_choices_mem [0:63];
@@ -5365,13 +5365,13 @@ module horopter_agreement (
   assign select_1575 = equal_1569 ? {1'b0, registration_half_measured_q} : up;
   logic [11:0] sum_1576;
   assign sum_1576 = (equal_1567_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1575[6]}}, select_1575};
-  // hls/stages/patches.hpp:327
+  // hls/stages/patches.hpp:326
   logic [21:0] select_1696;
   assign select_1696 = and_1695_s4_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1672_s4_q} : patches_choices_rdata_q;
   // hls/stages/patches.hpp:104
   logic select_1698;
   assign select_1698 = equal_1598_s4_q ? patches_place_0_valid_q : (select_1597_s4_q ? patches_place_0_valid_q : select_1696[0]);
-  // hls/stages/patches.hpp:328
+  // hls/stages/patches.hpp:327
   logic [20:0] select_1699;
   assign select_1699 = select_1597_s4_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1696[21:1];
   // hls/stages/patches.hpp:104
@@ -5379,10 +5379,10 @@ module horopter_agreement (
   assign select_1700 = equal_1598_s4_q ? patches_place_0_column_q : select_1699[6:0];
   logic [5:0] select_1701;
   assign select_1701 = equal_1598_s4_q ? patches_place_0_shift_q : select_1699[12:7];
-  // hls/stages/patches.hpp:298
+  // hls/stages/patches.hpp:297
   logic [6:0] sum_1702;
   assign sum_1702 = select_1700 + {select_1701[5], select_1701};
-  // hls/stages/patches.hpp:299
+  // hls/stages/patches.hpp:298
   logic [5:0] sum_1703;
   assign sum_1703 = sum_1702[6:1] + 6'h3f;
   // hls/stages/patches.hpp:108
@@ -5403,7 +5403,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:104
   logic select_1727;
   assign select_1727 = equal_1598_s4_q ? patches_place_1_valid_q : (select_1597_s4_q ? select_1696[0] : patches_place_1_valid_q);
-  // hls/stages/patches.hpp:328
+  // hls/stages/patches.hpp:327
   logic [20:0] select_1728;
   assign select_1728 = select_1597_s4_q ? select_1696[21:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:104
@@ -5411,10 +5411,10 @@ module horopter_agreement (
   assign select_1729 = equal_1598_s4_q ? patches_place_1_column_q : select_1728[6:0];
   logic [5:0] select_1730;
   assign select_1730 = equal_1598_s4_q ? patches_place_1_shift_q : select_1728[12:7];
-  // hls/stages/patches.hpp:298
+  // hls/stages/patches.hpp:297
   logic [6:0] sum_1731;
   assign sum_1731 = select_1729 + {select_1730[5], select_1730};
-  // hls/stages/patches.hpp:299
+  // hls/stages/patches.hpp:298
   logic [5:0] sum_1732;
   assign sum_1732 = sum_1731[6:1] + 6'h3f;
   // hls/stages/patches.hpp:108
@@ -5432,7 +5432,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:114
   logic and_1739;
   assign and_1739 = select_1716_s4_q & (~select_1737[5]);
-  // hls/stages/patches.hpp:294
+  // hls/stages/patches.hpp:293
   logic [6:0] sum_1746;
   assign sum_1746 = select_1700 + 7'h7f;
   // hls/stages/patches.hpp:109
@@ -5443,7 +5443,7 @@ module horopter_agreement (
   assign or_1749 = and_1580_s4_q | (select_1698 & equal_1747);
   logic [4:0] select_1750;
   assign select_1750 = or_1749 ? {and_1580_s4_q, 4'h0} : patches_left_next_0_q;
-  // hls/stages/patches.hpp:294
+  // hls/stages/patches.hpp:293
   logic [6:0] sum_1751;
   assign sum_1751 = select_1729 + 7'h7f;
   // hls/stages/patches.hpp:109
@@ -5738,7 +5738,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:889
   logic [13:0] select_2386;
   assign select_2386 = and_2380_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2384_s4_q});
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2389;
   assign and_2389 = not_1468_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
   logic and_2394;
@@ -5751,7 +5751,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1048
   logic not_2420;
   assign not_2420 = ~(equal_1939_s4_q ? and_1960 : not_2418_s4_q);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2423;
   assign and_2423 = ends_cell_s4_q & (not_2403 & (centres_values_1_textured_s4_q & not_2420));
   logic and_2425;
@@ -5771,7 +5771,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic [9:0] select_2438;
   assign select_2438 = x_s4_q[6] ? (equal_1512_s4_q ? 10'h0 : (and_2435 ? select_2429 : 10'h0)) : 10'h0;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [9:0] select_2439;
   assign select_2439 = equal_1467_s4_q ? select_2438 : 10'h0;
   // hls/stages/agreement.hpp:889
@@ -5782,7 +5782,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1052
   logic and_2450;
   assign and_2450 = not_2403 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2453;
   assign and_2453 = not_1468_s4_q & (drew_q & (ends_cell_s4_q & and_2450));
   // hls/stages/agreement.hpp:889
@@ -5791,13 +5791,13 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1052
   logic and_2457;
   assign and_2457 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2420);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2461;
   assign and_2461 = not_1468_s4_q & (drew_q & (ends_cell_s4_q & (not_2403 & and_2457)));
   // hls/stages/agreement.hpp:889
   logic [13:0] select_2463;
   assign select_2463 = and_2380_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2461});
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [7:0] select_2512;
   assign select_2512 = drew_q ? (equal_1608_s4_q ? (and_2496_s4_q ? residual_s4_q : 8'h0) : 8'h0) : 8'h0;
   logic [7:0] select_2513;
@@ -5805,7 +5805,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:134
   logic [13:0] select_2515;
   assign select_2515 = and_2495_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2513[7]}}, select_2513});
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2518;
   assign and_2518 = not_1468_s4_q & (drew_q & (and_2496_s4_q & equal_1608_s4_q));
   // hls/stages/registration.hpp:134
@@ -5814,7 +5814,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic and_2522;
   assign and_2522 = and_2496_s4_q & ($signed(residual_s4_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [1:0] select_2524;
   assign select_2524 = drew_q ? (equal_1608_s4_q ? {and_2522, and_2496_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2525;
@@ -5822,7 +5822,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:184
   logic [6:0] sum_2526;
   assign sum_2526 = registration_half_votes_down_q + {{5{select_2525[1]}}, select_2525};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [1:0] select_2532;
   assign select_2532 = drew_q ? (equal_1608_s4_q ? {and_2530_s4_q, and_2496_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2533;
@@ -5833,7 +5833,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic and_2537;
   assign and_2537 = and_2496_s4_q & ($signed(residual_s4_q) < $signed({2'h0, cfg_moved_half_limit_i}));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [1:0] select_2539;
   assign select_2539 = drew_q ? (equal_1608_s4_q ? {and_2537, and_2496_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2540;
@@ -5841,7 +5841,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:184
   logic [6:0] sum_2541;
   assign sum_2541 = registration_half_half_votes_down_q + {{5{select_2540[1]}}, select_2540};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [1:0] select_2546;
   assign select_2546 = drew_q ? (equal_1608_s4_q ? {and_2544_s4_q, and_2496_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2547;
@@ -5849,7 +5849,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:185
   logic [6:0] sum_2548;
   assign sum_2548 = registration_half_half_votes_up_q + {{5{select_2547[1]}}, select_2547};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2582;
   assign and_2582 = equal_1467_s4_q & (x_s4_q[6] & (not_1859_s4_q & less_1543_s4_q));
   // hls/stages/agreement.hpp:1072
@@ -5858,7 +5858,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic [11:0] select_2592;
   assign select_2592 = x_s4_q[6] ? (equal_1512_s4_q ? 12'h0 : (less_1543_s4_q ? select_2589 : 12'h0)) : 12'h0;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [11:0] select_2593;
   assign select_2593 = equal_1467_s4_q ? select_2592 : 12'h0;
   // hls/stages/registration.hpp:153
@@ -5867,7 +5867,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_2597;
   assign and_2597 = not_1859_s4_q & (less_1543_s4_q & ({and_2594, x_s4_q[0]} == 2'h0));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2599;
   assign and_2599 = equal_1467_s4_q & (x_s4_q[6] & and_2597);
   // hls/stages/registration.hpp:252
@@ -5879,7 +5879,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic [11:0] select_2607;
   assign select_2607 = x_s4_q[6] ? (equal_1512_s4_q ? 12'h0 : (less_1543_s4_q ? select_2604 : 12'h0)) : 12'h0;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [11:0] select_2608;
   assign select_2608 = equal_1467_s4_q ? select_2607 : 12'h0;
   // hls/stages/registration.hpp:253
@@ -5891,7 +5891,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_2615;
   assign and_2615 = not_1859_s4_q & (less_1543_s4_q & (x_s4_q[2:0] == {all_s4_q, not_2612, 1'b0}));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2621;
   assign and_2621 = equal_1467_s4_q & (x_s4_q[6] & (not_1859_s4_q & (less_1543_s4_q & all_s4_q)));
   // hls/stages/registration.hpp:246
@@ -5904,7 +5904,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_2628;
   assign and_2628 = x_s4_q[6] & (not_1859_s4_q & (less_1543_s4_q & (x_s4_q[2:0] == 3'h4)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2629;
   assign and_2629 = equal_1467_s4_q & and_2628;
   // hls/stages/registration.hpp:242
@@ -5915,7 +5915,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_2637;
   assign and_2637 = x_s4_q[6] & (not_1859_s4_q & (less_1543_s4_q & (x_s4_q[2:0] == 3'h7)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2638;
   assign and_2638 = equal_1467_s4_q & and_2637;
   // hls/stages/agreement.hpp:1084
@@ -5969,7 +5969,7 @@ module horopter_agreement (
   assign select_2778 = sample_pair_whole_s4_q ? (select_1750[4] ? {1'b1, select_1750[3:0]} : (select_1750 + 5'h1)) : patches_left_next_0_q;
   logic [4:0] select_2781;
   assign select_2781 = sample_pair_whole_s4_q ? (select_1755[4] ? {1'b1, select_1755[3:0]} : (select_1755 + 5'h1)) : patches_left_next_1_q;
-  // hls/stages/patches.hpp:465
+  // hls/stages/patches.hpp:464
   logic [9:0] sum_3;
   assign sum_3 = {4'h0, or_3192_s4_q, parity_3188_s4_q, xor_3176_s4_q, parity_3148_s4_q, parity_3086_s4_q, parity_2957_s4_q} + (equal_3193_s4_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/patches.hpp:160
@@ -6007,69 +6007,69 @@ module horopter_agreement (
   assign select_3226 = equal_1682_s4_q ? patches_sums_values_14_q : patches_sums_values_15_q;
   logic [9:0] select_3228;
   assign select_3228 = equal_1682_s4_q ? patches_sums_values_15_q : patches_sums_values_16_q;
-  // hls/stages/patches.hpp:539
+  // hls/stages/patches.hpp:538
   logic or_3333;
   assign or_3333 = (~(patches_second_s4_q ? patches_valid_1_q : patches_valid_0_q)) | or_3332_s4_q;
   logic or_3336;
   assign or_3336 = equal_3324_s4_q | (less_3326_s4_q | (less_3327_s4_q | or_3333));
-  // hls/stages/patches.hpp:519
+  // hls/stages/patches.hpp:518
   logic not_3337;
   assign not_3337 = ~or_3336;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic and_3338;
   assign and_3338 = equal_1825_s4_q & not_3337;
   // hls/stages/patches.hpp:160
   logic and_3341;
   assign and_3341 = equal_1680_s4_q & (less_1822_s4_q ? (not_1824_s4_q & and_3338) : and_3338);
-  // hls/stages/patches.hpp:577
+  // hls/stages/patches.hpp:576
   logic not_3342;
   assign not_3342 = ~patches_lower_s4_q;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic and_3344;
   assign and_3344 = equal_1825_s4_q & (patches_second_s4_q & not_3337);
   // hls/stages/patches.hpp:160
   logic and_3347;
   assign and_3347 = equal_1680_s4_q & (less_1822_s4_q ? (not_1824_s4_q & and_3344) : and_3344);
-  // hls/stages/patches.hpp:577
+  // hls/stages/patches.hpp:576
   logic not_3348;
   assign not_3348 = ~and_3347;
   // hls/stages/patches.hpp:164
   logic and_3350;
   assign and_3350 = and_3341 & (not_3342 & not_3348);
-  // hls/stages/patches.hpp:579
+  // hls/stages/patches.hpp:578
   logic [7:0] sum_3352;
   assign sum_3352 = {7'h0, and_3350} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
-  // hls/stages/patches.hpp:537
+  // hls/stages/patches.hpp:536
   logic [7:0] select_3378;
   assign select_3378 = patches_second_s4_q ? patches_place_1_slope_q : patches_place_0_slope_q;
-  // hls/stages/patches.hpp:536
+  // hls/stages/patches.hpp:535
   logic [5:0] select_3379;
   assign select_3379 = patches_second_s4_q ? patches_place_1_shift_q : patches_place_0_shift_q;
   logic [3:0] sum_3380;
   assign sum_3380 = {2'h0, select_3312_s4_q[4:3]} + 4'hf;
   logic [6:0] sum_3381;
   assign sum_3381 = {select_3379[5], select_3379} + {{3{sum_3380[3]}}, sum_3380};
-  // hls/stages/patches.hpp:537
+  // hls/stages/patches.hpp:536
   logic [17:0] product_3382;
   assign product_3382 = $signed({{10{select_3378[7]}}, select_3378}) * $signed({{8{sum_3381[6]}}, sum_3381, select_3312_s4_q[2:0]});
-  // hls/stages/patches.hpp:538
+  // hls/stages/patches.hpp:537
   logic [13:0] difference_3383;
   assign difference_3383 = {{6{select_3377_s4_q[7]}}, select_3377_s4_q} - {product_3382[17], product_3382[17:5]};
-  // hls/stages/patches.hpp:544
+  // hls/stages/patches.hpp:543
   logic less_3384;
   assign less_3384 = $signed({{7{difference_3354[6]}}, difference_3354}) < $signed(difference_3383);
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic and_3387;
   assign and_3387 = equal_1825_s4_q & (not_3337 & (~less_3384));
   // hls/stages/patches.hpp:160
   logic and_3390;
   assign and_3390 = equal_1680_s4_q & (less_1822_s4_q ? (not_1824_s4_q & and_3387) : and_3387);
-  // hls/stages/patches.hpp:580
+  // hls/stages/patches.hpp:579
   logic and_3391;
   assign and_3391 = and_3390 & and_3350;
   logic [7:0] sum_3392;
   assign sum_3392 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3391};
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic and_3396;
   assign and_3396 = not_3337 & (~($signed(difference_3383) < $signed({8'h0, cfg_patch_limit_i})));
   logic and_3397;
@@ -6077,7 +6077,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:160
   logic and_3400;
   assign and_3400 = equal_1680_s4_q & (less_1822_s4_q ? (not_1824_s4_q & and_3397) : and_3397);
-  // hls/stages/patches.hpp:581
+  // hls/stages/patches.hpp:580
   logic and_3401;
   assign and_3401 = and_3400 & and_3350;
   logic [7:0] sum_3402;
@@ -6085,15 +6085,15 @@ module horopter_agreement (
   // hls/stages/patches.hpp:164
   logic and_3404;
   assign and_3404 = and_3341 & (and_3347 & not_3342);
-  // hls/stages/patches.hpp:579
+  // hls/stages/patches.hpp:578
   logic [7:0] sum_3406;
   assign sum_3406 = {7'h0, and_3404} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:580
+  // hls/stages/patches.hpp:579
   logic and_3408;
   assign and_3408 = and_3390 & and_3404;
   logic [7:0] sum_3409;
   assign sum_3409 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3408};
-  // hls/stages/patches.hpp:581
+  // hls/stages/patches.hpp:580
   logic and_3411;
   assign and_3411 = and_3400 & and_3404;
   logic [7:0] sum_3412;
@@ -6101,15 +6101,15 @@ module horopter_agreement (
   // hls/stages/patches.hpp:164
   logic and_3414;
   assign and_3414 = and_3341 & (patches_lower_s4_q & not_3348);
-  // hls/stages/patches.hpp:579
+  // hls/stages/patches.hpp:578
   logic [7:0] sum_3416;
   assign sum_3416 = {7'h0, and_3414} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:580
+  // hls/stages/patches.hpp:579
   logic and_3418;
   assign and_3418 = and_3390 & and_3414;
   logic [7:0] sum_3419;
   assign sum_3419 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3418};
-  // hls/stages/patches.hpp:581
+  // hls/stages/patches.hpp:580
   logic and_3421;
   assign and_3421 = and_3400 & and_3414;
   logic [7:0] sum_3422;
@@ -6117,15 +6117,15 @@ module horopter_agreement (
   // hls/stages/patches.hpp:164
   logic and_3424;
   assign and_3424 = and_3341 & (patches_lower_s4_q & and_3347);
-  // hls/stages/patches.hpp:579
+  // hls/stages/patches.hpp:578
   logic [7:0] sum_3426;
   assign sum_3426 = {7'h0, and_3424} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
-  // hls/stages/patches.hpp:580
+  // hls/stages/patches.hpp:579
   logic and_3428;
   assign and_3428 = and_3390 & and_3424;
   logic [7:0] sum_3429;
   assign sum_3429 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3428};
-  // hls/stages/patches.hpp:581
+  // hls/stages/patches.hpp:580
   logic and_3431;
   assign and_3431 = and_3400 & and_3424;
   logic [7:0] sum_3432;
@@ -6152,7 +6152,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_3443;
   assign and_3443 = x_s4_q[6] & (not_1859_s4_q & (less_3433 & (equal_3434 & select_3439[0])));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3444;
   assign and_3444 = equal_1467_s4_q & and_3443;
   // hls/stages/patches.hpp:176
@@ -6161,33 +6161,33 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_3450;
   assign and_3450 = x_s4_q[6] & (not_1859_s4_q & (less_3433 & (select_3439[1] & equal_3446)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3451;
   assign and_3451 = equal_1467_s4_q & and_3450;
-  // hls/stages/patches.hpp:561
+  // hls/stages/patches.hpp:560
   logic [7:0] or_3453;
   assign or_3453 = (and_3444 ? patches_quarters_0_places_q : 8'h0) | (and_3451 ? patches_quarters_1_places_q : 8'h0);
   // hls/stages/agreement.hpp:1084
   logic and_3457;
   assign and_3457 = not_1859_s4_q & (less_3433 & (select_3439[2] & (x_s4_q[2:0] == 3'h2)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3459;
   assign and_3459 = equal_1467_s4_q & (x_s4_q[6] & and_3457);
   // hls/stages/agreement.hpp:1084
   logic and_3465;
   assign and_3465 = not_1859_s4_q & (less_3433 & (select_3439[3] & (x_s4_q[2:0] == 3'h3)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3467;
   assign and_3467 = equal_1467_s4_q & (x_s4_q[6] & and_3465);
-  // hls/stages/patches.hpp:561
+  // hls/stages/patches.hpp:560
   logic [7:0] or_3469;
   assign or_3469 = (or_3453 | (and_3459 ? patches_quarters_2_places_q : 8'h0)) | (and_3467 ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/patches.hpp:562
+  // hls/stages/patches.hpp:561
   logic [7:0] or_3472;
   assign or_3472 = (and_3444 ? patches_quarters_0_up_q : 8'h0) | (and_3451 ? patches_quarters_1_up_q : 8'h0);
   logic [7:0] or_3476;
   assign or_3476 = (or_3472 | (and_3459 ? patches_quarters_2_up_q : 8'h0)) | (and_3467 ? patches_quarters_3_up_q : 8'h0);
-  // hls/stages/patches.hpp:563
+  // hls/stages/patches.hpp:562
   logic [7:0] or_3479;
   assign or_3479 = (and_3444 ? patches_quarters_0_down_q : 8'h0) | (and_3451 ? patches_quarters_1_down_q : 8'h0);
   logic [7:0] or_3483;
@@ -6198,49 +6198,49 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_3488;
   assign and_3488 = x_s4_q[6] & (not_1859_s4_q & (less_3433 & (sum_3484[4:2] == 3'h0)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3489;
   assign and_3489 = equal_1467_s4_q & and_3488;
   logic and_3493;
   assign and_3493 = equal_1467_s4_q & (x_s4_q[6] & (not_1859_s4_q & (less_3433 & equal_3446)));
-  // hls/stages/patches.hpp:558
+  // hls/stages/patches.hpp:557
   logic [7:0] select_3496;
   assign select_3496 = and_3489 ? (patches_word_places_q + (and_3493 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
   logic [7:0] select_3499;
   assign select_3499 = and_3489 ? (patches_word_up_q + (and_3493 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
   logic [7:0] select_3502;
   assign select_3502 = and_3489 ? (patches_word_down_q + (and_3493 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
-  // hls/stages/patches.hpp:545
+  // hls/stages/patches.hpp:544
   logic [5:0] select_3506;
   assign select_3506 = ($signed(difference_3383[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3383[5:0];
   logic [5:0] select_3507;
   assign select_3507 = ($signed(14'h10) < $signed(difference_3383)) ? 6'h10 : select_3506;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic [5:0] select_3509;
   assign select_3509 = equal_1825_s4_q ? (or_3336 ? 6'h0 : select_3507) : 6'h0;
   logic [5:0] select_3511;
   assign select_3511 = less_1822_s4_q ? (equal_1823_s4_q ? 6'h0 : select_3509) : select_3509;
-  // hls/stages/patches.hpp:583
+  // hls/stages/patches.hpp:582
   logic [5:0] select_3513;
   assign select_3513 = and_3341 ? (equal_1680_s4_q ? select_3511 : 6'h0) : 6'h0;
   logic [11:0] sum_3514;
   assign sum_3514 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3513[5]}}, select_3513};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3518;
   assign and_3518 = equal_1467_s4_q & (x_s4_q[6] & (not_1859_s4_q & (equal_2648 & less_3433)));
   // hls/stages/agreement.hpp:1084
   logic and_3522;
   assign and_3522 = x_s4_q[6] & (not_1859_s4_q & (less_3433 & (x_s4_q[5:3] == 3'h0)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3523;
   assign and_3523 = equal_1467_s4_q & and_3522;
-  // hls/stages/patches.hpp:572
+  // hls/stages/patches.hpp:571
   logic [7:0] select_3525;
   assign select_3525 = and_3518 ? (and_3523 ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:574
+  // hls/stages/patches.hpp:573
   logic or_3529;
   assign or_3529 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:571
+  // hls/stages/patches.hpp:570
   logic select_3531;
   assign select_3531 = and_3518 ? (and_3523 ? patches_enough_q : patches_complete_q) : patches_complete_q;
   // hls/stages/patches.hpp:164
@@ -6248,10 +6248,10 @@ module horopter_agreement (
   assign and_3537 = patches_complete_q & (equal_1467_s4_q & ((x_s4_q[6:0] == 7'h70) & (~equal_3533_s4_q)));
   logic and_3538;
   assign and_3538 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:571
+  // hls/stages/patches.hpp:570
   logic [4:0] select_3540;
   assign select_3540 = and_3523 ? {and_3538, patches_found_q[4:1]} : (and_3518 ? {and_3538, patches_found_q[4:1]} : patches_found_q);
-  // hls/stages/patches.hpp:570
+  // hls/stages/patches.hpp:569
   logic select_3547;
   assign select_3547 = patches_round_ends_q ? (~(patches_found_q == 5'h0)) : patches_moved_q;
   // hls/stages/agreement.hpp:1126
@@ -6274,7 +6274,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic [47:0] select_3620;
   assign select_3620 = x_s4_q[6] ? (equal_1512_s4_q ? good_q : {select_3618, good_q[47:1]}) : good_q;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic select_3624;
   assign select_3624 = equal_1467_s4_q ? ((x_s4_q[6] & good_known_q) | equal_3533_s4_q) : good_known_q;
   // hls/stages/agreement.hpp:1148
@@ -6300,7 +6300,7 @@ module horopter_agreement (
   assign not_3634 = ~hidden_for_q[7];
   logic [7:0] select_3636;
   assign select_3636 = select_3633 ? (hidden_for_q + {7'h0, not_3634}) : 8'h0;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [7:0] select_3638;
   assign select_3638 = equal_1467_s4_q ? (equal_3533_s4_q ? select_3636 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1161
@@ -6330,7 +6330,7 @@ module horopter_agreement (
   assign select_3654 = ((limit & select_3648) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
   assign sum_4 = {1'b0, select_3639} + {1'b0, select_3654};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic select_3659;
   assign select_3659 = equal_1467_s4_q ? (equal_3434 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
   // hls/stages/agreement.hpp:1159
@@ -6367,13 +6367,13 @@ module horopter_agreement (
   assign select_3842 = left_first_s4_q ? select_3840 : (and_1840_s4_q ? select_3840 : nearer_q);
   logic select_3843;
   assign select_3843 = and_1840_s4_q ? select_3842 : nearer_q;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3850;
   assign and_3850 = equal_1467_s4_q & (equal_3533_s4_q & (cfg_prove_i & (~proven_q)));
   // hls/stages/agreement.hpp:1170
   logic not_3855;
   assign not_3855 = ~(or_3604 | not_3844);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3859;
   assign and_3859 = equal_1467_s4_q & (equal_3533_s4_q & (not_3855 & (select_3612 | select_3669)));
   logic and_3862;
@@ -6381,13 +6381,13 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1088
   logic or_3866;
   assign or_3866 = select_2243 | (select_2255 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3873;
   assign and_3873 = equal_1467_s4_q & (equal_3533_s4_q & (not_3855 & (select_2249 | select_2261)));
   // hls/stages/agreement.hpp:1088
   logic and_3878;
   assign and_3878 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3636 < cfg_hidden_frames_i));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3885;
   assign and_3885 = equal_1467_s4_q & (x_s4_q[6] & (not_1859_s4_q | (4'hc < x_s4_q[5:2])));
   // hls/stages/agreement.hpp:1082

@@ -325,7 +325,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:447
   logic select_2810;
   assign select_2810 = equal_2721 ? ({sum_2808[6], cfg_height_i[8:3]} == {1'b0, sum_2808[5:0]}) : final_row_q;
-  // hls/stages/patches.hpp:345
+  // hls/stages/patches.hpp:344
   logic or_3177;
   assign or_3177 = select_457[0] | select_550[5];
   logic [7:0] sum_3178;
@@ -1565,51 +1565,51 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:235
   logic or_1961;
   assign or_1961 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [6:0] select_1972;
   assign select_1972 = so_s1_q ? x_s1_q[6:0] : (or_512_s1_q ? (less_519_s1_q ? 7'h0 : select_1919) : 7'h0);
   // hls/stages/patches.hpp:99
   logic and_2046;
   assign and_2046 = (select_455_s1_q == 3'h0) & (select_457_s1_q == 7'h0);
-  // hls/stages/patches.hpp:366
+  // hls/stages/patches.hpp:365
   logic not_2047;
   assign not_2047 = ~patches_begins_q;
   // hls/stages/census.hpp:31
   logic not_2050;
   assign not_2050 = ~sample_pair_first_s1_q;
-  // hls/stages/patches.hpp:336
+  // hls/stages/patches.hpp:335
   logic and_2051;
   assign and_2051 = patches_capturing_q & not_2050;
-  // hls/stages/patches.hpp:286
+  // hls/stages/patches.hpp:285
   logic equal_2054;
   assign equal_2054 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/patches.hpp:102
   logic and_2059;
   assign and_2059 = (not_2047 & (patches_work_q == 3'h0)) & (~(and_2051 | ((~equal_2052_s1_q) | (~equal_2054))));
-  // hls/stages/patches.hpp:474
+  // hls/stages/patches.hpp:473
   logic equal_2146;
   assign equal_2146 = patches_work_q == 3'h4;
-  // hls/stages/patches.hpp:455
+  // hls/stages/patches.hpp:454
   logic not_2147;
   assign not_2147 = ~equal_2146;
-  // hls/stages/patches.hpp:474
+  // hls/stages/patches.hpp:473
   logic equal_2148;
   assign equal_2148 = patches_work_q == 3'h3;
-  // hls/stages/patches.hpp:421
+  // hls/stages/patches.hpp:420
   logic not_2149;
   assign not_2149 = ~equal_2148;
   // hls/stages/patches.hpp:143
   logic equal_2150;
   assign equal_2150 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:474
+  // hls/stages/patches.hpp:473
   logic equal_2151;
   assign equal_2151 = patches_work_q == 3'h2;
   logic or_2152;
   assign or_2152 = equal_2150 | equal_2151;
-  // hls/stages/patches.hpp:423
+  // hls/stages/patches.hpp:422
   logic not_2153;
   assign not_2153 = ~patches_second_q;
-  // hls/stages/patches.hpp:347
+  // hls/stages/patches.hpp:346
   logic [4:0] select_2175;
   assign select_2175 = and_2059 ? 5'h0 : (patches_row_q + 5'h1);
   // hls/stages/patches.hpp:103
@@ -1630,7 +1630,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:263
   logic [3:0] select_2223;
   assign select_2223 = and_2046 ? {select_2175[4], select_2175[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
-  // hls/stages/patches.hpp:421
+  // hls/stages/patches.hpp:420
   logic and_2233;
   assign and_2233 = not_2147 & (or_2152 & not_2149);
   // hls/stages/agreement.hpp:443
@@ -1642,7 +1642,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:507
   logic and_3004;
   assign and_3004 = and_491_s1_q & (equal_2721_s1_q & (row_s1_q[5:2] == 4'h0));
-  // hls/stages/patches.hpp:292
+  // hls/stages/patches.hpp:291
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:103
@@ -1651,7 +1651,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:263
   logic [3:0] select_3115;
   assign select_3115 = sample_pair_whole_s1_q ? select_3114 : patches_phase_q;
-  // hls/stages/patches.hpp:347
+  // hls/stages/patches.hpp:346
   logic and_3116;
   assign and_3116 = not_2050 & equal_2052_s1_q;
   logic [8:0] select_3117;
@@ -1669,10 +1669,10 @@ module horopter_agreement (
   assign select_3126 = sample_pair_whole_s1_q ? (equal_2054 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
   logic [4:0] select_3128;
   assign select_3128 = sample_pair_whole_s1_q ? (patches_band_rows_number_q + {4'h0, equal_2054}) : patches_next_band_number_q;
-  // hls/stages/patches.hpp:305
+  // hls/stages/patches.hpp:304
   logic equal_3129;
   assign equal_3129 = phase[3:1] == 3'h0;
-  // hls/stages/patches.hpp:306
+  // hls/stages/patches.hpp:305
   logic not_3130;
   assign not_3130 = ~equal_3129;
   // hls/stages/agreement.hpp:263
@@ -1705,16 +1705,16 @@ module horopter_agreement (
   // hls/stages/patches.hpp:103
   logic select_3182;
   assign select_3182 = and_2046 ? (and_2059 ? not_3180_s1_q : patches_lower_q) : patches_lower_q;
-  // hls/stages/patches.hpp:367
+  // hls/stages/patches.hpp:366
   logic or_3221;
   assign or_3221 = patches_begins_q | patches_ends_q;
-  // hls/stages/patches.hpp:369
+  // hls/stages/patches.hpp:368
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:163
   logic and_3227;
   assign and_3227 = equal_2146 & not_2153;
-  // hls/stages/patches.hpp:373
+  // hls/stages/patches.hpp:372
   logic and_3228;
   assign and_3228 = not_2207 & and_3227;
   logic [1:0] select_3230;
@@ -1736,18 +1736,18 @@ module horopter_agreement (
   assign not_3237 = ~(patches_following_q == 3'h2);
   logic and_3240;
   assign and_3240 = (~(patches_following_q == 3'h1)) & not_3237;
-  // hls/stages/patches.hpp:371
+  // hls/stages/patches.hpp:370
   logic [1:0] select_3241;
   assign select_3241 = equal_3234 ? 2'h2 : {and_3240, not_3237};
   logic [3:0] select_3242;
   assign select_3242 = equal_3232 ? 4'h2 : {select_3241, {2{not_3235}}};
-  // hls/stages/patches.hpp:379
+  // hls/stages/patches.hpp:378
   logic not_3245;
   assign not_3245 = ~or_3221;
-  // hls/stages/patches.hpp:368
+  // hls/stages/patches.hpp:367
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
-  // hls/stages/patches.hpp:380
+  // hls/stages/patches.hpp:379
   logic [11:0] select_3250;
   assign select_3250 = or_3221 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/patches.hpp:163
@@ -1775,7 +1775,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) best_right_read_q <= rst_ni & best_right_re;
   assign best_right_error = best_right_read_q & ^best_right_word_q;
 
-  // Memory patches_right_0, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:698; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory patches_right_0, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:697; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] patches_right_0_mem [0:1023];
@@ -1796,7 +1796,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_right_0_read_q <= rst_ni & patches_right_0_re;
   assign patches_right_0_error = patches_right_0_read_q & ^patches_right_0_word_q;
 
-  // Memory patches_right_1, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:698; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory patches_right_1, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:697; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] patches_right_1_mem [0:1023];
@@ -1817,7 +1817,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_right_1_read_q <= rst_ni & patches_right_1_re;
   assign patches_right_1_error = patches_right_1_read_q & ^patches_right_1_word_q;
 
-  // Memory patches_left, 512 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:699; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory patches_left, 512 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:698; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] patches_left_mem [0:511];
@@ -1838,7 +1838,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_left_read_q <= rst_ni & patches_left_re;
   assign patches_left_error = patches_left_read_q & ^patches_left_word_q;
 
-  // Memory patches_columns_above, 32 x 32 and parity, DISTANCE 12, hls/stages/patches.hpp:710; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory patches_columns_above, 32 x 32 and parity, DISTANCE 12, hls/stages/patches.hpp:709; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2404,7 +2404,7 @@ module horopter_agreement (
   assign select_1964 = less_519_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
   logic [14:0] shift_2;
   assign shift_2 = or_512_s2_q ? {select_1964, and_1963, and_1957, and_1947_s2_q, and_1944, and_1940_s2_q, not_520_s2_q} : 15'h0;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_1966;
   assign and_1966 = ends_cell_s2_q & shift_2[0];
   logic and_1968;
@@ -2443,7 +2443,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:90
   logic equal_2139;
   assign equal_2139 = x_s2_q == {1'b0, last_s2_q};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2143;
   assign and_2143 = so_s2_q & (ends_cell_s2_q & (shift_2[0] & (and_2099 | equal_2139)));
   logic and_2144;
@@ -2453,20 +2453,20 @@ module horopter_agreement (
   assign pixel = equal_2150_s2_q ? (patches_second_s2_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
   assign pixel_2 = equal_2150_s2_q ? (patches_second_s2_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
-  // hls/stages/patches.hpp:455
+  // hls/stages/patches.hpp:454
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
   // hls/stages/patches.hpp:160
   logic and_2242;
   assign and_2242 = not_2147_s2_q & (equal_2148_s2_q & new_row);
-  // hls/stages/patches.hpp:432
+  // hls/stages/patches.hpp:431
   logic [8:0] sum_2245;
   assign sum_2245 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
   logic [8:0] sum_2246;
   assign sum_2246 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
   logic [10:0] down_2;
   assign down_2 = {1'b0, sum_2245, pixel_2[0]} - {1'b0, sum_2246, patches_columns_above_rdata_q[24]};
-  // hls/stages/patches.hpp:434
+  // hls/stages/patches.hpp:433
   logic [11:0] sum_2248;
   assign sum_2248 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
   logic [12:0] sum_2249;
@@ -2477,7 +2477,7 @@ module horopter_agreement (
   assign sum_2251 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2250[13:1];
   logic [14:0] sum_2252;
   assign sum_2252 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2251, sum_2250[0], down_2[0]};
-  // hls/stages/patches.hpp:430
+  // hls/stages/patches.hpp:429
   logic [8:0] sum_2255;
   assign sum_2255 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
   logic [9:0] sum_2256;
@@ -2486,10 +2486,10 @@ module horopter_agreement (
   assign sum_2257 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2256, patches_columns_above_rdata_q[25]};
   logic [9:0] sum_2258;
   assign sum_2258 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2257[10:1];
-  // hls/stages/patches.hpp:431
+  // hls/stages/patches.hpp:430
   logic [11:0] smooth;
   assign smooth = {sum_2258, sum_2257[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
-  // hls/stages/patches.hpp:433
+  // hls/stages/patches.hpp:432
   logic [12:0] sum_2260;
   assign sum_2260 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
   logic [12:0] sum_2261;
@@ -2502,13 +2502,13 @@ module horopter_agreement (
   // hls/stages/patches.hpp:160
   logic and_2273;
   assign and_2273 = or_2152_s2_q & ((equal_2150_s2_q & and_2269) & (patches_column_s2_q == 5'h1f));
-  // hls/stages/patches.hpp:445
+  // hls/stages/patches.hpp:444
   logic or_2279;
   assign or_2279 = equal_2150_s2_q | (~and_2269);
-  // hls/stages/patches.hpp:449
+  // hls/stages/patches.hpp:448
   logic and_2284;
   assign and_2284 = (~or_2279) & ((~patches_column_s2_q[4]) & (patches_column_s2_q == 5'hf));
-  // hls/stages/patches.hpp:486
+  // hls/stages/patches.hpp:485
   logic less_2288;
   assign less_2288 = patches_step_q[4:0] < 5'h11;
   logic equal_2289;
@@ -2519,7 +2519,7 @@ module horopter_agreement (
   assign equal_2291 = patches_step_q[6:5] == 2'h3;
   logic not_2292;
   assign not_2292 = ~equal_2291;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic select_2295;
   assign select_2295 = equal_2291 ? (less_2288 & (less_2288 & not_2292)) : less_2288;
   // hls/stages/patches.hpp:160
@@ -2531,7 +2531,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:250
   logic textured;
   assign textured = shift_2[0] & shift_2[2];
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2455;
   assign and_2455 = ends_cell_s2_q & (and_2451_s2_q & (~({sum_2018, last_s2_q[1:0]} < x_s2_q)));
   // hls/stages/registration.hpp:76
@@ -2616,7 +2616,7 @@ module horopter_agreement (
   assign select_3163 = right_3 ? last_s2_q[6:1] : 6'h0;
   logic [6:0] from;
   assign from = {1'b0, further} + {1'b0, select_3163};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3169;
   assign and_3169 = so_s2_q & (ends_cell_s2_q & (shift_2[0] & (~(x_s2_q < {1'b0, from}))));
   // hls/stages/patches.hpp:163
@@ -2648,10 +2648,10 @@ module horopter_agreement (
   // hls/stages/patches.hpp:151
   logic and_3313;
   assign and_3313 = patches_along_ends_q & patches_match_row_ends_q;
-  // hls/stages/patches.hpp:387
+  // hls/stages/patches.hpp:386
   logic [4:0] select_3318;
   assign select_3318 = or_3221_s2_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
-  // hls/stages/patches.hpp:389
+  // hls/stages/patches.hpp:388
   logic [3:0] select_3320;
   assign select_3320 = and_3313 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/patches.hpp:160
@@ -2659,10 +2659,10 @@ module horopter_agreement (
   assign select_3670 = equal_2146_s2_q ? patches_summed_row_column_q : (equal_2148_s2_q ? patches_along_q : patches_summed_row_column_q);
   logic [4:0] select_3676;
   assign select_3676 = equal_2146_s2_q ? patches_summed_down_by_q : (equal_2148_s2_q ? patches_down_by_q : patches_summed_down_by_q);
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic and_3709;
   assign and_3709 = less_2288 & (patches_step_q[6:5] == 2'h1);
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic select_3712;
   assign select_3712 = equal_2291 ? (less_2288 ? (not_2292 & and_3709) : and_3709) : and_3709;
   // hls/stages/patches.hpp:160
@@ -2746,7 +2746,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) shown_right_read_q <= rst_ni & shown_right_re;
   assign shown_right_error = shown_right_read_q & ^shown_right_word_q;
 
-  // Memory patches_right_codes, 28 x 112 and parity, DISTANCE 12, hls/stages/patches.hpp:714; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory patches_right_codes, 28 x 112 and parity, DISTANCE 12, hls/stages/patches.hpp:713; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2768,7 +2768,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_right_codes_read_q <= rst_ni & patches_right_codes_re;
   assign patches_right_codes_error = patches_right_codes_read_q & ^patches_right_codes_word_q;
 
-  // Memory patches_left_codes, 12 x 48 and parity, DISTANCE 12, hls/stages/patches.hpp:715; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory patches_left_codes, 12 x 48 and parity, DISTANCE 12, hls/stages/patches.hpp:714; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2790,7 +2790,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_left_codes_read_q <= rst_ni & patches_left_codes_re;
   assign patches_left_codes_error = patches_left_codes_read_q & ^patches_left_codes_word_q;
 
-  // Memory patches_rows, 17 x 15 and parity, DISTANCE 12, hls/stages/patches.hpp:729; read in stage 2, written in stage 4: 2 < 4 < 2 + DISTANCE.
+  // Memory patches_rows, 17 x 15 and parity, DISTANCE 12, hls/stages/patches.hpp:728; read in stage 2, written in stage 4: 2 < 4 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -3514,7 +3514,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:193
   logic not_1973;
   assign not_1973 = ~so_s3_q;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_1974;
   assign and_1974 = not_1973 & shift_2_s3_q[4];
   // hls/stages/agreement.hpp:1070
@@ -3535,7 +3535,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic [1:0] sum_1984;
   assign sum_1984 = slot_s3_q[1:0] + 2'h3;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [3:0] select_1985;
   assign select_1985 = equal_1933_s3_q ? select_1983 : {sum_1984, lower_half_s3_q, registration_of_right_q};
   // hls/stages/patches.hpp:185
@@ -3577,7 +3577,7 @@ module horopter_agreement (
   assign sum_2024 = {2'h0, slot_s3_q} + 5'h1f;
   logic and_2026;
   assign and_2026 = half_ends & ({{3{sum_2024[4]}}, sum_2024} < 8'h3);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2027;
   assign and_2027 = so_s3_q & and_2026;
   logic select_2028;
@@ -3587,7 +3587,7 @@ module horopter_agreement (
   assign not_2030 = ~lower_half_s3_q;
   logic [3:0] select_2031;
   assign select_2031 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_2030, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_2030};
-  // hls/stages/patches.hpp:347
+  // hls/stages/patches.hpp:346
   logic [1:0] select_2060;
   assign select_2060 = and_2059_s3_q ? 2'h1 : patches_fetch_q;
   logic [4:0] select_2061;
@@ -3642,7 +3642,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:964
   logic and_2094;
   assign and_2094 = shift_2_s3_q[3] & ({{4{sum_2092[9]}}, sum_2092, expected[1:0]} < 16'h29);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2115;
   assign and_2115 = ends_cell_s3_q & (shift_2_s3_q[0] & ((less_2073_s3_q & and_2094) & and_2112_s3_q));
   logic and_2117;
@@ -3650,7 +3650,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:133
   logic and_2119;
   assign and_2119 = and_2117 & (~patches_fixed_q);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [7:0] select_2122;
   assign select_2122 = so_s3_q ? (ends_cell_s3_q ? (shift_2_s3_q[0] ? x_s3_q : 8'h0) : 8'h0) : 8'h0;
   logic [7:0] select_2123;
@@ -3668,24 +3668,24 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
   assign slope = equal_2074 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2128[12:7])) ? 8'h7f : select_2131);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [7:0] select_2136;
   assign select_2136 = so_s3_q ? (ends_cell_s3_q ? (shift_2_s3_q[0] ? slope : 8'h0) : 8'h0) : 8'h0;
   logic [7:0] select_2137;
   assign select_2137 = equal_1933_s3_q ? 8'h0 : select_2136;
-  // hls/stages/patches.hpp:317
+  // hls/stages/patches.hpp:316
   logic [22:0] select_2138;
   assign select_2138 = and_2119 ? {select_2137, select_2127, select_2123, and_2117} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
   // hls/stages/patches.hpp:103
   logic [4:0] select_2159;
   assign select_2159 = and_2046_s3_q ? select_2061 : patches_band_q;
-  // hls/stages/patches.hpp:327
+  // hls/stages/patches.hpp:326
   logic equal_2160;
   assign equal_2160 = {patches_choosing_band_s3_q, and_2072_s3_q} == {select_2159, select_2063[1]};
-  // hls/stages/patches.hpp:443
+  // hls/stages/patches.hpp:442
   logic [2:0] sum_2244;
   assign sum_2244 = patches_code_row_s3_q[4:2] + 3'h7;
-  // hls/stages/patches.hpp:447
+  // hls/stages/patches.hpp:446
   logic [1:0] sum_2277;
   assign sum_2277 = patches_code_row_s3_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:197
@@ -3700,7 +3700,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:990
   logic or_2315;
   assign or_2315 = select_2306[7] | (~(select_2306[6:4] == 3'h0));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [5:0] select_2316;
   assign select_2316 = equal_1933_s3_q ? x_s3_q[5:0] : {region_row_q, or_2315, or_2312, or_2309};
   // hls/stages/agreement.hpp:1070
@@ -3709,7 +3709,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1000
   logic or_2321;
   assign or_2321 = (~sum_2319_s3_q) | equal_2139_s3_q;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2324;
   assign and_2324 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & or_2321));
   // hls/stages/agreement.hpp:250
@@ -4022,7 +4022,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:507
   logic and_2818;
   assign and_2818 = and_491_s3_q & (equal_552_s3_q & equal_2721_s3_q);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2822;
   assign and_2822 = not_1934_s3_q & (so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & shift_2_s3_q[1])));
   // hls/stages/agreement.hpp:976
@@ -4049,7 +4049,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1044
   logic [5:0] sum_2854;
   assign sum_2854 = {1'b0, e} + {2'h0, e[4:1]};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2883;
   assign and_2883 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & (shift_2_s3_q[2:1] == 2'h3)));
   logic [7:0] select_2927;
@@ -4089,7 +4089,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:205
   logic less_2981;
   assign less_2981 = $signed(difference_2966) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic select_2989;
   assign select_2989 = so_s3_q ? (equal_2930 ? right_2_s3_q : registration_of_right_q) : registration_of_right_q;
   logic select_2992;
@@ -4097,7 +4097,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:269
   logic [3:0] select_2997;
   assign select_2997 = (sum_1984 == 2'h2) ? (registration_fresh_q & (~select_2031)) : registration_fresh_q;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [3:0] select_2999;
   assign select_2999 = so_s3_q ? (and_2026 ? select_2997 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
@@ -4111,16 +4111,16 @@ module horopter_agreement (
   assign not_3022 = ~quarter_2[1];
   logic [3:0] select_3023;
   assign select_3023 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3022, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3022};
-  // hls/stages/patches.hpp:319
+  // hls/stages/patches.hpp:318
   logic not_3160;
   assign not_3160 = ~and_2144_s3_q;
-  // hls/stages/patches.hpp:328
+  // hls/stages/patches.hpp:327
   logic not_3186;
   assign not_3186 = ~select_2063[1];
   // hls/stages/agreement.hpp:263
   logic [1:0] select_3188;
   assign select_3188 = sample_pair_whole_s3_q ? (equal_2064 ? select_2063 : {not_3186, 1'b0}) : patches_fetch_q;
-  // hls/stages/patches.hpp:463
+  // hls/stages/patches.hpp:462
   logic [55:0] other;
   assign other = new_row_s3_q ? patches_right_codes_rdata_q[55:0] : {patches_codes_high_q[3:0], patches_codes_low_q};
   // hls/stages/patches.hpp:160
@@ -4128,7 +4128,7 @@ module horopter_agreement (
   assign select_3287 = or_2152_s3_q ? {patches_codes_high_q[3:0], patches_codes_low_q[51:4]} : patches_codes_low_q;
   logic [51:0] select_3289;
   assign select_3289 = equal_2146_s3_q ? patches_codes_low_q : (equal_2148_s3_q ? other[55:4] : select_3287);
-  // hls/stages/patches.hpp:463
+  // hls/stages/patches.hpp:462
   logic [55:0] select_3290;
   assign select_3290 = new_row_s3_q ? patches_right_codes_rdata_q[111:56] : {4'h0, patches_codes_high_q[55:4]};
   // hls/stages/patches.hpp:160
@@ -4150,7 +4150,7 @@ module horopter_agreement (
   // hls/stages/count_bits.hpp:27
   logic and_3305;
   assign and_3305 = or_3302 & and_3303;
-  // hls/stages/patches.hpp:449
+  // hls/stages/patches.hpp:448
   logic [2:0] select_3307;
   assign select_3307 = or_2279_s3_q ? 3'h0 : (patches_column_s3_q ? 3'h0 : {and_3305, xor_3304, parity_3298});
   // hls/stages/patches.hpp:160
@@ -4159,13 +4159,13 @@ module horopter_agreement (
   // hls/stages/patches.hpp:143
   logic [9:0] sum_3312;
   assign sum_3312 = {7'h0, patches_set_q} + (equal_2150_s3_q ? 10'h0 : patches_size_q);
-  // hls/stages/patches.hpp:464
+  // hls/stages/patches.hpp:463
   logic [47:0] select_3322;
   assign select_3322 = new_row_s3_q ? patches_left_codes_rdata_q : patches_left_row_q;
   // hls/stages/patches.hpp:160
   logic [47:0] select_3324;
   assign select_3324 = equal_2146_s3_q ? patches_left_row_q : (equal_2148_s3_q ? select_3322 : patches_left_row_q);
-  // hls/stages/patches.hpp:464
+  // hls/stages/patches.hpp:463
   logic [47:0] bits;
   assign bits = select_3322 ^ other[47:0];
   // hls/stages/count_bits.hpp:24
@@ -4373,34 +4373,34 @@ module horopter_agreement (
   // hls/stages/patches.hpp:160
   logic select_3672;
   assign select_3672 = equal_2146_s3_q ? patches_summed_first_q : (equal_2148_s3_q ? new_row_s3_q : patches_summed_first_q);
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic [9:0] select_3679;
   assign select_3679 = less_2288_s3_q ? patches_rows_rdata_q[9:0] : 10'h0;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic [9:0] select_3682;
   assign select_3682 = equal_2291_s3_q ? (less_2288_s3_q ? (equal_2291_s3_q ? 10'h0 : select_3679) : 10'h0) : select_3679;
   logic [9:0] select_3684;
   assign select_3684 = less_2288_s3_q ? (equal_2289_s3_q ? 10'h0 : select_3682) : select_3682;
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic [4:0] select_3686;
   assign select_3686 = less_2288_s3_q ? patches_rows_rdata_q[14:10] : 5'h0;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic [4:0] select_3689;
   assign select_3689 = equal_2291_s3_q ? (less_2288_s3_q ? (equal_2291_s3_q ? 5'h0 : select_3686) : 5'h0) : select_3686;
   logic [4:0] select_3691;
   assign select_3691 = less_2288_s3_q ? (equal_2289_s3_q ? 5'h0 : select_3689) : select_3689;
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic [4:0] select_3693;
   assign select_3693 = less_2288_s3_q ? patches_step_s3_q : 5'h0;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic [4:0] select_3696;
   assign select_3696 = equal_2291_s3_q ? (less_2288_s3_q ? (equal_2291_s3_q ? 5'h0 : select_3693) : 5'h0) : select_3693;
   logic [4:0] select_3698;
   assign select_3698 = less_2288_s3_q ? (equal_2289_s3_q ? 5'h0 : select_3696) : select_3696;
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic and_3701;
   assign and_3701 = less_2288_s3_q & (patches_step_s3_q == 5'h0);
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic select_3704;
   assign select_3704 = equal_2291_s3_q ? (less_2288_s3_q ? (not_2292_s3_q & and_3701) : and_3701) : and_3701;
   // hls/stages/patches.hpp:160
@@ -4411,48 +4411,48 @@ module horopter_agreement (
   assign or_3718 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
   logic and_3719;
   assign and_3719 = patches_read_searches_s3_q & or_3718;
-  // hls/stages/patches.hpp:480
+  // hls/stages/patches.hpp:479
   logic [4:0] select_3720;
   assign select_3720 = and_3719 ? patches_read_at_q : patches_peak_row_q;
-  // hls/stages/patches.hpp:487
+  // hls/stages/patches.hpp:486
   logic [5:0] away;
   assign away = {1'b0, patches_step_s3_q} - {1'b0, select_3720};
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic and_3724;
   assign and_3724 = less_2288_s3_q & (equal_3716_s3_q & (away == 6'h3f));
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic select_3727;
   assign select_3727 = equal_2291_s3_q ? (less_2288_s3_q ? (not_2292_s3_q & and_3724) : and_3724) : and_3724;
   // hls/stages/patches.hpp:160
   logic select_3730;
   assign select_3730 = equal_2146_s3_q ? (less_2288_s3_q ? (not_2290_s3_q & select_3727) : select_3727) : patches_read_above_q;
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic and_3733;
   assign and_3733 = less_2288_s3_q & (equal_3716_s3_q & (away == 6'h1));
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic select_3736;
   assign select_3736 = equal_2291_s3_q ? (less_2288_s3_q ? (not_2292_s3_q & and_3733) : and_3733) : and_3733;
   // hls/stages/patches.hpp:160
   logic select_3739;
   assign select_3739 = equal_2146_s3_q ? (less_2288_s3_q ? (not_2290_s3_q & select_3736) : select_3736) : patches_read_below_q;
-  // hls/stages/patches.hpp:493
+  // hls/stages/patches.hpp:492
   logic [6:0] sum_3740;
   assign sum_3740 = {away[5], away} + 7'h7d;
-  // hls/stages/patches.hpp:494
+  // hls/stages/patches.hpp:493
   logic [9:0] select_3743;
   assign select_3743 = (equal_3716_s3_q & ({sum_3740[6], sum_3740} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
-  // hls/stages/patches.hpp:496
+  // hls/stages/patches.hpp:495
   logic [9:0] select_3744;
   assign select_3744 = less_2288_s3_q ? select_3743 : 10'h3ff;
-  // hls/stages/patches.hpp:497
+  // hls/stages/patches.hpp:496
   logic [9:0] select_3746;
   assign select_3746 = less_2288_s3_q ? (equal_2291_s3_q ? 10'h3ff : select_3744) : 10'h3ff;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic [9:0] select_3747;
   assign select_3747 = equal_2291_s3_q ? select_3746 : select_3744;
   logic [9:0] select_3749;
   assign select_3749 = less_2288_s3_q ? (equal_2289_s3_q ? 10'h3ff : select_3747) : select_3747;
-  // hls/stages/patches.hpp:479
+  // hls/stages/patches.hpp:478
   logic [14:0] select_3751;
   assign select_3751 = and_3719 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/patches.hpp:160
@@ -4460,37 +4460,37 @@ module horopter_agreement (
   assign select_3752 = equal_2146_s3_q ? select_3751[9:0] : patches_peak_best_differing_q;
   logic [4:0] select_3753;
   assign select_3753 = equal_2146_s3_q ? select_3751[14:10] : patches_peak_best_column_q;
-  // hls/stages/patches.hpp:481
+  // hls/stages/patches.hpp:480
   logic [9:0] select_3755;
   assign select_3755 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
-  // hls/stages/patches.hpp:482
+  // hls/stages/patches.hpp:481
   logic [9:0] select_3757;
   assign select_3757 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
-  // hls/stages/patches.hpp:483
+  // hls/stages/patches.hpp:482
   logic [9:0] select_3760;
   assign select_3760 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
   logic [9:0] select_3761;
   assign select_3761 = patches_read_first_q ? patches_read_far_q : select_3760;
-  // hls/stages/patches.hpp:534
+  // hls/stages/patches.hpp:533
   logic [9:0] difference_3764;
   assign difference_3764 = select_3761 - select_3751[9:0];
-  // hls/stages/patches.hpp:519
+  // hls/stages/patches.hpp:518
   logic less_3794;
   assign less_3794 = select_3755 < select_3757;
-  // hls/stages/patches.hpp:525
+  // hls/stages/patches.hpp:524
   logic [1:0] sum_3795;
   assign sum_3795 = select_3720[4:3] + 2'h3;
-  // hls/stages/patches.hpp:520
+  // hls/stages/patches.hpp:519
   logic [9:0] high;
   assign high = less_3794 ? select_3757 : select_3755;
   logic [9:0] low;
   assign low = (select_3757 < select_3755) ? select_3757 : select_3755;
-  // hls/stages/patches.hpp:521
+  // hls/stages/patches.hpp:520
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall;
   assign fall = high - select_3751[9:0];
-  // hls/stages/patches.hpp:523
+  // hls/stages/patches.hpp:522
   logic not_3802;
   assign not_3802 = ~({eight, 3'h0} < {3'h0, fall});
   logic [10:0] sum_3803;
@@ -4499,7 +4499,7 @@ module horopter_agreement (
   assign not_3805 = ~({eight, 3'h0} < {1'b0, sum_3803, fall[0]});
   logic [1:0] sum_3806;
   assign sum_3806 = {1'b0, not_3802} + {1'b0, not_3805};
-  // hls/stages/patches.hpp:524
+  // hls/stages/patches.hpp:523
   logic [10:0] sum_3807;
   assign sum_3807 = {1'b0, fall} + {3'h0, fall[9:2]};
   logic not_3809;
@@ -4508,16 +4508,16 @@ module horopter_agreement (
   assign not_3812 = ~({eight, 3'h0} < ({fall, 3'h0} - {3'h0, fall}));
   logic [1:0] sum_3813;
   assign sum_3813 = {1'b0, not_3809} + {1'b0, not_3812};
-  // hls/stages/patches.hpp:523
+  // hls/stages/patches.hpp:522
   logic [2:0] fraction;
   assign fraction = {1'b0, sum_3806} + {1'b0, sum_3813};
-  // hls/stages/patches.hpp:526
+  // hls/stages/patches.hpp:525
   logic [7:0] select_3816;
   assign select_3816 = less_3794 ? ({sum_3795, select_3720[2:0], 3'h0} - {5'h0, fraction}) : {sum_3795, select_3720[2:0], fraction};
   // hls/stages/agreement.hpp:1086
   logic equal_3972;
   assign equal_3972 = x_s3_q[6:0] == 7'h7f;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic select_3988;
   assign select_3988 = equal_1933_s3_q ? shown_shown_q : (so_s3_q ? select_2346 : shown_shown_q);
   logic select_3990;
@@ -4530,7 +4530,7 @@ module horopter_agreement (
   assign select_3994 = less_3991_s3_q ? (sum_3992[7] ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_3996;
   assign select_3996 = equal_2721_s3_q ? (equal_552_s3_q ? 3'h0 : select_3994) : region_row_q;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [7:0] select_4001;
   assign select_4001 = equal_1933_s3_q ? select_2306 : (so_s3_q ? (ends_cell_s3_q ? select_2398 : select_2306) : 8'h1);
   // hls/stages/agreement.hpp:447
@@ -4563,7 +4563,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:976
   logic select_4035;
   assign select_4035 = shift_2_s3_q[0] ? (sum_2319_s3_q ? (equal_2139_s3_q & or_2321) : or_2321) : or_4032;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic select_4038;
   assign select_4038 = equal_1933_s3_q ? or_4032 : (so_s3_q ? (ends_cell_s3_q ? select_4035 : or_4032) : or_4032);
   logic [2:0] select_4112;
@@ -4705,7 +4705,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) registration_sums_read_q <= rst_ni & registration_sums_re;
   assign registration_sums_error = registration_sums_read_q & ^registration_sums_word_q;
 
-  // Memory patches_choices, 64 x 23 and parity, DISTANCE 12, hls/stages/patches.hpp:686; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory patches_choices, 64 x 23 and parity, DISTANCE 12, hls/stages/patches.hpp:685; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [23:0] patches_choices_mem [0:63];
@@ -5698,13 +5698,13 @@ module horopter_agreement (
   assign select_2041 = equal_2035 ? {1'b0, registration_half_measured_q} : up;
   logic [11:0] sum_2042;
   assign sum_2042 = (equal_2033_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_2041[6]}}, select_2041};
-  // hls/stages/patches.hpp:327
+  // hls/stages/patches.hpp:326
   logic [22:0] select_2162;
   assign select_2162 = and_2161_s4_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2138_s4_q} : patches_choices_rdata_q;
   // hls/stages/patches.hpp:104
   logic select_2164;
   assign select_2164 = equal_2064_s4_q ? patches_place_0_valid_q : (select_2063_s4_q ? patches_place_0_valid_q : select_2162[0]);
-  // hls/stages/patches.hpp:328
+  // hls/stages/patches.hpp:327
   logic [21:0] select_2165;
   assign select_2165 = select_2063_s4_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2162[22:1];
   // hls/stages/patches.hpp:104
@@ -5712,10 +5712,10 @@ module horopter_agreement (
   assign select_2166 = equal_2064_s4_q ? patches_place_0_column_q : select_2165[7:0];
   logic [5:0] select_2167;
   assign select_2167 = equal_2064_s4_q ? patches_place_0_shift_q : select_2165[13:8];
-  // hls/stages/patches.hpp:298
+  // hls/stages/patches.hpp:297
   logic [7:0] sum_2168;
   assign sum_2168 = select_2166 + {{2{select_2167[5]}}, select_2167};
-  // hls/stages/patches.hpp:299
+  // hls/stages/patches.hpp:298
   logic [6:0] sum_2169;
   assign sum_2169 = sum_2168[7:1] + 7'h7f;
   // hls/stages/patches.hpp:108
@@ -5736,7 +5736,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:104
   logic select_2193;
   assign select_2193 = equal_2064_s4_q ? patches_place_1_valid_q : (select_2063_s4_q ? select_2162[0] : patches_place_1_valid_q);
-  // hls/stages/patches.hpp:328
+  // hls/stages/patches.hpp:327
   logic [21:0] select_2194;
   assign select_2194 = select_2063_s4_q ? select_2162[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:104
@@ -5744,10 +5744,10 @@ module horopter_agreement (
   assign select_2195 = equal_2064_s4_q ? patches_place_1_column_q : select_2194[7:0];
   logic [5:0] select_2196;
   assign select_2196 = equal_2064_s4_q ? patches_place_1_shift_q : select_2194[13:8];
-  // hls/stages/patches.hpp:298
+  // hls/stages/patches.hpp:297
   logic [7:0] sum_2197;
   assign sum_2197 = select_2195 + {{2{select_2196[5]}}, select_2196};
-  // hls/stages/patches.hpp:299
+  // hls/stages/patches.hpp:298
   logic [6:0] sum_2198;
   assign sum_2198 = sum_2197[7:1] + 7'h7f;
   // hls/stages/patches.hpp:108
@@ -5765,7 +5765,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:114
   logic and_2205;
   assign and_2205 = select_2182_s4_q & (~select_2203[5]);
-  // hls/stages/patches.hpp:294
+  // hls/stages/patches.hpp:293
   logic [7:0] sum_2212;
   assign sum_2212 = select_2166 + 8'hff;
   // hls/stages/patches.hpp:109
@@ -5776,7 +5776,7 @@ module horopter_agreement (
   assign or_2215 = and_2046_s4_q | (select_2164 & equal_2213);
   logic [4:0] select_2216;
   assign select_2216 = or_2215 ? {and_2046_s4_q, 4'h0} : patches_left_next_0_q;
-  // hls/stages/patches.hpp:294
+  // hls/stages/patches.hpp:293
   logic [7:0] sum_2217;
   assign sum_2217 = select_2195 + 8'hff;
   // hls/stages/patches.hpp:109
@@ -6071,7 +6071,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:889
   logic [13:0] select_2824;
   assign select_2824 = and_2818_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2822_s4_q});
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2827;
   assign and_2827 = not_1934_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
   logic and_2832;
@@ -6084,7 +6084,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1048
   logic not_2858;
   assign not_2858 = ~(equal_2396_s4_q ? and_2417 : not_2856_s4_q);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2861;
   assign and_2861 = ends_cell_s4_q & (not_2841 & (centres_values_1_textured_s4_q & not_2858));
   logic and_2863;
@@ -6104,7 +6104,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic [9:0] select_2876;
   assign select_2876 = x_s4_q[6] ? (equal_1978_s4_q ? 10'h0 : (and_2873 ? select_2867 : 10'h0)) : 10'h0;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [9:0] select_2877;
   assign select_2877 = equal_1933_s4_q ? select_2876 : 10'h0;
   // hls/stages/agreement.hpp:889
@@ -6115,7 +6115,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1052
   logic and_2888;
   assign and_2888 = not_2841 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2891;
   assign and_2891 = not_1934_s4_q & (drew_q & (ends_cell_s4_q & and_2888));
   // hls/stages/agreement.hpp:889
@@ -6124,13 +6124,13 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1052
   logic and_2895;
   assign and_2895 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2858);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2899;
   assign and_2899 = not_1934_s4_q & (drew_q & (ends_cell_s4_q & (not_2841 & and_2895)));
   // hls/stages/agreement.hpp:889
   logic [13:0] select_2901;
   assign select_2901 = and_2818_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2899});
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [7:0] select_2950;
   assign select_2950 = drew_q ? (equal_2074_s4_q ? (and_2934_s4_q ? residual_s4_q : 8'h0) : 8'h0) : 8'h0;
   logic [7:0] select_2951;
@@ -6138,7 +6138,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:134
   logic [13:0] select_2953;
   assign select_2953 = and_2933_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2951[7]}}, select_2951});
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_2956;
   assign and_2956 = not_1934_s4_q & (drew_q & (and_2934_s4_q & equal_2074_s4_q));
   // hls/stages/registration.hpp:134
@@ -6147,7 +6147,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic and_2960;
   assign and_2960 = and_2934_s4_q & ($signed(residual_s4_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [1:0] select_2962;
   assign select_2962 = drew_q ? (equal_2074_s4_q ? {and_2960, and_2934_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2963;
@@ -6155,7 +6155,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:184
   logic [6:0] sum_2964;
   assign sum_2964 = registration_half_votes_down_q + {{5{select_2963[1]}}, select_2963};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [1:0] select_2970;
   assign select_2970 = drew_q ? (equal_2074_s4_q ? {and_2968_s4_q, and_2934_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2971;
@@ -6166,7 +6166,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic and_2975;
   assign and_2975 = and_2934_s4_q & ($signed(residual_s4_q) < $signed({2'h0, cfg_moved_half_limit_i}));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [1:0] select_2977;
   assign select_2977 = drew_q ? (equal_2074_s4_q ? {and_2975, and_2934_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2978;
@@ -6174,7 +6174,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:184
   logic [6:0] sum_2979;
   assign sum_2979 = registration_half_half_votes_down_q + {{5{select_2978[1]}}, select_2978};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [1:0] select_2984;
   assign select_2984 = drew_q ? (equal_2074_s4_q ? {and_2982_s4_q, and_2934_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2985;
@@ -6182,7 +6182,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:185
   logic [6:0] sum_2986;
   assign sum_2986 = registration_half_half_votes_up_q + {{5{select_2985[1]}}, select_2985};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3020;
   assign and_3020 = equal_1933_s4_q & (x_s4_q[6] & (not_2317_s4_q & less_2009_s4_q));
   // hls/stages/agreement.hpp:1072
@@ -6191,7 +6191,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic [11:0] select_3030;
   assign select_3030 = x_s4_q[6] ? (equal_1978_s4_q ? 12'h0 : (less_2009_s4_q ? select_3027 : 12'h0)) : 12'h0;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [11:0] select_3031;
   assign select_3031 = equal_1933_s4_q ? select_3030 : 12'h0;
   // hls/stages/registration.hpp:153
@@ -6200,7 +6200,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_3035;
   assign and_3035 = not_2317_s4_q & (less_2009_s4_q & ({and_3032, x_s4_q[0]} == 2'h0));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3037;
   assign and_3037 = equal_1933_s4_q & (x_s4_q[6] & and_3035);
   // hls/stages/registration.hpp:252
@@ -6212,7 +6212,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic [11:0] select_3045;
   assign select_3045 = x_s4_q[6] ? (equal_1978_s4_q ? 12'h0 : (less_2009_s4_q ? select_3042 : 12'h0)) : 12'h0;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [11:0] select_3046;
   assign select_3046 = equal_1933_s4_q ? select_3045 : 12'h0;
   // hls/stages/registration.hpp:253
@@ -6224,7 +6224,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_3053;
   assign and_3053 = not_2317_s4_q & (less_2009_s4_q & (x_s4_q[2:0] == {all_s4_q, not_3050, 1'b0}));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3059;
   assign and_3059 = equal_1933_s4_q & (x_s4_q[6] & (not_2317_s4_q & (less_2009_s4_q & all_s4_q)));
   // hls/stages/registration.hpp:246
@@ -6237,7 +6237,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_3066;
   assign and_3066 = x_s4_q[6] & (not_2317_s4_q & (less_2009_s4_q & (x_s4_q[2:0] == 3'h4)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3067;
   assign and_3067 = equal_1933_s4_q & and_3066;
   // hls/stages/registration.hpp:242
@@ -6248,7 +6248,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_3075;
   assign and_3075 = x_s4_q[6] & (not_2317_s4_q & (less_2009_s4_q & (x_s4_q[2:0] == 3'h7)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3076;
   assign and_3076 = equal_1933_s4_q & and_3075;
   // hls/stages/agreement.hpp:1084
@@ -6302,7 +6302,7 @@ module horopter_agreement (
   assign select_3217 = sample_pair_whole_s4_q ? (select_2216[4] ? {1'b1, select_2216[3:0]} : (select_2216 + 5'h1)) : patches_left_next_0_q;
   logic [4:0] select_3220;
   assign select_3220 = sample_pair_whole_s4_q ? (select_2221[4] ? {1'b1, select_2221[3:0]} : (select_2221 + 5'h1)) : patches_left_next_1_q;
-  // hls/stages/patches.hpp:465
+  // hls/stages/patches.hpp:464
   logic [9:0] sum_3;
   assign sum_3 = {4'h0, or_3631_s4_q, parity_3627_s4_q, xor_3615_s4_q, parity_3587_s4_q, parity_3525_s4_q, parity_3396_s4_q} + (equal_3632_s4_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/patches.hpp:160
@@ -6340,69 +6340,69 @@ module horopter_agreement (
   assign select_3665 = equal_2148_s4_q ? patches_sums_values_14_q : patches_sums_values_15_q;
   logic [9:0] select_3667;
   assign select_3667 = equal_2148_s4_q ? patches_sums_values_15_q : patches_sums_values_16_q;
-  // hls/stages/patches.hpp:539
+  // hls/stages/patches.hpp:538
   logic or_3772;
   assign or_3772 = (~(patches_second_s4_q ? patches_valid_1_q : patches_valid_0_q)) | or_3771_s4_q;
   logic or_3775;
   assign or_3775 = equal_3763_s4_q | (less_3765_s4_q | (less_3766_s4_q | or_3772));
-  // hls/stages/patches.hpp:519
+  // hls/stages/patches.hpp:518
   logic not_3776;
   assign not_3776 = ~or_3775;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic and_3777;
   assign and_3777 = equal_2291_s4_q & not_3776;
   // hls/stages/patches.hpp:160
   logic and_3780;
   assign and_3780 = equal_2146_s4_q & (less_2288_s4_q ? (not_2290_s4_q & and_3777) : and_3777);
-  // hls/stages/patches.hpp:577
+  // hls/stages/patches.hpp:576
   logic not_3781;
   assign not_3781 = ~patches_lower_s4_q;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic and_3783;
   assign and_3783 = equal_2291_s4_q & (patches_second_s4_q & not_3776);
   // hls/stages/patches.hpp:160
   logic and_3786;
   assign and_3786 = equal_2146_s4_q & (less_2288_s4_q ? (not_2290_s4_q & and_3783) : and_3783);
-  // hls/stages/patches.hpp:577
+  // hls/stages/patches.hpp:576
   logic not_3787;
   assign not_3787 = ~and_3786;
   // hls/stages/patches.hpp:164
   logic and_3789;
   assign and_3789 = and_3780 & (not_3781 & not_3787);
-  // hls/stages/patches.hpp:579
+  // hls/stages/patches.hpp:578
   logic [7:0] sum_3791;
   assign sum_3791 = {7'h0, and_3789} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
-  // hls/stages/patches.hpp:537
+  // hls/stages/patches.hpp:536
   logic [7:0] select_3817;
   assign select_3817 = patches_second_s4_q ? patches_place_1_slope_q : patches_place_0_slope_q;
-  // hls/stages/patches.hpp:536
+  // hls/stages/patches.hpp:535
   logic [5:0] select_3818;
   assign select_3818 = patches_second_s4_q ? patches_place_1_shift_q : patches_place_0_shift_q;
   logic [3:0] sum_3819;
   assign sum_3819 = {2'h0, select_3751_s4_q[4:3]} + 4'hf;
   logic [6:0] sum_3820;
   assign sum_3820 = {select_3818[5], select_3818} + {{3{sum_3819[3]}}, sum_3819};
-  // hls/stages/patches.hpp:537
+  // hls/stages/patches.hpp:536
   logic [17:0] product_3821;
   assign product_3821 = $signed({{10{select_3817[7]}}, select_3817}) * $signed({{8{sum_3820[6]}}, sum_3820, select_3751_s4_q[2:0]});
-  // hls/stages/patches.hpp:538
+  // hls/stages/patches.hpp:537
   logic [13:0] difference_3822;
   assign difference_3822 = {{6{select_3816_s4_q[7]}}, select_3816_s4_q} - {product_3821[17], product_3821[17:5]};
-  // hls/stages/patches.hpp:544
+  // hls/stages/patches.hpp:543
   logic less_3823;
   assign less_3823 = $signed({{7{difference_3793[6]}}, difference_3793}) < $signed(difference_3822);
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic and_3826;
   assign and_3826 = equal_2291_s4_q & (not_3776 & (~less_3823));
   // hls/stages/patches.hpp:160
   logic and_3829;
   assign and_3829 = equal_2146_s4_q & (less_2288_s4_q ? (not_2290_s4_q & and_3826) : and_3826);
-  // hls/stages/patches.hpp:580
+  // hls/stages/patches.hpp:579
   logic and_3830;
   assign and_3830 = and_3829 & and_3789;
   logic [7:0] sum_3831;
   assign sum_3831 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3830};
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic and_3835;
   assign and_3835 = not_3776 & (~($signed(difference_3822) < $signed({8'h0, cfg_patch_limit_i})));
   logic and_3836;
@@ -6410,7 +6410,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:160
   logic and_3839;
   assign and_3839 = equal_2146_s4_q & (less_2288_s4_q ? (not_2290_s4_q & and_3836) : and_3836);
-  // hls/stages/patches.hpp:581
+  // hls/stages/patches.hpp:580
   logic and_3840;
   assign and_3840 = and_3839 & and_3789;
   logic [7:0] sum_3841;
@@ -6418,15 +6418,15 @@ module horopter_agreement (
   // hls/stages/patches.hpp:164
   logic and_3843;
   assign and_3843 = and_3780 & (and_3786 & not_3781);
-  // hls/stages/patches.hpp:579
+  // hls/stages/patches.hpp:578
   logic [7:0] sum_3845;
   assign sum_3845 = {7'h0, and_3843} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:580
+  // hls/stages/patches.hpp:579
   logic and_3847;
   assign and_3847 = and_3829 & and_3843;
   logic [7:0] sum_3848;
   assign sum_3848 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3847};
-  // hls/stages/patches.hpp:581
+  // hls/stages/patches.hpp:580
   logic and_3850;
   assign and_3850 = and_3839 & and_3843;
   logic [7:0] sum_3851;
@@ -6434,15 +6434,15 @@ module horopter_agreement (
   // hls/stages/patches.hpp:164
   logic and_3853;
   assign and_3853 = and_3780 & (patches_lower_s4_q & not_3787);
-  // hls/stages/patches.hpp:579
+  // hls/stages/patches.hpp:578
   logic [7:0] sum_3855;
   assign sum_3855 = {7'h0, and_3853} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:580
+  // hls/stages/patches.hpp:579
   logic and_3857;
   assign and_3857 = and_3829 & and_3853;
   logic [7:0] sum_3858;
   assign sum_3858 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3857};
-  // hls/stages/patches.hpp:581
+  // hls/stages/patches.hpp:580
   logic and_3860;
   assign and_3860 = and_3839 & and_3853;
   logic [7:0] sum_3861;
@@ -6450,15 +6450,15 @@ module horopter_agreement (
   // hls/stages/patches.hpp:164
   logic and_3863;
   assign and_3863 = and_3780 & (patches_lower_s4_q & and_3786);
-  // hls/stages/patches.hpp:579
+  // hls/stages/patches.hpp:578
   logic [7:0] sum_3865;
   assign sum_3865 = {7'h0, and_3863} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
-  // hls/stages/patches.hpp:580
+  // hls/stages/patches.hpp:579
   logic and_3867;
   assign and_3867 = and_3829 & and_3863;
   logic [7:0] sum_3868;
   assign sum_3868 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3867};
-  // hls/stages/patches.hpp:581
+  // hls/stages/patches.hpp:580
   logic and_3870;
   assign and_3870 = and_3839 & and_3863;
   logic [7:0] sum_3871;
@@ -6485,7 +6485,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_3882;
   assign and_3882 = x_s4_q[6] & (not_2317_s4_q & (less_3872 & (equal_3873 & select_3878[0])));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3883;
   assign and_3883 = equal_1933_s4_q & and_3882;
   // hls/stages/patches.hpp:176
@@ -6494,33 +6494,33 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_3889;
   assign and_3889 = x_s4_q[6] & (not_2317_s4_q & (less_3872 & (select_3878[1] & equal_3885)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3890;
   assign and_3890 = equal_1933_s4_q & and_3889;
-  // hls/stages/patches.hpp:561
+  // hls/stages/patches.hpp:560
   logic [7:0] or_3892;
   assign or_3892 = (and_3883 ? patches_quarters_0_places_q : 8'h0) | (and_3890 ? patches_quarters_1_places_q : 8'h0);
   // hls/stages/agreement.hpp:1084
   logic and_3896;
   assign and_3896 = not_2317_s4_q & (less_3872 & (select_3878[2] & (x_s4_q[2:0] == 3'h2)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3898;
   assign and_3898 = equal_1933_s4_q & (x_s4_q[6] & and_3896);
   // hls/stages/agreement.hpp:1084
   logic and_3904;
   assign and_3904 = not_2317_s4_q & (less_3872 & (select_3878[3] & (x_s4_q[2:0] == 3'h3)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3906;
   assign and_3906 = equal_1933_s4_q & (x_s4_q[6] & and_3904);
-  // hls/stages/patches.hpp:561
+  // hls/stages/patches.hpp:560
   logic [7:0] or_3908;
   assign or_3908 = (or_3892 | (and_3898 ? patches_quarters_2_places_q : 8'h0)) | (and_3906 ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/patches.hpp:562
+  // hls/stages/patches.hpp:561
   logic [7:0] or_3911;
   assign or_3911 = (and_3883 ? patches_quarters_0_up_q : 8'h0) | (and_3890 ? patches_quarters_1_up_q : 8'h0);
   logic [7:0] or_3915;
   assign or_3915 = (or_3911 | (and_3898 ? patches_quarters_2_up_q : 8'h0)) | (and_3906 ? patches_quarters_3_up_q : 8'h0);
-  // hls/stages/patches.hpp:563
+  // hls/stages/patches.hpp:562
   logic [7:0] or_3918;
   assign or_3918 = (and_3883 ? patches_quarters_0_down_q : 8'h0) | (and_3890 ? patches_quarters_1_down_q : 8'h0);
   logic [7:0] or_3922;
@@ -6531,49 +6531,49 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic and_3927;
   assign and_3927 = x_s4_q[6] & (not_2317_s4_q & (less_3872 & (sum_3923[4:2] == 3'h0)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3928;
   assign and_3928 = equal_1933_s4_q & and_3927;
   logic and_3932;
   assign and_3932 = equal_1933_s4_q & (x_s4_q[6] & (not_2317_s4_q & (less_3872 & equal_3885)));
-  // hls/stages/patches.hpp:558
+  // hls/stages/patches.hpp:557
   logic [7:0] select_3935;
   assign select_3935 = and_3928 ? (patches_word_places_q + (and_3932 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
   logic [7:0] select_3938;
   assign select_3938 = and_3928 ? (patches_word_up_q + (and_3932 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
   logic [7:0] select_3941;
   assign select_3941 = and_3928 ? (patches_word_down_q + (and_3932 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
-  // hls/stages/patches.hpp:545
+  // hls/stages/patches.hpp:544
   logic [5:0] select_3945;
   assign select_3945 = ($signed(difference_3822[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3822[5:0];
   logic [5:0] select_3946;
   assign select_3946 = ($signed(14'h10) < $signed(difference_3822)) ? 6'h10 : select_3945;
-  // hls/stages/patches.hpp:500
+  // hls/stages/patches.hpp:499
   logic [5:0] select_3948;
   assign select_3948 = equal_2291_s4_q ? (or_3775 ? 6'h0 : select_3946) : 6'h0;
   logic [5:0] select_3950;
   assign select_3950 = less_2288_s4_q ? (equal_2289_s4_q ? 6'h0 : select_3948) : select_3948;
-  // hls/stages/patches.hpp:583
+  // hls/stages/patches.hpp:582
   logic [5:0] select_3952;
   assign select_3952 = and_3780 ? (equal_2146_s4_q ? select_3950 : 6'h0) : 6'h0;
   logic [11:0] sum_3953;
   assign sum_3953 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3952[5]}}, select_3952};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3957;
   assign and_3957 = equal_1933_s4_q & (x_s4_q[6] & (not_2317_s4_q & (equal_3086 & less_3872)));
   // hls/stages/agreement.hpp:1084
   logic and_3961;
   assign and_3961 = x_s4_q[6] & (not_2317_s4_q & (less_3872 & (x_s4_q[5:3] == 3'h0)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_3962;
   assign and_3962 = equal_1933_s4_q & and_3961;
-  // hls/stages/patches.hpp:572
+  // hls/stages/patches.hpp:571
   logic [7:0] select_3964;
   assign select_3964 = and_3957 ? (and_3962 ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:574
+  // hls/stages/patches.hpp:573
   logic or_3968;
   assign or_3968 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:571
+  // hls/stages/patches.hpp:570
   logic select_3970;
   assign select_3970 = and_3957 ? (and_3962 ? patches_enough_q : patches_complete_q) : patches_complete_q;
   // hls/stages/patches.hpp:164
@@ -6581,10 +6581,10 @@ module horopter_agreement (
   assign and_3976 = patches_complete_q & (equal_1933_s4_q & ((x_s4_q[6:0] == 7'h70) & (~equal_3972_s4_q)));
   logic and_3977;
   assign and_3977 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:571
+  // hls/stages/patches.hpp:570
   logic [4:0] select_3979;
   assign select_3979 = and_3962 ? {and_3977, patches_found_q[4:1]} : (and_3957 ? {and_3977, patches_found_q[4:1]} : patches_found_q);
-  // hls/stages/patches.hpp:570
+  // hls/stages/patches.hpp:569
   logic select_3986;
   assign select_3986 = patches_round_ends_q ? (~(patches_found_q == 5'h0)) : patches_moved_q;
   // hls/stages/agreement.hpp:1126
@@ -6607,7 +6607,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1084
   logic [47:0] select_4059;
   assign select_4059 = x_s4_q[6] ? (equal_1978_s4_q ? good_q : {select_4057, good_q[47:1]}) : good_q;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic select_4063;
   assign select_4063 = equal_1933_s4_q ? ((x_s4_q[6] & good_known_q) | equal_3972_s4_q) : good_known_q;
   // hls/stages/agreement.hpp:1148
@@ -6633,7 +6633,7 @@ module horopter_agreement (
   assign not_4073 = ~hidden_for_q[7];
   logic [7:0] select_4075;
   assign select_4075 = select_4072 ? (hidden_for_q + {7'h0, not_4073}) : 8'h0;
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic [7:0] select_4077;
   assign select_4077 = equal_1933_s4_q ? (equal_3972_s4_q ? select_4075 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1161
@@ -6663,7 +6663,7 @@ module horopter_agreement (
   assign select_4093 = ((limit & select_4087) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
   assign sum_4 = {1'b0, select_4078} + {1'b0, select_4093};
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic select_4098;
   assign select_4098 = equal_1933_s4_q ? (equal_3873 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
   // hls/stages/agreement.hpp:1159
@@ -6686,7 +6686,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1170
   logic not_4245;
   assign not_4245 = ~(or_4043 | not_4234);
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_4249;
   assign and_4249 = equal_1933_s4_q & (equal_3972_s4_q & (not_4245 & (select_4051 | select_4108)));
   logic and_4252;
@@ -6694,13 +6694,13 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1088
   logic or_4256;
   assign or_4256 = select_2700 | (select_2712 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_4263;
   assign and_4263 = equal_1933_s4_q & (equal_3972_s4_q & (not_4245 & (select_2706 | select_2718)));
   // hls/stages/agreement.hpp:1088
   logic and_4268;
   assign and_4268 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4075 < cfg_hidden_frames_i));
-  // hls/stages/patches.hpp:314
+  // hls/stages/patches.hpp:313
   logic and_4275;
   assign and_4275 = equal_1933_s4_q & (x_s4_q[6] & (not_2317_s4_q | (4'hc < x_s4_q[5:2])));
   // hls/stages/agreement.hpp:1082
