@@ -347,7 +347,7 @@ class Agreement {
   using Age = u<std::max(window, box) + 1>;
   static_assert(columns + half_window + gap < 256 && rows < 128);
   using OfImage = Registration<columns, rows, gap, !fast>;
-  using OfPatches = std::conditional_t<cell == 8, Patches<P, cell, gap, AT_ONCE>, NoPatches>;
+  using OfPatches = std::conditional_t<P.has_patches(), Patches<P, cell, gap, AT_ONCE>, NoPatches>;
   using Shift = typename OfImage::Shift;
   static constexpr int slots = OfImage::slots;  // beats of a cell where a row concludes
   using Score = u<8>;

@@ -29,6 +29,13 @@
 
 namespace horopter::stages {
 
+/// Of the last complete round.
+struct PatchRound {
+  u<8> places;
+  s<12> across;  // sum of their displacements, each of at most ±2 px: 1/8 px
+  u<5> moved;    // bit 0: in the median of all; left, right, upper, lower half
+};
+
 /// AT_ONCE: on the CPU a band is compared at once; what it shows counts in the same beat as in the hardware.
 template <Profile P, int CELL, std::size_t DISTANCE, bool AT_ONCE>
 class Patches {
@@ -38,13 +45,6 @@ class Patches {
   using Slope = s<8>;   // rows down a column to the right, 1/256
   static constexpr int least_places = 24, least_in_half = 8;
   static constexpr int decide_steps = 40;
-
-  /// Of the last complete round.
-  struct Round {
-    u<8> places;
-    s<12> across;  // sum of their displacements, each of at most ±2 px: 1/8 px
-    u<5> moved;    // bit 0: in the median of all; left, right, upper, lower half
-  };
 
   void begin_step() {
     right_0_.begin_step();
@@ -182,7 +182,7 @@ class Patches {
   }
   void end_frame() { frame_ends_ = true; }
   [[nodiscard]] bool moved() const { return moved_; }
-  [[nodiscard]] const Round& round() const { return round_; }
+  [[nodiscard]] const PatchRound& round() const { return round_; }
 
 #ifndef __HLSC__
   /// Beats in which nothing but work() happens.
@@ -753,7 +753,7 @@ class Patches {
   bool complete_ = false;  // the round
   bool frame_ends_ = false, round_ends_ = false;
   u<5> found_{0};
-  Round round_;
+  PatchRound round_;
   bool moved_ = false;
 #ifndef __HLSC__
   std::array<Peak, 2> peaks_{};
@@ -761,13 +761,8 @@ class Patches {
 #endif
 };
 
-/// Where there is no room for it: an ECP5-85F has no block memories left beside `hd`. Cells alone tell there.
+/// Where a build does not have it: cells alone tell there.
 struct NoPatches {
-  struct Round {
-    u<8> places;
-    s<12> across;
-    u<5> moved;
-  };
   static constexpr int decide_steps = 0;
   static constexpr bool in_reach(s<11> /*expected*/) { return false; }
   static void begin_step() {}
@@ -781,7 +776,7 @@ struct NoPatches {
   static void step_decide(u<6> /*step*/) {}
   static void end_frame() {}
   static bool moved() { return false; }
-  static Round round() { return {}; }
+  static PatchRound round() { return {}; }
   template <class Config>
   static void skip(int /*beats*/, const Config& /*config*/) {}
   template <class Position>

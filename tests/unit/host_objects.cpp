@@ -196,7 +196,7 @@ Errors largest_errors(const MapTable& table, const MachineProfile& profile, cons
 
 }  // namespace
 
-// Asked for are 3 % and 10 %.
+// Asked for are 3 % and 10 %: the host's areas; the machine's own are at most too large.
 TEST_CASE("The area of what is in the skin is within 1 % where it is large, and within 6 % anywhere") {
   const MachineProfile& profile = find_profile(GENERATE("vga", "field"));
   const CameraPair cameras = table_11_1(kWidth, kHeight);
@@ -213,12 +213,12 @@ TEST_CASE("The area of what is in the skin is within 1 % where it is large, and 
               small.machine_above, way_mm, map.report.spacing_x, map.report.spacing_y);
       CHECK(large.host < 0.01);
       CHECK(small.host < 0.06);
-      // A code of the machine's is up to 6 % off, and stands for a block: where a surface turns away from the camera the
-      // blocks' means are far above most of their pixels.
+      // The machine has the largest area of each block, rounded up: no object counts as a smaller one. Where a surface
+      // turns away from the camera most of a block's pixels have less.
       const bool smooth = std::string_view(name) == "plane" || std::string_view(name) == "height field";
-      CHECK(large.machine_below < (smooth ? 0.04 : 0.09));
-      CHECK(small.machine_below < (smooth ? 0.06 : 0.28));
-      CHECK((!smooth || (large.machine_above < 0.04 && small.machine_above < 0.06)));
+      CHECK(large.machine_below == 0);
+      CHECK(small.machine_below == 0);
+      CHECK((!smooth || (large.machine_above < 0.1 && small.machine_above < 0.13)));
       CHECK(way_mm < 1);
     }
   }

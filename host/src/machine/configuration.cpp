@@ -133,8 +133,7 @@ double half_disc_mm2(const Settings& settings) {
 std::uint32_t object_area_limit(const Settings& settings) {
   if (!(settings.object_mm >= 0)) throw UsageError(fmt::format("an object of {} mm across", settings.object_mm));
   if (settings.object_mm == 0) return 0;
-  constexpr double kLargestError = 1.0 / 16;  // of a code: half a step of its mantissa, of 1 at least
-  const double steps = std::floor(half_disc_mm2(settings) * (1 - kLargestError) * hls::area_steps_per_mm2);
+  const double steps = std::floor(half_disc_mm2(settings) * hls::area_steps_per_mm2);  // a table's areas are no smaller
   if (!(steps >= 1 && steps < reg::object_area_limit::kReset)) {
     throw UsageError(
         fmt::format("an object of {:g} mm across has no area that the machine can compare with", settings.object_mm));

@@ -239,6 +239,11 @@ void Monitor::trip() {
 
 void Monitor::select(int slot) { device_->write(reg::table_select::kAddress, static_cast<std::uint32_t>(slot)); }
 
+bool Monitor::shows_again(int shown, const FrameResult& result) const {
+  constexpr int kMost = 12;
+  return profile_.has_patches() && shown < kMost && result.agreement.patches == 0;
+}
+
 Monitor::Repeated::Repeated(Monitor& monitor) : monitor_(monitor) {
   monitor_.device_->write(reg::frozen_limit::kAddress, 0);
   monitor_.device_->write(reg::still_limit::kAddress, 0);
@@ -350,9 +355,7 @@ std::vector<FrameResult> Supervisor::process(const Image& left, const Image& rig
   pass(left, right);
   const Monitor::Repeated repeated(monitor_);
   auto results = pass(left, right);
-  for (int shown = 2; shown < kFirstPairShown && results.back().agreement.patches == 0; ++shown) {
-    results = pass(left, right);
-  }
+  for (int shown = 2; monitor_.shows_again(shown, results.back()); ++shown) results = pass(left, right);
   return results;
 }
 

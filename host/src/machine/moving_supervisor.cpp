@@ -80,12 +80,11 @@ std::vector<FrameResult> MovingSupervisor::process(const Image& left, const Imag
     settled_ = true;
     const bool whole = maps_.geometry().scan == Scan::progressive;
     const auto show = [&] {
-      return (whole ? monitor_.process(left, right) : monitor_.process(field_of(left, 0), field_of(right, 0)))
-          .agreement.patches;
+      return whole ? monitor_.process(left, right) : monitor_.process(field_of(left, 0), field_of(right, 0));
     };
-    bool round = show() != 0;
+    FrameResult shown_last = show();
     const Monitor::Repeated repeated(monitor_);
-    for (int shown = 2; shown < kFirstPairShown && !round; ++shown) round = show() != 0;
+    for (int shown = 1; monitor_.shows_again(shown + 1, shown_last); ++shown) shown_last = show();
     return pass(left, right);
   }
   return pass(left, right);

@@ -170,8 +170,7 @@ void SkinScale::measure(const Surface& surface, Facts& facts) const {
   surface.intersect(cameras_.left().world_to_camera.centre(), directions_, hits);
   const int columns = Facts::blocks(width_);
   const int rows = Facts::blocks(height_);
-  std::vector<double> areas(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  std::vector<int> counts(areas.size());
+  std::vector<double> areas(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));  // the largest
   std::optional<ShiftRange> shifts;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     const Sample& sample = samples_[i];
@@ -180,11 +179,15 @@ void SkinScale::measure(const Surface& surface, Facts& facts) const {
     // Solid angle |J|/|v|³ of a pixel with z = 1, at the distance t|v|, over the cosine n·v/|v|.
     const double area_mm2 =
         hits[i].distance * hits[i].distance * std::abs(sample.slope.determinant()) / facing * subsample_ * row_step_;
-    const auto block =
-        static_cast<std::size_t>(sample.y >> hls::table::area_block_log2) * static_cast<std::size_t>(columns) +
-        static_cast<std::size_t>(sample.x >> hls::table::area_block_log2);
-    areas[block] += area_mm2;
-    ++counts[block];
+    // A sample at the border of two blocks is the end of the one before, too.
+    for (const int y : {std::max(0, sample.y - 1), sample.y}) {
+      for (const int x : {std::max(0, sample.x - 1), sample.x}) {
+        double& largest =
+            areas[static_cast<std::size_t>(y >> hls::table::area_block_log2) * static_cast<std::size_t>(columns) +
+                  static_cast<std::size_t>(x >> hls::table::area_block_log2)];
+        largest = std::max(largest, area_mm2);
+      }
+    }
     const auto here = shift_at(sample, directions_[i], hits[i]);
     if (!here) continue;
     if (!shifts) shifts.emplace();
@@ -193,10 +196,7 @@ void SkinScale::measure(const Surface& surface, Facts& facts) const {
   }
   facts.shifts = shifts;
   facts.areas.clear();
-  if (std::ranges::all_of(counts, [](int count) { return count == 0; })) return;
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    if (counts[i] > 0) areas[i] /= counts[i];
-  }
+  if (std::ranges::all_of(areas, [](double area_mm2) { return area_mm2 == 0; })) return;
   fill_blocks(areas, columns, rows);
   for (const double area_mm2 : areas) facts.areas.push_back(hls::table::encode_area(area_mm2));
 }

@@ -1461,7 +1461,6 @@ module horopter_agreement (
   // Memory patches_columns_above, 32 x 32, DISTANCE 12, hls/stages/patches.hpp:709; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  (* ram_style = "distributed" *)
   logic [31:0] patches_columns_above_mem [0:31];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 32; i++) patches_columns_above_mem[i] = 32'h0;
@@ -2312,7 +2311,6 @@ module horopter_agreement (
   // Memory patches_right_codes, 28 x 112, DISTANCE 12, hls/stages/patches.hpp:713; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  (* ram_style = "distributed" *)
   logic [111:0] patches_right_codes_mem [0:27];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 28; i++) patches_right_codes_mem[i] = 112'h0;
@@ -2329,7 +2327,6 @@ module horopter_agreement (
   // Memory patches_left_codes, 12 x 48, DISTANCE 12, hls/stages/patches.hpp:714; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  (* ram_style = "distributed" *)
   logic [47:0] patches_left_codes_mem [0:11];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 12; i++) patches_left_codes_mem[i] = 48'h0;
@@ -2346,7 +2343,6 @@ module horopter_agreement (
   // Memory patches_rows, 17 x 15, DISTANCE 12, hls/stages/patches.hpp:728; read in stage 2, written in stage 4: 2 < 4 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  (* ram_style = "distributed" *)
   logic [14:0] patches_rows_mem [0:16];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 17; i++) patches_rows_mem[i] = 15'h0;
@@ -4375,7 +4371,6 @@ module horopter_agreement (
   // Memory registration_sums, 12 x 32, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  (* ram_style = "distributed" *)
   logic [31:0] registration_sums_mem [0:11];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;

@@ -6115,7 +6115,6 @@ module horopter_agreement (
   // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:277; read in stage 22, written in stage 26: 22 < 26 < 22 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  (* ram_style = "distributed" *)
   logic [31:0] registration_sums_mem [0:11];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;

@@ -17,8 +17,8 @@
 //         large ones are within 5 %. 0 where it is not known
 //   9 …   areas, where they are known: for each block of 32×32 px, row by row, the area of the skin that one pixel
 //         sees, mm², as a byte of five bits e and three bits m: (1 + m/8) · 2^(e-12), from 0.00024 to 983,040. Four to
-//         a word, the first lowest; the last word is filled with 0. The mean of the block, or, of a block that does not
-//         meet the skin, that of the nearest one which does
+//         a word, the first lowest; the last word is filled with 0. The largest of the block, rounded up, so that no
+//         object is taken for a smaller one; of a block that does not meet the skin, that of the nearest one which does
 //   Spans, where the table has them, of each row of the incoming image from 0 on: 11..0 the first column, 27..16 the
 //   column after the last between which pixels are on the skin; 0 of a row without any. The others are 0, and so is a last
 //   word where the height is odd. A pixel outside of its row's span is not supervised, whatever the control points say;
@@ -150,11 +150,11 @@ constexpr std::uint32_t unsupervised_pixels(std::span<const std::uint32_t> words
   return words[header_words + (compete ? 3 : 2)] & 0xFFFFFFU;
 }
 
-/// Nearest code of an area, mm², at the ends of the range for what lies beyond.
+/// Code of an area, mm², the next larger one where there is none of it; at the ends of the range for what lies beyond.
 inline std::uint8_t encode_area(double area_mm2) {
   int exponent = 0;
   const double mantissa = std::frexp(std::clamp(area_mm2, 0x1p-12, 0x1.Ep19), &exponent);  // 0.5 … 1
-  const long steps = std::lround(mantissa * 16) - 8;                                       // 8 is the next octave's 0
+  const long steps = static_cast<long>(std::ceil(mantissa * 16)) - 8;                      // 8 is the next octave's 0
   return static_cast<std::uint8_t>(8 * (exponent - 1 + 12) + steps);
 }
 inline double decode_area(std::uint8_t code) { return std::ldexp(8 + (code & 7), (code >> 3) - 12 - 3); }

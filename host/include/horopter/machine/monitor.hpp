@@ -181,6 +181,9 @@ class Monitor {
   /// Waits until the output of a frame that was begun is made by this table. Throws DeviceError when it never is.
   void wait_for_table(int slot);
 
+  /// The first pair, shown so often, is worth being shown again: no round at full resolution is complete. At most 12 times.
+  [[nodiscard]] bool shows_again(int shown, const FrameResult& result) const;
+
   /// While it lives, a frame may be that of before: FROZEN_LIMIT and STILL_LIMIT are 0.
   class Repeated {
    public:
@@ -218,9 +221,6 @@ class Monitor {
   std::optional<BlindWatch> blind_watch_;
 };
 
-/// The first pair of images is given to the machine so often at most (Supervisor::process).
-inline constexpr int kFirstPairShown = 12;
-
 /// A monitor for image pairs of one skin: every image makes one result, or two for profiles that take fields.
 class Supervisor {
  public:
@@ -229,8 +229,8 @@ class Supervisor {
              const Settings& settings = {});
 
   /// Clear is earned by the frame before: the first pair is given to the machine twice, and more often until a round of
-  /// places at full resolution tells whether a camera was moved, but not more than kFirstPairShown times. Not with
-  /// Settings::live: it is `unproven` there, as in a machine with cameras of its own.
+  /// places at full resolution tells whether a camera was moved (Monitor::shows_again). Not with Settings::live: it is
+  /// `unproven` there, as in a machine with cameras of its own.
   std::vector<FrameResult> process(const Image& left, const Image& right);
   Monitor& monitor() { return monitor_; }
 
