@@ -209,7 +209,7 @@ TEST_CASE("--object in mm is that of the skin's file by its table alone; a table
     return nlohmann::json::parse(result.out)["object"];
   };
   CHECK(limit_of("240mm")["limit"] == "area");
-  CHECK(limit_of("240mm")["area_mm2"].get<double>() == Approx(M_PI / 8 * 240 * 240 * 15 / 16).margin(0.001));
+  CHECK(limit_of("240mm")["area_mm2"].get<double>() == Approx(M_PI / 8 * 240 * 240).margin(0.001));
   CHECK(limit_of("60px")["limit"] == "pixels");
   CHECK_FALSE(limit_of("60px").contains("area_mm2"));
   CHECK(by_skin < 48);  // 240 mm at 1 m

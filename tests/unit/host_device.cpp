@@ -336,6 +336,28 @@ TEST_CASE("The first pair is judged more than once, as nothing was shown before 
   }
 }
 
+// That it was shown again counts once.
+TEST_CASE("A scene that stands still counts from the first pair on, however often that was shown") {
+  const MachineProfile& profile = find_profile("vga");
+  constexpr int kW = 320, kH = 240;  // enough cells for the check
+  SkinFile skin;
+  skin.path = "skin";
+  skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -6, 0, 1, 0, 0, 0, 1});
+  Settings settings;
+  settings.still_limit = 4;
+  Supervisor supervisor(make_native_device(profile), profile, compile_maps(skin, profile, kW, kH), settings);
+  const Image left = textured(kW, kH, 5), right = textured(kW, kH, 6);
+  for (int pair = 0; pair < 6; ++pair) {
+    CAPTURE(pair);
+    Image noisy_left = left, noisy_right = right;
+    noisy_left.at(3, 3) ^= static_cast<std::uint8_t>(pair + 1);
+    noisy_right.at(3, 3) ^= static_cast<std::uint8_t>(pair + 1);
+    const auto results = supervisor.process(noisy_left, noisy_right);
+    CHECK(results[0].faults.has(Fault::left_frozen) == (pair >= 3));
+    CHECK(results[0].faults.has(Fault::right_frozen) == (pair >= 3));
+  }
+}
+
 TEST_CASE("A table is expanded when it is uploaded, and no frame waits for it") {
   const MachineProfile& profile = find_profile("vga");
   auto made = std::make_unique<NativeDevice>(profile);
