@@ -312,7 +312,7 @@ TEST_CASE("A table's range of shifts is that of places in front of both cameras"
   CHECK(beyond > shifts->highest_px + 50);
 }
 
-TEST_CASE("The areas of a table's pixels are together that of the skin") {
+TEST_CASE("The areas of a table's pixels are together that of the skin, or a little more") {
   const MachineProfile& profile = find_profile(GENERATE("vga", "field"));
   const double tilt_deg = GENERATE(0, 40);
   CAPTURE(profile.name, tilt_deg);
@@ -337,7 +337,9 @@ TEST_CASE("The areas of a table's pixels are together that of the skin") {
         sum_mm2 += hls::table::decode_area(facts.areas[block]);
       }
     }
-    CHECK(sum_mm2 == Approx(500.0 * 400).epsilon(0.06));
+    // The largest of each block, kept to an eighth, upwards. At the outline pixels are in or out.
+    CHECK(sum_mm2 > 0.99 * 500 * 400);
+    CHECK(sum_mm2 < 1.17 * 500 * 400);
   }
 }
 
