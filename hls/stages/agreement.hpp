@@ -50,7 +50,7 @@ namespace horopter::stages {
 /// What a frame showed; once a frame, behind its words.
 struct Verdict {
   bool valid = false;
-  bool unproven_yet = false;  // no frame before this one
+  bool unproven_yet = false;  // no frame before this one, or no round of places at full resolution
   bool untextured = false;    // too little to tell
   bool disagree = false;
   bool moved = false;
@@ -347,7 +347,7 @@ class Agreement {
   using Age = u<std::max(window, box) + 1>;
   static_assert(columns + half_window + gap < 256 && rows < 128);
   using OfImage = Registration<columns, rows, gap, !fast>;
-  using OfPatches = std::conditional_t<P.has_patches(), Patches<P, cell, gap, AT_ONCE>, NoPatches>;
+  using OfPatches = Patches<P, cell, gap, AT_ONCE>;
   using Shift = typename OfImage::Shift;
   static constexpr int slots = OfImage::slots;  // beats of a cell where a row concludes
   using Score = u<8>;
@@ -1165,7 +1165,8 @@ class Agreement {
 
   void say(Verdict& verdict, bool enough, const Config& config) const {
     verdict.valid = true;
-    verdict.unproven_yet = config.prove != 0 && !proven_;
+    const bool waits = config.patch_limit != lit<patch_limit_never>() && !patches_.settled();
+    verdict.unproven_yet = config.prove != 0 && (!proven_ || waits);
     verdict.untextured = config.prove != 0 && !enough;
     verdict.disagree = config.prove != 0 && enough && (disagree_ || too_much_);
     verdict.moved = config.prove != 0 && (registration_.moved() || patches_.moved());

@@ -29,6 +29,11 @@
 
 namespace horopter::stages {
 
+/// So far up or down, at most, an epipolar line may lead a place that is compared.
+inline constexpr int patch_reach_across_px = 5;
+/// The limit with which nothing is said, or waited for.
+inline constexpr int patch_limit_never = 63;
+
 /// Of the last complete round.
 struct PatchRound {
   u<8> places;
@@ -71,7 +76,7 @@ class Patches {
 
   /// Where the epipolar line leads so many rows down, 1/32 cell, a place that was not moved is found.
   static constexpr bool in_reach(s<11> expected) {
-    constexpr int limit = (reach - 3) * 32 / CELL;
+    constexpr int limit = patch_reach_across_px * 32 / CELL;
     return expected <= limit && expected >= -limit;
   }
   /// A cell of that row, from left to right. `last`: the row's last column.
@@ -140,15 +145,16 @@ class Patches {
 #endif
     const Summed summed = summed_;
     summed_.last = false;
+    const Word word = word_of_right();
     size_ = Bits((work_ == Work::code_right ? Bits(0) : size_) + set_);
     set_ = 0;
     switch (work_) {
       case Work::code_right:
       case Work::code_left:
-        code();
+        code(word);
         break;
       case Work::match:
-        match();
+        match(word);
         break;
       case Work::weigh:
         weigh(config);
@@ -182,6 +188,8 @@ class Patches {
   }
   void end_frame() { frame_ends_ = true; }
   [[nodiscard]] bool moved() const { return moved_; }
+  /// A round was complete since the start: nothing is safe before.
+  [[nodiscard]] bool settled() const { return settled_; }
   [[nodiscard]] const PatchRound& round() const { return round_; }
 
 #ifndef __HLSC__
@@ -226,8 +234,9 @@ class Patches {
 #endif
 
  private:
-  static constexpr int side = 12;                        // px, of what is compared
-  static constexpr int reach = 8;                        // px to each side
+  static constexpr int side = 12;  // px, of what is compared
+  static constexpr int reach = 8;  // px to each side
+  static_assert(patch_reach_across_px + 3 <= reach);
   static constexpr int border = 2;                       // px that a gradient needs around it
   static constexpr int left_window = side + 2 * border;  // px
   static constexpr int right_window = left_window + 2 * reach;
@@ -394,8 +403,15 @@ class Patches {
   struct Above {
     std::array<u<8>, 4> pixel{};  // the row above first
   };
-  struct RightCodes {
-    u<56> low, high;  // the first column lowest
+  // Rows of codes are kept in words, so that a memory as narrow as those of FPGAs holds them.
+  static constexpr int codes_a_word = 7;
+  static constexpr int words_a_row = right_codes / codes_a_word;
+  using Word = u<4 * codes_a_word>;
+  static_assert(words_a_row * codes_a_word == right_codes && words_a_row == 4 && displacements >= 2 * codes_a_word + 2);
+  /// Of a row, from the column that is compared on; the first column lowest.
+  struct RowCodes {
+    u<56> at;
+    Word further;
   };
   using Bits = u<10>;
   // A round has fewer places than least_places and those of one frame.
@@ -415,7 +431,7 @@ class Patches {
   }
 
   /// Pixels of the right window, then of the left one, become bits. Both have rows of right_window beats.
-  void code() {
+  void code(Word word) {
     const bool of_right = work_ == Work::code_right;
     const auto in_right = cat(code_row_, column_);
     u<8> pixel(0);
@@ -435,31 +451,54 @@ class Patches {
     smooth_.push(smooth);
     down_.push(down);
     const u<4> bits = code_of(gx, gy);
-    const u<56> low(cat(codes_.high.template bits<3, 0>(), codes_.low.template bits<55, 4>()));
-    codes_ = {low, u<56>(cat(bits, codes_.high.template bits<55, 4>()))};
+    codes_.at = cat(bits, codes_.at.template bits<55, 4>());
     const bool inside = code_row_ >= 2 * border && column_ >= 2 * border;
-    if (of_right && inside && column_ == right_window - 1) {
-      right_codes_.write(u<5>(code_row_ - lit<2 * border>()), codes_);
+    bool word_ends = false;
+    u<2> of_row(0);
+    for (int w = 0; w < words_a_row; ++w) {
+      const bool here = column_ == 2 * border - 1 + codes_a_word * (w + 1);
+      word_ends = word_ends || here;
+      of_row = here ? u<2>(w) : of_row;
+    }
+    if (of_right && inside && word_ends) {
+      right_codes_.write(cat(u<5>(code_row_ - lit<2 * border>()), of_row), codes_.at.template bits<55, 28>());
     }
     const bool of_left = !of_right && inside && column_ < left_window;
     if (of_left && column_ == left_window - 1) {
-      left_codes_.write(u<4>(code_row_ - lit<2 * border>()), codes_.high.template bits<55, 8>());
+      left_codes_.write(u<4>(code_row_ - lit<2 * border>()), codes_.at.template bits<55, 8>());
     }
+    if (!of_right && column_ >= right_window - 2) fetch_next(word);
     set_ = of_left ? count_bits(bits) : u<3>(0);
   }
 
+  /// The word that code() or match() takes in this beat: the third one of a row with its first displacement, the fourth
+  /// when that is used up; with the last two the first two of the row that is next.
+  Word word_of_right() {
+    const bool coding = work_ == Work::code_left;
+    const bool next = coding || along_ >= displacements - 2;
+    const u<5> row(down_by_ + match_row_);
+    const u<5> row_next = match_row_ends_ ? u<5>(down_by_ + lit<1>()) : u<5>(row + lit<1>());
+    const u<5> of = coding ? u<5>(0) : (next ? row_next : row);
+    const bool odd = coding ? column_.bit(0) : (next ? along_ == displacements - 1 : along_ != 0);
+    return coding || work_ == Work::match ? right_codes_.read(cat(of, u<1>(!next), u<1>(odd))) : Word(0);
+  }
+  void fetch_next(Word word) { next_codes_ = cat(word, next_codes_.template bits<55, 28>()); }
+
   /// Row by row of the left window against that of the right one, at all displacements along it; then the next displacement
   /// across the rows.
-  void match() {
+  void match(Word word) {
     const bool new_row = along_ == 0;
+    const RowCodes moved{u<56>(cat(codes_.further.template bits<3, 0>(), codes_.at.template bits<55, 4>())),
+                         Word(codes_.further.template bits<27, 4>())};
     if (new_row) {
-      codes_ = right_codes_.read(u<5>(down_by_ + match_row_));
+      codes_.at = next_codes_;
       left_row_ = left_codes_.read(match_row_);
     } else {
-      codes_ = {u<56>(cat(codes_.high.template bits<3, 0>(), codes_.low.template bits<55, 4>())),
-                u<56>(codes_.high.template bits<55, 4>())};
+      codes_.at = moved.at;
     }
-    const u<48> other = codes_.low.template bits<47, 0>();
+    codes_.further = new_row || along_ == codes_a_word ? word : moved.further;
+    if (along_ >= displacements - 2) fetch_next(word);
+    const u<48> other = codes_.at.template bits<47, 0>();
     const u<6> differing = count_bits(u<48>(left_row_ ^ other));
     const Bits sum((match_row_ == 0 ? Bits(0) : sums_.tap(displacements - 1)) + differing);
     sums_.push(sum);
@@ -566,6 +605,7 @@ class Patches {
     frame_ends_ = false;
     if (starts) round_ = {places_, across_, found_};
     if (starts) moved_ = found_ != 0;
+    settled_ = settled_ || starts;
     if (d.ends) found_ = u<5>(cat(enough_ && mostly_, found_.template bits<4, 1>()));
     complete_ = d.ends && d.all ? enough_ : complete_;
     places_ = d.ends && d.all ? sum.places : places_;
@@ -709,8 +749,9 @@ class Patches {
   RAM<Above, std::size_t{right_window}, DISTANCE> columns_above_;
   DelayLine<u<12>, 4> smooth_;
   DelayLine<s<11>, 4> down_;
-  RightCodes codes_;
-  RAM<RightCodes, std::size_t{right_codes}, DISTANCE> right_codes_;
+  RowCodes codes_;
+  u<56> next_codes_{0};
+  RAM<Word, std::size_t{words_a_row * right_codes}, DISTANCE> right_codes_;  // by row and word
   RAM<u<4 * side>, std::size_t{side}, DISTANCE> left_codes_;
   u<3> set_{0};  // of the beat before
   Bits size_{0};
@@ -754,34 +795,11 @@ class Patches {
   bool frame_ends_ = false, round_ends_ = false;
   u<5> found_{0};
   PatchRound round_;
-  bool moved_ = false;
+  bool moved_ = false, settled_ = false;
 #ifndef __HLSC__
   std::array<Peak, 2> peaks_{};
   int beats_left_ = 0;
 #endif
-};
-
-/// Where a build does not have it: cells alone tell there.
-struct NoPatches {
-  static constexpr int decide_steps = 0;
-  static constexpr bool in_reach(s<11> /*expected*/) { return false; }
-  static void begin_step() {}
-  static void start_row(bool /*of_image*/, bool /*first*/) {}
-  static void step_cell(u<8> /*x*/, u<8> /*last*/, bool /*explained*/, s<6> /*shift*/, s<8> /*slope*/) {}
-  template <class Position, class Config>
-  static void take(const Position& /*at*/, const std::array<u<8>, 2>& /*pixel*/, bool /*present*/,
-                   const Config& /*config*/) {}
-  template <class Config>
-  static void work(const Config& /*config*/) {}
-  static void step_decide(u<6> /*step*/) {}
-  static void end_frame() {}
-  static bool moved() { return false; }
-  static PatchRound round() { return {}; }
-  template <class Config>
-  static void skip(int /*beats*/, const Config& /*config*/) {}
-  template <class Position>
-  static void take_row(const Position& /*at*/, int /*count*/, const u<8>* /*left*/, const u<8>* /*right*/,
-                       const bool* /*present*/) {}
 };
 
 }  // namespace horopter::stages

@@ -10,10 +10,12 @@
 
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
+#include "horopter/machine/proof.hpp"
 #include "horopter/map/map_compiler.hpp"
 #include "horopter/map/map_json.hpp"
 #include "horopter/map/support.hpp"
 #include "horopter/skin/skin_file.hpp"
+#include "stages/patches.hpp"
 #include "warnings.hpp"
 
 namespace horopter::cli {
@@ -275,7 +277,7 @@ void check_alarm_limit(const std::string& skin, const std::vector<const MapTable
 }
 
 void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& tables, const MachineProfile& profile,
-                   int lookahead, const Settings& settings, bool has_rig) {
+                   int lookahead, const Settings& settings, const std::string& rig) {
   if (!settings.proof.needed) return;
   double share = 1;
   for (const MapTable* table : tables) share = std::min(share, compared_share(*table, profile, lookahead));
@@ -286,7 +288,14 @@ void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& 
         "--unproven does without being shown",
         skin, 100 * share));
   }
-  if (!has_rig) warn(fmt::format("{}: without a rig cameras that are exchanged or moved are not told", skin));
+  if (rig.empty()) {
+    warn(fmt::format("{}: without a rig cameras that are exchanged or moved are not told", skin));
+  } else if (!with_knowledge(settings.proof, profile, tables, rig, skin).at_full_resolution) {
+    warn(fmt::format(
+        "{}: a camera that moves by less than about 3 px is not told. The cameras are turned so far about their axes that "
+        "places behind the skin lie more than {} px higher or lower in the right image",
+        skin, stages::patch_reach_across_px));
+  }
 }
 
 void report_rows(Decision decision, bool has_rig, nlohmann::ordered_json& summary, bool json) {

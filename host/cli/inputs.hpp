@@ -47,9 +47,10 @@ MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::
 void check_alarm_limit(const std::string& skin, const std::vector<const MapTable*>& tables,
                        const MachineProfile& profile, Decision decision, double alarm_percent);
 
-/// Says on standard error what is not told of the cameras: where little of the images can be compared, or without a rig.
+/// Says on standard error what is not told of the cameras: where little of the images can be compared, where epipolar lines
+/// are too steep, or without a rig. `rig`: its text, or empty.
 void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& tables, const MachineProfile& profile,
-                   int lookahead, const Settings& settings, bool has_rig);
+                   int lookahead, const Settings& settings, const std::string& rig);
 
 /// Whether epipolar lines were followed, for programs (`rows_checked`) and, where they could not be, for people.
 /// Nothing for a rule that does not need it.

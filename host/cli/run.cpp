@@ -86,7 +86,7 @@ struct Session {
     has_rig = !maps.rig.empty();
     follower = std::make_unique<ObjectFollower>(*profile, tables, maps.rig);
     results_per_s = options.results_per_s;
-    warn_of_proof(options.skin, tables, *profile, maps.lookahead(), settings, has_rig);
+    warn_of_proof(options.skin, tables, *profile, maps.lookahead(), settings, maps.rig);
     supervisor = std::make_unique<Supervisor>(make_picture_device(options.engine, *profile), *profile, maps, settings);
   }
   std::vector<FrameResult> process(const Image& left, const Image& right) {
@@ -112,7 +112,7 @@ struct Session {
     for (const MovingStep& step : compiled.steps) tables.push_back(&step.map.table);
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
     judgeable_pixels = check_object_limit(options.object, options.skin, tables, *profile, settings);
-    warn_of_proof(options.skin, tables, *profile, compiled.lookahead, settings, has_rig);
+    warn_of_proof(options.skin, tables, *profile, compiled.lookahead, settings, compiled.rig);
     moving = std::make_unique<MovingSupervisor>(make_picture_device(options.engine, *profile), *profile,
                                                 std::move(compiled), settings);
     tables.clear();  // these went into it

@@ -84,7 +84,7 @@ MapSet maps_for(const UploadOptions& options, const Wanted& wanted, const Build&
   std::vector<const MapTable*> tables;
   for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
   check_alarm_limit(options.file(), tables, profile, options.settings.decision, options.settings.alarm_percent);
-  warn_of_proof(options.file(), tables, profile, maps.lookahead(), options.settings, !maps.rig.empty());
+  warn_of_proof(options.file(), tables, profile, maps.lookahead(), options.settings, maps.rig);
   return maps;
 }
 

@@ -27,6 +27,7 @@ module horopter_agreement_result #(
     output logic [          23:0] frame_unproven_pixels_o
 );
   // FRAME_REGION is at 0x19C, FRAME_AGREEMENT at 0x150: the word of index 52.
+  (* ram_style = "distributed" *)
   logic [31:0] words[64];
   logic [31:0] word_q;  // a block memory's data come late in the clock
   logic [5:0] index;

@@ -84,12 +84,13 @@ void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32
                                             reg::agreement_limits::kHidden.put(limit_of(proof.hidden_percent, 255))});
   words.push_back({reg::hidden::kAddress, reg::hidden::kFrames.put(static_cast<std::uint32_t>(proof.hidden_frames))});
   // Without a rig nobody knows where the right image should be.
-  const auto limit = [&](const reg::Field& field, int value) {
-    return field.put(proof.registered ? static_cast<std::uint32_t>(value) : field.mask() >> field.lsb);
+  const auto limit = [](bool known, const reg::Field& field, int value) {
+    return field.put(known ? static_cast<std::uint32_t>(value) : field.mask() >> field.lsb);
   };
-  words.push_back({reg::registration::kAddress, limit(reg::registration::kMoved, defaults.moved_limit) |
-                                                    limit(reg::registration::kMovedHalf, defaults.moved_half_limit) |
-                                                    limit(reg::registration::kPatches, defaults.patch_limit)});
+  words.push_back({reg::registration::kAddress,
+                   limit(proof.registered, reg::registration::kMoved, defaults.moved_limit) |
+                       limit(proof.registered, reg::registration::kMovedHalf, defaults.moved_half_limit) |
+                       limit(proof.at_full_resolution, reg::registration::kPatches, defaults.patch_limit)});
   words.push_back({reg::epipolar::kAddress, reg::epipolar::kSlope.put(rounded(proof.epipolar[0], 15)) |
                                                 reg::epipolar::kColumn.put(rounded(proof.epipolar[1], 20))});
   words.push_back(

@@ -4,9 +4,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "horopter/calib/rig.hpp"
 #include "stages/agreement.hpp"
+#include "stages/patches.hpp"
 
 namespace horopter {
 namespace {
@@ -25,15 +27,18 @@ Eigen::Vector3d right_camera_from_left(const calib::Rig& rig) {
   return left.rotation * (rig.cameras.at(1).world_to_camera.centre() - left.centre());
 }
 
-/// Least squares of the slope of the left camera's epipolar lines over the image, by column and row of cells. What
-/// another depth of a pixel's line of sight shows lies on the line through it, whatever the skin (CameraPair).
-std::array<double, 4> epipolar_slopes(const MachineProfile& profile, const ScanGeometry& geometry,
-                                      const calib::Rig& rig) {
+/// A place of the left image, in cells, and the slope of the epipolar line there, rows for a column.
+struct LineSlope {
+  double column, row;
+  double rise;
+};
+
+std::vector<LineSlope> slopes_over_image(const MachineProfile& profile, const ScanGeometry& geometry,
+                                         const calib::Rig& rig) {
   const calib::Camera& left = rig.cameras.at(0);
   const Eigen::Vector3d to_right = right_camera_from_left(rig);
   const int cell = profile.cell();
-  std::vector<Eigen::Vector4d> places;
-  std::vector<double> slopes;
+  std::vector<LineSlope> slopes;
   for (int y = 0; y < geometry.height; y += kStep_px) {
     for (int x = 0; x < geometry.width / profile.subsample; x += kStep_px) {
       const Point pixel =
@@ -46,18 +51,32 @@ std::array<double, 4> epipolar_slopes(const MachineProfile& profile, const ScanG
       const double rise = along.y() / geometry.row_step();
       if (!(std::abs(rise) <= std::abs(run))) continue;  // steeper than the comparison can follow
       // A code stands two cells right of and below the cell it is of.
-      const double column = static_cast<double>(x) / cell + 2;
-      const double row = static_cast<double>(y) / cell + 2;
-      places.emplace_back(1, column, row, column * row);
-      slopes.push_back(rise / run);
+      slopes.push_back({static_cast<double>(x) / cell + 2, static_cast<double>(y) / cell + 2, rise / run});
     }
   }
-  if (places.size() < 4) return {};
-  Eigen::MatrixX4d a(static_cast<Eigen::Index>(places.size()), 4);
-  for (std::size_t i = 0; i < places.size(); ++i) a.row(static_cast<Eigen::Index>(i)) = places[i];
-  const Eigen::Vector4d fit = a.colPivHouseholderQr().solve(
-      Eigen::Map<const Eigen::VectorXd>(slopes.data(), static_cast<Eigen::Index>(slopes.size())));
+  return slopes;
+}
+
+/// Least squares of the slope of the left camera's epipolar lines over the image, by column and row of cells. What
+/// another depth of a pixel's line of sight shows lies on the line through it, whatever the skin (CameraPair).
+std::array<double, 4> fit_of(const std::vector<LineSlope>& slopes) {
+  if (slopes.size() < 4) return {};
+  Eigen::MatrixX4d a(static_cast<Eigen::Index>(slopes.size()), 4);
+  Eigen::VectorXd rises(static_cast<Eigen::Index>(slopes.size()));
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    const auto& [column, row, rise] = slopes[i];
+    a.row(static_cast<Eigen::Index>(i)) << 1, column, row, column * row;
+    rises[static_cast<Eigen::Index>(i)] = rise;
+  }
+  const Eigen::Vector4d fit = a.colPivHouseholderQr().solve(rises);
   return {fit[0], fit[1], fit[2], fit[3]};
+}
+
+/// Whether at half of the places or more a line, followed so far, stays where the comparison at full resolution finds it.
+bool mostly_within_reach(const std::vector<LineSlope>& slopes, double shift_px) {
+  const auto within = std::ranges::count_if(
+      slopes, [&](const LineSlope& place) { return std::abs(place.rise * shift_px) <= stages::patch_reach_across_px; });
+  return 2 * within >= static_cast<std::ptrdiff_t>(slopes.size());
 }
 
 }  // namespace
@@ -85,7 +104,10 @@ Proof with_knowledge(Proof proof, const MachineProfile& profile, const std::vect
     // The nearer a place, the further towards the left camera's side the right one sees it.
     proof.nearer_below = right_camera_from_left(cameras).x() > 0;
     proof.nearer_above = !proof.nearer_below;
-    proof.epipolar = epipolar_slopes(profile, tables.front()->geometry(), cameras);
+    const auto slopes = slopes_over_image(profile, tables.front()->geometry(), cameras);
+    proof.epipolar = fit_of(slopes);
+    const int behind_px = std::abs(cell * (proof.nearer_below ? proof.shift_highest : proof.shift_lowest));
+    proof.at_full_resolution = mostly_within_reach(slopes, behind_px);
   }
   return proof;
 }

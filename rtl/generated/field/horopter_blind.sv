@@ -190,6 +190,7 @@ module horopter_blind (
   // Memory counts, 47 x 7, DISTANCE 16, hls/stages/blind.hpp:189; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [6:0] counts_mem [0:46];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 47; i++) counts_mem[i] = 7'h0;

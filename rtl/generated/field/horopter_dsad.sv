@@ -63,6 +63,7 @@ module horopter_dsad (
   // Memory columns_values, 16 x 16, DISTANCE 7, hls/stages/dsad.hpp:104; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [15:0] columns_values_mem [0:15];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 16; i++) columns_values_mem[i] = 16'h0;

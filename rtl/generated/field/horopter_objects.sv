@@ -191,6 +191,7 @@ module horopter_objects (
   // Memory queue, 64 x 68, DISTANCE 4, hls/stages/objects.hpp:455; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [67:0] queue_mem [0:63];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 64; i++) queue_mem[i] = 68'h0;
@@ -1297,6 +1298,7 @@ module horopter_objects (
   // Memory objects, 32 x 154, DISTANCE 2, hls/stages/objects.hpp:483; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [153:0] objects_mem [0:31];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 32; i++) objects_mem[i] = 154'h0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Agreement<horopter::hls::profiles::hd>, hls/stages/agreement.hpp. Do not edit.
 //
-// Latency 29 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 30 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 1918 bits, pipeline 6140 bits, memories 93264 bits.
+// State 2933 bits, pipeline 8769 bits, memories 120207 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -60,8 +60,8 @@ module horopter_agreement (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q, valid_s11_q, valid_s12_q, valid_s13_q, valid_s14_q, valid_s15_q, valid_s16_q, valid_s17_q, valid_s18_q, valid_s19_q, valid_s20_q, valid_s21_q, valid_s22_q, valid_s23_q, valid_s24_q, valid_s25_q, valid_s26_q, valid_s27_q, valid_s28_q, valid_s29_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en, s10_en, s11_en, s12_en, s13_en, s14_en, s15_en, s16_en, s17_en, s18_en, s19_en, s20_en, s21_en, s22_en, s23_en, s24_en, s25_en, s26_en, s27_en, s28_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q, valid_s11_q, valid_s12_q, valid_s13_q, valid_s14_q, valid_s15_q, valid_s16_q, valid_s17_q, valid_s18_q, valid_s19_q, valid_s20_q, valid_s21_q, valid_s22_q, valid_s23_q, valid_s24_q, valid_s25_q, valid_s26_q, valid_s27_q, valid_s28_q, valid_s29_q, valid_s30_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en, s10_en, s11_en, s12_en, s13_en, s14_en, s15_en, s16_en, s17_en, s18_en, s19_en, s20_en, s21_en, s22_en, s23_en, s24_en, s25_en, s26_en, s27_en, s28_en, s29_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
@@ -91,20 +91,23 @@ module horopter_agreement (
   assign s26_en = en_i & valid_s26_q;
   assign s27_en = en_i & valid_s27_q;
   assign s28_en = en_i & valid_s28_q;
+  assign s29_en = en_i & valid_s29_q;
 
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {1'b0, cfg_width_i[10:4]} + 8'hff;
-  logic [6:0] sum_1961;
-  assign sum_1961 = {1'b0, cfg_height_i[10:5]} + 7'h5;
-  logic [7:0] difference_2333;
-  assign difference_2333 = 8'h0 - {1'b0, cfg_height_i[10:4]};
-  logic less_2537;
-  assign less_2537 = 7'h8 < cfg_height_i[10:4];
-  logic [4:0] sum_2538;
-  assign sum_2538 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
-  logic not_2556;
-  assign not_2556 = ~cfg_prove_i;
+  logic [6:0] sum_2381;
+  assign sum_2381 = {1'b0, cfg_height_i[10:5]} + 7'h5;
+  logic [6:0] difference_3386;
+  assign difference_3386 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic [7:0] difference_3607;
+  assign difference_3607 = 8'h0 - {1'b0, cfg_height_i[10:4]};
+  logic less_3809;
+  assign less_3809 = 7'h8 < cfg_height_i[10:4];
+  logic [4:0] sum_3810;
+  assign sum_3810 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
+  logic not_3828;
+  assign not_3828 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -114,8 +117,8 @@ module horopter_agreement (
   logic [3:0] raster_at_x_q;
   logic raster_row_ended_q;
   // hls/stages/census.hpp:35
-  logic [3:0] select_328;
-  assign select_328 = sample_pair_first_q ? 4'h0 : (raster_row_ended_q ? 4'h0 : raster_at_x_q);
+  logic [3:0] select_463;
+  assign select_463 = sample_pair_first_q ? 4'h0 : (raster_row_ended_q ? 4'h0 : raster_at_x_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -130,7 +133,7 @@ module horopter_agreement (
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_328 + 4'h1) : raster_at_x_q;
+      raster_at_x_q <= sample_pair_whole_q ? (select_463 + 4'h1) : raster_at_x_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
     end
   end
@@ -144,7 +147,7 @@ module horopter_agreement (
   logic sample_last_s1_q;
   logic sample_present_s1_q;
   logic raster_row_ended_s1_q;
-  logic [3:0] select_328_s1_q;
+  logic [3:0] select_463_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -156,66 +159,27 @@ module horopter_agreement (
       sample_last_s1_q <= sample_last_q;
       sample_present_s1_q <= sample_present_q;
       raster_row_ended_s1_q <= raster_row_ended_q;
-      select_328_s1_q <= select_328;
+      select_463_s1_q <= select_463;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
-  logic [3:0] raster_at_y_q;
   logic [6:0] raster_at_column_q;
-  logic raster_at_live_q;
-  logic [10:0] raster_rows_left_q;
-  logic raster_final_row_q;
-  logic averager_running_mask_q;
-  // hls/stages/census.hpp:109
-  logic equal_329;
-  assign equal_329 = select_328_s1_q[1:0] == 2'h0;
   // hls/stages/census.hpp:35
-  logic [6:0] select_331;
-  assign select_331 = sample_pair_first_s1_q ? 7'h0 : (raster_row_ended_s1_q ? 7'h0 : raster_at_column_q);
-  // hls/stages/census.hpp:41
-  logic or_336;
-  assign or_336 = sample_pair_first_s1_q | raster_at_live_q;
-  logic [3:0] select_349;
-  assign select_349 = sample_pair_first_s1_q ? 4'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:404
-  logic whole;
-  assign whole = equal_329 ? sample_present_s1_q : (sample_present_s1_q & averager_running_mask_q);
-  // hls/stages/agreement.hpp:263
-  logic [6:0] column;
-  assign column = sample_pair_whole_s1_q ? select_331 : 7'h0;
+  logic [6:0] select_466;
+  assign select_466 = sample_pair_first_s1_q ? 7'h0 : (raster_row_ended_s1_q ? 7'h0 : raster_at_column_q);
   // hls/stages/census.hpp:50
-  logic equal_366;
-  assign equal_366 = select_328_s1_q == 4'hf;
+  logic equal_498;
+  assign equal_498 = select_463_s1_q == 4'hf;
   // hls/stages/agreement.hpp:263
-  logic [3:0] select_1608;
-  assign select_1608 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (select_349 + 4'h1) : select_349) : raster_at_y_q;
-  logic [6:0] select_1610;
-  assign select_1610 = sample_pair_whole_s1_q ? (select_331 + {6'h0, equal_366}) : raster_at_column_q;
-  logic select_1617;
-  assign select_1617 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_336 & (~raster_final_row_q)) : or_336) : raster_at_live_q;
-  // hls/stages/census.hpp:49
-  logic [10:0] select_1619;
-  assign select_1619 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
-  // hls/stages/agreement.hpp:263
-  logic select_1623;
-  assign select_1623 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
+  logic [6:0] select_2030;
+  assign select_2030 = sample_pair_whole_s1_q ? (select_466 + {6'h0, equal_498}) : raster_at_column_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_at_y_q <= 4'h0;
       raster_at_column_q <= 7'h0;
-      raster_at_live_q <= 1'b0;
-      raster_rows_left_q <= 11'h0;
-      raster_final_row_q <= 1'b0;
-      averager_running_mask_q <= 1'b0;
     end else if (s1_en) begin
-      raster_at_y_q <= select_1608;
-      raster_at_column_q <= select_1610;
-      raster_at_live_q <= select_1617;
-      raster_rows_left_q <= sample_pair_whole_s1_q ? select_1619 : raster_rows_left_q;
-      raster_final_row_q <= select_1623;
-      averager_running_mask_q <= sample_pair_whole_s1_q ? whole : averager_running_mask_q;
+      raster_at_column_q <= select_2030;
     end
   end
 
@@ -228,15 +192,10 @@ module horopter_agreement (
   logic sample_pair_first_s2_q;
   logic sample_pair_whole_s2_q;
   logic sample_last_s2_q;
-  logic equal_329_s2_q;
-  logic equal_332_s2_q;
-  logic not_341_s2_q;
-  logic equal_350_s2_q;
-  logic whole_s2_q;
-  logic [6:0] column_s2_q;
-  logic equal_366_s2_q;
-  logic equal_367_s2_q;
-  logic equal_373_s2_q;
+  logic sample_present_s2_q;
+  logic [3:0] select_463_s2_q;
+  logic [6:0] select_466_s2_q;
+  logic equal_498_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -248,41 +207,39 @@ module horopter_agreement (
       sample_pair_first_s2_q <= sample_pair_first_s1_q;
       sample_pair_whole_s2_q <= sample_pair_whole_s1_q;
       sample_last_s2_q <= sample_last_s1_q;
-      equal_329_s2_q <= equal_329;
-      equal_332_s2_q <= {select_331, select_328_s1_q} == 11'h0;
-      not_341_s2_q <= ~((~or_336) | (~(select_328_s1_q[1:0] == 2'h3)));
-      equal_350_s2_q <= select_349 == 4'h0;
-      whole_s2_q <= whole;
-      column_s2_q <= column;
-      equal_366_s2_q <= equal_366;
-      equal_367_s2_q <= select_349 == 4'hf;
-      equal_373_s2_q <= select_328_s1_q == 4'h3;
+      sample_present_s2_q <= sample_present_s1_q;
+      select_463_s2_q <= select_463_s1_q;
+      select_466_s2_q <= select_466;
+      equal_498_s2_q <= equal_498;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  logic [6:0] raster_at_row_q;
+  logic [3:0] raster_at_y_q;
   logic [8:0] averager_place_q;
+  // hls/stages/census.hpp:109
+  logic equal_464;
+  assign equal_464 = select_463_s2_q[1:0] == 2'h0;
+  // hls/stages/census.hpp:115
+  logic [8:0] select_469;
+  assign select_469 = ({select_466_s2_q, select_463_s2_q} == 11'h0) ? 9'h0 : (averager_place_q + 9'h1);
   // hls/stages/census.hpp:116
-  logic [8:0] select_335;
-  assign select_335 = equal_329_s2_q ? (equal_332_s2_q ? 9'h0 : (averager_place_q + 9'h1)) : averager_place_q;
+  logic [8:0] select_470;
+  assign select_470 = equal_464 ? select_469 : averager_place_q;
   // hls/stages/census.hpp:41
-  logic [6:0] select_429;
-  assign select_429 = sample_pair_first_s2_q ? 7'h0 : raster_at_row_q;
+  logic [3:0] select_481;
+  assign select_481 = sample_pair_first_s2_q ? 4'h0 : raster_at_y_q;
   // hls/stages/agreement.hpp:263
-  logic [6:0] row;
-  assign row = sample_pair_whole_s2_q ? select_429 : 7'h0;
-  // hls/stages/census.hpp:57
-  logic [6:0] select_1612;
-  assign select_1612 = sample_last_s2_q ? (select_429 + {6'h0, equal_367_s2_q}) : select_429;
+  logic [3:0] select_2028;
+  assign select_2028 = sample_pair_whole_s2_q ? (sample_last_s2_q ? (select_481 + 4'h1) : select_481) : raster_at_y_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      raster_at_row_q <= 7'h0;
+      raster_at_y_q <= 4'h0;
       averager_place_q <= 9'h0;
     end else if (s2_en) begin
-      raster_at_row_q <= sample_pair_whole_s2_q ? select_1612 : raster_at_row_q;
-      averager_place_q <= sample_pair_whole_s2_q ? select_335 : averager_place_q;
+      raster_at_y_q <= select_2028;
+      averager_place_q <= sample_pair_whole_s2_q ? select_470 : averager_place_q;
     end
   end
 
@@ -292,17 +249,18 @@ module horopter_agreement (
   logic mask_s3_q;
   logic marks_first_s3_q;
   logic marks_last_s3_q;
+  logic sample_pair_first_s3_q;
   logic sample_pair_whole_s3_q;
-  logic equal_329_s3_q;
-  logic [8:0] select_335_s3_q;
-  logic not_341_s3_q;
-  logic equal_350_s3_q;
-  logic whole_s3_q;
-  logic [6:0] column_s3_q;
-  logic equal_366_s3_q;
-  logic equal_367_s3_q;
-  logic equal_373_s3_q;
-  logic [6:0] row_s3_q;
+  logic sample_last_s3_q;
+  logic sample_present_s3_q;
+  logic [3:0] select_463_s3_q;
+  logic equal_464_s3_q;
+  logic [6:0] select_466_s3_q;
+  logic [8:0] select_470_s3_q;
+  logic equal_472_s3_q;
+  logic [3:0] select_481_s3_q;
+  logic equal_498_s3_q;
+  logic equal_499_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       pixel_0_s3_q <= pixel_0_s2_q;
@@ -311,36 +269,76 @@ module horopter_agreement (
       mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
+      sample_pair_first_s3_q <= sample_pair_first_s2_q;
       sample_pair_whole_s3_q <= sample_pair_whole_s2_q;
-      equal_329_s3_q <= equal_329_s2_q;
-      select_335_s3_q <= select_335;
-      not_341_s3_q <= not_341_s2_q;
-      equal_350_s3_q <= equal_350_s2_q;
-      whole_s3_q <= whole_s2_q;
-      column_s3_q <= column_s2_q;
-      equal_366_s3_q <= equal_366_s2_q;
-      equal_367_s3_q <= equal_367_s2_q;
-      equal_373_s3_q <= equal_373_s2_q;
-      row_s3_q <= row;
+      sample_last_s3_q <= sample_last_s2_q;
+      sample_present_s3_q <= sample_present_s2_q;
+      select_463_s3_q <= select_463_s2_q;
+      equal_464_s3_q <= equal_464;
+      select_466_s3_q <= select_466_s2_q;
+      select_470_s3_q <= select_470;
+      equal_472_s3_q <= select_463_s2_q[1:0] == 2'h3;
+      select_481_s3_q <= select_481;
+      equal_498_s3_q <= equal_498_s2_q;
+      equal_499_s3_q <= select_481 == 4'hf;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
+  logic [6:0] raster_at_row_q;
+  logic raster_at_live_q;
+  logic [10:0] raster_rows_left_q;
+  logic raster_final_row_q;
+  // hls/stages/census.hpp:41
+  logic or_471;
+  assign or_471 = sample_pair_first_s3_q | raster_at_live_q;
   // hls/stages/agreement.hpp:404
-  logic and_344;
-  assign and_344 = not_341_s3_q & (~(select_335_s3_q[8:5] == 4'hf));
-  // hls/stages/census.hpp:126
-  logic and_368;
-  assign and_368 = equal_367_s3_q & and_344;
+  logic and_476;
+  assign and_476 = (or_471 & equal_472_s3_q) & (~(select_470_s3_q[8:5] == 4'hf));
   // hls/stages/agreement.hpp:263
-  logic and_370;
-  assign and_370 = sample_pair_whole_s3_q & (equal_366_s3_q & and_368);
+  logic [6:0] column;
+  assign column = sample_pair_whole_s3_q ? select_466_s3_q : 7'h0;
+  // hls/stages/census.hpp:126
+  logic and_500;
+  assign and_500 = equal_499_s3_q & and_476;
+  // hls/stages/agreement.hpp:263
+  logic and_502;
+  assign and_502 = sample_pair_whole_s3_q & (equal_498_s3_q & and_500);
+  // hls/stages/census.hpp:41
+  logic [6:0] select_561;
+  assign select_561 = sample_pair_first_s3_q ? 7'h0 : raster_at_row_q;
+  // hls/stages/agreement.hpp:263
+  logic [6:0] row;
+  assign row = sample_pair_whole_s3_q ? select_561 : 7'h0;
+  // hls/stages/census.hpp:57
+  logic [6:0] select_2032;
+  assign select_2032 = sample_last_s3_q ? (select_561 + {6'h0, equal_499_s3_q}) : select_561;
+  // hls/stages/agreement.hpp:263
+  logic select_2037;
+  assign select_2037 = sample_pair_whole_s3_q ? (sample_last_s3_q ? (or_471 & (~raster_final_row_q)) : or_471) : raster_at_live_q;
+  // hls/stages/census.hpp:49
+  logic [10:0] select_2039;
+  assign select_2039 = sample_pair_first_s3_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s3_q});
+  // hls/stages/agreement.hpp:263
+  logic select_2043;
+  assign select_2043 = sample_pair_whole_s3_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:446
-  logic equal_1867;
-  assign equal_1867 = {last[7], column_s3_q} == {1'b0, last[6:0]};
-  // hls/stages/agreement.hpp:463
-  logic [7:0] sum_1957;
-  assign sum_1957 = {1'b0, row_s3_q} + 8'h1;
+  logic equal_2287;
+  assign equal_2287 = {last[7], column} == {1'b0, last[6:0]};
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      raster_at_row_q <= 7'h0;
+      raster_at_live_q <= 1'b0;
+      raster_rows_left_q <= 11'h0;
+      raster_final_row_q <= 1'b0;
+    end else if (s3_en) begin
+      raster_at_row_q <= sample_pair_whole_s3_q ? select_2032 : raster_at_row_q;
+      raster_at_live_q <= select_2037;
+      raster_rows_left_q <= sample_pair_whole_s3_q ? select_2039 : raster_rows_left_q;
+      raster_final_row_q <= select_2043;
+    end
+  end
 
   logic [7:0] pixel_0_s4_q;
   logic [7:0] pixel_1_s4_q;
@@ -348,20 +346,25 @@ module horopter_agreement (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
+  logic sample_pair_first_s4_q;
   logic sample_pair_whole_s4_q;
-  logic equal_329_s4_q;
-  logic [8:0] select_335_s4_q;
-  logic and_344_s4_q;
-  logic equal_350_s4_q;
-  logic whole_s4_q;
+  logic sample_present_s4_q;
+  logic [3:0] select_463_s4_q;
+  logic equal_464_s4_q;
+  logic [6:0] select_466_s4_q;
+  logic [8:0] select_470_s4_q;
+  logic and_476_s4_q;
+  logic [3:0] select_481_s4_q;
   logic [6:0] column_s4_q;
-  logic and_368_s4_q;
-  logic and_370_s4_q;
-  logic equal_373_s4_q;
+  logic and_500_s4_q;
+  logic and_502_s4_q;
+  logic [3:0] select_561_s4_q;
   logic [6:0] row_s4_q;
-  logic equal_1867_s4_q;
-  logic and_1868_s4_q;
-  logic equal_1958_s4_q;
+  logic equal_1590_s4_q;
+  logic equal_2287_s4_q;
+  logic and_2288_s4_q;
+  logic [7:0] sum_2377_s4_q;
+  logic [2:0] or_2762_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= pixel_0_s3_q;
@@ -370,20 +373,25 @@ module horopter_agreement (
       mask_s4_q <= mask_s3_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
+      sample_pair_first_s4_q <= sample_pair_first_s3_q;
       sample_pair_whole_s4_q <= sample_pair_whole_s3_q;
-      equal_329_s4_q <= equal_329_s3_q;
-      select_335_s4_q <= select_335_s3_q;
-      and_344_s4_q <= and_344;
-      equal_350_s4_q <= equal_350_s3_q;
-      whole_s4_q <= whole_s3_q;
-      column_s4_q <= column_s3_q;
-      and_368_s4_q <= and_368;
-      and_370_s4_q <= and_370;
-      equal_373_s4_q <= equal_373_s3_q;
-      row_s4_q <= row_s3_q;
-      equal_1867_s4_q <= equal_1867;
-      and_1868_s4_q <= and_370 & equal_1867;
-      equal_1958_s4_q <= {sum_1957[7], cfg_height_i[10:4]} == {1'b0, sum_1957[6:0]};
+      sample_present_s4_q <= sample_present_s3_q;
+      select_463_s4_q <= select_463_s3_q;
+      equal_464_s4_q <= equal_464_s3_q;
+      select_466_s4_q <= select_466_s3_q;
+      select_470_s4_q <= select_470_s3_q;
+      and_476_s4_q <= and_476;
+      select_481_s4_q <= select_481_s3_q;
+      column_s4_q <= column;
+      and_500_s4_q <= and_500;
+      and_502_s4_q <= and_502;
+      select_561_s4_q <= select_561[3:0];
+      row_s4_q <= row;
+      equal_1590_s4_q <= {or_471, select_481_s3_q} == 5'h18;
+      equal_2287_s4_q <= equal_2287;
+      and_2288_s4_q <= and_502 & equal_2287;
+      sum_2377_s4_q <= {1'b0, row} + 8'h1;
+      or_2762_s4_q <= select_466_s3_q[2:0] | select_561[6:4];
     end
   end
 
@@ -415,100 +423,106 @@ module horopter_agreement (
   logic so;
   assign so = run_phase_q == 3'h6;
   // hls/stages/agreement.hpp:610
-  logic equal_390;
-  assign equal_390 = run_phase_q == 3'h5;
+  logic equal_522;
+  assign equal_522 = run_phase_q == 3'h5;
   // hls/stages/agreement.hpp:601
-  logic equal_393;
-  assign equal_393 = run_phase_q == 3'h3;
+  logic equal_525;
+  assign equal_525 = run_phase_q == 3'h3;
   // hls/stages/agreement.hpp:602
-  logic equal_395;
-  assign equal_395 = run_phase_q == 3'h2;
+  logic equal_527;
+  assign equal_527 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:510
-  logic select_1871;
-  assign select_1871 = (and_1868_s4_q | (~ends_cell_q)) ? and_1868_s4_q : ends_q;
+  logic select_2291;
+  assign select_2291 = (and_2288_s4_q | (~ends_cell_q)) ? and_2288_s4_q : ends_q;
   // hls/stages/agreement.hpp:516
   logic [2:0] now;
-  assign now = select_1871 ? (and_1868_s4_q ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2291 ? (and_2288_s4_q ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:521
-  logic [5:0] select_1875;
-  assign select_1875 = select_1871 ? (and_1868_s4_q ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_1878;
-  assign select_1878 = select_1871 ? (following_last_shift_q & (~and_1868_s4_q)) : run_last_shift_q;
+  logic [5:0] select_2295;
+  assign select_2295 = select_2291 ? (and_2288_s4_q ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2298;
+  assign select_2298 = select_2291 ? (following_last_shift_q & (~and_2288_s4_q)) : run_last_shift_q;
   // hls/stages/agreement.hpp:522
-  logic [7:0] select_1880;
-  assign select_1880 = select_1871 ? (and_1868_s4_q ? 8'h0 : following_span_q) : run_span_q;
+  logic [7:0] select_2300;
+  assign select_2300 = select_2291 ? (and_2288_s4_q ? 8'h0 : following_span_q) : run_span_q;
   // hls/stages/agreement.hpp:594
-  logic and_1881;
-  assign and_1881 = run_last_shift_q & equal_393;
+  logic and_2301;
+  assign and_2301 = run_last_shift_q & equal_525;
   // hls/stages/agreement.hpp:603
-  logic select_1883;
-  assign select_1883 = equal_393 ? (~run_last_shift_q) : equal_395;
+  logic select_2303;
+  assign select_2303 = equal_525 ? (~run_last_shift_q) : equal_527;
   // hls/stages/agreement.hpp:607
-  logic equal_1884;
-  assign equal_1884 = run_phase_q == 3'h1;
-  logic not_1887;
-  assign not_1887 = ~select_1883;
+  logic equal_2304;
+  assign equal_2304 = run_phase_q == 3'h1;
+  logic not_2307;
+  assign not_2307 = ~select_2303;
   // hls/stages/agreement.hpp:610
-  logic equal_1889;
-  assign equal_1889 = run_phase_q == 3'h4;
+  logic equal_2309;
+  assign equal_2309 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:594
-  logic and_1890;
-  assign and_1890 = final_row_q & so;
+  logic and_2310;
+  assign and_2310 = final_row_q & so;
   // hls/stages/agreement.hpp:607
-  logic [1:0] select_1891;
-  assign select_1891 = equal_1889 ? 2'h1 : {2{and_1890}};
-  logic [2:0] select_1893;
-  assign select_1893 = (and_1881 | (select_1883 | equal_1884)) ? (equal_1884 ? 3'h2 : {not_1887, {2{select_1883}}}) : (equal_390 ? 3'h6 : {select_1891[0], select_1891});
+  logic [1:0] select_2311;
+  assign select_2311 = equal_2309 ? 2'h1 : {2{and_2310}};
+  logic [2:0] select_2313;
+  assign select_2313 = (and_2301 | (select_2303 | equal_2304)) ? (equal_2304 ? 3'h2 : {not_2307, {2{select_2303}}}) : (equal_522 ? 3'h6 : {select_2311[0], select_2311});
   // hls/stages/agreement.hpp:594
-  logic and_1896;
-  assign and_1896 = select_1883 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  logic and_2316;
+  assign and_2316 = select_2303 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:617
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_1899;
-  assign select_1899 = (plan_shift_q[5] & select_1883) ? value : 7'h0;
-  logic [1:0] or_1900;
-  assign or_1900 = {2{so}} | select_1899[5:4];
+  logic [6:0] select_2319;
+  assign select_2319 = (plan_shift_q[5] & select_2303) ? value : 7'h0;
+  logic [1:0] or_2320;
+  assign or_2320 = {2{so}} | select_2319[5:4];
   // hls/stages/agreement.hpp:620
-  logic [7:0] or_1904;
-  assign or_1904 = (select_1883 ? plan_columns_q : 8'h0) | ((equal_1884 | equal_1889) ? whole_q : 8'h0);
-  logic [1:0] or_1905;
-  assign or_1905 = {2{and_1881}} | or_1904[4:3];
+  logic [7:0] or_2324;
+  assign or_2324 = (select_2303 ? plan_columns_q : 8'h0) | ((equal_2304 | equal_2309) ? whole_q : 8'h0);
+  logic [1:0] or_2325;
+  assign or_2325 = {2{and_2301}} | or_2324[4:3];
   // hls/stages/agreement.hpp:621
-  logic [7:0] or_1907;
-  assign or_1907 = {or_1904[7:5], or_1905, or_1904[2:0]} | (equal_390 ? drawn_q : 8'h0);
-  logic [4:0] or_1908;
-  assign or_1908 = {5{so}} | {or_1907[6], or_1907[3:0]};
+  logic [7:0] or_2327;
+  assign or_2327 = {or_2324[7:5], or_2325, or_2324[2:0]} | (equal_522 ? drawn_q : 8'h0);
+  logic [4:0] or_2328;
+  assign or_2328 = {5{so}} | {or_2327[6], or_2327[3:0]};
   // hls/stages/agreement.hpp:627
-  logic not_1912;
-  assign not_1912 = ~run_shift_q[5];
-  logic [7:0] select_1915;
-  assign select_1915 = equal_393 ? ({{7{not_1912}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  logic not_2332;
+  assign not_2332 = ~run_shift_q[5];
+  logic [7:0] select_2335;
+  assign select_2335 = equal_525 ? ({{7{not_2332}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:510
-  logic [6:0] select_1919;
-  assign select_1919 = and_1868_s4_q ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2339;
+  assign select_2339 = and_2288_s4_q ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:513
-  logic [7:0] select_1921;
-  assign select_1921 = select_1871 ? {select_1919[6], select_1919} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_1924;
-  assign select_1924 = select_1871 ? (and_1868_s4_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2341;
+  assign select_2341 = select_2291 ? {select_2339[6], select_2339} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2344;
+  assign select_2344 = select_2291 ? (and_2288_s4_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:447
-  logic [6:0] select_1931;
-  assign select_1931 = equal_1867_s4_q ? ((6'he < column_s4_q[6:1]) ? 7'h1d : column_s4_q) : least_q;
+  logic [6:0] select_2351;
+  assign select_2351 = equal_2287_s4_q ? ((6'he < column_s4_q[6:1]) ? 7'h1d : column_s4_q) : least_q;
   // hls/stages/agreement.hpp:507
-  logic [7:0] select_1935;
-  assign select_1935 = and_370_s4_q ? (equal_1867_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h17) : whole_q) : whole_q;
-  logic [7:0] select_1938;
-  assign select_1938 = and_370_s4_q ? (equal_1867_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h3) : drawn_q) : drawn_q;
+  logic [7:0] select_2355;
+  assign select_2355 = and_502_s4_q ? (equal_2287_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h17) : whole_q) : whole_q;
+  logic [7:0] select_2358;
+  assign select_2358 = and_502_s4_q ? (equal_2287_s4_q ? ({1'b0, cfg_width_i[10:4]} + 8'h3) : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:518
-  logic select_1952;
-  assign select_1952 = (ends_cell_q | select_1871) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_393 | (slot_q == 3'h6));
+  logic select_2372;
+  assign select_2372 = (ends_cell_q | select_2291) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_525 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:513
-  logic and_1956;
-  assign and_1956 = (~select_1871) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_2376;
+  assign and_2376 = (~select_2291) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  // hls/stages/agreement.hpp:463
+  logic equal_2378;
+  assign equal_2378 = {sum_2377_s4_q[7], cfg_height_i[10:4]} == {1'b0, sum_2377_s4_q[6:0]};
   // hls/stages/agreement.hpp:507
-  logic select_1960;
-  assign select_1960 = and_370_s4_q ? (equal_1867_s4_q ? equal_1958_s4_q : final_row_q) : final_row_q;
+  logic select_2380;
+  assign select_2380 = and_502_s4_q ? (equal_2287_s4_q ? equal_2378 : final_row_q) : final_row_q;
+  // hls/stages/patches.hpp:353
+  logic [8:0] sum_2763;
+  assign sum_2763 = {1'b0, select_466_s4_q[3], or_2762_s4_q, select_561_s4_q} + 9'h1;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -537,28 +551,28 @@ module horopter_agreement (
       final_row_q <= 1'b0;
     end else if (s4_en) begin
       run_phase_q <= now;
-      run_shift_q <= select_1875;
-      run_last_shift_q <= select_1878;
-      run_span_q <= select_1880;
-      following_phase_q <= select_1893;
-      following_shift_q <= select_1883 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_1896;
+      run_shift_q <= select_2295;
+      run_last_shift_q <= select_2298;
+      run_span_q <= select_2300;
+      following_phase_q <= select_2313;
+      following_shift_q <= select_2303 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2316;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_1899[6], or_1900, select_1899[3:0]};
-      following_columns_q <= {or_1907[7], or_1908[4], or_1907[5:4], or_1908[3:0]};
-      plan_shift_q <= equal_393 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_1915;
+      following_lowest_q <= {select_2319[6], or_2320, select_2319[3:0]};
+      following_columns_q <= {or_2327[7], or_2328[4], or_2327[5:4], or_2328[3:0]};
+      plan_shift_q <= equal_525 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
+      plan_span_q <= select_2335;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_1921;
-      columns_left_q <= select_1924;
-      last_q <= and_370_s4_q ? (equal_1867_s4_q ? column_s4_q : last_q) : last_q;
-      least_q <= and_370_s4_q ? select_1931 : least_q;
-      whole_q <= select_1935;
-      drawn_q <= select_1938;
-      slot_q <= select_1871 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_1952;
-      ends_q <= and_1956;
-      final_row_q <= select_1960;
+      x_q <= select_2341;
+      columns_left_q <= select_2344;
+      last_q <= and_502_s4_q ? (equal_2287_s4_q ? column_s4_q : last_q) : last_q;
+      least_q <= and_502_s4_q ? select_2351 : least_q;
+      whole_q <= select_2355;
+      drawn_q <= select_2358;
+      slot_q <= select_2291 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2372;
+      ends_q <= and_2376;
+      final_row_q <= select_2380;
     end
   end
 
@@ -568,33 +582,37 @@ module horopter_agreement (
   logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
+  logic sample_pair_first_s5_q;
   logic sample_pair_whole_s5_q;
+  logic sample_present_s5_q;
   logic [5:0] run_shift_s5_q;
   logic [7:0] x_s5_q;
   logic [6:0] last_s5_q;
   logic [2:0] slot_s5_q;
   logic ends_cell_s5_q;
-  logic equal_329_s5_q;
-  logic [8:0] select_335_s5_q;
-  logic and_344_s5_q;
-  logic equal_350_s5_q;
-  logic whole_s5_q;
+  logic [3:0] select_463_s5_q;
+  logic equal_464_s5_q;
+  logic [6:0] select_466_s5_q;
+  logic [8:0] select_470_s5_q;
+  logic and_476_s5_q;
+  logic equal_482_s5_q;
   logic [6:0] column_s5_q;
-  logic and_368_s5_q;
-  logic and_370_s5_q;
-  logic equal_373_s5_q;
+  logic and_500_s5_q;
+  logic and_502_s5_q;
   logic so_s5_q;
-  logic equal_390_s5_q;
-  logic equal_393_s5_q;
-  logic equal_395_s5_q;
-  logic [7:0] sum_396_s5_q;
+  logic equal_522_s5_q;
+  logic equal_525_s5_q;
+  logic equal_527_s5_q;
+  logic [7:0] sum_528_s5_q;
   logic [6:0] row_s5_q;
-  logic [7:0] sum_506_s5_q;
-  logic equal_515_s5_q;
-  logic equal_1339_s5_q;
-  logic equal_1867_s5_q;
-  logic and_1868_s5_q;
-  logic select_1871_s5_q;
+  logic [7:0] sum_638_s5_q;
+  logic equal_647_s5_q;
+  logic equal_1471_s5_q;
+  logic equal_1590_s5_q;
+  logic equal_2287_s5_q;
+  logic and_2288_s5_q;
+  logic select_2291_s5_q;
+  logic not_2765_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       pixel_0_s5_q <= pixel_0_s4_q;
@@ -603,58 +621,62 @@ module horopter_agreement (
       mask_s5_q <= mask_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
+      sample_pair_first_s5_q <= sample_pair_first_s4_q;
       sample_pair_whole_s5_q <= sample_pair_whole_s4_q;
+      sample_present_s5_q <= sample_present_s4_q;
       run_shift_s5_q <= run_shift_q;
       x_s5_q <= x_q;
       last_s5_q <= last_q;
       slot_s5_q <= slot_q;
       ends_cell_s5_q <= ends_cell_q;
-      equal_329_s5_q <= equal_329_s4_q;
-      select_335_s5_q <= select_335_s4_q;
-      and_344_s5_q <= and_344_s4_q;
-      equal_350_s5_q <= equal_350_s4_q;
-      whole_s5_q <= whole_s4_q;
+      select_463_s5_q <= select_463_s4_q;
+      equal_464_s5_q <= equal_464_s4_q;
+      select_466_s5_q <= select_466_s4_q;
+      select_470_s5_q <= select_470_s4_q;
+      and_476_s5_q <= and_476_s4_q;
+      equal_482_s5_q <= select_481_s4_q == 4'h0;
       column_s5_q <= column_s4_q;
-      and_368_s5_q <= and_368_s4_q;
-      and_370_s5_q <= and_370_s4_q;
-      equal_373_s5_q <= equal_373_s4_q;
+      and_500_s5_q <= and_500_s4_q;
+      and_502_s5_q <= and_502_s4_q;
       so_s5_q <= so;
-      equal_390_s5_q <= equal_390;
-      equal_393_s5_q <= equal_393;
-      equal_395_s5_q <= equal_395;
-      sum_396_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+      equal_522_s5_q <= equal_522;
+      equal_525_s5_q <= equal_525;
+      equal_527_s5_q <= equal_527;
+      sum_528_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} + x_q;
       row_s5_q <= row_s4_q;
-      sum_506_s5_q <= {1'b0, last_q} + 8'h3;
-      equal_515_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      equal_1339_s5_q <= run_phase_q == 3'h7;
-      equal_1867_s5_q <= equal_1867_s4_q;
-      and_1868_s5_q <= and_1868_s4_q;
-      select_1871_s5_q <= select_1871;
+      sum_638_s5_q <= {1'b0, last_q} + 8'h3;
+      equal_647_s5_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
+      equal_1471_s5_q <= run_phase_q == 3'h7;
+      equal_1590_s5_q <= equal_1590_s4_q;
+      equal_2287_s5_q <= equal_2287_s4_q;
+      and_2288_s5_q <= and_2288_s4_q;
+      select_2291_s5_q <= select_2291;
+      not_2765_s5_q <= ~({sum_2763, select_481_s4_q, 1'b0} < {3'h0, cfg_height_i});
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [6:0] age_q;
   // hls/stages/agreement.hpp:581
-  logic [7:0] select_397;
-  assign select_397 = run_shift_s5_q[5] ? x_s5_q : sum_396_s5_q;
-  logic less_398;
-  assign less_398 = {1'b0, last_s5_q} < select_397;
+  logic [7:0] select_529;
+  assign select_529 = run_shift_s5_q[5] ? x_s5_q : sum_528_s5_q;
+  logic less_530;
+  assign less_530 = {1'b0, last_s5_q} < select_529;
   // hls/stages/agreement.hpp:216
-  logic not_399;
-  assign not_399 = ~less_398;
+  logic not_531;
+  assign not_531 = ~less_530;
   // hls/stages/agreement.hpp:773
   logic [7:0] x;
   assign x = x_s5_q + 8'hfd;
   // hls/stages/agreement.hpp:515
-  logic [6:0] select_1940;
-  assign select_1940 = select_1871_s5_q ? 7'h0 : (ends_cell_s5_q ? {age_q[5:0], 1'b1} : age_q);
+  logic [6:0] select_2360;
+  assign select_2360 = select_2291_s5_q ? 7'h0 : (ends_cell_s5_q ? {age_q[5:0], 1'b1} : age_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       age_q <= 7'h0;
     end else if (s5_en) begin
-      age_q <= select_1940;
+      age_q <= select_2360;
     end
   end
 
@@ -664,37 +686,41 @@ module horopter_agreement (
   logic mask_s6_q;
   logic marks_first_s6_q;
   logic marks_last_s6_q;
+  logic sample_pair_first_s6_q;
   logic sample_pair_whole_s6_q;
+  logic sample_present_s6_q;
   logic [5:0] run_shift_s6_q;
   logic [7:0] x_s6_q;
   logic [6:0] last_s6_q;
   logic [3:0] age_s6_q;
   logic [2:0] slot_s6_q;
   logic ends_cell_s6_q;
-  logic equal_329_s6_q;
-  logic [8:0] select_335_s6_q;
-  logic and_344_s6_q;
-  logic equal_350_s6_q;
-  logic whole_s6_q;
+  logic [3:0] select_463_s6_q;
+  logic equal_464_s6_q;
+  logic [6:0] select_466_s6_q;
+  logic [8:0] select_470_s6_q;
+  logic and_476_s6_q;
+  logic equal_482_s6_q;
   logic [6:0] column_s6_q;
-  logic and_368_s6_q;
-  logic and_370_s6_q;
-  logic equal_373_s6_q;
+  logic and_500_s6_q;
+  logic and_502_s6_q;
   logic so_s6_q;
-  logic equal_390_s6_q;
-  logic equal_393_s6_q;
-  logic [6:0] sum_396_s6_q;
-  logic less_398_s6_q;
-  logic not_399_s6_q;
-  logic and_400_s6_q;
+  logic equal_522_s6_q;
+  logic equal_525_s6_q;
+  logic [6:0] sum_528_s6_q;
+  logic less_530_s6_q;
+  logic not_531_s6_q;
+  logic and_532_s6_q;
   logic [6:0] row_s6_q;
   logic [6:0] x_s6_2_q;
-  logic and_510_s6_q;
-  logic equal_515_s6_q;
-  logic equal_1329_s6_q;
-  logic equal_1339_s6_q;
-  logic equal_1867_s6_q;
-  logic and_1868_s6_q;
+  logic and_642_s6_q;
+  logic equal_647_s6_q;
+  logic equal_1461_s6_q;
+  logic equal_1471_s6_q;
+  logic equal_1590_s6_q;
+  logic equal_2287_s6_q;
+  logic and_2288_s6_q;
+  logic not_2765_s6_q;
   always_ff @(posedge clk_i) begin
     if (s5_en) begin
       pixel_0_s6_q <= pixel_0_s5_q;
@@ -703,62 +729,66 @@ module horopter_agreement (
       mask_s6_q <= mask_s5_q;
       marks_first_s6_q <= marks_first_s5_q;
       marks_last_s6_q <= marks_last_s5_q;
+      sample_pair_first_s6_q <= sample_pair_first_s5_q;
       sample_pair_whole_s6_q <= sample_pair_whole_s5_q;
+      sample_present_s6_q <= sample_present_s5_q;
       run_shift_s6_q <= run_shift_s5_q;
       x_s6_q <= x_s5_q;
       last_s6_q <= last_s5_q;
       age_s6_q <= {age_q[6], age_q[4:3], age_q[0]};
       slot_s6_q <= slot_s5_q;
       ends_cell_s6_q <= ends_cell_s5_q;
-      equal_329_s6_q <= equal_329_s5_q;
-      select_335_s6_q <= select_335_s5_q;
-      and_344_s6_q <= and_344_s5_q;
-      equal_350_s6_q <= equal_350_s5_q;
-      whole_s6_q <= whole_s5_q;
+      select_463_s6_q <= select_463_s5_q;
+      equal_464_s6_q <= equal_464_s5_q;
+      select_466_s6_q <= select_466_s5_q;
+      select_470_s6_q <= select_470_s5_q;
+      and_476_s6_q <= and_476_s5_q;
+      equal_482_s6_q <= equal_482_s5_q;
       column_s6_q <= column_s5_q;
-      and_368_s6_q <= and_368_s5_q;
-      and_370_s6_q <= and_370_s5_q;
-      equal_373_s6_q <= equal_373_s5_q;
+      and_500_s6_q <= and_500_s5_q;
+      and_502_s6_q <= and_502_s5_q;
       so_s6_q <= so_s5_q;
-      equal_390_s6_q <= equal_390_s5_q;
-      equal_393_s6_q <= equal_393_s5_q;
-      sum_396_s6_q <= sum_396_s5_q[6:0];
-      less_398_s6_q <= less_398;
-      not_399_s6_q <= not_399;
-      and_400_s6_q <= equal_395_s5_q & not_399;
+      equal_522_s6_q <= equal_522_s5_q;
+      equal_525_s6_q <= equal_525_s5_q;
+      sum_528_s6_q <= sum_528_s5_q[6:0];
+      less_530_s6_q <= less_530;
+      not_531_s6_q <= not_531;
+      and_532_s6_q <= equal_527_s5_q & not_531;
       row_s6_q <= row_s5_q;
       x_s6_2_q <= x[6:0];
-      and_510_s6_q <= age_q[2] & (ends_cell_s5_q & (~(sum_506_s5_q < select_397)));
-      equal_515_s6_q <= equal_515_s5_q;
-      equal_1329_s6_q <= {x[7], last_s5_q} == {1'b0, x[6:0]};
-      equal_1339_s6_q <= equal_1339_s5_q;
-      equal_1867_s6_q <= equal_1867_s5_q;
-      and_1868_s6_q <= and_1868_s5_q;
+      and_642_s6_q <= age_q[2] & (ends_cell_s5_q & (~(sum_638_s5_q < select_529)));
+      equal_647_s6_q <= equal_647_s5_q;
+      equal_1461_s6_q <= {x[7], last_s5_q} == {1'b0, x[6:0]};
+      equal_1471_s6_q <= equal_1471_s5_q;
+      equal_1590_s6_q <= equal_1590_s5_q;
+      equal_2287_s6_q <= equal_2287_s5_q;
+      and_2288_s6_q <= and_2288_s5_q;
+      not_2765_s6_q <= not_2765_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/agreement.hpp:581
-  logic or_391;
-  assign or_391 = so_s6_q | equal_390_s6_q;
+  logic or_523;
+  assign or_523 = so_s6_q | equal_522_s6_q;
   // hls/stages/agreement.hpp:704
-  logic not_392;
-  assign not_392 = ~or_391;
+  logic not_524;
+  assign not_524 = ~or_523;
   // hls/stages/agreement.hpp:141
-  logic select_486;
-  assign select_486 = equal_393_s6_q ? not_399_s6_q : and_400_s6_q;
-  logic and_511;
-  assign and_511 = equal_393_s6_q & and_510_s6_q;
-  logic select_512;
-  assign select_512 = or_391 ? not_399_s6_q : and_511;
+  logic select_618;
+  assign select_618 = equal_525_s6_q ? not_531_s6_q : and_532_s6_q;
+  logic and_643;
+  assign and_643 = equal_525_s6_q & and_642_s6_q;
+  logic select_644;
+  assign select_644 = or_523 ? not_531_s6_q : and_643;
   // hls/stages/agreement.hpp:782
-  logic or_517;
-  assign or_517 = equal_515_s6_q | ($signed(6'h0) < $signed(run_shift_s6_q));
+  logic or_649;
+  assign or_649 = equal_647_s6_q | ($signed(6'h0) < $signed(run_shift_s6_q));
   // hls/stages/agreement.hpp:794
   logic [6:0] right;
-  assign right = sum_396_s6_q + 7'h7d;
+  assign right = sum_528_s6_q + 7'h7d;
 
-  // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1294; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
+  // Memory left, 120 x 77, DISTANCE 24, hls/stages/agreement.hpp:1295; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [76:0] left_mem [0:119];
@@ -768,13 +798,13 @@ module horopter_agreement (
   logic [6:0] left_raddr;
   assign left_raddr = x_s6_q[6:0];
   logic left_re;
-  assign left_re = s6_en & (or_391 ? not_399_s6_q : select_486);
+  assign left_re = s6_en & (or_523 ? not_531_s6_q : select_618);
   logic [76:0] left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (left_re) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 120 x 91, DISTANCE 24, hls/stages/agreement.hpp:1295; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
+  // Memory right_codes, 120 x 91, DISTANCE 24, hls/stages/agreement.hpp:1296; read in stage 6, written in stage 9: 6 < 9 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [90:0] right_codes_mem [0:119];
@@ -782,15 +812,15 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) right_codes_mem[i] = 91'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = equal_393_s6_q ? sum_396_s6_q : x_s6_q[6:0];
+  assign right_codes_raddr = equal_525_s6_q ? sum_528_s6_q : x_s6_q[6:0];
   logic right_codes_re;
-  assign right_codes_re = s6_en & (not_392 & select_486);
+  assign right_codes_re = s6_en & (not_524 & select_618);
   logic [90:0] right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (right_codes_re) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 120 x 46, DISTANCE 24, hls/stages/agreement.hpp:1296; read in stage 6, written in stage 17: 6 < 17 < 6 + DISTANCE.
+  // Memory best_left, 120 x 46, DISTANCE 24, hls/stages/agreement.hpp:1297; read in stage 6, written in stage 17: 6 < 17 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [45:0] best_left_mem [0:119];
@@ -798,9 +828,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) best_left_mem[i] = 46'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = or_391 ? x_s6_q[6:0] : x_s6_2_q;
+  assign best_left_raddr = or_523 ? x_s6_q[6:0] : x_s6_2_q;
   logic best_left_re;
-  assign best_left_re = s6_en & select_512;
+  assign best_left_re = s6_en & select_644;
   logic [45:0] best_left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (best_left_re) best_left_rdata_q <= best_left_mem[best_left_raddr];
@@ -812,39 +842,43 @@ module horopter_agreement (
   logic mask_s7_q;
   logic marks_first_s7_q;
   logic marks_last_s7_q;
+  logic sample_pair_first_s7_q;
   logic sample_pair_whole_s7_q;
+  logic sample_present_s7_q;
   logic [5:0] run_shift_s7_q;
   logic [7:0] x_s7_q;
   logic [6:0] last_s7_q;
   logic [3:0] age_s7_q;
   logic [2:0] slot_s7_q;
   logic ends_cell_s7_q;
-  logic equal_329_s7_q;
-  logic [8:0] select_335_s7_q;
-  logic and_344_s7_q;
-  logic equal_350_s7_q;
-  logic whole_s7_q;
+  logic [3:0] select_463_s7_q;
+  logic equal_464_s7_q;
+  logic [6:0] select_466_s7_q;
+  logic [8:0] select_470_s7_q;
+  logic and_476_s7_q;
+  logic equal_482_s7_q;
   logic [6:0] column_s7_q;
-  logic and_368_s7_q;
-  logic and_370_s7_q;
-  logic equal_373_s7_q;
+  logic and_500_s7_q;
+  logic and_502_s7_q;
   logic so_s7_q;
-  logic equal_390_s7_q;
-  logic or_391_s7_q;
-  logic equal_393_s7_q;
-  logic less_398_s7_q;
-  logic not_399_s7_q;
-  logic and_402_s7_q;
+  logic equal_522_s7_q;
+  logic or_523_s7_q;
+  logic equal_525_s7_q;
+  logic less_530_s7_q;
+  logic not_531_s7_q;
+  logic and_534_s7_q;
   logic [6:0] row_s7_q;
   logic [6:0] x_s7_2_q;
-  logic select_512_s7_q;
-  logic select_519_s7_q;
-  logic and_1321_s7_q;
+  logic select_644_s7_q;
+  logic select_651_s7_q;
+  logic and_1453_s7_q;
   logic [6:0] right_s7_q;
-  logic select_1330_s7_q;
-  logic equal_1339_s7_q;
-  logic equal_1867_s7_q;
-  logic and_1868_s7_q;
+  logic select_1462_s7_q;
+  logic equal_1471_s7_q;
+  logic equal_1590_s7_q;
+  logic equal_2287_s7_q;
+  logic and_2288_s7_q;
+  logic not_2765_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
       pixel_0_s7_q <= pixel_0_s6_q;
@@ -853,45 +887,49 @@ module horopter_agreement (
       mask_s7_q <= mask_s6_q;
       marks_first_s7_q <= marks_first_s6_q;
       marks_last_s7_q <= marks_last_s6_q;
+      sample_pair_first_s7_q <= sample_pair_first_s6_q;
       sample_pair_whole_s7_q <= sample_pair_whole_s6_q;
+      sample_present_s7_q <= sample_present_s6_q;
       run_shift_s7_q <= run_shift_s6_q;
       x_s7_q <= x_s6_q;
       last_s7_q <= last_s6_q;
       age_s7_q <= age_s6_q;
       slot_s7_q <= slot_s6_q;
       ends_cell_s7_q <= ends_cell_s6_q;
-      equal_329_s7_q <= equal_329_s6_q;
-      select_335_s7_q <= select_335_s6_q;
-      and_344_s7_q <= and_344_s6_q;
-      equal_350_s7_q <= equal_350_s6_q;
-      whole_s7_q <= whole_s6_q;
+      select_463_s7_q <= select_463_s6_q;
+      equal_464_s7_q <= equal_464_s6_q;
+      select_466_s7_q <= select_466_s6_q;
+      select_470_s7_q <= select_470_s6_q;
+      and_476_s7_q <= and_476_s6_q;
+      equal_482_s7_q <= equal_482_s6_q;
       column_s7_q <= column_s6_q;
-      and_368_s7_q <= and_368_s6_q;
-      and_370_s7_q <= and_370_s6_q;
-      equal_373_s7_q <= equal_373_s6_q;
+      and_500_s7_q <= and_500_s6_q;
+      and_502_s7_q <= and_502_s6_q;
       so_s7_q <= so_s6_q;
-      equal_390_s7_q <= equal_390_s6_q;
-      or_391_s7_q <= or_391;
-      equal_393_s7_q <= equal_393_s6_q;
-      less_398_s7_q <= less_398_s6_q;
-      not_399_s7_q <= not_399_s6_q;
-      and_402_s7_q <= not_392 & ((~equal_393_s6_q) & and_400_s6_q);
+      equal_522_s7_q <= equal_522_s6_q;
+      or_523_s7_q <= or_523;
+      equal_525_s7_q <= equal_525_s6_q;
+      less_530_s7_q <= less_530_s6_q;
+      not_531_s7_q <= not_531_s6_q;
+      and_534_s7_q <= not_524 & ((~equal_525_s6_q) & and_532_s6_q);
       row_s7_q <= row_s6_q;
       x_s7_2_q <= x_s6_2_q;
-      select_512_s7_q <= select_512;
-      select_519_s7_q <= or_517 ? equal_515_s6_q : (~age_s6_q[1]);
-      and_1321_s7_q <= not_392 & and_511;
+      select_644_s7_q <= select_644;
+      select_651_s7_q <= or_649 ? equal_647_s6_q : (~age_s6_q[1]);
+      and_1453_s7_q <= not_524 & and_643;
       right_s7_q <= right;
-      select_1330_s7_q <= or_517 ? equal_515_s6_q : equal_1329_s6_q;
-      equal_1339_s7_q <= equal_1339_s6_q;
-      equal_1867_s7_q <= equal_1867_s6_q;
-      and_1868_s7_q <= and_1868_s6_q;
+      select_1462_s7_q <= or_649 ? equal_647_s6_q : equal_1461_s6_q;
+      equal_1471_s7_q <= equal_1471_s6_q;
+      equal_1590_s7_q <= equal_1590_s6_q;
+      equal_2287_s7_q <= equal_2287_s6_q;
+      and_2288_s7_q <= and_2288_s6_q;
+      not_2765_s7_q <= not_2765_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
 
-  // Memory fresh, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1293; read in stage 7, written in stage 26: 7 < 26 < 7 + DISTANCE.
+  // Memory fresh, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1294; read in stage 7, written in stage 27: 7 < 27 < 7 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] fresh_mem [0:119];
@@ -901,7 +939,7 @@ module horopter_agreement (
   logic [6:0] fresh_raddr;
   assign fresh_raddr = x_s7_q[6:0];
   logic fresh_re;
-  assign fresh_re = s7_en & and_402_s7_q;
+  assign fresh_re = s7_en & and_534_s7_q;
   logic [28:0] fresh_rdata_q;
   always_ff @(posedge clk_i) begin
     if (fresh_re) fresh_rdata_q <= fresh_mem[fresh_raddr];
@@ -913,42 +951,46 @@ module horopter_agreement (
   logic mask_s8_q;
   logic marks_first_s8_q;
   logic marks_last_s8_q;
+  logic sample_pair_first_s8_q;
   logic sample_pair_whole_s8_q;
+  logic sample_present_s8_q;
   logic [5:0] run_shift_s8_q;
   logic [7:0] x_s8_q;
   logic [6:0] last_s8_q;
   logic [3:0] age_s8_q;
   logic [2:0] slot_s8_q;
   logic ends_cell_s8_q;
-  logic equal_329_s8_q;
-  logic [8:0] select_335_s8_q;
-  logic and_344_s8_q;
-  logic equal_350_s8_q;
-  logic whole_s8_q;
+  logic [3:0] select_463_s8_q;
+  logic equal_464_s8_q;
+  logic [6:0] select_466_s8_q;
+  logic [8:0] select_470_s8_q;
+  logic and_476_s8_q;
+  logic equal_482_s8_q;
   logic [6:0] column_s8_q;
-  logic and_368_s8_q;
-  logic and_370_s8_q;
-  logic equal_373_s8_q;
+  logic and_500_s8_q;
+  logic and_502_s8_q;
   logic so_s8_q;
-  logic equal_390_s8_q;
-  logic or_391_s8_q;
-  logic equal_393_s8_q;
-  logic less_398_s8_q;
-  logic not_399_s8_q;
-  logic and_402_s8_q;
+  logic equal_522_s8_q;
+  logic or_523_s8_q;
+  logic equal_525_s8_q;
+  logic less_530_s8_q;
+  logic not_531_s8_q;
+  logic and_534_s8_q;
   logic [6:0] row_s8_q;
   logic [76:0] left_rdata_s8_q;
   logic [90:0] right_codes_rdata_s8_q;
   logic [6:0] x_s8_2_q;
-  logic select_512_s8_q;
+  logic select_644_s8_q;
   logic [45:0] best_left_rdata_s8_q;
-  logic select_519_s8_q;
-  logic and_1321_s8_q;
+  logic select_651_s8_q;
+  logic and_1453_s8_q;
   logic [6:0] right_s8_q;
-  logic select_1330_s8_q;
-  logic equal_1339_s8_q;
-  logic equal_1867_s8_q;
-  logic and_1868_s8_q;
+  logic select_1462_s8_q;
+  logic equal_1471_s8_q;
+  logic equal_1590_s8_q;
+  logic equal_2287_s8_q;
+  logic and_2288_s8_q;
+  logic not_2765_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
       pixel_0_s8_q <= pixel_0_s7_q;
@@ -957,142 +999,137 @@ module horopter_agreement (
       mask_s8_q <= mask_s7_q;
       marks_first_s8_q <= marks_first_s7_q;
       marks_last_s8_q <= marks_last_s7_q;
+      sample_pair_first_s8_q <= sample_pair_first_s7_q;
       sample_pair_whole_s8_q <= sample_pair_whole_s7_q;
+      sample_present_s8_q <= sample_present_s7_q;
       run_shift_s8_q <= run_shift_s7_q;
       x_s8_q <= x_s7_q;
       last_s8_q <= last_s7_q;
       age_s8_q <= age_s7_q;
       slot_s8_q <= slot_s7_q;
       ends_cell_s8_q <= ends_cell_s7_q;
-      equal_329_s8_q <= equal_329_s7_q;
-      select_335_s8_q <= select_335_s7_q;
-      and_344_s8_q <= and_344_s7_q;
-      equal_350_s8_q <= equal_350_s7_q;
-      whole_s8_q <= whole_s7_q;
+      select_463_s8_q <= select_463_s7_q;
+      equal_464_s8_q <= equal_464_s7_q;
+      select_466_s8_q <= select_466_s7_q;
+      select_470_s8_q <= select_470_s7_q;
+      and_476_s8_q <= and_476_s7_q;
+      equal_482_s8_q <= equal_482_s7_q;
       column_s8_q <= column_s7_q;
-      and_368_s8_q <= and_368_s7_q;
-      and_370_s8_q <= and_370_s7_q;
-      equal_373_s8_q <= equal_373_s7_q;
+      and_500_s8_q <= and_500_s7_q;
+      and_502_s8_q <= and_502_s7_q;
       so_s8_q <= so_s7_q;
-      equal_390_s8_q <= equal_390_s7_q;
-      or_391_s8_q <= or_391_s7_q;
-      equal_393_s8_q <= equal_393_s7_q;
-      less_398_s8_q <= less_398_s7_q;
-      not_399_s8_q <= not_399_s7_q;
-      and_402_s8_q <= and_402_s7_q;
+      equal_522_s8_q <= equal_522_s7_q;
+      or_523_s8_q <= or_523_s7_q;
+      equal_525_s8_q <= equal_525_s7_q;
+      less_530_s8_q <= less_530_s7_q;
+      not_531_s8_q <= not_531_s7_q;
+      and_534_s8_q <= and_534_s7_q;
       row_s8_q <= row_s7_q;
       left_rdata_s8_q <= left_rdata_q;
       right_codes_rdata_s8_q <= right_codes_rdata_q;
       x_s8_2_q <= x_s7_2_q;
-      select_512_s8_q <= select_512_s7_q;
+      select_644_s8_q <= select_644_s7_q;
       best_left_rdata_s8_q <= best_left_rdata_q;
-      select_519_s8_q <= select_519_s7_q;
-      and_1321_s8_q <= and_1321_s7_q;
+      select_651_s8_q <= select_651_s7_q;
+      and_1453_s8_q <= and_1453_s7_q;
       right_s8_q <= right_s7_q;
-      select_1330_s8_q <= select_1330_s7_q;
-      equal_1339_s8_q <= equal_1339_s7_q;
-      equal_1867_s8_q <= equal_1867_s7_q;
-      and_1868_s8_q <= and_1868_s7_q;
+      select_1462_s8_q <= select_1462_s7_q;
+      equal_1471_s8_q <= equal_1471_s7_q;
+      equal_1590_s8_q <= equal_1590_s7_q;
+      equal_2287_s8_q <= equal_2287_s7_q;
+      and_2288_s8_q <= and_2288_s7_q;
+      not_2765_s8_q <= not_2765_s7_q;
     end
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
   logic [6:0] row_q;
-  logic lower_half_q;
   // hls/stages/agreement.hpp:653
-  logic not_490;
-  assign not_490 = ~(row_q == 7'h0);
+  logic not_622;
+  assign not_622 = ~(row_q == 7'h0);
   // hls/stages/agreement.hpp:212
-  logic and_525;
-  assign and_525 = left_rdata_s8_q[44] & not_399_s8_q;
-  logic and_526;
-  assign and_526 = right_codes_rdata_s8_q[38] & not_399_s8_q;
-  logic [11:0] select_527;
-  assign select_527 = less_398_s8_q ? 12'h0 : right_codes_rdata_s8_q[37:26];
-  logic [11:0] select_528;
-  assign select_528 = less_398_s8_q ? 12'h0 : left_rdata_s8_q[43:32];
+  logic and_657;
+  assign and_657 = left_rdata_s8_q[44] & not_531_s8_q;
+  logic and_658;
+  assign and_658 = right_codes_rdata_s8_q[38] & not_531_s8_q;
+  logic [11:0] select_659;
+  assign select_659 = less_530_s8_q ? 12'h0 : right_codes_rdata_s8_q[37:26];
+  logic [11:0] select_660;
+  assign select_660 = less_530_s8_q ? 12'h0 : left_rdata_s8_q[43:32];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_532;
-  assign select_532 = and_525 ? (and_526 ? (~(select_527 ^ select_528)) : 12'h0) : 12'h0;
+  logic [11:0] select_664;
+  assign select_664 = and_657 ? (and_658 ? (~(select_659 ^ select_660)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:212
-  logic and_548;
-  assign and_548 = left_rdata_s8_q[60] & not_399_s8_q;
-  logic and_549;
-  assign and_549 = right_codes_rdata_s8_q[51] & not_399_s8_q;
-  logic [11:0] select_550;
-  assign select_550 = less_398_s8_q ? 12'h0 : right_codes_rdata_s8_q[50:39];
-  logic [11:0] select_551;
-  assign select_551 = less_398_s8_q ? 12'h0 : left_rdata_s8_q[59:48];
+  logic and_680;
+  assign and_680 = left_rdata_s8_q[60] & not_531_s8_q;
+  logic and_681;
+  assign and_681 = right_codes_rdata_s8_q[51] & not_531_s8_q;
+  logic [11:0] select_682;
+  assign select_682 = less_530_s8_q ? 12'h0 : right_codes_rdata_s8_q[50:39];
+  logic [11:0] select_683;
+  assign select_683 = less_530_s8_q ? 12'h0 : left_rdata_s8_q[59:48];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_555;
-  assign select_555 = and_548 ? (and_549 ? (~(select_550 ^ select_551)) : 12'h0) : 12'h0;
+  logic [11:0] select_687;
+  assign select_687 = and_680 ? (and_681 ? (~(select_682 ^ select_683)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:212
-  logic and_565;
-  assign and_565 = left_rdata_s8_q[76] & not_399_s8_q;
-  logic and_566;
-  assign and_566 = right_codes_rdata_s8_q[64] & not_399_s8_q;
-  logic [11:0] select_567;
-  assign select_567 = less_398_s8_q ? 12'h0 : right_codes_rdata_s8_q[63:52];
-  logic [11:0] select_568;
-  assign select_568 = less_398_s8_q ? 12'h0 : left_rdata_s8_q[75:64];
+  logic and_697;
+  assign and_697 = left_rdata_s8_q[76] & not_531_s8_q;
+  logic and_698;
+  assign and_698 = right_codes_rdata_s8_q[64] & not_531_s8_q;
+  logic [11:0] select_699;
+  assign select_699 = less_530_s8_q ? 12'h0 : right_codes_rdata_s8_q[63:52];
+  logic [11:0] select_700;
+  assign select_700 = less_530_s8_q ? 12'h0 : left_rdata_s8_q[75:64];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_572;
-  assign select_572 = and_565 ? (and_566 ? (~(select_567 ^ select_568)) : 12'h0) : 12'h0;
-  logic [11:0] select_780;
-  assign select_780 = (slot_s8_q[0] ? and_566 : and_549) ? (~(select_528 ^ (slot_s8_q[0] ? select_567 : select_550))) : 12'h0;
+  logic [11:0] select_704;
+  assign select_704 = and_697 ? (and_698 ? (~(select_699 ^ select_700)) : 12'h0) : 12'h0;
+  logic [11:0] select_912;
+  assign select_912 = (slot_s8_q[0] ? and_698 : and_681) ? (~(select_660 ^ (slot_s8_q[0] ? select_699 : select_682))) : 12'h0;
   // hls/stages/agreement.hpp:212
-  logic and_797;
-  assign and_797 = right_codes_rdata_s8_q[77] & not_399_s8_q;
-  logic [11:0] select_799;
-  assign select_799 = less_398_s8_q ? 12'h0 : right_codes_rdata_s8_q[76:65];
+  logic and_929;
+  assign and_929 = right_codes_rdata_s8_q[77] & not_531_s8_q;
+  logic [11:0] select_931;
+  assign select_931 = less_530_s8_q ? 12'h0 : right_codes_rdata_s8_q[76:65];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_803;
-  assign select_803 = (slot_s8_q[0] ? and_797 : and_566) ? (~(select_551 ^ (slot_s8_q[0] ? select_799 : select_567))) : 12'h0;
+  logic [11:0] select_935;
+  assign select_935 = (slot_s8_q[0] ? and_929 : and_698) ? (~(select_683 ^ (slot_s8_q[0] ? select_931 : select_699))) : 12'h0;
   // hls/stages/agreement.hpp:718
-  logic select_815;
-  assign select_815 = slot_s8_q[0] ? (right_codes_rdata_s8_q[90] & not_399_s8_q) : and_797;
-  logic [11:0] select_817;
-  assign select_817 = slot_s8_q[0] ? (less_398_s8_q ? 12'h0 : right_codes_rdata_s8_q[89:78]) : select_799;
+  logic select_947;
+  assign select_947 = slot_s8_q[0] ? (right_codes_rdata_s8_q[90] & not_531_s8_q) : and_929;
+  logic [11:0] select_949;
+  assign select_949 = slot_s8_q[0] ? (less_530_s8_q ? 12'h0 : right_codes_rdata_s8_q[89:78]) : select_931;
   // hls/stages/agreement.hpp:212
-  logic and_1026;
-  assign and_1026 = right_codes_rdata_s8_q[25] & not_399_s8_q;
+  logic and_1158;
+  assign and_1158 = right_codes_rdata_s8_q[25] & not_531_s8_q;
   // hls/stages/agreement.hpp:718
-  logic select_1027;
-  assign select_1027 = slot_s8_q[0] ? (right_codes_rdata_s8_q[12] & not_399_s8_q) : and_1026;
+  logic select_1159;
+  assign select_1159 = slot_s8_q[0] ? (right_codes_rdata_s8_q[12] & not_531_s8_q) : and_1158;
   // hls/stages/agreement.hpp:212
-  logic [11:0] select_1029;
-  assign select_1029 = less_398_s8_q ? 12'h0 : right_codes_rdata_s8_q[24:13];
+  logic [11:0] select_1161;
+  assign select_1161 = less_530_s8_q ? 12'h0 : right_codes_rdata_s8_q[24:13];
   // hls/stages/agreement.hpp:718
-  logic [11:0] select_1030;
-  assign select_1030 = slot_s8_q[0] ? (less_398_s8_q ? 12'h0 : right_codes_rdata_s8_q[11:0]) : select_1029;
+  logic [11:0] select_1162;
+  assign select_1162 = slot_s8_q[0] ? (less_530_s8_q ? 12'h0 : right_codes_rdata_s8_q[11:0]) : select_1161;
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1054;
-  assign select_1054 = (slot_s8_q[0] ? and_1026 : and_526) ? (~(select_551 ^ (slot_s8_q[0] ? select_1029 : select_527))) : 12'h0;
-  logic [11:0] select_1069;
-  assign select_1069 = (slot_s8_q[0] ? and_526 : and_549) ? (~(select_568 ^ (slot_s8_q[0] ? select_527 : select_550))) : 12'h0;
+  logic [11:0] select_1186;
+  assign select_1186 = (slot_s8_q[0] ? and_1158 : and_658) ? (~(select_683 ^ (slot_s8_q[0] ? select_1161 : select_659))) : 12'h0;
+  logic [11:0] select_1201;
+  assign select_1201 = (slot_s8_q[0] ? and_658 : and_681) ? (~(select_700 ^ (slot_s8_q[0] ? select_659 : select_682))) : 12'h0;
   // hls/stages/agreement.hpp:927
   logic [5:0] shift;
   assign shift = slot_s8_q[2] ? best_left_rdata_s8_q[5:0] : best_left_rdata_s8_q[45:40];
   // hls/stages/agreement.hpp:932
-  logic and_1345;
-  assign and_1345 = (or_391_s8_q & (left_rdata_s8_q[61] & not_399_s8_q)) & (~(row_q[6:3] == 4'h0));
+  logic and_1477;
+  assign and_1477 = (or_523_s8_q & (left_rdata_s8_q[61] & not_531_s8_q)) & (~(row_q[6:3] == 4'h0));
   // hls/stages/agreement.hpp:235
-  logic and_1353;
-  assign and_1353 = not_399_s8_q & (or_391_s8_q & (left_rdata_s8_q[63] & not_399_s8_q));
-  // hls/stages/agreement.hpp:447
-  logic select_1964;
-  assign select_1964 = equal_1867_s8_q ? (~({row_s8_q, 1'b0} < {sum_1961, cfg_height_i[4]})) : lower_half_q;
-  // hls/stages/agreement.hpp:507
-  logic and_2201;
-  assign and_2201 = and_370_s8_q & (equal_1867_s8_q & (row_s8_q[6:2] == 5'h0));
+  logic and_1485;
+  assign and_1485 = not_531_s8_q & (or_523_s8_q & (left_rdata_s8_q[63] & not_531_s8_q));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       row_q <= 7'h0;
-      lower_half_q <= 1'b0;
     end else if (s8_en) begin
-      row_q <= and_370_s8_q ? (equal_1867_s8_q ? row_s8_q : row_q) : row_q;
-      lower_half_q <= and_370_s8_q ? select_1964 : lower_half_q;
+      row_q <= and_502_s8_q ? (equal_2287_s8_q ? row_s8_q : row_q) : row_q;
     end
   end
 
@@ -1102,76 +1139,75 @@ module horopter_agreement (
   logic mask_s9_q;
   logic marks_first_s9_q;
   logic marks_last_s9_q;
+  logic sample_pair_first_s9_q;
   logic sample_pair_whole_s9_q;
+  logic sample_present_s9_q;
   logic [5:0] run_shift_s9_q;
   logic [7:0] x_s9_q;
   logic [6:0] last_s9_q;
   logic [3:0] age_s9_q;
   logic [2:0] slot_s9_q;
   logic ends_cell_s9_q;
-  logic lower_half_s9_q;
-  logic equal_329_s9_q;
-  logic [8:0] select_335_s9_q;
-  logic and_344_s9_q;
-  logic equal_350_s9_q;
-  logic whole_s9_q;
+  logic [3:0] select_463_s9_q;
+  logic equal_464_s9_q;
+  logic [6:0] select_466_s9_q;
+  logic [8:0] select_470_s9_q;
+  logic and_476_s9_q;
+  logic equal_482_s9_q;
   logic [6:0] column_s9_q;
-  logic and_368_s9_q;
-  logic and_370_s9_q;
-  logic equal_373_s9_q;
-  logic so_s9_q;
-  logic equal_390_s9_q;
-  logic or_391_s9_q;
-  logic equal_393_s9_q;
-  logic less_398_s9_q;
-  logic not_399_s9_q;
-  logic and_402_s9_q;
-  logic [28:0] fresh_rdata_s9_q;
-  logic equal_431_s9_q;
-  logic [56:0] left_rdata_s9_q;
-  logic and_491_s9_q;
-  logic and_492_s9_q;
-  logic and_493_s9_q;
-  logic and_494_s9_q;
-  logic [71:0] right_codes_rdata_s9_q;
-  logic and_498_s9_q;
-  logic and_499_s9_q;
   logic and_500_s9_q;
-  logic and_501_s9_q;
   logic and_502_s9_q;
-  logic and_503_s9_q;
+  logic so_s9_q;
+  logic equal_522_s9_q;
+  logic or_523_s9_q;
+  logic equal_525_s9_q;
+  logic less_530_s9_q;
+  logic not_531_s9_q;
+  logic and_534_s9_q;
+  logic [28:0] fresh_rdata_s9_q;
+  logic [6:0] row_s9_q;
+  logic [56:0] left_rdata_s9_q;
+  logic and_623_s9_q;
+  logic and_624_s9_q;
+  logic and_625_s9_q;
+  logic and_626_s9_q;
+  logic [71:0] right_codes_rdata_s9_q;
+  logic and_630_s9_q;
+  logic and_631_s9_q;
+  logic and_632_s9_q;
+  logic and_633_s9_q;
+  logic and_634_s9_q;
+  logic and_635_s9_q;
   logic [6:0] x_s9_2_q;
-  logic select_512_s9_q;
+  logic select_644_s9_q;
   logic [45:0] best_left_rdata_s9_q;
-  logic select_519_s9_q;
-  logic and_525_s9_q;
-  logic [11:0] select_532_s9_q;
-  logic and_548_s9_q;
-  logic [11:0] select_555_s9_q;
-  logic and_565_s9_q;
-  logic [11:0] select_572_s9_q;
-  logic [11:0] select_780_s9_q;
-  logic [11:0] select_803_s9_q;
-  logic [11:0] select_820_s9_q;
-  logic [11:0] select_1033_s9_q;
-  logic [11:0] select_1054_s9_q;
-  logic [11:0] select_1069_s9_q;
-  logic and_1321_s9_q;
+  logic select_651_s9_q;
+  logic and_657_s9_q;
+  logic [11:0] select_664_s9_q;
+  logic and_680_s9_q;
+  logic [11:0] select_687_s9_q;
+  logic and_697_s9_q;
+  logic [11:0] select_704_s9_q;
+  logic [11:0] select_912_s9_q;
+  logic [11:0] select_935_s9_q;
+  logic [11:0] select_952_s9_q;
+  logic [11:0] select_1165_s9_q;
+  logic [11:0] select_1186_s9_q;
+  logic [11:0] select_1201_s9_q;
+  logic and_1453_s9_q;
   logic [5:0] shift_s9_q;
   logic [6:0] right_s9_q;
-  logic select_1330_s9_q;
-  logic equal_1339_s9_q;
-  logic and_1346_s9_q;
-  logic and_1349_s9_q;
-  logic and_1353_s9_q;
-  logic and_1597_s9_q;
-  logic equal_1743_s9_q;
-  logic equal_1867_s9_q;
-  logic less_2119_s9_q;
-  logic and_2202_s9_q;
-  logic and_2204_s9_q;
-  logic less_2311_s9_q;
-  logic equal_2518_s9_q;
+  logic select_1462_s9_q;
+  logic equal_1471_s9_q;
+  logic and_1478_s9_q;
+  logic and_1481_s9_q;
+  logic and_1485_s9_q;
+  logic equal_1590_s9_q;
+  logic less_1611_s9_q;
+  logic and_2017_s9_q;
+  logic equal_2287_s9_q;
+  logic and_2288_s9_q;
+  logic not_2765_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
       pixel_0_s9_q <= pixel_0_s8_q;
@@ -1180,347 +1216,353 @@ module horopter_agreement (
       mask_s9_q <= mask_s8_q;
       marks_first_s9_q <= marks_first_s8_q;
       marks_last_s9_q <= marks_last_s8_q;
+      sample_pair_first_s9_q <= sample_pair_first_s8_q;
       sample_pair_whole_s9_q <= sample_pair_whole_s8_q;
+      sample_present_s9_q <= sample_present_s8_q;
       run_shift_s9_q <= run_shift_s8_q;
       x_s9_q <= x_s8_q;
       last_s9_q <= last_s8_q;
       age_s9_q <= age_s8_q;
       slot_s9_q <= slot_s8_q;
       ends_cell_s9_q <= ends_cell_s8_q;
-      lower_half_s9_q <= lower_half_q;
-      equal_329_s9_q <= equal_329_s8_q;
-      select_335_s9_q <= select_335_s8_q;
-      and_344_s9_q <= and_344_s8_q;
-      equal_350_s9_q <= equal_350_s8_q;
-      whole_s9_q <= whole_s8_q;
+      select_463_s9_q <= select_463_s8_q;
+      equal_464_s9_q <= equal_464_s8_q;
+      select_466_s9_q <= select_466_s8_q;
+      select_470_s9_q <= select_470_s8_q;
+      and_476_s9_q <= and_476_s8_q;
+      equal_482_s9_q <= equal_482_s8_q;
       column_s9_q <= column_s8_q;
-      and_368_s9_q <= and_368_s8_q;
-      and_370_s9_q <= and_370_s8_q;
-      equal_373_s9_q <= equal_373_s8_q;
+      and_500_s9_q <= and_500_s8_q;
+      and_502_s9_q <= and_502_s8_q;
       so_s9_q <= so_s8_q;
-      equal_390_s9_q <= equal_390_s8_q;
-      or_391_s9_q <= or_391_s8_q;
-      equal_393_s9_q <= equal_393_s8_q;
-      less_398_s9_q <= less_398_s8_q;
-      not_399_s9_q <= not_399_s8_q;
-      and_402_s9_q <= and_402_s8_q;
+      equal_522_s9_q <= equal_522_s8_q;
+      or_523_s9_q <= or_523_s8_q;
+      equal_525_s9_q <= equal_525_s8_q;
+      less_530_s9_q <= less_530_s8_q;
+      not_531_s9_q <= not_531_s8_q;
+      and_534_s9_q <= and_534_s8_q;
       fresh_rdata_s9_q <= fresh_rdata_q;
-      equal_431_s9_q <= row_s8_q == 7'h0;
+      row_s9_q <= row_s8_q;
       left_rdata_s9_q <= {left_rdata_s8_q[59:45], left_rdata_s8_q[43:29], left_rdata_s8_q[27:13], left_rdata_s8_q[11:0]};
-      and_491_s9_q <= left_rdata_s8_q[12] & not_490;
-      and_492_s9_q <= left_rdata_s8_q[28] & not_490;
-      and_493_s9_q <= left_rdata_s8_q[44] & not_490;
-      and_494_s9_q <= left_rdata_s8_q[60] & not_490;
+      and_623_s9_q <= left_rdata_s8_q[12] & not_622;
+      and_624_s9_q <= left_rdata_s8_q[28] & not_622;
+      and_625_s9_q <= left_rdata_s8_q[44] & not_622;
+      and_626_s9_q <= left_rdata_s8_q[60] & not_622;
       right_codes_rdata_s9_q <= {right_codes_rdata_s8_q[76:65], right_codes_rdata_s8_q[63:52], right_codes_rdata_s8_q[50:39], right_codes_rdata_s8_q[37:26], right_codes_rdata_s8_q[24:13], right_codes_rdata_s8_q[11:0]};
-      and_498_s9_q <= right_codes_rdata_s8_q[12] & not_490;
-      and_499_s9_q <= right_codes_rdata_s8_q[25] & not_490;
-      and_500_s9_q <= right_codes_rdata_s8_q[38] & not_490;
-      and_501_s9_q <= right_codes_rdata_s8_q[51] & not_490;
-      and_502_s9_q <= right_codes_rdata_s8_q[64] & not_490;
-      and_503_s9_q <= right_codes_rdata_s8_q[77] & not_490;
+      and_630_s9_q <= right_codes_rdata_s8_q[12] & not_622;
+      and_631_s9_q <= right_codes_rdata_s8_q[25] & not_622;
+      and_632_s9_q <= right_codes_rdata_s8_q[38] & not_622;
+      and_633_s9_q <= right_codes_rdata_s8_q[51] & not_622;
+      and_634_s9_q <= right_codes_rdata_s8_q[64] & not_622;
+      and_635_s9_q <= right_codes_rdata_s8_q[77] & not_622;
       x_s9_2_q <= x_s8_2_q;
-      select_512_s9_q <= select_512_s8_q;
+      select_644_s9_q <= select_644_s8_q;
       best_left_rdata_s9_q <= best_left_rdata_s8_q;
-      select_519_s9_q <= select_519_s8_q;
-      and_525_s9_q <= and_525;
-      select_532_s9_q <= select_532;
-      and_548_s9_q <= and_548;
-      select_555_s9_q <= select_555;
-      and_565_s9_q <= and_565;
-      select_572_s9_q <= select_572;
-      select_780_s9_q <= select_780;
-      select_803_s9_q <= select_803;
-      select_820_s9_q <= select_815 ? (~(select_568 ^ select_817)) : 12'h0;
-      select_1033_s9_q <= select_1027 ? (~(select_528 ^ select_1030)) : 12'h0;
-      select_1054_s9_q <= select_1054;
-      select_1069_s9_q <= select_1069;
-      and_1321_s9_q <= and_1321_s8_q;
+      select_651_s9_q <= select_651_s8_q;
+      and_657_s9_q <= and_657;
+      select_664_s9_q <= select_664;
+      and_680_s9_q <= and_680;
+      select_687_s9_q <= select_687;
+      and_697_s9_q <= and_697;
+      select_704_s9_q <= select_704;
+      select_912_s9_q <= select_912;
+      select_935_s9_q <= select_935;
+      select_952_s9_q <= select_947 ? (~(select_700 ^ select_949)) : 12'h0;
+      select_1165_s9_q <= select_1159 ? (~(select_660 ^ select_1162)) : 12'h0;
+      select_1186_s9_q <= select_1186;
+      select_1201_s9_q <= select_1201;
+      and_1453_s9_q <= and_1453_s8_q;
       shift_s9_q <= shift;
       right_s9_q <= right_s8_q;
-      select_1330_s9_q <= select_1330_s8_q;
-      equal_1339_s9_q <= equal_1339_s8_q;
-      and_1346_s9_q <= not_399_s8_q & and_1345;
-      and_1349_s9_q <= (or_391_s8_q & (left_rdata_s8_q[62] & not_399_s8_q)) & and_1345;
-      and_1353_s9_q <= and_1353;
-      and_1597_s9_q <= (7'h6 < row_q) & (~(x_s8_q[7:2] == 6'h0));
-      equal_1743_s9_q <= (column_s8_q | row_s8_q) == 7'h0;
-      equal_1867_s9_q <= equal_1867_s8_q;
-      less_2119_s9_q <= 6'h4 < row_q[6:1];
-      and_2202_s9_q <= and_1868_s8_q & and_2201;
-      and_2204_s9_q <= and_1868_s8_q & (~and_2201);
-      less_2311_s9_q <= 6'h2 < row_s8_q[6:1];
-      equal_2518_s9_q <= row_s8_q[6:3] == 4'h0;
+      select_1462_s9_q <= select_1462_s8_q;
+      equal_1471_s9_q <= equal_1471_s8_q;
+      and_1478_s9_q <= not_531_s8_q & and_1477;
+      and_1481_s9_q <= (or_523_s8_q & (left_rdata_s8_q[62] & not_531_s8_q)) & and_1477;
+      and_1485_s9_q <= and_1485;
+      equal_1590_s9_q <= equal_1590_s8_q;
+      less_1611_s9_q <= 6'h4 < row_q[6:1];
+      and_2017_s9_q <= (7'h6 < row_q) & (~(x_s8_q[7:2] == 6'h0));
+      equal_2287_s9_q <= equal_2287_s8_q;
+      and_2288_s9_q <= and_2288_s8_q;
+      not_2765_s9_q <= not_2765_s8_q;
     end
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
+  logic [3:0] patches_phase_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_538;
-  assign parity_538 = ^select_532_s9_q[5:3];
-  logic parity_541;
-  assign parity_541 = ^select_532_s9_q[8:6];
-  logic parity_544;
-  assign parity_544 = ^select_532_s9_q[11:3];
-  logic parity_558;
-  assign parity_558 = ^select_555_s9_q[8:6];
-  logic parity_561;
-  assign parity_561 = ^select_555_s9_q[11:9];
-  logic parity_578;
-  assign parity_578 = ^select_572_s9_q[2:0];
-  logic parity_581;
-  assign parity_581 = ^select_572_s9_q[5:3];
-  logic parity_584;
-  assign parity_584 = ^select_572_s9_q[8:0];
-  logic parity_590;
-  assign parity_590 = ^select_572_s9_q[11:9];
-  logic parity_593;
-  assign parity_593 = ^select_555_s9_q[2:0];
-  logic parity_596;
-  assign parity_596 = ^{select_572_s9_q[11:9], select_555_s9_q[5:0]};
-  logic parity_599;
-  assign parity_599 = ^{select_572_s9_q, select_555_s9_q, select_532_s9_q[2:0]};
+  logic parity_670;
+  assign parity_670 = ^select_664_s9_q[5:3];
+  logic parity_673;
+  assign parity_673 = ^select_664_s9_q[8:6];
+  logic parity_676;
+  assign parity_676 = ^select_664_s9_q[11:3];
+  logic parity_690;
+  assign parity_690 = ^select_687_s9_q[8:6];
+  logic parity_693;
+  assign parity_693 = ^select_687_s9_q[11:9];
+  logic parity_710;
+  assign parity_710 = ^select_704_s9_q[2:0];
+  logic parity_713;
+  assign parity_713 = ^select_704_s9_q[5:3];
+  logic parity_716;
+  assign parity_716 = ^select_704_s9_q[8:0];
+  logic parity_722;
+  assign parity_722 = ^select_704_s9_q[11:9];
+  logic parity_725;
+  assign parity_725 = ^select_687_s9_q[2:0];
+  logic parity_728;
+  assign parity_728 = ^{select_704_s9_q[11:9], select_687_s9_q[5:0]};
+  logic parity_731;
+  assign parity_731 = ^{select_704_s9_q, select_687_s9_q, select_664_s9_q[2:0]};
   // hls/stages/count_bits.hpp:23
-  logic or_604;
-  assign or_604 = (select_532_s9_q[1:0] == 2'h3) | (select_532_s9_q[2] & (select_532_s9_q[0] | select_532_s9_q[1]));
+  logic or_736;
+  assign or_736 = (select_664_s9_q[1:0] == 2'h3) | (select_664_s9_q[2] & (select_664_s9_q[0] | select_664_s9_q[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_608;
-  assign or_608 = (select_555_s9_q[7:6] == 2'h3) | (select_555_s9_q[8] & (select_555_s9_q[6] | select_555_s9_q[7]));
-  logic or_612;
-  assign or_612 = (select_555_s9_q[10:9] == 2'h3) | (select_555_s9_q[11] & (select_555_s9_q[9] | select_555_s9_q[10]));
+  logic or_740;
+  assign or_740 = (select_687_s9_q[7:6] == 2'h3) | (select_687_s9_q[8] & (select_687_s9_q[6] | select_687_s9_q[7]));
+  logic or_744;
+  assign or_744 = (select_687_s9_q[10:9] == 2'h3) | (select_687_s9_q[11] & (select_687_s9_q[9] | select_687_s9_q[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_620;
-  assign or_620 = (select_572_s9_q[7:6] == 2'h3) | (select_572_s9_q[8] & (~(select_572_s9_q[7:6] == 2'h0)));
+  logic or_752;
+  assign or_752 = (select_704_s9_q[7:6] == 2'h3) | (select_704_s9_q[8] & (~(select_704_s9_q[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_624;
-  assign or_624 = (select_572_s9_q[1:0] == 2'h3) | (select_572_s9_q[2] & (select_572_s9_q[0] | select_572_s9_q[1]));
-  logic or_628;
-  assign or_628 = (select_572_s9_q[4:3] == 2'h3) | (select_572_s9_q[5] & (select_572_s9_q[3] | select_572_s9_q[4]));
+  logic or_756;
+  assign or_756 = (select_704_s9_q[1:0] == 2'h3) | (select_704_s9_q[2] & (select_704_s9_q[0] | select_704_s9_q[1]));
+  logic or_760;
+  assign or_760 = (select_704_s9_q[4:3] == 2'h3) | (select_704_s9_q[5] & (select_704_s9_q[3] | select_704_s9_q[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_631;
-  assign parity_631 = ^{or_628, or_624, or_620};
+  logic parity_763;
+  assign parity_763 = ^{or_760, or_756, or_752};
   // hls/stages/count_bits.hpp:23
-  logic or_635;
-  assign or_635 = (select_555_s9_q[4:3] == 2'h3) | (select_555_s9_q[5] & (select_555_s9_q[3] | select_555_s9_q[4]));
+  logic or_767;
+  assign or_767 = (select_687_s9_q[4:3] == 2'h3) | (select_687_s9_q[5] & (select_687_s9_q[3] | select_687_s9_q[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_639;
-  assign or_639 = (select_572_s9_q[10:9] == 2'h3) | (select_572_s9_q[11] & (select_572_s9_q[9] | select_572_s9_q[10]));
-  logic or_643;
-  assign or_643 = (select_555_s9_q[1:0] == 2'h3) | (select_555_s9_q[2] & (select_555_s9_q[0] | select_555_s9_q[1]));
+  logic or_771;
+  assign or_771 = (select_704_s9_q[10:9] == 2'h3) | (select_704_s9_q[11] & (select_704_s9_q[9] | select_704_s9_q[10]));
+  logic or_775;
+  assign or_775 = (select_687_s9_q[1:0] == 2'h3) | (select_687_s9_q[2] & (select_687_s9_q[0] | select_687_s9_q[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_646;
-  assign parity_646 = ^{or_643, or_639, or_635};
-  logic parity_649;
-  assign parity_649 = ^{or_643, or_639, or_635, or_628, or_624, or_620, or_612, or_608, or_604};
+  logic parity_778;
+  assign parity_778 = ^{or_775, or_771, or_767};
+  logic parity_781;
+  assign parity_781 = ^{or_775, or_771, or_767, or_760, or_756, or_752, or_744, or_740, or_736};
   // hls/stages/count_bits.hpp:25
-  logic or_654;
-  assign or_654 = (parity_538 & parity_541) | ((^select_532_s9_q[11:9]) & (parity_538 | parity_541));
-  logic and_657;
-  assign and_657 = (^{select_555_s9_q[11:6], select_532_s9_q[2:0]}) & (parity_584 | parity_596);
+  logic or_786;
+  assign or_786 = (parity_670 & parity_673) | ((^select_664_s9_q[11:9]) & (parity_670 | parity_673));
+  logic and_789;
+  assign and_789 = (^{select_687_s9_q[11:6], select_664_s9_q[2:0]}) & (parity_716 | parity_728);
   // hls/stages/count_bits.hpp:23
-  logic or_665;
-  assign or_665 = (select_532_s9_q[10:9] == 2'h3) | (select_532_s9_q[11] & (select_532_s9_q[9] | select_532_s9_q[10]));
+  logic or_797;
+  assign or_797 = (select_664_s9_q[10:9] == 2'h3) | (select_664_s9_q[11] & (select_664_s9_q[9] | select_664_s9_q[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_669;
-  assign or_669 = (select_532_s9_q[4:3] == 2'h3) | (select_532_s9_q[5] & (select_532_s9_q[3] | select_532_s9_q[4]));
-  logic or_673;
-  assign or_673 = (select_532_s9_q[7:6] == 2'h3) | (select_532_s9_q[8] & (select_532_s9_q[6] | select_532_s9_q[7]));
-  logic or_680;
-  assign or_680 = (parity_558 & parity_561) | ((^select_532_s9_q[2:0]) & (parity_558 | parity_561));
-  logic or_684;
-  assign or_684 = (parity_578 & parity_581) | ((^select_572_s9_q[8:6]) & (parity_578 | parity_581));
-  logic or_688;
-  assign or_688 = (parity_590 & parity_593) | ((^select_555_s9_q[5:3]) & (parity_590 | parity_593));
+  logic or_801;
+  assign or_801 = (select_664_s9_q[4:3] == 2'h3) | (select_664_s9_q[5] & (select_664_s9_q[3] | select_664_s9_q[4]));
+  logic or_805;
+  assign or_805 = (select_664_s9_q[7:6] == 2'h3) | (select_664_s9_q[8] & (select_664_s9_q[6] | select_664_s9_q[7]));
+  logic or_812;
+  assign or_812 = (parity_690 & parity_693) | ((^select_664_s9_q[2:0]) & (parity_690 | parity_693));
+  logic or_816;
+  assign or_816 = (parity_710 & parity_713) | ((^select_704_s9_q[8:6]) & (parity_710 | parity_713));
+  logic or_820;
+  assign or_820 = (parity_722 & parity_725) | ((^select_687_s9_q[5:3]) & (parity_722 | parity_725));
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_781;
-  assign select_781 = and_525_s9_q ? select_780_s9_q : 12'h0;
+  logic [11:0] select_913;
+  assign select_913 = and_657_s9_q ? select_912_s9_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_787;
-  assign parity_787 = ^select_781[5:3];
-  logic parity_790;
-  assign parity_790 = ^select_781[8:6];
-  logic parity_793;
-  assign parity_793 = ^select_781[11:3];
+  logic parity_919;
+  assign parity_919 = ^select_913[5:3];
+  logic parity_922;
+  assign parity_922 = ^select_913[8:6];
+  logic parity_925;
+  assign parity_925 = ^select_913[11:3];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_804;
-  assign select_804 = and_548_s9_q ? select_803_s9_q : 12'h0;
+  logic [11:0] select_936;
+  assign select_936 = and_680_s9_q ? select_935_s9_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_807;
-  assign parity_807 = ^select_804[8:6];
-  logic parity_810;
-  assign parity_810 = ^select_804[11:9];
+  logic parity_939;
+  assign parity_939 = ^select_936[8:6];
+  logic parity_942;
+  assign parity_942 = ^select_936[11:9];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_821;
-  assign select_821 = and_565_s9_q ? select_820_s9_q : 12'h0;
+  logic [11:0] select_953;
+  assign select_953 = and_697_s9_q ? select_952_s9_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_827;
-  assign parity_827 = ^select_821[2:0];
-  logic parity_830;
-  assign parity_830 = ^select_821[5:3];
-  logic parity_833;
-  assign parity_833 = ^select_821[8:0];
-  logic parity_839;
-  assign parity_839 = ^select_821[11:9];
-  logic parity_842;
-  assign parity_842 = ^select_804[2:0];
-  logic parity_845;
-  assign parity_845 = ^{select_821[11:9], select_804[5:0]};
-  logic parity_848;
-  assign parity_848 = ^{select_821, select_804, select_781[2:0]};
+  logic parity_959;
+  assign parity_959 = ^select_953[2:0];
+  logic parity_962;
+  assign parity_962 = ^select_953[5:3];
+  logic parity_965;
+  assign parity_965 = ^select_953[8:0];
+  logic parity_971;
+  assign parity_971 = ^select_953[11:9];
+  logic parity_974;
+  assign parity_974 = ^select_936[2:0];
+  logic parity_977;
+  assign parity_977 = ^{select_953[11:9], select_936[5:0]};
+  logic parity_980;
+  assign parity_980 = ^{select_953, select_936, select_913[2:0]};
   // hls/stages/count_bits.hpp:23
-  logic or_853;
-  assign or_853 = (select_781[1:0] == 2'h3) | (select_781[2] & (select_781[0] | select_781[1]));
+  logic or_985;
+  assign or_985 = (select_913[1:0] == 2'h3) | (select_913[2] & (select_913[0] | select_913[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_857;
-  assign or_857 = (select_804[7:6] == 2'h3) | (select_804[8] & (select_804[6] | select_804[7]));
-  logic or_861;
-  assign or_861 = (select_804[10:9] == 2'h3) | (select_804[11] & (select_804[9] | select_804[10]));
+  logic or_989;
+  assign or_989 = (select_936[7:6] == 2'h3) | (select_936[8] & (select_936[6] | select_936[7]));
+  logic or_993;
+  assign or_993 = (select_936[10:9] == 2'h3) | (select_936[11] & (select_936[9] | select_936[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_869;
-  assign or_869 = (select_821[7:6] == 2'h3) | (select_821[8] & (~(select_821[7:6] == 2'h0)));
+  logic or_1001;
+  assign or_1001 = (select_953[7:6] == 2'h3) | (select_953[8] & (~(select_953[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_873;
-  assign or_873 = (select_821[1:0] == 2'h3) | (select_821[2] & (select_821[0] | select_821[1]));
-  logic or_877;
-  assign or_877 = (select_821[4:3] == 2'h3) | (select_821[5] & (select_821[3] | select_821[4]));
+  logic or_1005;
+  assign or_1005 = (select_953[1:0] == 2'h3) | (select_953[2] & (select_953[0] | select_953[1]));
+  logic or_1009;
+  assign or_1009 = (select_953[4:3] == 2'h3) | (select_953[5] & (select_953[3] | select_953[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_880;
-  assign parity_880 = ^{or_877, or_873, or_869};
+  logic parity_1012;
+  assign parity_1012 = ^{or_1009, or_1005, or_1001};
   // hls/stages/count_bits.hpp:23
-  logic or_884;
-  assign or_884 = (select_804[4:3] == 2'h3) | (select_804[5] & (select_804[3] | select_804[4]));
+  logic or_1016;
+  assign or_1016 = (select_936[4:3] == 2'h3) | (select_936[5] & (select_936[3] | select_936[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_888;
-  assign or_888 = (select_821[10:9] == 2'h3) | (select_821[11] & (select_821[9] | select_821[10]));
-  logic or_892;
-  assign or_892 = (select_804[1:0] == 2'h3) | (select_804[2] & (select_804[0] | select_804[1]));
+  logic or_1020;
+  assign or_1020 = (select_953[10:9] == 2'h3) | (select_953[11] & (select_953[9] | select_953[10]));
+  logic or_1024;
+  assign or_1024 = (select_936[1:0] == 2'h3) | (select_936[2] & (select_936[0] | select_936[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_895;
-  assign parity_895 = ^{or_892, or_888, or_884};
-  logic parity_898;
-  assign parity_898 = ^{or_892, or_888, or_884, or_877, or_873, or_869, or_861, or_857, or_853};
+  logic parity_1027;
+  assign parity_1027 = ^{or_1024, or_1020, or_1016};
+  logic parity_1030;
+  assign parity_1030 = ^{or_1024, or_1020, or_1016, or_1009, or_1005, or_1001, or_993, or_989, or_985};
   // hls/stages/count_bits.hpp:25
-  logic or_903;
-  assign or_903 = (parity_787 & parity_790) | ((^select_781[11:9]) & (parity_787 | parity_790));
-  logic and_906;
-  assign and_906 = (^{select_804[11:6], select_781[2:0]}) & (parity_833 | parity_845);
+  logic or_1035;
+  assign or_1035 = (parity_919 & parity_922) | ((^select_913[11:9]) & (parity_919 | parity_922));
+  logic and_1038;
+  assign and_1038 = (^{select_936[11:6], select_913[2:0]}) & (parity_965 | parity_977);
   // hls/stages/count_bits.hpp:23
-  logic or_914;
-  assign or_914 = (select_781[10:9] == 2'h3) | (select_781[11] & (select_781[9] | select_781[10]));
+  logic or_1046;
+  assign or_1046 = (select_913[10:9] == 2'h3) | (select_913[11] & (select_913[9] | select_913[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_918;
-  assign or_918 = (select_781[4:3] == 2'h3) | (select_781[5] & (select_781[3] | select_781[4]));
-  logic or_922;
-  assign or_922 = (select_781[7:6] == 2'h3) | (select_781[8] & (select_781[6] | select_781[7]));
-  logic or_929;
-  assign or_929 = (parity_807 & parity_810) | ((^select_781[2:0]) & (parity_807 | parity_810));
-  logic or_933;
-  assign or_933 = (parity_827 & parity_830) | ((^select_821[8:6]) & (parity_827 | parity_830));
-  logic or_937;
-  assign or_937 = (parity_839 & parity_842) | ((^select_804[5:3]) & (parity_839 | parity_842));
+  logic or_1050;
+  assign or_1050 = (select_913[4:3] == 2'h3) | (select_913[5] & (select_913[3] | select_913[4]));
+  logic or_1054;
+  assign or_1054 = (select_913[7:6] == 2'h3) | (select_913[8] & (select_913[6] | select_913[7]));
+  logic or_1061;
+  assign or_1061 = (parity_939 & parity_942) | ((^select_913[2:0]) & (parity_939 | parity_942));
+  logic or_1065;
+  assign or_1065 = (parity_959 & parity_962) | ((^select_953[8:6]) & (parity_959 | parity_962));
+  logic or_1069;
+  assign or_1069 = (parity_971 & parity_974) | ((^select_936[5:3]) & (parity_971 | parity_974));
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1034;
-  assign select_1034 = and_525_s9_q ? select_1033_s9_q : 12'h0;
+  logic [11:0] select_1166;
+  assign select_1166 = and_657_s9_q ? select_1165_s9_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1040;
-  assign parity_1040 = ^select_1034[5:3];
-  logic parity_1043;
-  assign parity_1043 = ^select_1034[8:6];
-  logic parity_1046;
-  assign parity_1046 = ^select_1034[11:3];
+  logic parity_1172;
+  assign parity_1172 = ^select_1166[5:3];
+  logic parity_1175;
+  assign parity_1175 = ^select_1166[8:6];
+  logic parity_1178;
+  assign parity_1178 = ^select_1166[11:3];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1055;
-  assign select_1055 = and_548_s9_q ? select_1054_s9_q : 12'h0;
+  logic [11:0] select_1187;
+  assign select_1187 = and_680_s9_q ? select_1186_s9_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1058;
-  assign parity_1058 = ^select_1055[8:6];
-  logic parity_1061;
-  assign parity_1061 = ^select_1055[11:9];
+  logic parity_1190;
+  assign parity_1190 = ^select_1187[8:6];
+  logic parity_1193;
+  assign parity_1193 = ^select_1187[11:9];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1070;
-  assign select_1070 = and_565_s9_q ? select_1069_s9_q : 12'h0;
+  logic [11:0] select_1202;
+  assign select_1202 = and_697_s9_q ? select_1201_s9_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1076;
-  assign parity_1076 = ^select_1070[2:0];
-  logic parity_1079;
-  assign parity_1079 = ^select_1070[5:3];
-  logic parity_1082;
-  assign parity_1082 = ^select_1070[8:0];
-  logic parity_1088;
-  assign parity_1088 = ^select_1070[11:9];
-  logic parity_1091;
-  assign parity_1091 = ^select_1055[2:0];
-  logic parity_1094;
-  assign parity_1094 = ^{select_1070[11:9], select_1055[5:0]};
-  logic parity_1097;
-  assign parity_1097 = ^{select_1070, select_1055, select_1034[2:0]};
+  logic parity_1208;
+  assign parity_1208 = ^select_1202[2:0];
+  logic parity_1211;
+  assign parity_1211 = ^select_1202[5:3];
+  logic parity_1214;
+  assign parity_1214 = ^select_1202[8:0];
+  logic parity_1220;
+  assign parity_1220 = ^select_1202[11:9];
+  logic parity_1223;
+  assign parity_1223 = ^select_1187[2:0];
+  logic parity_1226;
+  assign parity_1226 = ^{select_1202[11:9], select_1187[5:0]};
+  logic parity_1229;
+  assign parity_1229 = ^{select_1202, select_1187, select_1166[2:0]};
   // hls/stages/count_bits.hpp:23
-  logic or_1102;
-  assign or_1102 = (select_1034[1:0] == 2'h3) | (select_1034[2] & (select_1034[0] | select_1034[1]));
+  logic or_1234;
+  assign or_1234 = (select_1166[1:0] == 2'h3) | (select_1166[2] & (select_1166[0] | select_1166[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1106;
-  assign or_1106 = (select_1055[7:6] == 2'h3) | (select_1055[8] & (select_1055[6] | select_1055[7]));
-  logic or_1110;
-  assign or_1110 = (select_1055[10:9] == 2'h3) | (select_1055[11] & (select_1055[9] | select_1055[10]));
+  logic or_1238;
+  assign or_1238 = (select_1187[7:6] == 2'h3) | (select_1187[8] & (select_1187[6] | select_1187[7]));
+  logic or_1242;
+  assign or_1242 = (select_1187[10:9] == 2'h3) | (select_1187[11] & (select_1187[9] | select_1187[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1118;
-  assign or_1118 = (select_1070[7:6] == 2'h3) | (select_1070[8] & (~(select_1070[7:6] == 2'h0)));
+  logic or_1250;
+  assign or_1250 = (select_1202[7:6] == 2'h3) | (select_1202[8] & (~(select_1202[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1122;
-  assign or_1122 = (select_1070[1:0] == 2'h3) | (select_1070[2] & (select_1070[0] | select_1070[1]));
-  logic or_1126;
-  assign or_1126 = (select_1070[4:3] == 2'h3) | (select_1070[5] & (select_1070[3] | select_1070[4]));
+  logic or_1254;
+  assign or_1254 = (select_1202[1:0] == 2'h3) | (select_1202[2] & (select_1202[0] | select_1202[1]));
+  logic or_1258;
+  assign or_1258 = (select_1202[4:3] == 2'h3) | (select_1202[5] & (select_1202[3] | select_1202[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1129;
-  assign parity_1129 = ^{or_1126, or_1122, or_1118};
+  logic parity_1261;
+  assign parity_1261 = ^{or_1258, or_1254, or_1250};
   // hls/stages/count_bits.hpp:23
-  logic or_1133;
-  assign or_1133 = (select_1055[4:3] == 2'h3) | (select_1055[5] & (select_1055[3] | select_1055[4]));
+  logic or_1265;
+  assign or_1265 = (select_1187[4:3] == 2'h3) | (select_1187[5] & (select_1187[3] | select_1187[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1137;
-  assign or_1137 = (select_1070[10:9] == 2'h3) | (select_1070[11] & (select_1070[9] | select_1070[10]));
-  logic or_1141;
-  assign or_1141 = (select_1055[1:0] == 2'h3) | (select_1055[2] & (select_1055[0] | select_1055[1]));
+  logic or_1269;
+  assign or_1269 = (select_1202[10:9] == 2'h3) | (select_1202[11] & (select_1202[9] | select_1202[10]));
+  logic or_1273;
+  assign or_1273 = (select_1187[1:0] == 2'h3) | (select_1187[2] & (select_1187[0] | select_1187[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1144;
-  assign parity_1144 = ^{or_1141, or_1137, or_1133};
-  logic parity_1147;
-  assign parity_1147 = ^{or_1141, or_1137, or_1133, or_1126, or_1122, or_1118, or_1110, or_1106, or_1102};
+  logic parity_1276;
+  assign parity_1276 = ^{or_1273, or_1269, or_1265};
+  logic parity_1279;
+  assign parity_1279 = ^{or_1273, or_1269, or_1265, or_1258, or_1254, or_1250, or_1242, or_1238, or_1234};
   // hls/stages/count_bits.hpp:25
-  logic or_1152;
-  assign or_1152 = (parity_1040 & parity_1043) | ((^select_1034[11:9]) & (parity_1040 | parity_1043));
-  logic and_1155;
-  assign and_1155 = (^{select_1055[11:6], select_1034[2:0]}) & (parity_1082 | parity_1094);
+  logic or_1284;
+  assign or_1284 = (parity_1172 & parity_1175) | ((^select_1166[11:9]) & (parity_1172 | parity_1175));
+  logic and_1287;
+  assign and_1287 = (^{select_1187[11:6], select_1166[2:0]}) & (parity_1214 | parity_1226);
   // hls/stages/count_bits.hpp:23
-  logic or_1163;
-  assign or_1163 = (select_1034[10:9] == 2'h3) | (select_1034[11] & (select_1034[9] | select_1034[10]));
+  logic or_1295;
+  assign or_1295 = (select_1166[10:9] == 2'h3) | (select_1166[11] & (select_1166[9] | select_1166[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1167;
-  assign or_1167 = (select_1034[4:3] == 2'h3) | (select_1034[5] & (select_1034[3] | select_1034[4]));
-  logic or_1171;
-  assign or_1171 = (select_1034[7:6] == 2'h3) | (select_1034[8] & (select_1034[6] | select_1034[7]));
-  logic or_1178;
-  assign or_1178 = (parity_1058 & parity_1061) | ((^select_1034[2:0]) & (parity_1058 | parity_1061));
-  logic or_1182;
-  assign or_1182 = (parity_1076 & parity_1079) | ((^select_1070[8:6]) & (parity_1076 | parity_1079));
-  logic or_1186;
-  assign or_1186 = (parity_1088 & parity_1091) | ((^select_1055[5:3]) & (parity_1088 | parity_1091));
+  logic or_1299;
+  assign or_1299 = (select_1166[4:3] == 2'h3) | (select_1166[5] & (select_1166[3] | select_1166[4]));
+  logic or_1303;
+  assign or_1303 = (select_1166[7:6] == 2'h3) | (select_1166[8] & (select_1166[6] | select_1166[7]));
+  logic or_1310;
+  assign or_1310 = (parity_1190 & parity_1193) | ((^select_1166[2:0]) & (parity_1190 | parity_1193));
+  logic or_1314;
+  assign or_1314 = (parity_1208 & parity_1211) | ((^select_1202[8:6]) & (parity_1208 | parity_1211));
+  logic or_1318;
+  assign or_1318 = (parity_1220 & parity_1223) | ((^select_1187[5:3]) & (parity_1220 | parity_1223));
   // hls/stages/agreement.hpp:928
   logic [7:0] found;
   assign found = x_s9_q + {{2{shift_s9_q[5]}}, shift_s9_q};
   // hls/stages/agreement.hpp:235
-  logic or_1367;
-  assign or_1367 = (cfg_nearer_below_i & shift_s9_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s9_q)));
-  // hls/stages/agreement.hpp:955
-  logic [5:0] sum_1424;
-  assign sum_1424 = {1'b0, last_s9_q[6:2]} + 6'h1;
+  logic or_1499;
+  assign or_1499 = (cfg_nearer_below_i & shift_s9_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s9_q)));
+  // hls/stages/patches.hpp:104
+  logic and_1584;
+  assign and_1584 = (select_463_s9_q == 4'h0) & (select_466_s9_q == 7'h0);
+  // hls/stages/patches.hpp:300
+  logic [3:0] phase;
+  assign phase = (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
+  // hls/stages/patches.hpp:108
+  logic [3:0] select_2699;
+  assign select_2699 = and_1584 ? (sample_pair_first_s9_q ? phase : patches_phase_q) : patches_phase_q;
 
   // Memory left, write
   logic [6:0] left_waddr;
   assign left_waddr = x_s9_q[6:0];
   logic left_we;
-  assign left_we = s9_en & and_402_s9_q;
+  assign left_we = s9_en & and_534_s9_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_we) left_mem[left_waddr] <= {and_494_s9_q, left_rdata_s9_q[56:42], and_493_s9_q, left_rdata_s9_q[41:27], and_492_s9_q, left_rdata_s9_q[26:12], and_491_s9_q, left_rdata_s9_q[11:0], fresh_rdata_s9_q[28:26], fresh_rdata_s9_q[24], fresh_rdata_s9_q[11:0]};
+    if (left_we) left_mem[left_waddr] <= {and_626_s9_q, left_rdata_s9_q[56:42], and_625_s9_q, left_rdata_s9_q[41:27], and_624_s9_q, left_rdata_s9_q[26:12], and_623_s9_q, left_rdata_s9_q[11:0], fresh_rdata_s9_q[28:26], fresh_rdata_s9_q[24], fresh_rdata_s9_q[11:0]};
   end
 `ifndef SYNTHESIS
   logic [6:0] left_raddr_s7_sim;
@@ -1559,9 +1601,9 @@ module horopter_agreement (
   logic [6:0] right_codes_waddr;
   assign right_codes_waddr = x_s9_q[6:0];
   logic right_codes_we;
-  assign right_codes_we = s9_en & and_402_s9_q;
+  assign right_codes_we = s9_en & and_534_s9_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_503_s9_q, right_codes_rdata_s9_q[71:60], and_502_s9_q, right_codes_rdata_s9_q[59:48], and_501_s9_q, right_codes_rdata_s9_q[47:36], and_500_s9_q, right_codes_rdata_s9_q[35:24], and_499_s9_q, right_codes_rdata_s9_q[23:12], and_498_s9_q, right_codes_rdata_s9_q[11:0], fresh_rdata_s9_q[25], fresh_rdata_s9_q[23:12]};
+    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_635_s9_q, right_codes_rdata_s9_q[71:60], and_634_s9_q, right_codes_rdata_s9_q[59:48], and_633_s9_q, right_codes_rdata_s9_q[47:36], and_632_s9_q, right_codes_rdata_s9_q[35:24], and_631_s9_q, right_codes_rdata_s9_q[23:12], and_630_s9_q, right_codes_rdata_s9_q[11:0], fresh_rdata_s9_q[25], fresh_rdata_s9_q[23:12]};
   end
 `ifndef SYNTHESIS
   logic [6:0] right_codes_raddr_s7_sim;
@@ -1596,108 +1638,116 @@ module horopter_agreement (
   end
 `endif
 
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_phase_q <= 4'h0;
+    end else if (s9_en) begin
+      patches_phase_q <= sample_pair_whole_s9_q ? select_2699 : patches_phase_q;
+    end
+  end
+
   logic [7:0] pixel_0_s10_q;
   logic [7:0] pixel_1_s10_q;
   logic saturated_s10_q;
   logic mask_s10_q;
   logic marks_first_s10_q;
   logic marks_last_s10_q;
+  logic sample_pair_first_s10_q;
   logic sample_pair_whole_s10_q;
+  logic sample_present_s10_q;
   logic [5:0] run_shift_s10_q;
   logic [7:0] x_s10_q;
+  logic [6:0] last_s10_q;
   logic [3:0] age_s10_q;
   logic [2:0] slot_s10_q;
   logic ends_cell_s10_q;
-  logic lower_half_s10_q;
-  logic equal_329_s10_q;
-  logic [8:0] select_335_s10_q;
-  logic and_344_s10_q;
-  logic equal_350_s10_q;
-  logic whole_s10_q;
+  logic [3:0] select_463_s10_q;
+  logic equal_464_s10_q;
+  logic [6:0] select_466_s10_q;
+  logic [8:0] select_470_s10_q;
+  logic and_476_s10_q;
+  logic equal_482_s10_q;
   logic [6:0] column_s10_q;
-  logic and_368_s10_q;
-  logic and_370_s10_q;
-  logic equal_373_s10_q;
+  logic and_500_s10_q;
+  logic and_502_s10_q;
   logic so_s10_q;
-  logic equal_390_s10_q;
-  logic or_391_s10_q;
-  logic equal_393_s10_q;
-  logic less_398_s10_q;
-  logic not_399_s10_q;
-  logic equal_431_s10_q;
+  logic equal_522_s10_q;
+  logic or_523_s10_q;
+  logic equal_525_s10_q;
+  logic less_530_s10_q;
+  logic not_531_s10_q;
+  logic [6:0] row_s10_q;
   logic [6:0] x_s10_2_q;
-  logic select_512_s10_q;
+  logic select_644_s10_q;
   logic [45:0] best_left_rdata_s10_q;
-  logic select_519_s10_q;
-  logic xor_600_s10_q;
-  logic parity_649_s10_q;
-  logic and_650_s10_q;
-  logic or_654_s10_q;
-  logic or_658_s10_q;
-  logic or_665_s10_q;
-  logic or_669_s10_q;
-  logic or_673_s10_q;
-  logic or_680_s10_q;
-  logic or_684_s10_q;
-  logic or_688_s10_q;
-  logic and_697_s10_q;
-  logic and_699_s10_q;
-  logic or_711_s10_q;
-  logic or_715_s10_q;
-  logic or_719_s10_q;
-  logic xor_849_s10_q;
-  logic parity_864_s10_q;
-  logic parity_898_s10_q;
-  logic and_899_s10_q;
-  logic or_903_s10_q;
-  logic or_907_s10_q;
-  logic or_914_s10_q;
-  logic or_918_s10_q;
-  logic or_922_s10_q;
-  logic or_929_s10_q;
-  logic or_933_s10_q;
-  logic or_937_s10_q;
-  logic and_946_s10_q;
-  logic or_947_s10_q;
-  logic or_960_s10_q;
-  logic or_964_s10_q;
-  logic or_968_s10_q;
-  logic xor_1098_s10_q;
-  logic parity_1113_s10_q;
-  logic parity_1147_s10_q;
-  logic and_1148_s10_q;
-  logic or_1152_s10_q;
-  logic or_1156_s10_q;
-  logic or_1163_s10_q;
-  logic or_1167_s10_q;
-  logic or_1171_s10_q;
-  logic or_1178_s10_q;
-  logic or_1182_s10_q;
-  logic or_1186_s10_q;
-  logic and_1195_s10_q;
-  logic or_1196_s10_q;
-  logic or_1209_s10_q;
-  logic or_1213_s10_q;
-  logic or_1217_s10_q;
-  logic and_1321_s10_q;
-  logic [6:0] select_1325_s10_q;
+  logic select_651_s10_q;
+  logic xor_732_s10_q;
+  logic parity_781_s10_q;
+  logic and_782_s10_q;
+  logic or_786_s10_q;
+  logic or_790_s10_q;
+  logic or_797_s10_q;
+  logic or_801_s10_q;
+  logic or_805_s10_q;
+  logic or_812_s10_q;
+  logic or_816_s10_q;
+  logic or_820_s10_q;
+  logic and_829_s10_q;
+  logic and_831_s10_q;
+  logic or_843_s10_q;
+  logic or_847_s10_q;
+  logic or_851_s10_q;
+  logic xor_981_s10_q;
+  logic parity_996_s10_q;
+  logic parity_1030_s10_q;
+  logic and_1031_s10_q;
+  logic or_1035_s10_q;
+  logic or_1039_s10_q;
+  logic or_1046_s10_q;
+  logic or_1050_s10_q;
+  logic or_1054_s10_q;
+  logic or_1061_s10_q;
+  logic or_1065_s10_q;
+  logic or_1069_s10_q;
+  logic and_1078_s10_q;
+  logic or_1079_s10_q;
+  logic or_1092_s10_q;
+  logic or_1096_s10_q;
+  logic or_1100_s10_q;
+  logic xor_1230_s10_q;
+  logic parity_1245_s10_q;
+  logic parity_1279_s10_q;
+  logic and_1280_s10_q;
+  logic or_1284_s10_q;
+  logic or_1288_s10_q;
+  logic or_1295_s10_q;
+  logic or_1299_s10_q;
+  logic or_1303_s10_q;
+  logic or_1310_s10_q;
+  logic or_1314_s10_q;
+  logic or_1318_s10_q;
+  logic and_1327_s10_q;
+  logic or_1328_s10_q;
+  logic or_1341_s10_q;
+  logic or_1345_s10_q;
+  logic or_1349_s10_q;
+  logic and_1453_s10_q;
+  logic [6:0] select_1457_s10_q;
   logic [6:0] right_s10_q;
-  logic select_1330_s10_q;
-  logic equal_1339_s10_q;
-  logic and_1346_s10_q;
-  logic and_1349_s10_q;
-  logic and_1353_s10_q;
-  logic or_1367_s10_q;
-  logic less_1425_s10_q;
-  logic equal_1465_s10_q;
-  logic and_1600_s10_q;
-  logic equal_1743_s10_q;
-  logic equal_1867_s10_q;
-  logic less_2119_s10_q;
-  logic and_2202_s10_q;
-  logic and_2204_s10_q;
-  logic less_2311_s10_q;
-  logic equal_2518_s10_q;
+  logic select_1462_s10_q;
+  logic equal_1471_s10_q;
+  logic and_1478_s10_q;
+  logic and_1481_s10_q;
+  logic and_1485_s10_q;
+  logic or_1499_s10_q;
+  logic and_1584_s10_q;
+  logic equal_1590_s10_q;
+  logic less_1611_s10_q;
+  logic and_2017_s10_q;
+  logic equal_2287_s10_q;
+  logic and_2288_s10_q;
+  logic [3:0] phase_s10_q;
+  logic not_2765_s10_q;
   always_ff @(posedge clk_i) begin
     if (s9_en) begin
       pixel_0_s10_q <= pixel_0_s9_q;
@@ -1706,213 +1756,220 @@ module horopter_agreement (
       mask_s10_q <= mask_s9_q;
       marks_first_s10_q <= marks_first_s9_q;
       marks_last_s10_q <= marks_last_s9_q;
+      sample_pair_first_s10_q <= sample_pair_first_s9_q;
       sample_pair_whole_s10_q <= sample_pair_whole_s9_q;
+      sample_present_s10_q <= sample_present_s9_q;
       run_shift_s10_q <= run_shift_s9_q;
       x_s10_q <= x_s9_q;
+      last_s10_q <= last_s9_q;
       age_s10_q <= age_s9_q;
       slot_s10_q <= slot_s9_q;
       ends_cell_s10_q <= ends_cell_s9_q;
-      lower_half_s10_q <= lower_half_s9_q;
-      equal_329_s10_q <= equal_329_s9_q;
-      select_335_s10_q <= select_335_s9_q;
-      and_344_s10_q <= and_344_s9_q;
-      equal_350_s10_q <= equal_350_s9_q;
-      whole_s10_q <= whole_s9_q;
+      select_463_s10_q <= select_463_s9_q;
+      equal_464_s10_q <= equal_464_s9_q;
+      select_466_s10_q <= select_466_s9_q;
+      select_470_s10_q <= select_470_s9_q;
+      and_476_s10_q <= and_476_s9_q;
+      equal_482_s10_q <= equal_482_s9_q;
       column_s10_q <= column_s9_q;
-      and_368_s10_q <= and_368_s9_q;
-      and_370_s10_q <= and_370_s9_q;
-      equal_373_s10_q <= equal_373_s9_q;
+      and_500_s10_q <= and_500_s9_q;
+      and_502_s10_q <= and_502_s9_q;
       so_s10_q <= so_s9_q;
-      equal_390_s10_q <= equal_390_s9_q;
-      or_391_s10_q <= or_391_s9_q;
-      equal_393_s10_q <= equal_393_s9_q;
-      less_398_s10_q <= less_398_s9_q;
-      not_399_s10_q <= not_399_s9_q;
-      equal_431_s10_q <= equal_431_s9_q;
+      equal_522_s10_q <= equal_522_s9_q;
+      or_523_s10_q <= or_523_s9_q;
+      equal_525_s10_q <= equal_525_s9_q;
+      less_530_s10_q <= less_530_s9_q;
+      not_531_s10_q <= not_531_s9_q;
+      row_s10_q <= row_s9_q;
       x_s10_2_q <= x_s9_2_q;
-      select_512_s10_q <= select_512_s9_q;
+      select_644_s10_q <= select_644_s9_q;
       best_left_rdata_s10_q <= best_left_rdata_s9_q;
-      select_519_s10_q <= select_519_s9_q;
-      xor_600_s10_q <= parity_544 ^ parity_599;
-      parity_649_s10_q <= parity_649;
-      and_650_s10_q <= parity_544 & parity_599;
-      or_654_s10_q <= or_654;
-      or_658_s10_q <= (parity_584 & parity_596) | and_657;
-      or_665_s10_q <= or_665;
-      or_669_s10_q <= or_669;
-      or_673_s10_q <= or_673;
-      or_680_s10_q <= or_680;
-      or_684_s10_q <= or_684;
-      or_688_s10_q <= or_688;
-      and_697_s10_q <= parity_631 & parity_646;
-      and_699_s10_q <= (^{or_612, or_608, or_604}) & (parity_631 | parity_646);
-      or_711_s10_q <= (or_608 & or_612) | (or_604 & (or_608 | or_612));
-      or_715_s10_q <= (or_624 & or_628) | (or_620 & (or_624 | or_628));
-      or_719_s10_q <= (or_639 & or_643) | (or_635 & (or_639 | or_643));
-      xor_849_s10_q <= parity_793 ^ parity_848;
-      parity_864_s10_q <= ^{or_861, or_857, or_853};
-      parity_898_s10_q <= parity_898;
-      and_899_s10_q <= parity_793 & parity_848;
-      or_903_s10_q <= or_903;
-      or_907_s10_q <= (parity_833 & parity_845) | and_906;
-      or_914_s10_q <= or_914;
-      or_918_s10_q <= or_918;
-      or_922_s10_q <= or_922;
-      or_929_s10_q <= or_929;
-      or_933_s10_q <= or_933;
-      or_937_s10_q <= or_937;
-      and_946_s10_q <= parity_880 & parity_895;
-      or_947_s10_q <= parity_880 | parity_895;
-      or_960_s10_q <= (or_857 & or_861) | (or_853 & (or_857 | or_861));
-      or_964_s10_q <= (or_873 & or_877) | (or_869 & (or_873 | or_877));
-      or_968_s10_q <= (or_888 & or_892) | (or_884 & (or_888 | or_892));
-      xor_1098_s10_q <= parity_1046 ^ parity_1097;
-      parity_1113_s10_q <= ^{or_1110, or_1106, or_1102};
-      parity_1147_s10_q <= parity_1147;
-      and_1148_s10_q <= parity_1046 & parity_1097;
-      or_1152_s10_q <= or_1152;
-      or_1156_s10_q <= (parity_1082 & parity_1094) | and_1155;
-      or_1163_s10_q <= or_1163;
-      or_1167_s10_q <= or_1167;
-      or_1171_s10_q <= or_1171;
-      or_1178_s10_q <= or_1178;
-      or_1182_s10_q <= or_1182;
-      or_1186_s10_q <= or_1186;
-      and_1195_s10_q <= parity_1129 & parity_1144;
-      or_1196_s10_q <= parity_1129 | parity_1144;
-      or_1209_s10_q <= (or_1106 & or_1110) | (or_1102 & (or_1106 | or_1110));
-      or_1213_s10_q <= (or_1122 & or_1126) | (or_1118 & (or_1122 | or_1126));
-      or_1217_s10_q <= (or_1137 & or_1141) | (or_1133 & (or_1137 | or_1141));
-      and_1321_s10_q <= and_1321_s9_q;
-      select_1325_s10_q <= ({1'b0, last_s9_q} < found) ? 7'h0 : found[6:0];
+      select_651_s10_q <= select_651_s9_q;
+      xor_732_s10_q <= parity_676 ^ parity_731;
+      parity_781_s10_q <= parity_781;
+      and_782_s10_q <= parity_676 & parity_731;
+      or_786_s10_q <= or_786;
+      or_790_s10_q <= (parity_716 & parity_728) | and_789;
+      or_797_s10_q <= or_797;
+      or_801_s10_q <= or_801;
+      or_805_s10_q <= or_805;
+      or_812_s10_q <= or_812;
+      or_816_s10_q <= or_816;
+      or_820_s10_q <= or_820;
+      and_829_s10_q <= parity_763 & parity_778;
+      and_831_s10_q <= (^{or_744, or_740, or_736}) & (parity_763 | parity_778);
+      or_843_s10_q <= (or_740 & or_744) | (or_736 & (or_740 | or_744));
+      or_847_s10_q <= (or_756 & or_760) | (or_752 & (or_756 | or_760));
+      or_851_s10_q <= (or_771 & or_775) | (or_767 & (or_771 | or_775));
+      xor_981_s10_q <= parity_925 ^ parity_980;
+      parity_996_s10_q <= ^{or_993, or_989, or_985};
+      parity_1030_s10_q <= parity_1030;
+      and_1031_s10_q <= parity_925 & parity_980;
+      or_1035_s10_q <= or_1035;
+      or_1039_s10_q <= (parity_965 & parity_977) | and_1038;
+      or_1046_s10_q <= or_1046;
+      or_1050_s10_q <= or_1050;
+      or_1054_s10_q <= or_1054;
+      or_1061_s10_q <= or_1061;
+      or_1065_s10_q <= or_1065;
+      or_1069_s10_q <= or_1069;
+      and_1078_s10_q <= parity_1012 & parity_1027;
+      or_1079_s10_q <= parity_1012 | parity_1027;
+      or_1092_s10_q <= (or_989 & or_993) | (or_985 & (or_989 | or_993));
+      or_1096_s10_q <= (or_1005 & or_1009) | (or_1001 & (or_1005 | or_1009));
+      or_1100_s10_q <= (or_1020 & or_1024) | (or_1016 & (or_1020 | or_1024));
+      xor_1230_s10_q <= parity_1178 ^ parity_1229;
+      parity_1245_s10_q <= ^{or_1242, or_1238, or_1234};
+      parity_1279_s10_q <= parity_1279;
+      and_1280_s10_q <= parity_1178 & parity_1229;
+      or_1284_s10_q <= or_1284;
+      or_1288_s10_q <= (parity_1214 & parity_1226) | and_1287;
+      or_1295_s10_q <= or_1295;
+      or_1299_s10_q <= or_1299;
+      or_1303_s10_q <= or_1303;
+      or_1310_s10_q <= or_1310;
+      or_1314_s10_q <= or_1314;
+      or_1318_s10_q <= or_1318;
+      and_1327_s10_q <= parity_1261 & parity_1276;
+      or_1328_s10_q <= parity_1261 | parity_1276;
+      or_1341_s10_q <= (or_1238 & or_1242) | (or_1234 & (or_1238 | or_1242));
+      or_1345_s10_q <= (or_1254 & or_1258) | (or_1250 & (or_1254 | or_1258));
+      or_1349_s10_q <= (or_1269 & or_1273) | (or_1265 & (or_1269 | or_1273));
+      and_1453_s10_q <= and_1453_s9_q;
+      select_1457_s10_q <= ({1'b0, last_s9_q} < found) ? 7'h0 : found[6:0];
       right_s10_q <= right_s9_q;
-      select_1330_s10_q <= select_1330_s9_q;
-      equal_1339_s10_q <= equal_1339_s9_q;
-      and_1346_s10_q <= and_1346_s9_q;
-      and_1349_s10_q <= and_1349_s9_q;
-      and_1353_s10_q <= and_1353_s9_q;
-      or_1367_s10_q <= or_1367;
-      less_1425_s10_q <= {1'b0, sum_1424, last_s9_q[1]} < x_s9_q;
-      equal_1465_s10_q <= x_s9_q == {1'b0, last_s9_q};
-      and_1600_s10_q <= and_1597_s9_q & (~({sum_1424, last_s9_q[1:0]} < x_s9_q));
-      equal_1743_s10_q <= equal_1743_s9_q;
-      equal_1867_s10_q <= equal_1867_s9_q;
-      less_2119_s10_q <= less_2119_s9_q;
-      and_2202_s10_q <= and_2202_s9_q;
-      and_2204_s10_q <= and_2204_s9_q;
-      less_2311_s10_q <= less_2311_s9_q;
-      equal_2518_s10_q <= equal_2518_s9_q;
+      select_1462_s10_q <= select_1462_s9_q;
+      equal_1471_s10_q <= equal_1471_s9_q;
+      and_1478_s10_q <= and_1478_s9_q;
+      and_1481_s10_q <= and_1481_s9_q;
+      and_1485_s10_q <= and_1485_s9_q;
+      or_1499_s10_q <= or_1499;
+      and_1584_s10_q <= and_1584;
+      equal_1590_s10_q <= equal_1590_s9_q;
+      less_1611_s10_q <= less_1611_s9_q;
+      and_2017_s10_q <= and_2017_s9_q;
+      equal_2287_s10_q <= equal_2287_s9_q;
+      and_2288_s10_q <= and_2288_s9_q;
+      phase_s10_q <= phase;
+      not_2765_s10_q <= not_2765_s9_q;
     end
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
+  logic lower_half_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_676;
-  assign parity_676 = ^{or_673_s10_q, or_669_s10_q, or_665_s10_q};
-  logic parity_691;
-  assign parity_691 = ^{or_688_s10_q, or_684_s10_q, or_680_s10_q};
-  logic parity_694;
-  assign parity_694 = ^{or_688_s10_q, or_684_s10_q, or_680_s10_q, or_673_s10_q, or_669_s10_q, or_665_s10_q, or_658_s10_q, or_654_s10_q, and_650_s10_q};
+  logic parity_808;
+  assign parity_808 = ^{or_805_s10_q, or_801_s10_q, or_797_s10_q};
+  logic parity_823;
+  assign parity_823 = ^{or_820_s10_q, or_816_s10_q, or_812_s10_q};
+  logic parity_826;
+  assign parity_826 = ^{or_820_s10_q, or_816_s10_q, or_812_s10_q, or_805_s10_q, or_801_s10_q, or_797_s10_q, or_790_s10_q, or_786_s10_q, and_782_s10_q};
   // hls/stages/count_bits.hpp:25
-  logic and_696;
-  assign and_696 = parity_649_s10_q & parity_694;
-  logic or_700;
-  assign or_700 = and_697_s10_q | and_699_s10_q;
-  logic and_703;
-  assign and_703 = (^{or_658_s10_q, or_654_s10_q, and_650_s10_q}) & (parity_676 | parity_691);
-  logic or_704;
-  assign or_704 = (parity_676 & parity_691) | and_703;
+  logic and_828;
+  assign and_828 = parity_781_s10_q & parity_826;
+  logic or_832;
+  assign or_832 = and_829_s10_q | and_831_s10_q;
+  logic and_835;
+  assign and_835 = (^{or_790_s10_q, or_786_s10_q, and_782_s10_q}) & (parity_808 | parity_823);
+  logic or_836;
+  assign or_836 = (parity_808 & parity_823) | and_835;
   // hls/stages/count_bits.hpp:24
-  logic parity_722;
-  assign parity_722 = ^{or_719_s10_q, or_715_s10_q, or_711_s10_q};
+  logic parity_854;
+  assign parity_854 = ^{or_851_s10_q, or_847_s10_q, or_843_s10_q};
   // hls/stages/count_bits.hpp:25
-  logic or_726;
-  assign or_726 = (or_654_s10_q & or_658_s10_q) | (and_650_s10_q & (or_654_s10_q | or_658_s10_q));
-  logic or_730;
-  assign or_730 = (or_669_s10_q & or_673_s10_q) | (or_665_s10_q & (or_669_s10_q | or_673_s10_q));
-  logic or_734;
-  assign or_734 = (or_684_s10_q & or_688_s10_q) | (or_680_s10_q & (or_684_s10_q | or_688_s10_q));
+  logic or_858;
+  assign or_858 = (or_786_s10_q & or_790_s10_q) | (and_782_s10_q & (or_786_s10_q | or_790_s10_q));
+  logic or_862;
+  assign or_862 = (or_801_s10_q & or_805_s10_q) | (or_797_s10_q & (or_801_s10_q | or_805_s10_q));
+  logic or_866;
+  assign or_866 = (or_816_s10_q & or_820_s10_q) | (or_812_s10_q & (or_816_s10_q | or_820_s10_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_737;
-  assign parity_737 = ^{or_734, or_730, or_726};
-  logic parity_740;
-  assign parity_740 = ^{or_734, or_730, or_726, or_719_s10_q, or_715_s10_q, or_711_s10_q, or_704, or_700, and_696};
+  logic parity_869;
+  assign parity_869 = ^{or_866, or_862, or_858};
+  logic parity_872;
+  assign parity_872 = ^{or_866, or_862, or_858, or_851_s10_q, or_847_s10_q, or_843_s10_q, or_836, or_832, and_828};
   // hls/stages/count_bits.hpp:25
-  logic or_752;
-  assign or_752 = (or_715_s10_q & or_719_s10_q) | (or_711_s10_q & (or_715_s10_q | or_719_s10_q));
+  logic or_884;
+  assign or_884 = (or_847_s10_q & or_851_s10_q) | (or_843_s10_q & (or_847_s10_q | or_851_s10_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_925;
-  assign parity_925 = ^{or_922_s10_q, or_918_s10_q, or_914_s10_q};
-  logic parity_940;
-  assign parity_940 = ^{or_937_s10_q, or_933_s10_q, or_929_s10_q};
-  logic parity_943;
-  assign parity_943 = ^{or_937_s10_q, or_933_s10_q, or_929_s10_q, or_922_s10_q, or_918_s10_q, or_914_s10_q, or_907_s10_q, or_903_s10_q, and_899_s10_q};
+  logic parity_1057;
+  assign parity_1057 = ^{or_1054_s10_q, or_1050_s10_q, or_1046_s10_q};
+  logic parity_1072;
+  assign parity_1072 = ^{or_1069_s10_q, or_1065_s10_q, or_1061_s10_q};
+  logic parity_1075;
+  assign parity_1075 = ^{or_1069_s10_q, or_1065_s10_q, or_1061_s10_q, or_1054_s10_q, or_1050_s10_q, or_1046_s10_q, or_1039_s10_q, or_1035_s10_q, and_1031_s10_q};
   // hls/stages/count_bits.hpp:25
-  logic and_945;
-  assign and_945 = parity_898_s10_q & parity_943;
-  logic or_949;
-  assign or_949 = and_946_s10_q | (parity_864_s10_q & or_947_s10_q);
-  logic and_952;
-  assign and_952 = (^{or_907_s10_q, or_903_s10_q, and_899_s10_q}) & (parity_925 | parity_940);
-  logic or_953;
-  assign or_953 = (parity_925 & parity_940) | and_952;
+  logic and_1077;
+  assign and_1077 = parity_1030_s10_q & parity_1075;
+  logic or_1081;
+  assign or_1081 = and_1078_s10_q | (parity_996_s10_q & or_1079_s10_q);
+  logic and_1084;
+  assign and_1084 = (^{or_1039_s10_q, or_1035_s10_q, and_1031_s10_q}) & (parity_1057 | parity_1072);
+  logic or_1085;
+  assign or_1085 = (parity_1057 & parity_1072) | and_1084;
   // hls/stages/count_bits.hpp:24
-  logic parity_971;
-  assign parity_971 = ^{or_968_s10_q, or_964_s10_q, or_960_s10_q};
+  logic parity_1103;
+  assign parity_1103 = ^{or_1100_s10_q, or_1096_s10_q, or_1092_s10_q};
   // hls/stages/count_bits.hpp:25
-  logic or_975;
-  assign or_975 = (or_903_s10_q & or_907_s10_q) | (and_899_s10_q & (or_903_s10_q | or_907_s10_q));
-  logic or_979;
-  assign or_979 = (or_918_s10_q & or_922_s10_q) | (or_914_s10_q & (or_918_s10_q | or_922_s10_q));
-  logic or_983;
-  assign or_983 = (or_933_s10_q & or_937_s10_q) | (or_929_s10_q & (or_933_s10_q | or_937_s10_q));
+  logic or_1107;
+  assign or_1107 = (or_1035_s10_q & or_1039_s10_q) | (and_1031_s10_q & (or_1035_s10_q | or_1039_s10_q));
+  logic or_1111;
+  assign or_1111 = (or_1050_s10_q & or_1054_s10_q) | (or_1046_s10_q & (or_1050_s10_q | or_1054_s10_q));
+  logic or_1115;
+  assign or_1115 = (or_1065_s10_q & or_1069_s10_q) | (or_1061_s10_q & (or_1065_s10_q | or_1069_s10_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_986;
-  assign parity_986 = ^{or_983, or_979, or_975};
-  logic parity_989;
-  assign parity_989 = ^{or_983, or_979, or_975, or_968_s10_q, or_964_s10_q, or_960_s10_q, or_953, or_949, and_945};
+  logic parity_1118;
+  assign parity_1118 = ^{or_1115, or_1111, or_1107};
+  logic parity_1121;
+  assign parity_1121 = ^{or_1115, or_1111, or_1107, or_1100_s10_q, or_1096_s10_q, or_1092_s10_q, or_1085, or_1081, and_1077};
   // hls/stages/count_bits.hpp:25
-  logic or_1001;
-  assign or_1001 = (or_964_s10_q & or_968_s10_q) | (or_960_s10_q & (or_964_s10_q | or_968_s10_q));
+  logic or_1133;
+  assign or_1133 = (or_1096_s10_q & or_1100_s10_q) | (or_1092_s10_q & (or_1096_s10_q | or_1100_s10_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_1174;
-  assign parity_1174 = ^{or_1171_s10_q, or_1167_s10_q, or_1163_s10_q};
-  logic parity_1189;
-  assign parity_1189 = ^{or_1186_s10_q, or_1182_s10_q, or_1178_s10_q};
-  logic parity_1192;
-  assign parity_1192 = ^{or_1186_s10_q, or_1182_s10_q, or_1178_s10_q, or_1171_s10_q, or_1167_s10_q, or_1163_s10_q, or_1156_s10_q, or_1152_s10_q, and_1148_s10_q};
+  logic parity_1306;
+  assign parity_1306 = ^{or_1303_s10_q, or_1299_s10_q, or_1295_s10_q};
+  logic parity_1321;
+  assign parity_1321 = ^{or_1318_s10_q, or_1314_s10_q, or_1310_s10_q};
+  logic parity_1324;
+  assign parity_1324 = ^{or_1318_s10_q, or_1314_s10_q, or_1310_s10_q, or_1303_s10_q, or_1299_s10_q, or_1295_s10_q, or_1288_s10_q, or_1284_s10_q, and_1280_s10_q};
   // hls/stages/count_bits.hpp:25
-  logic and_1194;
-  assign and_1194 = parity_1147_s10_q & parity_1192;
-  logic or_1198;
-  assign or_1198 = and_1195_s10_q | (parity_1113_s10_q & or_1196_s10_q);
-  logic and_1201;
-  assign and_1201 = (^{or_1156_s10_q, or_1152_s10_q, and_1148_s10_q}) & (parity_1174 | parity_1189);
-  logic or_1202;
-  assign or_1202 = (parity_1174 & parity_1189) | and_1201;
+  logic and_1326;
+  assign and_1326 = parity_1279_s10_q & parity_1324;
+  logic or_1330;
+  assign or_1330 = and_1327_s10_q | (parity_1245_s10_q & or_1328_s10_q);
+  logic and_1333;
+  assign and_1333 = (^{or_1288_s10_q, or_1284_s10_q, and_1280_s10_q}) & (parity_1306 | parity_1321);
+  logic or_1334;
+  assign or_1334 = (parity_1306 & parity_1321) | and_1333;
   // hls/stages/count_bits.hpp:24
-  logic parity_1220;
-  assign parity_1220 = ^{or_1217_s10_q, or_1213_s10_q, or_1209_s10_q};
+  logic parity_1352;
+  assign parity_1352 = ^{or_1349_s10_q, or_1345_s10_q, or_1341_s10_q};
   // hls/stages/count_bits.hpp:25
-  logic or_1224;
-  assign or_1224 = (or_1152_s10_q & or_1156_s10_q) | (and_1148_s10_q & (or_1152_s10_q | or_1156_s10_q));
-  logic or_1228;
-  assign or_1228 = (or_1167_s10_q & or_1171_s10_q) | (or_1163_s10_q & (or_1167_s10_q | or_1171_s10_q));
-  logic or_1232;
-  assign or_1232 = (or_1182_s10_q & or_1186_s10_q) | (or_1178_s10_q & (or_1182_s10_q | or_1186_s10_q));
+  logic or_1356;
+  assign or_1356 = (or_1284_s10_q & or_1288_s10_q) | (and_1280_s10_q & (or_1284_s10_q | or_1288_s10_q));
+  logic or_1360;
+  assign or_1360 = (or_1299_s10_q & or_1303_s10_q) | (or_1295_s10_q & (or_1299_s10_q | or_1303_s10_q));
+  logic or_1364;
+  assign or_1364 = (or_1314_s10_q & or_1318_s10_q) | (or_1310_s10_q & (or_1314_s10_q | or_1318_s10_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_1235;
-  assign parity_1235 = ^{or_1232, or_1228, or_1224};
-  logic parity_1238;
-  assign parity_1238 = ^{or_1232, or_1228, or_1224, or_1217_s10_q, or_1213_s10_q, or_1209_s10_q, or_1202, or_1198, and_1194};
+  logic parity_1367;
+  assign parity_1367 = ^{or_1364, or_1360, or_1356};
+  logic parity_1370;
+  assign parity_1370 = ^{or_1364, or_1360, or_1356, or_1349_s10_q, or_1345_s10_q, or_1341_s10_q, or_1334, or_1330, and_1326};
   // hls/stages/count_bits.hpp:25
-  logic or_1250;
-  assign or_1250 = (or_1213_s10_q & or_1217_s10_q) | (or_1209_s10_q & (or_1213_s10_q | or_1217_s10_q));
+  logic or_1382;
+  assign or_1382 = (or_1345_s10_q & or_1349_s10_q) | (or_1341_s10_q & (or_1345_s10_q | or_1349_s10_q));
   // hls/stages/agreement.hpp:141
-  logic [6:0] select_1377;
-  assign select_1377 = or_391_s10_q ? (less_398_s10_q ? 7'h0 : select_1325_s10_q) : 7'h0;
+  logic [6:0] select_1509;
+  assign select_1509 = or_523_s10_q ? (less_530_s10_q ? 7'h0 : select_1457_s10_q) : 7'h0;
+  // hls/stages/agreement.hpp:447
+  logic select_2384;
+  assign select_2384 = equal_2287_s10_q ? (~({row_s10_q, 1'b0} < {sum_2381, cfg_height_i[4]})) : lower_half_q;
+  // hls/stages/agreement.hpp:507
+  logic and_2589;
+  assign and_2589 = and_502_s10_q & (equal_2287_s10_q & (row_s10_q[6:2] == 5'h0));
 
-  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1297; read in stage 10, written in stage 17: 10 < 17 < 10 + DISTANCE.
+  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1298; read in stage 10, written in stage 17: 10 < 17 < 10 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] best_right_mem [0:119];
@@ -1920,12 +1977,20 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) best_right_mem[i] = 29'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_391_s10_q ? select_1325_s10_q : right_s10_q;
+  assign best_right_raddr = or_523_s10_q ? select_1457_s10_q : right_s10_q;
   logic best_right_re;
-  assign best_right_re = s10_en & select_512_s10_q;
+  assign best_right_re = s10_en & select_644_s10_q;
   logic [28:0] best_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (best_right_re) best_right_rdata_q <= best_right_mem[best_right_raddr];
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      lower_half_q <= 1'b0;
+    end else if (s10_en) begin
+      lower_half_q <= and_502_s10_q ? select_2384 : lower_half_q;
+    end
   end
 
   logic [7:0] pixel_0_s11_q;
@@ -1934,78 +1999,86 @@ module horopter_agreement (
   logic mask_s11_q;
   logic marks_first_s11_q;
   logic marks_last_s11_q;
+  logic sample_pair_first_s11_q;
   logic sample_pair_whole_s11_q;
+  logic sample_present_s11_q;
   logic [5:0] run_shift_s11_q;
   logic [7:0] x_s11_q;
+  logic [6:0] last_s11_q;
   logic [3:0] age_s11_q;
   logic [2:0] slot_s11_q;
   logic ends_cell_s11_q;
   logic lower_half_s11_q;
-  logic equal_329_s11_q;
-  logic [8:0] select_335_s11_q;
-  logic and_344_s11_q;
-  logic equal_350_s11_q;
-  logic whole_s11_q;
+  logic [3:0] select_463_s11_q;
+  logic equal_464_s11_q;
+  logic [6:0] select_466_s11_q;
+  logic [8:0] select_470_s11_q;
+  logic and_476_s11_q;
+  logic equal_482_s11_q;
   logic [6:0] column_s11_q;
-  logic and_368_s11_q;
-  logic and_370_s11_q;
-  logic equal_373_s11_q;
+  logic and_500_s11_q;
+  logic and_502_s11_q;
   logic so_s11_q;
-  logic equal_390_s11_q;
-  logic or_391_s11_q;
-  logic equal_393_s11_q;
-  logic less_398_s11_q;
-  logic not_399_s11_q;
-  logic equal_431_s11_q;
+  logic equal_522_s11_q;
+  logic or_523_s11_q;
+  logic equal_525_s11_q;
+  logic less_530_s11_q;
+  logic not_531_s11_q;
+  logic equal_563_s11_q;
   logic [6:0] x_s11_2_q;
   logic [45:0] best_left_rdata_s11_q;
-  logic select_519_s11_q;
-  logic xor_600_s11_q;
-  logic xor_695_s11_q;
-  logic parity_740_s11_q;
-  logic and_741_s11_q;
-  logic and_743_s11_q;
-  logic and_745_s11_q;
-  logic and_747_s11_q;
-  logic or_752_s11_q;
-  logic or_756_s11_q;
-  logic xor_849_s11_q;
-  logic xor_944_s11_q;
-  logic parity_989_s11_q;
-  logic and_990_s11_q;
-  logic and_992_s11_q;
-  logic and_994_s11_q;
-  logic and_996_s11_q;
-  logic or_1001_s11_q;
-  logic or_1005_s11_q;
-  logic xor_1098_s11_q;
-  logic xor_1193_s11_q;
-  logic parity_1238_s11_q;
-  logic and_1239_s11_q;
-  logic and_1241_s11_q;
-  logic and_1243_s11_q;
-  logic and_1245_s11_q;
-  logic or_1250_s11_q;
-  logic or_1254_s11_q;
-  logic and_1321_s11_q;
+  logic select_651_s11_q;
+  logic xor_732_s11_q;
+  logic xor_827_s11_q;
+  logic parity_872_s11_q;
+  logic and_873_s11_q;
+  logic and_875_s11_q;
+  logic and_877_s11_q;
+  logic and_879_s11_q;
+  logic or_884_s11_q;
+  logic or_888_s11_q;
+  logic xor_981_s11_q;
+  logic xor_1076_s11_q;
+  logic parity_1121_s11_q;
+  logic and_1122_s11_q;
+  logic and_1124_s11_q;
+  logic and_1126_s11_q;
+  logic and_1128_s11_q;
+  logic or_1133_s11_q;
+  logic or_1137_s11_q;
+  logic xor_1230_s11_q;
+  logic xor_1325_s11_q;
+  logic parity_1370_s11_q;
+  logic and_1371_s11_q;
+  logic and_1373_s11_q;
+  logic and_1375_s11_q;
+  logic and_1377_s11_q;
+  logic or_1382_s11_q;
+  logic or_1386_s11_q;
+  logic and_1453_s11_q;
   logic [6:0] right_s11_q;
-  logic select_1330_s11_q;
-  logic equal_1339_s11_q;
-  logic and_1346_s11_q;
-  logic and_1349_s11_q;
-  logic and_1353_s11_q;
-  logic or_1367_s11_q;
-  logic [6:0] select_1378_s11_q;
-  logic less_1425_s11_q;
-  logic equal_1465_s11_q;
-  logic and_1602_s11_q;
-  logic equal_1743_s11_q;
-  logic equal_1867_s11_q;
-  logic less_2119_s11_q;
-  logic and_2202_s11_q;
-  logic and_2204_s11_q;
-  logic less_2311_s11_q;
-  logic equal_2518_s11_q;
+  logic select_1462_s11_q;
+  logic equal_1471_s11_q;
+  logic and_1478_s11_q;
+  logic and_1481_s11_q;
+  logic and_1485_s11_q;
+  logic or_1499_s11_q;
+  logic [6:0] select_1510_s11_q;
+  logic and_1584_s11_q;
+  logic equal_1590_s11_q;
+  logic less_1611_s11_q;
+  logic and_2017_s11_q;
+  logic equal_2163_s11_q;
+  logic equal_2287_s11_q;
+  logic and_2590_s11_q;
+  logic and_2592_s11_q;
+  logic [3:0] phase_s11_q;
+  logic equal_2719_s11_q;
+  logic [3:0] select_2722_s11_q;
+  logic less_2733_s11_q;
+  logic not_2765_s11_q;
+  logic less_3585_s11_q;
+  logic equal_3790_s11_q;
   always_ff @(posedge clk_i) begin
     if (s10_en) begin
       pixel_0_s11_q <= pixel_0_s10_q;
@@ -2014,78 +2087,86 @@ module horopter_agreement (
       mask_s11_q <= mask_s10_q;
       marks_first_s11_q <= marks_first_s10_q;
       marks_last_s11_q <= marks_last_s10_q;
+      sample_pair_first_s11_q <= sample_pair_first_s10_q;
       sample_pair_whole_s11_q <= sample_pair_whole_s10_q;
+      sample_present_s11_q <= sample_present_s10_q;
       run_shift_s11_q <= run_shift_s10_q;
       x_s11_q <= x_s10_q;
+      last_s11_q <= last_s10_q;
       age_s11_q <= age_s10_q;
       slot_s11_q <= slot_s10_q;
       ends_cell_s11_q <= ends_cell_s10_q;
-      lower_half_s11_q <= lower_half_s10_q;
-      equal_329_s11_q <= equal_329_s10_q;
-      select_335_s11_q <= select_335_s10_q;
-      and_344_s11_q <= and_344_s10_q;
-      equal_350_s11_q <= equal_350_s10_q;
-      whole_s11_q <= whole_s10_q;
+      lower_half_s11_q <= lower_half_q;
+      select_463_s11_q <= select_463_s10_q;
+      equal_464_s11_q <= equal_464_s10_q;
+      select_466_s11_q <= select_466_s10_q;
+      select_470_s11_q <= select_470_s10_q;
+      and_476_s11_q <= and_476_s10_q;
+      equal_482_s11_q <= equal_482_s10_q;
       column_s11_q <= column_s10_q;
-      and_368_s11_q <= and_368_s10_q;
-      and_370_s11_q <= and_370_s10_q;
-      equal_373_s11_q <= equal_373_s10_q;
+      and_500_s11_q <= and_500_s10_q;
+      and_502_s11_q <= and_502_s10_q;
       so_s11_q <= so_s10_q;
-      equal_390_s11_q <= equal_390_s10_q;
-      or_391_s11_q <= or_391_s10_q;
-      equal_393_s11_q <= equal_393_s10_q;
-      less_398_s11_q <= less_398_s10_q;
-      not_399_s11_q <= not_399_s10_q;
-      equal_431_s11_q <= equal_431_s10_q;
+      equal_522_s11_q <= equal_522_s10_q;
+      or_523_s11_q <= or_523_s10_q;
+      equal_525_s11_q <= equal_525_s10_q;
+      less_530_s11_q <= less_530_s10_q;
+      not_531_s11_q <= not_531_s10_q;
+      equal_563_s11_q <= row_s10_q == 7'h0;
       x_s11_2_q <= x_s10_2_q;
       best_left_rdata_s11_q <= best_left_rdata_s10_q;
-      select_519_s11_q <= select_519_s10_q;
-      xor_600_s11_q <= xor_600_s10_q;
-      xor_695_s11_q <= parity_649_s10_q ^ parity_694;
-      parity_740_s11_q <= parity_740;
-      and_741_s11_q <= parity_722 & parity_737;
-      and_743_s11_q <= (^{or_704, or_700, and_696}) & (parity_722 | parity_737);
-      and_745_s11_q <= or_700 & or_704;
-      and_747_s11_q <= and_696 & (or_700 | or_704);
-      or_752_s11_q <= or_752;
-      or_756_s11_q <= (or_730 & or_734) | (or_726 & (or_730 | or_734));
-      xor_849_s11_q <= xor_849_s10_q;
-      xor_944_s11_q <= parity_898_s10_q ^ parity_943;
-      parity_989_s11_q <= parity_989;
-      and_990_s11_q <= parity_971 & parity_986;
-      and_992_s11_q <= (^{or_953, or_949, and_945}) & (parity_971 | parity_986);
-      and_994_s11_q <= or_949 & or_953;
-      and_996_s11_q <= and_945 & (or_949 | or_953);
-      or_1001_s11_q <= or_1001;
-      or_1005_s11_q <= (or_979 & or_983) | (or_975 & (or_979 | or_983));
-      xor_1098_s11_q <= xor_1098_s10_q;
-      xor_1193_s11_q <= parity_1147_s10_q ^ parity_1192;
-      parity_1238_s11_q <= parity_1238;
-      and_1239_s11_q <= parity_1220 & parity_1235;
-      and_1241_s11_q <= (^{or_1202, or_1198, and_1194}) & (parity_1220 | parity_1235);
-      and_1243_s11_q <= or_1198 & or_1202;
-      and_1245_s11_q <= and_1194 & (or_1198 | or_1202);
-      or_1250_s11_q <= or_1250;
-      or_1254_s11_q <= (or_1228 & or_1232) | (or_1224 & (or_1228 | or_1232));
-      and_1321_s11_q <= and_1321_s10_q;
+      select_651_s11_q <= select_651_s10_q;
+      xor_732_s11_q <= xor_732_s10_q;
+      xor_827_s11_q <= parity_781_s10_q ^ parity_826;
+      parity_872_s11_q <= parity_872;
+      and_873_s11_q <= parity_854 & parity_869;
+      and_875_s11_q <= (^{or_836, or_832, and_828}) & (parity_854 | parity_869);
+      and_877_s11_q <= or_832 & or_836;
+      and_879_s11_q <= and_828 & (or_832 | or_836);
+      or_884_s11_q <= or_884;
+      or_888_s11_q <= (or_862 & or_866) | (or_858 & (or_862 | or_866));
+      xor_981_s11_q <= xor_981_s10_q;
+      xor_1076_s11_q <= parity_1030_s10_q ^ parity_1075;
+      parity_1121_s11_q <= parity_1121;
+      and_1122_s11_q <= parity_1103 & parity_1118;
+      and_1124_s11_q <= (^{or_1085, or_1081, and_1077}) & (parity_1103 | parity_1118);
+      and_1126_s11_q <= or_1081 & or_1085;
+      and_1128_s11_q <= and_1077 & (or_1081 | or_1085);
+      or_1133_s11_q <= or_1133;
+      or_1137_s11_q <= (or_1111 & or_1115) | (or_1107 & (or_1111 | or_1115));
+      xor_1230_s11_q <= xor_1230_s10_q;
+      xor_1325_s11_q <= parity_1279_s10_q ^ parity_1324;
+      parity_1370_s11_q <= parity_1370;
+      and_1371_s11_q <= parity_1352 & parity_1367;
+      and_1373_s11_q <= (^{or_1334, or_1330, and_1326}) & (parity_1352 | parity_1367);
+      and_1375_s11_q <= or_1330 & or_1334;
+      and_1377_s11_q <= and_1326 & (or_1330 | or_1334);
+      or_1382_s11_q <= or_1382;
+      or_1386_s11_q <= (or_1360 & or_1364) | (or_1356 & (or_1360 | or_1364));
+      and_1453_s11_q <= and_1453_s10_q;
       right_s11_q <= right_s10_q;
-      select_1330_s11_q <= select_1330_s10_q;
-      equal_1339_s11_q <= equal_1339_s10_q;
-      and_1346_s11_q <= and_1346_s10_q;
-      and_1349_s11_q <= and_1349_s10_q;
-      and_1353_s11_q <= and_1353_s10_q;
-      or_1367_s11_q <= or_1367_s10_q;
-      select_1378_s11_q <= so_s10_q ? x_s10_q[6:0] : select_1377;
-      less_1425_s11_q <= less_1425_s10_q;
-      equal_1465_s11_q <= equal_1465_s10_q;
-      and_1602_s11_q <= so_s10_q & (ends_cell_s10_q & and_1600_s10_q);
-      equal_1743_s11_q <= equal_1743_s10_q;
-      equal_1867_s11_q <= equal_1867_s10_q;
-      less_2119_s11_q <= less_2119_s10_q;
-      and_2202_s11_q <= and_2202_s10_q;
-      and_2204_s11_q <= and_2204_s10_q;
-      less_2311_s11_q <= less_2311_s10_q;
-      equal_2518_s11_q <= equal_2518_s10_q;
+      select_1462_s11_q <= select_1462_s10_q;
+      equal_1471_s11_q <= equal_1471_s10_q;
+      and_1478_s11_q <= and_1478_s10_q;
+      and_1481_s11_q <= and_1481_s10_q;
+      and_1485_s11_q <= and_1485_s10_q;
+      or_1499_s11_q <= or_1499_s10_q;
+      select_1510_s11_q <= so_s10_q ? x_s10_q[6:0] : select_1509;
+      and_1584_s11_q <= and_1584_s10_q;
+      equal_1590_s11_q <= equal_1590_s10_q;
+      less_1611_s11_q <= less_1611_s10_q;
+      and_2017_s11_q <= and_2017_s10_q;
+      equal_2163_s11_q <= (column_s10_q | row_s10_q) == 7'h0;
+      equal_2287_s11_q <= equal_2287_s10_q;
+      and_2590_s11_q <= and_2288_s10_q & and_2589;
+      and_2592_s11_q <= and_2288_s10_q & (~and_2589);
+      phase_s11_q <= phase_s10_q;
+      equal_2719_s11_q <= row_s10_q == 7'h3;
+      select_2722_s11_q <= (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
+      less_2733_s11_q <= 7'h2 < row_s10_q;
+      not_2765_s11_q <= not_2765_s10_q;
+      less_3585_s11_q <= 6'h2 < row_s10_q[6:1];
+      equal_3790_s11_q <= row_s10_q[6:3] == 4'h0;
     end
   end
 
@@ -2118,90 +2199,112 @@ module horopter_agreement (
   logic [5:0] sums_1_columns_values_11_q;
   logic [5:0] sums_1_columns_values_12_q;
   logic [5:0] sums_1_columns_values_13_q;
+  logic [3:0] patches_choosing_rows_to_next_q;
+  logic patches_chooses_q;
   // hls/stages/count_bits.hpp:25
-  logic or_744;
-  assign or_744 = and_741_s11_q | and_743_s11_q;
-  logic or_748;
-  assign or_748 = and_745_s11_q | and_747_s11_q;
+  logic or_876;
+  assign or_876 = and_873_s11_q | and_875_s11_q;
+  logic or_880;
+  assign or_880 = and_877_s11_q | and_879_s11_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_761;
-  assign parity_761 = ^{or_756_s11_q, or_752_s11_q, or_748, or_744};
+  logic parity_893;
+  assign parity_893 = ^{or_888_s11_q, or_884_s11_q, or_880, or_876};
   // hls/stages/count_bits.hpp:25
-  logic or_765;
-  assign or_765 = (or_752_s11_q & or_756_s11_q) | (or_748 & (or_752_s11_q | or_756_s11_q));
-  logic and_766;
-  assign and_766 = or_744 & (^{or_756_s11_q, or_752_s11_q, or_748});
+  logic or_897;
+  assign or_897 = (or_884_s11_q & or_888_s11_q) | (or_880 & (or_884_s11_q | or_888_s11_q));
+  logic and_898;
+  assign and_898 = or_876 & (^{or_888_s11_q, or_884_s11_q, or_880});
   // hls/stages/count_bits.hpp:24
-  logic xor_767;
-  assign xor_767 = or_765 ^ and_766;
+  logic xor_899;
+  assign xor_899 = or_897 ^ and_898;
   // hls/stages/count_bits.hpp:27
-  logic and_768;
-  assign and_768 = or_765 & and_766;
+  logic and_900;
+  assign and_900 = or_897 & and_898;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_769;
-  assign select_769 = equal_393_s11_q ? {and_768, xor_767, parity_761, parity_740_s11_q, xor_695_s11_q, xor_600_s11_q} : 6'h0;
+  logic [5:0] select_901;
+  assign select_901 = equal_525_s11_q ? {and_900, xor_899, parity_893, parity_872_s11_q, xor_827_s11_q, xor_732_s11_q} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_391_s11_q ? 6'h0 : select_769;
+  assign column_2 = or_523_s11_q ? 6'h0 : select_901;
   // hls/stages/count_bits.hpp:25
-  logic or_993;
-  assign or_993 = and_990_s11_q | and_992_s11_q;
-  logic or_997;
-  assign or_997 = and_994_s11_q | and_996_s11_q;
+  logic or_1125;
+  assign or_1125 = and_1122_s11_q | and_1124_s11_q;
+  logic or_1129;
+  assign or_1129 = and_1126_s11_q | and_1128_s11_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_1010;
-  assign parity_1010 = ^{or_1005_s11_q, or_1001_s11_q, or_997, or_993};
+  logic parity_1142;
+  assign parity_1142 = ^{or_1137_s11_q, or_1133_s11_q, or_1129, or_1125};
   // hls/stages/count_bits.hpp:25
-  logic or_1014;
-  assign or_1014 = (or_1001_s11_q & or_1005_s11_q) | (or_997 & (or_1001_s11_q | or_1005_s11_q));
-  logic and_1015;
-  assign and_1015 = or_993 & (^{or_1005_s11_q, or_1001_s11_q, or_997});
+  logic or_1146;
+  assign or_1146 = (or_1133_s11_q & or_1137_s11_q) | (or_1129 & (or_1133_s11_q | or_1137_s11_q));
+  logic and_1147;
+  assign and_1147 = or_1125 & (^{or_1137_s11_q, or_1133_s11_q, or_1129});
   // hls/stages/count_bits.hpp:24
-  logic xor_1016;
-  assign xor_1016 = or_1014 ^ and_1015;
+  logic xor_1148;
+  assign xor_1148 = or_1146 ^ and_1147;
   // hls/stages/count_bits.hpp:27
-  logic and_1017;
-  assign and_1017 = or_1014 & and_1015;
+  logic and_1149;
+  assign and_1149 = or_1146 & and_1147;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_1018;
-  assign select_1018 = equal_393_s11_q ? {and_1017, xor_1016, parity_1010, parity_989_s11_q, xor_944_s11_q, xor_849_s11_q} : 6'h0;
+  logic [5:0] select_1150;
+  assign select_1150 = equal_525_s11_q ? {and_1149, xor_1148, parity_1142, parity_1121_s11_q, xor_1076_s11_q, xor_981_s11_q} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_391_s11_q ? 6'h0 : select_1018;
+  assign column_3 = or_523_s11_q ? 6'h0 : select_1150;
   // hls/stages/count_bits.hpp:25
-  logic or_1242;
-  assign or_1242 = and_1239_s11_q | and_1241_s11_q;
-  logic or_1246;
-  assign or_1246 = and_1243_s11_q | and_1245_s11_q;
+  logic or_1374;
+  assign or_1374 = and_1371_s11_q | and_1373_s11_q;
+  logic or_1378;
+  assign or_1378 = and_1375_s11_q | and_1377_s11_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_1259;
-  assign parity_1259 = ^{or_1254_s11_q, or_1250_s11_q, or_1246, or_1242};
+  logic parity_1391;
+  assign parity_1391 = ^{or_1386_s11_q, or_1382_s11_q, or_1378, or_1374};
   // hls/stages/count_bits.hpp:25
-  logic or_1263;
-  assign or_1263 = (or_1250_s11_q & or_1254_s11_q) | (or_1246 & (or_1250_s11_q | or_1254_s11_q));
-  logic and_1264;
-  assign and_1264 = or_1242 & (^{or_1254_s11_q, or_1250_s11_q, or_1246});
+  logic or_1395;
+  assign or_1395 = (or_1382_s11_q & or_1386_s11_q) | (or_1378 & (or_1382_s11_q | or_1386_s11_q));
+  logic and_1396;
+  assign and_1396 = or_1374 & (^{or_1386_s11_q, or_1382_s11_q, or_1378});
   // hls/stages/count_bits.hpp:24
-  logic xor_1265;
-  assign xor_1265 = or_1263 ^ and_1264;
+  logic xor_1397;
+  assign xor_1397 = or_1395 ^ and_1396;
   // hls/stages/count_bits.hpp:27
-  logic and_1266;
-  assign and_1266 = or_1263 & and_1264;
+  logic and_1398;
+  assign and_1398 = or_1395 & and_1396;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_1267;
-  assign select_1267 = equal_393_s11_q ? {and_1266, xor_1265, parity_1259, parity_1238_s11_q, xor_1193_s11_q, xor_1098_s11_q} : 6'h0;
+  logic [5:0] select_1399;
+  assign select_1399 = equal_525_s11_q ? {and_1398, xor_1397, parity_1391, parity_1370_s11_q, xor_1325_s11_q, xor_1230_s11_q} : 6'h0;
   logic [5:0] column_4;
-  assign column_4 = or_391_s11_q ? 6'h0 : select_1267;
+  assign column_4 = or_523_s11_q ? 6'h0 : select_1399;
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v_2;
   assign before_v_2 = age_s11_q[1] ? sums_0_columns_values_7_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1307;
-  assign sum_1307 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
+  logic [6:0] sum_1439;
+  assign sum_1439 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v_3;
   assign before_v_3 = age_s11_q[1] ? sums_1_columns_values_7_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1310;
-  assign sum_1310 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
+  logic [6:0] sum_1442;
+  assign sum_1442 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
+  // hls/stages/patches.hpp:69
+  logic [3:0] select_2723;
+  assign select_2723 = equal_2719_s11_q ? select_2722_s11_q : patches_choosing_rows_to_next_q;
+  logic equal_2724;
+  assign equal_2724 = select_2723 == 4'h0;
+  // hls/stages/agreement.hpp:447
+  logic [3:0] select_2727;
+  assign select_2727 = equal_2287_s11_q ? (equal_2724 ? 4'h2 : (select_2723 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic select_2735;
+  assign select_2735 = equal_2287_s11_q ? (less_2733_s11_q & equal_2724) : patches_chooses_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_choosing_rows_to_next_q <= 4'h0;
+      patches_chooses_q <= 1'b0;
+    end else if (s11_en) begin
+      patches_choosing_rows_to_next_q <= and_502_s11_q ? select_2727 : patches_choosing_rows_to_next_q;
+      patches_chooses_q <= and_502_s11_q ? select_2735 : patches_chooses_q;
+    end
+  end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -2275,56 +2378,65 @@ module horopter_agreement (
   logic mask_s12_q;
   logic marks_first_s12_q;
   logic marks_last_s12_q;
+  logic sample_pair_first_s12_q;
   logic sample_pair_whole_s12_q;
+  logic sample_present_s12_q;
   logic [5:0] run_shift_s12_q;
   logic [7:0] x_s12_q;
+  logic [6:0] last_s12_q;
   logic [3:0] age_s12_q;
   logic [2:0] slot_s12_q;
   logic ends_cell_s12_q;
   logic lower_half_s12_q;
-  logic equal_329_s12_q;
-  logic [8:0] select_335_s12_q;
-  logic and_344_s12_q;
-  logic equal_350_s12_q;
-  logic whole_s12_q;
+  logic [3:0] patches_choosing_rows_to_next_s12_q;
+  logic patches_chooses_s12_q;
+  logic [3:0] select_463_s12_q;
+  logic equal_464_s12_q;
+  logic [6:0] select_466_s12_q;
+  logic [8:0] select_470_s12_q;
+  logic and_476_s12_q;
+  logic equal_482_s12_q;
   logic [6:0] column_s12_q;
-  logic and_368_s12_q;
-  logic and_370_s12_q;
-  logic equal_373_s12_q;
+  logic and_500_s12_q;
+  logic and_502_s12_q;
   logic so_s12_q;
-  logic equal_390_s12_q;
-  logic or_391_s12_q;
-  logic less_398_s12_q;
-  logic not_399_s12_q;
-  logic equal_431_s12_q;
+  logic equal_522_s12_q;
+  logic or_523_s12_q;
+  logic less_530_s12_q;
+  logic not_531_s12_q;
+  logic equal_563_s12_q;
   logic [6:0] x_s12_2_q;
   logic [45:0] best_left_rdata_s12_q;
-  logic select_519_s12_q;
+  logic select_651_s12_q;
   logic [5:0] column_2_s12_q;
-  logic [5:0] select_1020_s12_q;
-  logic [5:0] select_1269_s12_q;
-  logic [6:0] sum_1308_s12_q;
-  logic [6:0] sum_1311_s12_q;
-  logic and_1321_s12_q;
+  logic [5:0] select_1152_s12_q;
+  logic [5:0] select_1401_s12_q;
+  logic [6:0] sum_1440_s12_q;
+  logic [6:0] sum_1443_s12_q;
+  logic and_1453_s12_q;
   logic [6:0] right_s12_q;
   logic [28:0] best_right_rdata_s12_q;
-  logic select_1330_s12_q;
-  logic equal_1339_s12_q;
-  logic and_1346_s12_q;
-  logic and_1349_s12_q;
-  logic and_1353_s12_q;
-  logic or_1367_s12_q;
-  logic [6:0] select_1378_s12_q;
-  logic less_1425_s12_q;
-  logic equal_1465_s12_q;
-  logic and_1602_s12_q;
-  logic equal_1743_s12_q;
-  logic equal_1867_s12_q;
-  logic less_2119_s12_q;
-  logic and_2202_s12_q;
-  logic and_2204_s12_q;
-  logic less_2311_s12_q;
-  logic equal_2518_s12_q;
+  logic select_1462_s12_q;
+  logic equal_1471_s12_q;
+  logic and_1478_s12_q;
+  logic and_1481_s12_q;
+  logic and_1485_s12_q;
+  logic or_1499_s12_q;
+  logic [6:0] select_1510_s12_q;
+  logic and_1584_s12_q;
+  logic equal_1590_s12_q;
+  logic less_1611_s12_q;
+  logic and_2017_s12_q;
+  logic equal_2163_s12_q;
+  logic equal_2287_s12_q;
+  logic and_2590_s12_q;
+  logic and_2592_s12_q;
+  logic [3:0] phase_s12_q;
+  logic equal_2719_s12_q;
+  logic equal_2724_s12_q;
+  logic not_2765_s12_q;
+  logic less_3585_s12_q;
+  logic equal_3790_s12_q;
   always_ff @(posedge clk_i) begin
     if (s11_en) begin
       pixel_0_s12_q <= pixel_0_s11_q;
@@ -2333,56 +2445,65 @@ module horopter_agreement (
       mask_s12_q <= mask_s11_q;
       marks_first_s12_q <= marks_first_s11_q;
       marks_last_s12_q <= marks_last_s11_q;
+      sample_pair_first_s12_q <= sample_pair_first_s11_q;
       sample_pair_whole_s12_q <= sample_pair_whole_s11_q;
+      sample_present_s12_q <= sample_present_s11_q;
       run_shift_s12_q <= run_shift_s11_q;
       x_s12_q <= x_s11_q;
+      last_s12_q <= last_s11_q;
       age_s12_q <= age_s11_q;
       slot_s12_q <= slot_s11_q;
       ends_cell_s12_q <= ends_cell_s11_q;
       lower_half_s12_q <= lower_half_s11_q;
-      equal_329_s12_q <= equal_329_s11_q;
-      select_335_s12_q <= select_335_s11_q;
-      and_344_s12_q <= and_344_s11_q;
-      equal_350_s12_q <= equal_350_s11_q;
-      whole_s12_q <= whole_s11_q;
+      patches_choosing_rows_to_next_s12_q <= patches_choosing_rows_to_next_q;
+      patches_chooses_s12_q <= patches_chooses_q;
+      select_463_s12_q <= select_463_s11_q;
+      equal_464_s12_q <= equal_464_s11_q;
+      select_466_s12_q <= select_466_s11_q;
+      select_470_s12_q <= select_470_s11_q;
+      and_476_s12_q <= and_476_s11_q;
+      equal_482_s12_q <= equal_482_s11_q;
       column_s12_q <= column_s11_q;
-      and_368_s12_q <= and_368_s11_q;
-      and_370_s12_q <= and_370_s11_q;
-      equal_373_s12_q <= equal_373_s11_q;
+      and_500_s12_q <= and_500_s11_q;
+      and_502_s12_q <= and_502_s11_q;
       so_s12_q <= so_s11_q;
-      equal_390_s12_q <= equal_390_s11_q;
-      or_391_s12_q <= or_391_s11_q;
-      less_398_s12_q <= less_398_s11_q;
-      not_399_s12_q <= not_399_s11_q;
-      equal_431_s12_q <= equal_431_s11_q;
+      equal_522_s12_q <= equal_522_s11_q;
+      or_523_s12_q <= or_523_s11_q;
+      less_530_s12_q <= less_530_s11_q;
+      not_531_s12_q <= not_531_s11_q;
+      equal_563_s12_q <= equal_563_s11_q;
       x_s12_2_q <= x_s11_2_q;
       best_left_rdata_s12_q <= best_left_rdata_s11_q;
-      select_519_s12_q <= select_519_s11_q;
+      select_651_s12_q <= select_651_s11_q;
       column_2_s12_q <= column_2;
-      select_1020_s12_q <= age_s11_q[3] ? sums_0_columns_values_13_q : 6'h0;
-      select_1269_s12_q <= age_s11_q[3] ? sums_1_columns_values_13_q : 6'h0;
-      sum_1308_s12_q <= {1'b0, before_v_2} + sum_1307;
-      sum_1311_s12_q <= {1'b0, before_v_3} + sum_1310;
-      and_1321_s12_q <= and_1321_s11_q;
+      select_1152_s12_q <= age_s11_q[3] ? sums_0_columns_values_13_q : 6'h0;
+      select_1401_s12_q <= age_s11_q[3] ? sums_1_columns_values_13_q : 6'h0;
+      sum_1440_s12_q <= {1'b0, before_v_2} + sum_1439;
+      sum_1443_s12_q <= {1'b0, before_v_3} + sum_1442;
+      and_1453_s12_q <= and_1453_s11_q;
       right_s12_q <= right_s11_q;
       best_right_rdata_s12_q <= best_right_rdata_q;
-      select_1330_s12_q <= select_1330_s11_q;
-      equal_1339_s12_q <= equal_1339_s11_q;
-      and_1346_s12_q <= and_1346_s11_q;
-      and_1349_s12_q <= and_1349_s11_q;
-      and_1353_s12_q <= and_1353_s11_q;
-      or_1367_s12_q <= or_1367_s11_q;
-      select_1378_s12_q <= select_1378_s11_q;
-      less_1425_s12_q <= less_1425_s11_q;
-      equal_1465_s12_q <= equal_1465_s11_q;
-      and_1602_s12_q <= and_1602_s11_q;
-      equal_1743_s12_q <= equal_1743_s11_q;
-      equal_1867_s12_q <= equal_1867_s11_q;
-      less_2119_s12_q <= less_2119_s11_q;
-      and_2202_s12_q <= and_2202_s11_q;
-      and_2204_s12_q <= and_2204_s11_q;
-      less_2311_s12_q <= less_2311_s11_q;
-      equal_2518_s12_q <= equal_2518_s11_q;
+      select_1462_s12_q <= select_1462_s11_q;
+      equal_1471_s12_q <= equal_1471_s11_q;
+      and_1478_s12_q <= and_1478_s11_q;
+      and_1481_s12_q <= and_1481_s11_q;
+      and_1485_s12_q <= and_1485_s11_q;
+      or_1499_s12_q <= or_1499_s11_q;
+      select_1510_s12_q <= select_1510_s11_q;
+      and_1584_s12_q <= and_1584_s11_q;
+      equal_1590_s12_q <= equal_1590_s11_q;
+      less_1611_s12_q <= less_1611_s11_q;
+      and_2017_s12_q <= and_2017_s11_q;
+      equal_2163_s12_q <= equal_2163_s11_q;
+      equal_2287_s12_q <= equal_2287_s11_q;
+      and_2590_s12_q <= and_2590_s11_q;
+      and_2592_s12_q <= and_2592_s11_q;
+      phase_s12_q <= phase_s11_q;
+      equal_2719_s12_q <= equal_2719_s11_q;
+      equal_2724_s12_q <= equal_2724;
+      not_2765_s12_q <= not_2765_s11_q;
+      less_3585_s12_q <= less_3585_s11_q;
+      equal_3790_s12_q <= equal_3790_s11_q;
     end
   end
 
@@ -2394,34 +2515,111 @@ module horopter_agreement (
   logic [5:0] middle_sum_columns_values_4_q;
   logic [5:0] middle_sum_columns_values_5_q;
   logic [5:0] middle_sum_columns_values_6_q;
+  logic [3:0] patches_band_rows_rows_to_next_q;
+  logic [4:0] patches_band_rows_number_q;
+  logic [3:0] patches_next_band_rows_to_next_q;
+  logic [4:0] patches_next_band_number_q;
+  logic [3:0] patches_first_band_rows_to_next_q;
+  logic patches_first_band_number_q;
+  logic [4:0] patches_choosing_number_q;
+  logic [4:0] patches_choosing_band_q;
   // hls/stages/agreement.hpp:762
-  logic [5:0] select_771;
-  assign select_771 = age_s12_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [5:0] select_903;
+  assign select_903 = age_s12_q[3] ? middle_sum_columns_values_6_q : 6'h0;
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v;
   assign before_v = age_s12_q[1] ? middle_sum_columns_values_3_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1303;
-  assign sum_1303 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
+  logic [6:0] sum_1435;
+  assign sum_1435 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
   // hls/stages/agreement.hpp:735
-  logic [6:0] select_1313;
-  assign select_1313 = (sum_1308_s12_q < sum_1311_s12_q) ? sum_1311_s12_q : sum_1308_s12_q;
+  logic [6:0] select_1445;
+  assign select_1445 = (sum_1440_s12_q < sum_1443_s12_q) ? sum_1443_s12_q : sum_1440_s12_q;
   // hls/stages/agreement.hpp:936
   logic [6:0] chosen;
   assign chosen = slot_s12_q[2] ? best_right_rdata_s12_q[14:8] : best_right_rdata_s12_q[28:22];
+  // hls/stages/census.hpp:31
+  logic not_1588;
+  assign not_1588 = ~sample_pair_first_s12_q;
+  // hls/stages/patches.hpp:294
+  logic equal_1592;
+  assign equal_1592 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/agreement.hpp:227
-  logic [5:0] select_1967;
-  assign select_1967 = slot_s12_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_1968;
-  assign select_1968 = slot_s12_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
-  logic [5:0] select_1969;
-  assign select_1969 = slot_s12_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
-  logic [5:0] select_1970;
-  assign select_1970 = slot_s12_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
-  logic [5:0] select_1971;
-  assign select_1971 = slot_s12_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
-  logic [5:0] select_1972;
-  assign select_1972 = slot_s12_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  logic [5:0] select_2387;
+  assign select_2387 = slot_s12_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
+  logic [5:0] select_2388;
+  assign select_2388 = slot_s12_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
+  logic [5:0] select_2389;
+  assign select_2389 = slot_s12_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  logic [5:0] select_2390;
+  assign select_2390 = slot_s12_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_2391;
+  assign select_2391 = slot_s12_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_2392;
+  assign select_2392 = slot_s12_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  // hls/stages/patches.hpp:355
+  logic and_2701;
+  assign and_2701 = not_1588 & equal_1590_s12_q;
+  logic [8:0] select_2702;
+  assign select_2702 = and_2701 ? {patches_choosing_number_q, patches_choosing_rows_to_next_s12_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_2703;
+  assign select_2703 = and_2701 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_2704;
+  assign select_2704 = sample_pair_first_s12_q ? select_2702 : select_2703;
+  // hls/stages/patches.hpp:108
+  logic [3:0] select_2705;
+  assign select_2705 = and_1584_s12_q ? select_2704[3:0] : patches_band_rows_rows_to_next_q;
+  // hls/stages/agreement.hpp:263
+  logic [3:0] select_2706;
+  assign select_2706 = sample_pair_whole_s12_q ? select_2705 : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_2708;
+  assign select_2708 = sample_pair_whole_s12_q ? (and_1584_s12_q ? select_2704[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_2711;
+  assign select_2711 = sample_pair_whole_s12_q ? (equal_1592 ? 4'h2 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_2713;
+  assign select_2713 = sample_pair_whole_s12_q ? (patches_band_rows_number_q + {4'h0, equal_1592}) : patches_next_band_number_q;
+  // hls/stages/patches.hpp:313
+  logic equal_2714;
+  assign equal_2714 = phase_s12_q == 4'h0;
+  // hls/stages/patches.hpp:314
+  logic not_2715;
+  assign not_2715 = ~equal_2714;
+  // hls/stages/agreement.hpp:263
+  logic [3:0] select_2717;
+  assign select_2717 = sample_pair_whole_s12_q ? (phase_s12_q + {{2{not_2715}}, 1'b1, not_2715}) : patches_first_band_rows_to_next_q;
+  logic select_2718;
+  assign select_2718 = sample_pair_whole_s12_q ? equal_2714 : patches_first_band_number_q;
+  // hls/stages/patches.hpp:69
+  logic [4:0] select_2729;
+  assign select_2729 = equal_2719_s12_q ? 5'h0 : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:447
+  logic [4:0] select_2731;
+  assign select_2731 = equal_2287_s12_q ? (select_2729 + {4'h0, equal_2724_s12_q}) : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:507
+  logic [4:0] select_2738;
+  assign select_2738 = and_502_s12_q ? (equal_2287_s12_q ? select_2729 : patches_choosing_band_q) : patches_choosing_band_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_band_rows_rows_to_next_q <= 4'h0;
+      patches_band_rows_number_q <= 5'h0;
+      patches_next_band_rows_to_next_q <= 4'h0;
+      patches_next_band_number_q <= 5'h0;
+      patches_first_band_rows_to_next_q <= 4'h0;
+      patches_first_band_number_q <= 1'b0;
+      patches_choosing_number_q <= 5'h0;
+      patches_choosing_band_q <= 5'h0;
+    end else if (s12_en) begin
+      patches_band_rows_rows_to_next_q <= select_2706;
+      patches_band_rows_number_q <= select_2708;
+      patches_next_band_rows_to_next_q <= select_2711;
+      patches_next_band_number_q <= select_2713;
+      patches_first_band_rows_to_next_q <= select_2717;
+      patches_first_band_number_q <= select_2718;
+      patches_choosing_number_q <= and_502_s12_q ? select_2731 : patches_choosing_number_q;
+      patches_choosing_band_q <= select_2738;
+    end
+  end
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -2438,12 +2636,12 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s12_en) begin
       middle_sum_columns_values_0_q <= slot_s12_q[0] ? middle_sum_columns_values_0_q : column_2_s12_q;
-      middle_sum_columns_values_1_q <= select_1967;
-      middle_sum_columns_values_2_q <= select_1968;
-      middle_sum_columns_values_3_q <= select_1969;
-      middle_sum_columns_values_4_q <= select_1970;
-      middle_sum_columns_values_5_q <= select_1971;
-      middle_sum_columns_values_6_q <= select_1972;
+      middle_sum_columns_values_1_q <= select_2387;
+      middle_sum_columns_values_2_q <= select_2388;
+      middle_sum_columns_values_3_q <= select_2389;
+      middle_sum_columns_values_4_q <= select_2390;
+      middle_sum_columns_values_5_q <= select_2391;
+      middle_sum_columns_values_6_q <= select_2392;
     end
   end
 
@@ -2454,58 +2652,66 @@ module horopter_agreement (
   logic marks_first_s13_q;
   logic marks_last_s13_q;
   logic sample_pair_whole_s13_q;
+  logic sample_present_s13_q;
   logic [5:0] run_shift_s13_q;
   logic [7:0] x_s13_q;
+  logic [6:0] last_s13_q;
   logic [1:0] age_s13_q;
   logic [2:0] slot_s13_q;
   logic ends_cell_s13_q;
   logic lower_half_s13_q;
-  logic equal_329_s13_q;
-  logic [8:0] select_335_s13_q;
-  logic and_344_s13_q;
-  logic equal_350_s13_q;
-  logic whole_s13_q;
+  logic [4:0] patches_band_rows_number_s13_q;
+  logic patches_chooses_s13_q;
+  logic [4:0] patches_choosing_band_s13_q;
+  logic [3:0] select_463_s13_q;
+  logic equal_464_s13_q;
+  logic [6:0] select_466_s13_q;
+  logic [8:0] select_470_s13_q;
+  logic and_476_s13_q;
+  logic equal_482_s13_q;
   logic [6:0] column_s13_q;
-  logic and_368_s13_q;
-  logic and_370_s13_q;
-  logic equal_373_s13_q;
+  logic and_500_s13_q;
+  logic and_502_s13_q;
   logic so_s13_q;
-  logic equal_390_s13_q;
-  logic or_391_s13_q;
-  logic less_398_s13_q;
-  logic not_399_s13_q;
-  logic equal_431_s13_q;
+  logic equal_522_s13_q;
+  logic or_523_s13_q;
+  logic less_530_s13_q;
+  logic not_531_s13_q;
+  logic equal_563_s13_q;
   logic [6:0] x_s13_2_q;
   logic [45:0] best_left_rdata_s13_q;
-  logic select_519_s13_q;
-  logic [6:0] difference_772_s13_q;
-  logic [6:0] difference_1021_s13_q;
-  logic equal_1022_s13_q;
-  logic [6:0] difference_1270_s13_q;
-  logic [6:0] sum_1304_s13_q;
-  logic [6:0] select_1313_s13_q;
-  logic and_1321_s13_q;
+  logic select_651_s13_q;
+  logic [6:0] difference_904_s13_q;
+  logic [6:0] difference_1153_s13_q;
+  logic equal_1154_s13_q;
+  logic [6:0] difference_1402_s13_q;
+  logic [6:0] sum_1436_s13_q;
+  logic [6:0] select_1445_s13_q;
+  logic and_1453_s13_q;
   logic [6:0] right_s13_q;
   logic [28:0] best_right_rdata_s13_q;
-  logic select_1330_s13_q;
-  logic equal_1339_s13_q;
-  logic and_1346_s13_q;
-  logic and_1349_s13_q;
-  logic and_1353_s13_q;
-  logic less_1354_s13_q;
+  logic select_1462_s13_q;
+  logic equal_1471_s13_q;
+  logic and_1478_s13_q;
+  logic and_1481_s13_q;
+  logic and_1485_s13_q;
+  logic less_1486_s13_q;
   logic [6:0] chosen_s13_q;
-  logic or_1367_s13_q;
-  logic [6:0] select_1378_s13_q;
-  logic less_1425_s13_q;
-  logic equal_1465_s13_q;
-  logic and_1602_s13_q;
-  logic equal_1743_s13_q;
-  logic equal_1867_s13_q;
-  logic less_2119_s13_q;
-  logic and_2202_s13_q;
-  logic and_2204_s13_q;
-  logic less_2311_s13_q;
-  logic equal_2518_s13_q;
+  logic or_1499_s13_q;
+  logic [6:0] select_1510_s13_q;
+  logic and_1584_s13_q;
+  logic not_1588_s13_q;
+  logic or_1594_s13_q;
+  logic less_1611_s13_q;
+  logic and_2017_s13_q;
+  logic equal_2163_s13_q;
+  logic equal_2287_s13_q;
+  logic and_2590_s13_q;
+  logic and_2592_s13_q;
+  logic and_2599_s13_q;
+  logic not_2765_s13_q;
+  logic less_3585_s13_q;
+  logic equal_3790_s13_q;
   always_ff @(posedge clk_i) begin
     if (s12_en) begin
       pixel_0_s13_q <= pixel_0_s12_q;
@@ -2515,58 +2721,66 @@ module horopter_agreement (
       marks_first_s13_q <= marks_first_s12_q;
       marks_last_s13_q <= marks_last_s12_q;
       sample_pair_whole_s13_q <= sample_pair_whole_s12_q;
+      sample_present_s13_q <= sample_present_s12_q;
       run_shift_s13_q <= run_shift_s12_q;
       x_s13_q <= x_s12_q;
+      last_s13_q <= last_s12_q;
       age_s13_q <= {age_s12_q[2], age_s12_q[0]};
       slot_s13_q <= slot_s12_q;
       ends_cell_s13_q <= ends_cell_s12_q;
       lower_half_s13_q <= lower_half_s12_q;
-      equal_329_s13_q <= equal_329_s12_q;
-      select_335_s13_q <= select_335_s12_q;
-      and_344_s13_q <= and_344_s12_q;
-      equal_350_s13_q <= equal_350_s12_q;
-      whole_s13_q <= whole_s12_q;
+      patches_band_rows_number_s13_q <= patches_band_rows_number_q;
+      patches_chooses_s13_q <= patches_chooses_s12_q;
+      patches_choosing_band_s13_q <= patches_choosing_band_q;
+      select_463_s13_q <= select_463_s12_q;
+      equal_464_s13_q <= equal_464_s12_q;
+      select_466_s13_q <= select_466_s12_q;
+      select_470_s13_q <= select_470_s12_q;
+      and_476_s13_q <= and_476_s12_q;
+      equal_482_s13_q <= equal_482_s12_q;
       column_s13_q <= column_s12_q;
-      and_368_s13_q <= and_368_s12_q;
-      and_370_s13_q <= and_370_s12_q;
-      equal_373_s13_q <= equal_373_s12_q;
+      and_500_s13_q <= and_500_s12_q;
+      and_502_s13_q <= and_502_s12_q;
       so_s13_q <= so_s12_q;
-      equal_390_s13_q <= equal_390_s12_q;
-      or_391_s13_q <= or_391_s12_q;
-      less_398_s13_q <= less_398_s12_q;
-      not_399_s13_q <= not_399_s12_q;
-      equal_431_s13_q <= equal_431_s12_q;
+      equal_522_s13_q <= equal_522_s12_q;
+      or_523_s13_q <= or_523_s12_q;
+      less_530_s13_q <= less_530_s12_q;
+      not_531_s13_q <= not_531_s12_q;
+      equal_563_s13_q <= equal_563_s12_q;
       x_s13_2_q <= x_s12_2_q;
       best_left_rdata_s13_q <= best_left_rdata_s12_q;
-      select_519_s13_q <= select_519_s12_q;
-      difference_772_s13_q <= {1'b0, column_2_s12_q} - {1'b0, select_771};
-      difference_1021_s13_q <= {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1020_s12_q};
-      equal_1022_s13_q <= {age_s12_q[0], slot_s12_q[0]} == 2'h0;
-      difference_1270_s13_q <= {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1269_s12_q};
-      sum_1304_s13_q <= {1'b0, before_v} + sum_1303;
-      select_1313_s13_q <= select_1313;
-      and_1321_s13_q <= and_1321_s12_q;
+      select_651_s13_q <= select_651_s12_q;
+      difference_904_s13_q <= {1'b0, column_2_s12_q} - {1'b0, select_903};
+      difference_1153_s13_q <= {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1152_s12_q};
+      equal_1154_s13_q <= {age_s12_q[0], slot_s12_q[0]} == 2'h0;
+      difference_1402_s13_q <= {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1401_s12_q};
+      sum_1436_s13_q <= {1'b0, before_v} + sum_1435;
+      select_1445_s13_q <= select_1445;
+      and_1453_s13_q <= and_1453_s12_q;
       right_s13_q <= right_s12_q;
       best_right_rdata_s13_q <= best_right_rdata_s12_q;
-      select_1330_s13_q <= select_1330_s12_q;
-      equal_1339_s13_q <= equal_1339_s12_q;
-      and_1346_s13_q <= and_1346_s12_q;
-      and_1349_s13_q <= and_1349_s12_q;
-      and_1353_s13_q <= and_1353_s12_q;
-      less_1354_s13_q <= 8'hb6 < best_left_rdata_s12_q[16:9];
+      select_1462_s13_q <= select_1462_s12_q;
+      equal_1471_s13_q <= equal_1471_s12_q;
+      and_1478_s13_q <= and_1478_s12_q;
+      and_1481_s13_q <= and_1481_s12_q;
+      and_1485_s13_q <= and_1485_s12_q;
+      less_1486_s13_q <= 8'hb6 < best_left_rdata_s12_q[16:9];
       chosen_s13_q <= chosen;
-      or_1367_s13_q <= or_1367_s12_q;
-      select_1378_s13_q <= select_1378_s12_q;
-      less_1425_s13_q <= less_1425_s12_q;
-      equal_1465_s13_q <= equal_1465_s12_q;
-      and_1602_s13_q <= and_1602_s12_q;
-      equal_1743_s13_q <= equal_1743_s12_q;
-      equal_1867_s13_q <= equal_1867_s12_q;
-      less_2119_s13_q <= less_2119_s12_q;
-      and_2202_s13_q <= and_2202_s12_q;
-      and_2204_s13_q <= and_2204_s12_q;
-      less_2311_s13_q <= less_2311_s12_q;
-      equal_2518_s13_q <= equal_2518_s12_q;
+      or_1499_s13_q <= or_1499_s12_q;
+      select_1510_s13_q <= select_1510_s12_q;
+      and_1584_s13_q <= and_1584_s12_q;
+      not_1588_s13_q <= not_1588;
+      or_1594_s13_q <= (~equal_1590_s12_q) | (~equal_1592);
+      less_1611_s13_q <= less_1611_s12_q;
+      and_2017_s13_q <= and_2017_s12_q;
+      equal_2163_s13_q <= equal_2163_s12_q;
+      equal_2287_s13_q <= equal_2287_s12_q;
+      and_2590_s13_q <= and_2590_s12_q;
+      and_2592_s13_q <= and_2592_s12_q;
+      and_2599_s13_q <= ends_cell_s12_q & so_s12_q;
+      not_2765_s13_q <= not_2765_s12_q;
+      less_3585_s13_q <= less_3585_s12_q;
+      equal_3790_s13_q <= equal_3790_s12_q;
     end
   end
 
@@ -2577,48 +2791,226 @@ module horopter_agreement (
   logic [7:0] sums_1_sum_sums_values_0_q;
   logic [7:0] sums_1_sum_sums_values_1_q;
   logic [6:0] chosen_near_q;
+  logic [23:0] registration_slope_row_q;
+  logic [27:0] registration_slope_change_q;
+  logic [27:0] registration_slope_q;
+  logic patches_capturing_q;
+  logic [4:0] patches_row_q;
+  logic [2:0] patches_work_q;
+  logic patches_second_q;
+  logic [2:0] patches_following_q;
+  logic [4:0] patches_following_beats_q;
+  logic patches_begins_q;
+  logic patches_ends_q;
+  logic [11:0] patches_remaining_q;
+  logic [8:0] region_across_rest_q;
+  logic [7:0] region_across_back_q;
+  logic [8:0] region_across_next_q;
+  logic [8:0] columns_begin_rest_q;
+  logic [7:0] columns_begin_back_q;
   // hls/stages/agreement.hpp:772
-  logic less_520;
-  assign less_520 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
-  logic less_522;
-  assign less_522 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
+  logic less_652;
+  assign less_652 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
+  logic less_654;
+  assign less_654 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
   // hls/stages/agreement.hpp:231
-  logic and_524;
-  assign and_524 = (~less_520) & (~less_522);
+  logic and_656;
+  assign and_656 = (~less_652) & (~less_654);
   // hls/stages/agreement.hpp:762
-  logic [7:0] sum_774;
-  assign sum_774 = {difference_772_s13_q[6], difference_772_s13_q} + (age_s13_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
-  logic [7:0] sum_1024;
-  assign sum_1024 = {difference_1021_s13_q[6], difference_1021_s13_q} + (equal_1022_s13_q ? 8'h0 : sums_0_sum_sums_values_1_q);
-  logic [7:0] sum_1272;
-  assign sum_1272 = {difference_1270_s13_q[6], difference_1270_s13_q} + (equal_1022_s13_q ? 8'h0 : sums_1_sum_sums_values_1_q);
+  logic [7:0] sum_906;
+  assign sum_906 = {difference_904_s13_q[6], difference_904_s13_q} + (age_s13_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  logic [7:0] sum_1156;
+  assign sum_1156 = {difference_1153_s13_q[6], difference_1153_s13_q} + (equal_1154_s13_q ? 8'h0 : sums_0_sum_sums_values_1_q);
+  logic [7:0] sum_1404;
+  assign sum_1404 = {difference_1402_s13_q[6], difference_1402_s13_q} + (equal_1154_s13_q ? 8'h0 : sums_1_sum_sums_values_1_q);
   // hls/stages/agreement.hpp:739
-  logic [6:0] select_1305;
-  assign select_1305 = slot_s13_q[0] ? chosen_near_q : sum_1304_s13_q;
+  logic [6:0] select_1437;
+  assign select_1437 = slot_s13_q[0] ? chosen_near_q : sum_1436_s13_q;
   // hls/stages/agreement.hpp:735
-  logic [6:0] select_1315;
-  assign select_1315 = (select_1305 < select_1313_s13_q) ? select_1313_s13_q : select_1305;
+  logic [6:0] select_1447;
+  assign select_1447 = (select_1437 < select_1445_s13_q) ? select_1445_s13_q : select_1437;
   // hls/stages/agreement.hpp:777
   logic [6:0] of_near;
-  assign of_near = and_524 ? select_1315 : 7'h0;
+  assign of_near = and_656 ? select_1447 : 7'h0;
   // hls/stages/agreement.hpp:935
-  logic select_1356;
-  assign select_1356 = slot_s13_q[2] ? less_1354_s13_q : (6'h2a < best_left_rdata_s13_q[39:34]);
+  logic select_1488;
+  assign select_1488 = slot_s13_q[2] ? less_1486_s13_q : (6'h2a < best_left_rdata_s13_q[39:34]);
   // hls/stages/agreement.hpp:942
-  logic [8:0] difference_1359;
-  assign difference_1359 = {2'h0, chosen_s13_q} - {1'b0, x_s13_q};
+  logic [8:0] difference_1491;
+  assign difference_1491 = {2'h0, chosen_s13_q} - {1'b0, x_s13_q};
+  // hls/stages/patches.hpp:374
+  logic not_1585;
+  assign not_1585 = ~patches_begins_q;
+  // hls/stages/patches.hpp:344
+  logic and_1589;
+  assign and_1589 = patches_capturing_q & not_1588_s13_q;
+  // hls/stages/patches.hpp:107
+  logic and_1597;
+  assign and_1597 = (not_1585 & (patches_work_q == 3'h0)) & (~(and_1589 | or_1594_s13_q));
+  // hls/stages/registration.hpp:218
+  logic [16:0] select_1660;
+  assign select_1660 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  // hls/stages/patches.hpp:512
+  logic equal_1692;
+  assign equal_1692 = patches_work_q == 3'h4;
+  // hls/stages/patches.hpp:483
+  logic equal_1694;
+  assign equal_1694 = patches_work_q == 3'h3;
+  // hls/stages/patches.hpp:477
+  logic equal_1696;
+  assign equal_1696 = patches_work_q == 3'h2;
+  // hls/stages/patches.hpp:149
+  logic equal_1697;
+  assign equal_1697 = patches_work_q == 3'h1;
+  // hls/stages/patches.hpp:512
+  logic or_1698;
+  assign or_1698 = equal_1696 | equal_1697;
+  // hls/stages/patches.hpp:438
+  logic not_1699;
+  assign not_1699 = ~patches_second_q;
+  // hls/stages/patches.hpp:355
+  logic [4:0] select_1721;
+  assign select_1721 = and_1597 ? 5'h0 : (patches_row_q + 5'h1);
+  // hls/stages/patches.hpp:108
+  logic [4:0] select_1722;
+  assign select_1722 = and_1584_s13_q ? select_1721 : patches_row_q;
+  // hls/stages/patches.hpp:107
+  logic and_1724;
+  assign and_1724 = and_1589 & (patches_row_q == 5'h1f);
+  // hls/stages/patches.hpp:108
+  logic select_1728;
+  assign select_1728 = and_1584_s13_q ? (and_1597 | (and_1589 & (~and_1724))) : patches_capturing_q;
+  // hls/stages/patches.hpp:149
+  logic not_1753;
+  assign not_1753 = ~equal_1697;
+  // hls/stages/agreement.hpp:263
+  logic [3:0] select_1767;
+  assign select_1767 = and_1584_s13_q ? {select_1721[4], select_1721[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  // hls/stages/division.hpp:34
+  logic [5:0] sum_1885;
+  assign sum_1885 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:227
-  logic [6:0] select_1978;
-  assign select_1978 = slot_s13_q[0] ? 7'h0 : sum_1304_s13_q;
+  logic [6:0] select_2398;
+  assign select_2398 = slot_s13_q[0] ? 7'h0 : sum_1436_s13_q;
   // hls/stages/agreement.hpp:735
-  logic [6:0] select_1980;
-  assign select_1980 = (select_1978 < select_1313_s13_q) ? select_1313_s13_q : select_1978;
+  logic [6:0] select_2400;
+  assign select_2400 = (select_2398 < select_1445_s13_q) ? select_1445_s13_q : select_2398;
+  // hls/stages/registration.hpp:129
+  logic [15:0] select_2593;
+  assign select_2593 = and_2592_s13_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  // hls/stages/registration.hpp:132
+  logic [23:0] select_2595;
+  assign select_2595 = and_2590_s13_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2593[15]}}, select_2593});
+  // hls/stages/registration.hpp:130
+  logic [15:0] select_2596;
+  assign select_2596 = and_2592_s13_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [27:0] both;
+  assign both = registration_slope_change_q + {{12{select_2596[15]}}, select_2596};
+  // hls/stages/registration.hpp:132
+  logic [27:0] select_2598;
+  assign select_2598 = and_2590_s13_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  // hls/stages/registration.hpp:125
+  logic [27:0] column_6;
+  assign column_6 = registration_slope_q + (and_2599_s13_q ? registration_slope_change_q : 28'h0);
+  // hls/stages/patches.hpp:375
+  logic or_2806;
+  assign or_2806 = patches_begins_q | patches_ends_q;
+  // hls/stages/patches.hpp:377
+  logic [2:0] following;
+  assign following = patches_begins_q ? 3'h1 : patches_following_q;
+  // hls/stages/patches.hpp:169
+  logic and_2812;
+  assign and_2812 = equal_1692 & not_1699;
+  // hls/stages/patches.hpp:381
+  logic and_2813;
+  assign and_2813 = not_1753 & and_2812;
+  logic [1:0] select_2815;
+  assign select_2815 = equal_1694 ? 2'h0 : (equal_1696 ? 2'h3 : {equal_1697, and_2813});
+  // hls/stages/patches.hpp:262
+  logic equal_2817;
+  assign equal_2817 = patches_following_q == 3'h4;
+  // hls/stages/patches.hpp:260
+  logic not_2818;
+  assign not_2818 = ~equal_2817;
+  // hls/stages/patches.hpp:262
+  logic equal_2819;
+  assign equal_2819 = patches_following_q == 3'h3;
+  // hls/stages/patches.hpp:258
+  logic not_2820;
+  assign not_2820 = ~equal_2819;
+  // hls/stages/patches.hpp:266
+  logic not_2822;
+  assign not_2822 = ~(patches_following_q == 3'h2);
+  logic and_2825;
+  assign and_2825 = (~(patches_following_q == 3'h1)) & not_2822;
+  // hls/stages/patches.hpp:379
+  logic [1:0] select_2826;
+  assign select_2826 = equal_2819 ? 2'h2 : {and_2825, not_2822};
+  logic [3:0] select_2827;
+  assign select_2827 = equal_2817 ? 4'h2 : {select_2826, {2{not_2820}}};
+  // hls/stages/patches.hpp:387
+  logic not_2830;
+  assign not_2830 = ~or_2806;
+  // hls/stages/patches.hpp:376
+  logic [4:0] beats;
+  assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
+  // hls/stages/patches.hpp:388
+  logic [11:0] select_2835;
+  assign select_2835 = or_2806 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  // hls/stages/agreement.hpp:197
+  logic [8:0] select_3597;
+  assign select_3597 = so_s13_q ? (and_2599_s13_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_3599;
+  assign sum_3599 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_3600;
+  assign select_3600 = sum_1885[5] ? {1'b1, sum_1885[4:0], region_across_rest_q[2:0]} : sum_3599;
+  // hls/stages/agreement.hpp:447
+  logic [8:0] select_3602;
+  assign select_3602 = equal_2287_s13_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
+  logic [7:0] select_3605;
+  assign select_3605 = equal_2287_s13_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       chosen_near_q <= 7'h0;
+      registration_slope_row_q <= 24'h0;
+      registration_slope_change_q <= 28'h0;
+      registration_slope_q <= 28'h0;
+      patches_capturing_q <= 1'b0;
+      patches_row_q <= 5'h0;
+      patches_work_q <= 3'h0;
+      patches_second_q <= 1'b0;
+      patches_following_q <= 3'h0;
+      patches_following_beats_q <= 5'h0;
+      patches_begins_q <= 1'b0;
+      patches_ends_q <= 1'b0;
+      patches_remaining_q <= 12'h0;
+      region_across_rest_q <= 9'h0;
+      region_across_back_q <= 8'h0;
+      region_across_next_q <= 9'h0;
+      columns_begin_rest_q <= 9'h0;
+      columns_begin_back_q <= 8'h0;
     end else if (s13_en) begin
-      chosen_near_q <= select_1980;
+      chosen_near_q <= select_2400;
+      registration_slope_row_q <= select_2595;
+      registration_slope_change_q <= select_2598;
+      registration_slope_q <= so_s13_q ? column_6 : {registration_slope_row_q, 4'h0};
+      patches_capturing_q <= sample_pair_whole_s13_q ? select_1728 : patches_capturing_q;
+      patches_row_q <= sample_pair_whole_s13_q ? select_1722 : patches_row_q;
+      patches_work_q <= or_2806 ? following : patches_work_q;
+      patches_second_q <= not_1585 & (patches_second_q | (patches_ends_q & equal_1692));
+      patches_following_q <= equal_1692 ? {2'h0, and_2812} : {equal_1694, select_2815};
+      patches_following_beats_q <= {select_2827, not_2818};
+      patches_begins_q <= sample_pair_whole_s13_q & (and_1584_s13_q & and_1724);
+      patches_ends_q <= not_2830 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_2835;
+      region_across_rest_q <= select_3597;
+      region_across_back_q <= so_s13_q ? region_across_back_q : columns_begin_back_q;
+      region_across_next_q <= select_3600;
+      columns_begin_rest_q <= and_502_s13_q ? select_3602 : columns_begin_rest_q;
+      columns_begin_back_q <= and_502_s13_q ? select_3605 : columns_begin_back_q;
     end
   end
 
@@ -2634,11 +3026,11 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s13_en) begin
-      middle_sum_sum_sums_values_0_q <= slot_s13_q[0] ? middle_sum_sum_sums_values_0_q : sum_774;
-      sums_0_sum_sums_values_0_q <= sum_1024;
-      sums_0_sum_sums_values_1_q <= equal_1022_s13_q ? 8'h0 : sums_0_sum_sums_values_0_q;
-      sums_1_sum_sums_values_0_q <= sum_1272;
-      sums_1_sum_sums_values_1_q <= equal_1022_s13_q ? 8'h0 : sums_1_sum_sums_values_0_q;
+      middle_sum_sum_sums_values_0_q <= slot_s13_q[0] ? middle_sum_sum_sums_values_0_q : sum_906;
+      sums_0_sum_sums_values_0_q <= sum_1156;
+      sums_0_sum_sums_values_1_q <= equal_1154_s13_q ? 8'h0 : sums_0_sum_sums_values_0_q;
+      sums_1_sum_sums_values_0_q <= sum_1404;
+      sums_1_sum_sums_values_1_q <= equal_1154_s13_q ? 8'h0 : sums_1_sum_sums_values_0_q;
     end
   end
 
@@ -2649,57 +3041,77 @@ module horopter_agreement (
   logic marks_first_s14_q;
   logic marks_last_s14_q;
   logic sample_pair_whole_s14_q;
+  logic sample_present_s14_q;
   logic [5:0] run_shift_s14_q;
   logic [7:0] x_s14_q;
+  logic [6:0] last_s14_q;
   logic age_s14_q;
   logic [2:0] slot_s14_q;
   logic ends_cell_s14_q;
   logic lower_half_s14_q;
-  logic equal_329_s14_q;
-  logic [8:0] select_335_s14_q;
-  logic and_344_s14_q;
-  logic equal_350_s14_q;
-  logic whole_s14_q;
+  logic [11:0] registration_slope_s14_q;
+  logic [4:0] patches_band_rows_number_s14_q;
+  logic patches_chooses_s14_q;
+  logic [4:0] patches_choosing_band_s14_q;
+  logic patches_second_s14_q;
+  logic [3:0] select_463_s14_q;
+  logic equal_464_s14_q;
+  logic [6:0] select_466_s14_q;
+  logic [8:0] select_470_s14_q;
+  logic and_476_s14_q;
+  logic equal_482_s14_q;
   logic [6:0] column_s14_q;
-  logic and_368_s14_q;
-  logic and_370_s14_q;
-  logic equal_373_s14_q;
+  logic and_500_s14_q;
+  logic and_502_s14_q;
   logic so_s14_q;
-  logic equal_390_s14_q;
-  logic or_391_s14_q;
-  logic less_398_s14_q;
-  logic not_399_s14_q;
-  logic equal_431_s14_q;
+  logic equal_522_s14_q;
+  logic or_523_s14_q;
+  logic less_530_s14_q;
+  logic not_531_s14_q;
+  logic equal_563_s14_q;
   logic [6:0] x_s14_2_q;
   logic [45:0] best_left_rdata_s14_q;
-  logic select_519_s14_q;
-  logic and_524_s14_q;
-  logic [7:0] sum_774_s14_q;
-  logic less_1273_s14_q;
+  logic select_651_s14_q;
+  logic and_656_s14_q;
+  logic [7:0] sum_906_s14_q;
+  logic less_1405_s14_q;
   logic [6:0] of_near_s14_q;
-  logic and_1321_s14_q;
+  logic and_1453_s14_q;
   logic [6:0] right_s14_q;
   logic [28:0] best_right_rdata_s14_q;
-  logic select_1330_s14_q;
-  logic equal_1339_s14_q;
-  logic and_1346_s14_q;
-  logic and_1349_s14_q;
-  logic and_1353_s14_q;
-  logic select_1356_s14_q;
-  logic [9:0] sum_1360_s14_q;
-  logic or_1367_s14_q;
-  logic [6:0] select_1378_s14_q;
-  logic less_1425_s14_q;
-  logic equal_1465_s14_q;
-  logic and_1602_s14_q;
-  logic equal_1743_s14_q;
-  logic equal_1867_s14_q;
-  logic less_2119_s14_q;
-  logic and_2202_s14_q;
-  logic and_2204_s14_q;
-  logic and_2211_s14_q;
-  logic less_2311_s14_q;
-  logic equal_2518_s14_q;
+  logic select_1462_s14_q;
+  logic equal_1471_s14_q;
+  logic and_1478_s14_q;
+  logic and_1481_s14_q;
+  logic and_1485_s14_q;
+  logic select_1488_s14_q;
+  logic [9:0] sum_1492_s14_q;
+  logic or_1499_s14_q;
+  logic [6:0] select_1510_s14_q;
+  logic and_1584_s14_q;
+  logic and_1597_s14_q;
+  logic less_1611_s14_q;
+  logic [16:0] select_1660_s14_q;
+  logic equal_1692_s14_q;
+  logic equal_1694_s14_q;
+  logic equal_1696_s14_q;
+  logic equal_1697_s14_q;
+  logic or_1698_s14_q;
+  logic and_1701_s14_q;
+  logic [4:0] select_1722_s14_q;
+  logic select_1728_s14_q;
+  logic and_1734_s14_q;
+  logic and_1754_s14_q;
+  logic [3:0] select_1767_s14_q;
+  logic sum_1885_s14_q;
+  logic and_2017_s14_q;
+  logic equal_2163_s14_q;
+  logic equal_2287_s14_q;
+  logic not_2765_s14_q;
+  logic or_2806_s14_q;
+  logic not_2830_s14_q;
+  logic less_3585_s14_q;
+  logic equal_3790_s14_q;
   always_ff @(posedge clk_i) begin
     if (s13_en) begin
       pixel_0_s14_q <= pixel_0_s13_q;
@@ -2709,57 +3121,77 @@ module horopter_agreement (
       marks_first_s14_q <= marks_first_s13_q;
       marks_last_s14_q <= marks_last_s13_q;
       sample_pair_whole_s14_q <= sample_pair_whole_s13_q;
+      sample_present_s14_q <= sample_present_s13_q;
       run_shift_s14_q <= run_shift_s13_q;
       x_s14_q <= x_s13_q;
+      last_s14_q <= last_s13_q;
       age_s14_q <= age_s13_q[1];
       slot_s14_q <= slot_s13_q;
       ends_cell_s14_q <= ends_cell_s13_q;
       lower_half_s14_q <= lower_half_s13_q;
-      equal_329_s14_q <= equal_329_s13_q;
-      select_335_s14_q <= select_335_s13_q;
-      and_344_s14_q <= and_344_s13_q;
-      equal_350_s14_q <= equal_350_s13_q;
-      whole_s14_q <= whole_s13_q;
+      registration_slope_s14_q <= registration_slope_q[27:16];
+      patches_band_rows_number_s14_q <= patches_band_rows_number_s13_q;
+      patches_chooses_s14_q <= patches_chooses_s13_q;
+      patches_choosing_band_s14_q <= patches_choosing_band_s13_q;
+      patches_second_s14_q <= patches_second_q;
+      select_463_s14_q <= select_463_s13_q;
+      equal_464_s14_q <= equal_464_s13_q;
+      select_466_s14_q <= select_466_s13_q;
+      select_470_s14_q <= select_470_s13_q;
+      and_476_s14_q <= and_476_s13_q;
+      equal_482_s14_q <= equal_482_s13_q;
       column_s14_q <= column_s13_q;
-      and_368_s14_q <= and_368_s13_q;
-      and_370_s14_q <= and_370_s13_q;
-      equal_373_s14_q <= equal_373_s13_q;
+      and_500_s14_q <= and_500_s13_q;
+      and_502_s14_q <= and_502_s13_q;
       so_s14_q <= so_s13_q;
-      equal_390_s14_q <= equal_390_s13_q;
-      or_391_s14_q <= or_391_s13_q;
-      less_398_s14_q <= less_398_s13_q;
-      not_399_s14_q <= not_399_s13_q;
-      equal_431_s14_q <= equal_431_s13_q;
+      equal_522_s14_q <= equal_522_s13_q;
+      or_523_s14_q <= or_523_s13_q;
+      less_530_s14_q <= less_530_s13_q;
+      not_531_s14_q <= not_531_s13_q;
+      equal_563_s14_q <= equal_563_s13_q;
       x_s14_2_q <= x_s13_2_q;
       best_left_rdata_s14_q <= best_left_rdata_s13_q;
-      select_519_s14_q <= select_519_s13_q;
-      and_524_s14_q <= and_524;
-      sum_774_s14_q <= sum_774;
-      less_1273_s14_q <= sum_1024 < sum_1272;
+      select_651_s14_q <= select_651_s13_q;
+      and_656_s14_q <= and_656;
+      sum_906_s14_q <= sum_906;
+      less_1405_s14_q <= sum_1156 < sum_1404;
       of_near_s14_q <= of_near;
-      and_1321_s14_q <= and_1321_s13_q;
+      and_1453_s14_q <= and_1453_s13_q;
       right_s14_q <= right_s13_q;
       best_right_rdata_s14_q <= best_right_rdata_s13_q;
-      select_1330_s14_q <= select_1330_s13_q;
-      equal_1339_s14_q <= equal_1339_s13_q;
-      and_1346_s14_q <= and_1346_s13_q;
-      and_1349_s14_q <= and_1349_s13_q;
-      and_1353_s14_q <= and_1353_s13_q;
-      select_1356_s14_q <= select_1356;
-      sum_1360_s14_q <= {difference_1359[8], difference_1359} + 10'h1;
-      or_1367_s14_q <= or_1367_s13_q;
-      select_1378_s14_q <= select_1378_s13_q;
-      less_1425_s14_q <= less_1425_s13_q;
-      equal_1465_s14_q <= equal_1465_s13_q;
-      and_1602_s14_q <= and_1602_s13_q;
-      equal_1743_s14_q <= equal_1743_s13_q;
-      equal_1867_s14_q <= equal_1867_s13_q;
-      less_2119_s14_q <= less_2119_s13_q;
-      and_2202_s14_q <= and_2202_s13_q;
-      and_2204_s14_q <= and_2204_s13_q;
-      and_2211_s14_q <= ends_cell_s13_q & so_s13_q;
-      less_2311_s14_q <= less_2311_s13_q;
-      equal_2518_s14_q <= equal_2518_s13_q;
+      select_1462_s14_q <= select_1462_s13_q;
+      equal_1471_s14_q <= equal_1471_s13_q;
+      and_1478_s14_q <= and_1478_s13_q;
+      and_1481_s14_q <= and_1481_s13_q;
+      and_1485_s14_q <= and_1485_s13_q;
+      select_1488_s14_q <= select_1488;
+      sum_1492_s14_q <= {difference_1491[8], difference_1491} + 10'h1;
+      or_1499_s14_q <= or_1499_s13_q;
+      select_1510_s14_q <= select_1510_s13_q;
+      and_1584_s14_q <= and_1584_s13_q;
+      and_1597_s14_q <= and_1597;
+      less_1611_s14_q <= less_1611_s13_q;
+      select_1660_s14_q <= select_1660;
+      equal_1692_s14_q <= equal_1692;
+      equal_1694_s14_q <= equal_1694;
+      equal_1696_s14_q <= equal_1696;
+      equal_1697_s14_q <= equal_1697;
+      or_1698_s14_q <= or_1698;
+      and_1701_s14_q <= or_1698 & (equal_1697 & not_1699);
+      select_1722_s14_q <= select_1722;
+      select_1728_s14_q <= select_1728;
+      and_1734_s14_q <= or_1698 & (patches_second_q & equal_1697);
+      and_1754_s14_q <= not_1753 & or_1698;
+      select_1767_s14_q <= select_1767;
+      sum_1885_s14_q <= sum_1885[5];
+      and_2017_s14_q <= and_2017_s13_q;
+      equal_2163_s14_q <= equal_2163_s13_q;
+      equal_2287_s14_q <= equal_2287_s13_q;
+      not_2765_s14_q <= not_2765_s13_q;
+      or_2806_s14_q <= or_2806;
+      not_2830_s14_q <= not_2830;
+      less_3585_s14_q <= less_3585_s13_q;
+      equal_3790_s14_q <= equal_3790_s13_q;
     end
   end
 
@@ -2769,90 +3201,130 @@ module horopter_agreement (
   logic [7:0] before_0_q;
   logic [7:0] before_1_q;
   logic [7:0] before_2_q;
-  logic [23:0] registration_slope_row_q;
-  logic [27:0] registration_slope_change_q;
-  logic [27:0] registration_slope_q;
-  logic [8:0] region_across_rest_q;
-  logic [7:0] region_across_back_q;
-  logic [8:0] region_across_next_q;
-  logic [8:0] columns_begin_rest_q;
-  logic [7:0] columns_begin_back_q;
+  logic patches_lower_q;
+  logic [4:0] patches_code_row_q;
+  logic [4:0] patches_column_q;
+  logic patches_column_ends_q;
+  logic [6:0] patches_step_q;
   // hls/stages/agreement.hpp:739
-  logic [7:0] select_775;
-  assign select_775 = slot_s14_q[0] ? chosen_score_q : sum_774_s14_q;
+  logic [7:0] select_907;
+  assign select_907 = slot_s14_q[0] ? chosen_score_q : sum_906_s14_q;
   // hls/stages/agreement.hpp:735
-  logic [7:0] select_1274;
-  assign select_1274 = less_1273_s14_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic less_1275;
-  assign less_1275 = select_775 < select_1274;
+  logic [7:0] select_1406;
+  assign select_1406 = less_1405_s14_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic less_1407;
+  assign less_1407 = select_907 < select_1406;
   // hls/stages/agreement.hpp:776
   logic [7:0] of_best;
-  assign of_best = and_524_s14_q ? (less_1275 ? select_1274 : select_775) : 8'h0;
+  assign of_best = and_656_s14_q ? (less_1407 ? select_1406 : select_907) : 8'h0;
   // hls/stages/agreement.hpp:704
-  logic not_1281;
-  assign not_1281 = ~slot_s14_q[0];
+  logic not_1413;
+  assign not_1413 = ~slot_s14_q[0];
   // hls/stages/agreement.hpp:736
-  logic [1:0] select_1282;
-  assign select_1282 = less_1273_s14_q ? {slot_s14_q[0], not_1281} : 2'h0;
-  logic [2:0] select_1284;
-  assign select_1284 = less_1275 ? {select_1282, not_1281} : (slot_s14_q[0] ? chosen_place_q : 3'h2);
+  logic [1:0] select_1414;
+  assign select_1414 = less_1405_s14_q ? {slot_s14_q[0], not_1413} : 2'h0;
+  logic [2:0] select_1416;
+  assign select_1416 = less_1407 ? {select_1414, not_1413} : (slot_s14_q[0] ? chosen_place_q : 3'h2);
   // hls/stages/agreement.hpp:227
-  logic [7:0] select_1293;
-  assign select_1293 = slot_s14_q[0] ? 8'h0 : sum_774_s14_q;
+  logic [7:0] select_1425;
+  assign select_1425 = slot_s14_q[0] ? 8'h0 : sum_906_s14_q;
   // hls/stages/agreement.hpp:788
-  logic or_1318;
-  assign or_1318 = select_519_s14_q | (best_left_rdata_s14_q[39:33] < of_near_s14_q);
+  logic or_1450;
+  assign or_1450 = select_651_s14_q | (best_left_rdata_s14_q[39:33] < of_near_s14_q);
   // hls/stages/agreement.hpp:801
-  logic or_1336;
-  assign or_1336 = select_1330_s14_q | (best_right_rdata_s14_q[21:15] < of_near_s14_q);
+  logic or_1468;
+  assign or_1468 = select_1462_s14_q | (best_right_rdata_s14_q[21:15] < of_near_s14_q);
   // hls/stages/agreement.hpp:235
-  logic and_1362;
-  assign and_1362 = (and_1349_s14_q & select_1356_s14_q) & ({{22{sum_1360_s14_q[9]}}, sum_1360_s14_q} < 32'h3);
-  // hls/stages/division.hpp:34
-  logic [5:0] sum_1463;
-  assign sum_1463 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:735
-  logic less_1976;
-  assign less_1976 = select_1293 < select_1274;
-  // hls/stages/agreement.hpp:141
-  logic [7:0] select_2071;
-  assign select_2071 = or_391_s14_q ? (less_398_s14_q ? 8'h0 : best_left_rdata_s14_q[32:25]) : 8'h0;
-  logic [7:0] select_2073;
-  assign select_2073 = or_391_s14_q ? (less_398_s14_q ? 8'h0 : best_left_rdata_s14_q[24:17]) : 8'h0;
+  logic and_1494;
+  assign and_1494 = (and_1481_s14_q & select_1488_s14_q) & ({{22{sum_1492_s14_q[9]}}, sum_1492_s14_q} < 32'h3);
   // hls/stages/registration.hpp:218
-  logic [16:0] select_2093;
-  assign select_2093 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
-  // hls/stages/registration.hpp:129
-  logic [15:0] select_2205;
-  assign select_2205 = and_2204_s14_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
-  // hls/stages/registration.hpp:132
-  logic [23:0] select_2207;
-  assign select_2207 = and_2202_s14_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2205[15]}}, select_2205});
-  // hls/stages/registration.hpp:130
-  logic [15:0] select_2208;
-  assign select_2208 = and_2204_s14_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
-  logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2208[15]}}, select_2208};
-  // hls/stages/registration.hpp:132
-  logic [27:0] select_2210;
-  assign select_2210 = and_2202_s14_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
-  // hls/stages/registration.hpp:125
-  logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2211_s14_q ? registration_slope_change_q : 28'h0);
-  // hls/stages/agreement.hpp:197
-  logic [8:0] select_2323;
-  assign select_2323 = so_s14_q ? (and_2211_s14_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
-  // hls/stages/division.hpp:35
-  logic [8:0] sum_2325;
-  assign sum_2325 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
-  // hls/stages/division.hpp:36
-  logic [8:0] select_2326;
-  assign select_2326 = sum_1463[5] ? {1'b1, sum_1463[4:0], region_across_rest_q[2:0]} : sum_2325;
-  // hls/stages/agreement.hpp:447
-  logic [8:0] select_2328;
-  assign select_2328 = equal_1867_s14_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
-  logic [7:0] select_2331;
-  assign select_2331 = equal_1867_s14_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
+  logic [13:0] select_1662;
+  assign select_1662 = ($signed(10'h0) < $signed(select_1660_s14_q[16:7])) ? 14'h7f : select_1660_s14_q[13:0];
+  // hls/stages/patches.hpp:490
+  logic not_1693;
+  assign not_1693 = ~equal_1692_s14_q;
+  // hls/stages/patches.hpp:436
+  logic not_1695;
+  assign not_1695 = ~equal_1694_s14_q;
+  logic and_1777;
+  assign and_1777 = not_1693 & (or_1698_s14_q & not_1695);
+  // hls/stages/patches.hpp:524
+  logic less_1853;
+  assign less_1853 = patches_step_q[4:0] < 5'h11;
+  logic equal_1854;
+  assign equal_1854 = patches_step_q[6:5] == 2'h0;
+  logic not_1855;
+  assign not_1855 = ~equal_1854;
+  logic equal_1856;
+  assign equal_1856 = patches_step_q[6:5] == 2'h3;
+  logic not_1857;
+  assign not_1857 = ~equal_1856;
+  // hls/stages/patches.hpp:538
+  logic select_1860;
+  assign select_1860 = equal_1856 ? (less_1853 & (less_1853 & not_1857)) : less_1853;
+  // hls/stages/agreement.hpp:735
+  logic less_2396;
+  assign less_2396 = select_1425 < select_1406;
+  // hls/stages/agreement.hpp:141
+  logic [7:0] select_2491;
+  assign select_2491 = or_523_s14_q ? (less_530_s14_q ? 8'h0 : best_left_rdata_s14_q[32:25]) : 8'h0;
+  logic [7:0] select_2493;
+  assign select_2493 = or_523_s14_q ? (less_530_s14_q ? 8'h0 : best_left_rdata_s14_q[24:17]) : 8'h0;
+  // hls/stages/patches.hpp:108
+  logic select_2767;
+  assign select_2767 = and_1584_s14_q ? (and_1597_s14_q ? not_2765_s14_q : patches_lower_q) : patches_lower_q;
+  // hls/stages/patches.hpp:169
+  logic [4:0] select_2837;
+  assign select_2837 = or_2806_s14_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+
+  // Memory patches_right_0, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:737; read in stage 14, written in stage 28: 14 < 28 < 14 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [7:0] patches_right_0_mem [0:1023];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 1024; i++) patches_right_0_mem[i] = 8'h0;
+`endif
+  logic [9:0] patches_right_0_raddr;
+  assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
+  logic patches_right_0_re;
+  assign patches_right_0_re = s14_en & (not_1693 & (not_1695 & and_1701_s14_q));
+  logic [7:0] patches_right_0_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_right_0_re) patches_right_0_rdata_q <= patches_right_0_mem[patches_right_0_raddr];
+  end
+
+  // Memory patches_right_1, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:737; read in stage 14, written in stage 28: 14 < 28 < 14 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [7:0] patches_right_1_mem [0:1023];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 1024; i++) patches_right_1_mem[i] = 8'h0;
+`endif
+  logic [9:0] patches_right_1_raddr;
+  assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
+  logic patches_right_1_re;
+  assign patches_right_1_re = s14_en & (not_1693 & (not_1695 & and_1734_s14_q));
+  logic [7:0] patches_right_1_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_right_1_re) patches_right_1_rdata_q <= patches_right_1_mem[patches_right_1_raddr];
+  end
+
+  // Memory patches_columns_above, 32 x 32, DISTANCE 24, hls/stages/patches.hpp:749; read in stage 14, written in stage 18: 14 < 18 < 14 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  (* ram_style = "distributed" *)
+  logic [31:0] patches_columns_above_mem [0:31];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 32; i++) patches_columns_above_mem[i] = 32'h0;
+`endif
+  logic [4:0] patches_columns_above_raddr;
+  assign patches_columns_above_raddr = patches_column_q;
+  logic patches_columns_above_re;
+  assign patches_columns_above_re = s14_en & and_1777;
+  logic [31:0] patches_columns_above_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_columns_above_re) patches_columns_above_rdata_q <= patches_columns_above_mem[patches_columns_above_raddr];
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -2861,28 +3333,22 @@ module horopter_agreement (
       before_0_q <= 8'h0;
       before_1_q <= 8'h0;
       before_2_q <= 8'h0;
-      registration_slope_row_q <= 24'h0;
-      registration_slope_change_q <= 28'h0;
-      registration_slope_q <= 28'h0;
-      region_across_rest_q <= 9'h0;
-      region_across_back_q <= 8'h0;
-      region_across_next_q <= 9'h0;
-      columns_begin_rest_q <= 9'h0;
-      columns_begin_back_q <= 8'h0;
+      patches_lower_q <= 1'b0;
+      patches_code_row_q <= 5'h0;
+      patches_column_q <= 5'h0;
+      patches_column_ends_q <= 1'b0;
+      patches_step_q <= 7'h0;
     end else if (s14_en) begin
-      chosen_score_q <= less_1976 ? select_1274 : select_1293;
-      chosen_place_q <= less_1976 ? {select_1282, not_1281} : 3'h2;
-      before_0_q <= select_1293;
+      chosen_score_q <= less_2396 ? select_1406 : select_1425;
+      chosen_place_q <= less_2396 ? {select_1414, not_1413} : 3'h2;
+      before_0_q <= select_1425;
       before_1_q <= sums_0_sum_sums_values_0_q;
       before_2_q <= sums_1_sum_sums_values_0_q;
-      registration_slope_row_q <= select_2207;
-      registration_slope_change_q <= select_2210;
-      registration_slope_q <= so_s14_q ? column_5 : {registration_slope_row_q, 4'h0};
-      region_across_rest_q <= select_2323;
-      region_across_back_q <= so_s14_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_2326;
-      columns_begin_rest_q <= and_370_s14_q ? select_2328 : columns_begin_rest_q;
-      columns_begin_back_q <= and_370_s14_q ? select_2331 : columns_begin_back_q;
+      patches_lower_q <= sample_pair_whole_s14_q ? select_2767 : patches_lower_q;
+      patches_code_row_q <= select_2837;
+      patches_column_q <= or_2806_s14_q ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_2830_s14_q & (patches_column_q == 5'h1e);
+      patches_step_q <= or_2806_s14_q ? 7'h0 : (patches_step_q + 7'h1);
     end
   end
 
@@ -2893,8 +3359,10 @@ module horopter_agreement (
   logic marks_first_s15_q;
   logic marks_last_s15_q;
   logic sample_pair_whole_s15_q;
+  logic sample_present_s15_q;
   logic [5:0] run_shift_s15_q;
   logic [7:0] x_s15_q;
+  logic [6:0] last_s15_q;
   logic age_s15_q;
   logic [2:0] slot_s15_q;
   logic ends_cell_s15_q;
@@ -2903,52 +3371,84 @@ module horopter_agreement (
   logic [7:0] before_1_s15_q;
   logic [7:0] before_2_s15_q;
   logic [11:0] registration_slope_s15_q;
-  logic equal_329_s15_q;
-  logic [8:0] select_335_s15_q;
-  logic and_344_s15_q;
-  logic equal_350_s15_q;
-  logic whole_s15_q;
+  logic [4:0] patches_band_rows_number_s15_q;
+  logic patches_chooses_s15_q;
+  logic [4:0] patches_choosing_band_s15_q;
+  logic patches_lower_s15_q;
+  logic patches_second_s15_q;
+  logic [4:0] patches_code_row_s15_q;
+  logic [4:0] patches_column_s15_q;
+  logic [4:0] patches_step_s15_q;
+  logic [3:0] select_463_s15_q;
+  logic equal_464_s15_q;
+  logic [6:0] select_466_s15_q;
+  logic [8:0] select_470_s15_q;
+  logic and_476_s15_q;
+  logic equal_482_s15_q;
   logic [6:0] column_s15_q;
-  logic and_368_s15_q;
-  logic and_370_s15_q;
-  logic equal_373_s15_q;
+  logic and_500_s15_q;
+  logic and_502_s15_q;
   logic so_s15_q;
-  logic equal_390_s15_q;
-  logic or_391_s15_q;
-  logic less_398_s15_q;
-  logic not_399_s15_q;
-  logic equal_431_s15_q;
+  logic equal_522_s15_q;
+  logic or_523_s15_q;
+  logic less_530_s15_q;
+  logic not_531_s15_q;
+  logic equal_563_s15_q;
   logic [6:0] x_s15_2_q;
   logic [45:0] best_left_rdata_s15_q;
-  logic select_519_s15_q;
+  logic select_651_s15_q;
   logic [7:0] of_best_s15_q;
-  logic [2:0] select_1284_s15_q;
+  logic [2:0] select_1416_s15_q;
   logic [6:0] of_near_s15_q;
-  logic or_1318_s15_q;
-  logic and_1321_s15_q;
+  logic or_1450_s15_q;
+  logic and_1453_s15_q;
   logic [6:0] right_s15_q;
   logic [28:0] best_right_rdata_s15_q;
-  logic select_1330_s15_q;
-  logic or_1336_s15_q;
-  logic equal_1339_s15_q;
-  logic and_1346_s15_q;
-  logic and_1350_s15_q;
-  logic and_1353_s15_q;
-  logic and_1363_s15_q;
-  logic and_1368_s15_q;
-  logic [6:0] select_1378_s15_q;
-  logic less_1425_s15_q;
-  logic sum_1463_s15_q;
-  logic equal_1465_s15_q;
-  logic and_1602_s15_q;
-  logic equal_1743_s15_q;
-  logic equal_1867_s15_q;
-  logic [7:0] select_2071_s15_q;
-  logic [7:0] select_2073_s15_q;
-  logic [16:0] select_2093_s15_q;
-  logic less_2119_s15_q;
-  logic less_2311_s15_q;
-  logic equal_2518_s15_q;
+  logic select_1462_s15_q;
+  logic or_1468_s15_q;
+  logic equal_1471_s15_q;
+  logic and_1478_s15_q;
+  logic and_1482_s15_q;
+  logic and_1485_s15_q;
+  logic and_1495_s15_q;
+  logic and_1500_s15_q;
+  logic [8:0] select_1502_s15_q;
+  logic [6:0] select_1510_s15_q;
+  logic and_1584_s15_q;
+  logic and_1597_s15_q;
+  logic less_1611_s15_q;
+  logic [13:0] select_1662_s15_q;
+  logic equal_1692_s15_q;
+  logic not_1693_s15_q;
+  logic equal_1694_s15_q;
+  logic not_1695_s15_q;
+  logic equal_1696_s15_q;
+  logic equal_1697_s15_q;
+  logic or_1698_s15_q;
+  logic [4:0] select_1722_s15_q;
+  logic select_1728_s15_q;
+  logic and_1756_s15_q;
+  logic [3:0] select_1767_s15_q;
+  logic and_1777_s15_q;
+  logic less_1853_s15_q;
+  logic equal_1854_s15_q;
+  logic not_1855_s15_q;
+  logic equal_1856_s15_q;
+  logic not_1857_s15_q;
+  logic select_1860_s15_q;
+  logic and_1861_s15_q;
+  logic sum_1885_s15_q;
+  logic and_2017_s15_q;
+  logic equal_2163_s15_q;
+  logic equal_2287_s15_q;
+  logic [7:0] select_2491_s15_q;
+  logic [7:0] select_2493_s15_q;
+  logic or_2806_s15_q;
+  logic not_2830_s15_q;
+  logic and_3302_s15_q;
+  logic equal_3309_s15_q;
+  logic less_3585_s15_q;
+  logic equal_3790_s15_q;
   always_ff @(posedge clk_i) begin
     if (s14_en) begin
       pixel_0_s15_q <= pixel_0_s14_q;
@@ -2958,8 +3458,10 @@ module horopter_agreement (
       marks_first_s15_q <= marks_first_s14_q;
       marks_last_s15_q <= marks_last_s14_q;
       sample_pair_whole_s15_q <= sample_pair_whole_s14_q;
+      sample_present_s15_q <= sample_present_s14_q;
       run_shift_s15_q <= run_shift_s14_q;
       x_s15_q <= x_s14_q;
+      last_s15_q <= last_s14_q;
       age_s15_q <= age_s14_q;
       slot_s15_q <= slot_s14_q;
       ends_cell_s15_q <= ends_cell_s14_q;
@@ -2967,100 +3469,202 @@ module horopter_agreement (
       before_0_s15_q <= before_0_q;
       before_1_s15_q <= before_1_q;
       before_2_s15_q <= before_2_q;
-      registration_slope_s15_q <= registration_slope_q[27:16];
-      equal_329_s15_q <= equal_329_s14_q;
-      select_335_s15_q <= select_335_s14_q;
-      and_344_s15_q <= and_344_s14_q;
-      equal_350_s15_q <= equal_350_s14_q;
-      whole_s15_q <= whole_s14_q;
+      registration_slope_s15_q <= registration_slope_s14_q;
+      patches_band_rows_number_s15_q <= patches_band_rows_number_s14_q;
+      patches_chooses_s15_q <= patches_chooses_s14_q;
+      patches_choosing_band_s15_q <= patches_choosing_band_s14_q;
+      patches_lower_s15_q <= patches_lower_q;
+      patches_second_s15_q <= patches_second_s14_q;
+      patches_code_row_s15_q <= patches_code_row_q;
+      patches_column_s15_q <= patches_column_q;
+      patches_step_s15_q <= patches_step_q[4:0];
+      select_463_s15_q <= select_463_s14_q;
+      equal_464_s15_q <= equal_464_s14_q;
+      select_466_s15_q <= select_466_s14_q;
+      select_470_s15_q <= select_470_s14_q;
+      and_476_s15_q <= and_476_s14_q;
+      equal_482_s15_q <= equal_482_s14_q;
       column_s15_q <= column_s14_q;
-      and_368_s15_q <= and_368_s14_q;
-      and_370_s15_q <= and_370_s14_q;
-      equal_373_s15_q <= equal_373_s14_q;
+      and_500_s15_q <= and_500_s14_q;
+      and_502_s15_q <= and_502_s14_q;
       so_s15_q <= so_s14_q;
-      equal_390_s15_q <= equal_390_s14_q;
-      or_391_s15_q <= or_391_s14_q;
-      less_398_s15_q <= less_398_s14_q;
-      not_399_s15_q <= not_399_s14_q;
-      equal_431_s15_q <= equal_431_s14_q;
+      equal_522_s15_q <= equal_522_s14_q;
+      or_523_s15_q <= or_523_s14_q;
+      less_530_s15_q <= less_530_s14_q;
+      not_531_s15_q <= not_531_s14_q;
+      equal_563_s15_q <= equal_563_s14_q;
       x_s15_2_q <= x_s14_2_q;
       best_left_rdata_s15_q <= best_left_rdata_s14_q;
-      select_519_s15_q <= select_519_s14_q;
+      select_651_s15_q <= select_651_s14_q;
       of_best_s15_q <= of_best;
-      select_1284_s15_q <= select_1284;
+      select_1416_s15_q <= select_1416;
       of_near_s15_q <= of_near_s14_q;
-      or_1318_s15_q <= or_1318;
-      and_1321_s15_q <= and_1321_s14_q;
+      or_1450_s15_q <= or_1450;
+      and_1453_s15_q <= and_1453_s14_q;
       right_s15_q <= right_s14_q;
       best_right_rdata_s15_q <= best_right_rdata_s14_q;
-      select_1330_s15_q <= select_1330_s14_q;
-      or_1336_s15_q <= or_1336;
-      equal_1339_s15_q <= equal_1339_s14_q;
-      and_1346_s15_q <= and_1346_s14_q;
-      and_1350_s15_q <= not_399_s14_q & and_1349_s14_q;
-      and_1353_s15_q <= and_1353_s14_q;
-      and_1363_s15_q <= not_399_s14_q & and_1362;
-      and_1368_s15_q <= and_1362 & or_1367_s14_q;
-      select_1378_s15_q <= select_1378_s14_q;
-      less_1425_s15_q <= less_1425_s14_q;
-      sum_1463_s15_q <= sum_1463[5];
-      equal_1465_s15_q <= equal_1465_s14_q;
-      and_1602_s15_q <= and_1602_s14_q;
-      equal_1743_s15_q <= equal_1743_s14_q;
-      equal_1867_s15_q <= equal_1867_s14_q;
-      select_2071_s15_q <= select_2071;
-      select_2073_s15_q <= select_2073;
-      select_2093_s15_q <= select_2093;
-      less_2119_s15_q <= less_2119_s14_q;
-      less_2311_s15_q <= less_2311_s14_q;
-      equal_2518_s15_q <= equal_2518_s14_q;
+      select_1462_s15_q <= select_1462_s14_q;
+      or_1468_s15_q <= or_1468;
+      equal_1471_s15_q <= equal_1471_s14_q;
+      and_1478_s15_q <= and_1478_s14_q;
+      and_1482_s15_q <= not_531_s14_q & and_1481_s14_q;
+      and_1485_s15_q <= and_1485_s14_q;
+      and_1495_s15_q <= not_531_s14_q & and_1494;
+      and_1500_s15_q <= and_1494 & or_1499_s14_q;
+      select_1502_s15_q <= less_530_s14_q ? 9'h0 : best_left_rdata_s14_q[8:0];
+      select_1510_s15_q <= select_1510_s14_q;
+      and_1584_s15_q <= and_1584_s14_q;
+      and_1597_s15_q <= and_1597_s14_q;
+      less_1611_s15_q <= less_1611_s14_q;
+      select_1662_s15_q <= select_1662;
+      equal_1692_s15_q <= equal_1692_s14_q;
+      not_1693_s15_q <= not_1693;
+      equal_1694_s15_q <= equal_1694_s14_q;
+      not_1695_s15_q <= not_1695;
+      equal_1696_s15_q <= equal_1696_s14_q;
+      equal_1697_s15_q <= equal_1697_s14_q;
+      or_1698_s15_q <= or_1698_s14_q;
+      select_1722_s15_q <= select_1722_s14_q;
+      select_1728_s15_q <= select_1728_s14_q;
+      and_1756_s15_q <= not_1693 & (not_1695 & and_1754_s14_q);
+      select_1767_s15_q <= select_1767_s14_q;
+      and_1777_s15_q <= and_1777;
+      less_1853_s15_q <= less_1853;
+      equal_1854_s15_q <= equal_1854;
+      not_1855_s15_q <= not_1855;
+      equal_1856_s15_q <= equal_1856;
+      not_1857_s15_q <= not_1857;
+      select_1860_s15_q <= select_1860;
+      and_1861_s15_q <= not_1855 & select_1860;
+      sum_1885_s15_q <= sum_1885_s14_q;
+      and_2017_s15_q <= and_2017_s14_q;
+      equal_2163_s15_q <= equal_2163_s14_q;
+      equal_2287_s15_q <= equal_2287_s14_q;
+      select_2491_s15_q <= select_2491;
+      select_2493_s15_q <= select_2493;
+      or_2806_s15_q <= or_2806_s14_q;
+      not_2830_s15_q <= not_2830_s14_q;
+      and_3302_s15_q <= less_1853 & (patches_step_q[6:5] == 2'h1);
+      equal_3309_s15_q <= patches_step_q[6:5] == 2'h2;
+      less_3585_s15_q <= less_3585_s14_q;
+      equal_3790_s15_q <= equal_3790_s14_q;
     end
   end
 
   // Stage 15 ----------------------------------------------------------------------------------------------------------
+  logic [15:0] patches_chance_q;
   // hls/stages/agreement.hpp:785
-  logic equal_1287;
-  assign equal_1287 = select_1284_s15_q == 3'h1;
-  logic equal_1288;
-  assign equal_1288 = select_1284_s15_q == 3'h2;
-  logic not_1289;
-  assign not_1289 = ~equal_1288;
-  logic [2:0] select_1290;
-  assign select_1290 = equal_1287 ? 3'h2 : {not_1289, {2{equal_1288}}};
-  logic [7:0] select_1295;
-  assign select_1295 = select_1290[1] ? (select_1290[0] ? before_1_s15_q : before_1_q) : (select_1290[0] ? before_1_q : before_0_q);
-  logic [7:0] select_1296;
-  assign select_1296 = select_1290[2] ? (select_1290[0] ? before_2_s15_q : before_0_s15_q) : select_1295;
+  logic equal_1419;
+  assign equal_1419 = select_1416_s15_q == 3'h1;
+  logic equal_1420;
+  assign equal_1420 = select_1416_s15_q == 3'h2;
+  logic not_1421;
+  assign not_1421 = ~equal_1420;
+  logic [2:0] select_1422;
+  assign select_1422 = equal_1419 ? 3'h2 : {not_1421, {2{equal_1420}}};
+  logic [7:0] select_1427;
+  assign select_1427 = select_1422[1] ? (select_1422[0] ? before_1_s15_q : before_1_q) : (select_1422[0] ? before_1_q : before_0_q);
+  logic [7:0] select_1428;
+  assign select_1428 = select_1422[2] ? (select_1422[0] ? before_2_s15_q : before_0_s15_q) : select_1427;
   // hls/stages/agreement.hpp:786
-  logic [1:0] select_1298;
-  assign select_1298 = equal_1287 ? 2'h0 : {not_1289, equal_1288};
-  logic [7:0] select_1300;
-  assign select_1300 = select_1298[1] ? before_2_q : (select_1298[0] ? before_2_s15_q : before_0_s15_q);
+  logic [1:0] select_1430;
+  assign select_1430 = equal_1419 ? 2'h0 : {not_1421, equal_1420};
+  logic [7:0] select_1432;
+  assign select_1432 = select_1430[1] ? before_2_q : (select_1430[0] ? before_2_s15_q : before_0_s15_q);
   // hls/stages/agreement.hpp:797
-  logic or_1332;
-  assign or_1332 = select_1330_s15_q | (best_right_rdata_s15_q[7:0] < of_best_s15_q);
+  logic or_1464;
+  assign or_1464 = select_1462_s15_q | (best_right_rdata_s15_q[7:0] < of_best_s15_q);
   // hls/stages/agreement.hpp:235
-  logic and_1369;
-  assign and_1369 = not_399_s15_q & and_1368_s15_q;
+  logic and_1501;
+  assign and_1501 = not_531_s15_q & and_1500_s15_q;
   // hls/stages/agreement.hpp:141
-  logic [8:0] select_1370;
-  assign select_1370 = less_398_s15_q ? 9'h0 : best_left_rdata_s15_q[8:0];
-  logic [14:0] inside_v;
-  assign inside_v = or_391_s15_q ? {select_1370, and_1369, and_1363_s15_q, and_1353_s15_q, and_1350_s15_q, and_1346_s15_q, not_399_s15_q} : 15'h0;
+  logic [14:0] shift_2;
+  assign shift_2 = or_523_s15_q ? {select_1502_s15_q, and_1501, and_1495_s15_q, and_1485_s15_q, and_1482_s15_q, and_1478_s15_q, not_531_s15_q} : 15'h0;
+  // hls/stages/patches.hpp:85
+  logic right_3;
+  assign right_3 = {2'h0, last_s15_q[6:1]} < x_s15_q;
+  // hls/stages/registration.hpp:213
+  logic [9:0] select_1663;
+  assign select_1663 = shift_2[10] ? select_1662_s15_q[9:0] : 10'h0;
+  // hls/stages/registration.hpp:211
+  logic [12:0] sum_1668;
+  assign sum_1668 = (shift_2[6] ? select_1662_s15_q[13:1] : 13'h0) + (shift_2[7] ? select_1662_s15_q[12:0] : 13'h0);
+  // hls/stages/registration.hpp:212
+  logic [11:0] select_1669;
+  assign select_1669 = shift_2[8] ? select_1662_s15_q[11:0] : 12'h0;
+  logic [10:0] sum_1671;
+  assign sum_1671 = select_1669[11:1] + (shift_2[9] ? select_1662_s15_q[10:0] : 11'h0);
+  // hls/stages/patches.hpp:166
+  logic and_1863;
+  assign and_1863 = equal_1692_s15_q & (less_1853_s15_q ? and_1861_s15_q : select_1860_s15_q);
   // hls/stages/agreement.hpp:250
-  logic right_2;
-  assign right_2 = inside_v[0] & less_1425_s15_q;
   logic textured;
-  assign textured = inside_v[0] & inside_v[2];
+  assign textured = shift_2[0] & shift_2[2];
   // hls/stages/agreement.hpp:141
-  logic [7:0] select_2069;
-  assign select_2069 = or_391_s15_q ? (less_398_s15_q ? 8'h0 : best_left_rdata_s15_q[16:9]) : 8'h0;
+  logic [7:0] select_2489;
+  assign select_2489 = or_523_s15_q ? (less_530_s15_q ? 8'h0 : best_left_rdata_s15_q[16:9]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise;
-  assign rise = {1'b0, select_2071_s15_q} - {1'b0, select_2073_s15_q};
-  // hls/stages/registration.hpp:218
-  logic [13:0] select_2095;
-  assign select_2095 = ($signed(10'h0) < $signed(select_2093_s15_q[16:7])) ? 14'h7f : select_2093_s15_q[13:0];
+  assign rise = {1'b0, select_2491_s15_q} - {1'b0, select_2493_s15_q};
+  // hls/stages/patches.hpp:73
+  logic parity_2742;
+  assign parity_2742 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  // hls/stages/agreement.hpp:447
+  logic [15:0] select_2743;
+  assign select_2743 = equal_2287_s15_q ? {patches_chance_q[14:0], parity_2742} : patches_chance_q;
+  // hls/stages/patches.hpp:90
+  logic [4:0] of_32;
+  assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
+  // hls/stages/patches.hpp:91
+  logic [5:0] further;
+  assign further = last_s15_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
+  // hls/stages/patches.hpp:535
+  logic select_3304;
+  assign select_3304 = less_1853_s15_q ? (not_1857_s15_q & and_3302_s15_q) : and_3302_s15_q;
+  // hls/stages/patches.hpp:538
+  logic select_3305;
+  assign select_3305 = equal_1856_s15_q ? select_3304 : and_3302_s15_q;
+
+  // Memory patches_left, 512 x 8, DISTANCE 24, hls/stages/patches.hpp:738; read in stage 15, written in stage 27: 15 < 27 < 15 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [7:0] patches_left_mem [0:511];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 512; i++) patches_left_mem[i] = 8'h0;
+`endif
+  logic [8:0] patches_left_raddr;
+  assign patches_left_raddr = {patches_second_s15_q, patches_code_row_s15_q[3:0], patches_column_s15_q[3:0]};
+  logic patches_left_re;
+  assign patches_left_re = s15_en & and_1756_s15_q;
+  logic [7:0] patches_left_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_left_re) patches_left_rdata_q <= patches_left_mem[patches_left_raddr];
+  end
+
+  // Memory patches_rows, 17 x 15, DISTANCE 24, hls/stages/patches.hpp:769; read in stage 15, written in stage 29: 15 < 29 < 15 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  (* ram_style = "distributed" *)
+  logic [14:0] patches_rows_mem [0:16];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 17; i++) patches_rows_mem[i] = 15'h0;
+`endif
+  logic [4:0] patches_rows_raddr;
+  assign patches_rows_raddr = patches_step_s15_q;
+  logic patches_rows_re;
+  assign patches_rows_re = s15_en & and_1863;
+  logic [14:0] patches_rows_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_rows_re) patches_rows_rdata_q <= patches_rows_mem[patches_rows_raddr];
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_chance_q <= 16'h1;
+    end else if (s15_en) begin
+      patches_chance_q <= and_502_s15_q ? select_2743 : patches_chance_q;
+    end
+  end
 
   logic [7:0] pixel_0_s16_q;
   logic [7:0] pixel_1_s16_q;
@@ -3069,59 +3673,98 @@ module horopter_agreement (
   logic marks_first_s16_q;
   logic marks_last_s16_q;
   logic sample_pair_whole_s16_q;
+  logic sample_present_s16_q;
   logic [5:0] run_shift_s16_q;
   logic [7:0] x_s16_q;
+  logic [6:0] last_s16_q;
   logic age_s16_q;
   logic [2:0] slot_s16_q;
   logic ends_cell_s16_q;
   logic lower_half_s16_q;
   logic [11:0] registration_slope_s16_q;
-  logic equal_329_s16_q;
-  logic [8:0] select_335_s16_q;
-  logic and_344_s16_q;
-  logic equal_350_s16_q;
-  logic whole_s16_q;
+  logic [4:0] patches_band_rows_number_s16_q;
+  logic patches_chooses_s16_q;
+  logic [4:0] patches_choosing_band_s16_q;
+  logic patches_lower_s16_q;
+  logic patches_second_s16_q;
+  logic [4:0] patches_code_row_s16_q;
+  logic [4:0] patches_column_s16_q;
+  logic [4:0] patches_step_s16_q;
+  logic [3:0] select_463_s16_q;
+  logic equal_464_s16_q;
+  logic [6:0] select_466_s16_q;
+  logic [8:0] select_470_s16_q;
+  logic and_476_s16_q;
+  logic equal_482_s16_q;
   logic [6:0] column_s16_q;
-  logic and_368_s16_q;
-  logic and_370_s16_q;
-  logic equal_373_s16_q;
+  logic and_500_s16_q;
+  logic and_502_s16_q;
   logic so_s16_q;
-  logic equal_431_s16_q;
+  logic equal_563_s16_q;
   logic [6:0] x_s16_2_q;
   logic [32:0] best_left_rdata_s16_q;
   logic [7:0] of_best_s16_q;
-  logic or_1279_s16_q;
-  logic [2:0] select_1284_s16_q;
-  logic [7:0] select_1296_s16_q;
-  logic [7:0] select_1300_s16_q;
-  logic [6:0] select_1319_s16_q;
-  logic [5:0] select_1320_s16_q;
-  logic and_1321_s16_q;
+  logic or_1411_s16_q;
+  logic [2:0] select_1416_s16_q;
+  logic [7:0] select_1428_s16_q;
+  logic [7:0] select_1432_s16_q;
+  logic [6:0] select_1451_s16_q;
+  logic [5:0] select_1452_s16_q;
+  logic and_1453_s16_q;
   logic [6:0] right_s16_q;
   logic [14:0] best_right_rdata_s16_q;
-  logic or_1332_s16_q;
-  logic [6:0] select_1337_s16_q;
-  logic [6:0] select_1338_s16_q;
-  logic equal_1339_s16_q;
-  logic [13:0] inside_v_s16_q;
-  logic [6:0] select_1378_s16_q;
-  logic and_1381_s16_q;
-  logic right_2_s16_q;
-  logic sum_1463_s16_q;
-  logic equal_1465_s16_q;
+  logic or_1464_s16_q;
+  logic [6:0] select_1469_s16_q;
+  logic [6:0] select_1470_s16_q;
+  logic equal_1471_s16_q;
+  logic [13:0] shift_2_s16_q;
+  logic [6:0] select_1510_s16_q;
+  logic and_1513_s16_q;
+  logic and_1584_s16_q;
+  logic and_1597_s16_q;
+  logic right_3_s16_q;
+  logic less_1611_s16_q;
+  logic select_1663_s16_q;
+  logic [8:0] difference_1665_s16_q;
+  logic [11:0] sum_1668_s16_q;
+  logic select_1669_s16_q;
+  logic [10:0] sum_1671_s16_q;
+  logic equal_1692_s16_q;
+  logic not_1693_s16_q;
+  logic equal_1694_s16_q;
+  logic not_1695_s16_q;
+  logic equal_1696_s16_q;
+  logic equal_1697_s16_q;
+  logic or_1698_s16_q;
+  logic [7:0] patches_right_0_rdata_s16_q;
+  logic [4:0] select_1722_s16_q;
+  logic select_1728_s16_q;
+  logic [7:0] patches_right_1_rdata_s16_q;
+  logic [3:0] select_1767_s16_q;
+  logic and_1777_s16_q;
+  logic [31:0] patches_columns_above_rdata_s16_q;
+  logic less_1853_s16_q;
+  logic equal_1854_s16_q;
+  logic not_1855_s16_q;
+  logic equal_1856_s16_q;
+  logic not_1857_s16_q;
+  logic sum_1885_s16_q;
   logic textured_s16_q;
-  logic and_1602_s16_q;
-  logic equal_1743_s16_q;
-  logic equal_1867_s16_q;
-  logic [7:0] select_2069_s16_q;
+  logic and_2017_s16_q;
+  logic equal_2163_s16_q;
+  logic equal_2287_s16_q;
+  logic [7:0] select_2489_s16_q;
   logic rise_s16_q;
-  logic [7:0] select_2075_s16_q;
-  logic [7:0] xor_2080_s16_q;
-  logic [13:0] select_2095_s16_q;
-  logic and_2120_s16_q;
-  logic less_2125_s16_q;
-  logic less_2311_s16_q;
-  logic equal_2518_s16_q;
+  logic [7:0] select_2495_s16_q;
+  logic [7:0] xor_2500_s16_q;
+  logic less_2524_s16_q;
+  logic [5:0] further_s16_q;
+  logic or_2806_s16_q;
+  logic not_2830_s16_q;
+  logic select_3307_s16_q;
+  logic equal_3309_s16_q;
+  logic less_3585_s16_q;
+  logic equal_3790_s16_q;
   always_ff @(posedge clk_i) begin
     if (s15_en) begin
       pixel_0_s16_q <= pixel_0_s15_q;
@@ -3131,117 +3774,147 @@ module horopter_agreement (
       marks_first_s16_q <= marks_first_s15_q;
       marks_last_s16_q <= marks_last_s15_q;
       sample_pair_whole_s16_q <= sample_pair_whole_s15_q;
+      sample_present_s16_q <= sample_present_s15_q;
       run_shift_s16_q <= run_shift_s15_q;
       x_s16_q <= x_s15_q;
+      last_s16_q <= last_s15_q;
       age_s16_q <= age_s15_q;
       slot_s16_q <= slot_s15_q;
       ends_cell_s16_q <= ends_cell_s15_q;
       lower_half_s16_q <= lower_half_s15_q;
       registration_slope_s16_q <= registration_slope_s15_q;
-      equal_329_s16_q <= equal_329_s15_q;
-      select_335_s16_q <= select_335_s15_q;
-      and_344_s16_q <= and_344_s15_q;
-      equal_350_s16_q <= equal_350_s15_q;
-      whole_s16_q <= whole_s15_q;
+      patches_band_rows_number_s16_q <= patches_band_rows_number_s15_q;
+      patches_chooses_s16_q <= patches_chooses_s15_q;
+      patches_choosing_band_s16_q <= patches_choosing_band_s15_q;
+      patches_lower_s16_q <= patches_lower_s15_q;
+      patches_second_s16_q <= patches_second_s15_q;
+      patches_code_row_s16_q <= patches_code_row_s15_q;
+      patches_column_s16_q <= patches_column_s15_q;
+      patches_step_s16_q <= patches_step_s15_q;
+      select_463_s16_q <= select_463_s15_q;
+      equal_464_s16_q <= equal_464_s15_q;
+      select_466_s16_q <= select_466_s15_q;
+      select_470_s16_q <= select_470_s15_q;
+      and_476_s16_q <= and_476_s15_q;
+      equal_482_s16_q <= equal_482_s15_q;
       column_s16_q <= column_s15_q;
-      and_368_s16_q <= and_368_s15_q;
-      and_370_s16_q <= and_370_s15_q;
-      equal_373_s16_q <= equal_373_s15_q;
+      and_500_s16_q <= and_500_s15_q;
+      and_502_s16_q <= and_502_s15_q;
       so_s16_q <= so_s15_q;
-      equal_431_s16_q <= equal_431_s15_q;
+      equal_563_s16_q <= equal_563_s15_q;
       x_s16_2_q <= x_s15_2_q;
       best_left_rdata_s16_q <= best_left_rdata_s15_q[32:0];
       of_best_s16_q <= of_best_s15_q;
-      or_1279_s16_q <= select_519_s15_q | (best_left_rdata_s15_q[16:9] < of_best_s15_q);
-      select_1284_s16_q <= select_1284_s15_q;
-      select_1296_s16_q <= select_1296;
-      select_1300_s16_q <= select_1300;
-      select_1319_s16_q <= or_1318_s15_q ? of_near_s15_q : best_left_rdata_s15_q[39:33];
-      select_1320_s16_q <= or_1318_s15_q ? run_shift_s15_q : best_left_rdata_s15_q[45:40];
-      and_1321_s16_q <= and_1321_s15_q;
+      or_1411_s16_q <= select_651_s15_q | (best_left_rdata_s15_q[16:9] < of_best_s15_q);
+      select_1416_s16_q <= select_1416_s15_q;
+      select_1428_s16_q <= select_1428;
+      select_1432_s16_q <= select_1432;
+      select_1451_s16_q <= or_1450_s15_q ? of_near_s15_q : best_left_rdata_s15_q[39:33];
+      select_1452_s16_q <= or_1450_s15_q ? run_shift_s15_q : best_left_rdata_s15_q[45:40];
+      and_1453_s16_q <= and_1453_s15_q;
       right_s16_q <= right_s15_q;
       best_right_rdata_s16_q <= best_right_rdata_s15_q[14:0];
-      or_1332_s16_q <= or_1332;
-      select_1337_s16_q <= or_1336_s15_q ? of_near_s15_q : best_right_rdata_s15_q[21:15];
-      select_1338_s16_q <= or_1336_s15_q ? x_s15_2_q : best_right_rdata_s15_q[28:22];
-      equal_1339_s16_q <= equal_1339_s15_q;
-      inside_v_s16_q <= {inside_v[14:3], inside_v[1:0]};
-      select_1378_s16_q <= select_1378_s15_q;
-      and_1381_s16_q <= equal_390_s15_q & inside_v[4];
-      right_2_s16_q <= right_2;
-      sum_1463_s16_q <= sum_1463_s15_q;
-      equal_1465_s16_q <= equal_1465_s15_q;
+      or_1464_s16_q <= or_1464;
+      select_1469_s16_q <= or_1468_s15_q ? of_near_s15_q : best_right_rdata_s15_q[21:15];
+      select_1470_s16_q <= or_1468_s15_q ? x_s15_2_q : best_right_rdata_s15_q[28:22];
+      equal_1471_s16_q <= equal_1471_s15_q;
+      shift_2_s16_q <= {shift_2[14:3], shift_2[1:0]};
+      select_1510_s16_q <= select_1510_s15_q;
+      and_1513_s16_q <= equal_522_s15_q & shift_2[4];
+      and_1584_s16_q <= and_1584_s15_q;
+      and_1597_s16_q <= and_1597_s15_q;
+      right_3_s16_q <= right_3;
+      less_1611_s16_q <= less_1611_s15_q;
+      select_1663_s16_q <= select_1663[0];
+      difference_1665_s16_q <= select_1663[9:1] - (shift_2[11] ? select_1662_s15_q[8:0] : 9'h0);
+      sum_1668_s16_q <= sum_1668[12:1];
+      select_1669_s16_q <= select_1669[0];
+      sum_1671_s16_q <= sum_1671;
+      equal_1692_s16_q <= equal_1692_s15_q;
+      not_1693_s16_q <= not_1693_s15_q;
+      equal_1694_s16_q <= equal_1694_s15_q;
+      not_1695_s16_q <= not_1695_s15_q;
+      equal_1696_s16_q <= equal_1696_s15_q;
+      equal_1697_s16_q <= equal_1697_s15_q;
+      or_1698_s16_q <= or_1698_s15_q;
+      patches_right_0_rdata_s16_q <= patches_right_0_rdata_q;
+      select_1722_s16_q <= select_1722_s15_q;
+      select_1728_s16_q <= select_1728_s15_q;
+      patches_right_1_rdata_s16_q <= patches_right_1_rdata_q;
+      select_1767_s16_q <= select_1767_s15_q;
+      and_1777_s16_q <= and_1777_s15_q;
+      patches_columns_above_rdata_s16_q <= patches_columns_above_rdata_q;
+      less_1853_s16_q <= less_1853_s15_q;
+      equal_1854_s16_q <= equal_1854_s15_q;
+      not_1855_s16_q <= not_1855_s15_q;
+      equal_1856_s16_q <= equal_1856_s15_q;
+      not_1857_s16_q <= not_1857_s15_q;
+      sum_1885_s16_q <= sum_1885_s15_q;
       textured_s16_q <= textured;
-      and_1602_s16_q <= and_1602_s15_q;
-      equal_1743_s16_q <= equal_1743_s15_q;
-      equal_1867_s16_q <= equal_1867_s15_q;
-      select_2069_s16_q <= select_2069;
+      and_2017_s16_q <= and_2017_s15_q;
+      equal_2163_s16_q <= equal_2163_s15_q;
+      equal_2287_s16_q <= equal_2287_s15_q;
+      select_2489_s16_q <= select_2489;
       rise_s16_q <= rise[8];
-      select_2075_s16_q <= rise[8] ? select_2071_s15_q : select_2073_s15_q;
-      xor_2080_s16_q <= rise[7:0] ^ {8{rise[8]}};
-      select_2095_s16_q <= select_2095;
-      and_2120_s16_q <= inside_v[4] & less_2119_s15_q;
-      less_2125_s16_q <= select_2071_s15_q < select_2073_s15_q;
-      less_2311_s16_q <= less_2311_s15_q;
-      equal_2518_s16_q <= equal_2518_s15_q;
+      select_2495_s16_q <= rise[8] ? select_2491_s15_q : select_2493_s15_q;
+      xor_2500_s16_q <= rise[7:0] ^ {8{rise[8]}};
+      less_2524_s16_q <= select_2491_s15_q < select_2493_s15_q;
+      further_s16_q <= further;
+      or_2806_s16_q <= or_2806_s15_q;
+      not_2830_s16_q <= not_2830_s15_q;
+      select_3307_s16_q <= less_1853_s15_q ? (not_1855_s15_q & select_3305) : select_3305;
+      equal_3309_s16_q <= equal_3309_s15_q;
+      less_3585_s16_q <= less_3585_s15_q;
+      equal_3790_s16_q <= equal_3790_s15_q;
     end
   end
 
   // Stage 16 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/census.hpp:119
-  logic and_345;
-  assign and_345 = sample_pair_whole_s16_q & and_344_s16_q;
+  logic patches_read_searches_q;
   // hls/stages/agreement.hpp:955
-  logic not_1340;
-  assign not_1340 = ~equal_1339_s16_q;
-  // hls/stages/agreement.hpp:402
-  logic and_1372;
-  assign and_1372 = ends_cell_s16_q & inside_v_s16_q[0];
-  logic and_1374;
-  assign and_1374 = not_1340 & (so_s16_q & and_1372);
-  // hls/stages/agreement.hpp:1000
-  logic or_1466;
-  assign or_1466 = (~sum_1463_s16_q) | equal_1465_s16_q;
+  logic not_1472;
+  assign not_1472 = ~equal_1471_s16_q;
+  // hls/stages/patches.hpp:322
+  logic and_1504;
+  assign and_1504 = ends_cell_s16_q & shift_2_s16_q[0];
+  logic and_1506;
+  assign and_1506 = not_1472 & (so_s16_q & and_1504);
+  // hls/stages/agreement.hpp:955
+  logic [5:0] sum_1556;
+  assign sum_1556 = {1'b0, last_s16_q[6:2]} + 6'h1;
+  // hls/stages/agreement.hpp:250
+  logic right_2;
+  assign right_2 = shift_2_s16_q[0] & ({1'b0, sum_1556, last_s16_q[1]} < x_s16_q);
+  // hls/stages/patches.hpp:84
+  logic [9:0] sum_1639;
+  assign sum_1639 = {2'h0, x_s16_q} + {{4{shift_2_s16_q[10]}}, shift_2_s16_q[10:5]};
+  // hls/stages/registration.hpp:214
+  logic [11:0] sum_1672;
+  assign sum_1672 = sum_1668_s16_q + {sum_1671_s16_q, select_1669_s16_q};
+  logic [9:0] sum_1673;
+  assign sum_1673 = {difference_1665_s16_q, select_1663_s16_q} + sum_1672[11:2];
+  // hls/stages/patches.hpp:154
+  logic [7:0] pixel;
+  assign pixel = equal_1697_s16_q ? (patches_second_s16_q ? 8'h0 : patches_right_0_rdata_s16_q) : 8'h0;
+  // hls/stages/patches.hpp:445
+  logic [8:0] sum_1815;
+  assign sum_1815 = {1'b0, patches_columns_above_rdata_s16_q[23:16]} + {3'h0, patches_columns_above_rdata_s16_q[31:26]};
   // hls/stages/registration.hpp:35
-  logic [8:0] difference_2076;
-  assign difference_2076 = {1'b0, select_2069_s16_q} - {1'b0, select_2075_s16_q};
+  logic [8:0] difference_2496;
+  assign difference_2496 = {1'b0, select_2489_s16_q} - {1'b0, select_2495_s16_q};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
-  assign wide = difference_2076[8] ? 8'h0 : difference_2076[7:0];
+  assign wide = difference_2496[8] ? 8'h0 : difference_2496[7:0];
   // hls/stages/registration.hpp:34
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_s16_q} + {1'b0, xor_2080_s16_q};
-  // hls/stages/registration.hpp:213
-  logic [9:0] select_2096;
-  assign select_2096 = inside_v_s16_q[9] ? select_2095_s16_q[9:0] : 10'h0;
-  logic [8:0] difference_2098;
-  assign difference_2098 = select_2096[9:1] - (inside_v_s16_q[10] ? select_2095_s16_q[8:0] : 9'h0);
-  // hls/stages/registration.hpp:211
-  logic [12:0] sum_2101;
-  assign sum_2101 = (inside_v_s16_q[5] ? select_2095_s16_q[13:1] : 13'h0) + (inside_v_s16_q[6] ? select_2095_s16_q[12:0] : 13'h0);
-  // hls/stages/registration.hpp:212
-  logic [11:0] select_2102;
-  assign select_2102 = inside_v_s16_q[7] ? select_2095_s16_q[11:0] : 12'h0;
-  logic [10:0] sum_2104;
-  assign sum_2104 = select_2102[11:1] + (inside_v_s16_q[8] ? select_2095_s16_q[10:0] : 11'h0);
+  assign size_3 = {8'h0, rise_s16_q} + {1'b0, xor_2500_s16_q};
+  // hls/stages/patches.hpp:92
+  logic [5:0] select_2748;
+  assign select_2748 = right_3_s16_q ? last_s16_q[6:1] : 6'h0;
+  logic [6:0] from;
+  assign from = {1'b0, further_s16_q} + {1'b0, select_2748};
 
-  // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:226; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [29:0] averager_memory_mem [0:479];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 480; i++) averager_memory_mem[i] = 30'h0;
-`endif
-  logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_335_s16_q;
-  logic averager_memory_re;
-  assign averager_memory_re = s16_en & and_345;
-  logic [29:0] averager_memory_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
-  end
-
-  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1298; read in stage 16, written in stage 17: 16 < 17 < 16 + DISTANCE.
+  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1299; read in stage 16, written in stage 17: 16 < 17 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] shown_right_mem [0:119];
@@ -3251,13 +3924,13 @@ module horopter_agreement (
   logic [6:0] shown_right_raddr;
   assign shown_right_raddr = x_s16_q[6:0];
   logic shown_right_re;
-  assign shown_right_re = s16_en & and_1374;
+  assign shown_right_re = s16_en & and_1506;
   logic [1:0] shown_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1325; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
+  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1326; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] seen_columns_mem [0:119];
@@ -3267,10 +3940,18 @@ module horopter_agreement (
   logic [6:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s16_q[6:0];
   logic seen_columns_re;
-  assign seen_columns_re = s16_en & and_1374;
+  assign seen_columns_re = s16_en & and_1506;
   logic [17:0] seen_columns_rdata_q;
   always_ff @(posedge clk_i) begin
     if (seen_columns_re) seen_columns_rdata_q <= seen_columns_mem[seen_columns_raddr];
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_read_searches_q <= 1'b0;
+    end else if (s16_en) begin
+      patches_read_searches_q <= equal_1692_s16_q ? select_3307_s16_q : patches_read_searches_q;
+    end
   end
 
   logic [7:0] pixel_0_s17_q;
@@ -3280,63 +3961,99 @@ module horopter_agreement (
   logic marks_first_s17_q;
   logic marks_last_s17_q;
   logic sample_pair_whole_s17_q;
+  logic sample_present_s17_q;
   logic [7:0] x_s17_q;
   logic age_s17_q;
   logic [2:0] slot_s17_q;
   logic ends_cell_s17_q;
   logic lower_half_s17_q;
   logic [11:0] registration_slope_s17_q;
-  logic equal_329_s17_q;
-  logic [8:0] select_335_s17_q;
-  logic and_344_s17_q;
-  logic and_345_s17_q;
-  logic equal_350_s17_q;
-  logic whole_s17_q;
+  logic [4:0] patches_band_rows_number_s17_q;
+  logic patches_chooses_s17_q;
+  logic [4:0] patches_choosing_band_s17_q;
+  logic patches_lower_s17_q;
+  logic patches_second_s17_q;
+  logic [4:0] patches_code_row_s17_q;
+  logic [4:0] patches_column_s17_q;
+  logic [4:0] patches_step_s17_q;
+  logic patches_read_searches_s17_q;
+  logic [3:0] select_463_s17_q;
+  logic equal_464_s17_q;
+  logic [6:0] select_466_s17_q;
+  logic [8:0] select_470_s17_q;
+  logic and_476_s17_q;
+  logic equal_482_s17_q;
   logic [6:0] column_s17_q;
-  logic and_368_s17_q;
-  logic and_370_s17_q;
-  logic equal_373_s17_q;
+  logic and_500_s17_q;
+  logic and_502_s17_q;
   logic so_s17_q;
-  logic equal_431_s17_q;
+  logic equal_563_s17_q;
   logic [6:0] x_s17_2_q;
-  logic [5:0] select_1280_s17_q;
-  logic [2:0] select_1285_s17_q;
-  logic [7:0] select_1286_s17_q;
-  logic [7:0] select_1297_s17_q;
-  logic [7:0] select_1301_s17_q;
-  logic [6:0] select_1319_s17_q;
-  logic [5:0] select_1320_s17_q;
-  logic and_1321_s17_q;
+  logic [5:0] select_1412_s17_q;
+  logic [2:0] select_1417_s17_q;
+  logic [7:0] select_1418_s17_q;
+  logic [7:0] select_1429_s17_q;
+  logic [7:0] select_1433_s17_q;
+  logic [6:0] select_1451_s17_q;
+  logic [5:0] select_1452_s17_q;
+  logic and_1453_s17_q;
   logic [6:0] right_s17_q;
-  logic [7:0] select_1333_s17_q;
-  logic [6:0] select_1334_s17_q;
-  logic [6:0] select_1337_s17_q;
-  logic [6:0] select_1338_s17_q;
-  logic equal_1339_s17_q;
-  logic not_1340_s17_q;
-  logic [13:0] inside_v_s17_q;
-  logic and_1374_s17_q;
-  logic [6:0] select_1378_s17_q;
-  logic and_1383_s17_q;
+  logic [7:0] select_1465_s17_q;
+  logic [6:0] select_1466_s17_q;
+  logic [6:0] select_1469_s17_q;
+  logic [6:0] select_1470_s17_q;
+  logic equal_1471_s17_q;
+  logic not_1472_s17_q;
+  logic [13:0] shift_2_s17_q;
+  logic and_1506_s17_q;
+  logic [6:0] select_1510_s17_q;
+  logic and_1515_s17_q;
   logic right_2_s17_q;
-  logic sum_1463_s17_q;
-  logic and_1469_s17_q;
+  logic and_1584_s17_q;
+  logic and_1597_s17_q;
+  logic right_3_s17_q;
+  logic less_1611_s17_q;
+  logic less_1630_s17_q;
+  logic not_1635_s17_q;
+  logic less_1640_s17_q;
+  logic less_1641_s17_q;
+  logic [7:0] sum_1673_s17_q;
+  logic equal_1685_s17_q;
+  logic equal_1692_s17_q;
+  logic not_1693_s17_q;
+  logic equal_1694_s17_q;
+  logic not_1695_s17_q;
+  logic equal_1696_s17_q;
+  logic equal_1697_s17_q;
+  logic or_1698_s17_q;
+  logic [4:0] select_1722_s17_q;
+  logic select_1728_s17_q;
+  logic [7:0] patches_left_rdata_s17_q;
+  logic [3:0] select_1767_s17_q;
+  logic and_1777_s17_q;
+  logic [31:0] patches_columns_above_rdata_s17_q;
+  logic [7:0] select_1781_s17_q;
+  logic [8:0] sum_1815_s17_q;
+  logic less_1853_s17_q;
+  logic equal_1854_s17_q;
+  logic not_1855_s17_q;
+  logic equal_1856_s17_q;
+  logic not_1857_s17_q;
+  logic [14:0] patches_rows_rdata_s17_q;
+  logic sum_1885_s17_q;
   logic textured_s17_q;
-  logic and_1603_s17_q;
-  logic equal_1743_s17_q;
-  logic equal_1867_s17_q;
+  logic and_2020_s17_q;
+  logic equal_2163_s17_q;
+  logic equal_2287_s17_q;
   logic [7:0] wide_s17_q;
   logic [8:0] size_3_s17_q;
-  logic select_2096_s17_q;
-  logic [8:0] difference_2098_s17_q;
-  logic [11:0] sum_2101_s17_q;
-  logic select_2102_s17_q;
-  logic [10:0] sum_2104_s17_q;
-  logic and_2120_s17_q;
-  logic less_2125_s17_q;
-  logic less_2311_s17_q;
-  logic select_2354_s17_q;
-  logic equal_2518_s17_q;
+  logic less_2524_s17_q;
+  logic not_2751_s17_q;
+  logic or_2806_s17_q;
+  logic not_2830_s17_q;
+  logic equal_3309_s17_q;
+  logic less_3585_s17_q;
+  logic equal_3790_s17_q;
   always_ff @(posedge clk_i) begin
     if (s16_en) begin
       pixel_0_s17_q <= pixel_0_s16_q;
@@ -3346,115 +4063,184 @@ module horopter_agreement (
       marks_first_s17_q <= marks_first_s16_q;
       marks_last_s17_q <= marks_last_s16_q;
       sample_pair_whole_s17_q <= sample_pair_whole_s16_q;
+      sample_present_s17_q <= sample_present_s16_q;
       x_s17_q <= x_s16_q;
       age_s17_q <= age_s16_q;
       slot_s17_q <= slot_s16_q;
       ends_cell_s17_q <= ends_cell_s16_q;
       lower_half_s17_q <= lower_half_s16_q;
       registration_slope_s17_q <= registration_slope_s16_q;
-      equal_329_s17_q <= equal_329_s16_q;
-      select_335_s17_q <= select_335_s16_q;
-      and_344_s17_q <= and_344_s16_q;
-      and_345_s17_q <= and_345;
-      equal_350_s17_q <= equal_350_s16_q;
-      whole_s17_q <= whole_s16_q;
+      patches_band_rows_number_s17_q <= patches_band_rows_number_s16_q;
+      patches_chooses_s17_q <= patches_chooses_s16_q;
+      patches_choosing_band_s17_q <= patches_choosing_band_s16_q;
+      patches_lower_s17_q <= patches_lower_s16_q;
+      patches_second_s17_q <= patches_second_s16_q;
+      patches_code_row_s17_q <= patches_code_row_s16_q;
+      patches_column_s17_q <= patches_column_s16_q;
+      patches_step_s17_q <= patches_step_s16_q;
+      patches_read_searches_s17_q <= patches_read_searches_q;
+      select_463_s17_q <= select_463_s16_q;
+      equal_464_s17_q <= equal_464_s16_q;
+      select_466_s17_q <= select_466_s16_q;
+      select_470_s17_q <= select_470_s16_q;
+      and_476_s17_q <= and_476_s16_q;
+      equal_482_s17_q <= equal_482_s16_q;
       column_s17_q <= column_s16_q;
-      and_368_s17_q <= and_368_s16_q;
-      and_370_s17_q <= and_370_s16_q;
-      equal_373_s17_q <= equal_373_s16_q;
+      and_500_s17_q <= and_500_s16_q;
+      and_502_s17_q <= and_502_s16_q;
       so_s17_q <= so_s16_q;
-      equal_431_s17_q <= equal_431_s16_q;
+      equal_563_s17_q <= equal_563_s16_q;
       x_s17_2_q <= x_s16_2_q;
-      select_1280_s17_q <= or_1279_s16_q ? run_shift_s16_q : best_left_rdata_s16_q[5:0];
-      select_1285_s17_q <= or_1279_s16_q ? select_1284_s16_q : best_left_rdata_s16_q[8:6];
-      select_1286_s17_q <= or_1279_s16_q ? of_best_s16_q : best_left_rdata_s16_q[16:9];
-      select_1297_s17_q <= or_1279_s16_q ? select_1296_s16_q : best_left_rdata_s16_q[24:17];
-      select_1301_s17_q <= or_1279_s16_q ? select_1300_s16_q : best_left_rdata_s16_q[32:25];
-      select_1319_s17_q <= select_1319_s16_q;
-      select_1320_s17_q <= select_1320_s16_q;
-      and_1321_s17_q <= and_1321_s16_q;
+      select_1412_s17_q <= or_1411_s16_q ? run_shift_s16_q : best_left_rdata_s16_q[5:0];
+      select_1417_s17_q <= or_1411_s16_q ? select_1416_s16_q : best_left_rdata_s16_q[8:6];
+      select_1418_s17_q <= or_1411_s16_q ? of_best_s16_q : best_left_rdata_s16_q[16:9];
+      select_1429_s17_q <= or_1411_s16_q ? select_1428_s16_q : best_left_rdata_s16_q[24:17];
+      select_1433_s17_q <= or_1411_s16_q ? select_1432_s16_q : best_left_rdata_s16_q[32:25];
+      select_1451_s17_q <= select_1451_s16_q;
+      select_1452_s17_q <= select_1452_s16_q;
+      and_1453_s17_q <= and_1453_s16_q;
       right_s17_q <= right_s16_q;
-      select_1333_s17_q <= or_1332_s16_q ? of_best_s16_q : best_right_rdata_s16_q[7:0];
-      select_1334_s17_q <= or_1332_s16_q ? x_s16_2_q : best_right_rdata_s16_q[14:8];
-      select_1337_s17_q <= select_1337_s16_q;
-      select_1338_s17_q <= select_1338_s16_q;
-      equal_1339_s17_q <= equal_1339_s16_q;
-      not_1340_s17_q <= not_1340;
-      inside_v_s17_q <= inside_v_s16_q;
-      and_1374_s17_q <= and_1374;
-      select_1378_s17_q <= select_1378_s16_q;
-      and_1383_s17_q <= not_1340 & (so_s16_q ? and_1372 : and_1381_s16_q);
-      right_2_s17_q <= right_2_s16_q;
-      sum_1463_s17_q <= sum_1463_s16_q;
-      and_1469_s17_q <= so_s16_q & (ends_cell_s16_q & (inside_v_s16_q[0] & or_1466));
+      select_1465_s17_q <= or_1464_s16_q ? of_best_s16_q : best_right_rdata_s16_q[7:0];
+      select_1466_s17_q <= or_1464_s16_q ? x_s16_2_q : best_right_rdata_s16_q[14:8];
+      select_1469_s17_q <= select_1469_s16_q;
+      select_1470_s17_q <= select_1470_s16_q;
+      equal_1471_s17_q <= equal_1471_s16_q;
+      not_1472_s17_q <= not_1472;
+      shift_2_s17_q <= shift_2_s16_q;
+      and_1506_s17_q <= and_1506;
+      select_1510_s17_q <= select_1510_s16_q;
+      and_1515_s17_q <= not_1472 & (so_s16_q ? and_1504 : and_1513_s16_q);
+      right_2_s17_q <= right_2;
+      and_1584_s17_q <= and_1584_s16_q;
+      and_1597_s17_q <= and_1597_s16_q;
+      right_3_s17_q <= right_3_s16_q;
+      less_1611_s17_q <= less_1611_s16_q;
+      less_1630_s17_q <= {3'h0, last_s16_q[6:1]} < ({1'b0, x_s16_q} + 9'h1);
+      not_1635_s17_q <= ~(x_s16_q < {1'b0, last_s16_q});
+      less_1640_s17_q <= $signed(10'h0) < $signed(sum_1639);
+      less_1641_s17_q <= $signed(sum_1639) < $signed({3'h0, last_s16_q});
+      sum_1673_s17_q <= sum_1673[9:2];
+      equal_1685_s17_q <= x_s16_q == {1'b0, last_s16_q};
+      equal_1692_s17_q <= equal_1692_s16_q;
+      not_1693_s17_q <= not_1693_s16_q;
+      equal_1694_s17_q <= equal_1694_s16_q;
+      not_1695_s17_q <= not_1695_s16_q;
+      equal_1696_s17_q <= equal_1696_s16_q;
+      equal_1697_s17_q <= equal_1697_s16_q;
+      or_1698_s17_q <= or_1698_s16_q;
+      select_1722_s17_q <= select_1722_s16_q;
+      select_1728_s17_q <= select_1728_s16_q;
+      patches_left_rdata_s17_q <= patches_left_rdata_q;
+      select_1767_s17_q <= select_1767_s16_q;
+      and_1777_s17_q <= and_1777_s16_q;
+      patches_columns_above_rdata_s17_q <= patches_columns_above_rdata_s16_q;
+      select_1781_s17_q <= patches_second_s16_q ? patches_right_1_rdata_s16_q : pixel;
+      sum_1815_s17_q <= sum_1815;
+      less_1853_s17_q <= less_1853_s16_q;
+      equal_1854_s17_q <= equal_1854_s16_q;
+      not_1855_s17_q <= not_1855_s16_q;
+      equal_1856_s17_q <= equal_1856_s16_q;
+      not_1857_s17_q <= not_1857_s16_q;
+      patches_rows_rdata_s17_q <= patches_rows_rdata_q;
+      sum_1885_s17_q <= sum_1885_s16_q;
       textured_s17_q <= textured_s16_q;
-      and_1603_s17_q <= not_1340 & and_1602_s16_q;
-      equal_1743_s17_q <= equal_1743_s16_q;
-      equal_1867_s17_q <= equal_1867_s16_q;
+      and_2020_s17_q <= and_2017_s16_q & (~({sum_1556, last_s16_q[1:0]} < x_s16_q));
+      equal_2163_s17_q <= equal_2163_s16_q;
+      equal_2287_s17_q <= equal_2287_s16_q;
       wide_s17_q <= wide;
       size_3_s17_q <= size_3;
-      select_2096_s17_q <= select_2096[0];
-      difference_2098_s17_q <= difference_2098;
-      sum_2101_s17_q <= sum_2101[12:1];
-      select_2102_s17_q <= select_2102[0];
-      sum_2104_s17_q <= sum_2104;
-      and_2120_s17_q <= and_2120_s16_q;
-      less_2125_s17_q <= less_2125_s16_q;
-      less_2311_s17_q <= less_2311_s16_q;
-      select_2354_s17_q <= sum_1463_s16_q ? (equal_1465_s16_q & or_1466) : or_1466;
-      equal_2518_s17_q <= equal_2518_s16_q;
+      less_2524_s17_q <= less_2524_s16_q;
+      not_2751_s17_q <= ~(x_s16_q < {1'b0, from});
+      or_2806_s17_q <= or_2806_s16_q;
+      not_2830_s17_q <= not_2830_s16_q;
+      equal_3309_s17_q <= equal_3309_s16_q;
+      less_3585_s17_q <= less_3585_s16_q;
+      equal_3790_s17_q <= equal_3790_s16_q;
     end
   end
 
   // Stage 17 ----------------------------------------------------------------------------------------------------------
-  logic [7:0] sample_pair_pixel_0_q;
-  logic [7:0] sample_pair_pixel_1_q;
-  logic sample_of_skin_q;
-  logic [13:0] averager_running_0_q;
-  logic [13:0] averager_running_1_q;
-  logic averager_running_of_skin_q;
-  logic segment_starts_q;
-  // hls/stages/census.hpp:112
-  logic [13:0] select_348;
-  assign select_348 = equal_329_s17_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
-  logic [13:0] sum_354;
-  assign sum_354 = {6'h0, sample_pair_pixel_1_q} + (equal_329_s17_q ? 14'h0 : averager_running_1_q);
-  // hls/stages/agreement.hpp:404
-  logic all_of_skin;
-  assign all_of_skin = equal_329_s17_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
+  // hls/stages/census.hpp:119
+  logic and_477;
+  assign and_477 = sample_pair_whole_s17_q & and_476_s17_q;
   // hls/stages/agreement.hpp:193
-  logic not_1379;
-  assign not_1379 = ~so_s17_q;
-  // hls/stages/agreement.hpp:402
-  logic and_1380;
-  assign and_1380 = not_1379 & inside_v_s17_q[4];
-  // hls/stages/agreement.hpp:263
-  logic select_1656;
-  assign select_1656 = sample_pair_whole_s17_q ? all_of_skin : averager_running_of_skin_q;
+  logic not_1511;
+  assign not_1511 = ~so_s17_q;
+  // hls/stages/patches.hpp:322
+  logic and_1512;
+  assign and_1512 = not_1511 & shift_2_s17_q[4];
+  logic and_1609;
+  assign and_1609 = so_s17_q & (ends_cell_s17_q & (shift_2_s17_q[0] & right_3_s17_q));
+  // hls/stages/patches.hpp:86
+  logic and_1632;
+  assign and_1632 = less_1630_s17_q & (~right_3_s17_q);
+  // hls/stages/patches.hpp:88
+  logic equal_1633;
+  assign equal_1633 = x_s17_q == 8'h0;
+  // hls/stages/agreement.hpp:964
+  logic and_1643;
+  assign and_1643 = (~(and_1632 | (equal_1633 | not_1635_s17_q))) & (less_1640_s17_q & less_1641_s17_q);
+  // hls/stages/registration.hpp:96
+  logic [12:0] sum_1674;
+  assign sum_1674 = {registration_slope_s17_q[11], registration_slope_s17_q} + {{5{sum_1673_s17_q[7]}}, sum_1673_s17_q};
+  // hls/stages/patches.hpp:322
+  logic and_1688;
+  assign and_1688 = ends_cell_s17_q & (shift_2_s17_q[0] & (and_1632 | equal_1685_s17_q));
+  logic and_1690;
+  assign and_1690 = not_1472_s17_q & (so_s17_q & and_1688);
+  // hls/stages/patches.hpp:154
+  logic [7:0] pixel_2;
+  assign pixel_2 = equal_1697_s17_q ? select_1781_s17_q : patches_left_rdata_s17_q;
+  // hls/stages/patches.hpp:445
+  logic [9:0] sum_1816;
+  assign sum_1816 = {2'h0, patches_columns_above_rdata_s17_q[15:8]} + {1'b0, sum_1815_s17_q};
+  // hls/stages/agreement.hpp:1000
+  logic or_1887;
+  assign or_1887 = (~sum_1885_s17_q) | equal_1685_s17_q;
   // hls/stages/registration.hpp:40
-  logic [8:0] select_2083;
-  assign select_2083 = ({wide_s17_q, 1'b0} < size_3_s17_q) ? {wide_s17_q, 1'b0} : size_3_s17_q;
+  logic [8:0] select_2503;
+  assign select_2503 = ({wide_s17_q, 1'b0} < size_3_s17_q) ? {wide_s17_q, 1'b0} : size_3_s17_q;
   logic [8:0] taken;
-  assign taken = ~select_2083;
-  // hls/stages/registration.hpp:214
-  logic [11:0] sum_2105;
-  assign sum_2105 = sum_2101_s17_q + {sum_2104_s17_q, select_2102_s17_q};
-  logic [9:0] sum_2106;
-  assign sum_2106 = {difference_2098_s17_q, select_2096_s17_q} + sum_2105[11:2];
-  // hls/stages/agreement.hpp:197
-  logic or_2352;
-  assign or_2352 = segment_starts_q | not_1379;
-  // hls/stages/agreement.hpp:402
-  logic select_2356;
-  assign select_2356 = ends_cell_s17_q ? (inside_v_s17_q[0] ? select_2354_s17_q : or_2352) : or_2352;
+  assign taken = ~select_2503;
+  // hls/stages/patches.hpp:322
+  logic and_2754;
+  assign and_2754 = so_s17_q & (ends_cell_s17_q & (shift_2_s17_q[0] & not_2751_s17_q));
+  // hls/stages/patches.hpp:534
+  logic [9:0] select_3272;
+  assign select_3272 = less_1853_s17_q ? patches_rows_rdata_s17_q[9:0] : 10'h0;
+  // hls/stages/patches.hpp:535
+  logic [9:0] select_3274;
+  assign select_3274 = less_1853_s17_q ? (equal_1856_s17_q ? 10'h0 : select_3272) : 10'h0;
+  // hls/stages/patches.hpp:534
+  logic [4:0] select_3279;
+  assign select_3279 = less_1853_s17_q ? patches_rows_rdata_s17_q[14:10] : 5'h0;
+  // hls/stages/patches.hpp:538
+  logic [4:0] select_3282;
+  assign select_3282 = equal_1856_s17_q ? (less_1853_s17_q ? (equal_1856_s17_q ? 5'h0 : select_3279) : 5'h0) : select_3279;
+
+  // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:226; read in stage 17, written in stage 20: 17 < 20 < 17 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [29:0] averager_memory_mem [0:479];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 480; i++) averager_memory_mem[i] = 30'h0;
+`endif
+  logic [8:0] averager_memory_raddr;
+  assign averager_memory_raddr = select_470_s17_q;
+  logic averager_memory_re;
+  assign averager_memory_re = s17_en & and_477;
+  logic [29:0] averager_memory_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
+  end
 
   // Memory best_left, write
   logic [6:0] best_left_waddr;
   assign best_left_waddr = x_s17_2_q;
   logic best_left_we;
-  assign best_left_we = s17_en & and_1321_s17_q;
+  assign best_left_we = s17_en & and_1453_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1320_s17_q, select_1319_s17_q, select_1301_s17_q, select_1297_s17_q, select_1286_s17_q, select_1285_s17_q, select_1280_s17_q};
+    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1452_s17_q, select_1451_s17_q, select_1433_s17_q, select_1429_s17_q, select_1418_s17_q, select_1417_s17_q, select_1412_s17_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] best_left_raddr_s7_sim;
@@ -3557,9 +4343,9 @@ module horopter_agreement (
   logic [6:0] best_right_waddr;
   assign best_right_waddr = right_s17_q;
   logic best_right_we;
-  assign best_right_we = s17_en & and_1321_s17_q;
+  assign best_right_we = s17_en & and_1453_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1338_s17_q, select_1337_s17_q, select_1334_s17_q, select_1333_s17_q};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1470_s17_q, select_1469_s17_q, select_1466_s17_q, select_1465_s17_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] best_right_raddr_s11_sim;
@@ -3628,11 +4414,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_1378_s17_q;
+  assign shown_right_waddr = select_1510_s17_q;
   logic shown_right_we;
-  assign shown_right_we = s17_en & and_1383_s17_q;
+  assign shown_right_we = s17_en & and_1515_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1380, not_1379};
+    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1512, not_1511};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -3646,19 +4432,460 @@ module horopter_agreement (
   end
 `endif
 
+  logic [7:0] pixel_0_s18_q;
+  logic [7:0] pixel_1_s18_q;
+  logic saturated_s18_q;
+  logic mask_s18_q;
+  logic marks_first_s18_q;
+  logic marks_last_s18_q;
+  logic sample_pair_whole_s18_q;
+  logic sample_present_s18_q;
+  logic [7:0] x_s18_q;
+  logic age_s18_q;
+  logic [2:0] slot_s18_q;
+  logic ends_cell_s18_q;
+  logic lower_half_s18_q;
+  logic [4:0] patches_band_rows_number_s18_q;
+  logic [4:0] patches_choosing_band_s18_q;
+  logic patches_lower_s18_q;
+  logic patches_second_s18_q;
+  logic [4:0] patches_code_row_s18_q;
+  logic [4:0] patches_column_s18_q;
+  logic [4:0] patches_step_s18_q;
+  logic patches_read_searches_s18_q;
+  logic [3:0] select_463_s18_q;
+  logic equal_464_s18_q;
+  logic [6:0] select_466_s18_q;
+  logic [8:0] select_470_s18_q;
+  logic and_476_s18_q;
+  logic and_477_s18_q;
+  logic equal_482_s18_q;
+  logic [6:0] column_s18_q;
+  logic and_500_s18_q;
+  logic and_502_s18_q;
+  logic so_s18_q;
+  logic equal_563_s18_q;
+  logic equal_1471_s18_q;
+  logic not_1472_s18_q;
+  logic [13:0] shift_2_s18_q;
+  logic and_1506_s18_q;
+  logic [1:0] shown_right_rdata_s18_q;
+  logic not_1511_s18_q;
+  logic right_2_s18_q;
+  logic and_1584_s18_q;
+  logic and_1597_s18_q;
+  logic and_1610_s18_q;
+  logic less_1611_s18_q;
+  logic equal_1633_s18_q;
+  logic and_1643_s18_q;
+  logic [7:0] sum_1674_s18_q;
+  logic less_1675_s18_q;
+  logic less_1676_s18_q;
+  logic and_1690_s18_q;
+  logic and_1691_s18_q;
+  logic equal_1692_s18_q;
+  logic not_1693_s18_q;
+  logic equal_1694_s18_q;
+  logic not_1695_s18_q;
+  logic equal_1696_s18_q;
+  logic equal_1697_s18_q;
+  logic or_1698_s18_q;
+  logic [4:0] select_1722_s18_q;
+  logic select_1728_s18_q;
+  logic [3:0] select_1767_s18_q;
+  logic and_1777_s18_q;
+  logic [31:0] patches_columns_above_rdata_s18_q;
+  logic [7:0] pixel_2_s18_q;
+  logic [9:0] sum_1816_s18_q;
+  logic less_1853_s18_q;
+  logic equal_1854_s18_q;
+  logic not_1855_s18_q;
+  logic equal_1856_s18_q;
+  logic not_1857_s18_q;
+  logic [9:0] patches_rows_rdata_s18_q;
+  logic sum_1885_s18_q;
+  logic and_1890_s18_q;
+  logic textured_s18_q;
+  logic [17:0] seen_columns_rdata_s18_q;
+  logic and_2023_s18_q;
+  logic equal_2163_s18_q;
+  logic equal_2287_s18_q;
+  logic less_2487_s18_q;
+  logic [7:0] wide_s18_q;
+  logic [8:0] taken_s18_q;
+  logic [7:0] not_2505_s18_q;
+  logic less_2524_s18_q;
+  logic and_2755_s18_q;
+  logic or_2806_s18_q;
+  logic not_2830_s18_q;
+  logic [9:0] select_3275_s18_q;
+  logic [4:0] select_3282_s18_q;
+  logic equal_3309_s18_q;
+  logic less_3585_s18_q;
+  logic select_3628_s18_q;
+  logic equal_3790_s18_q;
+  always_ff @(posedge clk_i) begin
+    if (s17_en) begin
+      pixel_0_s18_q <= pixel_0_s17_q;
+      pixel_1_s18_q <= pixel_1_s17_q;
+      saturated_s18_q <= saturated_s17_q;
+      mask_s18_q <= mask_s17_q;
+      marks_first_s18_q <= marks_first_s17_q;
+      marks_last_s18_q <= marks_last_s17_q;
+      sample_pair_whole_s18_q <= sample_pair_whole_s17_q;
+      sample_present_s18_q <= sample_present_s17_q;
+      x_s18_q <= x_s17_q;
+      age_s18_q <= age_s17_q;
+      slot_s18_q <= slot_s17_q;
+      ends_cell_s18_q <= ends_cell_s17_q;
+      lower_half_s18_q <= lower_half_s17_q;
+      patches_band_rows_number_s18_q <= patches_band_rows_number_s17_q;
+      patches_choosing_band_s18_q <= patches_choosing_band_s17_q;
+      patches_lower_s18_q <= patches_lower_s17_q;
+      patches_second_s18_q <= patches_second_s17_q;
+      patches_code_row_s18_q <= patches_code_row_s17_q;
+      patches_column_s18_q <= patches_column_s17_q;
+      patches_step_s18_q <= patches_step_s17_q;
+      patches_read_searches_s18_q <= patches_read_searches_s17_q;
+      select_463_s18_q <= select_463_s17_q;
+      equal_464_s18_q <= equal_464_s17_q;
+      select_466_s18_q <= select_466_s17_q;
+      select_470_s18_q <= select_470_s17_q;
+      and_476_s18_q <= and_476_s17_q;
+      and_477_s18_q <= and_477;
+      equal_482_s18_q <= equal_482_s17_q;
+      column_s18_q <= column_s17_q;
+      and_500_s18_q <= and_500_s17_q;
+      and_502_s18_q <= and_502_s17_q;
+      so_s18_q <= so_s17_q;
+      equal_563_s18_q <= equal_563_s17_q;
+      equal_1471_s18_q <= equal_1471_s17_q;
+      not_1472_s18_q <= not_1472_s17_q;
+      shift_2_s18_q <= shift_2_s17_q;
+      and_1506_s18_q <= and_1506_s17_q;
+      shown_right_rdata_s18_q <= shown_right_rdata_q;
+      not_1511_s18_q <= not_1511;
+      right_2_s18_q <= right_2_s17_q;
+      and_1584_s18_q <= and_1584_s17_q;
+      and_1597_s18_q <= and_1597_s17_q;
+      and_1610_s18_q <= not_1472_s17_q & and_1609;
+      less_1611_s18_q <= less_1611_s17_q;
+      equal_1633_s18_q <= equal_1633;
+      and_1643_s18_q <= and_1643;
+      sum_1674_s18_q <= sum_1674[7:0];
+      less_1675_s18_q <= $signed(6'h0) < $signed(sum_1674[12:7]);
+      less_1676_s18_q <= $signed(sum_1674[12:7]) < $signed(6'h3f);
+      and_1690_s18_q <= and_1690;
+      and_1691_s18_q <= patches_chooses_s17_q & and_1690;
+      equal_1692_s18_q <= equal_1692_s17_q;
+      not_1693_s18_q <= not_1693_s17_q;
+      equal_1694_s18_q <= equal_1694_s17_q;
+      not_1695_s18_q <= not_1695_s17_q;
+      equal_1696_s18_q <= equal_1696_s17_q;
+      equal_1697_s18_q <= equal_1697_s17_q;
+      or_1698_s18_q <= or_1698_s17_q;
+      select_1722_s18_q <= select_1722_s17_q;
+      select_1728_s18_q <= select_1728_s17_q;
+      select_1767_s18_q <= select_1767_s17_q;
+      and_1777_s18_q <= and_1777_s17_q;
+      patches_columns_above_rdata_s18_q <= patches_columns_above_rdata_s17_q;
+      pixel_2_s18_q <= pixel_2;
+      sum_1816_s18_q <= sum_1816;
+      less_1853_s18_q <= less_1853_s17_q;
+      equal_1854_s18_q <= equal_1854_s17_q;
+      not_1855_s18_q <= not_1855_s17_q;
+      equal_1856_s18_q <= equal_1856_s17_q;
+      not_1857_s18_q <= not_1857_s17_q;
+      patches_rows_rdata_s18_q <= patches_rows_rdata_s17_q[9:0];
+      sum_1885_s18_q <= sum_1885_s17_q;
+      and_1890_s18_q <= so_s17_q & (ends_cell_s17_q & (shift_2_s17_q[0] & or_1887));
+      textured_s18_q <= textured_s17_q;
+      seen_columns_rdata_s18_q <= seen_columns_rdata_q;
+      and_2023_s18_q <= not_1472_s17_q & (so_s17_q & (ends_cell_s17_q & and_2020_s17_q));
+      equal_2163_s18_q <= equal_2163_s17_q;
+      equal_2287_s18_q <= equal_2287_s17_q;
+      less_2487_s18_q <= slot_s17_q < 3'h3;
+      wide_s18_q <= wide_s17_q;
+      taken_s18_q <= taken;
+      not_2505_s18_q <= ~wide_s17_q;
+      less_2524_s18_q <= less_2524_s17_q;
+      and_2755_s18_q <= not_1472_s17_q & and_2754;
+      or_2806_s18_q <= or_2806_s17_q;
+      not_2830_s18_q <= not_2830_s17_q;
+      select_3275_s18_q <= equal_1856_s17_q ? select_3274 : select_3272;
+      select_3282_s18_q <= select_3282;
+      equal_3309_s18_q <= equal_3309_s17_q;
+      less_3585_s18_q <= less_3585_s17_q;
+      select_3628_s18_q <= sum_1885_s17_q ? (equal_1685_s17_q & or_1887) : or_1887;
+      equal_3790_s18_q <= equal_3790_s17_q;
+    end
+  end
+
+  // Stage 18 ----------------------------------------------------------------------------------------------------------
+  logic [7:0] sample_pair_pixel_0_q;
+  logic [7:0] sample_pair_pixel_1_q;
+  logic [13:0] averager_running_0_q;
+  logic [13:0] averager_running_1_q;
+  logic [9:0] registration_displacement_over_q;
+  logic [4:0] registration_displacement_fraction_q;
+  logic [7:0] registration_slope_here_q;
+  logic patches_along_ends_q;
+  logic patches_match_row_ends_q;
+  logic [4:0] patches_down_by_q;
+  logic [4:0] patches_along_q;
+  logic [3:0] patches_match_row_q;
+  logic patches_summed_last_q;
+  logic [9:0] patches_read_row_differing_q;
+  logic [4:0] patches_read_row_column_q;
+  logic shown_shown_q;
+  logic shown_nearer_q;
+  logic [7:0] region_columns_q;
+  logic [8:0] region_down_rest_q;
+  logic [7:0] region_down_back_q;
+  logic [8:0] region_down_next_q;
+  logic segment_starts_q;
+  // hls/stages/census.hpp:112
+  logic [13:0] select_480;
+  assign select_480 = equal_464_s18_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
+  logic [13:0] sum_486;
+  assign sum_486 = {6'h0, sample_pair_pixel_1_q} + (equal_464_s18_q ? 14'h0 : averager_running_1_q);
+  // hls/stages/registration.hpp:83
+  logic equal_1612;
+  assign equal_1612 = slot_s18_q == 3'h7;
+  // hls/stages/registration.hpp:211
+  logic [6:0] select_1613;
+  assign select_1613 = shift_2_s18_q[5] ? registration_slope_here_q[7:1] : 7'h0;
+  logic [7:0] select_1614;
+  assign select_1614 = shift_2_s18_q[6] ? registration_slope_here_q : 8'h0;
+  logic [8:0] sum_1615;
+  assign sum_1615 = {{2{select_1613[6]}}, select_1613} + {select_1614[7], select_1614};
+  // hls/stages/registration.hpp:212
+  logic [7:0] select_1616;
+  assign select_1616 = shift_2_s18_q[7] ? registration_slope_here_q : 8'h0;
+  logic [7:0] select_1617;
+  assign select_1617 = shift_2_s18_q[8] ? registration_slope_here_q : 8'h0;
+  logic [8:0] sum_1618;
+  assign sum_1618 = {{2{select_1616[7]}}, select_1616[7:1]} + {select_1617[7], select_1617};
+  // hls/stages/registration.hpp:213
+  logic [7:0] select_1620;
+  assign select_1620 = shift_2_s18_q[9] ? registration_slope_here_q : 8'h0;
+  logic [7:0] select_1621;
+  assign select_1621 = shift_2_s18_q[10] ? registration_slope_here_q : 8'h0;
+  logic [8:0] difference_1622;
+  assign difference_1622 = {{2{select_1620[7]}}, select_1620[7:1]} - {select_1621[7], select_1621};
+  // hls/stages/patches.hpp:322
+  logic [5:0] select_1656;
+  assign select_1656 = ends_cell_s18_q ? (shift_2_s18_q[0] ? shift_2_s18_q[10:5] : 6'h0) : 6'h0;
+  // hls/stages/registration.hpp:218
+  logic [7:0] select_1678;
+  assign select_1678 = less_1675_s18_q ? 8'h7f : (less_1676_s18_q ? 8'h80 : sum_1674_s18_q);
+  // hls/stages/registration.hpp:107
+  logic [7:0] slope;
+  assign slope = equal_1612 ? registration_slope_here_q : select_1678;
+  // hls/stages/patches.hpp:322
+  logic [7:0] select_1682;
+  assign select_1682 = so_s18_q ? (ends_cell_s18_q ? (shift_2_s18_q[0] ? slope : 8'h0) : 8'h0) : 8'h0;
+  // hls/stages/patches.hpp:447
+  logic [8:0] sum_1805;
+  assign sum_1805 = {1'b0, patches_columns_above_rdata_s18_q[7:0]} + {2'h0, pixel_2_s18_q[7:1]};
+  logic [8:0] sum_1806;
+  assign sum_1806 = {1'b0, patches_columns_above_rdata_s18_q[23:16]} + {2'h0, patches_columns_above_rdata_s18_q[31:25]};
+  // hls/stages/patches.hpp:445
+  logic [10:0] sum_1817;
+  assign sum_1817 = {3'h0, patches_columns_above_rdata_s18_q[15:8]} + {sum_1816_s18_q, patches_columns_above_rdata_s18_q[25]};
+  // hls/stages/agreement.hpp:197
+  logic [7:0] select_1872;
+  assign select_1872 = so_s18_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:992
+  logic or_1875;
+  assign or_1875 = select_1872[7] | (~({select_1872[5], select_1872[3], select_1872[1]} == 3'h0));
+  // hls/stages/agreement.hpp:250
+  logic and_1904;
+  assign and_1904 = shift_2_s18_q[0] & ({shift_2_s18_q[4], shift_2_s18_q[2]} == 2'h3);
+  // hls/stages/agreement.hpp:960
+  logic select_1912;
+  assign select_1912 = slot_s18_q[2] ? shown_shown_q : shift_2_s18_q[3];
+  // hls/stages/agreement.hpp:250
+  logic shown;
+  assign shown = shift_2_s18_q[0] & (shown_right_rdata_s18_q[0] | select_1912);
+  // hls/stages/agreement.hpp:960
+  logic select_1915;
+  assign select_1915 = slot_s18_q[2] ? shown_nearer_q : shift_2_s18_q[4];
+  // hls/stages/agreement.hpp:250
+  logic near;
+  assign near = shift_2_s18_q[0] & (select_1912 ? select_1915 : shown_right_rdata_s18_q[1]);
+  // hls/stages/agreement.hpp:976
+  logic [7:0] select_1964;
+  assign select_1964 = shift_2_s18_q[0] ? (sum_1885_s18_q ? select_1872 : {select_1872[6:0], 1'b0}) : select_1872;
+  // hls/stages/agreement.hpp:992
+  logic or_1967;
+  assign or_1967 = select_1964[7] | (~({select_1964[5], select_1964[3], select_1964[1]} == 3'h0));
+  // hls/stages/registration.hpp:37
+  logic not_2498;
+  assign not_2498 = ~registration_displacement_over_q[9];
+  // hls/stages/registration.hpp:39
+  logic [9:0] left;
+  assign left = less_2487_s18_q ? {1'b0, wide_s18_q, 1'b0} : {registration_displacement_over_q[8:0], not_2498};
+  // hls/stages/registration.hpp:40
+  logic [7:0] select_2506;
+  assign select_2506 = registration_displacement_over_q[9] ? wide_s18_q : not_2505_s18_q;
+  logic [9:0] taken_2;
+  assign taken_2 = less_2487_s18_q ? {taken_s18_q, 1'b1} : {not_2498, select_2506, not_2498};
+  // hls/stages/registration.hpp:42
+  logic [10:0] sum_2508;
+  assign sum_2508 = {left, 1'b1} + {taken_2, less_2487_s18_q};
+  // hls/stages/agreement.hpp:245
+  logic [4:0] select_2510;
+  assign select_2510 = so_s18_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  // hls/stages/patches.hpp:322
+  logic [7:0] select_2512;
+  assign select_2512 = equal_1471_s18_q ? registration_slope_here_q : (so_s18_q ? slope : registration_slope_here_q);
+  // hls/stages/patches.hpp:169
+  logic select_2845;
+  assign select_2845 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  // hls/stages/patches.hpp:157
+  logic and_2906;
+  assign and_2906 = patches_along_ends_q & patches_match_row_ends_q;
+  // hls/stages/patches.hpp:395
+  logic [4:0] select_2911;
+  assign select_2911 = or_2806_s18_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  // hls/stages/patches.hpp:397
+  logic [3:0] select_2913;
+  assign select_2913 = and_2906 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  // hls/stages/patches.hpp:538
+  logic [9:0] select_3277;
+  assign select_3277 = less_1853_s18_q ? (equal_1854_s18_q ? 10'h0 : select_3275_s18_q) : select_3275_s18_q;
+  logic [4:0] select_3284;
+  assign select_3284 = less_1853_s18_q ? (equal_1854_s18_q ? 5'h0 : select_3282_s18_q) : select_3282_s18_q;
+  // hls/stages/patches.hpp:534
+  logic and_3294;
+  assign and_3294 = less_1853_s18_q & (patches_step_s18_q == 5'h0);
+  // hls/stages/patches.hpp:538
+  logic select_3297;
+  assign select_3297 = equal_1856_s18_q ? (less_1853_s18_q ? (not_1857_s18_q & and_3294) : and_3294) : and_3294;
+  // hls/stages/patches.hpp:322
+  logic select_3582;
+  assign select_3582 = equal_1471_s18_q ? shown_shown_q : (so_s18_q ? select_1912 : shown_shown_q);
+  logic select_3584;
+  assign select_3584 = equal_1471_s18_q ? shown_nearer_q : (so_s18_q ? select_1915 : shown_nearer_q);
+  // hls/stages/division.hpp:34
+  logic [7:0] sum_3586;
+  assign sum_3586 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/patches.hpp:322
+  logic [7:0] select_3595;
+  assign select_3595 = equal_1471_s18_q ? select_1872 : (so_s18_q ? (ends_cell_s18_q ? select_1964 : select_1872) : 8'h1);
+  // hls/stages/agreement.hpp:447
+  logic [8:0] select_3609;
+  assign select_3609 = equal_563_s18_q ? {difference_3607[7], difference_3607} : (less_3585_s18_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:507
+  logic [8:0] select_3611;
+  assign select_3611 = and_502_s18_q ? (equal_2287_s18_q ? select_3609 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:447
+  logic [7:0] select_3613;
+  assign select_3613 = equal_563_s18_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:507
+  logic [7:0] select_3615;
+  assign select_3615 = and_502_s18_q ? (equal_2287_s18_q ? select_3613 : region_down_back_q) : region_down_back_q;
+  // hls/stages/division.hpp:36
+  logic [8:0] select_3617;
+  assign select_3617 = sum_3586[7] ? {1'b1, sum_3586[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
+  // hls/stages/agreement.hpp:197
+  logic or_3626;
+  assign or_3626 = segment_starts_q | not_1511_s18_q;
+  // hls/stages/patches.hpp:322
+  logic select_3630;
+  assign select_3630 = ends_cell_s18_q ? (shift_2_s18_q[0] ? select_3628_s18_q : or_3626) : or_3626;
+
+  // Memory patches_columns_above, write
+  logic [4:0] patches_columns_above_waddr;
+  assign patches_columns_above_waddr = patches_column_s18_q;
+  logic patches_columns_above_we;
+  assign patches_columns_above_we = s18_en & and_1777_s18_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (patches_columns_above_we) patches_columns_above_mem[patches_columns_above_waddr] <= {patches_columns_above_rdata_s18_q[23:0], pixel_2_s18_q};
+  end
+`ifndef SYNTHESIS
+  logic [4:0] patches_columns_above_raddr_s15_sim;
+  logic patches_columns_above_re_s15_sim;
+  logic [4:0] patches_columns_above_raddr_s16_sim;
+  logic patches_columns_above_re_s16_sim;
+  logic [4:0] patches_columns_above_raddr_s17_sim;
+  logic patches_columns_above_re_s17_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_columns_above_re_s15_sim <= 1'b0;
+      patches_columns_above_re_s16_sim <= 1'b0;
+      patches_columns_above_re_s17_sim <= 1'b0;
+    end else if (en_i) begin
+      patches_columns_above_re_s15_sim <= patches_columns_above_re;
+      patches_columns_above_raddr_s15_sim <= patches_columns_above_raddr;
+      patches_columns_above_re_s16_sim <= patches_columns_above_re_s15_sim;
+      patches_columns_above_raddr_s16_sim <= patches_columns_above_raddr_s15_sim;
+      patches_columns_above_re_s17_sim <= patches_columns_above_re_s16_sim;
+      patches_columns_above_raddr_s17_sim <= patches_columns_above_raddr_s16_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && patches_columns_above_we) begin
+      if (patches_columns_above_re && patches_columns_above_raddr == patches_columns_above_waddr) begin
+        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
+      end
+      if (patches_columns_above_re_s15_sim && patches_columns_above_raddr_s15_sim == patches_columns_above_waddr) begin
+        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
+      end
+      if (patches_columns_above_re_s16_sim && patches_columns_above_raddr_s16_sim == patches_columns_above_waddr) begin
+        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
+      end
+      if (patches_columns_above_re_s17_sim && patches_columns_above_raddr_s17_sim == patches_columns_above_waddr) begin
+        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
+      end
+    end
+  end
+`endif
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       sample_pair_pixel_0_q <= 8'h0;
       sample_pair_pixel_1_q <= 8'h0;
-      sample_of_skin_q <= 1'b0;
-      averager_running_of_skin_q <= 1'b0;
+      registration_displacement_over_q <= 10'h0;
+      registration_displacement_fraction_q <= 5'h0;
+      registration_slope_here_q <= 8'h0;
+      patches_along_ends_q <= 1'b0;
+      patches_match_row_ends_q <= 1'b0;
+      patches_down_by_q <= 5'h0;
+      patches_along_q <= 5'h0;
+      patches_match_row_q <= 4'h0;
+      patches_summed_last_q <= 1'b0;
+      patches_read_row_differing_q <= 10'h0;
+      patches_read_row_column_q <= 5'h0;
+      shown_shown_q <= 1'b0;
+      shown_nearer_q <= 1'b0;
+      region_columns_q <= 8'h1;
+      region_down_rest_q <= 9'h0;
+      region_down_back_q <= 8'h0;
+      region_down_next_q <= 9'h0;
       segment_starts_q <= 1'b1;
-    end else if (s17_en) begin
-      sample_pair_pixel_0_q <= pixel_0_s17_q;
-      sample_pair_pixel_1_q <= pixel_1_s17_q;
-      sample_of_skin_q <= mask_s17_q;
-      averager_running_of_skin_q <= select_1656;
-      segment_starts_q <= equal_1339_s17_q ? or_2352 : (so_s17_q ? select_2356 : or_2352);
+    end else if (s18_en) begin
+      sample_pair_pixel_0_q <= pixel_0_s18_q;
+      sample_pair_pixel_1_q <= pixel_1_s18_q;
+      registration_displacement_over_q <= so_s18_q ? sum_2508[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2510;
+      registration_slope_here_q <= select_2512;
+      patches_along_ends_q <= not_2830_s18_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_2830_s18_q & select_2845;
+      patches_down_by_q <= or_2806_s18_q ? 5'h0 : (patches_down_by_q + {4'h0, and_2906});
+      patches_along_q <= select_2911;
+      patches_match_row_q <= or_2806_s18_q ? 4'h0 : select_2913;
+      patches_summed_last_q <= not_1693_s18_q & (equal_1694_s18_q & and_2906);
+      patches_read_row_differing_q <= equal_1692_s18_q ? select_3277 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_1692_s18_q ? select_3284 : patches_read_row_column_q;
+      shown_shown_q <= select_3582;
+      shown_nearer_q <= select_3584;
+      region_columns_q <= select_3595;
+      region_down_rest_q <= select_3611;
+      region_down_back_q <= select_3615;
+      region_down_next_q <= select_3617;
+      segment_starts_q <= equal_1471_s18_q ? or_3626 : (so_s18_q ? select_3630 : or_3626);
     end
   end
 
@@ -3670,210 +4897,478 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s17_en) begin
-      averager_running_0_q <= sample_pair_whole_s17_q ? select_348 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s17_q ? sum_354 : averager_running_1_q;
+    if (s18_en) begin
+      averager_running_0_q <= sample_pair_whole_s18_q ? select_480 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s18_q ? sum_486 : averager_running_1_q;
     end
   end
 
-  logic saturated_s18_q;
-  logic marks_first_s18_q;
-  logic marks_last_s18_q;
-  logic sample_pair_whole_s18_q;
-  logic [7:0] x_s18_q;
-  logic age_s18_q;
-  logic [2:0] slot_s18_q;
-  logic ends_cell_s18_q;
-  logic lower_half_s18_q;
-  logic [11:0] registration_slope_s18_q;
-  logic [8:0] select_335_s18_q;
-  logic and_344_s18_q;
-  logic and_345_s18_q;
-  logic [29:0] averager_memory_rdata_s18_q;
-  logic [13:0] select_348_s18_q;
-  logic equal_350_s18_q;
-  logic [13:0] sum_354_s18_q;
-  logic whole_s18_q;
-  logic all_of_skin_s18_q;
-  logic [6:0] column_s18_q;
-  logic and_368_s18_q;
-  logic and_370_s18_q;
-  logic equal_373_s18_q;
-  logic so_s18_q;
-  logic equal_431_s18_q;
-  logic equal_1339_s18_q;
-  logic not_1340_s18_q;
-  logic [13:0] inside_v_s18_q;
-  logic and_1374_s18_q;
-  logic [1:0] shown_right_rdata_s18_q;
-  logic right_2_s18_q;
-  logic sum_1463_s18_q;
-  logic and_1469_s18_q;
-  logic textured_s18_q;
-  logic [17:0] seen_columns_rdata_s18_q;
-  logic and_1603_s18_q;
-  logic equal_1743_s18_q;
-  logic equal_1867_s18_q;
-  logic less_2067_s18_q;
-  logic [7:0] wide_s18_q;
-  logic [8:0] taken_s18_q;
-  logic [7:0] not_2085_s18_q;
-  logic [7:0] sum_2106_s18_q;
-  logic and_2120_s18_q;
-  logic less_2125_s18_q;
-  logic less_2311_s18_q;
-  logic equal_2518_s18_q;
+  logic saturated_s19_q;
+  logic mask_s19_q;
+  logic marks_first_s19_q;
+  logic marks_last_s19_q;
+  logic [7:0] sample_pair_pixel_0_s19_q;
+  logic [7:0] sample_pair_pixel_1_s19_q;
+  logic sample_pair_whole_s19_q;
+  logic sample_present_s19_q;
+  logic [7:0] x_s19_q;
+  logic age_s19_q;
+  logic [2:0] slot_s19_q;
+  logic ends_cell_s19_q;
+  logic lower_half_s19_q;
+  logic [4:0] patches_band_rows_number_s19_q;
+  logic [4:0] patches_choosing_band_s19_q;
+  logic patches_lower_s19_q;
+  logic patches_second_s19_q;
+  logic [4:0] patches_code_row_s19_q;
+  logic [4:0] patches_column_s19_q;
+  logic patches_match_row_ends_s19_q;
+  logic [4:0] patches_down_by_s19_q;
+  logic [4:0] patches_along_s19_q;
+  logic [3:0] patches_match_row_s19_q;
+  logic patches_summed_last_s19_q;
+  logic [4:0] patches_step_s19_q;
+  logic [9:0] patches_read_row_differing_s19_q;
+  logic [4:0] patches_read_row_column_s19_q;
+  logic patches_read_searches_s19_q;
+  logic [3:0] select_463_s19_q;
+  logic equal_464_s19_q;
+  logic [6:0] select_466_s19_q;
+  logic [8:0] select_470_s19_q;
+  logic and_476_s19_q;
+  logic and_477_s19_q;
+  logic [29:0] averager_memory_rdata_s19_q;
+  logic [13:0] select_480_s19_q;
+  logic equal_482_s19_q;
+  logic [13:0] sum_486_s19_q;
+  logic [6:0] column_s19_q;
+  logic and_500_s19_q;
+  logic and_502_s19_q;
+  logic so_s19_q;
+  logic equal_563_s19_q;
+  logic equal_1471_s19_q;
+  logic not_1472_s19_q;
+  logic [4:0] shift_2_s19_q;
+  logic and_1506_s19_q;
+  logic equal_1516_s19_q;
+  logic right_2_s19_q;
+  logic and_1584_s19_q;
+  logic and_1597_s19_q;
+  logic and_1610_s19_q;
+  logic less_1611_s19_q;
+  logic equal_1612_s19_q;
+  logic [7:0] sum_1615_s19_q;
+  logic select_1616_s19_q;
+  logic [8:0] sum_1618_s19_q;
+  logic select_1620_s19_q;
+  logic [8:0] difference_1622_s19_q;
+  logic equal_1633_s19_q;
+  logic and_1643_s19_q;
+  logic [5:0] select_1658_s19_q;
+  logic [7:0] select_1683_s19_q;
+  logic and_1690_s19_q;
+  logic and_1691_s19_q;
+  logic equal_1692_s19_q;
+  logic not_1693_s19_q;
+  logic equal_1694_s19_q;
+  logic not_1695_s19_q;
+  logic equal_1696_s19_q;
+  logic equal_1697_s19_q;
+  logic or_1698_s19_q;
+  logic [4:0] select_1722_s19_q;
+  logic select_1728_s19_q;
+  logic [3:0] select_1767_s19_q;
+  logic [8:0] patches_columns_above_rdata_s19_q;
+  logic [7:0] pixel_2_s19_q;
+  logic [4:0] sum_1791_s19_q;
+  logic [8:0] sum_1805_s19_q;
+  logic [8:0] sum_1806_s19_q;
+  logic [10:0] sum_1817_s19_q;
+  logic less_1853_s19_q;
+  logic equal_1854_s19_q;
+  logic not_1855_s19_q;
+  logic equal_1856_s19_q;
+  logic not_1857_s19_q;
+  logic [9:0] patches_rows_rdata_s19_q;
+  logic or_1875_s19_q;
+  logic or_1878_s19_q;
+  logic or_1881_s19_q;
+  logic and_1890_s19_q;
+  logic textured_s19_q;
+  logic and_1904_s19_q;
+  logic [12:0] seen_columns_rdata_s19_q;
+  logic shown_s19_q;
+  logic near_s19_q;
+  logic and_1950_s19_q;
+  logic and_1952_s19_q;
+  logic or_1967_s19_q;
+  logic or_1970_s19_q;
+  logic or_1973_s19_q;
+  logic and_1984_s19_q;
+  logic and_1986_s19_q;
+  logic and_1987_s19_q;
+  logic and_2000_s19_q;
+  logic and_2002_s19_q;
+  logic and_2003_s19_q;
+  logic and_2023_s19_q;
+  logic equal_2163_s19_q;
+  logic equal_2287_s19_q;
+  logic and_2427_s19_q;
+  logic and_2429_s19_q;
+  logic and_2430_s19_q;
+  logic or_2522_s19_q;
+  logic [1:0] sum_2523_s19_q;
+  logic less_2524_s19_q;
+  logic and_2755_s19_q;
+  logic select_3297_s19_q;
+  logic equal_3309_s19_q;
+  logic less_3585_s19_q;
+  logic sum_3586_s19_q;
+  logic and_3780_s19_q;
+  logic equal_3790_s19_q;
   always_ff @(posedge clk_i) begin
-    if (s17_en) begin
-      saturated_s18_q <= saturated_s17_q;
-      marks_first_s18_q <= marks_first_s17_q;
-      marks_last_s18_q <= marks_last_s17_q;
-      sample_pair_whole_s18_q <= sample_pair_whole_s17_q;
-      x_s18_q <= x_s17_q;
-      age_s18_q <= age_s17_q;
-      slot_s18_q <= slot_s17_q;
-      ends_cell_s18_q <= ends_cell_s17_q;
-      lower_half_s18_q <= lower_half_s17_q;
-      registration_slope_s18_q <= registration_slope_s17_q;
-      select_335_s18_q <= select_335_s17_q;
-      and_344_s18_q <= and_344_s17_q;
-      and_345_s18_q <= and_345_s17_q;
-      averager_memory_rdata_s18_q <= averager_memory_rdata_q;
-      select_348_s18_q <= select_348;
-      equal_350_s18_q <= equal_350_s17_q;
-      sum_354_s18_q <= sum_354;
-      whole_s18_q <= whole_s17_q;
-      all_of_skin_s18_q <= all_of_skin;
-      column_s18_q <= column_s17_q;
-      and_368_s18_q <= and_368_s17_q;
-      and_370_s18_q <= and_370_s17_q;
-      equal_373_s18_q <= equal_373_s17_q;
-      so_s18_q <= so_s17_q;
-      equal_431_s18_q <= equal_431_s17_q;
-      equal_1339_s18_q <= equal_1339_s17_q;
-      not_1340_s18_q <= not_1340_s17_q;
-      inside_v_s18_q <= inside_v_s17_q;
-      and_1374_s18_q <= and_1374_s17_q;
-      shown_right_rdata_s18_q <= shown_right_rdata_q;
-      right_2_s18_q <= right_2_s17_q;
-      sum_1463_s18_q <= sum_1463_s17_q;
-      and_1469_s18_q <= and_1469_s17_q;
-      textured_s18_q <= textured_s17_q;
-      seen_columns_rdata_s18_q <= seen_columns_rdata_q;
-      and_1603_s18_q <= and_1603_s17_q;
-      equal_1743_s18_q <= equal_1743_s17_q;
-      equal_1867_s18_q <= equal_1867_s17_q;
-      less_2067_s18_q <= slot_s17_q < 3'h3;
-      wide_s18_q <= wide_s17_q;
-      taken_s18_q <= taken;
-      not_2085_s18_q <= ~wide_s17_q;
-      sum_2106_s18_q <= sum_2106[9:2];
-      and_2120_s18_q <= and_2120_s17_q;
-      less_2125_s18_q <= less_2125_s17_q;
-      less_2311_s18_q <= less_2311_s17_q;
-      equal_2518_s18_q <= equal_2518_s17_q;
+    if (s18_en) begin
+      saturated_s19_q <= saturated_s18_q;
+      mask_s19_q <= mask_s18_q;
+      marks_first_s19_q <= marks_first_s18_q;
+      marks_last_s19_q <= marks_last_s18_q;
+      sample_pair_pixel_0_s19_q <= sample_pair_pixel_0_q;
+      sample_pair_pixel_1_s19_q <= sample_pair_pixel_1_q;
+      sample_pair_whole_s19_q <= sample_pair_whole_s18_q;
+      sample_present_s19_q <= sample_present_s18_q;
+      x_s19_q <= x_s18_q;
+      age_s19_q <= age_s18_q;
+      slot_s19_q <= slot_s18_q;
+      ends_cell_s19_q <= ends_cell_s18_q;
+      lower_half_s19_q <= lower_half_s18_q;
+      patches_band_rows_number_s19_q <= patches_band_rows_number_s18_q;
+      patches_choosing_band_s19_q <= patches_choosing_band_s18_q;
+      patches_lower_s19_q <= patches_lower_s18_q;
+      patches_second_s19_q <= patches_second_s18_q;
+      patches_code_row_s19_q <= patches_code_row_s18_q;
+      patches_column_s19_q <= patches_column_s18_q;
+      patches_match_row_ends_s19_q <= patches_match_row_ends_q;
+      patches_down_by_s19_q <= patches_down_by_q;
+      patches_along_s19_q <= patches_along_q;
+      patches_match_row_s19_q <= patches_match_row_q;
+      patches_summed_last_s19_q <= patches_summed_last_q;
+      patches_step_s19_q <= patches_step_s18_q;
+      patches_read_row_differing_s19_q <= patches_read_row_differing_q;
+      patches_read_row_column_s19_q <= patches_read_row_column_q;
+      patches_read_searches_s19_q <= patches_read_searches_s18_q;
+      select_463_s19_q <= select_463_s18_q;
+      equal_464_s19_q <= equal_464_s18_q;
+      select_466_s19_q <= select_466_s18_q;
+      select_470_s19_q <= select_470_s18_q;
+      and_476_s19_q <= and_476_s18_q;
+      and_477_s19_q <= and_477_s18_q;
+      averager_memory_rdata_s19_q <= averager_memory_rdata_q;
+      select_480_s19_q <= select_480;
+      equal_482_s19_q <= equal_482_s18_q;
+      sum_486_s19_q <= sum_486;
+      column_s19_q <= column_s18_q;
+      and_500_s19_q <= and_500_s18_q;
+      and_502_s19_q <= and_502_s18_q;
+      so_s19_q <= so_s18_q;
+      equal_563_s19_q <= equal_563_s18_q;
+      equal_1471_s19_q <= equal_1471_s18_q;
+      not_1472_s19_q <= not_1472_s18_q;
+      shift_2_s19_q <= {shift_2_s18_q[11], shift_2_s18_q[3:0]};
+      and_1506_s19_q <= and_1506_s18_q;
+      equal_1516_s19_q <= x_s18_q[6:4] == 3'h7;
+      right_2_s19_q <= right_2_s18_q;
+      and_1584_s19_q <= and_1584_s18_q;
+      and_1597_s19_q <= and_1597_s18_q;
+      and_1610_s19_q <= and_1610_s18_q;
+      less_1611_s19_q <= less_1611_s18_q;
+      equal_1612_s19_q <= equal_1612;
+      sum_1615_s19_q <= sum_1615[8:1];
+      select_1616_s19_q <= select_1616[0];
+      sum_1618_s19_q <= sum_1618;
+      select_1620_s19_q <= select_1620[0];
+      difference_1622_s19_q <= difference_1622;
+      equal_1633_s19_q <= equal_1633_s18_q;
+      and_1643_s19_q <= and_1643_s18_q;
+      select_1658_s19_q <= equal_1471_s18_q ? 6'h0 : (so_s18_q ? select_1656 : 6'h0);
+      select_1683_s19_q <= equal_1471_s18_q ? 8'h0 : select_1682;
+      and_1690_s19_q <= and_1690_s18_q;
+      and_1691_s19_q <= and_1691_s18_q;
+      equal_1692_s19_q <= equal_1692_s18_q;
+      not_1693_s19_q <= not_1693_s18_q;
+      equal_1694_s19_q <= equal_1694_s18_q;
+      not_1695_s19_q <= not_1695_s18_q;
+      equal_1696_s19_q <= equal_1696_s18_q;
+      equal_1697_s19_q <= equal_1697_s18_q;
+      or_1698_s19_q <= or_1698_s18_q;
+      select_1722_s19_q <= select_1722_s18_q;
+      select_1728_s19_q <= select_1728_s18_q;
+      select_1767_s19_q <= select_1767_s18_q;
+      patches_columns_above_rdata_s19_q <= {patches_columns_above_rdata_s18_q[24], patches_columns_above_rdata_s18_q[7:0]};
+      pixel_2_s19_q <= pixel_2_s18_q;
+      sum_1791_s19_q <= patches_down_by_q + {1'b0, patches_match_row_q};
+      sum_1805_s19_q <= sum_1805;
+      sum_1806_s19_q <= sum_1806;
+      sum_1817_s19_q <= sum_1817;
+      less_1853_s19_q <= less_1853_s18_q;
+      equal_1854_s19_q <= equal_1854_s18_q;
+      not_1855_s19_q <= not_1855_s18_q;
+      equal_1856_s19_q <= equal_1856_s18_q;
+      not_1857_s19_q <= not_1857_s18_q;
+      patches_rows_rdata_s19_q <= patches_rows_rdata_s18_q;
+      or_1875_s19_q <= or_1875;
+      or_1878_s19_q <= select_1872[7] | (~({select_1872[6], select_1872[3:2]} == 3'h0));
+      or_1881_s19_q <= select_1872[7] | (~(select_1872[6:4] == 3'h0));
+      and_1890_s19_q <= and_1890_s18_q;
+      textured_s19_q <= textured_s18_q;
+      and_1904_s19_q <= and_1904;
+      seen_columns_rdata_s19_q <= {seen_columns_rdata_s18_q[13:7], seen_columns_rdata_s18_q[5:0]};
+      shown_s19_q <= shown;
+      near_s19_q <= near;
+      and_1950_s19_q <= seen_columns_rdata_s18_q[14] & shift_2_s18_q[0];
+      and_1952_s19_q <= seen_columns_rdata_s18_q[5] & shift_2_s18_q[0];
+      or_1967_s19_q <= or_1967;
+      or_1970_s19_q <= select_1964[7] | (~({select_1964[6], select_1964[3:2]} == 3'h0));
+      or_1973_s19_q <= select_1964[7] | (~(select_1964[6:4] == 3'h0));
+      and_1984_s19_q <= seen_columns_rdata_s18_q[16] & shift_2_s18_q[0];
+      and_1986_s19_q <= seen_columns_rdata_s18_q[8] & shift_2_s18_q[0];
+      and_1987_s19_q <= seen_columns_rdata_s18_q[3] & shift_2_s18_q[0];
+      and_2000_s19_q <= seen_columns_rdata_s18_q[17] & shift_2_s18_q[0];
+      and_2002_s19_q <= seen_columns_rdata_s18_q[9] & shift_2_s18_q[0];
+      and_2003_s19_q <= seen_columns_rdata_s18_q[4] & shift_2_s18_q[0];
+      and_2023_s19_q <= and_2023_s18_q;
+      equal_2163_s19_q <= equal_2163_s18_q;
+      equal_2287_s19_q <= equal_2287_s18_q;
+      and_2427_s19_q <= seen_columns_rdata_s18_q[15] & shift_2_s18_q[0];
+      and_2429_s19_q <= seen_columns_rdata_s18_q[7] & shift_2_s18_q[0];
+      and_2430_s19_q <= seen_columns_rdata_s18_q[2] & shift_2_s18_q[0];
+      or_2522_s19_q <= (shift_2_s18_q[13:11] == 3'h0) | (shift_2_s18_q[13:11] == 3'h4);
+      sum_2523_s19_q <= shift_2_s18_q[13:12] + 2'h3;
+      less_2524_s19_q <= less_2524_s18_q;
+      and_2755_s19_q <= and_2755_s18_q;
+      select_3297_s19_q <= select_3297;
+      equal_3309_s19_q <= equal_3309_s18_q;
+      less_3585_s19_q <= less_3585_s18_q;
+      sum_3586_s19_q <= sum_3586[7];
+      and_3780_s19_q <= seen_columns_rdata_s18_q[6] & shift_2_s18_q[0];
+      equal_3790_s19_q <= equal_3790_s18_q;
     end
   end
 
-  // Stage 18 ----------------------------------------------------------------------------------------------------------
-  logic [9:0] registration_displacement_over_q;
-  logic shown_shown_q;
-  logic shown_nearer_q;
-  logic [7:0] region_columns_q;
-  logic [8:0] region_down_rest_q;
-  logic [7:0] region_down_back_q;
-  logic [8:0] region_down_next_q;
+  // Stage 19 ----------------------------------------------------------------------------------------------------------
+  logic sample_of_skin_q;
+  logic averager_running_mask_q;
+  logic averager_running_of_skin_q;
+  logic [4:0] patches_summed_down_by_q;
+  logic patches_read_first_q;
+  logic [9:0] patches_peak_best_differing_q;
+  logic [4:0] patches_peak_best_column_q;
+  logic [2:0] region_row_q;
+  logic [2:0] next_region_row_q;
+  logic region_fresh_q;
   logic segment_started_q;
+  logic centres_values_0_textured_q;
+  logic centres_values_0_of_skin_q;
+  logic centres_values_1_textured_q;
+  logic centres_values_1_of_skin_q;
   // hls/stages/census.hpp:121
-  logic [13:0] sum_352;
-  assign sum_352 = select_348_s18_q + (equal_350_s18_q ? 14'h0 : averager_memory_rdata_s18_q[13:0]);
-  logic [13:0] sum_356;
-  assign sum_356 = sum_354_s18_q + (equal_350_s18_q ? 14'h0 : averager_memory_rdata_s18_q[27:14]);
-  // hls/stages/census.hpp:122
-  logic and_360;
-  assign and_360 = whole_s18_q & (averager_memory_rdata_s18_q[28] | equal_350_s18_q);
+  logic [13:0] sum_484;
+  assign sum_484 = select_480_s19_q + (equal_482_s19_q ? 14'h0 : averager_memory_rdata_s19_q[13:0]);
+  logic [13:0] sum_488;
+  assign sum_488 = sum_486_s19_q + (equal_482_s19_q ? 14'h0 : averager_memory_rdata_s19_q[27:14]);
+  // hls/stages/agreement.hpp:404
+  logic whole;
+  assign whole = equal_464_s19_q ? sample_present_s19_q : (sample_present_s19_q & averager_running_mask_q);
+  logic all_of_skin;
+  assign all_of_skin = equal_464_s19_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
   // hls/stages/census.hpp:123
-  logic and_364;
-  assign and_364 = all_of_skin_s18_q & (averager_memory_rdata_s18_q[29] | equal_350_s18_q);
-  // hls/stages/agreement.hpp:197
-  logic [7:0] select_1450;
-  assign select_1450 = so_s18_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:992
-  logic or_1453;
-  assign or_1453 = select_1450[7] | (~({select_1450[5], select_1450[3], select_1450[1]} == 3'h0));
+  logic and_496;
+  assign and_496 = all_of_skin & (averager_memory_rdata_s19_q[29] | equal_482_s19_q);
+  // hls/stages/registration.hpp:147
+  logic all;
+  assign all = x_s19_q[5:3] == 3'h4;
+  // hls/stages/patches.hpp:193
+  logic equal_1530;
+  assign equal_1530 = x_s19_q[5:0] == 6'h3c;
+  logic equal_1532;
+  assign equal_1532 = x_s19_q[5:0] == 6'h3b;
+  logic equal_1534;
+  assign equal_1534 = x_s19_q[5:0] == 6'h36;
+  logic equal_1536;
+  assign equal_1536 = x_s19_q[5:0] == 6'h35;
+  logic equal_1538;
+  assign equal_1538 = x_s19_q[5:0] == 6'h34;
+  // hls/stages/agreement.hpp:1116
+  logic and_1542;
+  assign and_1542 = (~equal_1532) & ((~equal_1534) & ((~equal_1536) & (~equal_1538)));
+  // hls/stages/registration.hpp:214
+  logic [10:0] sum_1619;
+  assign sum_1619 = {{3{sum_1615_s19_q[7]}}, sum_1615_s19_q} + {sum_1618_s19_q[8], sum_1618_s19_q, select_1616_s19_q};
+  logic [9:0] sum_1623;
+  assign sum_1623 = {difference_1622_s19_q, select_1620_s19_q} + {sum_1619[10], sum_1619[10:2]};
+  // hls/stages/patches.hpp:478
+  logic less_1783;
+  assign less_1783 = 5'he < patches_along_s19_q;
+  // hls/stages/patches.hpp:479
+  logic or_1784;
+  assign or_1784 = equal_1696_s19_q | less_1783;
+  // hls/stages/patches.hpp:482
+  logic new_row;
+  assign new_row = patches_along_s19_q == 5'h0;
+  logic select_1789;
+  assign select_1789 = equal_1696_s19_q ? patches_column_s19_q[0] : (or_1784 ? (patches_along_s19_q == 5'h10) : (~new_row));
+  // hls/stages/patches.hpp:480
+  logic [4:0] select_1792;
+  assign select_1792 = patches_match_row_ends_s19_q ? patches_down_by_s19_q : sum_1791_s19_q;
+  // hls/stages/patches.hpp:483
+  logic [4:0] select_1795;
+  assign select_1795 = equal_1696_s19_q ? 5'h0 : (or_1784 ? (select_1792 + 5'h1) : sum_1791_s19_q);
+  // hls/stages/patches.hpp:459
+  logic equal_1798;
+  assign equal_1798 = patches_column_s19_q == 5'h1f;
+  logic of_row;
+  assign of_row = patches_column_s19_q == 5'h11;
+  logic equal_1800;
+  assign equal_1800 = patches_column_s19_q == 5'h18;
+  // hls/stages/patches.hpp:461
+  logic and_1802;
+  assign and_1802 = of_row & (~equal_1800);
+  logic [1:0] of_row_2;
+  assign of_row_2 = equal_1798 ? 2'h3 : {equal_1800, and_1802};
+  // hls/stages/patches.hpp:447
+  logic [10:0] down_2;
+  assign down_2 = {1'b0, sum_1805_s19_q, pixel_2_s19_q[0]} - {1'b0, sum_1806_s19_q, patches_columns_above_rdata_s19_q[8]};
+  // hls/stages/patches.hpp:445
+  logic [9:0] sum_1818;
+  assign sum_1818 = {2'h0, patches_columns_above_rdata_s19_q[7:0]} + sum_1817_s19_q[10:1];
+  // hls/stages/patches.hpp:460
+  logic or_1828;
+  assign or_1828 = (((patches_column_s19_q == 5'ha) | of_row) | equal_1800) | equal_1798;
+  // hls/stages/patches.hpp:455
+  logic and_1833;
+  assign and_1833 = (~(patches_code_row_s19_q[4:2] == 3'h0)) & (~(patches_column_s19_q[4:2] == 3'h0));
+  // hls/stages/patches.hpp:154
+  logic and_1847;
+  assign and_1847 = (~(equal_1697_s19_q | (~and_1833))) & (~patches_column_s19_q[4]);
+  // hls/stages/patches.hpp:322
+  logic [5:0] select_1882;
+  assign select_1882 = equal_1471_s19_q ? x_s19_q[5:0] : {region_row_q, or_1881_s19_q, or_1878_s19_q, or_1875_s19_q};
+  // hls/stages/agreement.hpp:1070
+  logic not_1883;
+  assign not_1883 = ~equal_1516_s19_q;
   // hls/stages/agreement.hpp:250
   logic explained;
-  assign explained = inside_v_s18_q[0] & inside_v_s18_q[3];
-  logic and_1483;
-  assign and_1483 = inside_v_s18_q[0] & ({inside_v_s18_q[4], inside_v_s18_q[2]} == 2'h3);
-  // hls/stages/agreement.hpp:960
-  logic select_1491;
-  assign select_1491 = slot_s18_q[2] ? shown_shown_q : inside_v_s18_q[3];
-  // hls/stages/agreement.hpp:250
-  logic shown;
-  assign shown = inside_v_s18_q[0] & (shown_right_rdata_s18_q[0] | select_1491);
-  // hls/stages/agreement.hpp:960
-  logic select_1494;
-  assign select_1494 = slot_s18_q[2] ? shown_nearer_q : inside_v_s18_q[4];
-  // hls/stages/agreement.hpp:250
-  logic near;
-  assign near = inside_v_s18_q[0] & (select_1491 ? select_1494 : shown_right_rdata_s18_q[1]);
+  assign explained = shift_2_s19_q[0] & shift_2_s19_q[3];
+  logic and_1911;
+  assign and_1911 = shift_2_s19_q[0] & shift_2_s19_q[2];
   // hls/stages/agreement.hpp:976
-  logic [7:0] select_1544;
-  assign select_1544 = inside_v_s18_q[0] ? (sum_1463_s18_q ? select_1450 : {select_1450[6:0], 1'b0}) : select_1450;
-  // hls/stages/agreement.hpp:992
-  logic or_1547;
-  assign or_1547 = select_1544[7] | (~({select_1544[5], select_1544[3], select_1544[1]} == 3'h0));
+  logic and_1953;
+  assign and_1953 = seen_columns_rdata_s19_q[0] & shift_2_s19_q[0];
+  // hls/stages/agreement.hpp:1029
+  logic [1:0] sum_1955;
+  assign sum_1955 = {1'b0, and_1952_s19_q} + ({1'b0, textured_s19_q} + {1'b0, and_1953});
   // hls/stages/agreement.hpp:976
-  logic and_2009;
-  assign and_2009 = seen_columns_rdata_s18_q[7] & inside_v_s18_q[0];
-  logic and_2010;
-  assign and_2010 = seen_columns_rdata_s18_q[2] & inside_v_s18_q[0];
-  // hls/stages/registration.hpp:37
-  logic not_2078;
-  assign not_2078 = ~registration_displacement_over_q[9];
-  // hls/stages/registration.hpp:39
-  logic [9:0] left;
-  assign left = less_2067_s18_q ? {1'b0, wide_s18_q, 1'b0} : {registration_displacement_over_q[8:0], not_2078};
-  // hls/stages/registration.hpp:40
-  logic [7:0] select_2086;
-  assign select_2086 = registration_displacement_over_q[9] ? wide_s18_q : not_2085_s18_q;
-  logic [9:0] taken_2;
-  assign taken_2 = less_2067_s18_q ? {taken_s18_q, 1'b1} : {not_2078, select_2086, not_2078};
-  // hls/stages/registration.hpp:42
-  logic [10:0] sum_2088;
-  assign sum_2088 = {left, 1'b1} + {taken_2, less_2067_s18_q};
-  // hls/stages/registration.hpp:96
-  logic [12:0] sum_2107;
-  assign sum_2107 = {registration_slope_s18_q[11], registration_slope_s18_q} + {{5{sum_2106_s18_q[7]}}, sum_2106_s18_q};
-  // hls/stages/agreement.hpp:402
-  logic select_2308;
-  assign select_2308 = equal_1339_s18_q ? shown_shown_q : (so_s18_q ? select_1491 : shown_shown_q);
-  logic select_2310;
-  assign select_2310 = equal_1339_s18_q ? shown_nearer_q : (so_s18_q ? select_1494 : shown_nearer_q);
-  // hls/stages/division.hpp:34
-  logic [7:0] sum_2312;
-  assign sum_2312 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:402
-  logic [7:0] select_2321;
-  assign select_2321 = equal_1339_s18_q ? select_1450 : (so_s18_q ? (ends_cell_s18_q ? select_1544 : select_1450) : 8'h1);
+  logic and_1985;
+  assign and_1985 = seen_columns_rdata_s19_q[11] & shift_2_s19_q[0];
+  // hls/stages/agreement.hpp:1031
+  logic [1:0] sum_1989;
+  assign sum_1989 = {1'b0, and_1986_s19_q} + ({1'b0, shown_s19_q} + {1'b0, and_1987_s19_q});
+  // hls/stages/agreement.hpp:976
+  logic and_2001;
+  assign and_2001 = seen_columns_rdata_s19_q[12] & shift_2_s19_q[0];
+  // hls/stages/agreement.hpp:1032
+  logic [1:0] sum_2005;
+  assign sum_2005 = {1'b0, and_2002_s19_q} + ({1'b0, near_s19_q} + {1'b0, and_2003_s19_q});
+  // hls/stages/agreement.hpp:263
+  logic select_2076;
+  assign select_2076 = sample_pair_whole_s19_q ? all_of_skin : averager_running_of_skin_q;
+  // hls/stages/patches.hpp:322
+  logic and_2406;
+  assign and_2406 = so_s19_q & (ends_cell_s19_q & (shift_2_s19_q[0] & shift_2_s19_q[1]));
+  // hls/stages/agreement.hpp:1047
+  logic not_2426;
+  assign not_2426 = ~(x_s19_q[7:1] == 7'h0);
+  // hls/stages/agreement.hpp:976
+  logic and_2428;
+  assign and_2428 = seen_columns_rdata_s19_q[10] & shift_2_s19_q[0];
+  // hls/stages/agreement.hpp:1030
+  logic [1:0] sum_2432;
+  assign sum_2432 = {1'b0, and_2429_s19_q} + ({1'b0, explained} + {1'b0, and_2430_s19_q});
+  // hls/stages/patches.hpp:322
+  logic and_2467;
+  assign and_2467 = ends_cell_s19_q & (shift_2_s19_q[0] & (shift_2_s19_q[2:1] == 2'h3));
+  // hls/stages/agreement.hpp:1052
+  logic and_2473;
+  assign and_2473 = not_2426 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
+  // hls/stages/registration.hpp:47
+  logic [7:0] difference_2525;
+  assign difference_2525 = {sum_2523_s19_q, shift_2_s19_q[4], 5'h0} - {3'h0, registration_displacement_fraction_q};
+  // hls/stages/registration.hpp:102
+  logic [7:0] select_2526;
+  assign select_2526 = less_2524_s19_q ? difference_2525 : {sum_2523_s19_q, shift_2_s19_q[4], registration_displacement_fraction_q};
+  logic [7:0] select_2527;
+  assign select_2527 = or_2522_s19_q ? {sum_2523_s19_q, shift_2_s19_q[4], 5'h0} : select_2526;
+  // hls/stages/patches.hpp:166
+  logic [4:0] select_3268;
+  assign select_3268 = equal_1694_s19_q ? patches_down_by_s19_q : patches_summed_down_by_q;
+  // hls/stages/patches.hpp:534
+  logic [4:0] select_3286;
+  assign select_3286 = less_1853_s19_q ? patches_step_s19_q : 5'h0;
+  // hls/stages/patches.hpp:538
+  logic [4:0] select_3289;
+  assign select_3289 = equal_1856_s19_q ? (less_1853_s19_q ? (equal_1856_s19_q ? 5'h0 : select_3286) : 5'h0) : select_3286;
+  logic [4:0] select_3291;
+  assign select_3291 = less_1853_s19_q ? (equal_1854_s19_q ? 5'h0 : select_3289) : select_3289;
+  logic select_3299;
+  assign select_3299 = less_1853_s19_q ? (not_1855_s19_q & select_3297_s19_q) : select_3297_s19_q;
+  // hls/stages/patches.hpp:160
+  logic or_3311;
+  assign or_3311 = patches_read_first_q | (patches_read_row_differing_s19_q < patches_peak_best_differing_q);
+  logic and_3312;
+  assign and_3312 = patches_read_searches_s19_q & or_3311;
+  // hls/stages/patches.hpp:517
+  logic [14:0] select_3344;
+  assign select_3344 = and_3312 ? {patches_read_row_column_s19_q, patches_read_row_differing_s19_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  // hls/stages/patches.hpp:166
+  logic [9:0] select_3345;
+  assign select_3345 = equal_1692_s19_q ? select_3344[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3346;
+  assign select_3346 = equal_1692_s19_q ? select_3344[14:10] : patches_peak_best_column_q;
   // hls/stages/agreement.hpp:447
-  logic [8:0] select_2335;
-  assign select_2335 = equal_431_s18_q ? {difference_2333[7], difference_2333} : (less_2311_s18_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:507
-  logic [8:0] select_2337;
-  assign select_2337 = and_370_s18_q ? (equal_1867_s18_q ? select_2335 : region_down_rest_q) : region_down_rest_q;
+  logic [2:0] select_3588;
+  assign select_3588 = less_3585_s19_q ? (sum_3586_s19_q ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_3590;
+  assign select_3590 = equal_2287_s19_q ? (equal_563_s19_q ? 3'h0 : select_3588) : region_row_q;
+  // hls/stages/division.hpp:18
+  logic next;
+  assign next = ~sum_3586_s19_q;
   // hls/stages/agreement.hpp:447
-  logic [7:0] select_2339;
-  assign select_2339 = equal_431_s18_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:507
-  logic [7:0] select_2341;
-  assign select_2341 = and_370_s18_q ? (equal_1867_s18_q ? select_2339 : region_down_back_q) : region_down_back_q;
-  // hls/stages/division.hpp:36
-  logic [8:0] select_2343;
-  assign select_2343 = sum_2312[7] ? {1'b1, sum_2312[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
+  logic select_3621;
+  assign select_3621 = equal_2287_s19_q ? (equal_563_s19_q | (less_3585_s19_q ? next : region_fresh_q)) : region_fresh_q;
+  // hls/stages/agreement.hpp:1148
+  logic equal_3639;
+  assign equal_3639 = x_s19_q[6:3] == 4'h7;
+  logic equal_3661;
+  assign equal_3661 = x_s19_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:1067
+  logic [7:0] select_3674;
+  assign select_3674 = (x_s19_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_3676;
+  assign select_3676 = equal_3661 ? cfg_unproven_skin_limit_i : (equal_3639 ? cfg_unproven_limit_i : select_3674);
+  // hls/stages/patches.hpp:322
+  logic select_3778;
+  assign select_3778 = so_s19_q ? (ends_cell_s19_q ? and_1952_s19_q : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_3782;
+  assign select_3782 = so_s19_q ? (ends_cell_s19_q ? and_3780_s19_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
+  logic select_3784;
+  assign select_3784 = ends_cell_s19_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_3786;
+  assign select_3786 = equal_1471_s19_q ? centres_values_1_textured_q : (so_s19_q ? select_3784 : centres_values_1_textured_q);
+  logic select_3787;
+  assign select_3787 = ends_cell_s19_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_3789;
+  assign select_3789 = equal_1471_s19_q ? centres_values_1_of_skin_q : (so_s19_q ? select_3787 : centres_values_1_of_skin_q);
 
-  // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:334; read in stage 18, written in stage 20: 18 < 20 < 18 + DISTANCE.
+  // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:334; read in stage 19, written in stage 21: 19 < 21 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [77:0] census_memory_mem [0:119];
@@ -3881,403 +5376,38 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) census_memory_mem[i] = 78'h0;
 `endif
   logic [6:0] census_memory_raddr;
-  assign census_memory_raddr = column_s18_q;
+  assign census_memory_raddr = column_s19_q;
   logic census_memory_re;
-  assign census_memory_re = s18_en & and_370_s18_q;
+  assign census_memory_re = s19_en & and_502_s19_q;
   logic [77:0] census_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
   end
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      registration_displacement_over_q <= 10'h0;
-      shown_shown_q <= 1'b0;
-      shown_nearer_q <= 1'b0;
-      region_columns_q <= 8'h1;
-      region_down_rest_q <= 9'h0;
-      region_down_back_q <= 8'h0;
-      region_down_next_q <= 9'h0;
-      segment_started_q <= 1'b0;
-    end else if (s18_en) begin
-      registration_displacement_over_q <= so_s18_q ? sum_2088[10:1] : registration_displacement_over_q;
-      shown_shown_q <= select_2308;
-      shown_nearer_q <= select_2310;
-      region_columns_q <= select_2321;
-      region_down_rest_q <= select_2337;
-      region_down_back_q <= select_2341;
-      region_down_next_q <= select_2343;
-      segment_started_q <= ~segment_starts_q;
-    end
-  end
-
-  logic [7:0] pixel_0_s19_q;
-  logic [7:0] pixel_1_s19_q;
-  logic saturated_s19_q;
-  logic mask_s19_q;
-  logic marks_first_s19_q;
-  logic marks_last_s19_q;
-  logic sample_pair_whole_s19_q;
-  logic [7:0] x_s19_q;
-  logic age_s19_q;
-  logic [2:0] slot_s19_q;
-  logic ends_cell_s19_q;
-  logic lower_half_s19_q;
-  logic registration_displacement_over_s19_q;
-  logic segment_started_s19_q;
-  logic [8:0] select_335_s19_q;
-  logic and_344_s19_q;
-  logic and_345_s19_q;
-  logic [13:0] sum_352_s19_q;
-  logic [13:0] sum_356_s19_q;
-  logic and_360_s19_q;
-  logic and_364_s19_q;
-  logic [6:0] column_s19_q;
-  logic and_368_s19_q;
-  logic and_370_s19_q;
-  logic equal_373_s19_q;
-  logic so_s19_q;
-  logic equal_431_s19_q;
-  logic equal_1339_s19_q;
-  logic not_1340_s19_q;
-  logic [11:0] inside_v_s19_q;
-  logic and_1374_s19_q;
-  logic equal_1384_s19_q;
-  logic right_2_s19_q;
-  logic or_1453_s19_q;
-  logic or_1456_s19_q;
-  logic or_1459_s19_q;
-  logic and_1469_s19_q;
-  logic textured_s19_q;
-  logic explained_s19_q;
-  logic and_1483_s19_q;
-  logic [12:0] seen_columns_rdata_s19_q;
-  logic shown_s19_q;
-  logic near_s19_q;
-  logic and_1529_s19_q;
-  logic and_1531_s19_q;
-  logic or_1547_s19_q;
-  logic or_1550_s19_q;
-  logic or_1553_s19_q;
-  logic and_1564_s19_q;
-  logic and_1566_s19_q;
-  logic and_1567_s19_q;
-  logic and_1580_s19_q;
-  logic and_1582_s19_q;
-  logic and_1583_s19_q;
-  logic and_1603_s19_q;
-  logic equal_1743_s19_q;
-  logic equal_1867_s19_q;
-  logic and_2007_s19_q;
-  logic and_2008_s19_q;
-  logic [1:0] sum_2012_s19_q;
-  logic [7:0] sum_2107_s19_q;
-  logic less_2108_s19_q;
-  logic less_2109_s19_q;
-  logic and_2120_s19_q;
-  logic less_2125_s19_q;
-  logic less_2311_s19_q;
-  logic sum_2312_s19_q;
-  logic and_2508_s19_q;
-  logic equal_2518_s19_q;
-  always_ff @(posedge clk_i) begin
-    if (s18_en) begin
-      pixel_0_s19_q <= sample_pair_pixel_0_q;
-      pixel_1_s19_q <= sample_pair_pixel_1_q;
-      saturated_s19_q <= saturated_s18_q;
-      mask_s19_q <= sample_of_skin_q;
-      marks_first_s19_q <= marks_first_s18_q;
-      marks_last_s19_q <= marks_last_s18_q;
-      sample_pair_whole_s19_q <= sample_pair_whole_s18_q;
-      x_s19_q <= x_s18_q;
-      age_s19_q <= age_s18_q;
-      slot_s19_q <= slot_s18_q;
-      ends_cell_s19_q <= ends_cell_s18_q;
-      lower_half_s19_q <= lower_half_s18_q;
-      registration_displacement_over_s19_q <= registration_displacement_over_q[9];
-      segment_started_s19_q <= segment_started_q;
-      select_335_s19_q <= select_335_s18_q;
-      and_344_s19_q <= and_344_s18_q;
-      and_345_s19_q <= and_345_s18_q;
-      sum_352_s19_q <= sum_352;
-      sum_356_s19_q <= sum_356;
-      and_360_s19_q <= and_360;
-      and_364_s19_q <= and_364;
-      column_s19_q <= column_s18_q;
-      and_368_s19_q <= and_368_s18_q;
-      and_370_s19_q <= and_370_s18_q;
-      equal_373_s19_q <= equal_373_s18_q;
-      so_s19_q <= so_s18_q;
-      equal_431_s19_q <= equal_431_s18_q;
-      equal_1339_s19_q <= equal_1339_s18_q;
-      not_1340_s19_q <= not_1340_s18_q;
-      inside_v_s19_q <= {inside_v_s18_q[13:5], inside_v_s18_q[2:0]};
-      and_1374_s19_q <= and_1374_s18_q;
-      equal_1384_s19_q <= x_s18_q[6:4] == 3'h7;
-      right_2_s19_q <= right_2_s18_q;
-      or_1453_s19_q <= or_1453;
-      or_1456_s19_q <= select_1450[7] | (~({select_1450[6], select_1450[3:2]} == 3'h0));
-      or_1459_s19_q <= select_1450[7] | (~(select_1450[6:4] == 3'h0));
-      and_1469_s19_q <= and_1469_s18_q;
-      textured_s19_q <= textured_s18_q;
-      explained_s19_q <= explained;
-      and_1483_s19_q <= and_1483;
-      seen_columns_rdata_s19_q <= {seen_columns_rdata_s18_q[13:7], seen_columns_rdata_s18_q[5:0]};
-      shown_s19_q <= shown;
-      near_s19_q <= near;
-      and_1529_s19_q <= seen_columns_rdata_s18_q[14] & inside_v_s18_q[0];
-      and_1531_s19_q <= seen_columns_rdata_s18_q[5] & inside_v_s18_q[0];
-      or_1547_s19_q <= or_1547;
-      or_1550_s19_q <= select_1544[7] | (~({select_1544[6], select_1544[3:2]} == 3'h0));
-      or_1553_s19_q <= select_1544[7] | (~(select_1544[6:4] == 3'h0));
-      and_1564_s19_q <= seen_columns_rdata_s18_q[16] & inside_v_s18_q[0];
-      and_1566_s19_q <= seen_columns_rdata_s18_q[8] & inside_v_s18_q[0];
-      and_1567_s19_q <= seen_columns_rdata_s18_q[3] & inside_v_s18_q[0];
-      and_1580_s19_q <= seen_columns_rdata_s18_q[17] & inside_v_s18_q[0];
-      and_1582_s19_q <= seen_columns_rdata_s18_q[9] & inside_v_s18_q[0];
-      and_1583_s19_q <= seen_columns_rdata_s18_q[4] & inside_v_s18_q[0];
-      and_1603_s19_q <= and_1603_s18_q;
-      equal_1743_s19_q <= equal_1743_s18_q;
-      equal_1867_s19_q <= equal_1867_s18_q;
-      and_2007_s19_q <= seen_columns_rdata_s18_q[15] & inside_v_s18_q[0];
-      and_2008_s19_q <= seen_columns_rdata_s18_q[11] & inside_v_s18_q[0];
-      sum_2012_s19_q <= {1'b0, and_2009} + ({1'b0, explained} + {1'b0, and_2010});
-      sum_2107_s19_q <= sum_2107[7:0];
-      less_2108_s19_q <= $signed(6'h0) < $signed(sum_2107[12:7]);
-      less_2109_s19_q <= $signed(sum_2107[12:7]) < $signed(6'h3f);
-      and_2120_s19_q <= and_2120_s18_q;
-      less_2125_s19_q <= less_2125_s18_q;
-      less_2311_s19_q <= less_2311_s18_q;
-      sum_2312_s19_q <= sum_2312[7];
-      and_2508_s19_q <= seen_columns_rdata_s18_q[6] & inside_v_s18_q[0];
-      equal_2518_s19_q <= equal_2518_s18_q;
-    end
-  end
-
-  // Stage 19 ----------------------------------------------------------------------------------------------------------
-  logic [10:0] averager_total_0_q;
-  logic [10:0] averager_total_1_q;
-  logic averager_mask_q;
-  logic averager_of_skin_q;
-  logic [4:0] registration_displacement_fraction_q;
-  logic [7:0] registration_slope_here_q;
-  logic [2:0] region_row_q;
-  logic [2:0] next_region_row_q;
-  logic region_fresh_q;
-  logic centres_values_0_textured_q;
-  logic centres_values_0_of_skin_q;
-  logic centres_values_1_textured_q;
-  logic centres_values_1_of_skin_q;
-  // hls/stages/census.hpp:206
-  logic [8:0] grey;
-  assign grey = and_344_s19_q ? sum_352_s19_q[13:5] : 9'h0;
-  // hls/stages/census.hpp:207
-  logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_373_s19_q ? 11'h0 : averager_total_0_q);
-  // hls/stages/census.hpp:206
-  logic [8:0] grey_2;
-  assign grey_2 = and_344_s19_q ? sum_356_s19_q[13:5] : 9'h0;
-  // hls/stages/census.hpp:207
-  logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_373_s19_q ? 11'h0 : averager_total_1_q);
-  // hls/stages/census.hpp:206
-  logic and_381;
-  assign and_381 = and_344_s19_q & and_360_s19_q;
-  // hls/stages/census.hpp:126
-  logic select_383;
-  assign select_383 = equal_373_s19_q ? and_381 : (averager_mask_q & and_381);
-  // hls/stages/agreement.hpp:263
-  logic whole_2;
-  assign whole_2 = sample_pair_whole_s19_q & select_383;
-  // hls/stages/census.hpp:206
-  logic and_385;
-  assign and_385 = and_344_s19_q & and_364_s19_q;
-  // hls/stages/census.hpp:126
-  logic select_387;
-  assign select_387 = equal_373_s19_q ? and_385 : (averager_of_skin_q & and_385);
-  // hls/stages/agreement.hpp:402
-  logic [5:0] select_1460;
-  assign select_1460 = equal_1339_s19_q ? x_s19_q[5:0] : {region_row_q, or_1459_s19_q, or_1456_s19_q, or_1453_s19_q};
-  // hls/stages/agreement.hpp:1070
-  logic not_1461;
-  assign not_1461 = ~equal_1384_s19_q;
-  // hls/stages/agreement.hpp:250
-  logic and_1490;
-  assign and_1490 = inside_v_s19_q[0] & inside_v_s19_q[2];
-  // hls/stages/agreement.hpp:976
-  logic and_1532;
-  assign and_1532 = seen_columns_rdata_s19_q[0] & inside_v_s19_q[0];
-  // hls/stages/agreement.hpp:1029
-  logic [1:0] sum_1534;
-  assign sum_1534 = {1'b0, and_1531_s19_q} + ({1'b0, textured_s19_q} + {1'b0, and_1532});
-  // hls/stages/agreement.hpp:976
-  logic and_1565;
-  assign and_1565 = seen_columns_rdata_s19_q[11] & inside_v_s19_q[0];
-  // hls/stages/agreement.hpp:1031
-  logic [1:0] sum_1569;
-  assign sum_1569 = {1'b0, and_1566_s19_q} + ({1'b0, shown_s19_q} + {1'b0, and_1567_s19_q});
-  // hls/stages/agreement.hpp:976
-  logic and_1581;
-  assign and_1581 = seen_columns_rdata_s19_q[12] & inside_v_s19_q[0];
-  // hls/stages/agreement.hpp:1032
-  logic [1:0] sum_1585;
-  assign sum_1585 = {1'b0, and_1582_s19_q} + ({1'b0, near_s19_q} + {1'b0, and_1583_s19_q});
-  // hls/stages/agreement.hpp:263
-  logic [10:0] select_1635;
-  assign select_1635 = sample_pair_whole_s19_q ? (and_368_s19_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_1637;
-  assign select_1637 = sample_pair_whole_s19_q ? (and_368_s19_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_1658;
-  assign select_1658 = sample_pair_whole_s19_q ? (and_368_s19_q ? select_383 : averager_mask_q) : averager_mask_q;
-  logic select_1660;
-  assign select_1660 = sample_pair_whole_s19_q ? (and_368_s19_q ? select_387 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:402
-  logic and_1986;
-  assign and_1986 = so_s19_q & (ends_cell_s19_q & (inside_v_s19_q[0] & inside_v_s19_q[1]));
-  // hls/stages/agreement.hpp:1047
-  logic not_2006;
-  assign not_2006 = ~(x_s19_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:1030
-  logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2007_s19_q} + ({2'h0, and_2008_s19_q} + {1'b0, sum_2012_s19_q});
-  // hls/stages/agreement.hpp:402
-  logic and_2047;
-  assign and_2047 = ends_cell_s19_q & (inside_v_s19_q[0] & (inside_v_s19_q[2:1] == 2'h3));
-  // hls/stages/agreement.hpp:1052
-  logic and_2053;
-  assign and_2053 = not_2006 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
-  // hls/stages/agreement.hpp:245
-  logic [4:0] select_2090;
-  assign select_2090 = so_s19_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_s19_q} : registration_displacement_fraction_q;
-  // hls/stages/registration.hpp:83
-  logic equal_2091;
-  assign equal_2091 = slot_s19_q == 3'h7;
-  // hls/stages/registration.hpp:218
-  logic [7:0] select_2111;
-  assign select_2111 = less_2108_s19_q ? 8'h7f : (less_2109_s19_q ? 8'h80 : sum_2107_s19_q);
-  // hls/stages/agreement.hpp:402
-  logic [7:0] select_2113;
-  assign select_2113 = so_s19_q ? (equal_2091 ? registration_slope_here_q : select_2111) : registration_slope_here_q;
-  // hls/stages/registration.hpp:211
-  logic [6:0] select_2129;
-  assign select_2129 = inside_v_s19_q[3] ? registration_slope_here_q[7:1] : 7'h0;
-  logic [7:0] select_2130;
-  assign select_2130 = inside_v_s19_q[4] ? registration_slope_here_q : 8'h0;
-  logic [8:0] sum_2131;
-  assign sum_2131 = {{2{select_2129[6]}}, select_2129} + {select_2130[7], select_2130};
-  // hls/stages/registration.hpp:212
-  logic [7:0] select_2132;
-  assign select_2132 = inside_v_s19_q[5] ? registration_slope_here_q : 8'h0;
-  logic [7:0] select_2133;
-  assign select_2133 = inside_v_s19_q[6] ? registration_slope_here_q : 8'h0;
-  logic [8:0] sum_2134;
-  assign sum_2134 = {{2{select_2132[7]}}, select_2132[7:1]} + {select_2133[7], select_2133};
-  // hls/stages/registration.hpp:213
-  logic [7:0] select_2136;
-  assign select_2136 = inside_v_s19_q[7] ? registration_slope_here_q : 8'h0;
-  logic [7:0] select_2137;
-  assign select_2137 = inside_v_s19_q[8] ? registration_slope_here_q : 8'h0;
-  logic [8:0] difference_2138;
-  assign difference_2138 = {{2{select_2136[7]}}, select_2136[7:1]} - {select_2137[7], select_2137};
-  // hls/stages/agreement.hpp:447
-  logic [2:0] select_2314;
-  assign select_2314 = less_2311_s19_q ? (sum_2312_s19_q ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_2316;
-  assign select_2316 = equal_1867_s19_q ? (equal_431_s19_q ? 3'h0 : select_2314) : region_row_q;
-  // hls/stages/division.hpp:18
-  logic next;
-  assign next = ~sum_2312_s19_q;
-  // hls/stages/agreement.hpp:447
-  logic select_2347;
-  assign select_2347 = equal_1867_s19_q ? (equal_431_s19_q | (less_2311_s19_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:1148
-  logic equal_2365;
-  assign equal_2365 = x_s19_q[6:3] == 4'h7;
-  logic equal_2389;
-  assign equal_2389 = x_s19_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1067
-  logic [7:0] select_2402;
-  assign select_2402 = (x_s19_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_2404;
-  assign select_2404 = equal_2389 ? cfg_unproven_skin_limit_i : (equal_2365 ? cfg_unproven_limit_i : select_2402);
-  // hls/stages/agreement.hpp:402
-  logic select_2506;
-  assign select_2506 = so_s19_q ? (ends_cell_s19_q ? and_1531_s19_q : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_2510;
-  assign select_2510 = so_s19_q ? (ends_cell_s19_q ? and_2508_s19_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
-  logic select_2512;
-  assign select_2512 = ends_cell_s19_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_2514;
-  assign select_2514 = equal_1339_s19_q ? centres_values_1_textured_q : (so_s19_q ? select_2512 : centres_values_1_textured_q);
-  logic select_2515;
-  assign select_2515 = ends_cell_s19_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_2517;
-  assign select_2517 = equal_1339_s19_q ? centres_values_1_of_skin_q : (so_s19_q ? select_2515 : centres_values_1_of_skin_q);
-
-  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1318; read in stage 19, written in stage 22: 19 < 22 < 19 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1319; read in stage 19, written in stage 22: 19 < 22 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [29:0] regions_mem [0:63];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 30'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1460;
+  assign regions_raddr = select_1882;
   logic regions_re;
-  assign regions_re = s19_en & (equal_1339_s19_q ? (x_s19_q[6] & not_1461) : and_1469_s19_q);
+  assign regions_re = s19_en & (equal_1471_s19_q ? (x_s19_q[6] & not_1883) : and_1890_s19_q);
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_rdata_q <= regions_mem[regions_raddr];
   end
 
-  // Memory averager_memory, write
-  logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_335_s19_q;
-  logic averager_memory_we;
-  assign averager_memory_we = s19_en & and_345_s19_q;
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_364_s19_q, and_360_s19_q, sum_356_s19_q, sum_352_s19_q};
-  end
-`ifndef SYNTHESIS
-  logic [8:0] averager_memory_raddr_s17_sim;
-  logic averager_memory_re_s17_sim;
-  logic [8:0] averager_memory_raddr_s18_sim;
-  logic averager_memory_re_s18_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      averager_memory_re_s17_sim <= 1'b0;
-      averager_memory_re_s18_sim <= 1'b0;
-    end else if (en_i) begin
-      averager_memory_re_s17_sim <= averager_memory_re;
-      averager_memory_raddr_s17_sim <= averager_memory_raddr;
-      averager_memory_re_s18_sim <= averager_memory_re_s17_sim;
-      averager_memory_raddr_s18_sim <= averager_memory_raddr_s17_sim;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && averager_memory_we) begin
-      if (averager_memory_re && averager_memory_raddr == averager_memory_waddr) begin
-        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
-      end
-      if (averager_memory_re_s17_sim && averager_memory_raddr_s17_sim == averager_memory_waddr) begin
-        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
-      end
-      if (averager_memory_re_s18_sim && averager_memory_raddr_s18_sim == averager_memory_waddr) begin
-        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
-      end
-      if (averager_memory_waddr >= 9'd480) $error("averager_memory: write outside, address %0d", averager_memory_waddr);
-    end
-    if (rst_ni && averager_memory_re && averager_memory_raddr >= 9'd480) $error("averager_memory: read outside, address %0d", averager_memory_raddr);
-  end
-`endif
-
   // Memory seen_columns, write
   logic [6:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s19_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s19_en & and_1374_s19_q;
+  assign seen_columns_we = s19_en & and_1506_s19_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s19_q, near_s19_q, shown_s19_q, explained_s19_q, and_1490, textured_s19_q};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s19_q, near_s19_q, shown_s19_q, explained, and_1911, textured_s19_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] seen_columns_raddr_s17_sim;
@@ -4314,29 +5444,737 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      averager_mask_q <= 1'b0;
-      averager_of_skin_q <= 1'b0;
-      registration_displacement_fraction_q <= 5'h0;
-      registration_slope_here_q <= 8'h0;
+      sample_of_skin_q <= 1'b0;
+      averager_running_mask_q <= 1'b0;
+      averager_running_of_skin_q <= 1'b0;
+      patches_summed_down_by_q <= 5'h0;
+      patches_read_first_q <= 1'b0;
+      patches_peak_best_differing_q <= 10'h0;
+      patches_peak_best_column_q <= 5'h0;
       region_row_q <= 3'h0;
       next_region_row_q <= 3'h0;
       region_fresh_q <= 1'b1;
+      segment_started_q <= 1'b0;
       centres_values_0_textured_q <= 1'b0;
       centres_values_0_of_skin_q <= 1'b0;
       centres_values_1_textured_q <= 1'b0;
       centres_values_1_of_skin_q <= 1'b0;
     end else if (s19_en) begin
-      averager_mask_q <= select_1658;
-      averager_of_skin_q <= select_1660;
-      registration_displacement_fraction_q <= select_2090;
-      registration_slope_here_q <= equal_1339_s19_q ? registration_slope_here_q : select_2113;
-      region_row_q <= and_370_s19_q ? select_2316 : region_row_q;
+      sample_of_skin_q <= mask_s19_q;
+      averager_running_mask_q <= sample_pair_whole_s19_q ? whole : averager_running_mask_q;
+      averager_running_of_skin_q <= select_2076;
+      patches_summed_down_by_q <= equal_1692_s19_q ? patches_summed_down_by_q : select_3268;
+      patches_read_first_q <= equal_1692_s19_q ? select_3299 : patches_read_first_q;
+      patches_peak_best_differing_q <= select_3345;
+      patches_peak_best_column_q <= select_3346;
+      region_row_q <= and_502_s19_q ? select_3590 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_fresh_q <= and_370_s19_q ? select_2347 : region_fresh_q;
-      centres_values_0_textured_q <= equal_1339_s19_q ? centres_values_0_textured_q : select_2506;
-      centres_values_0_of_skin_q <= equal_1339_s19_q ? centres_values_0_of_skin_q : select_2510;
-      centres_values_1_textured_q <= select_2514;
-      centres_values_1_of_skin_q <= select_2517;
+      region_fresh_q <= and_502_s19_q ? select_3621 : region_fresh_q;
+      segment_started_q <= ~segment_starts_q;
+      centres_values_0_textured_q <= equal_1471_s19_q ? centres_values_0_textured_q : select_3778;
+      centres_values_0_of_skin_q <= equal_1471_s19_q ? centres_values_0_of_skin_q : select_3782;
+      centres_values_1_textured_q <= select_3786;
+      centres_values_1_of_skin_q <= select_3789;
+    end
+  end
+
+  logic [7:0] pixel_0_s20_q;
+  logic [7:0] pixel_1_s20_q;
+  logic saturated_s20_q;
+  logic marks_first_s20_q;
+  logic marks_last_s20_q;
+  logic [7:0] sample_pair_pixel_0_s20_q;
+  logic [7:0] sample_pair_pixel_1_s20_q;
+  logic sample_pair_whole_s20_q;
+  logic sample_present_s20_q;
+  logic [7:0] x_s20_q;
+  logic age_s20_q;
+  logic [2:0] slot_s20_q;
+  logic ends_cell_s20_q;
+  logic lower_half_s20_q;
+  logic [4:0] patches_band_rows_number_s20_q;
+  logic [4:0] patches_choosing_band_s20_q;
+  logic patches_lower_s20_q;
+  logic patches_second_s20_q;
+  logic [4:0] patches_code_row_s20_q;
+  logic [4:0] patches_along_s20_q;
+  logic [3:0] patches_match_row_s20_q;
+  logic patches_summed_last_s20_q;
+  logic [4:0] patches_summed_down_by_s20_q;
+  logic [4:0] patches_step_s20_q;
+  logic [9:0] patches_read_row_differing_s20_q;
+  logic patches_read_first_s20_q;
+  logic [2:0] region_row_s20_q;
+  logic region_fresh_s20_q;
+  logic segment_started_s20_q;
+  logic centres_values_1_textured_s20_q;
+  logic centres_values_1_of_skin_s20_q;
+  logic [3:0] select_463_s20_q;
+  logic [6:0] select_466_s20_q;
+  logic [8:0] select_470_s20_q;
+  logic and_476_s20_q;
+  logic and_477_s20_q;
+  logic [13:0] sum_484_s20_q;
+  logic [13:0] sum_488_s20_q;
+  logic and_492_s20_q;
+  logic and_496_s20_q;
+  logic [6:0] column_s20_q;
+  logic and_500_s20_q;
+  logic and_502_s20_q;
+  logic equal_505_s20_q;
+  logic so_s20_q;
+  logic equal_563_s20_q;
+  logic equal_1471_s20_q;
+  logic not_1472_s20_q;
+  logic [1:0] shift_2_s20_q;
+  logic equal_1516_s20_q;
+  logic all_s20_q;
+  logic equal_1530_s20_q;
+  logic equal_1532_s20_q;
+  logic equal_1534_s20_q;
+  logic equal_1536_s20_q;
+  logic equal_1538_s20_q;
+  logic and_1543_s20_q;
+  logic right_2_s20_q;
+  logic and_1584_s20_q;
+  logic and_1597_s20_q;
+  logic and_1610_s20_q;
+  logic less_1611_s20_q;
+  logic equal_1612_s20_q;
+  logic sum_1619_s20_q;
+  logic [9:0] sum_1623_s20_q;
+  logic equal_1633_s20_q;
+  logic and_1643_s20_q;
+  logic [5:0] select_1658_s20_q;
+  logic [7:0] select_1683_s20_q;
+  logic and_1690_s20_q;
+  logic and_1691_s20_q;
+  logic equal_1692_s20_q;
+  logic not_1693_s20_q;
+  logic equal_1694_s20_q;
+  logic not_1695_s20_q;
+  logic equal_1697_s20_q;
+  logic or_1698_s20_q;
+  logic [4:0] select_1722_s20_q;
+  logic select_1728_s20_q;
+  logic [3:0] select_1767_s20_q;
+  logic patches_columns_above_rdata_s20_q;
+  logic [7:0] pixel_2_s20_q;
+  logic less_1783_s20_q;
+  logic new_row_s20_q;
+  logic select_1789_s20_q;
+  logic not_1790_s20_q;
+  logic [4:0] select_1795_s20_q;
+  logic or_1796_s20_q;
+  logic [1:0] of_row_2_s20_q;
+  logic [10:0] down_2_s20_q;
+  logic sum_1817_s20_q;
+  logic [9:0] sum_1818_s20_q;
+  logic and_1836_s20_q;
+  logic and_1847_s20_q;
+  logic and_1850_s20_q;
+  logic less_1853_s20_q;
+  logic equal_1854_s20_q;
+  logic not_1855_s20_q;
+  logic equal_1856_s20_q;
+  logic not_1857_s20_q;
+  logic [9:0] patches_rows_rdata_s20_q;
+  logic or_1875_s20_q;
+  logic or_1878_s20_q;
+  logic or_1881_s20_q;
+  logic not_1883_s20_q;
+  logic textured_s20_q;
+  logic explained_s20_q;
+  logic and_1904_s20_q;
+  logic and_1909_s20_q;
+  logic and_1950_s20_q;
+  logic and_1951_s20_q;
+  logic [1:0] sum_1955_s20_q;
+  logic or_1967_s20_q;
+  logic or_1970_s20_q;
+  logic or_1973_s20_q;
+  logic and_1984_s20_q;
+  logic [2:0] sum_1990_s20_q;
+  logic and_2000_s20_q;
+  logic [2:0] sum_2006_s20_q;
+  logic and_2023_s20_q;
+  logic equal_2163_s20_q;
+  logic equal_2287_s20_q;
+  logic and_2407_s20_q;
+  logic not_2426_s20_q;
+  logic and_2427_s20_q;
+  logic [2:0] sum_2433_s20_q;
+  logic and_2469_s20_q;
+  logic and_2476_s20_q;
+  logic [7:0] select_2527_s20_q;
+  logic and_2755_s20_q;
+  logic less_2882_s20_q;
+  logic [4:0] select_3291_s20_q;
+  logic equal_3309_s20_q;
+  logic and_3312_s20_q;
+  logic [14:0] select_3344_s20_q;
+  logic equal_3639_s20_q;
+  logic equal_3660_s20_q;
+  logic equal_3661_s20_q;
+  logic [7:0] select_3676_s20_q;
+  logic equal_3790_s20_q;
+  always_ff @(posedge clk_i) begin
+    if (s19_en) begin
+      pixel_0_s20_q <= sample_pair_pixel_0_q;
+      pixel_1_s20_q <= sample_pair_pixel_1_q;
+      saturated_s20_q <= saturated_s19_q;
+      marks_first_s20_q <= marks_first_s19_q;
+      marks_last_s20_q <= marks_last_s19_q;
+      sample_pair_pixel_0_s20_q <= sample_pair_pixel_0_s19_q;
+      sample_pair_pixel_1_s20_q <= sample_pair_pixel_1_s19_q;
+      sample_pair_whole_s20_q <= sample_pair_whole_s19_q;
+      sample_present_s20_q <= sample_present_s19_q;
+      x_s20_q <= x_s19_q;
+      age_s20_q <= age_s19_q;
+      slot_s20_q <= slot_s19_q;
+      ends_cell_s20_q <= ends_cell_s19_q;
+      lower_half_s20_q <= lower_half_s19_q;
+      patches_band_rows_number_s20_q <= patches_band_rows_number_s19_q;
+      patches_choosing_band_s20_q <= patches_choosing_band_s19_q;
+      patches_lower_s20_q <= patches_lower_s19_q;
+      patches_second_s20_q <= patches_second_s19_q;
+      patches_code_row_s20_q <= patches_code_row_s19_q;
+      patches_along_s20_q <= patches_along_s19_q;
+      patches_match_row_s20_q <= patches_match_row_s19_q;
+      patches_summed_last_s20_q <= patches_summed_last_s19_q;
+      patches_summed_down_by_s20_q <= patches_summed_down_by_q;
+      patches_step_s20_q <= patches_step_s19_q;
+      patches_read_row_differing_s20_q <= patches_read_row_differing_s19_q;
+      patches_read_first_s20_q <= patches_read_first_q;
+      region_row_s20_q <= region_row_q;
+      region_fresh_s20_q <= region_fresh_q;
+      segment_started_s20_q <= segment_started_q;
+      centres_values_1_textured_s20_q <= centres_values_1_textured_q;
+      centres_values_1_of_skin_s20_q <= centres_values_1_of_skin_q;
+      select_463_s20_q <= select_463_s19_q;
+      select_466_s20_q <= select_466_s19_q;
+      select_470_s20_q <= select_470_s19_q;
+      and_476_s20_q <= and_476_s19_q;
+      and_477_s20_q <= and_477_s19_q;
+      sum_484_s20_q <= sum_484;
+      sum_488_s20_q <= sum_488;
+      and_492_s20_q <= whole & (averager_memory_rdata_s19_q[28] | equal_482_s19_q);
+      and_496_s20_q <= and_496;
+      column_s20_q <= column_s19_q;
+      and_500_s20_q <= and_500_s19_q;
+      and_502_s20_q <= and_502_s19_q;
+      equal_505_s20_q <= select_463_s19_q == 4'h3;
+      so_s20_q <= so_s19_q;
+      equal_563_s20_q <= equal_563_s19_q;
+      equal_1471_s20_q <= equal_1471_s19_q;
+      not_1472_s20_q <= not_1472_s19_q;
+      shift_2_s20_q <= {shift_2_s19_q[3], shift_2_s19_q[0]};
+      equal_1516_s20_q <= equal_1516_s19_q;
+      all_s20_q <= all;
+      equal_1530_s20_q <= equal_1530;
+      equal_1532_s20_q <= equal_1532;
+      equal_1534_s20_q <= equal_1534;
+      equal_1536_s20_q <= equal_1536;
+      equal_1538_s20_q <= equal_1538;
+      and_1543_s20_q <= (~equal_1530) & and_1542;
+      right_2_s20_q <= right_2_s19_q;
+      and_1584_s20_q <= and_1584_s19_q;
+      and_1597_s20_q <= and_1597_s19_q;
+      and_1610_s20_q <= and_1610_s19_q;
+      less_1611_s20_q <= less_1611_s19_q;
+      equal_1612_s20_q <= equal_1612_s19_q;
+      sum_1619_s20_q <= sum_1619[1];
+      sum_1623_s20_q <= sum_1623;
+      equal_1633_s20_q <= equal_1633_s19_q;
+      and_1643_s20_q <= and_1643_s19_q;
+      select_1658_s20_q <= select_1658_s19_q;
+      select_1683_s20_q <= select_1683_s19_q;
+      and_1690_s20_q <= and_1690_s19_q;
+      and_1691_s20_q <= and_1691_s19_q;
+      equal_1692_s20_q <= equal_1692_s19_q;
+      not_1693_s20_q <= not_1693_s19_q;
+      equal_1694_s20_q <= equal_1694_s19_q;
+      not_1695_s20_q <= not_1695_s19_q;
+      equal_1697_s20_q <= equal_1697_s19_q;
+      or_1698_s20_q <= or_1698_s19_q;
+      select_1722_s20_q <= select_1722_s19_q;
+      select_1728_s20_q <= select_1728_s19_q;
+      select_1767_s20_q <= select_1767_s19_q;
+      patches_columns_above_rdata_s20_q <= patches_columns_above_rdata_s19_q[8];
+      pixel_2_s20_q <= pixel_2_s19_q;
+      less_1783_s20_q <= less_1783;
+      new_row_s20_q <= new_row;
+      select_1789_s20_q <= select_1789;
+      not_1790_s20_q <= ~or_1784;
+      select_1795_s20_q <= select_1795;
+      or_1796_s20_q <= equal_1696_s19_q | equal_1694_s19_q;
+      of_row_2_s20_q <= of_row_2;
+      down_2_s20_q <= down_2;
+      sum_1817_s20_q <= sum_1817_s19_q[0];
+      sum_1818_s20_q <= sum_1818;
+      and_1836_s20_q <= or_1698_s19_q & (or_1828 & (equal_1697_s19_q & and_1833));
+      and_1847_s20_q <= and_1847;
+      and_1850_s20_q <= or_1698_s19_q & (and_1847 & (patches_column_s19_q == 5'hf));
+      less_1853_s20_q <= less_1853_s19_q;
+      equal_1854_s20_q <= equal_1854_s19_q;
+      not_1855_s20_q <= not_1855_s19_q;
+      equal_1856_s20_q <= equal_1856_s19_q;
+      not_1857_s20_q <= not_1857_s19_q;
+      patches_rows_rdata_s20_q <= patches_rows_rdata_s19_q;
+      or_1875_s20_q <= or_1875_s19_q;
+      or_1878_s20_q <= or_1878_s19_q;
+      or_1881_s20_q <= or_1881_s19_q;
+      not_1883_s20_q <= not_1883;
+      textured_s20_q <= textured_s19_q;
+      explained_s20_q <= explained;
+      and_1904_s20_q <= and_1904_s19_q;
+      and_1909_s20_q <= not_1472_s19_q & and_1890_s19_q;
+      and_1950_s20_q <= and_1950_s19_q;
+      and_1951_s20_q <= seen_columns_rdata_s19_q[9] & shift_2_s19_q[0];
+      sum_1955_s20_q <= sum_1955;
+      or_1967_s20_q <= or_1967_s19_q;
+      or_1970_s20_q <= or_1970_s19_q;
+      or_1973_s20_q <= or_1973_s19_q;
+      and_1984_s20_q <= and_1984_s19_q;
+      sum_1990_s20_q <= {2'h0, and_1985} + {1'b0, sum_1989};
+      and_2000_s20_q <= and_2000_s19_q;
+      sum_2006_s20_q <= {2'h0, and_2001} + {1'b0, sum_2005};
+      and_2023_s20_q <= and_2023_s19_q;
+      equal_2163_s20_q <= equal_2163_s19_q;
+      equal_2287_s20_q <= equal_2287_s19_q;
+      and_2407_s20_q <= not_1472_s19_q & and_2406;
+      not_2426_s20_q <= not_2426;
+      and_2427_s20_q <= and_2427_s19_q;
+      sum_2433_s20_q <= {2'h0, and_2428} + {1'b0, sum_2432};
+      and_2469_s20_q <= not_1472_s19_q & (so_s19_q & and_2467);
+      and_2476_s20_q <= not_1472_s19_q & (so_s19_q & (ends_cell_s19_q & and_2473));
+      select_2527_s20_q <= select_2527;
+      and_2755_s20_q <= and_2755_s19_q;
+      less_2882_s20_q <= 4'he < patches_column_s19_q[4:1];
+      select_3291_s20_q <= select_3291;
+      equal_3309_s20_q <= equal_3309_s19_q;
+      and_3312_s20_q <= and_3312;
+      select_3344_s20_q <= select_3344;
+      equal_3639_s20_q <= equal_3639;
+      equal_3660_s20_q <= x_s19_q[6:3] == 4'h9;
+      equal_3661_s20_q <= equal_3661;
+      select_3676_s20_q <= select_3676;
+      equal_3790_s20_q <= equal_3790_s19_q;
+    end
+  end
+
+  // Stage 20 ----------------------------------------------------------------------------------------------------------
+  logic [10:0] averager_total_0_q;
+  logic [10:0] averager_total_1_q;
+  logic averager_mask_q;
+  logic averager_of_skin_q;
+  logic [3:0] census_filled_q;
+  logic [4:0] rows_passed_above_q;
+  logic [13:0] counts_textured_q;
+  logic [13:0] counts_skin_supervised_q;
+  logic [13:0] counts_skin_textured_q;
+  logic [10:0] registration_expected_q;
+  logic registration_of_right_q;
+  logic registration_was_inside_q;
+  logic [4:0] patches_band_q;
+  logic [1:0] patches_fetch_q;
+  logic [10:0] patches_down_values_0_q;
+  logic [10:0] patches_down_values_1_q;
+  logic [4:0] patches_read_at_q;
+  logic [4:0] patches_peak_row_q;
+  logic [2:0] box_explained_columns_values_0_q;
+  logic [2:0] box_explained_columns_values_1_q;
+  logic [2:0] box_explained_columns_values_2_q;
+  logic [2:0] box_explained_columns_values_3_q;
+  logic [2:0] box_explained_columns_values_4_q;
+  logic [2:0] box_shown_columns_values_0_q;
+  logic [2:0] box_shown_columns_values_1_q;
+  logic [2:0] box_shown_columns_values_2_q;
+  logic [2:0] box_shown_columns_values_3_q;
+  logic [2:0] box_shown_columns_values_4_q;
+  logic [2:0] box_nearer_columns_values_0_q;
+  logic [2:0] box_nearer_columns_values_1_q;
+  logic [2:0] box_nearer_columns_values_2_q;
+  logic [2:0] box_nearer_columns_values_3_q;
+  logic [2:0] box_nearer_columns_values_4_q;
+  // hls/stages/census.hpp:206
+  logic [8:0] grey;
+  assign grey = and_476_s20_q ? sum_484_s20_q[13:5] : 9'h0;
+  // hls/stages/census.hpp:207
+  logic [10:0] total;
+  assign total = {2'h0, grey} + (equal_505_s20_q ? 11'h0 : averager_total_0_q);
+  // hls/stages/census.hpp:206
+  logic [8:0] grey_2;
+  assign grey_2 = and_476_s20_q ? sum_488_s20_q[13:5] : 9'h0;
+  // hls/stages/census.hpp:207
+  logic [10:0] total_2;
+  assign total_2 = {2'h0, grey_2} + (equal_505_s20_q ? 11'h0 : averager_total_1_q);
+  // hls/stages/census.hpp:206
+  logic and_513;
+  assign and_513 = and_476_s20_q & and_492_s20_q;
+  // hls/stages/census.hpp:126
+  logic select_515;
+  assign select_515 = equal_505_s20_q ? and_513 : (averager_mask_q & and_513);
+  // hls/stages/agreement.hpp:263
+  logic whole_2;
+  assign whole_2 = sample_pair_whole_s20_q & select_515;
+  // hls/stages/census.hpp:206
+  logic and_517;
+  assign and_517 = and_476_s20_q & and_496_s20_q;
+  // hls/stages/census.hpp:126
+  logic select_519;
+  assign select_519 = equal_505_s20_q ? and_517 : (averager_of_skin_q & and_517);
+  // hls/stages/agreement.hpp:442
+  logic equal_560;
+  assign equal_560 = column_s20_q == 7'h0;
+  logic [3:0] select_564;
+  assign select_564 = equal_563_s20_q ? 4'h0 : rows_passed_above_q[3:0];
+  // hls/stages/agreement.hpp:443
+  logic [4:0] select_565;
+  assign select_565 = equal_560 ? {select_564, 1'b1} : rows_passed_above_q;
+  // hls/stages/census.hpp:276
+  logic [3:0] select_566;
+  assign select_566 = equal_560 ? 4'h0 : census_filled_q;
+  // hls/stages/agreement.hpp:1116
+  logic [1:0] quarter;
+  assign quarter = x_s20_q[1:0] + 2'h1;
+  // hls/stages/agreement.hpp:1071
+  logic [1:0] select_1519;
+  assign select_1519 = x_s20_q[4] ? {x_s20_q[3], x_s20_q[0]} : {x_s20_q[0], x_s20_q[3]};
+  // hls/stages/agreement.hpp:1084
+  logic [3:0] select_1521;
+  assign select_1521 = equal_1516_s20_q ? {2'h0, quarter} : (all_s20_q ? {1'b0, x_s20_q[2:0]} : {x_s20_q[2:1], select_1519});
+  // hls/stages/registration.hpp:107
+  logic [1:0] sum_1522;
+  assign sum_1522 = slot_s20_q[1:0] + 2'h3;
+  // hls/stages/patches.hpp:322
+  logic [3:0] select_1523;
+  assign select_1523 = equal_1471_s20_q ? select_1521 : {sum_1522, lower_half_s20_q, registration_of_right_q};
+  // hls/stages/patches.hpp:193
+  logic equal_1524;
+  assign equal_1524 = x_s20_q[5:0] == 6'h3f;
+  logic equal_1526;
+  assign equal_1526 = x_s20_q[5:0] == 6'h3e;
+  logic equal_1528;
+  assign equal_1528 = x_s20_q[5:0] == 6'h3d;
+  // hls/stages/agreement.hpp:1116
+  logic and_1546;
+  assign and_1546 = (~equal_1524) & ((~equal_1526) & ((~equal_1528) & and_1543_s20_q));
+  // hls/stages/agreement.hpp:1071
+  logic less_1547;
+  assign less_1547 = x_s20_q[5:0] < 6'h29;
+  // hls/stages/registration.hpp:148
+  logic [1:0] kind;
+  assign kind = all_s20_q ? {1'b0, x_s20_q[2]} : x_s20_q[2:1];
+  // hls/stages/registration.hpp:160
+  logic or_1551;
+  assign or_1551 = (kind == 2'h3) | (x_s20_q[5:3] == 3'h5);
+  // hls/stages/registration.hpp:94
+  logic half_ends;
+  assign half_ends = shift_2_s20_q[0] ? (right_2_s20_q & (~registration_of_right_q)) : registration_was_inside_q;
+  // hls/stages/registration.hpp:107
+  logic [4:0] sum_1562;
+  assign sum_1562 = {2'h0, slot_s20_q} + 5'h1f;
+  // hls/stages/registration.hpp:258
+  logic not_1568;
+  assign not_1568 = ~lower_half_s20_q;
+  logic [3:0] select_1569;
+  assign select_1569 = registration_of_right_q ? {lower_half_s20_q, 1'b0, not_1568, 1'b0} : {1'b0, lower_half_s20_q, 1'b0, not_1568};
+  // hls/stages/patches.hpp:355
+  logic [1:0] select_1598;
+  assign select_1598 = and_1597_s20_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_1599;
+  assign select_1599 = and_1597_s20_q ? patches_band_rows_number_s20_q : patches_band_q;
+  // hls/stages/agreement.hpp:263
+  logic [5:0] select_1600;
+  assign select_1600 = and_1584_s20_q ? {select_1599, select_1598[1]} : {patches_band_q, patches_fetch_q[1]};
+  // hls/stages/patches.hpp:108
+  logic [1:0] select_1601;
+  assign select_1601 = and_1584_s20_q ? select_1598 : patches_fetch_q;
+  logic equal_1602;
+  assign equal_1602 = select_1601 == 2'h0;
+  // hls/stages/registration.hpp:107
+  logic [10:0] expected;
+  assign expected = equal_1612_s20_q ? {sum_1623_s20_q, sum_1619_s20_q} : registration_expected_q;
+  // hls/stages/patches.hpp:108
+  logic [4:0] select_1705;
+  assign select_1705 = and_1584_s20_q ? select_1599 : patches_band_q;
+  // hls/stages/patches.hpp:335
+  logic equal_1706;
+  assign equal_1706 = {patches_choosing_band_s20_q, and_1610_s20_q} == {select_1705, select_1601[1]};
+  // hls/stages/patches.hpp:449
+  logic [11:0] sum_1808;
+  assign sum_1808 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_1809;
+  assign sum_1809 = {{4{down_2_s20_q[10]}}, down_2_s20_q[10:2]} + {sum_1808[11], sum_1808};
+  // hls/stages/patches.hpp:446
+  logic [11:0] smooth;
+  assign smooth = {sum_1818_s20_q, sum_1817_s20_q, patches_columns_above_rdata_s20_q} + {4'h0, pixel_2_s20_q};
+  // hls/stages/agreement.hpp:1029
+  logic [2:0] textured_2;
+  assign textured_2 = {2'h0, and_1950_s20_q} + ({2'h0, and_1951_s20_q} + {1'b0, sum_1955_s20_q});
+  // hls/stages/agreement.hpp:1031
+  logic [2:0] shown_2;
+  assign shown_2 = {2'h0, and_1984_s20_q} + sum_1990_s20_q;
+  // hls/stages/agreement.hpp:1038
+  logic [2:0] select_1992;
+  assign select_1992 = age_s20_q ? box_shown_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:1032
+  logic [2:0] near_2;
+  assign near_2 = {2'h0, and_2000_s20_q} + sum_2006_s20_q;
+  // hls/stages/agreement.hpp:1039
+  logic [2:0] select_2008;
+  assign select_2008 = age_s20_q ? box_nearer_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:263
+  logic [10:0] select_2055;
+  assign select_2055 = sample_pair_whole_s20_q ? (and_500_s20_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2057;
+  assign select_2057 = sample_pair_whole_s20_q ? (and_500_s20_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2078;
+  assign select_2078 = sample_pair_whole_s20_q ? (and_500_s20_q ? select_515 : averager_mask_q) : averager_mask_q;
+  logic select_2080;
+  assign select_2080 = sample_pair_whole_s20_q ? (and_500_s20_q ? select_519 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/agreement.hpp:507
+  logic and_2403;
+  assign and_2403 = and_502_s20_q & (equal_563_s20_q & equal_2287_s20_q);
+  // hls/stages/patches.hpp:322
+  logic and_2412;
+  assign and_2412 = not_1472_s20_q & (so_s20_q & (ends_cell_s20_q & textured_s20_q));
+  // hls/stages/agreement.hpp:1030
+  logic [2:0] explained_2;
+  assign explained_2 = {2'h0, and_2427_s20_q} + sum_2433_s20_q;
+  // hls/stages/agreement.hpp:1037
+  logic [2:0] select_2435;
+  assign select_2435 = age_s20_q ? box_explained_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:889
+  logic [13:0] select_2471;
+  assign select_2471 = and_2403 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2469_s20_q});
+  logic [13:0] select_2478;
+  assign select_2478 = and_2403 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2476_s20_q});
+  // hls/stages/patches.hpp:322
+  logic [10:0] select_2514;
+  assign select_2514 = equal_1471_s20_q ? registration_expected_q : (so_s20_q ? expected : registration_expected_q);
+  // hls/stages/registration.hpp:108
+  logic equal_2515;
+  assign equal_2515 = slot_s20_q == 3'h4;
+  // hls/stages/registration.hpp:102
+  logic [11:0] value_2;
+  assign value_2 = {{4{select_2527_s20_q[7]}}, select_2527_s20_q} - {sum_1623_s20_q[9], sum_1623_s20_q, sum_1619_s20_q};
+  // hls/stages/patches.hpp:322
+  logic select_2574;
+  assign select_2574 = so_s20_q ? (equal_2515 ? right_2_s20_q : registration_of_right_q) : registration_of_right_q;
+  logic select_2577;
+  assign select_2577 = so_s20_q ? (equal_1612_s20_q ? shift_2_s20_q[0] : registration_was_inside_q) : registration_was_inside_q;
+  // hls/stages/agreement.hpp:1071
+  logic [1:0] quarter_2;
+  assign quarter_2 = all_s20_q ? x_s20_q[1:0] : select_1519;
+  // hls/stages/patches.hpp:336
+  logic not_2771;
+  assign not_2771 = ~select_1601[1];
+  // hls/stages/agreement.hpp:263
+  logic [1:0] select_2773;
+  assign select_2773 = sample_pair_whole_s20_q ? (equal_1602 ? select_1601 : {not_2771, 1'b0}) : patches_fetch_q;
+  // hls/stages/patches.hpp:166
+  logic [10:0] select_2860;
+  assign select_2860 = equal_1694_s20_q ? patches_down_values_0_q : (or_1698_s20_q ? down_2_s20_q : patches_down_values_0_q);
+  logic [10:0] select_2862;
+  assign select_2862 = or_1698_s20_q ? patches_down_values_0_q : patches_down_values_1_q;
+  logic [10:0] select_2864;
+  assign select_2864 = equal_1692_s20_q ? patches_down_values_1_q : (equal_1694_s20_q ? patches_down_values_1_q : select_2862);
+  // hls/stages/patches.hpp:518
+  logic [4:0] select_3313;
+  assign select_3313 = and_3312_s20_q ? patches_read_at_q : patches_peak_row_q;
+  // hls/stages/patches.hpp:525
+  logic [5:0] away;
+  assign away = {1'b0, patches_step_s20_q} - {1'b0, select_3313};
+  // hls/stages/agreement.hpp:1154
+  logic equal_3466;
+  assign equal_3466 = x_s20_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:1148
+  logic equal_3658;
+  assign equal_3658 = x_s20_q[6:3] == 4'ha;
+  // hls/stages/agreement.hpp:1067
+  logic [7:0] limit;
+  assign limit = equal_3658 ? cfg_regions_limit_i : (equal_3660_s20_q ? cfg_hidden_limit_i : select_3676_s20_q);
+  // hls/stages/agreement.hpp:1161
+  logic not_3679;
+  assign not_3679 = ~x_s20_q[2];
+  logic [3:0] select_3680;
+  assign select_3680 = x_s20_q[1] ? {x_s20_q[2], 1'b0, not_3679, 1'b0} : {1'b0, x_s20_q[2], 1'b0, not_3679};
+  logic [7:0] select_3681;
+  assign select_3681 = x_s20_q[0] ? {select_3680[3], 1'b0, select_3680[2], 1'b0, select_3680[1], 1'b0, select_3680[0], 1'b0} : {1'b0, select_3680[3], 1'b0, select_3680[2], 1'b0, select_3680[1], 1'b0, select_3680[0]};
+  // hls/stages/agreement.hpp:1067
+  logic [13:0] select_3685;
+  assign select_3685 = equal_3660_s20_q ? counts_skin_supervised_q : (equal_3661_s20_q ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] of;
+  assign of = equal_3658 ? counts_textured_q : select_3685;
+  // hls/stages/patches.hpp:322
+  logic [2:0] select_3724;
+  assign select_3724 = so_s20_q ? (ends_cell_s20_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
+  logic [2:0] select_3725;
+  assign select_3725 = equal_1471_s20_q ? box_explained_columns_values_0_q : select_3724;
+  logic [2:0] select_3726;
+  assign select_3726 = ends_cell_s20_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_3728;
+  assign select_3728 = equal_1471_s20_q ? box_explained_columns_values_1_q : (so_s20_q ? select_3726 : box_explained_columns_values_1_q);
+  logic [2:0] select_3729;
+  assign select_3729 = ends_cell_s20_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_3731;
+  assign select_3731 = equal_1471_s20_q ? box_explained_columns_values_2_q : (so_s20_q ? select_3729 : box_explained_columns_values_2_q);
+  logic [2:0] select_3732;
+  assign select_3732 = ends_cell_s20_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_3734;
+  assign select_3734 = equal_1471_s20_q ? box_explained_columns_values_3_q : (so_s20_q ? select_3732 : box_explained_columns_values_3_q);
+  logic [2:0] select_3735;
+  assign select_3735 = ends_cell_s20_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_3737;
+  assign select_3737 = equal_1471_s20_q ? box_explained_columns_values_4_q : (so_s20_q ? select_3735 : box_explained_columns_values_4_q);
+  logic [2:0] select_3742;
+  assign select_3742 = so_s20_q ? (ends_cell_s20_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_3744;
+  assign select_3744 = ends_cell_s20_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_3746;
+  assign select_3746 = equal_1471_s20_q ? box_shown_columns_values_1_q : (so_s20_q ? select_3744 : box_shown_columns_values_1_q);
+  logic [2:0] select_3747;
+  assign select_3747 = ends_cell_s20_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_3749;
+  assign select_3749 = equal_1471_s20_q ? box_shown_columns_values_2_q : (so_s20_q ? select_3747 : box_shown_columns_values_2_q);
+  logic [2:0] select_3750;
+  assign select_3750 = ends_cell_s20_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_3752;
+  assign select_3752 = equal_1471_s20_q ? box_shown_columns_values_3_q : (so_s20_q ? select_3750 : box_shown_columns_values_3_q);
+  logic [2:0] select_3753;
+  assign select_3753 = ends_cell_s20_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_3755;
+  assign select_3755 = equal_1471_s20_q ? box_shown_columns_values_4_q : (so_s20_q ? select_3753 : box_shown_columns_values_4_q);
+  logic [2:0] select_3760;
+  assign select_3760 = so_s20_q ? (ends_cell_s20_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_3762;
+  assign select_3762 = ends_cell_s20_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_3764;
+  assign select_3764 = equal_1471_s20_q ? box_nearer_columns_values_1_q : (so_s20_q ? select_3762 : box_nearer_columns_values_1_q);
+  logic [2:0] select_3765;
+  assign select_3765 = ends_cell_s20_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_3767;
+  assign select_3767 = equal_1471_s20_q ? box_nearer_columns_values_2_q : (so_s20_q ? select_3765 : box_nearer_columns_values_2_q);
+  logic [2:0] select_3768;
+  assign select_3768 = ends_cell_s20_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_3770;
+  assign select_3770 = equal_1471_s20_q ? box_nearer_columns_values_3_q : (so_s20_q ? select_3768 : box_nearer_columns_values_3_q);
+  logic [2:0] select_3771;
+  assign select_3771 = ends_cell_s20_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_3773;
+  assign select_3773 = equal_1471_s20_q ? box_nearer_columns_values_4_q : (so_s20_q ? select_3771 : box_nearer_columns_values_4_q);
+
+  // Memory patches_right_codes, 112 x 28, DISTANCE 24, hls/stages/patches.hpp:754; read in stage 20, written in stage 23: 20 < 23 < 20 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [27:0] patches_right_codes_mem [0:111];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 28'h0;
+`endif
+  logic [6:0] patches_right_codes_raddr;
+  assign patches_right_codes_raddr = {select_1795_s20_q, not_1790_s20_q, select_1789_s20_q};
+  logic patches_right_codes_re;
+  assign patches_right_codes_re = s20_en & or_1796_s20_q;
+  logic [27:0] patches_right_codes_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_right_codes_re) patches_right_codes_rdata_q <= patches_right_codes_mem[patches_right_codes_raddr];
+  end
+
+  // Memory patches_left_codes, 12 x 48, DISTANCE 24, hls/stages/patches.hpp:755; read in stage 20, written in stage 23: 20 < 23 < 20 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  (* ram_style = "distributed" *)
+  logic [47:0] patches_left_codes_mem [0:11];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 12; i++) patches_left_codes_mem[i] = 48'h0;
+`endif
+  logic [3:0] patches_left_codes_raddr;
+  assign patches_left_codes_raddr = patches_match_row_s20_q;
+  logic patches_left_codes_re;
+  assign patches_left_codes_re = s20_en & (not_1693_s20_q & (new_row_s20_q & equal_1694_s20_q));
+  logic [47:0] patches_left_codes_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_left_codes_re) patches_left_codes_rdata_q <= patches_left_codes_mem[patches_left_codes_raddr];
+  end
+
+  // Memory averager_memory, write
+  logic [8:0] averager_memory_waddr;
+  assign averager_memory_waddr = select_470_s20_q;
+  logic averager_memory_we;
+  assign averager_memory_we = s20_en & and_477_s20_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_496_s20_q, and_492_s20_q, sum_488_s20_q, sum_484_s20_q};
+  end
+`ifndef SYNTHESIS
+  logic [8:0] averager_memory_raddr_s18_sim;
+  logic averager_memory_re_s18_sim;
+  logic [8:0] averager_memory_raddr_s19_sim;
+  logic averager_memory_re_s19_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      averager_memory_re_s18_sim <= 1'b0;
+      averager_memory_re_s19_sim <= 1'b0;
+    end else if (en_i) begin
+      averager_memory_re_s18_sim <= averager_memory_re;
+      averager_memory_raddr_s18_sim <= averager_memory_raddr;
+      averager_memory_re_s19_sim <= averager_memory_re_s18_sim;
+      averager_memory_raddr_s19_sim <= averager_memory_raddr_s18_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && averager_memory_we) begin
+      if (averager_memory_re && averager_memory_raddr == averager_memory_waddr) begin
+        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
+      end
+      if (averager_memory_re_s18_sim && averager_memory_raddr_s18_sim == averager_memory_waddr) begin
+        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
+      end
+      if (averager_memory_re_s19_sim && averager_memory_raddr_s19_sim == averager_memory_waddr) begin
+        $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
+      end
+      if (averager_memory_waddr >= 9'd480) $error("averager_memory: write outside, address %0d", averager_memory_waddr);
+    end
+    if (rst_ni && averager_memory_re && averager_memory_raddr >= 9'd480) $error("averager_memory: read outside, address %0d", averager_memory_raddr);
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      averager_mask_q <= 1'b0;
+      averager_of_skin_q <= 1'b0;
+      census_filled_q <= 4'h0;
+      rows_passed_above_q <= 5'h0;
+      counts_textured_q <= 14'h0;
+      counts_skin_supervised_q <= 14'h0;
+      counts_skin_textured_q <= 14'h0;
+      registration_expected_q <= 11'h0;
+      registration_of_right_q <= 1'b0;
+      registration_was_inside_q <= 1'b0;
+      patches_band_q <= 5'h0;
+      patches_fetch_q <= 2'h0;
+      patches_down_values_0_q <= 11'h0;
+      patches_down_values_1_q <= 11'h0;
+      patches_read_at_q <= 5'h0;
+      patches_peak_row_q <= 5'h0;
+    end else if (s20_en) begin
+      averager_mask_q <= select_2078;
+      averager_of_skin_q <= select_2080;
+      census_filled_q <= and_502_s20_q ? {select_566[2:0], 1'b1} : census_filled_q;
+      rows_passed_above_q <= and_502_s20_q ? select_565 : rows_passed_above_q;
+      counts_textured_q <= and_2403 ? 14'h0 : (counts_textured_q + {13'h0, and_2412});
+      counts_skin_supervised_q <= select_2471;
+      counts_skin_textured_q <= select_2478;
+      registration_expected_q <= select_2514;
+      registration_of_right_q <= equal_1471_s20_q ? registration_of_right_q : select_2574;
+      registration_was_inside_q <= equal_1471_s20_q ? registration_was_inside_q : select_2577;
+      patches_band_q <= sample_pair_whole_s20_q ? select_1705 : patches_band_q;
+      patches_fetch_q <= select_2773;
+      patches_down_values_0_q <= equal_1692_s20_q ? patches_down_values_0_q : select_2860;
+      patches_down_values_1_q <= select_2864;
+      patches_read_at_q <= equal_1692_s20_q ? select_3291_s20_q : patches_read_at_q;
+      patches_peak_row_q <= equal_1692_s20_q ? select_3313 : patches_peak_row_q;
     end
   end
 
@@ -4345,173 +6183,355 @@ module horopter_agreement (
   initial begin
     averager_total_0_q = 11'h0;
     averager_total_1_q = 11'h0;
+    box_explained_columns_values_0_q = 3'h0;
+    box_explained_columns_values_1_q = 3'h0;
+    box_explained_columns_values_2_q = 3'h0;
+    box_explained_columns_values_3_q = 3'h0;
+    box_explained_columns_values_4_q = 3'h0;
+    box_shown_columns_values_0_q = 3'h0;
+    box_shown_columns_values_1_q = 3'h0;
+    box_shown_columns_values_2_q = 3'h0;
+    box_shown_columns_values_3_q = 3'h0;
+    box_shown_columns_values_4_q = 3'h0;
+    box_nearer_columns_values_0_q = 3'h0;
+    box_nearer_columns_values_1_q = 3'h0;
+    box_nearer_columns_values_2_q = 3'h0;
+    box_nearer_columns_values_3_q = 3'h0;
+    box_nearer_columns_values_4_q = 3'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s19_en) begin
-      averager_total_0_q <= select_1635;
-      averager_total_1_q <= select_1637;
+    if (s20_en) begin
+      averager_total_0_q <= select_2055;
+      averager_total_1_q <= select_2057;
+      box_explained_columns_values_0_q <= select_3725;
+      box_explained_columns_values_1_q <= select_3728;
+      box_explained_columns_values_2_q <= select_3731;
+      box_explained_columns_values_3_q <= select_3734;
+      box_explained_columns_values_4_q <= select_3737;
+      box_shown_columns_values_0_q <= equal_1471_s20_q ? box_shown_columns_values_0_q : select_3742;
+      box_shown_columns_values_1_q <= select_3746;
+      box_shown_columns_values_2_q <= select_3749;
+      box_shown_columns_values_3_q <= select_3752;
+      box_shown_columns_values_4_q <= select_3755;
+      box_nearer_columns_values_0_q <= equal_1471_s20_q ? box_nearer_columns_values_0_q : select_3760;
+      box_nearer_columns_values_1_q <= select_3764;
+      box_nearer_columns_values_2_q <= select_3767;
+      box_nearer_columns_values_3_q <= select_3770;
+      box_nearer_columns_values_4_q <= select_3773;
     end
   end
 
-  logic [7:0] pixel_0_s20_q;
-  logic [7:0] pixel_1_s20_q;
-  logic saturated_s20_q;
-  logic mask_s20_q;
-  logic marks_first_s20_q;
-  logic marks_last_s20_q;
-  logic sample_pair_whole_s20_q;
-  logic [7:0] x_s20_q;
-  logic age_s20_q;
-  logic [2:0] slot_s20_q;
-  logic ends_cell_s20_q;
-  logic lower_half_s20_q;
-  logic [2:0] region_row_s20_q;
-  logic region_fresh_s20_q;
-  logic segment_started_s20_q;
-  logic centres_values_1_textured_s20_q;
-  logic centres_values_1_of_skin_s20_q;
-  logic [6:0] column_s20_q;
-  logic and_368_s20_q;
-  logic and_370_s20_q;
-  logic [77:0] census_memory_rdata_s20_q;
-  logic [8:0] grey_s20_q;
-  logic equal_373_s20_q;
-  logic [8:0] select_376_s20_q;
-  logic [8:0] grey_2_s20_q;
-  logic [8:0] select_380_s20_q;
-  logic whole_2_s20_q;
-  logic and_388_s20_q;
-  logic so_s20_q;
-  logic equal_431_s20_q;
-  logic equal_1339_s20_q;
-  logic not_1340_s20_q;
-  logic [1:0] inside_v_s20_q;
-  logic equal_1384_s20_q;
-  logic right_2_s20_q;
-  logic or_1453_s20_q;
-  logic or_1456_s20_q;
-  logic or_1459_s20_q;
-  logic not_1461_s20_q;
-  logic textured_s20_q;
-  logic explained_s20_q;
-  logic and_1483_s20_q;
-  logic and_1488_s20_q;
-  logic and_1529_s20_q;
-  logic and_1530_s20_q;
-  logic [1:0] sum_1534_s20_q;
-  logic or_1547_s20_q;
-  logic or_1550_s20_q;
-  logic or_1553_s20_q;
-  logic and_1564_s20_q;
-  logic [2:0] sum_1570_s20_q;
-  logic and_1580_s20_q;
-  logic [2:0] sum_1586_s20_q;
-  logic and_1603_s20_q;
-  logic equal_1743_s20_q;
-  logic equal_1867_s20_q;
-  logic and_1987_s20_q;
-  logic not_2006_s20_q;
-  logic [2:0] explained_2_s20_q;
-  logic and_2049_s20_q;
-  logic and_2056_s20_q;
-  logic equal_2091_s20_q;
-  logic and_2120_s20_q;
-  logic or_2123_s20_q;
-  logic [1:0] sum_2124_s20_q;
-  logic less_2125_s20_q;
-  logic [7:0] sum_2131_s20_q;
-  logic select_2132_s20_q;
-  logic [8:0] sum_2134_s20_q;
-  logic select_2136_s20_q;
-  logic [8:0] difference_2138_s20_q;
-  logic equal_2365_s20_q;
-  logic equal_2388_s20_q;
-  logic equal_2389_s20_q;
-  logic [7:0] select_2404_s20_q;
-  logic equal_2518_s20_q;
+  logic [7:0] pixel_0_s21_q;
+  logic [7:0] pixel_1_s21_q;
+  logic saturated_s21_q;
+  logic mask_s21_q;
+  logic marks_first_s21_q;
+  logic marks_last_s21_q;
+  logic [7:0] sample_pair_pixel_0_s21_q;
+  logic [7:0] sample_pair_pixel_1_s21_q;
+  logic sample_pair_whole_s21_q;
+  logic sample_present_s21_q;
+  logic [7:0] x_s21_q;
+  logic age_s21_q;
+  logic [2:0] slot_s21_q;
+  logic ends_cell_s21_q;
+  logic lower_half_s21_q;
+  logic [13:0] counts_textured_s21_q;
+  logic registration_of_right_s21_q;
+  logic [4:0] patches_choosing_band_s21_q;
+  logic patches_lower_s21_q;
+  logic patches_second_s21_q;
+  logic [4:0] patches_code_row_s21_q;
+  logic [10:0] patches_down_values_1_s21_q;
+  logic [4:0] patches_along_s21_q;
+  logic patches_summed_last_s21_q;
+  logic [4:0] patches_summed_down_by_s21_q;
+  logic [9:0] patches_read_row_differing_s21_q;
+  logic patches_read_first_s21_q;
+  logic [2:0] region_row_s21_q;
+  logic region_fresh_s21_q;
+  logic segment_started_s21_q;
+  logic centres_values_1_textured_s21_q;
+  logic centres_values_1_of_skin_s21_q;
+  logic [3:0] select_463_s21_q;
+  logic [6:0] select_466_s21_q;
+  logic [6:0] column_s21_q;
+  logic and_500_s21_q;
+  logic and_502_s21_q;
+  logic [77:0] census_memory_rdata_s21_q;
+  logic [8:0] grey_s21_q;
+  logic equal_505_s21_q;
+  logic [8:0] select_508_s21_q;
+  logic [8:0] grey_2_s21_q;
+  logic [8:0] select_512_s21_q;
+  logic whole_2_s21_q;
+  logic and_520_s21_q;
+  logic so_s21_q;
+  logic and_567_s21_q;
+  logic equal_1471_s21_q;
+  logic not_1472_s21_q;
+  logic [1:0] shift_2_s21_q;
+  logic equal_1516_s21_q;
+  logic [1:0] quarter_s21_q;
+  logic all_s21_q;
+  logic [1:0] sum_1522_s21_q;
+  logic [3:0] select_1523_s21_q;
+  logic equal_1524_s21_q;
+  logic equal_1526_s21_q;
+  logic equal_1528_s21_q;
+  logic equal_1530_s21_q;
+  logic equal_1532_s21_q;
+  logic equal_1534_s21_q;
+  logic equal_1536_s21_q;
+  logic equal_1538_s21_q;
+  logic less_1547_s21_q;
+  logic or_1551_s21_q;
+  logic select_1554_s21_q;
+  logic and_1564_s21_q;
+  logic [3:0] select_1569_s21_q;
+  logic and_1584_s21_q;
+  logic [5:0] select_1600_s21_q;
+  logic select_1601_s21_q;
+  logic equal_1602_s21_q;
+  logic and_1610_s21_q;
+  logic less_1611_s21_q;
+  logic equal_1612_s21_q;
+  logic expected_s21_q;
+  logic [10:0] sum_1625_s21_q;
+  logic equal_1633_s21_q;
+  logic and_1643_s21_q;
+  logic [5:0] select_1658_s21_q;
+  logic [7:0] select_1683_s21_q;
+  logic and_1690_s21_q;
+  logic and_1691_s21_q;
+  logic equal_1692_s21_q;
+  logic equal_1694_s21_q;
+  logic equal_1697_s21_q;
+  logic or_1698_s21_q;
+  logic and_1707_s21_q;
+  logic [4:0] select_1722_s21_q;
+  logic select_1728_s21_q;
+  logic [3:0] select_1767_s21_q;
+  logic less_1783_s21_q;
+  logic new_row_s21_q;
+  logic or_1796_s21_q;
+  logic [1:0] of_row_2_s21_q;
+  logic [1:0] down_2_s21_q;
+  logic [12:0] sum_1809_s21_q;
+  logic [11:0] smooth_s21_q;
+  logic and_1838_s21_q;
+  logic and_1847_s21_q;
+  logic and_1852_s21_q;
+  logic less_1853_s21_q;
+  logic equal_1854_s21_q;
+  logic not_1855_s21_q;
+  logic equal_1856_s21_q;
+  logic not_1857_s21_q;
+  logic [9:0] patches_rows_rdata_s21_q;
+  logic or_1875_s21_q;
+  logic or_1878_s21_q;
+  logic or_1881_s21_q;
+  logic not_1883_s21_q;
+  logic [29:0] regions_rdata_s21_q;
+  logic textured_s21_q;
+  logic explained_s21_q;
+  logic and_1904_s21_q;
+  logic and_1909_s21_q;
+  logic [2:0] textured_2_s21_q;
+  logic or_1967_s21_q;
+  logic or_1970_s21_q;
+  logic or_1973_s21_q;
+  logic [3:0] difference_1993_s21_q;
+  logic [3:0] difference_2009_s21_q;
+  logic and_2023_s21_q;
+  logic equal_2163_s21_q;
+  logic equal_2287_s21_q;
+  logic and_2403_s21_q;
+  logic and_2407_s21_q;
+  logic and_2412_s21_q;
+  logic not_2426_s21_q;
+  logic [3:0] difference_2436_s21_q;
+  logic and_2518_s21_q;
+  logic [11:0] select_2530_s21_q;
+  logic equal_2579_s21_q;
+  logic [3:0] not_2580_s21_q;
+  logic [1:0] quarter_2_s21_q;
+  logic and_2755_s21_q;
+  logic less_2882_s21_q;
+  logic equal_3225_s21_q;
+  logic equal_3309_s21_q;
+  logic [4:0] select_3313_s21_q;
+  logic [5:0] away_s21_q;
+  logic equal_3315_s21_q;
+  logic equal_3324_s21_q;
+  logic [14:0] select_3344_s21_q;
+  logic equal_3466_s21_q;
+  logic and_3640_s21_q;
+  logic equal_3658_s21_q;
+  logic equal_3660_s21_q;
+  logic equal_3661_s21_q;
+  logic equal_3683_s21_q;
+  logic [13:0] of_s21_q;
+  logic equal_3790_s21_q;
   always_ff @(posedge clk_i) begin
-    if (s19_en) begin
-      pixel_0_s20_q <= pixel_0_s19_q;
-      pixel_1_s20_q <= pixel_1_s19_q;
-      saturated_s20_q <= saturated_s19_q;
-      mask_s20_q <= mask_s19_q;
-      marks_first_s20_q <= marks_first_s19_q;
-      marks_last_s20_q <= marks_last_s19_q;
-      sample_pair_whole_s20_q <= sample_pair_whole_s19_q;
-      x_s20_q <= x_s19_q;
-      age_s20_q <= age_s19_q;
-      slot_s20_q <= slot_s19_q;
-      ends_cell_s20_q <= ends_cell_s19_q;
-      lower_half_s20_q <= lower_half_s19_q;
-      region_row_s20_q <= region_row_q;
-      region_fresh_s20_q <= region_fresh_q;
-      segment_started_s20_q <= segment_started_s19_q;
-      centres_values_1_textured_s20_q <= centres_values_1_textured_q;
-      centres_values_1_of_skin_s20_q <= centres_values_1_of_skin_q;
-      column_s20_q <= column_s19_q;
-      and_368_s20_q <= and_368_s19_q;
-      and_370_s20_q <= and_370_s19_q;
-      census_memory_rdata_s20_q <= census_memory_rdata_q;
-      grey_s20_q <= grey;
-      equal_373_s20_q <= equal_373_s19_q;
-      select_376_s20_q <= sample_pair_whole_s19_q ? total[10:2] : 9'h0;
-      grey_2_s20_q <= grey_2;
-      select_380_s20_q <= sample_pair_whole_s19_q ? total_2[10:2] : 9'h0;
-      whole_2_s20_q <= whole_2;
-      and_388_s20_q <= sample_pair_whole_s19_q & select_387;
-      so_s20_q <= so_s19_q;
-      equal_431_s20_q <= equal_431_s19_q;
-      equal_1339_s20_q <= equal_1339_s19_q;
-      not_1340_s20_q <= not_1340_s19_q;
-      inside_v_s20_q <= {inside_v_s19_q[9], inside_v_s19_q[0]};
-      equal_1384_s20_q <= equal_1384_s19_q;
-      right_2_s20_q <= right_2_s19_q;
-      or_1453_s20_q <= or_1453_s19_q;
-      or_1456_s20_q <= or_1456_s19_q;
-      or_1459_s20_q <= or_1459_s19_q;
-      not_1461_s20_q <= not_1461;
-      textured_s20_q <= textured_s19_q;
-      explained_s20_q <= explained_s19_q;
-      and_1483_s20_q <= and_1483_s19_q;
-      and_1488_s20_q <= not_1340_s19_q & and_1469_s19_q;
-      and_1529_s20_q <= and_1529_s19_q;
-      and_1530_s20_q <= seen_columns_rdata_s19_q[9] & inside_v_s19_q[0];
-      sum_1534_s20_q <= sum_1534;
-      or_1547_s20_q <= or_1547_s19_q;
-      or_1550_s20_q <= or_1550_s19_q;
-      or_1553_s20_q <= or_1553_s19_q;
-      and_1564_s20_q <= and_1564_s19_q;
-      sum_1570_s20_q <= {2'h0, and_1565} + {1'b0, sum_1569};
-      and_1580_s20_q <= and_1580_s19_q;
-      sum_1586_s20_q <= {2'h0, and_1581} + {1'b0, sum_1585};
-      and_1603_s20_q <= and_1603_s19_q;
-      equal_1743_s20_q <= equal_1743_s19_q;
-      equal_1867_s20_q <= equal_1867_s19_q;
-      and_1987_s20_q <= not_1340_s19_q & and_1986;
-      not_2006_s20_q <= not_2006;
-      explained_2_s20_q <= explained_2;
-      and_2049_s20_q <= not_1340_s19_q & (so_s19_q & and_2047);
-      and_2056_s20_q <= not_1340_s19_q & (so_s19_q & (ends_cell_s19_q & and_2053));
-      equal_2091_s20_q <= equal_2091;
-      and_2120_s20_q <= and_2120_s19_q;
-      or_2123_s20_q <= (inside_v_s19_q[11:9] == 3'h0) | (inside_v_s19_q[11:9] == 3'h4);
-      sum_2124_s20_q <= inside_v_s19_q[11:10] + 2'h3;
-      less_2125_s20_q <= less_2125_s19_q;
-      sum_2131_s20_q <= sum_2131[8:1];
-      select_2132_s20_q <= select_2132[0];
-      sum_2134_s20_q <= sum_2134;
-      select_2136_s20_q <= select_2136[0];
-      difference_2138_s20_q <= difference_2138;
-      equal_2365_s20_q <= equal_2365;
-      equal_2388_s20_q <= x_s19_q[6:3] == 4'h9;
-      equal_2389_s20_q <= equal_2389;
-      select_2404_s20_q <= select_2404;
-      equal_2518_s20_q <= equal_2518_s19_q;
+    if (s20_en) begin
+      pixel_0_s21_q <= pixel_0_s20_q;
+      pixel_1_s21_q <= pixel_1_s20_q;
+      saturated_s21_q <= saturated_s20_q;
+      mask_s21_q <= sample_of_skin_q;
+      marks_first_s21_q <= marks_first_s20_q;
+      marks_last_s21_q <= marks_last_s20_q;
+      sample_pair_pixel_0_s21_q <= sample_pair_pixel_0_s20_q;
+      sample_pair_pixel_1_s21_q <= sample_pair_pixel_1_s20_q;
+      sample_pair_whole_s21_q <= sample_pair_whole_s20_q;
+      sample_present_s21_q <= sample_present_s20_q;
+      x_s21_q <= x_s20_q;
+      age_s21_q <= age_s20_q;
+      slot_s21_q <= slot_s20_q;
+      ends_cell_s21_q <= ends_cell_s20_q;
+      lower_half_s21_q <= lower_half_s20_q;
+      counts_textured_s21_q <= counts_textured_q;
+      registration_of_right_s21_q <= registration_of_right_q;
+      patches_choosing_band_s21_q <= patches_choosing_band_s20_q;
+      patches_lower_s21_q <= patches_lower_s20_q;
+      patches_second_s21_q <= patches_second_s20_q;
+      patches_code_row_s21_q <= patches_code_row_s20_q;
+      patches_down_values_1_s21_q <= patches_down_values_1_q;
+      patches_along_s21_q <= patches_along_s20_q;
+      patches_summed_last_s21_q <= patches_summed_last_s20_q;
+      patches_summed_down_by_s21_q <= patches_summed_down_by_s20_q;
+      patches_read_row_differing_s21_q <= patches_read_row_differing_s20_q;
+      patches_read_first_s21_q <= patches_read_first_s20_q;
+      region_row_s21_q <= region_row_s20_q;
+      region_fresh_s21_q <= region_fresh_s20_q;
+      segment_started_s21_q <= segment_started_s20_q;
+      centres_values_1_textured_s21_q <= centres_values_1_textured_s20_q;
+      centres_values_1_of_skin_s21_q <= centres_values_1_of_skin_s20_q;
+      select_463_s21_q <= select_463_s20_q;
+      select_466_s21_q <= select_466_s20_q;
+      column_s21_q <= column_s20_q;
+      and_500_s21_q <= and_500_s20_q;
+      and_502_s21_q <= and_502_s20_q;
+      census_memory_rdata_s21_q <= census_memory_rdata_q;
+      grey_s21_q <= grey;
+      equal_505_s21_q <= equal_505_s20_q;
+      select_508_s21_q <= sample_pair_whole_s20_q ? total[10:2] : 9'h0;
+      grey_2_s21_q <= grey_2;
+      select_512_s21_q <= sample_pair_whole_s20_q ? total_2[10:2] : 9'h0;
+      whole_2_s21_q <= whole_2;
+      and_520_s21_q <= sample_pair_whole_s20_q & select_519;
+      so_s21_q <= so_s20_q;
+      and_567_s21_q <= select_565[4] & select_566[3];
+      equal_1471_s21_q <= equal_1471_s20_q;
+      not_1472_s21_q <= not_1472_s20_q;
+      shift_2_s21_q <= shift_2_s20_q;
+      equal_1516_s21_q <= equal_1516_s20_q;
+      quarter_s21_q <= quarter;
+      all_s21_q <= all_s20_q;
+      sum_1522_s21_q <= sum_1522;
+      select_1523_s21_q <= select_1523;
+      equal_1524_s21_q <= equal_1524;
+      equal_1526_s21_q <= equal_1526;
+      equal_1528_s21_q <= equal_1528;
+      equal_1530_s21_q <= equal_1530_s20_q;
+      equal_1532_s21_q <= equal_1532_s20_q;
+      equal_1534_s21_q <= equal_1534_s20_q;
+      equal_1536_s21_q <= equal_1536_s20_q;
+      equal_1538_s21_q <= equal_1538_s20_q;
+      less_1547_s21_q <= less_1547;
+      or_1551_s21_q <= or_1551;
+      select_1554_s21_q <= equal_1516_s20_q ? and_1546 : (less_1547 & (~or_1551));
+      and_1564_s21_q <= half_ends & ({{3{sum_1562[4]}}, sum_1562} < 8'h3);
+      select_1569_s21_q <= select_1569;
+      and_1584_s21_q <= and_1584_s20_q;
+      select_1600_s21_q <= select_1600;
+      select_1601_s21_q <= select_1601[1];
+      equal_1602_s21_q <= equal_1602;
+      and_1610_s21_q <= and_1610_s20_q;
+      less_1611_s21_q <= less_1611_s20_q;
+      equal_1612_s21_q <= equal_1612_s20_q;
+      expected_s21_q <= expected[0];
+      sum_1625_s21_q <= {expected[10], expected[10:1]} + 11'h5;
+      equal_1633_s21_q <= equal_1633_s20_q;
+      and_1643_s21_q <= and_1643_s20_q;
+      select_1658_s21_q <= select_1658_s20_q;
+      select_1683_s21_q <= select_1683_s20_q;
+      and_1690_s21_q <= and_1690_s20_q;
+      and_1691_s21_q <= and_1691_s20_q;
+      equal_1692_s21_q <= equal_1692_s20_q;
+      equal_1694_s21_q <= equal_1694_s20_q;
+      equal_1697_s21_q <= equal_1697_s20_q;
+      or_1698_s21_q <= or_1698_s20_q;
+      and_1707_s21_q <= and_1691_s20_q & equal_1706;
+      select_1722_s21_q <= select_1722_s20_q;
+      select_1728_s21_q <= select_1728_s20_q;
+      select_1767_s21_q <= select_1767_s20_q;
+      less_1783_s21_q <= less_1783_s20_q;
+      new_row_s21_q <= new_row_s20_q;
+      or_1796_s21_q <= or_1796_s20_q;
+      of_row_2_s21_q <= of_row_2_s20_q;
+      down_2_s21_q <= down_2_s20_q[1:0];
+      sum_1809_s21_q <= sum_1809;
+      smooth_s21_q <= smooth;
+      and_1838_s21_q <= not_1693_s20_q & (not_1695_s20_q & and_1836_s20_q);
+      and_1847_s21_q <= and_1847_s20_q;
+      and_1852_s21_q <= not_1693_s20_q & (not_1695_s20_q & and_1850_s20_q);
+      less_1853_s21_q <= less_1853_s20_q;
+      equal_1854_s21_q <= equal_1854_s20_q;
+      not_1855_s21_q <= not_1855_s20_q;
+      equal_1856_s21_q <= equal_1856_s20_q;
+      not_1857_s21_q <= not_1857_s20_q;
+      patches_rows_rdata_s21_q <= patches_rows_rdata_s20_q;
+      or_1875_s21_q <= or_1875_s20_q;
+      or_1878_s21_q <= or_1878_s20_q;
+      or_1881_s21_q <= or_1881_s20_q;
+      not_1883_s21_q <= not_1883_s20_q;
+      regions_rdata_s21_q <= regions_rdata_q;
+      textured_s21_q <= textured_s20_q;
+      explained_s21_q <= explained_s20_q;
+      and_1904_s21_q <= and_1904_s20_q;
+      and_1909_s21_q <= and_1909_s20_q;
+      textured_2_s21_q <= textured_2;
+      or_1967_s21_q <= or_1967_s20_q;
+      or_1970_s21_q <= or_1970_s20_q;
+      or_1973_s21_q <= or_1973_s20_q;
+      difference_1993_s21_q <= {1'b0, shown_2} - {1'b0, select_1992};
+      difference_2009_s21_q <= {1'b0, near_2} - {1'b0, select_2008};
+      and_2023_s21_q <= and_2023_s20_q;
+      equal_2163_s21_q <= equal_2163_s20_q;
+      equal_2287_s21_q <= equal_2287_s20_q;
+      and_2403_s21_q <= and_2403;
+      and_2407_s21_q <= and_2407_s20_q;
+      and_2412_s21_q <= and_2412;
+      not_2426_s21_q <= not_2426_s20_q;
+      difference_2436_s21_q <= {1'b0, explained_2} - {1'b0, select_2435};
+      and_2518_s21_q <= not_1472_s20_q & (so_s20_q & (half_ends & equal_2515));
+      select_2530_s21_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+      equal_2579_s21_q <= sum_1522 == 2'h2;
+      not_2580_s21_q <= ~select_1569;
+      quarter_2_s21_q <= quarter_2;
+      and_2755_s21_q <= and_2755_s20_q;
+      less_2882_s21_q <= less_2882_s20_q;
+      equal_3225_s21_q <= patches_match_row_s20_q == 4'h0;
+      equal_3309_s21_q <= equal_3309_s20_q;
+      select_3313_s21_q <= select_3313;
+      away_s21_q <= away;
+      equal_3315_s21_q <= away == 6'h3f;
+      equal_3324_s21_q <= away == 6'h1;
+      select_3344_s21_q <= select_3344_s20_q;
+      equal_3466_s21_q <= equal_3466;
+      and_3640_s21_q <= equal_3639_s20_q & equal_3466;
+      equal_3658_s21_q <= equal_3658;
+      equal_3660_s21_q <= equal_3660_s20_q;
+      equal_3661_s21_q <= equal_3661_s20_q;
+      equal_3683_s21_q <= (limit & select_3681) == 8'h0;
+      of_s21_q <= of;
+      equal_3790_s21_q <= equal_3790_s20_q;
     end
   end
 
-  // Stage 20 ----------------------------------------------------------------------------------------------------------
+  // Stage 21 ----------------------------------------------------------------------------------------------------------
   logic [8:0] averager_quarter_1_0_q;
   logic [8:0] averager_quarter_1_1_q;
   logic [8:0] averager_quarter_2_0_q;
@@ -4556,371 +6576,440 @@ module horopter_agreement (
   logic [8:0] census_columns_values_3_cell_1_right_q;
   logic [8:0] census_columns_values_3_cell_3_left_q;
   logic [8:0] census_columns_values_3_cell_3_right_q;
-  logic [3:0] census_filled_q;
   logic [8:0] sharpness_last_mean_0_q;
   logic [8:0] sharpness_last_mean_1_q;
-  logic [4:0] rows_passed_above_q;
-  logic [13:0] counts_textured_q;
-  logic [13:0] counts_skin_supervised_q;
-  logic [13:0] counts_skin_textured_q;
-  logic [2:0] box_explained_columns_values_0_q;
-  logic [2:0] box_explained_columns_values_1_q;
-  logic [2:0] box_explained_columns_values_2_q;
-  logic [2:0] box_explained_columns_values_3_q;
-  logic [2:0] box_explained_columns_values_4_q;
-  logic [2:0] box_shown_columns_values_0_q;
-  logic [2:0] box_shown_columns_values_1_q;
-  logic [2:0] box_shown_columns_values_2_q;
-  logic [2:0] box_shown_columns_values_3_q;
-  logic [2:0] box_shown_columns_values_4_q;
-  logic [2:0] box_nearer_columns_values_0_q;
-  logic [2:0] box_nearer_columns_values_1_q;
-  logic [2:0] box_nearer_columns_values_2_q;
-  logic [2:0] box_nearer_columns_values_3_q;
-  logic [2:0] box_nearer_columns_values_4_q;
+  logic [13:0] counts_explained_q;
+  logic [3:0] registration_fresh_q;
+  logic [11:0] patches_smooth_values_0_q;
+  logic [11:0] patches_smooth_values_1_q;
+  logic [11:0] patches_smooth_values_2_q;
+  logic [11:0] patches_smooth_values_3_q;
+  logic [10:0] patches_down_values_2_q;
+  logic [10:0] patches_down_values_3_q;
+  logic [6:0] segment_textured_q;
+  logic [6:0] segment_explained_q;
+  logic [6:0] segment_nearer_q;
+  logic [13:0] product_q;
+  logic [2:0] box_textured_columns_values_0_q;
+  logic [2:0] box_textured_columns_values_1_q;
+  logic [2:0] box_textured_columns_values_2_q;
+  logic [2:0] box_textured_columns_values_3_q;
+  logic [2:0] box_textured_columns_values_4_q;
+  logic [4:0] box_explained_sum_sums_values_0_q;
+  logic [4:0] box_shown_sum_sums_values_0_q;
+  logic [4:0] box_nearer_sum_sums_values_0_q;
+  logic [12:0] rows_passed_q;
+  logic [8:0] columns_passed_q;
+  logic line_ended_q;
   // hls/stages/census.hpp:294
-  logic less_404;
-  assign less_404 = census_memory_rdata_s20_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_405;
-  assign less_405 = census_memory_rdata_s20_q[48:40] < census_columns_values_1_cell_2_left_q;
-  logic less_406;
-  assign less_406 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_407;
-  assign less_407 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_408;
-  assign less_408 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_409;
-  assign less_409 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_410;
-  assign less_410 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_411;
-  assign less_411 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_412;
-  assign less_412 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_413;
-  assign less_413 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_414;
-  assign less_414 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_415;
-  assign less_415 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_536;
+  assign less_536 = census_memory_rdata_s21_q[8:0] < census_columns_values_1_cell_2_left_q;
+  logic less_537;
+  assign less_537 = census_memory_rdata_s21_q[48:40] < census_columns_values_1_cell_2_left_q;
+  logic less_538;
+  assign less_538 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_539;
+  assign less_539 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_540;
+  assign less_540 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_541;
+  assign less_541 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_542;
+  assign less_542 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_543;
+  assign less_543 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_544;
+  assign less_544 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_545;
+  assign less_545 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_546;
+  assign less_546 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_547;
+  assign less_547 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   // hls/stages/census.hpp:295
-  logic less_416;
-  assign less_416 = census_memory_rdata_s20_q[17:9] < census_columns_values_1_cell_2_right_q;
-  logic less_417;
-  assign less_417 = census_memory_rdata_s20_q[57:49] < census_columns_values_1_cell_2_right_q;
-  logic less_418;
-  assign less_418 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_419;
-  assign less_419 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_420;
-  assign less_420 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_421;
-  assign less_421 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_422;
-  assign less_422 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_423;
-  assign less_423 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_424;
-  assign less_424 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_425;
-  assign less_425 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_426;
-  assign less_426 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_427;
-  assign less_427 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:442
-  logic equal_428;
-  assign equal_428 = column_s20_q == 7'h0;
-  logic [3:0] select_432;
-  assign select_432 = equal_431_s20_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:443
-  logic [4:0] select_433;
-  assign select_433 = equal_428 ? {select_432, 1'b1} : rows_passed_above_q;
-  // hls/stages/census.hpp:276
-  logic [3:0] select_434;
-  assign select_434 = equal_428 ? 4'h0 : census_filled_q;
+  logic less_548;
+  assign less_548 = census_memory_rdata_s21_q[17:9] < census_columns_values_1_cell_2_right_q;
+  logic less_549;
+  assign less_549 = census_memory_rdata_s21_q[57:49] < census_columns_values_1_cell_2_right_q;
+  logic less_550;
+  assign less_550 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_551;
+  assign less_551 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_552;
+  assign less_552 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_553;
+  assign less_553 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_554;
+  assign less_554 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_555;
+  assign less_555 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_556;
+  assign less_556 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_557;
+  assign less_557 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_558;
+  assign less_558 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_559;
+  assign less_559 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   // hls/stages/census.hpp:286
-  logic and_437;
-  assign and_437 = census_memory_rdata_s20_q[38] & (census_memory_rdata_s20_q[18] & whole_2_s20_q);
-  logic and_439;
-  assign and_439 = census_memory_rdata_s20_q[77] & (census_memory_rdata_s20_q[58] & and_437);
+  logic and_569;
+  assign and_569 = census_memory_rdata_s21_q[38] & (census_memory_rdata_s21_q[18] & whole_2_s21_q);
+  logic and_571;
+  assign and_571 = census_memory_rdata_s21_q[77] & (census_memory_rdata_s21_q[58] & and_569);
   // hls/stages/census.hpp:270
-  logic [9:0] difference_462;
-  assign difference_462 = {1'b0, select_376_s20_q} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [9:0] difference_465;
-  assign difference_465 = {1'b0, census_memory_rdata_s20_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [9:0] difference_469;
-  assign difference_469 = {1'b0, census_memory_rdata_s20_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [9:0] difference_473;
-  assign difference_473 = {1'b0, census_memory_rdata_s20_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [9:0] difference_477;
-  assign difference_477 = {1'b0, census_memory_rdata_s20_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  // hls/stages/registration.hpp:147
-  logic all;
-  assign all = x_s20_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:1110
-  logic equal_1398;
-  assign equal_1398 = x_s20_q[5:0] == 6'h3c;
-  logic equal_1400;
-  assign equal_1400 = x_s20_q[5:0] == 6'h3b;
-  logic equal_1402;
-  assign equal_1402 = x_s20_q[5:0] == 6'h36;
-  logic equal_1404;
-  assign equal_1404 = x_s20_q[5:0] == 6'h35;
-  logic equal_1406;
-  assign equal_1406 = x_s20_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1116
-  logic and_1410;
-  assign and_1410 = (~equal_1400) & ((~equal_1402) & ((~equal_1404) & (~equal_1406)));
-  // hls/stages/agreement.hpp:1029
-  logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_1529_s20_q} + ({2'h0, and_1530_s20_q} + {1'b0, sum_1534_s20_q});
-  // hls/stages/agreement.hpp:1031
-  logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_1564_s20_q} + sum_1570_s20_q;
+  logic [9:0] difference_594;
+  assign difference_594 = {1'b0, select_508_s21_q} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [9:0] difference_597;
+  assign difference_597 = {1'b0, census_memory_rdata_s21_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [9:0] difference_601;
+  assign difference_601 = {1'b0, census_memory_rdata_s21_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [9:0] difference_605;
+  assign difference_605 = {1'b0, census_memory_rdata_s21_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [9:0] difference_609;
+  assign difference_609 = {1'b0, census_memory_rdata_s21_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  // hls/stages/patches.hpp:322
+  logic and_1565;
+  assign and_1565 = so_s21_q & and_1564_s21_q;
+  // hls/stages/patches.hpp:80
+  logic less_1626;
+  assign less_1626 = {{4{sum_1625_s21_q[10]}}, sum_1625_s21_q, expected_s21_q} < 16'h15;
+  // hls/stages/patches.hpp:93
+  logic and_1644;
+  assign and_1644 = (less_1611_s21_q & (shift_2_s21_q[1] & less_1626)) & and_1643_s21_q;
+  // hls/stages/patches.hpp:449
+  logic [13:0] sum_1810;
+  assign sum_1810 = {{3{patches_down_values_1_s21_q[10]}}, patches_down_values_1_s21_q} + {sum_1809_s21_q, down_2_s21_q[1]};
+  logic [12:0] sum_1811;
+  assign sum_1811 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1810[13:1];
+  // hls/stages/patches.hpp:448
+  logic [12:0] sum_1820;
+  assign sum_1820 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth_s21_q[11:1]};
+  logic [12:0] sum_1821;
+  assign sum_1821 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_1822;
+  assign difference_1822 = {1'b0, sum_1820, smooth_s21_q[0]} - {1'b0, sum_1821, patches_smooth_values_3_q[0]};
+  // hls/stages/agreement.hpp:866
+  logic [6:0] select_1894;
+  assign select_1894 = segment_started_s21_q ? segment_textured_q : 7'h0;
+  // hls/stages/agreement.hpp:867
+  logic [6:0] sum_1895;
+  assign sum_1895 = {6'h0, textured_s21_q} + select_1894;
+  // hls/stages/agreement.hpp:1003
+  logic [9:0] sum_1897;
+  assign sum_1897 = {3'h0, sum_1895} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[9:0]);
+  // hls/stages/agreement.hpp:866
+  logic [6:0] select_1899;
+  assign select_1899 = segment_started_s21_q ? segment_explained_q : 7'h0;
+  // hls/stages/agreement.hpp:867
+  logic [6:0] sum_1900;
+  assign sum_1900 = {6'h0, explained_s21_q} + select_1899;
+  // hls/stages/agreement.hpp:1004
+  logic [9:0] sum_1902;
+  assign sum_1902 = {3'h0, sum_1900} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[19:10]);
+  // hls/stages/agreement.hpp:866
+  logic [6:0] select_1905;
+  assign select_1905 = segment_started_s21_q ? segment_nearer_q : 7'h0;
+  // hls/stages/agreement.hpp:868
+  logic [6:0] sum_1906;
+  assign sum_1906 = {6'h0, and_1904_s21_q} + select_1905;
+  // hls/stages/agreement.hpp:1005
+  logic [9:0] sum_1908;
+  assign sum_1908 = {3'h0, sum_1906} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[29:20]);
+  // hls/stages/agreement.hpp:1202
+  logic or_1918;
+  assign or_1918 = marks_first_s21_q | line_ended_q;
+  // hls/stages/agreement.hpp:1204
+  logic [12:0] select_1920;
+  assign select_1920 = marks_first_s21_q ? 13'h1 : (or_1918 ? {rows_passed_q[11:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:1203
+  logic [8:0] select_1922;
+  assign select_1922 = or_1918 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:1211
+  logic select_1924;
+  assign select_1924 = cfg_compete_i ? (or_1918 & select_1920[12]) : (select_1922[8] & select_1920[9]);
+  // hls/stages/agreement.hpp:1036
+  logic [2:0] select_1958;
+  assign select_1958 = age_s21_q ? box_textured_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:1038
-  logic [2:0] select_1572;
-  assign select_1572 = age_s20_q ? box_shown_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:1032
-  logic [2:0] near_2;
-  assign near_2 = {2'h0, and_1580_s20_q} + sum_1586_s20_q;
+  logic [4:0] around;
+  assign around = {difference_1993_s21_q[3], difference_1993_s21_q} + (equal_1633_s21_q ? 5'h0 : box_shown_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1039
-  logic [2:0] select_1588;
-  assign select_1588 = age_s20_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [4:0] n;
+  assign n = {difference_2009_s21_q[3], difference_2009_s21_q} + (equal_1633_s21_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:263
-  logic [8:0] select_1627;
-  assign select_1627 = sample_pair_whole_s20_q ? (and_368_s20_q ? grey_s20_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_1629;
-  assign select_1629 = sample_pair_whole_s20_q ? (and_368_s20_q ? grey_2_s20_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_1631;
-  assign select_1631 = sample_pair_whole_s20_q ? (and_368_s20_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_1633;
-  assign select_1633 = sample_pair_whole_s20_q ? (and_368_s20_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  logic [8:0] select_2047;
+  assign select_2047 = sample_pair_whole_s21_q ? (and_500_s21_q ? grey_s21_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2049;
+  assign select_2049 = sample_pair_whole_s21_q ? (and_500_s21_q ? grey_2_s21_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2051;
+  assign select_2051 = sample_pair_whole_s21_q ? (and_500_s21_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2053;
+  assign select_2053 = sample_pair_whole_s21_q ? (and_500_s21_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:208
-  logic [9:0] sum_1638;
-  assign sum_1638 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s20_q};
-  logic [9:0] sum_1646;
-  assign sum_1646 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s20_q};
+  logic [9:0] sum_2058;
+  assign sum_2058 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s21_q};
+  logic [9:0] sum_2066;
+  assign sum_2066 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s21_q};
   // hls/stages/agreement.hpp:507
-  logic [8:0] select_1661;
-  assign select_1661 = and_370_s20_q ? select_376_s20_q : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_1662;
-  assign select_1662 = and_370_s20_q ? select_380_s20_q : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_1664;
-  assign select_1664 = and_370_s20_q ? census_memory_rdata_s20_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_1665;
-  assign select_1665 = and_370_s20_q ? census_memory_rdata_s20_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_1666;
-  assign select_1666 = and_370_s20_q ? census_memory_rdata_s20_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_1667;
-  assign select_1667 = and_370_s20_q ? census_memory_rdata_s20_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_1668;
-  assign select_1668 = and_370_s20_q ? census_memory_rdata_s20_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_1669;
-  assign select_1669 = and_370_s20_q ? census_memory_rdata_s20_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_1670;
-  assign select_1670 = and_370_s20_q ? census_memory_rdata_s20_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_1671;
-  assign select_1671 = and_370_s20_q ? census_memory_rdata_s20_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_1672;
-  assign select_1672 = and_370_s20_q ? census_memory_rdata_s20_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_1673;
-  assign select_1673 = and_370_s20_q ? census_memory_rdata_s20_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_1674;
-  assign select_1674 = and_370_s20_q ? census_memory_rdata_s20_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_1675;
-  assign select_1675 = and_370_s20_q ? census_memory_rdata_s20_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_1676;
-  assign select_1676 = and_370_s20_q ? census_memory_rdata_s20_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_1677;
-  assign select_1677 = and_370_s20_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_1678;
-  assign select_1678 = and_370_s20_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic [8:0] select_1680;
-  assign select_1680 = and_370_s20_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_1681;
-  assign select_1681 = and_370_s20_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic [8:0] select_1683;
-  assign select_1683 = and_370_s20_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_1684;
-  assign select_1684 = and_370_s20_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_1686;
-  assign select_1686 = and_370_s20_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_1687;
-  assign select_1687 = and_370_s20_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_1688;
-  assign select_1688 = and_370_s20_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic [8:0] select_1690;
-  assign select_1690 = and_370_s20_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_1691;
-  assign select_1691 = and_370_s20_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic [8:0] select_1693;
-  assign select_1693 = and_370_s20_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_1694;
-  assign select_1694 = and_370_s20_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic [8:0] select_1696;
-  assign select_1696 = and_370_s20_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_1697;
-  assign select_1697 = and_370_s20_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic [8:0] select_1699;
-  assign select_1699 = and_370_s20_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_1700;
-  assign select_1700 = and_370_s20_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic [8:0] select_1702;
-  assign select_1702 = and_370_s20_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_1703;
-  assign select_1703 = and_370_s20_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic [8:0] select_1705;
-  assign select_1705 = and_370_s20_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_1706;
-  assign select_1706 = and_370_s20_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic [8:0] select_1709;
-  assign select_1709 = and_370_s20_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_1710;
-  assign select_1710 = and_370_s20_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic [8:0] select_1713;
-  assign select_1713 = and_370_s20_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_1714;
-  assign select_1714 = and_370_s20_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic [8:0] select_2081;
+  assign select_2081 = and_502_s21_q ? select_508_s21_q : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2082;
+  assign select_2082 = and_502_s21_q ? select_512_s21_q : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2084;
+  assign select_2084 = and_502_s21_q ? census_memory_rdata_s21_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_2085;
+  assign select_2085 = and_502_s21_q ? census_memory_rdata_s21_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2086;
+  assign select_2086 = and_502_s21_q ? census_memory_rdata_s21_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2087;
+  assign select_2087 = and_502_s21_q ? census_memory_rdata_s21_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2088;
+  assign select_2088 = and_502_s21_q ? census_memory_rdata_s21_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2089;
+  assign select_2089 = and_502_s21_q ? census_memory_rdata_s21_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2090;
+  assign select_2090 = and_502_s21_q ? census_memory_rdata_s21_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2091;
+  assign select_2091 = and_502_s21_q ? census_memory_rdata_s21_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_2092;
+  assign select_2092 = and_502_s21_q ? census_memory_rdata_s21_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2093;
+  assign select_2093 = and_502_s21_q ? census_memory_rdata_s21_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2094;
+  assign select_2094 = and_502_s21_q ? census_memory_rdata_s21_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2095;
+  assign select_2095 = and_502_s21_q ? census_memory_rdata_s21_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2096;
+  assign select_2096 = and_502_s21_q ? census_memory_rdata_s21_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2097;
+  assign select_2097 = and_502_s21_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2098;
+  assign select_2098 = and_502_s21_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic [8:0] select_2100;
+  assign select_2100 = and_502_s21_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_2101;
+  assign select_2101 = and_502_s21_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic [8:0] select_2103;
+  assign select_2103 = and_502_s21_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2104;
+  assign select_2104 = and_502_s21_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2106;
+  assign select_2106 = and_502_s21_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2107;
+  assign select_2107 = and_502_s21_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_2108;
+  assign select_2108 = and_502_s21_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic [8:0] select_2110;
+  assign select_2110 = and_502_s21_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2111;
+  assign select_2111 = and_502_s21_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic [8:0] select_2113;
+  assign select_2113 = and_502_s21_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2114;
+  assign select_2114 = and_502_s21_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic [8:0] select_2116;
+  assign select_2116 = and_502_s21_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2117;
+  assign select_2117 = and_502_s21_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic [8:0] select_2119;
+  assign select_2119 = and_502_s21_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2120;
+  assign select_2120 = and_502_s21_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic [8:0] select_2122;
+  assign select_2122 = and_502_s21_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2123;
+  assign select_2123 = and_502_s21_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic [8:0] select_2125;
+  assign select_2125 = and_502_s21_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2126;
+  assign select_2126 = and_502_s21_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic [8:0] select_2129;
+  assign select_2129 = and_502_s21_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2130;
+  assign select_2130 = and_502_s21_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic [8:0] select_2133;
+  assign select_2133 = and_502_s21_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2134;
+  assign select_2134 = and_502_s21_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
   // hls/stages/census.hpp:272
-  logic [9:0] difference_1718;
-  assign difference_1718 = {1'b0, select_380_s20_q} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [9:0] difference_1721;
-  assign difference_1721 = {1'b0, census_memory_rdata_s20_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [9:0] difference_1725;
-  assign difference_1725 = {1'b0, census_memory_rdata_s20_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [9:0] difference_1729;
-  assign difference_1729 = {1'b0, census_memory_rdata_s20_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [9:0] difference_1733;
-  assign difference_1733 = {1'b0, census_memory_rdata_s20_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [9:0] difference_2138;
+  assign difference_2138 = {1'b0, select_512_s21_q} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [9:0] difference_2141;
+  assign difference_2141 = {1'b0, census_memory_rdata_s21_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [9:0] difference_2145;
+  assign difference_2145 = {1'b0, census_memory_rdata_s21_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [9:0] difference_2149;
+  assign difference_2149 = {1'b0, census_memory_rdata_s21_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [9:0] difference_2153;
+  assign difference_2153 = {1'b0, census_memory_rdata_s21_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
   // hls/stages/census.hpp:353
-  logic [9:0] difference_1764;
-  assign difference_1764 = {1'b0, select_376_s20_q} - {1'b0, sharpness_last_mean_0_q};
-  logic [9:0] difference_1776;
-  assign difference_1776 = {1'b0, select_380_s20_q} - {1'b0, sharpness_last_mean_1_q};
-  // hls/stages/agreement.hpp:507
-  logic and_1983;
-  assign and_1983 = and_370_s20_q & (equal_431_s20_q & equal_1867_s20_q);
-  // hls/stages/agreement.hpp:402
-  logic and_1992;
-  assign and_1992 = not_1340_s20_q & (so_s20_q & (ends_cell_s20_q & textured_s20_q));
-  // hls/stages/agreement.hpp:1037
-  logic [2:0] select_2015;
-  assign select_2015 = age_s20_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [9:0] difference_2184;
+  assign difference_2184 = {1'b0, select_508_s21_q} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2196;
+  assign difference_2196 = {1'b0, select_512_s21_q} - {1'b0, sharpness_last_mean_1_q};
+  // hls/stages/patches.hpp:322
+  logic and_2417;
+  assign and_2417 = not_1472_s21_q & (so_s21_q & (ends_cell_s21_q & explained_s21_q));
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2051;
-  assign select_2051 = and_1983 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2049_s20_q});
-  logic [13:0] select_2058;
-  assign select_2058 = and_1983 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2056_s20_q});
-  // hls/stages/registration.hpp:47
-  logic [7:0] difference_2126;
-  assign difference_2126 = {sum_2124_s20_q, inside_v_s20_q[1], 5'h0} - {3'h0, registration_displacement_fraction_q};
-  // hls/stages/registration.hpp:102
-  logic [7:0] select_2127;
-  assign select_2127 = less_2125_s20_q ? difference_2126 : {sum_2124_s20_q, inside_v_s20_q[1], registration_displacement_fraction_q};
-  logic [7:0] select_2128;
-  assign select_2128 = or_2123_s20_q ? {sum_2124_s20_q, inside_v_s20_q[1], 5'h0} : select_2127;
-  // hls/stages/registration.hpp:214
-  logic [10:0] sum_2135;
-  assign sum_2135 = {{3{sum_2131_s20_q[7]}}, sum_2131_s20_q} + {sum_2134_s20_q[8], sum_2134_s20_q, select_2132_s20_q};
-  logic [9:0] sum_2139;
-  assign sum_2139 = {difference_2138_s20_q, select_2136_s20_q} + {sum_2135[10], sum_2135[10:2]};
-  // hls/stages/agreement.hpp:1154
-  logic equal_2366;
-  assign equal_2366 = x_s20_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1148
-  logic equal_2386;
-  assign equal_2386 = x_s20_q[6:3] == 4'ha;
-  // hls/stages/agreement.hpp:1067
-  logic [7:0] limit;
-  assign limit = equal_2386 ? cfg_regions_limit_i : (equal_2388_s20_q ? cfg_hidden_limit_i : select_2404_s20_q);
+  logic [13:0] select_2419;
+  assign select_2419 = and_2403_s21_q ? 14'h0 : (counts_explained_q + {13'h0, and_2417});
+  // hls/stages/patches.hpp:322
+  logic and_2422;
+  assign and_2422 = not_1472_s21_q & (so_s21_q & (ends_cell_s21_q & and_1904_s21_q));
+  // hls/stages/agreement.hpp:1037
+  logic [4:0] e;
+  assign e = {difference_2436_s21_q[3], difference_2436_s21_q} + (equal_1633_s21_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1074
+  logic less_2451;
+  assign less_2451 = region_row_s21_q < x_s21_q[5:3];
+  // hls/stages/registration.hpp:218
+  logic [11:0] residual;
+  assign residual = ($signed(5'h0) < $signed(select_2530_s21_q[11:7])) ? 12'h7f : select_2530_s21_q;
+  // hls/stages/registration.hpp:269
+  logic [3:0] select_2582;
+  assign select_2582 = equal_2579_s21_q ? (registration_fresh_q & not_2580_s21_q) : registration_fresh_q;
+  // hls/stages/patches.hpp:322
+  logic [3:0] select_2584;
+  assign select_2584 = so_s21_q ? (and_1564_s21_q ? select_2582 : registration_fresh_q) : registration_fresh_q;
+  // hls/stages/registration.hpp:242
+  logic [3:0] select_2586;
+  assign select_2586 = and_2403_s21_q ? 4'hf : (equal_1471_s21_q ? registration_fresh_q : select_2584);
+  // hls/stages/registration.hpp:258
+  logic not_2607;
+  assign not_2607 = ~quarter_2_s21_q[1];
+  logic [3:0] select_2608;
+  assign select_2608 = quarter_2_s21_q[0] ? {quarter_2_s21_q[1], 1'b0, not_2607, 1'b0} : {1'b0, quarter_2_s21_q[1], 1'b0, not_2607};
+  // hls/stages/patches.hpp:166
+  logic [11:0] select_2848;
+  assign select_2848 = equal_1694_s21_q ? patches_smooth_values_0_q : (or_1698_s21_q ? smooth_s21_q : patches_smooth_values_0_q);
+  logic [11:0] select_2850;
+  assign select_2850 = or_1698_s21_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_2852;
+  assign select_2852 = equal_1692_s21_q ? patches_smooth_values_1_q : (equal_1694_s21_q ? patches_smooth_values_1_q : select_2850);
+  logic [11:0] select_2853;
+  assign select_2853 = or_1698_s21_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_2855;
+  assign select_2855 = equal_1692_s21_q ? patches_smooth_values_2_q : (equal_1694_s21_q ? patches_smooth_values_2_q : select_2853);
+  logic [11:0] select_2856;
+  assign select_2856 = or_1698_s21_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_2858;
+  assign select_2858 = equal_1692_s21_q ? patches_smooth_values_3_q : (equal_1694_s21_q ? patches_smooth_values_3_q : select_2856);
+  logic [10:0] select_2865;
+  assign select_2865 = or_1698_s21_q ? patches_down_values_1_s21_q : patches_down_values_2_q;
+  logic [10:0] select_2867;
+  assign select_2867 = equal_1692_s21_q ? patches_down_values_2_q : (equal_1694_s21_q ? patches_down_values_2_q : select_2865);
+  logic [10:0] select_2868;
+  assign select_2868 = or_1698_s21_q ? patches_down_values_2_q : patches_down_values_3_q;
+  logic [10:0] select_2870;
+  assign select_2870 = equal_1692_s21_q ? patches_down_values_3_q : (equal_1694_s21_q ? patches_down_values_3_q : select_2868);
+  // hls/stages/patches.hpp:534
+  logic and_3317;
+  assign and_3317 = less_1853_s21_q & (equal_3309_s21_q & equal_3315_s21_q);
+  // hls/stages/patches.hpp:538
+  logic select_3320;
+  assign select_3320 = equal_1856_s21_q ? (less_1853_s21_q ? (not_1857_s21_q & and_3317) : and_3317) : and_3317;
+  // hls/stages/patches.hpp:534
+  logic and_3326;
+  assign and_3326 = less_1853_s21_q & (equal_3309_s21_q & equal_3324_s21_q);
+  // hls/stages/patches.hpp:538
+  logic select_3329;
+  assign select_3329 = equal_1856_s21_q ? (less_1853_s21_q ? (not_1857_s21_q & and_3326) : and_3326) : and_3326;
+  // hls/stages/patches.hpp:531
+  logic [6:0] sum_3333;
+  assign sum_3333 = {away_s21_q[5], away_s21_q} + 7'h7d;
   // hls/stages/agreement.hpp:1161
-  logic not_2407;
-  assign not_2407 = ~x_s20_q[2];
-  logic [3:0] select_2408;
-  assign select_2408 = x_s20_q[1] ? {x_s20_q[2], 1'b0, not_2407, 1'b0} : {1'b0, x_s20_q[2], 1'b0, not_2407};
-  logic [7:0] select_2409;
-  assign select_2409 = x_s20_q[0] ? {select_2408[3], 1'b0, select_2408[2], 1'b0, select_2408[1], 1'b0, select_2408[0], 1'b0} : {1'b0, select_2408[3], 1'b0, select_2408[2], 1'b0, select_2408[1], 1'b0, select_2408[0]};
-  // hls/stages/agreement.hpp:1067
-  logic [13:0] select_2413;
-  assign select_2413 = equal_2388_s20_q ? counts_skin_supervised_q : (equal_2389_s20_q ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] of;
-  assign of = equal_2386 ? counts_textured_q : select_2413;
-  // hls/stages/agreement.hpp:402
-  logic [2:0] select_2451;
-  assign select_2451 = ends_cell_s20_q ? explained_2_s20_q : box_explained_columns_values_0_q;
-  logic [2:0] select_2453;
-  assign select_2453 = equal_1339_s20_q ? box_explained_columns_values_0_q : (so_s20_q ? select_2451 : box_explained_columns_values_0_q);
-  logic [2:0] select_2454;
-  assign select_2454 = ends_cell_s20_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [2:0] select_2456;
-  assign select_2456 = equal_1339_s20_q ? box_explained_columns_values_1_q : (so_s20_q ? select_2454 : box_explained_columns_values_1_q);
-  logic [2:0] select_2457;
-  assign select_2457 = ends_cell_s20_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
-  logic [2:0] select_2459;
-  assign select_2459 = equal_1339_s20_q ? box_explained_columns_values_2_q : (so_s20_q ? select_2457 : box_explained_columns_values_2_q);
-  logic [2:0] select_2460;
-  assign select_2460 = ends_cell_s20_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [2:0] select_2462;
-  assign select_2462 = equal_1339_s20_q ? box_explained_columns_values_3_q : (so_s20_q ? select_2460 : box_explained_columns_values_3_q);
-  logic [2:0] select_2463;
-  assign select_2463 = ends_cell_s20_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [2:0] select_2465;
-  assign select_2465 = equal_1339_s20_q ? box_explained_columns_values_4_q : (so_s20_q ? select_2463 : box_explained_columns_values_4_q);
-  logic [2:0] select_2470;
-  assign select_2470 = so_s20_q ? (ends_cell_s20_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
-  logic [2:0] select_2472;
-  assign select_2472 = ends_cell_s20_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
-  logic [2:0] select_2474;
-  assign select_2474 = equal_1339_s20_q ? box_shown_columns_values_1_q : (so_s20_q ? select_2472 : box_shown_columns_values_1_q);
-  logic [2:0] select_2475;
-  assign select_2475 = ends_cell_s20_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
-  logic [2:0] select_2477;
-  assign select_2477 = equal_1339_s20_q ? box_shown_columns_values_2_q : (so_s20_q ? select_2475 : box_shown_columns_values_2_q);
-  logic [2:0] select_2478;
-  assign select_2478 = ends_cell_s20_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [2:0] select_2480;
-  assign select_2480 = equal_1339_s20_q ? box_shown_columns_values_3_q : (so_s20_q ? select_2478 : box_shown_columns_values_3_q);
-  logic [2:0] select_2481;
-  assign select_2481 = ends_cell_s20_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_2483;
-  assign select_2483 = equal_1339_s20_q ? box_shown_columns_values_4_q : (so_s20_q ? select_2481 : box_shown_columns_values_4_q);
-  logic [2:0] select_2488;
-  assign select_2488 = so_s20_q ? (ends_cell_s20_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_2490;
-  assign select_2490 = ends_cell_s20_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [2:0] select_2492;
-  assign select_2492 = equal_1339_s20_q ? box_nearer_columns_values_1_q : (so_s20_q ? select_2490 : box_nearer_columns_values_1_q);
-  logic [2:0] select_2493;
-  assign select_2493 = ends_cell_s20_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [2:0] select_2495;
-  assign select_2495 = equal_1339_s20_q ? box_nearer_columns_values_2_q : (so_s20_q ? select_2493 : box_nearer_columns_values_2_q);
-  logic [2:0] select_2496;
-  assign select_2496 = ends_cell_s20_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [2:0] select_2498;
-  assign select_2498 = equal_1339_s20_q ? box_nearer_columns_values_3_q : (so_s20_q ? select_2496 : box_nearer_columns_values_3_q);
-  logic [2:0] select_2499;
-  assign select_2499 = ends_cell_s20_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_2501;
-  assign select_2501 = equal_1339_s20_q ? box_nearer_columns_values_4_q : (so_s20_q ? select_2499 : box_nearer_columns_values_4_q);
+  logic [13:0] select_3672;
+  assign select_3672 = equal_3466_s21_q ? 14'h0 : product_q;
+  logic [13:0] select_3687;
+  assign select_3687 = equal_3683_s21_q ? 14'h0 : of_s21_q;
+  logic [14:0] sum_4;
+  assign sum_4 = {1'b0, select_3672} + {1'b0, select_3687};
+  // hls/stages/patches.hpp:322
+  logic [2:0] select_3705;
+  assign select_3705 = ends_cell_s21_q ? textured_2_s21_q : box_textured_columns_values_0_q;
+  logic [2:0] select_3707;
+  assign select_3707 = equal_1471_s21_q ? box_textured_columns_values_0_q : (so_s21_q ? select_3705 : box_textured_columns_values_0_q);
+  logic [2:0] select_3708;
+  assign select_3708 = ends_cell_s21_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_3710;
+  assign select_3710 = equal_1471_s21_q ? box_textured_columns_values_1_q : (so_s21_q ? select_3708 : box_textured_columns_values_1_q);
+  logic [2:0] select_3711;
+  assign select_3711 = ends_cell_s21_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_3713;
+  assign select_3713 = equal_1471_s21_q ? box_textured_columns_values_2_q : (so_s21_q ? select_3711 : box_textured_columns_values_2_q);
+  logic [2:0] select_3714;
+  assign select_3714 = ends_cell_s21_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_3716;
+  assign select_3716 = equal_1471_s21_q ? box_textured_columns_values_3_q : (so_s21_q ? select_3714 : box_textured_columns_values_3_q);
+  logic [2:0] select_3717;
+  assign select_3717 = ends_cell_s21_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_3719;
+  assign select_3719 = equal_1471_s21_q ? box_textured_columns_values_4_q : (so_s21_q ? select_3717 : box_textured_columns_values_4_q);
+  logic [4:0] select_3739;
+  assign select_3739 = so_s21_q ? (ends_cell_s21_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_3740;
+  assign select_3740 = equal_1471_s21_q ? box_explained_sum_sums_values_0_q : select_3739;
+  logic [4:0] select_3757;
+  assign select_3757 = so_s21_q ? (ends_cell_s21_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [4:0] select_3775;
+  assign select_3775 = so_s21_q ? (ends_cell_s21_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  // hls/stages/registration.hpp:258
+  logic not_3877;
+  assign not_3877 = ~quarter_s21_q[1];
+  logic [3:0] select_3878;
+  assign select_3878 = quarter_s21_q[0] ? {quarter_s21_q[1], 1'b0, not_3877, 1'b0} : {1'b0, quarter_s21_q[1], 1'b0, not_3877};
+
+  // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:277; read in stage 21, written in stage 25: 21 < 25 < 21 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  (* ram_style = "distributed" *)
+  logic [31:0] registration_sums_mem [0:11];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
+`endif
+  logic [3:0] registration_sums_raddr;
+  assign registration_sums_raddr = select_1523_s21_q;
+  logic registration_sums_re;
+  assign registration_sums_re = s21_en & (equal_1471_s21_q ? (x_s21_q[6] & select_1554_s21_q) : and_1565);
+  logic [31:0] registration_sums_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (registration_sums_re) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
+  end
+
+  // Memory patches_choices, 64 x 23, DISTANCE 24, hls/stages/patches.hpp:725; read in stage 21, written in stage 23: 21 < 23 < 21 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  (* ram_style = "distributed" *)
+  logic [22:0] patches_choices_mem [0:63];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 23'h0;
+`endif
+  logic [5:0] patches_choices_raddr;
+  assign patches_choices_raddr = select_1600_s21_q;
+  logic patches_choices_re;
+  assign patches_choices_re = s21_en & (sample_pair_whole_s21_q & (~equal_1602_s21_q));
+  logic [22:0] patches_choices_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (patches_choices_re) patches_choices_rdata_q <= patches_choices_mem[patches_choices_raddr];
+  end
 
   // Memory census_memory, write
   logic [6:0] census_memory_waddr;
-  assign census_memory_waddr = column_s20_q;
+  assign census_memory_waddr = column_s21_q;
   logic census_memory_we;
-  assign census_memory_we = s20_en & and_370_s20_q;
+  assign census_memory_we = s21_en & and_502_s21_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_s20_q[58:40], census_memory_rdata_s20_q[38:0], and_388_s20_q, whole_2_s20_q, select_380_s20_q, select_376_s20_q};
+    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_s21_q[58:40], census_memory_rdata_s21_q[38:0], and_520_s21_q, whole_2_s21_q, select_512_s21_q, select_508_s21_q};
   end
 `ifndef SYNTHESIS
-  logic [6:0] census_memory_raddr_s19_sim;
-  logic census_memory_re_s19_sim;
+  logic [6:0] census_memory_raddr_s20_sim;
+  logic census_memory_re_s20_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      census_memory_re_s19_sim <= 1'b0;
+      census_memory_re_s20_sim <= 1'b0;
     end else if (en_i) begin
-      census_memory_re_s19_sim <= census_memory_re;
-      census_memory_raddr_s19_sim <= census_memory_raddr;
+      census_memory_re_s20_sim <= census_memory_re;
+      census_memory_raddr_s20_sim <= census_memory_raddr;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -4928,7 +7017,7 @@ module horopter_agreement (
       if (census_memory_re && census_memory_raddr == census_memory_waddr) begin
         $error("census_memory: address %0d is read less than DISTANCE steps after its write", census_memory_waddr);
       end
-      if (census_memory_re_s19_sim && census_memory_raddr_s19_sim == census_memory_waddr) begin
+      if (census_memory_re_s20_sim && census_memory_raddr_s20_sim == census_memory_waddr) begin
         $error("census_memory: address %0d is read less than DISTANCE steps after its write", census_memory_waddr);
       end
       if (census_memory_waddr >= 7'd120) $error("census_memory: write outside, address %0d", census_memory_waddr);
@@ -4939,17 +7028,37 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      census_filled_q <= 4'h0;
-      rows_passed_above_q <= 5'h0;
-      counts_textured_q <= 14'h0;
-      counts_skin_supervised_q <= 14'h0;
-      counts_skin_textured_q <= 14'h0;
-    end else if (s20_en) begin
-      census_filled_q <= and_370_s20_q ? {select_434[2:0], 1'b1} : census_filled_q;
-      rows_passed_above_q <= and_370_s20_q ? select_433 : rows_passed_above_q;
-      counts_textured_q <= and_1983 ? 14'h0 : (counts_textured_q + {13'h0, and_1992});
-      counts_skin_supervised_q <= select_2051;
-      counts_skin_textured_q <= select_2058;
+      counts_explained_q <= 14'h0;
+      registration_fresh_q <= 4'hf;
+      patches_smooth_values_0_q <= 12'h0;
+      patches_smooth_values_1_q <= 12'h0;
+      patches_smooth_values_2_q <= 12'h0;
+      patches_smooth_values_3_q <= 12'h0;
+      patches_down_values_2_q <= 11'h0;
+      patches_down_values_3_q <= 11'h0;
+      segment_textured_q <= 7'h0;
+      segment_explained_q <= 7'h0;
+      segment_nearer_q <= 7'h0;
+      product_q <= 14'h0;
+      rows_passed_q <= 13'h0;
+      columns_passed_q <= 9'h0;
+      line_ended_q <= 1'b1;
+    end else if (s21_en) begin
+      counts_explained_q <= select_2419;
+      registration_fresh_q <= select_2586;
+      patches_smooth_values_0_q <= equal_1692_s21_q ? patches_smooth_values_0_q : select_2848;
+      patches_smooth_values_1_q <= select_2852;
+      patches_smooth_values_2_q <= select_2855;
+      patches_smooth_values_3_q <= select_2858;
+      patches_down_values_2_q <= select_2867;
+      patches_down_values_3_q <= select_2870;
+      segment_textured_q <= select_1894 + {6'h0, and_2412_s21_q};
+      segment_explained_q <= select_1899 + {6'h0, and_2417};
+      segment_nearer_q <= select_1905 + {6'h0, and_2422};
+      product_q <= equal_1471_s21_q ? sum_4[14:1] : product_q;
+      rows_passed_q <= select_1920;
+      columns_passed_q <= {select_1922[7:0], or_1918};
+      line_ended_q <= marks_last_s21_q;
     end
   end
 
@@ -5002,637 +7111,6 @@ module horopter_agreement (
     census_columns_values_3_cell_3_right_q = 9'h0;
     sharpness_last_mean_0_q = 9'h0;
     sharpness_last_mean_1_q = 9'h0;
-    box_explained_columns_values_0_q = 3'h0;
-    box_explained_columns_values_1_q = 3'h0;
-    box_explained_columns_values_2_q = 3'h0;
-    box_explained_columns_values_3_q = 3'h0;
-    box_explained_columns_values_4_q = 3'h0;
-    box_shown_columns_values_0_q = 3'h0;
-    box_shown_columns_values_1_q = 3'h0;
-    box_shown_columns_values_2_q = 3'h0;
-    box_shown_columns_values_3_q = 3'h0;
-    box_shown_columns_values_4_q = 3'h0;
-    box_nearer_columns_values_0_q = 3'h0;
-    box_nearer_columns_values_1_q = 3'h0;
-    box_nearer_columns_values_2_q = 3'h0;
-    box_nearer_columns_values_3_q = 3'h0;
-    box_nearer_columns_values_4_q = 3'h0;
-  end
-`endif
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s20_en) begin
-      averager_quarter_1_0_q <= select_1627;
-      averager_quarter_1_1_q <= select_1629;
-      averager_quarter_2_0_q <= select_1631;
-      averager_quarter_2_1_q <= select_1633;
-      census_columns_values_0_cell_0_left_q <= select_1661;
-      census_columns_values_0_cell_0_right_q <= select_1662;
-      census_columns_values_0_cell_1_left_q <= select_1664;
-      census_columns_values_0_cell_1_right_q <= select_1665;
-      census_columns_values_0_cell_1_mask_q <= select_1666;
-      census_columns_values_0_cell_2_left_q <= select_1667;
-      census_columns_values_0_cell_2_right_q <= select_1668;
-      census_columns_values_0_cell_2_mask_q <= select_1669;
-      census_columns_values_0_cell_2_of_skin_q <= select_1670;
-      census_columns_values_0_cell_3_left_q <= select_1671;
-      census_columns_values_0_cell_3_right_q <= select_1672;
-      census_columns_values_0_cell_3_mask_q <= select_1673;
-      census_columns_values_0_cell_4_left_q <= select_1674;
-      census_columns_values_0_cell_4_right_q <= select_1675;
-      census_columns_values_0_cell_4_mask_q <= select_1676;
-      census_columns_values_1_cell_0_left_q <= select_1677;
-      census_columns_values_1_cell_0_right_q <= select_1678;
-      census_columns_values_1_cell_1_left_q <= select_1680;
-      census_columns_values_1_cell_1_right_q <= select_1681;
-      census_columns_values_1_cell_2_left_q <= select_1683;
-      census_columns_values_1_cell_2_right_q <= select_1684;
-      census_columns_values_1_cell_2_of_skin_q <= select_1686;
-      census_columns_values_1_cell_3_left_q <= select_1687;
-      census_columns_values_1_cell_3_right_q <= select_1688;
-      census_columns_values_1_cell_4_left_q <= select_1690;
-      census_columns_values_1_cell_4_right_q <= select_1691;
-      census_columns_values_2_cell_0_left_q <= select_1693;
-      census_columns_values_2_cell_0_right_q <= select_1694;
-      census_columns_values_2_cell_1_left_q <= select_1696;
-      census_columns_values_2_cell_1_right_q <= select_1697;
-      census_columns_values_2_cell_2_left_q <= select_1699;
-      census_columns_values_2_cell_2_right_q <= select_1700;
-      census_columns_values_2_cell_3_left_q <= select_1702;
-      census_columns_values_2_cell_3_right_q <= select_1703;
-      census_columns_values_2_cell_4_left_q <= select_1705;
-      census_columns_values_2_cell_4_right_q <= select_1706;
-      census_columns_values_3_cell_1_left_q <= select_1709;
-      census_columns_values_3_cell_1_right_q <= select_1710;
-      census_columns_values_3_cell_3_left_q <= select_1713;
-      census_columns_values_3_cell_3_right_q <= select_1714;
-      sharpness_last_mean_0_q <= and_370_s20_q ? select_376_s20_q : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_370_s20_q ? select_380_s20_q : sharpness_last_mean_1_q;
-      box_explained_columns_values_0_q <= select_2453;
-      box_explained_columns_values_1_q <= select_2456;
-      box_explained_columns_values_2_q <= select_2459;
-      box_explained_columns_values_3_q <= select_2462;
-      box_explained_columns_values_4_q <= select_2465;
-      box_shown_columns_values_0_q <= equal_1339_s20_q ? box_shown_columns_values_0_q : select_2470;
-      box_shown_columns_values_1_q <= select_2474;
-      box_shown_columns_values_2_q <= select_2477;
-      box_shown_columns_values_3_q <= select_2480;
-      box_shown_columns_values_4_q <= select_2483;
-      box_nearer_columns_values_0_q <= equal_1339_s20_q ? box_nearer_columns_values_0_q : select_2488;
-      box_nearer_columns_values_1_q <= select_2492;
-      box_nearer_columns_values_2_q <= select_2495;
-      box_nearer_columns_values_3_q <= select_2498;
-      box_nearer_columns_values_4_q <= select_2501;
-    end
-  end
-
-  logic [7:0] pixel_0_s21_q;
-  logic [7:0] pixel_1_s21_q;
-  logic saturated_s21_q;
-  logic mask_s21_q;
-  logic marks_first_s21_q;
-  logic marks_last_s21_q;
-  logic sample_pair_whole_s21_q;
-  logic census_columns_values_0_cell_1_mask_s21_q;
-  logic census_columns_values_0_cell_2_mask_s21_q;
-  logic census_columns_values_0_cell_3_mask_s21_q;
-  logic census_columns_values_0_cell_4_mask_s21_q;
-  logic census_columns_values_1_cell_2_of_skin_s21_q;
-  logic [7:0] x_s21_q;
-  logic age_s21_q;
-  logic [2:0] slot_s21_q;
-  logic ends_cell_s21_q;
-  logic lower_half_s21_q;
-  logic [13:0] counts_textured_s21_q;
-  logic [2:0] region_row_s21_q;
-  logic region_fresh_s21_q;
-  logic segment_started_s21_q;
-  logic centres_values_1_textured_s21_q;
-  logic centres_values_1_of_skin_s21_q;
-  logic [6:0] column_s21_q;
-  logic and_368_s21_q;
-  logic and_370_s21_q;
-  logic equal_373_s21_q;
-  logic whole_2_s21_q;
-  logic so_s21_q;
-  logic less_404_s21_q;
-  logic less_405_s21_q;
-  logic less_406_s21_q;
-  logic less_407_s21_q;
-  logic less_408_s21_q;
-  logic less_409_s21_q;
-  logic less_410_s21_q;
-  logic less_411_s21_q;
-  logic less_412_s21_q;
-  logic less_413_s21_q;
-  logic less_414_s21_q;
-  logic less_415_s21_q;
-  logic less_416_s21_q;
-  logic less_417_s21_q;
-  logic less_418_s21_q;
-  logic less_419_s21_q;
-  logic less_420_s21_q;
-  logic less_421_s21_q;
-  logic less_422_s21_q;
-  logic less_423_s21_q;
-  logic less_424_s21_q;
-  logic less_425_s21_q;
-  logic less_426_s21_q;
-  logic less_427_s21_q;
-  logic and_435_s21_q;
-  logic and_439_s21_q;
-  logic difference_462_s21_q;
-  logic [8:0] xor_463_s21_q;
-  logic difference_465_s21_q;
-  logic [8:0] xor_466_s21_q;
-  logic difference_469_s21_q;
-  logic [8:0] xor_470_s21_q;
-  logic difference_473_s21_q;
-  logic [8:0] xor_474_s21_q;
-  logic difference_477_s21_q;
-  logic [8:0] xor_478_s21_q;
-  logic equal_1339_s21_q;
-  logic not_1340_s21_q;
-  logic inside_v_s21_q;
-  logic equal_1384_s21_q;
-  logic all_s21_q;
-  logic equal_1398_s21_q;
-  logic equal_1400_s21_q;
-  logic equal_1402_s21_q;
-  logic equal_1404_s21_q;
-  logic equal_1406_s21_q;
-  logic and_1411_s21_q;
-  logic right_2_s21_q;
-  logic or_1453_s21_q;
-  logic or_1456_s21_q;
-  logic or_1459_s21_q;
-  logic not_1461_s21_q;
-  logic [29:0] regions_rdata_s21_q;
-  logic textured_s21_q;
-  logic explained_s21_q;
-  logic and_1483_s21_q;
-  logic and_1488_s21_q;
-  logic [2:0] textured_2_s21_q;
-  logic equal_1539_s21_q;
-  logic or_1547_s21_q;
-  logic or_1550_s21_q;
-  logic or_1553_s21_q;
-  logic [3:0] difference_1573_s21_q;
-  logic [3:0] difference_1589_s21_q;
-  logic and_1603_s21_q;
-  logic sum_1638_s21_q;
-  logic [9:0] difference_1639_s21_q;
-  logic sum_1646_s21_q;
-  logic [9:0] difference_1647_s21_q;
-  logic difference_1718_s21_q;
-  logic [8:0] xor_1719_s21_q;
-  logic difference_1721_s21_q;
-  logic [8:0] xor_1722_s21_q;
-  logic difference_1725_s21_q;
-  logic [8:0] xor_1726_s21_q;
-  logic difference_1729_s21_q;
-  logic [8:0] xor_1730_s21_q;
-  logic difference_1733_s21_q;
-  logic [8:0] xor_1734_s21_q;
-  logic equal_1743_s21_q;
-  logic difference_1764_s21_q;
-  logic [8:0] xor_1765_s21_q;
-  logic difference_1776_s21_q;
-  logic [8:0] xor_1777_s21_q;
-  logic equal_1867_s21_q;
-  logic and_1983_s21_q;
-  logic and_1987_s21_q;
-  logic and_1992_s21_q;
-  logic not_2006_s21_q;
-  logic [3:0] difference_2016_s21_q;
-  logic equal_2091_s21_q;
-  logic and_2120_s21_q;
-  logic [7:0] select_2128_s21_q;
-  logic sum_2135_s21_q;
-  logic [9:0] sum_2139_s21_q;
-  logic equal_2366_s21_q;
-  logic and_2367_s21_q;
-  logic equal_2386_s21_q;
-  logic equal_2388_s21_q;
-  logic equal_2389_s21_q;
-  logic equal_2411_s21_q;
-  logic [13:0] of_s21_q;
-  logic equal_2518_s21_q;
-  always_ff @(posedge clk_i) begin
-    if (s20_en) begin
-      pixel_0_s21_q <= pixel_0_s20_q;
-      pixel_1_s21_q <= pixel_1_s20_q;
-      saturated_s21_q <= saturated_s20_q;
-      mask_s21_q <= mask_s20_q;
-      marks_first_s21_q <= marks_first_s20_q;
-      marks_last_s21_q <= marks_last_s20_q;
-      sample_pair_whole_s21_q <= sample_pair_whole_s20_q;
-      census_columns_values_0_cell_1_mask_s21_q <= census_columns_values_0_cell_1_mask_q;
-      census_columns_values_0_cell_2_mask_s21_q <= census_columns_values_0_cell_2_mask_q;
-      census_columns_values_0_cell_3_mask_s21_q <= census_columns_values_0_cell_3_mask_q;
-      census_columns_values_0_cell_4_mask_s21_q <= census_columns_values_0_cell_4_mask_q;
-      census_columns_values_1_cell_2_of_skin_s21_q <= census_columns_values_1_cell_2_of_skin_q;
-      x_s21_q <= x_s20_q;
-      age_s21_q <= age_s20_q;
-      slot_s21_q <= slot_s20_q;
-      ends_cell_s21_q <= ends_cell_s20_q;
-      lower_half_s21_q <= lower_half_s20_q;
-      counts_textured_s21_q <= counts_textured_q;
-      region_row_s21_q <= region_row_s20_q;
-      region_fresh_s21_q <= region_fresh_s20_q;
-      segment_started_s21_q <= segment_started_s20_q;
-      centres_values_1_textured_s21_q <= centres_values_1_textured_s20_q;
-      centres_values_1_of_skin_s21_q <= centres_values_1_of_skin_s20_q;
-      column_s21_q <= column_s20_q;
-      and_368_s21_q <= and_368_s20_q;
-      and_370_s21_q <= and_370_s20_q;
-      equal_373_s21_q <= equal_373_s20_q;
-      whole_2_s21_q <= whole_2_s20_q;
-      so_s21_q <= so_s20_q;
-      less_404_s21_q <= less_404;
-      less_405_s21_q <= less_405;
-      less_406_s21_q <= less_406;
-      less_407_s21_q <= less_407;
-      less_408_s21_q <= less_408;
-      less_409_s21_q <= less_409;
-      less_410_s21_q <= less_410;
-      less_411_s21_q <= less_411;
-      less_412_s21_q <= less_412;
-      less_413_s21_q <= less_413;
-      less_414_s21_q <= less_414;
-      less_415_s21_q <= less_415;
-      less_416_s21_q <= less_416;
-      less_417_s21_q <= less_417;
-      less_418_s21_q <= less_418;
-      less_419_s21_q <= less_419;
-      less_420_s21_q <= less_420;
-      less_421_s21_q <= less_421;
-      less_422_s21_q <= less_422;
-      less_423_s21_q <= less_423;
-      less_424_s21_q <= less_424;
-      less_425_s21_q <= less_425;
-      less_426_s21_q <= less_426;
-      less_427_s21_q <= less_427;
-      and_435_s21_q <= select_433[4] & select_434[3];
-      and_439_s21_q <= and_439;
-      difference_462_s21_q <= difference_462[9];
-      xor_463_s21_q <= difference_462[8:0] ^ {9{difference_462[9]}};
-      difference_465_s21_q <= difference_465[9];
-      xor_466_s21_q <= difference_465[8:0] ^ {9{difference_465[9]}};
-      difference_469_s21_q <= difference_469[9];
-      xor_470_s21_q <= difference_469[8:0] ^ {9{difference_469[9]}};
-      difference_473_s21_q <= difference_473[9];
-      xor_474_s21_q <= difference_473[8:0] ^ {9{difference_473[9]}};
-      difference_477_s21_q <= difference_477[9];
-      xor_478_s21_q <= difference_477[8:0] ^ {9{difference_477[9]}};
-      equal_1339_s21_q <= equal_1339_s20_q;
-      not_1340_s21_q <= not_1340_s20_q;
-      inside_v_s21_q <= inside_v_s20_q[0];
-      equal_1384_s21_q <= equal_1384_s20_q;
-      all_s21_q <= all;
-      equal_1398_s21_q <= equal_1398;
-      equal_1400_s21_q <= equal_1400;
-      equal_1402_s21_q <= equal_1402;
-      equal_1404_s21_q <= equal_1404;
-      equal_1406_s21_q <= equal_1406;
-      and_1411_s21_q <= (~equal_1398) & and_1410;
-      right_2_s21_q <= right_2_s20_q;
-      or_1453_s21_q <= or_1453_s20_q;
-      or_1456_s21_q <= or_1456_s20_q;
-      or_1459_s21_q <= or_1459_s20_q;
-      not_1461_s21_q <= not_1461_s20_q;
-      regions_rdata_s21_q <= regions_rdata_q;
-      textured_s21_q <= textured_s20_q;
-      explained_s21_q <= explained_s20_q;
-      and_1483_s21_q <= and_1483_s20_q;
-      and_1488_s21_q <= and_1488_s20_q;
-      textured_2_s21_q <= textured_2;
-      equal_1539_s21_q <= x_s20_q == 8'h0;
-      or_1547_s21_q <= or_1547_s20_q;
-      or_1550_s21_q <= or_1550_s20_q;
-      or_1553_s21_q <= or_1553_s20_q;
-      difference_1573_s21_q <= {1'b0, shown_2} - {1'b0, select_1572};
-      difference_1589_s21_q <= {1'b0, near_2} - {1'b0, select_1588};
-      and_1603_s21_q <= and_1603_s20_q;
-      sum_1638_s21_q <= sum_1638[0];
-      difference_1639_s21_q <= {1'b0, sum_1638[9:1]} - {1'b0, averager_quarter_1_0_q};
-      sum_1646_s21_q <= sum_1646[0];
-      difference_1647_s21_q <= {1'b0, sum_1646[9:1]} - {1'b0, averager_quarter_1_1_q};
-      difference_1718_s21_q <= difference_1718[9];
-      xor_1719_s21_q <= difference_1718[8:0] ^ {9{difference_1718[9]}};
-      difference_1721_s21_q <= difference_1721[9];
-      xor_1722_s21_q <= difference_1721[8:0] ^ {9{difference_1721[9]}};
-      difference_1725_s21_q <= difference_1725[9];
-      xor_1726_s21_q <= difference_1725[8:0] ^ {9{difference_1725[9]}};
-      difference_1729_s21_q <= difference_1729[9];
-      xor_1730_s21_q <= difference_1729[8:0] ^ {9{difference_1729[9]}};
-      difference_1733_s21_q <= difference_1733[9];
-      xor_1734_s21_q <= difference_1733[8:0] ^ {9{difference_1733[9]}};
-      equal_1743_s21_q <= equal_1743_s20_q;
-      difference_1764_s21_q <= difference_1764[9];
-      xor_1765_s21_q <= difference_1764[8:0] ^ {9{difference_1764[9]}};
-      difference_1776_s21_q <= difference_1776[9];
-      xor_1777_s21_q <= difference_1776[8:0] ^ {9{difference_1776[9]}};
-      equal_1867_s21_q <= equal_1867_s20_q;
-      and_1983_s21_q <= and_1983;
-      and_1987_s21_q <= and_1987_s20_q;
-      and_1992_s21_q <= and_1992;
-      not_2006_s21_q <= not_2006_s20_q;
-      difference_2016_s21_q <= {1'b0, explained_2_s20_q} - {1'b0, select_2015};
-      equal_2091_s21_q <= equal_2091_s20_q;
-      and_2120_s21_q <= and_2120_s20_q;
-      select_2128_s21_q <= select_2128;
-      sum_2135_s21_q <= sum_2135[1];
-      sum_2139_s21_q <= sum_2139;
-      equal_2366_s21_q <= equal_2366;
-      and_2367_s21_q <= equal_2365_s20_q & equal_2366;
-      equal_2386_s21_q <= equal_2386;
-      equal_2388_s21_q <= equal_2388_s20_q;
-      equal_2389_s21_q <= equal_2389_s20_q;
-      equal_2411_s21_q <= (limit & select_2409) == 8'h0;
-      of_s21_q <= of;
-      equal_2518_s21_q <= equal_2518_s20_q;
-    end
-  end
-
-  // Stage 21 ----------------------------------------------------------------------------------------------------------
-  logic census_columns_values_0_cell_0_mask_q;
-  logic census_columns_values_1_cell_0_mask_q;
-  logic census_columns_values_1_cell_1_mask_q;
-  logic census_columns_values_1_cell_2_mask_q;
-  logic census_columns_values_1_cell_3_mask_q;
-  logic census_columns_values_1_cell_4_mask_q;
-  logic census_columns_values_2_cell_0_mask_q;
-  logic census_columns_values_2_cell_1_mask_q;
-  logic [13:0] counts_explained_q;
-  logic registration_of_right_q;
-  logic registration_was_inside_q;
-  logic [6:0] segment_textured_q;
-  logic [6:0] segment_explained_q;
-  logic [6:0] segment_nearer_q;
-  logic [13:0] product_q;
-  logic [2:0] box_textured_columns_values_0_q;
-  logic [2:0] box_textured_columns_values_1_q;
-  logic [2:0] box_textured_columns_values_2_q;
-  logic [2:0] box_textured_columns_values_3_q;
-  logic [2:0] box_textured_columns_values_4_q;
-  logic [4:0] box_explained_sum_sums_values_0_q;
-  logic [4:0] box_shown_sum_sums_values_0_q;
-  logic [4:0] box_nearer_sum_sums_values_0_q;
-  logic [12:0] rows_passed_q;
-  logic [8:0] columns_passed_q;
-  logic line_ended_q;
-  // hls/stages/agreement.hpp:443
-  logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_439_s21_q;
-  logic whole_4;
-  assign whole_4 = census_columns_values_0_cell_1_mask_s21_q & whole_3;
-  logic whole_5;
-  assign whole_5 = census_columns_values_0_cell_2_mask_s21_q & whole_4;
-  logic whole_6;
-  assign whole_6 = census_columns_values_0_cell_3_mask_s21_q & whole_5;
-  logic whole_7;
-  assign whole_7 = census_columns_values_0_cell_4_mask_s21_q & whole_6;
-  logic whole_8;
-  assign whole_8 = census_columns_values_1_cell_0_mask_q & whole_7;
-  logic whole_9;
-  assign whole_9 = census_columns_values_1_cell_1_mask_q & whole_8;
-  // hls/stages/census.hpp:270
-  logic [9:0] sum_464;
-  assign sum_464 = {9'h0, difference_462_s21_q} + {1'b0, xor_463_s21_q};
-  logic [9:0] sum_467;
-  assign sum_467 = {9'h0, difference_465_s21_q} + {1'b0, xor_466_s21_q};
-  // hls/stages/agreement.hpp:1116
-  logic [1:0] quarter;
-  assign quarter = x_s21_q[1:0] + 2'h1;
-  // hls/stages/agreement.hpp:1071
-  logic [1:0] select_1387;
-  assign select_1387 = x_s21_q[4] ? {x_s21_q[3], x_s21_q[0]} : {x_s21_q[0], x_s21_q[3]};
-  // hls/stages/agreement.hpp:1085
-  logic [3:0] select_1389;
-  assign select_1389 = equal_1384_s21_q ? {2'h0, quarter} : (all_s21_q ? {1'b0, x_s21_q[2:0]} : {x_s21_q[2:1], select_1387});
-  // hls/stages/registration.hpp:107
-  logic [1:0] sum_1390;
-  assign sum_1390 = slot_s21_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:402
-  logic [3:0] select_1391;
-  assign select_1391 = equal_1339_s21_q ? select_1389 : {sum_1390, lower_half_s21_q, registration_of_right_q};
-  // hls/stages/agreement.hpp:1110
-  logic equal_1392;
-  assign equal_1392 = x_s21_q[5:0] == 6'h3f;
-  logic equal_1394;
-  assign equal_1394 = x_s21_q[5:0] == 6'h3e;
-  logic equal_1396;
-  assign equal_1396 = x_s21_q[5:0] == 6'h3d;
-  // hls/stages/agreement.hpp:1116
-  logic and_1414;
-  assign and_1414 = (~equal_1392) & ((~equal_1394) & ((~equal_1396) & and_1411_s21_q));
-  // hls/stages/agreement.hpp:1071
-  logic less_1415;
-  assign less_1415 = x_s21_q[5:0] < 6'h29;
-  // hls/stages/registration.hpp:148
-  logic [1:0] kind;
-  assign kind = all_s21_q ? {1'b0, x_s21_q[2]} : x_s21_q[2:1];
-  // hls/stages/registration.hpp:160
-  logic or_1419;
-  assign or_1419 = (kind == 2'h3) | (x_s21_q[5:3] == 3'h5);
-  // hls/stages/registration.hpp:94
-  logic half_ends;
-  assign half_ends = inside_v_s21_q ? (right_2_s21_q & (~registration_of_right_q)) : registration_was_inside_q;
-  // hls/stages/registration.hpp:107
-  logic [4:0] sum_1430;
-  assign sum_1430 = {2'h0, slot_s21_q} + 5'h1f;
-  // hls/stages/registration.hpp:258
-  logic not_1436;
-  assign not_1436 = ~lower_half_s21_q;
-  logic [3:0] select_1437;
-  assign select_1437 = registration_of_right_q ? {lower_half_s21_q, 1'b0, not_1436, 1'b0} : {1'b0, lower_half_s21_q, 1'b0, not_1436};
-  // hls/stages/agreement.hpp:866
-  logic [6:0] select_1473;
-  assign select_1473 = segment_started_s21_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:867
-  logic [6:0] sum_1474;
-  assign sum_1474 = {6'h0, textured_s21_q} + select_1473;
-  // hls/stages/agreement.hpp:1003
-  logic [9:0] sum_1476;
-  assign sum_1476 = {3'h0, sum_1474} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[9:0]);
-  // hls/stages/agreement.hpp:866
-  logic [6:0] select_1478;
-  assign select_1478 = segment_started_s21_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:867
-  logic [6:0] sum_1479;
-  assign sum_1479 = {6'h0, explained_s21_q} + select_1478;
-  // hls/stages/agreement.hpp:1004
-  logic [9:0] sum_1481;
-  assign sum_1481 = {3'h0, sum_1479} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[19:10]);
-  // hls/stages/agreement.hpp:866
-  logic [6:0] select_1484;
-  assign select_1484 = segment_started_s21_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:868
-  logic [6:0] sum_1485;
-  assign sum_1485 = {6'h0, and_1483_s21_q} + select_1484;
-  // hls/stages/agreement.hpp:1005
-  logic [9:0] sum_1487;
-  assign sum_1487 = {3'h0, sum_1485} + (region_fresh_s21_q ? 10'h0 : regions_rdata_s21_q[29:20]);
-  // hls/stages/agreement.hpp:1201
-  logic or_1497;
-  assign or_1497 = marks_first_s21_q | line_ended_q;
-  // hls/stages/agreement.hpp:1203
-  logic [12:0] select_1499;
-  assign select_1499 = marks_first_s21_q ? 13'h1 : (or_1497 ? {rows_passed_q[11:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1202
-  logic [8:0] select_1501;
-  assign select_1501 = or_1497 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1210
-  logic select_1503;
-  assign select_1503 = cfg_compete_i ? (or_1497 & select_1499[12]) : (select_1501[8] & select_1499[9]);
-  // hls/stages/agreement.hpp:1036
-  logic [2:0] select_1537;
-  assign select_1537 = age_s21_q ? box_textured_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:1038
-  logic [4:0] around;
-  assign around = {difference_1573_s21_q[3], difference_1573_s21_q} + (equal_1539_s21_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1039
-  logic [4:0] n;
-  assign n = {difference_1589_s21_q[3], difference_1589_s21_q} + (equal_1539_s21_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/census.hpp:209
-  logic [9:0] xor_1640;
-  assign xor_1640 = {difference_1639_s21_q[8:0], sum_1638_s21_q} ^ {10{difference_1639_s21_q[9]}};
-  logic [10:0] size;
-  assign size = {10'h0, difference_1639_s21_q[9]} + {1'b0, xor_1640};
-  logic [9:0] xor_1648;
-  assign xor_1648 = {difference_1647_s21_q[8:0], sum_1646_s21_q} ^ {10{difference_1647_s21_q[9]}};
-  logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_1647_s21_q[9]} + {1'b0, xor_1648};
-  // hls/stages/agreement.hpp:507
-  logic select_1663;
-  assign select_1663 = and_370_s21_q ? whole_2_s21_q : census_columns_values_0_cell_0_mask_q;
-  logic select_1679;
-  assign select_1679 = and_370_s21_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic select_1682;
-  assign select_1682 = and_370_s21_q ? census_columns_values_0_cell_1_mask_s21_q : census_columns_values_1_cell_1_mask_q;
-  logic select_1685;
-  assign select_1685 = and_370_s21_q ? census_columns_values_0_cell_2_mask_s21_q : census_columns_values_1_cell_2_mask_q;
-  logic select_1689;
-  assign select_1689 = and_370_s21_q ? census_columns_values_0_cell_3_mask_s21_q : census_columns_values_1_cell_3_mask_q;
-  logic select_1692;
-  assign select_1692 = and_370_s21_q ? census_columns_values_0_cell_4_mask_s21_q : census_columns_values_1_cell_4_mask_q;
-  logic select_1695;
-  assign select_1695 = and_370_s21_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic select_1698;
-  assign select_1698 = and_370_s21_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  // hls/stages/census.hpp:272
-  logic [9:0] sum_1720;
-  assign sum_1720 = {9'h0, difference_1718_s21_q} + {1'b0, xor_1719_s21_q};
-  logic [9:0] sum_1723;
-  assign sum_1723 = {9'h0, difference_1721_s21_q} + {1'b0, xor_1722_s21_q};
-  // hls/stages/census.hpp:353
-  logic [8:0] contrast;
-  assign contrast = {8'h0, difference_1764_s21_q} + xor_1765_s21_q;
-  logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_1776_s21_q} + xor_1777_s21_q;
-  // hls/stages/agreement.hpp:402
-  logic and_1997;
-  assign and_1997 = not_1340_s21_q & (so_s21_q & (ends_cell_s21_q & explained_s21_q));
-  // hls/stages/agreement.hpp:889
-  logic [13:0] select_1999;
-  assign select_1999 = and_1983_s21_q ? 14'h0 : (counts_explained_q + {13'h0, and_1997});
-  // hls/stages/agreement.hpp:402
-  logic and_2002;
-  assign and_2002 = not_1340_s21_q & (so_s21_q & (ends_cell_s21_q & and_1483_s21_q));
-  // hls/stages/agreement.hpp:1037
-  logic [4:0] e;
-  assign e = {difference_2016_s21_q[3], difference_2016_s21_q} + (equal_1539_s21_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1074
-  logic less_2031;
-  assign less_2031 = region_row_s21_q < x_s21_q[5:3];
-  // hls/stages/registration.hpp:108
-  logic equal_2115;
-  assign equal_2115 = slot_s21_q == 3'h4;
-  // hls/stages/registration.hpp:102
-  logic [11:0] value_2;
-  assign value_2 = {{4{select_2128_s21_q[7]}}, select_2128_s21_q} - {sum_2139_s21_q[9], sum_2139_s21_q, sum_2135_s21_q};
-  // hls/stages/agreement.hpp:402
-  logic select_2186;
-  assign select_2186 = so_s21_q ? (equal_2115 ? right_2_s21_q : registration_of_right_q) : registration_of_right_q;
-  logic select_2189;
-  assign select_2189 = so_s21_q ? (equal_2091_s21_q ? inside_v_s21_q : registration_was_inside_q) : registration_was_inside_q;
-  // hls/stages/agreement.hpp:1071
-  logic [1:0] quarter_2;
-  assign quarter_2 = all_s21_q ? x_s21_q[1:0] : select_1387;
-  // hls/stages/agreement.hpp:1161
-  logic [13:0] select_2400;
-  assign select_2400 = equal_2366_s21_q ? 14'h0 : product_q;
-  logic [13:0] select_2415;
-  assign select_2415 = equal_2411_s21_q ? 14'h0 : of_s21_q;
-  logic [14:0] sum_3;
-  assign sum_3 = {1'b0, select_2400} + {1'b0, select_2415};
-  // hls/stages/agreement.hpp:402
-  logic [2:0] select_2433;
-  assign select_2433 = ends_cell_s21_q ? textured_2_s21_q : box_textured_columns_values_0_q;
-  logic [2:0] select_2435;
-  assign select_2435 = equal_1339_s21_q ? box_textured_columns_values_0_q : (so_s21_q ? select_2433 : box_textured_columns_values_0_q);
-  logic [2:0] select_2436;
-  assign select_2436 = ends_cell_s21_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_2438;
-  assign select_2438 = equal_1339_s21_q ? box_textured_columns_values_1_q : (so_s21_q ? select_2436 : box_textured_columns_values_1_q);
-  logic [2:0] select_2439;
-  assign select_2439 = ends_cell_s21_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [2:0] select_2441;
-  assign select_2441 = equal_1339_s21_q ? box_textured_columns_values_2_q : (so_s21_q ? select_2439 : box_textured_columns_values_2_q);
-  logic [2:0] select_2442;
-  assign select_2442 = ends_cell_s21_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_2444;
-  assign select_2444 = equal_1339_s21_q ? box_textured_columns_values_3_q : (so_s21_q ? select_2442 : box_textured_columns_values_3_q);
-  logic [2:0] select_2445;
-  assign select_2445 = ends_cell_s21_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_2447;
-  assign select_2447 = equal_1339_s21_q ? box_textured_columns_values_4_q : (so_s21_q ? select_2445 : box_textured_columns_values_4_q);
-  logic [4:0] select_2467;
-  assign select_2467 = so_s21_q ? (ends_cell_s21_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_2468;
-  assign select_2468 = equal_1339_s21_q ? box_explained_sum_sums_values_0_q : select_2467;
-  logic [4:0] select_2485;
-  assign select_2485 = so_s21_q ? (ends_cell_s21_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [4:0] select_2503;
-  assign select_2503 = so_s21_q ? (ends_cell_s21_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      counts_explained_q <= 14'h0;
-      registration_of_right_q <= 1'b0;
-      registration_was_inside_q <= 1'b0;
-      segment_textured_q <= 7'h0;
-      segment_explained_q <= 7'h0;
-      segment_nearer_q <= 7'h0;
-      product_q <= 14'h0;
-      rows_passed_q <= 13'h0;
-      columns_passed_q <= 9'h0;
-      line_ended_q <= 1'b1;
-    end else if (s21_en) begin
-      counts_explained_q <= select_1999;
-      registration_of_right_q <= equal_1339_s21_q ? registration_of_right_q : select_2186;
-      registration_was_inside_q <= equal_1339_s21_q ? registration_was_inside_q : select_2189;
-      segment_textured_q <= select_1473 + {6'h0, and_1992_s21_q};
-      segment_explained_q <= select_1478 + {6'h0, and_1997};
-      segment_nearer_q <= select_1484 + {6'h0, and_2002};
-      product_q <= equal_1339_s21_q ? sum_3[14:1] : product_q;
-      rows_passed_q <= select_1499;
-      columns_passed_q <= {select_1501[7:0], or_1497};
-      line_ended_q <= marks_last_s21_q;
-    end
-  end
-
-  // Not reset: nothing of it counts before it is written anew.
-`ifndef SYNTHESIS
-  initial begin
-    census_columns_values_0_cell_0_mask_q = 1'b0;
-    census_columns_values_1_cell_0_mask_q = 1'b0;
-    census_columns_values_1_cell_1_mask_q = 1'b0;
-    census_columns_values_1_cell_2_mask_q = 1'b0;
-    census_columns_values_1_cell_3_mask_q = 1'b0;
-    census_columns_values_1_cell_4_mask_q = 1'b0;
-    census_columns_values_2_cell_0_mask_q = 1'b0;
-    census_columns_values_2_cell_1_mask_q = 1'b0;
     box_textured_columns_values_0_q = 3'h0;
     box_textured_columns_values_1_q = 3'h0;
     box_textured_columns_values_2_q = 3'h0;
@@ -5645,22 +7123,60 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s21_en) begin
-      census_columns_values_0_cell_0_mask_q <= select_1663;
-      census_columns_values_1_cell_0_mask_q <= select_1679;
-      census_columns_values_1_cell_1_mask_q <= select_1682;
-      census_columns_values_1_cell_2_mask_q <= select_1685;
-      census_columns_values_1_cell_3_mask_q <= select_1689;
-      census_columns_values_1_cell_4_mask_q <= select_1692;
-      census_columns_values_2_cell_0_mask_q <= select_1695;
-      census_columns_values_2_cell_1_mask_q <= select_1698;
-      box_textured_columns_values_0_q <= select_2435;
-      box_textured_columns_values_1_q <= select_2438;
-      box_textured_columns_values_2_q <= select_2441;
-      box_textured_columns_values_3_q <= select_2444;
-      box_textured_columns_values_4_q <= select_2447;
-      box_explained_sum_sums_values_0_q <= select_2468;
-      box_shown_sum_sums_values_0_q <= equal_1339_s21_q ? box_shown_sum_sums_values_0_q : select_2485;
-      box_nearer_sum_sums_values_0_q <= equal_1339_s21_q ? box_nearer_sum_sums_values_0_q : select_2503;
+      averager_quarter_1_0_q <= select_2047;
+      averager_quarter_1_1_q <= select_2049;
+      averager_quarter_2_0_q <= select_2051;
+      averager_quarter_2_1_q <= select_2053;
+      census_columns_values_0_cell_0_left_q <= select_2081;
+      census_columns_values_0_cell_0_right_q <= select_2082;
+      census_columns_values_0_cell_1_left_q <= select_2084;
+      census_columns_values_0_cell_1_right_q <= select_2085;
+      census_columns_values_0_cell_1_mask_q <= select_2086;
+      census_columns_values_0_cell_2_left_q <= select_2087;
+      census_columns_values_0_cell_2_right_q <= select_2088;
+      census_columns_values_0_cell_2_mask_q <= select_2089;
+      census_columns_values_0_cell_2_of_skin_q <= select_2090;
+      census_columns_values_0_cell_3_left_q <= select_2091;
+      census_columns_values_0_cell_3_right_q <= select_2092;
+      census_columns_values_0_cell_3_mask_q <= select_2093;
+      census_columns_values_0_cell_4_left_q <= select_2094;
+      census_columns_values_0_cell_4_right_q <= select_2095;
+      census_columns_values_0_cell_4_mask_q <= select_2096;
+      census_columns_values_1_cell_0_left_q <= select_2097;
+      census_columns_values_1_cell_0_right_q <= select_2098;
+      census_columns_values_1_cell_1_left_q <= select_2100;
+      census_columns_values_1_cell_1_right_q <= select_2101;
+      census_columns_values_1_cell_2_left_q <= select_2103;
+      census_columns_values_1_cell_2_right_q <= select_2104;
+      census_columns_values_1_cell_2_of_skin_q <= select_2106;
+      census_columns_values_1_cell_3_left_q <= select_2107;
+      census_columns_values_1_cell_3_right_q <= select_2108;
+      census_columns_values_1_cell_4_left_q <= select_2110;
+      census_columns_values_1_cell_4_right_q <= select_2111;
+      census_columns_values_2_cell_0_left_q <= select_2113;
+      census_columns_values_2_cell_0_right_q <= select_2114;
+      census_columns_values_2_cell_1_left_q <= select_2116;
+      census_columns_values_2_cell_1_right_q <= select_2117;
+      census_columns_values_2_cell_2_left_q <= select_2119;
+      census_columns_values_2_cell_2_right_q <= select_2120;
+      census_columns_values_2_cell_3_left_q <= select_2122;
+      census_columns_values_2_cell_3_right_q <= select_2123;
+      census_columns_values_2_cell_4_left_q <= select_2125;
+      census_columns_values_2_cell_4_right_q <= select_2126;
+      census_columns_values_3_cell_1_left_q <= select_2129;
+      census_columns_values_3_cell_1_right_q <= select_2130;
+      census_columns_values_3_cell_3_left_q <= select_2133;
+      census_columns_values_3_cell_3_right_q <= select_2134;
+      sharpness_last_mean_0_q <= and_502_s21_q ? select_508_s21_q : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_502_s21_q ? select_512_s21_q : sharpness_last_mean_1_q;
+      box_textured_columns_values_0_q <= select_3707;
+      box_textured_columns_values_1_q <= select_3710;
+      box_textured_columns_values_2_q <= select_3713;
+      box_textured_columns_values_3_q <= select_3716;
+      box_textured_columns_values_4_q <= select_3719;
+      box_explained_sum_sums_values_0_q <= select_3740;
+      box_shown_sum_sums_values_0_q <= equal_1471_s21_q ? box_shown_sum_sums_values_0_q : select_3757;
+      box_nearer_sum_sums_values_0_q <= equal_1471_s21_q ? box_nearer_sum_sums_values_0_q : select_3775;
     end
   end
 
@@ -5669,13 +7185,15 @@ module horopter_agreement (
   logic saturated_s22_q;
   logic mask_s22_q;
   logic marks_first_s22_q;
+  logic [7:0] sample_pair_pixel_0_s22_q;
+  logic [7:0] sample_pair_pixel_1_s22_q;
   logic sample_pair_whole_s22_q;
-  logic census_columns_values_1_cell_2_mask_s22_q;
+  logic sample_present_s22_q;
+  logic census_columns_values_0_cell_1_mask_s22_q;
+  logic census_columns_values_0_cell_2_mask_s22_q;
+  logic census_columns_values_0_cell_3_mask_s22_q;
+  logic census_columns_values_0_cell_4_mask_s22_q;
   logic census_columns_values_1_cell_2_of_skin_s22_q;
-  logic census_columns_values_1_cell_3_mask_s22_q;
-  logic census_columns_values_1_cell_4_mask_s22_q;
-  logic census_columns_values_2_cell_0_mask_s22_q;
-  logic census_columns_values_2_cell_1_mask_s22_q;
   logic [7:0] x_s22_q;
   logic [2:0] slot_s22_q;
   logic ends_cell_s22_q;
@@ -5683,117 +7201,185 @@ module horopter_agreement (
   logic [13:0] counts_textured_s22_q;
   logic [13:0] counts_explained_s22_q;
   logic registration_of_right_s22_q;
+  logic [4:0] patches_choosing_band_s22_q;
+  logic patches_lower_s22_q;
+  logic patches_second_s22_q;
+  logic [4:0] patches_code_row_s22_q;
+  logic [10:0] patches_down_values_3_s22_q;
+  logic [4:0] patches_along_s22_q;
+  logic patches_summed_last_s22_q;
+  logic [4:0] patches_summed_down_by_s22_q;
+  logic [9:0] patches_read_row_differing_s22_q;
+  logic patches_read_first_s22_q;
   logic [2:0] region_row_s22_q;
   logic [13:0] product_s22_q;
   logic centres_values_1_textured_s22_q;
   logic centres_values_1_of_skin_s22_q;
+  logic [3:0] select_463_s22_q;
+  logic [6:0] select_466_s22_q;
   logic [6:0] column_s22_q;
-  logic and_368_s22_q;
-  logic and_370_s22_q;
-  logic equal_373_s22_q;
+  logic and_500_s22_q;
+  logic and_502_s22_q;
+  logic equal_505_s22_q;
   logic whole_2_s22_q;
   logic so_s22_q;
-  logic less_404_s22_q;
-  logic less_405_s22_q;
-  logic less_406_s22_q;
-  logic less_407_s22_q;
-  logic less_408_s22_q;
-  logic less_409_s22_q;
-  logic less_410_s22_q;
-  logic less_411_s22_q;
-  logic less_412_s22_q;
-  logic less_413_s22_q;
-  logic less_414_s22_q;
-  logic less_415_s22_q;
-  logic less_416_s22_q;
-  logic less_417_s22_q;
-  logic less_418_s22_q;
-  logic less_419_s22_q;
-  logic less_420_s22_q;
-  logic less_421_s22_q;
-  logic less_422_s22_q;
-  logic less_423_s22_q;
-  logic less_424_s22_q;
-  logic less_425_s22_q;
-  logic less_426_s22_q;
-  logic less_427_s22_q;
-  logic and_435_s22_q;
-  logic whole_9_s22_q;
-  logic [10:0] sum_468_s22_q;
-  logic [9:0] sum_471_s22_q;
-  logic [9:0] sum_475_s22_q;
-  logic [9:0] sum_479_s22_q;
-  logic equal_1339_s22_q;
-  logic not_1340_s22_q;
-  logic equal_1384_s22_q;
-  logic [1:0] quarter_s22_q;
+  logic less_536_s22_q;
+  logic less_537_s22_q;
+  logic less_538_s22_q;
+  logic less_539_s22_q;
+  logic less_540_s22_q;
+  logic less_541_s22_q;
+  logic less_542_s22_q;
+  logic less_543_s22_q;
+  logic less_544_s22_q;
+  logic less_545_s22_q;
+  logic less_546_s22_q;
+  logic less_547_s22_q;
+  logic less_548_s22_q;
+  logic less_549_s22_q;
+  logic less_550_s22_q;
+  logic less_551_s22_q;
+  logic less_552_s22_q;
+  logic less_553_s22_q;
+  logic less_554_s22_q;
+  logic less_555_s22_q;
+  logic less_556_s22_q;
+  logic less_557_s22_q;
+  logic less_558_s22_q;
+  logic less_559_s22_q;
+  logic and_567_s22_q;
+  logic and_571_s22_q;
+  logic difference_594_s22_q;
+  logic [8:0] xor_595_s22_q;
+  logic difference_597_s22_q;
+  logic [8:0] xor_598_s22_q;
+  logic difference_601_s22_q;
+  logic [8:0] xor_602_s22_q;
+  logic difference_605_s22_q;
+  logic [8:0] xor_606_s22_q;
+  logic difference_609_s22_q;
+  logic [8:0] xor_610_s22_q;
+  logic equal_1471_s22_q;
+  logic not_1472_s22_q;
+  logic shift_2_s22_q;
+  logic equal_1516_s22_q;
   logic all_s22_q;
-  logic [1:0] sum_1390_s22_q;
-  logic [3:0] select_1391_s22_q;
-  logic equal_1392_s22_q;
-  logic equal_1394_s22_q;
-  logic equal_1396_s22_q;
-  logic equal_1398_s22_q;
-  logic equal_1400_s22_q;
-  logic equal_1402_s22_q;
-  logic equal_1404_s22_q;
-  logic equal_1406_s22_q;
-  logic less_1415_s22_q;
-  logic or_1419_s22_q;
-  logic select_1422_s22_q;
-  logic and_1432_s22_q;
-  logic [3:0] select_1437_s22_q;
-  logic or_1453_s22_q;
-  logic or_1456_s22_q;
-  logic or_1459_s22_q;
-  logic not_1461_s22_q;
-  logic [9:0] sum_1476_s22_q;
-  logic [9:0] sum_1481_s22_q;
-  logic [9:0] sum_1487_s22_q;
-  logic and_1488_s22_q;
-  logic select_1503_s22_q;
-  logic [3:0] difference_1538_s22_q;
-  logic equal_1539_s22_q;
-  logic or_1547_s22_q;
-  logic or_1550_s22_q;
-  logic or_1553_s22_q;
+  logic [1:0] sum_1522_s22_q;
+  logic equal_1524_s22_q;
+  logic equal_1526_s22_q;
+  logic equal_1528_s22_q;
+  logic equal_1530_s22_q;
+  logic equal_1532_s22_q;
+  logic equal_1534_s22_q;
+  logic equal_1536_s22_q;
+  logic equal_1538_s22_q;
+  logic less_1547_s22_q;
+  logic or_1551_s22_q;
+  logic equal_1571_s22_q;
+  logic and_1581_s22_q;
+  logic and_1584_s22_q;
+  logic select_1601_s22_q;
+  logic equal_1602_s22_q;
+  logic and_1610_s22_q;
+  logic equal_1612_s22_q;
+  logic equal_1633_s22_q;
+  logic and_1644_s22_q;
+  logic [5:0] select_1658_s22_q;
+  logic [7:0] select_1683_s22_q;
+  logic and_1690_s22_q;
+  logic and_1691_s22_q;
+  logic equal_1692_s22_q;
+  logic equal_1694_s22_q;
+  logic equal_1697_s22_q;
+  logic or_1698_s22_q;
+  logic and_1707_s22_q;
+  logic [4:0] select_1722_s22_q;
+  logic select_1728_s22_q;
+  logic [3:0] select_1767_s22_q;
+  logic less_1783_s22_q;
+  logic new_row_s22_q;
+  logic or_1796_s22_q;
+  logic [27:0] patches_right_codes_rdata_s22_q;
+  logic [1:0] of_row_2_s22_q;
+  logic down_2_s22_q;
+  logic sum_1810_s22_q;
+  logic [12:0] sum_1811_s22_q;
+  logic [14:0] difference_1822_s22_q;
+  logic and_1838_s22_q;
+  logic [47:0] patches_left_codes_rdata_s22_q;
+  logic and_1847_s22_q;
+  logic and_1852_s22_q;
+  logic less_1853_s22_q;
+  logic equal_1854_s22_q;
+  logic not_1855_s22_q;
+  logic equal_1856_s22_q;
+  logic [9:0] patches_rows_rdata_s22_q;
+  logic or_1875_s22_q;
+  logic or_1878_s22_q;
+  logic or_1881_s22_q;
+  logic not_1883_s22_q;
+  logic [9:0] sum_1897_s22_q;
+  logic [9:0] sum_1902_s22_q;
+  logic [9:0] sum_1908_s22_q;
+  logic and_1909_s22_q;
+  logic select_1924_s22_q;
+  logic [3:0] difference_1959_s22_q;
+  logic or_1967_s22_q;
+  logic or_1970_s22_q;
+  logic or_1973_s22_q;
   logic [4:0] around_s22_q;
-  logic less_1592_s22_q;
-  logic and_1603_s22_q;
-  logic [10:0] size_s22_q;
-  logic [10:0] size_2_s22_q;
-  logic [10:0] sum_1724_s22_q;
-  logic [9:0] sum_1727_s22_q;
-  logic [9:0] sum_1731_s22_q;
-  logic [9:0] sum_1735_s22_q;
-  logic equal_1743_s22_q;
-  logic [8:0] contrast_s22_q;
-  logic [8:0] contrast_2_s22_q;
-  logic equal_1867_s22_q;
-  logic and_1983_s22_q;
-  logic and_1987_s22_q;
-  logic and_2002_s22_q;
-  logic not_2006_s22_q;
+  logic less_2012_s22_q;
+  logic and_2023_s22_q;
+  logic sum_2058_s22_q;
+  logic [9:0] difference_2059_s22_q;
+  logic sum_2066_s22_q;
+  logic [9:0] difference_2067_s22_q;
+  logic difference_2138_s22_q;
+  logic [8:0] xor_2139_s22_q;
+  logic difference_2141_s22_q;
+  logic [8:0] xor_2142_s22_q;
+  logic difference_2145_s22_q;
+  logic [8:0] xor_2146_s22_q;
+  logic difference_2149_s22_q;
+  logic [8:0] xor_2150_s22_q;
+  logic difference_2153_s22_q;
+  logic [8:0] xor_2154_s22_q;
+  logic equal_2163_s22_q;
+  logic difference_2184_s22_q;
+  logic [8:0] xor_2185_s22_q;
+  logic difference_2196_s22_q;
+  logic [8:0] xor_2197_s22_q;
+  logic equal_2287_s22_q;
+  logic and_2403_s22_q;
+  logic and_2407_s22_q;
+  logic and_2422_s22_q;
+  logic not_2426_s22_q;
   logic [4:0] e_s22_q;
-  logic [9:0] select_2032_s22_q;
-  logic [9:0] select_2035_s22_q;
-  logic equal_2091_s22_q;
-  logic and_2118_s22_q;
-  logic and_2120_s22_q;
-  logic [11:0] select_2142_s22_q;
-  logic equal_2191_s22_q;
-  logic [3:0] not_2192_s22_q;
-  logic [1:0] quarter_2_s22_q;
-  logic equal_2366_s22_q;
-  logic and_2367_s22_q;
-  logic less_2368_s22_q;
-  logic equal_2369_s22_q;
-  logic equal_2386_s22_q;
-  logic equal_2388_s22_q;
-  logic equal_2389_s22_q;
-  logic sum_3_s22_q;
-  logic equal_2518_s22_q;
-  logic [9:0] select_2612_s22_q;
+  logic [9:0] select_2452_s22_q;
+  logic [9:0] select_2455_s22_q;
+  logic and_2518_s22_q;
+  logic and_2519_s22_q;
+  logic [11:0] residual_s22_q;
+  logic equal_2610_s22_q;
+  logic and_2755_s22_q;
+  logic less_2882_s22_q;
+  logic equal_3225_s22_q;
+  logic [4:0] select_3313_s22_q;
+  logic select_3320_s22_q;
+  logic select_3329_s22_q;
+  logic and_3335_s22_q;
+  logic [14:0] select_3344_s22_q;
+  logic equal_3466_s22_q;
+  logic and_3640_s22_q;
+  logic less_3641_s22_q;
+  logic equal_3642_s22_q;
+  logic equal_3658_s22_q;
+  logic equal_3660_s22_q;
+  logic equal_3661_s22_q;
+  logic sum_4_s22_q;
+  logic equal_3790_s22_q;
+  logic equal_3880_s22_q;
+  logic [9:0] select_3890_s22_q;
   always_ff @(posedge clk_i) begin
     if (s21_en) begin
       pixel_0_s22_q <= pixel_0_s21_q;
@@ -5801,148 +7387,220 @@ module horopter_agreement (
       saturated_s22_q <= saturated_s21_q;
       mask_s22_q <= mask_s21_q;
       marks_first_s22_q <= marks_first_s21_q;
+      sample_pair_pixel_0_s22_q <= sample_pair_pixel_0_s21_q;
+      sample_pair_pixel_1_s22_q <= sample_pair_pixel_1_s21_q;
       sample_pair_whole_s22_q <= sample_pair_whole_s21_q;
-      census_columns_values_1_cell_2_mask_s22_q <= census_columns_values_1_cell_2_mask_q;
-      census_columns_values_1_cell_2_of_skin_s22_q <= census_columns_values_1_cell_2_of_skin_s21_q;
-      census_columns_values_1_cell_3_mask_s22_q <= census_columns_values_1_cell_3_mask_q;
-      census_columns_values_1_cell_4_mask_s22_q <= census_columns_values_1_cell_4_mask_q;
-      census_columns_values_2_cell_0_mask_s22_q <= census_columns_values_2_cell_0_mask_q;
-      census_columns_values_2_cell_1_mask_s22_q <= census_columns_values_2_cell_1_mask_q;
+      sample_present_s22_q <= sample_present_s21_q;
+      census_columns_values_0_cell_1_mask_s22_q <= census_columns_values_0_cell_1_mask_q;
+      census_columns_values_0_cell_2_mask_s22_q <= census_columns_values_0_cell_2_mask_q;
+      census_columns_values_0_cell_3_mask_s22_q <= census_columns_values_0_cell_3_mask_q;
+      census_columns_values_0_cell_4_mask_s22_q <= census_columns_values_0_cell_4_mask_q;
+      census_columns_values_1_cell_2_of_skin_s22_q <= census_columns_values_1_cell_2_of_skin_q;
       x_s22_q <= x_s21_q;
       slot_s22_q <= slot_s21_q;
       ends_cell_s22_q <= ends_cell_s21_q;
       lower_half_s22_q <= lower_half_s21_q;
       counts_textured_s22_q <= counts_textured_s21_q;
       counts_explained_s22_q <= counts_explained_q;
-      registration_of_right_s22_q <= registration_of_right_q;
+      registration_of_right_s22_q <= registration_of_right_s21_q;
+      patches_choosing_band_s22_q <= patches_choosing_band_s21_q;
+      patches_lower_s22_q <= patches_lower_s21_q;
+      patches_second_s22_q <= patches_second_s21_q;
+      patches_code_row_s22_q <= patches_code_row_s21_q;
+      patches_down_values_3_s22_q <= patches_down_values_3_q;
+      patches_along_s22_q <= patches_along_s21_q;
+      patches_summed_last_s22_q <= patches_summed_last_s21_q;
+      patches_summed_down_by_s22_q <= patches_summed_down_by_s21_q;
+      patches_read_row_differing_s22_q <= patches_read_row_differing_s21_q;
+      patches_read_first_s22_q <= patches_read_first_s21_q;
       region_row_s22_q <= region_row_s21_q;
       product_s22_q <= product_q;
       centres_values_1_textured_s22_q <= centres_values_1_textured_s21_q;
       centres_values_1_of_skin_s22_q <= centres_values_1_of_skin_s21_q;
+      select_463_s22_q <= select_463_s21_q;
+      select_466_s22_q <= select_466_s21_q;
       column_s22_q <= column_s21_q;
-      and_368_s22_q <= and_368_s21_q;
-      and_370_s22_q <= and_370_s21_q;
-      equal_373_s22_q <= equal_373_s21_q;
+      and_500_s22_q <= and_500_s21_q;
+      and_502_s22_q <= and_502_s21_q;
+      equal_505_s22_q <= equal_505_s21_q;
       whole_2_s22_q <= whole_2_s21_q;
       so_s22_q <= so_s21_q;
-      less_404_s22_q <= less_404_s21_q;
-      less_405_s22_q <= less_405_s21_q;
-      less_406_s22_q <= less_406_s21_q;
-      less_407_s22_q <= less_407_s21_q;
-      less_408_s22_q <= less_408_s21_q;
-      less_409_s22_q <= less_409_s21_q;
-      less_410_s22_q <= less_410_s21_q;
-      less_411_s22_q <= less_411_s21_q;
-      less_412_s22_q <= less_412_s21_q;
-      less_413_s22_q <= less_413_s21_q;
-      less_414_s22_q <= less_414_s21_q;
-      less_415_s22_q <= less_415_s21_q;
-      less_416_s22_q <= less_416_s21_q;
-      less_417_s22_q <= less_417_s21_q;
-      less_418_s22_q <= less_418_s21_q;
-      less_419_s22_q <= less_419_s21_q;
-      less_420_s22_q <= less_420_s21_q;
-      less_421_s22_q <= less_421_s21_q;
-      less_422_s22_q <= less_422_s21_q;
-      less_423_s22_q <= less_423_s21_q;
-      less_424_s22_q <= less_424_s21_q;
-      less_425_s22_q <= less_425_s21_q;
-      less_426_s22_q <= less_426_s21_q;
-      less_427_s22_q <= less_427_s21_q;
-      and_435_s22_q <= and_435_s21_q;
-      whole_9_s22_q <= whole_9;
-      sum_468_s22_q <= {1'b0, sum_464} + {1'b0, sum_467};
-      sum_471_s22_q <= {9'h0, difference_469_s21_q} + {1'b0, xor_470_s21_q};
-      sum_475_s22_q <= {9'h0, difference_473_s21_q} + {1'b0, xor_474_s21_q};
-      sum_479_s22_q <= {9'h0, difference_477_s21_q} + {1'b0, xor_478_s21_q};
-      equal_1339_s22_q <= equal_1339_s21_q;
-      not_1340_s22_q <= not_1340_s21_q;
-      equal_1384_s22_q <= equal_1384_s21_q;
-      quarter_s22_q <= quarter;
+      less_536_s22_q <= less_536;
+      less_537_s22_q <= less_537;
+      less_538_s22_q <= less_538;
+      less_539_s22_q <= less_539;
+      less_540_s22_q <= less_540;
+      less_541_s22_q <= less_541;
+      less_542_s22_q <= less_542;
+      less_543_s22_q <= less_543;
+      less_544_s22_q <= less_544;
+      less_545_s22_q <= less_545;
+      less_546_s22_q <= less_546;
+      less_547_s22_q <= less_547;
+      less_548_s22_q <= less_548;
+      less_549_s22_q <= less_549;
+      less_550_s22_q <= less_550;
+      less_551_s22_q <= less_551;
+      less_552_s22_q <= less_552;
+      less_553_s22_q <= less_553;
+      less_554_s22_q <= less_554;
+      less_555_s22_q <= less_555;
+      less_556_s22_q <= less_556;
+      less_557_s22_q <= less_557;
+      less_558_s22_q <= less_558;
+      less_559_s22_q <= less_559;
+      and_567_s22_q <= and_567_s21_q;
+      and_571_s22_q <= and_571;
+      difference_594_s22_q <= difference_594[9];
+      xor_595_s22_q <= difference_594[8:0] ^ {9{difference_594[9]}};
+      difference_597_s22_q <= difference_597[9];
+      xor_598_s22_q <= difference_597[8:0] ^ {9{difference_597[9]}};
+      difference_601_s22_q <= difference_601[9];
+      xor_602_s22_q <= difference_601[8:0] ^ {9{difference_601[9]}};
+      difference_605_s22_q <= difference_605[9];
+      xor_606_s22_q <= difference_605[8:0] ^ {9{difference_605[9]}};
+      difference_609_s22_q <= difference_609[9];
+      xor_610_s22_q <= difference_609[8:0] ^ {9{difference_609[9]}};
+      equal_1471_s22_q <= equal_1471_s21_q;
+      not_1472_s22_q <= not_1472_s21_q;
+      shift_2_s22_q <= shift_2_s21_q[0];
+      equal_1516_s22_q <= equal_1516_s21_q;
       all_s22_q <= all_s21_q;
-      sum_1390_s22_q <= sum_1390;
-      select_1391_s22_q <= select_1391;
-      equal_1392_s22_q <= equal_1392;
-      equal_1394_s22_q <= equal_1394;
-      equal_1396_s22_q <= equal_1396;
-      equal_1398_s22_q <= equal_1398_s21_q;
-      equal_1400_s22_q <= equal_1400_s21_q;
-      equal_1402_s22_q <= equal_1402_s21_q;
-      equal_1404_s22_q <= equal_1404_s21_q;
-      equal_1406_s22_q <= equal_1406_s21_q;
-      less_1415_s22_q <= less_1415;
-      or_1419_s22_q <= or_1419;
-      select_1422_s22_q <= equal_1384_s21_q ? and_1414 : (less_1415 & (~or_1419));
-      and_1432_s22_q <= half_ends & ({{3{sum_1430[4]}}, sum_1430} < 8'h3);
-      select_1437_s22_q <= select_1437;
-      or_1453_s22_q <= or_1453_s21_q;
-      or_1456_s22_q <= or_1456_s21_q;
-      or_1459_s22_q <= or_1459_s21_q;
-      not_1461_s22_q <= not_1461_s21_q;
-      sum_1476_s22_q <= sum_1476;
-      sum_1481_s22_q <= sum_1481;
-      sum_1487_s22_q <= sum_1487;
-      and_1488_s22_q <= and_1488_s21_q;
-      select_1503_s22_q <= select_1503;
-      difference_1538_s22_q <= {1'b0, textured_2_s21_q} - {1'b0, select_1537};
-      equal_1539_s22_q <= equal_1539_s21_q;
-      or_1547_s22_q <= or_1547_s21_q;
-      or_1550_s22_q <= or_1550_s21_q;
-      or_1553_s22_q <= or_1553_s21_q;
+      sum_1522_s22_q <= sum_1522_s21_q;
+      equal_1524_s22_q <= equal_1524_s21_q;
+      equal_1526_s22_q <= equal_1526_s21_q;
+      equal_1528_s22_q <= equal_1528_s21_q;
+      equal_1530_s22_q <= equal_1530_s21_q;
+      equal_1532_s22_q <= equal_1532_s21_q;
+      equal_1534_s22_q <= equal_1534_s21_q;
+      equal_1536_s22_q <= equal_1536_s21_q;
+      equal_1538_s22_q <= equal_1538_s21_q;
+      less_1547_s22_q <= less_1547_s21_q;
+      or_1551_s22_q <= or_1551_s21_q;
+      equal_1571_s22_q <= (registration_fresh_q & select_1569_s21_q) == 4'h0;
+      and_1581_s22_q <= not_1472_s21_q & and_1565;
+      and_1584_s22_q <= and_1584_s21_q;
+      select_1601_s22_q <= select_1601_s21_q;
+      equal_1602_s22_q <= equal_1602_s21_q;
+      and_1610_s22_q <= and_1610_s21_q;
+      equal_1612_s22_q <= equal_1612_s21_q;
+      equal_1633_s22_q <= equal_1633_s21_q;
+      and_1644_s22_q <= and_1644;
+      select_1658_s22_q <= select_1658_s21_q;
+      select_1683_s22_q <= select_1683_s21_q;
+      and_1690_s22_q <= and_1690_s21_q;
+      and_1691_s22_q <= and_1691_s21_q;
+      equal_1692_s22_q <= equal_1692_s21_q;
+      equal_1694_s22_q <= equal_1694_s21_q;
+      equal_1697_s22_q <= equal_1697_s21_q;
+      or_1698_s22_q <= or_1698_s21_q;
+      and_1707_s22_q <= and_1707_s21_q;
+      select_1722_s22_q <= select_1722_s21_q;
+      select_1728_s22_q <= select_1728_s21_q;
+      select_1767_s22_q <= select_1767_s21_q;
+      less_1783_s22_q <= less_1783_s21_q;
+      new_row_s22_q <= new_row_s21_q;
+      or_1796_s22_q <= or_1796_s21_q;
+      patches_right_codes_rdata_s22_q <= patches_right_codes_rdata_q;
+      of_row_2_s22_q <= of_row_2_s21_q;
+      down_2_s22_q <= down_2_s21_q[0];
+      sum_1810_s22_q <= sum_1810[0];
+      sum_1811_s22_q <= sum_1811;
+      difference_1822_s22_q <= difference_1822;
+      and_1838_s22_q <= and_1838_s21_q;
+      patches_left_codes_rdata_s22_q <= patches_left_codes_rdata_q;
+      and_1847_s22_q <= and_1847_s21_q;
+      and_1852_s22_q <= and_1852_s21_q;
+      less_1853_s22_q <= less_1853_s21_q;
+      equal_1854_s22_q <= equal_1854_s21_q;
+      not_1855_s22_q <= not_1855_s21_q;
+      equal_1856_s22_q <= equal_1856_s21_q;
+      patches_rows_rdata_s22_q <= patches_rows_rdata_s21_q;
+      or_1875_s22_q <= or_1875_s21_q;
+      or_1878_s22_q <= or_1878_s21_q;
+      or_1881_s22_q <= or_1881_s21_q;
+      not_1883_s22_q <= not_1883_s21_q;
+      sum_1897_s22_q <= sum_1897;
+      sum_1902_s22_q <= sum_1902;
+      sum_1908_s22_q <= sum_1908;
+      and_1909_s22_q <= and_1909_s21_q;
+      select_1924_s22_q <= select_1924;
+      difference_1959_s22_q <= {1'b0, textured_2_s21_q} - {1'b0, select_1958};
+      or_1967_s22_q <= or_1967_s21_q;
+      or_1970_s22_q <= or_1970_s21_q;
+      or_1973_s22_q <= or_1973_s21_q;
       around_s22_q <= around;
-      less_1592_s22_q <= {1'b0, around[4:1]} < n;
-      and_1603_s22_q <= and_1603_s21_q;
-      size_s22_q <= size;
-      size_2_s22_q <= size_2;
-      sum_1724_s22_q <= {1'b0, sum_1720} + {1'b0, sum_1723};
-      sum_1727_s22_q <= {9'h0, difference_1725_s21_q} + {1'b0, xor_1726_s21_q};
-      sum_1731_s22_q <= {9'h0, difference_1729_s21_q} + {1'b0, xor_1730_s21_q};
-      sum_1735_s22_q <= {9'h0, difference_1733_s21_q} + {1'b0, xor_1734_s21_q};
-      equal_1743_s22_q <= equal_1743_s21_q;
-      contrast_s22_q <= contrast;
-      contrast_2_s22_q <= contrast_2;
-      equal_1867_s22_q <= equal_1867_s21_q;
-      and_1983_s22_q <= and_1983_s21_q;
-      and_1987_s22_q <= and_1987_s21_q;
-      and_2002_s22_q <= and_2002;
-      not_2006_s22_q <= not_2006_s21_q;
+      less_2012_s22_q <= {1'b0, around[4:1]} < n;
+      and_2023_s22_q <= and_2023_s21_q;
+      sum_2058_s22_q <= sum_2058[0];
+      difference_2059_s22_q <= {1'b0, sum_2058[9:1]} - {1'b0, averager_quarter_1_0_q};
+      sum_2066_s22_q <= sum_2066[0];
+      difference_2067_s22_q <= {1'b0, sum_2066[9:1]} - {1'b0, averager_quarter_1_1_q};
+      difference_2138_s22_q <= difference_2138[9];
+      xor_2139_s22_q <= difference_2138[8:0] ^ {9{difference_2138[9]}};
+      difference_2141_s22_q <= difference_2141[9];
+      xor_2142_s22_q <= difference_2141[8:0] ^ {9{difference_2141[9]}};
+      difference_2145_s22_q <= difference_2145[9];
+      xor_2146_s22_q <= difference_2145[8:0] ^ {9{difference_2145[9]}};
+      difference_2149_s22_q <= difference_2149[9];
+      xor_2150_s22_q <= difference_2149[8:0] ^ {9{difference_2149[9]}};
+      difference_2153_s22_q <= difference_2153[9];
+      xor_2154_s22_q <= difference_2153[8:0] ^ {9{difference_2153[9]}};
+      equal_2163_s22_q <= equal_2163_s21_q;
+      difference_2184_s22_q <= difference_2184[9];
+      xor_2185_s22_q <= difference_2184[8:0] ^ {9{difference_2184[9]}};
+      difference_2196_s22_q <= difference_2196[9];
+      xor_2197_s22_q <= difference_2196[8:0] ^ {9{difference_2196[9]}};
+      equal_2287_s22_q <= equal_2287_s21_q;
+      and_2403_s22_q <= and_2403_s21_q;
+      and_2407_s22_q <= and_2407_s21_q;
+      and_2422_s22_q <= and_2422;
+      not_2426_s22_q <= not_2426_s21_q;
       e_s22_q <= e;
-      select_2032_s22_q <= less_2031 ? 10'h0 : regions_rdata_s21_q[9:0];
-      select_2035_s22_q <= less_2031 ? 10'h0 : regions_rdata_s21_q[19:10];
-      equal_2091_s22_q <= equal_2091_s21_q;
-      and_2118_s22_q <= not_1340_s21_q & (so_s21_q & (half_ends & equal_2115));
-      and_2120_s22_q <= and_2120_s21_q;
-      select_2142_s22_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
-      equal_2191_s22_q <= sum_1390 == 2'h2;
-      not_2192_s22_q <= ~select_1437;
-      quarter_2_s22_q <= quarter_2;
-      equal_2366_s22_q <= equal_2366_s21_q;
-      and_2367_s22_q <= and_2367_s21_q;
-      less_2368_s22_q <= counts_explained_q < product_q;
-      equal_2369_s22_q <= counts_explained_q == product_q;
-      equal_2386_s22_q <= equal_2386_s21_q;
-      equal_2388_s22_q <= equal_2388_s21_q;
-      equal_2389_s22_q <= equal_2389_s21_q;
-      sum_3_s22_q <= sum_3[0];
-      equal_2518_s22_q <= equal_2518_s21_q;
-      select_2612_s22_q <= less_2031 ? 10'h0 : regions_rdata_s21_q[29:20];
+      select_2452_s22_q <= less_2451 ? 10'h0 : regions_rdata_s21_q[9:0];
+      select_2455_s22_q <= less_2451 ? 10'h0 : regions_rdata_s21_q[19:10];
+      and_2518_s22_q <= and_2518_s21_q;
+      and_2519_s22_q <= shift_2_s21_q[1] & less_1611_s21_q;
+      residual_s22_q <= residual;
+      equal_2610_s22_q <= (registration_fresh_q & select_2608) == 4'h0;
+      and_2755_s22_q <= and_2755_s21_q;
+      less_2882_s22_q <= less_2882_s21_q;
+      equal_3225_s22_q <= equal_3225_s21_q;
+      select_3313_s22_q <= select_3313_s21_q;
+      select_3320_s22_q <= select_3320;
+      select_3329_s22_q <= select_3329;
+      and_3335_s22_q <= equal_3309_s21_q & ({sum_3333[6], sum_3333} < 8'hfb);
+      select_3344_s22_q <= select_3344_s21_q;
+      equal_3466_s22_q <= equal_3466_s21_q;
+      and_3640_s22_q <= and_3640_s21_q;
+      less_3641_s22_q <= counts_explained_q < product_q;
+      equal_3642_s22_q <= counts_explained_q == product_q;
+      equal_3658_s22_q <= equal_3658_s21_q;
+      equal_3660_s22_q <= equal_3660_s21_q;
+      equal_3661_s22_q <= equal_3661_s21_q;
+      sum_4_s22_q <= sum_4[0];
+      equal_3790_s22_q <= equal_3790_s21_q;
+      equal_3880_s22_q <= (registration_fresh_q & select_3878) == 4'h0;
+      select_3890_s22_q <= less_2451 ? 10'h0 : regions_rdata_s21_q[29:20];
     end
   end
 
   // Stage 22 ----------------------------------------------------------------------------------------------------------
-  logic [13:0] averager_detail_0_q;
-  logic [13:0] averager_detail_1_q;
-  logic census_columns_values_2_cell_2_mask_q;
-  logic census_columns_values_2_cell_3_mask_q;
-  logic census_columns_values_2_cell_4_mask_q;
-  logic census_columns_values_3_cell_0_mask_q;
-  logic census_columns_values_3_cell_1_mask_q;
-  logic census_columns_values_3_cell_2_mask_q;
-  logic census_columns_values_3_cell_3_mask_q;
-  logic sharpness_last_mask_q;
-  logic sharpness_before_last_mask_q;
+  logic census_columns_values_0_cell_0_mask_q;
+  logic census_columns_values_1_cell_0_mask_q;
+  logic census_columns_values_1_cell_1_mask_q;
+  logic census_columns_values_1_cell_2_mask_q;
+  logic census_columns_values_1_cell_3_mask_q;
+  logic census_columns_values_1_cell_4_mask_q;
+  logic census_columns_values_2_cell_0_mask_q;
+  logic census_columns_values_2_cell_1_mask_q;
   logic [13:0] counts_supervised_q;
-  logic [3:0] registration_fresh_q;
+  logic [47:0] patches_left_row_q;
+  logic [4:0] patches_summed_row_column_q;
+  logic patches_read_above_q;
+  logic patches_read_below_q;
+  logic [9:0] patches_peak_above_q;
+  logic [9:0] patches_peak_below_q;
   logic product_rest_q;
   logic disagree_q;
   logic [4:0] box_textured_sum_sums_values_0_q;
@@ -5955,186 +7613,175 @@ module horopter_agreement (
   logic was_next_row_q;
   logic [12:0] seen_base_q;
   // hls/stages/agreement.hpp:443
-  logic whole_10;
-  assign whole_10 = census_columns_values_1_cell_2_mask_s22_q & whole_9_s22_q;
-  logic whole_11;
-  assign whole_11 = census_columns_values_1_cell_3_mask_s22_q & whole_10;
-  logic whole_12;
-  assign whole_12 = census_columns_values_1_cell_4_mask_s22_q & whole_11;
-  logic whole_13;
-  assign whole_13 = census_columns_values_2_cell_0_mask_s22_q & whole_12;
-  logic whole_14;
-  assign whole_14 = census_columns_values_2_cell_1_mask_s22_q & whole_13;
-  logic whole_15;
-  assign whole_15 = census_columns_values_2_cell_2_mask_q & whole_14;
-  logic whole_16;
-  assign whole_16 = census_columns_values_2_cell_3_mask_q & whole_15;
+  logic whole_3;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_571_s22_q;
+  logic whole_4;
+  assign whole_4 = census_columns_values_0_cell_1_mask_s22_q & whole_3;
+  logic whole_5;
+  assign whole_5 = census_columns_values_0_cell_2_mask_s22_q & whole_4;
+  logic whole_6;
+  assign whole_6 = census_columns_values_0_cell_3_mask_s22_q & whole_5;
+  logic whole_7;
+  assign whole_7 = census_columns_values_0_cell_4_mask_s22_q & whole_6;
+  logic whole_8;
+  assign whole_8 = census_columns_values_1_cell_0_mask_q & whole_7;
+  logic whole_9;
+  assign whole_9 = census_columns_values_1_cell_1_mask_q & whole_8;
   // hls/stages/census.hpp:270
-  logic [10:0] sum_472;
-  assign sum_472 = sum_468_s22_q + {1'b0, sum_471_s22_q};
-  // hls/stages/agreement.hpp:402
-  logic and_1433;
-  assign and_1433 = so_s22_q & and_1432_s22_q;
+  logic [9:0] sum_596;
+  assign sum_596 = {9'h0, difference_594_s22_q} + {1'b0, xor_595_s22_q};
+  logic [9:0] sum_599;
+  assign sum_599 = {9'h0, difference_597_s22_q} + {1'b0, xor_598_s22_q};
+  // hls/stages/patches.hpp:322
+  logic and_1648;
+  assign and_1648 = not_1472_s22_q & (so_s22_q & (ends_cell_s22_q & (shift_2_s22_q & and_1644_s22_q)));
+  logic [7:0] select_1653;
+  assign select_1653 = so_s22_q ? (ends_cell_s22_q ? (shift_2_s22_q ? x_s22_q : 8'h0) : 8'h0) : 8'h0;
+  // hls/stages/patches.hpp:449
+  logic [14:0] sum_1812;
+  assign sum_1812 = {{4{patches_down_values_3_s22_q[10]}}, patches_down_values_3_s22_q} + {sum_1811_s22_q, sum_1810_s22_q, down_2_s22_q};
   // hls/stages/agreement.hpp:422
   logic next_row;
-  assign next_row = select_1503_s22_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1217
-  logic [6:0] select_1506;
-  assign select_1506 = next_row ? cfg_width_i[10:4] : 7'h0;
-  // hls/stages/agreement.hpp:1227
-  logic equal_1509;
-  assign equal_1509 = seen_x_q == 4'hf;
-  // hls/stages/agreement.hpp:1200
-  logic not_1516;
-  assign not_1516 = ~marks_first_s22_q;
+  assign next_row = select_1924_s22_q & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1218
+  logic [6:0] select_1927;
+  assign select_1927 = next_row ? cfg_width_i[10:4] : 7'h0;
+  // hls/stages/agreement.hpp:1228
+  logic equal_1930;
+  assign equal_1930 = seen_x_q == 4'hf;
+  // hls/stages/agreement.hpp:1201
+  logic not_1937;
+  assign not_1937 = ~marks_first_s22_q;
   // hls/stages/agreement.hpp:1036
   logic [4:0] t;
-  assign t = {difference_1538_s22_q[3], difference_1538_s22_q} + (equal_1539_s22_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  assign t = {difference_1959_s22_q[3], difference_1959_s22_q} + (equal_1633_s22_q ? 5'h0 : box_textured_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1043
-  logic not_1554;
-  assign not_1554 = ~region_row_s22_q[2];
-  logic [2:0] select_1555;
-  assign select_1555 = region_row_s22_q[1] ? {1'b0, not_1554, 1'b0} : {region_row_s22_q[2], 1'b0, not_1554};
-  logic [5:0] select_1556;
-  assign select_1556 = region_row_s22_q[0] ? {select_1555[2], 1'b0, select_1555[1], 1'b0, select_1555[0], 1'b0} : {1'b0, select_1555[2], 1'b0, select_1555[1], 1'b0, select_1555[0]};
-  logic [11:0] select_1557;
-  assign select_1557 = or_1553_s22_q ? {select_1556[5], 1'b0, select_1556[4], 1'b0, select_1556[3], 1'b0, select_1556[2], 1'b0, select_1556[1], 1'b0, select_1556[0], 1'b0} : {1'b0, select_1556[5], 1'b0, select_1556[4], 1'b0, select_1556[3], 1'b0, select_1556[2], 1'b0, select_1556[1], 1'b0, select_1556[0]};
-  logic [23:0] select_1558;
-  assign select_1558 = or_1550_s22_q ? {select_1557[11], 1'b0, select_1557[10], 1'b0, select_1557[9], 1'b0, select_1557[8], 1'b0, select_1557[7], 1'b0, select_1557[6], 1'b0, select_1557[5], 1'b0, select_1557[4], 1'b0, select_1557[3], 1'b0, select_1557[2], 1'b0, select_1557[1], 1'b0, select_1557[0], 1'b0} : {1'b0, select_1557[11], 1'b0, select_1557[10], 1'b0, select_1557[9], 1'b0, select_1557[8], 1'b0, select_1557[7], 1'b0, select_1557[6], 1'b0, select_1557[5], 1'b0, select_1557[4], 1'b0, select_1557[3], 1'b0, select_1557[2], 1'b0, select_1557[1], 1'b0, select_1557[0]};
+  logic not_1974;
+  assign not_1974 = ~region_row_s22_q[2];
+  logic [2:0] select_1975;
+  assign select_1975 = region_row_s22_q[1] ? {1'b0, not_1974, 1'b0} : {region_row_s22_q[2], 1'b0, not_1974};
+  logic [5:0] select_1976;
+  assign select_1976 = region_row_s22_q[0] ? {select_1975[2], 1'b0, select_1975[1], 1'b0, select_1975[0], 1'b0} : {1'b0, select_1975[2], 1'b0, select_1975[1], 1'b0, select_1975[0]};
+  logic [11:0] select_1977;
+  assign select_1977 = or_1973_s22_q ? {select_1976[5], 1'b0, select_1976[4], 1'b0, select_1976[3], 1'b0, select_1976[2], 1'b0, select_1976[1], 1'b0, select_1976[0], 1'b0} : {1'b0, select_1976[5], 1'b0, select_1976[4], 1'b0, select_1976[3], 1'b0, select_1976[2], 1'b0, select_1976[1], 1'b0, select_1976[0]};
+  logic [23:0] select_1978;
+  assign select_1978 = or_1970_s22_q ? {select_1977[11], 1'b0, select_1977[10], 1'b0, select_1977[9], 1'b0, select_1977[8], 1'b0, select_1977[7], 1'b0, select_1977[6], 1'b0, select_1977[5], 1'b0, select_1977[4], 1'b0, select_1977[3], 1'b0, select_1977[2], 1'b0, select_1977[1], 1'b0, select_1977[0], 1'b0} : {1'b0, select_1977[11], 1'b0, select_1977[10], 1'b0, select_1977[9], 1'b0, select_1977[8], 1'b0, select_1977[7], 1'b0, select_1977[6], 1'b0, select_1977[5], 1'b0, select_1977[4], 1'b0, select_1977[3], 1'b0, select_1977[2], 1'b0, select_1977[1], 1'b0, select_1977[0]};
   // hls/stages/agreement.hpp:1045
-  logic [5:0] sum_1576;
-  assign sum_1576 = {1'b0, around_s22_q} + {2'h0, around_s22_q[4:1]};
-  // hls/stages/census.hpp:210
-  logic [13:0] detail;
-  assign detail = {3'h0, size_s22_q} + (equal_373_s22_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:263
-  logic [13:0] select_1645;
-  assign select_1645 = sample_pair_whole_s22_q ? (and_368_s22_q ? detail : averager_detail_0_q) : averager_detail_0_q;
-  // hls/stages/census.hpp:210
-  logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2_s22_q} + (equal_373_s22_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:263
-  logic [13:0] select_1653;
-  assign select_1653 = sample_pair_whole_s22_q ? (and_368_s22_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [5:0] sum_1996;
+  assign sum_1996 = {1'b0, around_s22_q} + {2'h0, around_s22_q[4:1]};
+  // hls/stages/census.hpp:209
+  logic [9:0] xor_2060;
+  assign xor_2060 = {difference_2059_s22_q[8:0], sum_2058_s22_q} ^ {10{difference_2059_s22_q[9]}};
+  logic [10:0] size;
+  assign size = {10'h0, difference_2059_s22_q[9]} + {1'b0, xor_2060};
+  logic [9:0] xor_2068;
+  assign xor_2068 = {difference_2067_s22_q[8:0], sum_2066_s22_q} ^ {10{difference_2067_s22_q[9]}};
+  logic [10:0] size_2;
+  assign size_2 = {10'h0, difference_2067_s22_q[9]} + {1'b0, xor_2068};
   // hls/stages/agreement.hpp:507
-  logic select_1701;
-  assign select_1701 = and_370_s22_q ? census_columns_values_1_cell_2_mask_s22_q : census_columns_values_2_cell_2_mask_q;
-  logic select_1704;
-  assign select_1704 = and_370_s22_q ? census_columns_values_1_cell_3_mask_s22_q : census_columns_values_2_cell_3_mask_q;
-  logic select_1707;
-  assign select_1707 = and_370_s22_q ? census_columns_values_1_cell_4_mask_s22_q : census_columns_values_2_cell_4_mask_q;
-  logic select_1708;
-  assign select_1708 = and_370_s22_q ? census_columns_values_2_cell_0_mask_s22_q : census_columns_values_3_cell_0_mask_q;
-  logic select_1711;
-  assign select_1711 = and_370_s22_q ? census_columns_values_2_cell_1_mask_s22_q : census_columns_values_3_cell_1_mask_q;
-  logic select_1712;
-  assign select_1712 = and_370_s22_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic select_1715;
-  assign select_1715 = and_370_s22_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2083;
+  assign select_2083 = and_502_s22_q ? whole_2_s22_q : census_columns_values_0_cell_0_mask_q;
+  logic select_2099;
+  assign select_2099 = and_502_s22_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic select_2102;
+  assign select_2102 = and_502_s22_q ? census_columns_values_0_cell_1_mask_s22_q : census_columns_values_1_cell_1_mask_q;
+  logic select_2105;
+  assign select_2105 = and_502_s22_q ? census_columns_values_0_cell_2_mask_s22_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2109;
+  assign select_2109 = and_502_s22_q ? census_columns_values_0_cell_3_mask_s22_q : census_columns_values_1_cell_3_mask_q;
+  logic select_2112;
+  assign select_2112 = and_502_s22_q ? census_columns_values_0_cell_4_mask_s22_q : census_columns_values_1_cell_4_mask_q;
+  logic select_2115;
+  assign select_2115 = and_502_s22_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic select_2118;
+  assign select_2118 = and_502_s22_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
   // hls/stages/census.hpp:272
-  logic [10:0] sum_1728;
-  assign sum_1728 = sum_1724_s22_q + {1'b0, sum_1727_s22_q};
-  // hls/stages/agreement.hpp:507
-  logic select_1760;
-  assign select_1760 = and_370_s22_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
-  // hls/stages/census.hpp:355
-  logic and_1763;
-  assign and_1763 = whole_2_s22_q & (~(column_s22_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:444
-  logic and_1769;
-  assign and_1769 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s22_q[8:2]));
-  logic and_1770;
-  assign and_1770 = and_1763 & and_1769;
-  logic and_1781;
-  assign and_1781 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s22_q[8:2]));
-  logic and_1782;
-  assign and_1782 = and_1763 & and_1781;
-  // hls/stages/census.hpp:409
-  logic not_1799;
-  assign not_1799 = ~x_s22_q[1];
-  logic [2:0] select_1800;
-  assign select_1800 = x_s22_q[0] ? {1'b0, not_1799, 1'b0} : {x_s22_q[1], 1'b0, not_1799};
-  logic [5:0] select_1801;
-  assign select_1801 = slot_s22_q[2] ? {select_1800[2], 1'b0, select_1800[1], 1'b0, select_1800[0], 1'b0} : {1'b0, select_1800[2], 1'b0, select_1800[1], 1'b0, select_1800[0]};
-  logic [11:0] select_1802;
-  assign select_1802 = slot_s22_q[1] ? {select_1801[5], 1'b0, select_1801[4], 1'b0, select_1801[3], 1'b0, select_1801[2], 1'b0, select_1801[1], 1'b0, select_1801[0], 1'b0} : {1'b0, select_1801[5], 1'b0, select_1801[4], 1'b0, select_1801[3], 1'b0, select_1801[2], 1'b0, select_1801[1], 1'b0, select_1801[0]};
+  logic [9:0] sum_2140;
+  assign sum_2140 = {9'h0, difference_2138_s22_q} + {1'b0, xor_2139_s22_q};
+  logic [9:0] sum_2143;
+  assign sum_2143 = {9'h0, difference_2141_s22_q} + {1'b0, xor_2142_s22_q};
+  // hls/stages/census.hpp:353
+  logic [8:0] contrast;
+  assign contrast = {8'h0, difference_2184_s22_q} + xor_2185_s22_q;
+  logic [8:0] contrast_2;
+  assign contrast_2 = {8'h0, difference_2196_s22_q} + xor_2197_s22_q;
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_1989;
-  assign select_1989 = and_1983_s22_q ? 14'h0 : (counts_supervised_q + {13'h0, and_1987_s22_q});
+  logic [13:0] select_2409;
+  assign select_2409 = and_2403_s22_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2407_s22_q});
   // hls/stages/agreement.hpp:1044
-  logic [5:0] sum_2019;
-  assign sum_2019 = {1'b0, e_s22_q} + {2'h0, e_s22_q[4:1]};
-  // hls/stages/registration.hpp:218
-  logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2142_s22_q[11:7])) ? 12'h7f : select_2142_s22_q;
-  // hls/stages/registration.hpp:269
-  logic [3:0] select_2194;
-  assign select_2194 = equal_2191_s22_q ? (registration_fresh_q & not_2192_s22_q) : registration_fresh_q;
-  // hls/stages/agreement.hpp:402
-  logic [3:0] select_2196;
-  assign select_2196 = so_s22_q ? (and_1432_s22_q ? select_2194 : registration_fresh_q) : registration_fresh_q;
-  // hls/stages/registration.hpp:242
-  logic [3:0] select_2198;
-  assign select_2198 = and_1983_s22_q ? 4'hf : (equal_1339_s22_q ? registration_fresh_q : select_2196);
-  // hls/stages/registration.hpp:258
-  logic not_2219;
-  assign not_2219 = ~quarter_2_s22_q[1];
-  logic [3:0] select_2220;
-  assign select_2220 = quarter_2_s22_q[0] ? {quarter_2_s22_q[1], 1'b0, not_2219, 1'b0} : {1'b0, quarter_2_s22_q[1], 1'b0, not_2219};
+  logic [5:0] sum_2439;
+  assign sum_2439 = {1'b0, e_s22_q} + {2'h0, e_s22_q[4:1]};
+  // hls/stages/registration.hpp:205
+  logic [12:0] difference_2551;
+  assign difference_2551 = 13'h0 - {residual_s22_q[11], residual_s22_q};
+  logic less_2566;
+  assign less_2566 = $signed(difference_2551) < $signed({7'h0, cfg_moved_half_limit_i});
+  // hls/stages/patches.hpp:483
+  logic [27:0] word;
+  assign word = or_1796_s22_q ? patches_right_codes_rdata_s22_q : 28'h0;
+  // hls/stages/patches.hpp:500
+  logic [47:0] select_2915;
+  assign select_2915 = new_row_s22_q ? patches_left_codes_rdata_s22_q : patches_left_row_q;
+  // hls/stages/patches.hpp:166
+  logic [47:0] select_2917;
+  assign select_2917 = equal_1692_s22_q ? patches_left_row_q : (equal_1694_s22_q ? select_2915 : patches_left_row_q);
+  logic [4:0] select_3262;
+  assign select_3262 = equal_1694_s22_q ? patches_along_s22_q : patches_summed_row_column_q;
+  // hls/stages/patches.hpp:538
+  logic select_3322;
+  assign select_3322 = less_1853_s22_q ? (not_1855_s22_q & select_3320_s22_q) : select_3320_s22_q;
+  logic select_3331;
+  assign select_3331 = less_1853_s22_q ? (not_1855_s22_q & select_3329_s22_q) : select_3329_s22_q;
+  // hls/stages/patches.hpp:534
+  logic [9:0] select_3337;
+  assign select_3337 = less_1853_s22_q ? (and_3335_s22_q ? patches_rows_rdata_s22_q : 10'h3ff) : 10'h3ff;
+  // hls/stages/patches.hpp:519
+  logic [9:0] select_3348;
+  assign select_3348 = patches_read_above_q ? patches_read_row_differing_s22_q : patches_peak_above_q;
+  // hls/stages/patches.hpp:520
+  logic [9:0] select_3350;
+  assign select_3350 = patches_read_below_q ? patches_read_row_differing_s22_q : patches_peak_below_q;
+  // hls/stages/patches.hpp:557
+  logic less_3387;
+  assign less_3387 = select_3348 < select_3350;
+  // hls/stages/patches.hpp:558
+  logic [9:0] high;
+  assign high = less_3387 ? select_3350 : select_3348;
+  logic [9:0] low;
+  assign low = (select_3350 < select_3348) ? select_3350 : select_3348;
   // hls/stages/agreement.hpp:1126
-  logic or_2363;
-  assign or_2363 = ({counts_textured_s22_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s22_q[13:3] < 11'h5);
+  logic or_3637;
+  assign or_3637 = ({counts_textured_s22_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s22_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1157
   logic too_little;
-  assign too_little = less_2368_s22_q | (product_rest_q & equal_2369_s22_q);
+  assign too_little = less_3641_s22_q | (product_rest_q & equal_3642_s22_q);
   // hls/stages/agreement.hpp:1158
-  logic select_2372;
-  assign select_2372 = and_2367_s22_q ? too_little : disagree_q;
+  logic select_3645;
+  assign select_3645 = and_3640_s22_q ? too_little : disagree_q;
   // hls/stages/agreement.hpp:1077
-  logic [10:0] sum_2375;
-  assign sum_2375 = {1'b0, select_2035_s22_q} + {2'h0, select_2035_s22_q[9:1]};
-  // hls/stages/agreement.hpp:402
-  logic select_2420;
-  assign select_2420 = equal_1339_s22_q ? (equal_2366_s22_q ? sum_3_s22_q : (product_rest_q | sum_3_s22_q)) : product_rest_q;
-  logic [4:0] select_2449;
-  assign select_2449 = so_s22_q ? (ends_cell_s22_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [4:0] select_2450;
-  assign select_2450 = equal_1339_s22_q ? box_textured_sum_sums_values_0_q : select_2449;
-  // hls/stages/agreement.hpp:1226
-  logic [3:0] select_2535;
-  assign select_2535 = select_1503_s22_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
+  logic [10:0] sum_3648;
+  assign sum_3648 = {1'b0, select_2455_s22_q} + {2'h0, select_2455_s22_q[9:1]};
+  // hls/stages/patches.hpp:322
+  logic select_3692;
+  assign select_3692 = equal_1471_s22_q ? (equal_3466_s22_q ? sum_4_s22_q : (product_rest_q | sum_4_s22_q)) : product_rest_q;
+  logic [4:0] select_3721;
+  assign select_3721 = so_s22_q ? (ends_cell_s22_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [4:0] select_3722;
+  assign select_3722 = equal_1471_s22_q ? box_textured_sum_sums_values_0_q : select_3721;
+  // hls/stages/agreement.hpp:1227
+  logic [3:0] select_3807;
+  assign select_3807 = select_1924_s22_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:422
-  logic [7:0] select_2541;
-  assign select_2541 = marks_first_s22_q ? (less_2537 ? {sum_2538, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/registration.hpp:258
-  logic not_2599;
-  assign not_2599 = ~quarter_s22_q[1];
-  logic [3:0] select_2600;
-  assign select_2600 = quarter_s22_q[0] ? {quarter_s22_q[1], 1'b0, not_2599, 1'b0} : {1'b0, quarter_s22_q[1], 1'b0, not_2599};
-
-  // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:277; read in stage 22, written in stage 26: 22 < 26 < 22 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [31:0] registration_sums_mem [0:11];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
-`endif
-  logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1391_s22_q;
-  logic registration_sums_re;
-  assign registration_sums_re = s22_en & (equal_1339_s22_q ? (x_s22_q[6] & select_1422_s22_q) : and_1433);
-  logic [31:0] registration_sums_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (registration_sums_re) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
-  end
+  logic [7:0] select_3813;
+  assign select_3813 = marks_first_s22_q ? (less_3809 ? {sum_3810, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s22_q, or_1459_s22_q, or_1456_s22_q, or_1453_s22_q};
+  assign regions_waddr = {region_row_s22_q, or_1881_s22_q, or_1878_s22_q, or_1875_s22_q};
   logic regions_we;
-  assign regions_we = s22_en & and_1488_s22_q;
+  assign regions_we = s22_en & and_1909_s22_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_1487_s22_q, sum_1481_s22_q, sum_1476_s22_q};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_1908_s22_q, sum_1902_s22_q, sum_1897_s22_q};
   end
 `ifndef SYNTHESIS
   logic [5:0] regions_raddr_s20_sim;
@@ -6169,9 +7816,13 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      sharpness_before_last_mask_q <= 1'b0;
       counts_supervised_q <= 14'h0;
-      registration_fresh_q <= 4'hf;
+      patches_left_row_q <= 48'h0;
+      patches_summed_row_column_q <= 5'h0;
+      patches_read_above_q <= 1'b0;
+      patches_read_below_q <= 1'b0;
+      patches_peak_above_q <= 10'h0;
+      patches_peak_below_q <= 10'h0;
       product_rest_q <= 1'b0;
       disagree_q <= 1'b0;
       began_q <= 1'b0;
@@ -6183,19 +7834,881 @@ module horopter_agreement (
       was_next_row_q <= 1'b0;
       seen_base_q <= 13'h0;
     end else if (s22_en) begin
-      sharpness_before_last_mask_q <= select_1760;
-      counts_supervised_q <= select_1989;
-      registration_fresh_q <= select_2198;
-      product_rest_q <= select_2420;
-      disagree_q <= equal_1339_s22_q ? select_2372 : disagree_q;
-      began_q <= not_1516 & (began_q | select_1503_s22_q);
-      seen_x_q <= select_1503_s22_q ? 4'h0 : (seen_x_q + 4'h1);
-      seen_y_q <= marks_first_s22_q ? 4'h0 : select_2535;
-      seen_column_q <= select_1503_s22_q ? 8'h0 : (seen_column_q + {7'h0, equal_1509});
-      seen_rows_left_q <= select_2541;
+      counts_supervised_q <= select_2409;
+      patches_left_row_q <= select_2917;
+      patches_summed_row_column_q <= equal_1692_s22_q ? patches_summed_row_column_q : select_3262;
+      patches_read_above_q <= equal_1692_s22_q ? select_3322 : patches_read_above_q;
+      patches_read_below_q <= equal_1692_s22_q ? select_3331 : patches_read_below_q;
+      patches_peak_above_q <= equal_1692_s22_q ? select_3348 : patches_peak_above_q;
+      patches_peak_below_q <= equal_1692_s22_q ? select_3350 : patches_peak_below_q;
+      product_rest_q <= select_3692;
+      disagree_q <= equal_1471_s22_q ? select_3645 : disagree_q;
+      began_q <= not_1937 & (began_q | select_1924_s22_q);
+      seen_x_q <= select_1924_s22_q ? 4'h0 : (seen_x_q + 4'h1);
+      seen_y_q <= marks_first_s22_q ? 4'h0 : select_3807;
+      seen_column_q <= select_1924_s22_q ? 8'h0 : (seen_column_q + {7'h0, equal_1930});
+      seen_rows_left_q <= select_3813;
       at_cell_end_q <= (seen_y_q == 4'hf) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= marks_first_s22_q ? 13'h0 : (seen_base_q + {6'h0, select_1506});
+      seen_base_q <= marks_first_s22_q ? 13'h0 : (seen_base_q + {6'h0, select_1927});
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    census_columns_values_0_cell_0_mask_q = 1'b0;
+    census_columns_values_1_cell_0_mask_q = 1'b0;
+    census_columns_values_1_cell_1_mask_q = 1'b0;
+    census_columns_values_1_cell_2_mask_q = 1'b0;
+    census_columns_values_1_cell_3_mask_q = 1'b0;
+    census_columns_values_1_cell_4_mask_q = 1'b0;
+    census_columns_values_2_cell_0_mask_q = 1'b0;
+    census_columns_values_2_cell_1_mask_q = 1'b0;
+    box_textured_sum_sums_values_0_q = 5'h0;
+  end
+`endif
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (s22_en) begin
+      census_columns_values_0_cell_0_mask_q <= select_2083;
+      census_columns_values_1_cell_0_mask_q <= select_2099;
+      census_columns_values_1_cell_1_mask_q <= select_2102;
+      census_columns_values_1_cell_2_mask_q <= select_2105;
+      census_columns_values_1_cell_3_mask_q <= select_2109;
+      census_columns_values_1_cell_4_mask_q <= select_2112;
+      census_columns_values_2_cell_0_mask_q <= select_2115;
+      census_columns_values_2_cell_1_mask_q <= select_2118;
+      box_textured_sum_sums_values_0_q <= select_3722;
+    end
+  end
+
+  logic [7:0] pixel_0_s23_q;
+  logic [7:0] pixel_1_s23_q;
+  logic saturated_s23_q;
+  logic mask_s23_q;
+  logic marks_first_s23_q;
+  logic marks_last_s23_q;
+  logic [7:0] sample_pair_pixel_0_s23_q;
+  logic [7:0] sample_pair_pixel_1_s23_q;
+  logic sample_pair_whole_s23_q;
+  logic sample_present_s23_q;
+  logic census_columns_values_1_cell_2_mask_s23_q;
+  logic census_columns_values_1_cell_2_of_skin_s23_q;
+  logic census_columns_values_1_cell_3_mask_s23_q;
+  logic census_columns_values_1_cell_4_mask_s23_q;
+  logic census_columns_values_2_cell_0_mask_s23_q;
+  logic census_columns_values_2_cell_1_mask_s23_q;
+  logic [6:0] x_s23_q;
+  logic [2:0] slot_s23_q;
+  logic ends_cell_s23_q;
+  logic lower_half_s23_q;
+  logic [13:0] counts_supervised_s23_q;
+  logic [13:0] counts_textured_s23_q;
+  logic [13:0] counts_explained_s23_q;
+  logic registration_of_right_s23_q;
+  logic [4:0] patches_choosing_band_s23_q;
+  logic patches_lower_s23_q;
+  logic patches_second_s23_q;
+  logic [4:0] patches_code_row_s23_q;
+  logic [4:0] patches_summed_row_column_s23_q;
+  logic patches_summed_last_s23_q;
+  logic [4:0] patches_summed_down_by_s23_q;
+  logic patches_read_first_s23_q;
+  logic [13:0] product_s23_q;
+  logic centres_values_1_textured_s23_q;
+  logic centres_values_1_of_skin_s23_q;
+  logic [3:0] select_463_s23_q;
+  logic [6:0] select_466_s23_q;
+  logic [6:0] column_s23_q;
+  logic and_500_s23_q;
+  logic and_502_s23_q;
+  logic equal_505_s23_q;
+  logic whole_2_s23_q;
+  logic so_s23_q;
+  logic less_536_s23_q;
+  logic less_537_s23_q;
+  logic less_538_s23_q;
+  logic less_539_s23_q;
+  logic less_540_s23_q;
+  logic less_541_s23_q;
+  logic less_542_s23_q;
+  logic less_543_s23_q;
+  logic less_544_s23_q;
+  logic less_545_s23_q;
+  logic less_546_s23_q;
+  logic less_547_s23_q;
+  logic less_548_s23_q;
+  logic less_549_s23_q;
+  logic less_550_s23_q;
+  logic less_551_s23_q;
+  logic less_552_s23_q;
+  logic less_553_s23_q;
+  logic less_554_s23_q;
+  logic less_555_s23_q;
+  logic less_556_s23_q;
+  logic less_557_s23_q;
+  logic less_558_s23_q;
+  logic less_559_s23_q;
+  logic and_567_s23_q;
+  logic whole_9_s23_q;
+  logic [10:0] sum_600_s23_q;
+  logic [9:0] sum_603_s23_q;
+  logic [9:0] sum_607_s23_q;
+  logic [9:0] sum_611_s23_q;
+  logic equal_1471_s23_q;
+  logic not_1472_s23_q;
+  logic equal_1516_s23_q;
+  logic all_s23_q;
+  logic [1:0] sum_1522_s23_q;
+  logic equal_1524_s23_q;
+  logic equal_1526_s23_q;
+  logic equal_1528_s23_q;
+  logic equal_1530_s23_q;
+  logic equal_1532_s23_q;
+  logic equal_1534_s23_q;
+  logic equal_1536_s23_q;
+  logic equal_1538_s23_q;
+  logic less_1547_s23_q;
+  logic or_1551_s23_q;
+  logic [31:0] registration_sums_rdata_s23_q;
+  logic equal_1571_s23_q;
+  logic and_1581_s23_q;
+  logic and_1584_s23_q;
+  logic select_1601_s23_q;
+  logic equal_1602_s23_q;
+  logic [22:0] patches_choices_rdata_s23_q;
+  logic and_1610_s23_q;
+  logic equal_1612_s23_q;
+  logic and_1648_s23_q;
+  logic [7:0] select_1654_s23_q;
+  logic [5:0] select_1658_s23_q;
+  logic [7:0] select_1683_s23_q;
+  logic and_1690_s23_q;
+  logic and_1691_s23_q;
+  logic equal_1692_s23_q;
+  logic equal_1694_s23_q;
+  logic equal_1697_s23_q;
+  logic or_1698_s23_q;
+  logic and_1707_s23_q;
+  logic [4:0] select_1722_s23_q;
+  logic select_1728_s23_q;
+  logic [3:0] select_1767_s23_q;
+  logic less_1783_s23_q;
+  logic new_row_s23_q;
+  logic [1:0] of_row_2_s23_q;
+  logic less_1813_s23_q;
+  logic less_1814_s23_q;
+  logic less_1823_s23_q;
+  logic less_1824_s23_q;
+  logic and_1838_s23_q;
+  logic and_1847_s23_q;
+  logic and_1852_s23_q;
+  logic less_1853_s23_q;
+  logic equal_1854_s23_q;
+  logic not_1855_s23_q;
+  logic equal_1856_s23_q;
+  logic not_1883_s23_q;
+  logic not_1937_s23_q;
+  logic [7:0] sum_1947_s23_q;
+  logic equal_1962_s23_q;
+  logic or_1967_s23_q;
+  logic [23:0] select_1978_s23_q;
+  logic not_1998_s23_q;
+  logic less_2012_s23_q;
+  logic and_2023_s23_q;
+  logic [10:0] size_s23_q;
+  logic [10:0] size_2_s23_q;
+  logic [10:0] sum_2144_s23_q;
+  logic [9:0] sum_2147_s23_q;
+  logic [9:0] sum_2151_s23_q;
+  logic [9:0] sum_2155_s23_q;
+  logic equal_2163_s23_q;
+  logic [8:0] contrast_s23_q;
+  logic [8:0] contrast_2_s23_q;
+  logic equal_2216_s23_q;
+  logic equal_2287_s23_q;
+  logic and_2403_s23_q;
+  logic and_2422_s23_q;
+  logic not_2426_s23_q;
+  logic not_2441_s23_q;
+  logic [9:0] select_2452_s23_q;
+  logic [9:0] select_2455_s23_q;
+  logic and_2518_s23_q;
+  logic and_2519_s23_q;
+  logic [7:0] residual_s23_q;
+  logic less_2552_s23_q;
+  logic less_2566_s23_q;
+  logic equal_2610_s23_q;
+  logic and_2755_s23_q;
+  logic [27:0] word_s23_q;
+  logic equal_2876_s23_q;
+  logic less_2882_s23_q;
+  logic [47:0] select_2915_s23_q;
+  logic equal_3225_s23_q;
+  logic [4:0] select_3313_s23_q;
+  logic [9:0] select_3337_s23_q;
+  logic [14:0] select_3344_s23_q;
+  logic less_3387_s23_q;
+  logic [9:0] high_s23_q;
+  logic [9:0] low_s23_q;
+  logic equal_3466_s23_q;
+  logic equal_3634_s23_q;
+  logic or_3637_s23_q;
+  logic select_3645_s23_q;
+  logic not_3650_s23_q;
+  logic equal_3658_s23_q;
+  logic equal_3660_s23_q;
+  logic equal_3661_s23_q;
+  logic equal_3790_s23_q;
+  logic equal_3880_s23_q;
+  logic [9:0] select_3890_s23_q;
+  always_ff @(posedge clk_i) begin
+    if (s22_en) begin
+      pixel_0_s23_q <= pixel_0_s22_q;
+      pixel_1_s23_q <= pixel_1_s22_q;
+      saturated_s23_q <= saturated_s22_q;
+      mask_s23_q <= mask_s22_q;
+      marks_first_s23_q <= marks_first_s22_q;
+      marks_last_s23_q <= line_ended_q;
+      sample_pair_pixel_0_s23_q <= sample_pair_pixel_0_s22_q;
+      sample_pair_pixel_1_s23_q <= sample_pair_pixel_1_s22_q;
+      sample_pair_whole_s23_q <= sample_pair_whole_s22_q;
+      sample_present_s23_q <= sample_present_s22_q;
+      census_columns_values_1_cell_2_mask_s23_q <= census_columns_values_1_cell_2_mask_q;
+      census_columns_values_1_cell_2_of_skin_s23_q <= census_columns_values_1_cell_2_of_skin_s22_q;
+      census_columns_values_1_cell_3_mask_s23_q <= census_columns_values_1_cell_3_mask_q;
+      census_columns_values_1_cell_4_mask_s23_q <= census_columns_values_1_cell_4_mask_q;
+      census_columns_values_2_cell_0_mask_s23_q <= census_columns_values_2_cell_0_mask_q;
+      census_columns_values_2_cell_1_mask_s23_q <= census_columns_values_2_cell_1_mask_q;
+      x_s23_q <= x_s22_q[6:0];
+      slot_s23_q <= slot_s22_q;
+      ends_cell_s23_q <= ends_cell_s22_q;
+      lower_half_s23_q <= lower_half_s22_q;
+      counts_supervised_s23_q <= counts_supervised_q;
+      counts_textured_s23_q <= counts_textured_s22_q;
+      counts_explained_s23_q <= counts_explained_s22_q;
+      registration_of_right_s23_q <= registration_of_right_s22_q;
+      patches_choosing_band_s23_q <= patches_choosing_band_s22_q;
+      patches_lower_s23_q <= patches_lower_s22_q;
+      patches_second_s23_q <= patches_second_s22_q;
+      patches_code_row_s23_q <= patches_code_row_s22_q;
+      patches_summed_row_column_s23_q <= patches_summed_row_column_q;
+      patches_summed_last_s23_q <= patches_summed_last_s22_q;
+      patches_summed_down_by_s23_q <= patches_summed_down_by_s22_q;
+      patches_read_first_s23_q <= patches_read_first_s22_q;
+      product_s23_q <= product_s22_q;
+      centres_values_1_textured_s23_q <= centres_values_1_textured_s22_q;
+      centres_values_1_of_skin_s23_q <= centres_values_1_of_skin_s22_q;
+      select_463_s23_q <= select_463_s22_q;
+      select_466_s23_q <= select_466_s22_q;
+      column_s23_q <= column_s22_q;
+      and_500_s23_q <= and_500_s22_q;
+      and_502_s23_q <= and_502_s22_q;
+      equal_505_s23_q <= equal_505_s22_q;
+      whole_2_s23_q <= whole_2_s22_q;
+      so_s23_q <= so_s22_q;
+      less_536_s23_q <= less_536_s22_q;
+      less_537_s23_q <= less_537_s22_q;
+      less_538_s23_q <= less_538_s22_q;
+      less_539_s23_q <= less_539_s22_q;
+      less_540_s23_q <= less_540_s22_q;
+      less_541_s23_q <= less_541_s22_q;
+      less_542_s23_q <= less_542_s22_q;
+      less_543_s23_q <= less_543_s22_q;
+      less_544_s23_q <= less_544_s22_q;
+      less_545_s23_q <= less_545_s22_q;
+      less_546_s23_q <= less_546_s22_q;
+      less_547_s23_q <= less_547_s22_q;
+      less_548_s23_q <= less_548_s22_q;
+      less_549_s23_q <= less_549_s22_q;
+      less_550_s23_q <= less_550_s22_q;
+      less_551_s23_q <= less_551_s22_q;
+      less_552_s23_q <= less_552_s22_q;
+      less_553_s23_q <= less_553_s22_q;
+      less_554_s23_q <= less_554_s22_q;
+      less_555_s23_q <= less_555_s22_q;
+      less_556_s23_q <= less_556_s22_q;
+      less_557_s23_q <= less_557_s22_q;
+      less_558_s23_q <= less_558_s22_q;
+      less_559_s23_q <= less_559_s22_q;
+      and_567_s23_q <= and_567_s22_q;
+      whole_9_s23_q <= whole_9;
+      sum_600_s23_q <= {1'b0, sum_596} + {1'b0, sum_599};
+      sum_603_s23_q <= {9'h0, difference_601_s22_q} + {1'b0, xor_602_s22_q};
+      sum_607_s23_q <= {9'h0, difference_605_s22_q} + {1'b0, xor_606_s22_q};
+      sum_611_s23_q <= {9'h0, difference_609_s22_q} + {1'b0, xor_610_s22_q};
+      equal_1471_s23_q <= equal_1471_s22_q;
+      not_1472_s23_q <= not_1472_s22_q;
+      equal_1516_s23_q <= equal_1516_s22_q;
+      all_s23_q <= all_s22_q;
+      sum_1522_s23_q <= sum_1522_s22_q;
+      equal_1524_s23_q <= equal_1524_s22_q;
+      equal_1526_s23_q <= equal_1526_s22_q;
+      equal_1528_s23_q <= equal_1528_s22_q;
+      equal_1530_s23_q <= equal_1530_s22_q;
+      equal_1532_s23_q <= equal_1532_s22_q;
+      equal_1534_s23_q <= equal_1534_s22_q;
+      equal_1536_s23_q <= equal_1536_s22_q;
+      equal_1538_s23_q <= equal_1538_s22_q;
+      less_1547_s23_q <= less_1547_s22_q;
+      or_1551_s23_q <= or_1551_s22_q;
+      registration_sums_rdata_s23_q <= registration_sums_rdata_q;
+      equal_1571_s23_q <= equal_1571_s22_q;
+      and_1581_s23_q <= and_1581_s22_q;
+      and_1584_s23_q <= and_1584_s22_q;
+      select_1601_s23_q <= select_1601_s22_q;
+      equal_1602_s23_q <= equal_1602_s22_q;
+      patches_choices_rdata_s23_q <= patches_choices_rdata_q;
+      and_1610_s23_q <= and_1610_s22_q;
+      equal_1612_s23_q <= equal_1612_s22_q;
+      and_1648_s23_q <= and_1648;
+      select_1654_s23_q <= equal_1471_s22_q ? 8'h0 : select_1653;
+      select_1658_s23_q <= select_1658_s22_q;
+      select_1683_s23_q <= select_1683_s22_q;
+      and_1690_s23_q <= and_1690_s22_q;
+      and_1691_s23_q <= and_1691_s22_q;
+      equal_1692_s23_q <= equal_1692_s22_q;
+      equal_1694_s23_q <= equal_1694_s22_q;
+      equal_1697_s23_q <= equal_1697_s22_q;
+      or_1698_s23_q <= or_1698_s22_q;
+      and_1707_s23_q <= and_1707_s22_q;
+      select_1722_s23_q <= select_1722_s22_q;
+      select_1728_s23_q <= select_1728_s22_q;
+      select_1767_s23_q <= select_1767_s22_q;
+      less_1783_s23_q <= less_1783_s22_q;
+      new_row_s23_q <= new_row_s22_q;
+      of_row_2_s23_q <= of_row_2_s22_q;
+      less_1813_s23_q <= $signed(15'h100) < $signed(sum_1812);
+      less_1814_s23_q <= $signed(sum_1812[14:8]) < $signed(7'h7f);
+      less_1823_s23_q <= $signed(15'h100) < $signed(difference_1822_s22_q);
+      less_1824_s23_q <= $signed(difference_1822_s22_q[14:8]) < $signed(7'h7f);
+      and_1838_s23_q <= and_1838_s22_q;
+      and_1847_s23_q <= and_1847_s22_q;
+      and_1852_s23_q <= and_1852_s22_q;
+      less_1853_s23_q <= less_1853_s22_q;
+      equal_1854_s23_q <= equal_1854_s22_q;
+      not_1855_s23_q <= not_1855_s22_q;
+      equal_1856_s23_q <= equal_1856_s22_q;
+      not_1883_s23_q <= not_1883_s22_q;
+      not_1937_s23_q <= not_1937;
+      sum_1947_s23_q <= {2'h0, x_s22_q[7:2]} + 8'hff;
+      equal_1962_s23_q <= t[4:1] == 4'h0;
+      or_1967_s23_q <= or_1967_s22_q;
+      select_1978_s23_q <= select_1978;
+      not_1998_s23_q <= ~({sum_1996, around_s22_q[0]} < {2'h0, t});
+      less_2012_s23_q <= less_2012_s22_q;
+      and_2023_s23_q <= and_2023_s22_q;
+      size_s23_q <= size;
+      size_2_s23_q <= size_2;
+      sum_2144_s23_q <= {1'b0, sum_2140} + {1'b0, sum_2143};
+      sum_2147_s23_q <= {9'h0, difference_2145_s22_q} + {1'b0, xor_2146_s22_q};
+      sum_2151_s23_q <= {9'h0, difference_2149_s22_q} + {1'b0, xor_2150_s22_q};
+      sum_2155_s23_q <= {9'h0, difference_2153_s22_q} + {1'b0, xor_2154_s22_q};
+      equal_2163_s23_q <= equal_2163_s22_q;
+      contrast_s23_q <= contrast;
+      contrast_2_s23_q <= contrast_2;
+      equal_2216_s23_q <= x_s22_q[7:3] == 5'h0;
+      equal_2287_s23_q <= equal_2287_s22_q;
+      and_2403_s23_q <= and_2403_s22_q;
+      and_2422_s23_q <= and_2422_s22_q;
+      not_2426_s23_q <= not_2426_s22_q;
+      not_2441_s23_q <= ~({sum_2439, e_s22_q[0]} < {2'h0, t});
+      select_2452_s23_q <= select_2452_s22_q;
+      select_2455_s23_q <= select_2455_s22_q;
+      and_2518_s23_q <= and_2518_s22_q;
+      and_2519_s23_q <= and_2519_s22_q;
+      residual_s23_q <= residual_s22_q[7:0];
+      less_2552_s23_q <= $signed(difference_2551) < $signed({7'h0, cfg_moved_limit_i});
+      less_2566_s23_q <= less_2566;
+      equal_2610_s23_q <= equal_2610_s22_q;
+      and_2755_s23_q <= and_2755_s22_q;
+      word_s23_q <= word;
+      equal_2876_s23_q <= patches_along_s22_q == 5'h7;
+      less_2882_s23_q <= less_2882_s22_q;
+      select_2915_s23_q <= select_2915;
+      equal_3225_s23_q <= equal_3225_s22_q;
+      select_3313_s23_q <= select_3313_s22_q;
+      select_3337_s23_q <= select_3337;
+      select_3344_s23_q <= select_3344_s22_q;
+      less_3387_s23_q <= less_3387;
+      high_s23_q <= high;
+      low_s23_q <= low;
+      equal_3466_s23_q <= equal_3466_s22_q;
+      equal_3634_s23_q <= select_2452_s22_q[9:3] == 7'h0;
+      or_3637_s23_q <= or_3637;
+      select_3645_s23_q <= select_3645;
+      not_3650_s23_q <= ~({sum_3648, select_2455_s22_q[0]} < {2'h0, select_2452_s22_q});
+      equal_3658_s23_q <= equal_3658_s22_q;
+      equal_3660_s23_q <= equal_3660_s22_q;
+      equal_3661_s23_q <= equal_3661_s22_q;
+      equal_3790_s23_q <= equal_3790_s22_q;
+      equal_3880_s23_q <= equal_3880_s22_q;
+      select_3890_s23_q <= select_3890_s22_q;
+    end
+  end
+
+  // Stage 23 ----------------------------------------------------------------------------------------------------------
+  logic [13:0] averager_detail_0_q;
+  logic [13:0] averager_detail_1_q;
+  logic census_columns_values_2_cell_2_mask_q;
+  logic census_columns_values_2_cell_3_mask_q;
+  logic census_columns_values_2_cell_4_mask_q;
+  logic census_columns_values_3_cell_0_mask_q;
+  logic census_columns_values_3_cell_1_mask_q;
+  logic census_columns_values_3_cell_2_mask_q;
+  logic census_columns_values_3_cell_3_mask_q;
+  logic sharpness_last_mask_q;
+  logic sharpness_before_last_mask_q;
+  logic [13:0] counts_nearer_q;
+  logic patches_fixed_q;
+  logic patches_choice_valid_q;
+  logic [7:0] patches_choice_column_q;
+  logic [5:0] patches_choice_shift_q;
+  logic [7:0] patches_choice_slope_q;
+  logic [51:0] patches_codes_at_q;
+  logic [27:0] patches_codes_further_q;
+  logic [55:0] patches_next_codes_q;
+  logic patches_summed_first_q;
+  logic [9:0] patches_read_far_q;
+  logic [47:0] good_q;
+  logic [12:0] map_row_q;
+  logic [6:0] map_width_q;
+  logic write_half_q;
+  logic read_half_q;
+  logic done_q;
+  logic drew_q;
+  logic said_q;
+  // hls/stages/agreement.hpp:443
+  logic whole_10;
+  assign whole_10 = census_columns_values_1_cell_2_mask_s23_q & whole_9_s23_q;
+  logic whole_11;
+  assign whole_11 = census_columns_values_1_cell_3_mask_s23_q & whole_10;
+  logic whole_12;
+  assign whole_12 = census_columns_values_1_cell_4_mask_s23_q & whole_11;
+  logic whole_13;
+  assign whole_13 = census_columns_values_2_cell_0_mask_s23_q & whole_12;
+  logic whole_14;
+  assign whole_14 = census_columns_values_2_cell_1_mask_s23_q & whole_13;
+  logic whole_15;
+  assign whole_15 = census_columns_values_2_cell_2_mask_q & whole_14;
+  logic whole_16;
+  assign whole_16 = census_columns_values_2_cell_3_mask_q & whole_15;
+  // hls/stages/census.hpp:270
+  logic [10:0] sum_604;
+  assign sum_604 = sum_600_s23_q + {1'b0, sum_603_s23_q};
+  // hls/stages/patches.hpp:138
+  logic and_1650;
+  assign and_1650 = and_1648_s23_q & (~patches_fixed_q);
+  // hls/stages/patches.hpp:325
+  logic [22:0] select_1684;
+  assign select_1684 = and_1650 ? {select_1683_s23_q, select_1658_s23_q, select_1654_s23_q, and_1648_s23_q} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
+  // hls/stages/patches.hpp:464
+  logic [2:0] sum_1804;
+  assign sum_1804 = patches_code_row_s23_q[4:2] + 3'h7;
+  // hls/stages/patches.hpp:468
+  logic [1:0] sum_1842;
+  assign sum_1842 = patches_code_row_s23_q[3:2] + 2'h3;
+  // hls/stages/agreement.hpp:1235
+  logic [12:0] index;
+  assign index = seen_base_q + {5'h0, seen_column_q};
+  // hls/stages/agreement.hpp:1202
+  logic select_1935;
+  assign select_1935 = marks_first_s23_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  // hls/stages/agreement.hpp:1188
+  logic [10:0] sum_1936;
+  assign sum_1936 = {1'b0, {5{select_1935}}, 1'b0, {2{select_1935}}, 1'b0, select_1935} + {1'b0, index[12:3]};
+  // hls/stages/agreement.hpp:1053
+  logic [12:0] index_2;
+  assign index_2 = {{3{sum_1947_s23_q[7]}}, sum_1947_s23_q, x_s23_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:1188
+  logic [10:0] sum_1949;
+  assign sum_1949 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
+  // hls/stages/agreement.hpp:1043
+  logic [47:0] select_1979;
+  assign select_1979 = or_1967_s23_q ? {select_1978_s23_q[23], 1'b0, select_1978_s23_q[22], 1'b0, select_1978_s23_q[21], 1'b0, select_1978_s23_q[20], 1'b0, select_1978_s23_q[19], 1'b0, select_1978_s23_q[18], 1'b0, select_1978_s23_q[17], 1'b0, select_1978_s23_q[16], 1'b0, select_1978_s23_q[15], 1'b0, select_1978_s23_q[14], 1'b0, select_1978_s23_q[13], 1'b0, select_1978_s23_q[12], 1'b0, select_1978_s23_q[11], 1'b0, select_1978_s23_q[10], 1'b0, select_1978_s23_q[9], 1'b0, select_1978_s23_q[8], 1'b0, select_1978_s23_q[7], 1'b0, select_1978_s23_q[6], 1'b0, select_1978_s23_q[5], 1'b0, select_1978_s23_q[4], 1'b0, select_1978_s23_q[3], 1'b0, select_1978_s23_q[2], 1'b0, select_1978_s23_q[1], 1'b0, select_1978_s23_q[0], 1'b0} : {1'b0, select_1978_s23_q[23], 1'b0, select_1978_s23_q[22], 1'b0, select_1978_s23_q[21], 1'b0, select_1978_s23_q[20], 1'b0, select_1978_s23_q[19], 1'b0, select_1978_s23_q[18], 1'b0, select_1978_s23_q[17], 1'b0, select_1978_s23_q[16], 1'b0, select_1978_s23_q[15], 1'b0, select_1978_s23_q[14], 1'b0, select_1978_s23_q[13], 1'b0, select_1978_s23_q[12], 1'b0, select_1978_s23_q[11], 1'b0, select_1978_s23_q[10], 1'b0, select_1978_s23_q[9], 1'b0, select_1978_s23_q[8], 1'b0, select_1978_s23_q[7], 1'b0, select_1978_s23_q[6], 1'b0, select_1978_s23_q[5], 1'b0, select_1978_s23_q[4], 1'b0, select_1978_s23_q[3], 1'b0, select_1978_s23_q[2], 1'b0, select_1978_s23_q[1], 1'b0, select_1978_s23_q[0]};
+  // hls/stages/census.hpp:210
+  logic [13:0] detail;
+  assign detail = {3'h0, size_s23_q} + (equal_505_s23_q ? 14'h0 : averager_detail_0_q);
+  // hls/stages/agreement.hpp:263
+  logic [13:0] select_2065;
+  assign select_2065 = sample_pair_whole_s23_q ? (and_500_s23_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  // hls/stages/census.hpp:210
+  logic [13:0] detail_2;
+  assign detail_2 = {3'h0, size_2_s23_q} + (equal_505_s23_q ? 14'h0 : averager_detail_1_q);
+  // hls/stages/agreement.hpp:263
+  logic [13:0] select_2073;
+  assign select_2073 = sample_pair_whole_s23_q ? (and_500_s23_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  // hls/stages/agreement.hpp:507
+  logic select_2121;
+  assign select_2121 = and_502_s23_q ? census_columns_values_1_cell_2_mask_s23_q : census_columns_values_2_cell_2_mask_q;
+  logic select_2124;
+  assign select_2124 = and_502_s23_q ? census_columns_values_1_cell_3_mask_s23_q : census_columns_values_2_cell_3_mask_q;
+  logic select_2127;
+  assign select_2127 = and_502_s23_q ? census_columns_values_1_cell_4_mask_s23_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2128;
+  assign select_2128 = and_502_s23_q ? census_columns_values_2_cell_0_mask_s23_q : census_columns_values_3_cell_0_mask_q;
+  logic select_2131;
+  assign select_2131 = and_502_s23_q ? census_columns_values_2_cell_1_mask_s23_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2132;
+  assign select_2132 = and_502_s23_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic select_2135;
+  assign select_2135 = and_502_s23_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  // hls/stages/census.hpp:272
+  logic [10:0] sum_2148;
+  assign sum_2148 = sum_2144_s23_q + {1'b0, sum_2147_s23_q};
+  // hls/stages/agreement.hpp:507
+  logic select_2180;
+  assign select_2180 = and_502_s23_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  // hls/stages/census.hpp:355
+  logic and_2183;
+  assign and_2183 = whole_2_s23_q & (~(column_s23_q[6:1] == 6'h0));
+  // hls/stages/agreement.hpp:444
+  logic and_2189;
+  assign and_2189 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s23_q[8:2]));
+  logic and_2190;
+  assign and_2190 = and_2183 & and_2189;
+  logic and_2201;
+  assign and_2201 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s23_q[8:2]));
+  logic and_2202;
+  assign and_2202 = and_2183 & and_2201;
+  // hls/stages/census.hpp:409
+  logic not_2219;
+  assign not_2219 = ~x_s23_q[1];
+  logic [2:0] select_2220;
+  assign select_2220 = x_s23_q[0] ? {1'b0, not_2219, 1'b0} : {x_s23_q[1], 1'b0, not_2219};
+  logic [5:0] select_2221;
+  assign select_2221 = slot_s23_q[2] ? {select_2220[2], 1'b0, select_2220[1], 1'b0, select_2220[0], 1'b0} : {1'b0, select_2220[2], 1'b0, select_2220[1], 1'b0, select_2220[0]};
+  logic [11:0] select_2222;
+  assign select_2222 = slot_s23_q[1] ? {select_2221[5], 1'b0, select_2221[4], 1'b0, select_2221[3], 1'b0, select_2221[2], 1'b0, select_2221[1], 1'b0, select_2221[0], 1'b0} : {1'b0, select_2221[5], 1'b0, select_2221[4], 1'b0, select_2221[3], 1'b0, select_2221[2], 1'b0, select_2221[1], 1'b0, select_2221[0]};
+  // hls/stages/agreement.hpp:889
+  logic [13:0] select_2424;
+  assign select_2424 = and_2403_s23_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2422_s23_q});
+  // hls/stages/agreement.hpp:1075
+  logic [10:0] sum_2456;
+  assign sum_2456 = {1'b0, select_2455_s23_q} + {3'h0, select_2455_s23_q[9:2]};
+  // hls/stages/registration.hpp:107
+  logic [7:0] select_2534;
+  assign select_2534 = equal_1612_s23_q ? (and_2519_s23_q ? residual_s23_q : 8'h0) : 8'h0;
+  logic and_2545;
+  assign and_2545 = and_2519_s23_q & ($signed(residual_s23_q) < $signed({2'h0, cfg_moved_limit_i}));
+  // hls/stages/registration.hpp:205
+  logic less_2559;
+  assign less_2559 = $signed(residual_s23_q) < $signed({2'h0, cfg_moved_half_limit_i});
+  // hls/stages/agreement.hpp:1072
+  logic [11:0] select_2612;
+  assign select_2612 = or_1551_s23_q ? 12'h0 : (equal_2610_s23_q ? registration_sums_rdata_s23_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:1084
+  logic [11:0] select_2614;
+  assign select_2614 = equal_1516_s23_q ? 12'h0 : (less_1547_s23_q ? select_2612 : 12'h0);
+  // hls/stages/registration.hpp:153
+  logic and_2617;
+  assign and_2617 = x_s23_q[1] & all_s23_q;
+  // hls/stages/agreement.hpp:1084
+  logic and_2620;
+  assign and_2620 = not_1883_s23_q & (less_1547_s23_q & ({and_2617, x_s23_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:1072
+  logic [11:0] select_2627;
+  assign select_2627 = or_1551_s23_q ? 12'h0 : (equal_2610_s23_q ? registration_sums_rdata_s23_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:1084
+  logic [11:0] select_2629;
+  assign select_2629 = equal_1516_s23_q ? 12'h0 : (less_1547_s23_q ? select_2627 : 12'h0);
+  // hls/stages/registration.hpp:150
+  logic not_2635;
+  assign not_2635 = ~all_s23_q;
+  // hls/stages/agreement.hpp:1084
+  logic and_2638;
+  assign and_2638 = not_1883_s23_q & (less_1547_s23_q & (x_s23_q[2:0] == {all_s23_q, not_2635, 1'b0}));
+  // hls/stages/patches.hpp:322
+  logic and_2644;
+  assign and_2644 = equal_1471_s23_q & (x_s23_q[6] & (not_1883_s23_q & (less_1547_s23_q & all_s23_q)));
+  // hls/stages/registration.hpp:157
+  logic equal_2671;
+  assign equal_2671 = x_s23_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:1084
+  logic and_2674;
+  assign and_2674 = not_1883_s23_q & (less_1547_s23_q & (x_s23_q[5] ? x_s23_q[3] : equal_2671));
+  logic and_2683;
+  assign and_2683 = not_1883_s23_q & (less_1547_s23_q & ((~x_s23_q[5]) & (x_s23_q[3] & equal_2671)));
+  // hls/stages/patches.hpp:327
+  logic not_2745;
+  assign not_2745 = ~and_1690_s23_q;
+  // hls/stages/patches.hpp:500
+  logic [55:0] other;
+  assign other = new_row_s23_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
+  // hls/stages/patches.hpp:166
+  logic [51:0] select_2872;
+  assign select_2872 = or_1698_s23_q ? {less_1824_s23_q, less_1823_s23_q, less_1814_s23_q, less_1813_s23_q, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_2874;
+  assign select_2874 = equal_1692_s23_q ? patches_codes_at_q : (equal_1694_s23_q ? other[55:4] : select_2872);
+  // hls/stages/patches.hpp:499
+  logic [27:0] select_2877;
+  assign select_2877 = equal_2876_s23_q ? word_s23_q : {4'h0, patches_codes_further_q[27:4]};
+  // hls/stages/patches.hpp:166
+  logic [27:0] select_2879;
+  assign select_2879 = equal_1694_s23_q ? (new_row_s23_q ? word_s23_q : select_2877) : patches_codes_further_q;
+  // hls/stages/patches.hpp:501
+  logic [55:0] select_2881;
+  assign select_2881 = less_1783_s23_q ? {word_s23_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:471
+  logic [55:0] select_2883;
+  assign select_2883 = less_2882_s23_q ? {word_s23_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:166
+  logic [55:0] select_2885;
+  assign select_2885 = or_1698_s23_q ? (equal_1697_s23_q ? patches_next_codes_q : select_2883) : patches_next_codes_q;
+  logic [55:0] select_2887;
+  assign select_2887 = equal_1692_s23_q ? patches_next_codes_q : (equal_1694_s23_q ? select_2881 : select_2885);
+  // hls/stages/count_bits.hpp:24
+  logic parity_2892;
+  assign parity_2892 = ^{less_1824_s23_q, less_1823_s23_q, less_1814_s23_q, less_1813_s23_q};
+  // hls/stages/count_bits.hpp:25
+  logic or_2896;
+  assign or_2896 = ({less_1814_s23_q, less_1813_s23_q} == 2'h3) | (less_1823_s23_q & (less_1814_s23_q | less_1813_s23_q));
+  logic and_2897;
+  assign and_2897 = less_1824_s23_q & (^{less_1823_s23_q, less_1814_s23_q, less_1813_s23_q});
+  // hls/stages/count_bits.hpp:24
+  logic xor_2898;
+  assign xor_2898 = or_2896 ^ and_2897;
+  // hls/stages/count_bits.hpp:27
+  logic and_2899;
+  assign and_2899 = or_2896 & and_2897;
+  // hls/stages/patches.hpp:166
+  logic [2:0] select_2901;
+  assign select_2901 = or_1698_s23_q ? (and_1847_s23_q ? {and_2899, xor_2898, parity_2892} : 3'h0) : 3'h0;
+  // hls/stages/patches.hpp:502
+  logic [47:0] bits;
+  assign bits = other[47:0] ^ select_2915_s23_q;
+  // hls/stages/count_bits.hpp:24
+  logic xor_2921;
+  assign xor_2921 = bits[17] ^ (^{select_2915_s23_q[16:15], other[16:15]});
+  logic xor_2924;
+  assign xor_2924 = bits[11] ^ (^{select_2915_s23_q[10:9], other[10:9]});
+  logic xor_2927;
+  assign xor_2927 = bits[14] ^ (^{select_2915_s23_q[13:12], other[13:12]});
+  logic xor_2930;
+  assign xor_2930 = xor_2921 ^ (^{select_2915_s23_q[14:9], other[14:9]});
+  logic xor_2933;
+  assign xor_2933 = bits[47] ^ (^{select_2915_s23_q[46:45], other[46:45]});
+  logic xor_2936;
+  assign xor_2936 = bits[8] ^ (^{select_2915_s23_q[7:6], other[7:6]});
+  logic xor_2939;
+  assign xor_2939 = bits[2] ^ (^{select_2915_s23_q[1:0], other[1:0]});
+  logic xor_2942;
+  assign xor_2942 = bits[5] ^ (^{select_2915_s23_q[4:3], other[4:3]});
+  logic xor_2945;
+  assign xor_2945 = xor_2936 ^ (^{select_2915_s23_q[5:0], other[5:0]});
+  logic parity_2947;
+  assign parity_2947 = ^{select_2915_s23_q[47:45], select_2915_s23_q[8:0], other[47:45], other[8:0]};
+  logic xor_2951;
+  assign xor_2951 = bits[44] ^ (^{select_2915_s23_q[43:42], other[43:42]});
+  logic xor_2954;
+  assign xor_2954 = bits[38] ^ (^{select_2915_s23_q[37:36], other[37:36]});
+  logic xor_2957;
+  assign xor_2957 = bits[41] ^ (^{select_2915_s23_q[40:39], other[40:39]});
+  logic xor_2963;
+  assign xor_2963 = bits[26] ^ (^{select_2915_s23_q[25:24], other[25:24]});
+  logic xor_2966;
+  assign xor_2966 = bits[20] ^ (^{select_2915_s23_q[19:18], other[19:18]});
+  logic xor_2969;
+  assign xor_2969 = bits[23] ^ (^{select_2915_s23_q[22:21], other[22:21]});
+  logic xor_2975;
+  assign xor_2975 = bits[35] ^ (^{select_2915_s23_q[34:33], other[34:33]});
+  logic xor_2978;
+  assign xor_2978 = bits[29] ^ (^{select_2915_s23_q[28:27], other[28:27]});
+  logic xor_2981;
+  assign xor_2981 = bits[32] ^ (^{select_2915_s23_q[31:30], other[31:30]});
+  // hls/stages/patches.hpp:166
+  logic select_3265;
+  assign select_3265 = equal_1692_s23_q ? patches_summed_first_q : (equal_1694_s23_q ? new_row_s23_q : patches_summed_first_q);
+  // hls/stages/patches.hpp:535
+  logic [9:0] select_3339;
+  assign select_3339 = less_1853_s23_q ? (equal_1856_s23_q ? 10'h3ff : select_3337_s23_q) : 10'h3ff;
+  // hls/stages/patches.hpp:538
+  logic [9:0] select_3340;
+  assign select_3340 = equal_1856_s23_q ? select_3339 : select_3337_s23_q;
+  logic [9:0] select_3342;
+  assign select_3342 = less_1853_s23_q ? (equal_1854_s23_q ? 10'h3ff : select_3340) : select_3340;
+  // hls/stages/patches.hpp:559
+  logic [9:0] eight;
+  assign eight = high_s23_q - low_s23_q;
+  logic [9:0] fall;
+  assign fall = high_s23_q - select_3344_s23_q[9:0];
+  // hls/stages/agreement.hpp:1086
+  logic equal_3565;
+  assign equal_3565 = x_s23_q == 7'h7f;
+  // hls/stages/agreement.hpp:1077
+  logic select_3651;
+  assign select_3651 = equal_3634_s23_q ? ((~or_3637_s23_q) & (~select_3645_s23_q)) : not_3650_s23_q;
+  // hls/stages/agreement.hpp:1084
+  logic [47:0] select_3653;
+  assign select_3653 = x_s23_q[6] ? (equal_1516_s23_q ? good_q : {select_3651, good_q[47:1]}) : good_q;
+  // hls/stages/agreement.hpp:447
+  logic [12:0] select_3793;
+  assign select_3793 = equal_2287_s23_q ? (equal_3790_s23_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  // hls/stages/agreement.hpp:507
+  logic [6:0] select_3796;
+  assign select_3796 = and_502_s23_q ? (equal_2287_s23_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
+  // hls/stages/agreement.hpp:1082
+  logic [31:0] select_3882;
+  assign select_3882 = equal_1538_s23_q ? {2'h0, counts_explained_s23_q, 2'h0, counts_textured_s23_q} : (equal_3880_s23_q ? registration_sums_rdata_s23_q : 32'h0);
+  logic [31:0] select_3883;
+  assign select_3883 = equal_1536_s23_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_s23_q} : select_3882;
+
+  // Memory patches_choices, write
+  logic [5:0] patches_choices_waddr;
+  assign patches_choices_waddr = {patches_choosing_band_s23_q, and_1610_s23_q};
+  logic patches_choices_we;
+  assign patches_choices_we = s23_en & and_1691_s23_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= select_1684;
+  end
+`ifndef SYNTHESIS
+  logic [5:0] patches_choices_raddr_s22_sim;
+  logic patches_choices_re_s22_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_choices_re_s22_sim <= 1'b0;
+    end else if (en_i) begin
+      patches_choices_re_s22_sim <= patches_choices_re;
+      patches_choices_raddr_s22_sim <= patches_choices_raddr;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && patches_choices_we) begin
+      if (patches_choices_re && patches_choices_raddr == patches_choices_waddr) begin
+        $error("patches_choices: address %0d is read less than DISTANCE steps after its write", patches_choices_waddr);
+      end
+      if (patches_choices_re_s22_sim && patches_choices_raddr_s22_sim == patches_choices_waddr) begin
+        $error("patches_choices: address %0d is read less than DISTANCE steps after its write", patches_choices_waddr);
+      end
+    end
+  end
+`endif
+
+  // Memory patches_right_codes, write
+  logic [6:0] patches_right_codes_waddr;
+  assign patches_right_codes_waddr = {sum_1804, patches_code_row_s23_q[1:0], of_row_2_s23_q};
+  logic patches_right_codes_we;
+  assign patches_right_codes_we = s23_en & and_1838_s23_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {less_1824_s23_q, less_1823_s23_q, less_1814_s23_q, less_1813_s23_q, patches_codes_at_q[51:28]};
+  end
+`ifndef SYNTHESIS
+  logic [6:0] patches_right_codes_raddr_s21_sim;
+  logic patches_right_codes_re_s21_sim;
+  logic [6:0] patches_right_codes_raddr_s22_sim;
+  logic patches_right_codes_re_s22_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_right_codes_re_s21_sim <= 1'b0;
+      patches_right_codes_re_s22_sim <= 1'b0;
+    end else if (en_i) begin
+      patches_right_codes_re_s21_sim <= patches_right_codes_re;
+      patches_right_codes_raddr_s21_sim <= patches_right_codes_raddr;
+      patches_right_codes_re_s22_sim <= patches_right_codes_re_s21_sim;
+      patches_right_codes_raddr_s22_sim <= patches_right_codes_raddr_s21_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && patches_right_codes_we) begin
+      if (patches_right_codes_re && patches_right_codes_raddr == patches_right_codes_waddr) begin
+        $error("patches_right_codes: address %0d is read less than DISTANCE steps after its write", patches_right_codes_waddr);
+      end
+      if (patches_right_codes_re_s21_sim && patches_right_codes_raddr_s21_sim == patches_right_codes_waddr) begin
+        $error("patches_right_codes: address %0d is read less than DISTANCE steps after its write", patches_right_codes_waddr);
+      end
+      if (patches_right_codes_re_s22_sim && patches_right_codes_raddr_s22_sim == patches_right_codes_waddr) begin
+        $error("patches_right_codes: address %0d is read less than DISTANCE steps after its write", patches_right_codes_waddr);
+      end
+      if (patches_right_codes_waddr >= 7'd112) $error("patches_right_codes: write outside, address %0d", patches_right_codes_waddr);
+    end
+    if (rst_ni && patches_right_codes_re && patches_right_codes_raddr >= 7'd112) $error("patches_right_codes: read outside, address %0d", patches_right_codes_raddr);
+  end
+`endif
+
+  // Memory patches_left_codes, write
+  logic [3:0] patches_left_codes_waddr;
+  assign patches_left_codes_waddr = {sum_1842, patches_code_row_s23_q[1:0]};
+  logic patches_left_codes_we;
+  assign patches_left_codes_we = s23_en & and_1852_s23_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {less_1824_s23_q, less_1823_s23_q, less_1814_s23_q, less_1813_s23_q, patches_codes_at_q[51:8]};
+  end
+`ifndef SYNTHESIS
+  logic [3:0] patches_left_codes_raddr_s21_sim;
+  logic patches_left_codes_re_s21_sim;
+  logic [3:0] patches_left_codes_raddr_s22_sim;
+  logic patches_left_codes_re_s22_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_left_codes_re_s21_sim <= 1'b0;
+      patches_left_codes_re_s22_sim <= 1'b0;
+    end else if (en_i) begin
+      patches_left_codes_re_s21_sim <= patches_left_codes_re;
+      patches_left_codes_raddr_s21_sim <= patches_left_codes_raddr;
+      patches_left_codes_re_s22_sim <= patches_left_codes_re_s21_sim;
+      patches_left_codes_raddr_s22_sim <= patches_left_codes_raddr_s21_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && patches_left_codes_we) begin
+      if (patches_left_codes_re && patches_left_codes_raddr == patches_left_codes_waddr) begin
+        $error("patches_left_codes: address %0d is read less than DISTANCE steps after its write", patches_left_codes_waddr);
+      end
+      if (patches_left_codes_re_s21_sim && patches_left_codes_raddr_s21_sim == patches_left_codes_waddr) begin
+        $error("patches_left_codes: address %0d is read less than DISTANCE steps after its write", patches_left_codes_waddr);
+      end
+      if (patches_left_codes_re_s22_sim && patches_left_codes_raddr_s22_sim == patches_left_codes_waddr) begin
+        $error("patches_left_codes: address %0d is read less than DISTANCE steps after its write", patches_left_codes_waddr);
+      end
+      if (patches_left_codes_waddr >= 4'd12) $error("patches_left_codes: write outside, address %0d", patches_left_codes_waddr);
+    end
+    if (rst_ni && patches_left_codes_re && patches_left_codes_raddr >= 4'd12) $error("patches_left_codes: read outside, address %0d", patches_left_codes_raddr);
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      sharpness_before_last_mask_q <= 1'b0;
+      counts_nearer_q <= 14'h0;
+      patches_fixed_q <= 1'b0;
+      patches_choice_valid_q <= 1'b0;
+      patches_choice_column_q <= 8'h0;
+      patches_choice_shift_q <= 6'h0;
+      patches_choice_slope_q <= 8'h0;
+      patches_codes_at_q <= 52'h0;
+      patches_codes_further_q <= 28'h0;
+      patches_next_codes_q <= 56'h0;
+      patches_summed_first_q <= 1'b0;
+      patches_read_far_q <= 10'h3ff;
+      good_q <= 48'h0;
+      map_row_q <= 13'h0;
+      map_width_q <= 7'h0;
+      write_half_q <= 1'b0;
+      read_half_q <= 1'b1;
+      done_q <= 1'b0;
+      drew_q <= 1'b0;
+      said_q <= 1'b0;
+    end else if (s23_en) begin
+      sharpness_before_last_mask_q <= select_2180;
+      counts_nearer_q <= select_2424;
+      patches_fixed_q <= not_2745 & (patches_fixed_q | (and_2755_s23_q & and_1650));
+      patches_choice_valid_q <= and_1690_s23_q ? (select_1684[0] & not_2745) : select_1684[0];
+      patches_choice_column_q <= select_1684[8:1];
+      patches_choice_shift_q <= select_1684[14:9];
+      patches_choice_slope_q <= select_1684[22:15];
+      patches_codes_at_q <= select_2874;
+      patches_codes_further_q <= equal_1692_s23_q ? patches_codes_further_q : select_2879;
+      patches_next_codes_q <= select_2887;
+      patches_summed_first_q <= select_3265;
+      patches_read_far_q <= equal_1692_s23_q ? select_3342 : patches_read_far_q;
+      good_q <= equal_1471_s23_q ? select_3653 : good_q;
+      map_row_q <= and_502_s23_q ? select_3793 : map_row_q;
+      map_width_q <= select_3796;
+      write_half_q <= marks_first_s23_q ? (write_half_q ^ done_q) : write_half_q;
+      read_half_q <= select_1935;
+      done_q <= not_1937_s23_q & ((~drew_q) & (done_q | said_q));
+      drew_q <= so_s23_q;
+      said_q <= equal_1471_s23_q & equal_3565;
     end
   end
 
@@ -6212,263 +8725,403 @@ module horopter_agreement (
     census_columns_values_3_cell_2_mask_q = 1'b0;
     census_columns_values_3_cell_3_mask_q = 1'b0;
     sharpness_last_mask_q = 1'b0;
-    box_textured_sum_sums_values_0_q = 5'h0;
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s22_en) begin
-      averager_detail_0_q <= select_1645;
-      averager_detail_1_q <= select_1653;
-      census_columns_values_2_cell_2_mask_q <= select_1701;
-      census_columns_values_2_cell_3_mask_q <= select_1704;
-      census_columns_values_2_cell_4_mask_q <= select_1707;
-      census_columns_values_3_cell_0_mask_q <= select_1708;
-      census_columns_values_3_cell_1_mask_q <= select_1711;
-      census_columns_values_3_cell_2_mask_q <= select_1712;
-      census_columns_values_3_cell_3_mask_q <= select_1715;
-      sharpness_last_mask_q <= and_370_s22_q ? whole_2_s22_q : sharpness_last_mask_q;
-      box_textured_sum_sums_values_0_q <= select_2450;
+    if (s23_en) begin
+      averager_detail_0_q <= select_2065;
+      averager_detail_1_q <= select_2073;
+      census_columns_values_2_cell_2_mask_q <= select_2121;
+      census_columns_values_2_cell_3_mask_q <= select_2124;
+      census_columns_values_2_cell_4_mask_q <= select_2127;
+      census_columns_values_3_cell_0_mask_q <= select_2128;
+      census_columns_values_3_cell_1_mask_q <= select_2131;
+      census_columns_values_3_cell_2_mask_q <= select_2132;
+      census_columns_values_3_cell_3_mask_q <= select_2135;
+      sharpness_last_mask_q <= and_502_s23_q ? whole_2_s23_q : sharpness_last_mask_q;
     end
   end
 
-  logic [7:0] pixel_0_s23_q;
-  logic [7:0] pixel_1_s23_q;
-  logic saturated_s23_q;
-  logic mask_s23_q;
-  logic marks_first_s23_q;
-  logic marks_last_s23_q;
-  logic census_columns_values_1_cell_2_of_skin_s23_q;
-  logic census_columns_values_2_cell_4_mask_s23_q;
-  logic census_columns_values_3_cell_0_mask_s23_q;
-  logic census_columns_values_3_cell_1_mask_s23_q;
-  logic census_columns_values_3_cell_2_mask_s23_q;
-  logic census_columns_values_3_cell_3_mask_s23_q;
-  logic [6:0] x_s23_q;
-  logic slot_s23_q;
-  logic ends_cell_s23_q;
-  logic lower_half_s23_q;
-  logic [13:0] counts_supervised_s23_q;
-  logic [13:0] counts_textured_s23_q;
-  logic [13:0] counts_explained_s23_q;
-  logic registration_of_right_s23_q;
-  logic [13:0] product_s23_q;
-  logic centres_values_1_textured_s23_q;
-  logic centres_values_1_of_skin_s23_q;
-  logic [6:0] column_s23_q;
-  logic and_370_s23_q;
-  logic so_s23_q;
-  logic less_404_s23_q;
-  logic less_405_s23_q;
-  logic less_406_s23_q;
-  logic less_407_s23_q;
-  logic less_408_s23_q;
-  logic less_409_s23_q;
-  logic less_410_s23_q;
-  logic less_411_s23_q;
-  logic less_412_s23_q;
-  logic less_413_s23_q;
-  logic less_414_s23_q;
-  logic less_415_s23_q;
-  logic less_416_s23_q;
-  logic less_417_s23_q;
-  logic less_418_s23_q;
-  logic less_419_s23_q;
-  logic less_420_s23_q;
-  logic less_421_s23_q;
-  logic less_422_s23_q;
-  logic less_423_s23_q;
-  logic less_424_s23_q;
-  logic less_425_s23_q;
-  logic less_426_s23_q;
-  logic less_427_s23_q;
-  logic and_435_s23_q;
-  logic whole_16_s23_q;
-  logic and_461_s23_q;
-  logic [11:0] sum_476_s23_q;
-  logic [9:0] sum_479_s23_q;
-  logic equal_1339_s23_q;
-  logic not_1340_s23_q;
-  logic equal_1384_s23_q;
-  logic all_s23_q;
-  logic [1:0] sum_1390_s23_q;
-  logic equal_1392_s23_q;
-  logic equal_1394_s23_q;
-  logic equal_1396_s23_q;
-  logic equal_1398_s23_q;
-  logic equal_1400_s23_q;
-  logic equal_1402_s23_q;
-  logic equal_1404_s23_q;
-  logic equal_1406_s23_q;
-  logic less_1415_s23_q;
-  logic or_1419_s23_q;
-  logic equal_1439_s23_q;
-  logic and_1449_s23_q;
-  logic not_1461_s23_q;
-  logic not_1516_s23_q;
-  logic [7:0] sum_1526_s23_q;
-  logic equal_1542_s23_q;
-  logic or_1547_s23_q;
-  logic [23:0] select_1558_s23_q;
-  logic not_1578_s23_q;
-  logic less_1592_s23_q;
-  logic and_1603_s23_q;
-  logic [11:0] sum_1732_s23_q;
-  logic [9:0] sum_1735_s23_q;
-  logic equal_1743_s23_q;
-  logic [27:0] select_1757_s23_q;
-  logic and_1770_s23_q;
-  logic and_1782_s23_q;
-  logic [8:0] select_1789_s23_q;
-  logic [8:0] select_1793_s23_q;
-  logic equal_1796_s23_q;
-  logic less_1797_s23_q;
-  logic [11:0] select_1802_s23_q;
-  logic equal_1840_s23_q;
-  logic equal_1867_s23_q;
-  logic and_1983_s23_q;
-  logic and_2002_s23_q;
-  logic not_2006_s23_q;
-  logic not_2021_s23_q;
-  logic [9:0] select_2032_s23_q;
-  logic [9:0] select_2035_s23_q;
-  logic equal_2091_s23_q;
-  logic and_2118_s23_q;
-  logic and_2120_s23_q;
-  logic [11:0] residual_s23_q;
-  logic equal_2222_s23_q;
-  logic equal_2360_s23_q;
-  logic or_2363_s23_q;
-  logic equal_2366_s23_q;
-  logic select_2372_s23_q;
-  logic not_2377_s23_q;
-  logic equal_2386_s23_q;
-  logic equal_2388_s23_q;
-  logic equal_2389_s23_q;
-  logic equal_2518_s23_q;
-  logic equal_2602_s23_q;
-  logic [9:0] select_2612_s23_q;
+  logic [7:0] pixel_0_s24_q;
+  logic [7:0] pixel_1_s24_q;
+  logic saturated_s24_q;
+  logic mask_s24_q;
+  logic marks_first_s24_q;
+  logic marks_last_s24_q;
+  logic [7:0] sample_pair_pixel_0_s24_q;
+  logic [7:0] sample_pair_pixel_1_s24_q;
+  logic sample_pair_whole_s24_q;
+  logic sample_present_s24_q;
+  logic census_columns_values_1_cell_2_of_skin_s24_q;
+  logic census_columns_values_2_cell_4_mask_s24_q;
+  logic census_columns_values_3_cell_0_mask_s24_q;
+  logic census_columns_values_3_cell_1_mask_s24_q;
+  logic census_columns_values_3_cell_2_mask_s24_q;
+  logic census_columns_values_3_cell_3_mask_s24_q;
+  logic [6:0] x_s24_q;
+  logic slot_s24_q;
+  logic ends_cell_s24_q;
+  logic lower_half_s24_q;
+  logic [13:0] counts_nearer_s24_q;
+  logic registration_of_right_s24_q;
+  logic patches_lower_s24_q;
+  logic patches_second_s24_q;
+  logic [4:0] patches_summed_row_column_s24_q;
+  logic patches_summed_first_s24_q;
+  logic patches_summed_last_s24_q;
+  logic [4:0] patches_summed_down_by_s24_q;
+  logic patches_read_first_s24_q;
+  logic [9:0] patches_read_far_s24_q;
+  logic [13:0] product_s24_q;
+  logic centres_values_1_textured_s24_q;
+  logic centres_values_1_of_skin_s24_q;
+  logic done_s24_q;
+  logic [3:0] select_463_s24_q;
+  logic [6:0] select_466_s24_q;
+  logic [6:0] column_s24_q;
+  logic and_502_s24_q;
+  logic less_536_s24_q;
+  logic less_537_s24_q;
+  logic less_538_s24_q;
+  logic less_539_s24_q;
+  logic less_540_s24_q;
+  logic less_541_s24_q;
+  logic less_542_s24_q;
+  logic less_543_s24_q;
+  logic less_544_s24_q;
+  logic less_545_s24_q;
+  logic less_546_s24_q;
+  logic less_547_s24_q;
+  logic less_548_s24_q;
+  logic less_549_s24_q;
+  logic less_550_s24_q;
+  logic less_551_s24_q;
+  logic less_552_s24_q;
+  logic less_553_s24_q;
+  logic less_554_s24_q;
+  logic less_555_s24_q;
+  logic less_556_s24_q;
+  logic less_557_s24_q;
+  logic less_558_s24_q;
+  logic less_559_s24_q;
+  logic and_567_s24_q;
+  logic whole_16_s24_q;
+  logic and_593_s24_q;
+  logic [11:0] sum_608_s24_q;
+  logic [9:0] sum_611_s24_q;
+  logic equal_1471_s24_q;
+  logic not_1472_s24_q;
+  logic equal_1516_s24_q;
+  logic [1:0] sum_1522_s24_q;
+  logic equal_1524_s24_q;
+  logic equal_1526_s24_q;
+  logic equal_1528_s24_q;
+  logic equal_1530_s24_q;
+  logic equal_1532_s24_q;
+  logic equal_1534_s24_q;
+  logic less_1547_s24_q;
+  logic [19:0] select_1572_s24_q;
+  logic [11:0] select_1577_s24_q;
+  logic and_1581_s24_q;
+  logic and_1584_s24_q;
+  logic select_1601_s24_q;
+  logic equal_1602_s24_q;
+  logic equal_1612_s24_q;
+  logic equal_1692_s24_q;
+  logic equal_1694_s24_q;
+  logic equal_1697_s24_q;
+  logic [22:0] select_1708_s24_q;
+  logic [4:0] select_1722_s24_q;
+  logic select_1728_s24_q;
+  logic [3:0] select_1767_s24_q;
+  logic less_1853_s24_q;
+  logic equal_1854_s24_q;
+  logic not_1855_s24_q;
+  logic equal_1856_s24_q;
+  logic not_1883_s24_q;
+  logic [2:0] index_s24_q;
+  logic [10:0] sum_1936_s24_q;
+  logic and_1943_s24_q;
+  logic less_1944_s24_q;
+  logic [2:0] index_2_s24_q;
+  logic [10:0] sum_1949_s24_q;
+  logic equal_1962_s24_q;
+  logic not_1982_s24_q;
+  logic not_1998_s24_q;
+  logic less_2012_s24_q;
+  logic and_2023_s24_q;
+  logic [11:0] sum_2152_s24_q;
+  logic [9:0] sum_2155_s24_q;
+  logic equal_2163_s24_q;
+  logic [27:0] select_2177_s24_q;
+  logic and_2190_s24_q;
+  logic and_2202_s24_q;
+  logic [8:0] select_2209_s24_q;
+  logic [8:0] select_2213_s24_q;
+  logic equal_2216_s24_q;
+  logic less_2217_s24_q;
+  logic [11:0] select_2222_s24_q;
+  logic equal_2260_s24_q;
+  logic and_2403_s24_q;
+  logic not_2426_s24_q;
+  logic not_2441_s24_q;
+  logic [9:0] select_2452_s24_q;
+  logic [9:0] select_2455_s24_q;
+  logic less_2457_s24_q;
+  logic and_2518_s24_q;
+  logic and_2519_s24_q;
+  logic [7:0] select_2536_s24_q;
+  logic and_2545_s24_q;
+  logic and_2553_s24_q;
+  logic and_2560_s24_q;
+  logic and_2567_s24_q;
+  logic [11:0] select_2614_s24_q;
+  logic and_2622_s24_q;
+  logic [11:0] select_2629_s24_q;
+  logic and_2640_s24_q;
+  logic and_2644_s24_q;
+  logic equal_2671_s24_q;
+  logic and_2676_s24_q;
+  logic and_2684_s24_q;
+  logic [8:0] other_s24_q;
+  logic [2:0] select_2902_s24_q;
+  logic [8:0] select_2915_s24_q;
+  logic xor_2930_s24_q;
+  logic xor_2948_s24_q;
+  logic xor_2960_s24_q;
+  logic xor_2972_s24_q;
+  logic xor_2984_s24_q;
+  logic or_2993_s24_q;
+  logic or_2997_s24_q;
+  logic or_3001_s24_q;
+  logic or_3008_s24_q;
+  logic or_3012_s24_q;
+  logic or_3016_s24_q;
+  logic or_3023_s24_q;
+  logic or_3027_s24_q;
+  logic or_3031_s24_q;
+  logic or_3041_s24_q;
+  logic or_3045_s24_q;
+  logic or_3049_s24_q;
+  logic or_3057_s24_q;
+  logic or_3061_s24_q;
+  logic or_3065_s24_q;
+  logic or_3072_s24_q;
+  logic or_3076_s24_q;
+  logic or_3080_s24_q;
+  logic or_3090_s24_q;
+  logic or_3094_s24_q;
+  logic or_3098_s24_q;
+  logic and_3103_s24_q;
+  logic or_3104_s24_q;
+  logic equal_3225_s24_q;
+  logic [4:0] select_3313_s24_q;
+  logic [14:0] select_3344_s24_q;
+  logic less_3387_s24_q;
+  logic [9:0] eight_s24_q;
+  logic [9:0] fall_s24_q;
+  logic equal_3466_s24_q;
+  logic equal_3565_s24_q;
+  logic or_3637_s24_q;
+  logic select_3645_s24_q;
+  logic equal_3658_s24_q;
+  logic equal_3660_s24_q;
+  logic equal_3661_s24_q;
+  logic [31:0] select_3883_s24_q;
+  logic [9:0] select_3890_s24_q;
   always_ff @(posedge clk_i) begin
-    if (s22_en) begin
-      pixel_0_s23_q <= pixel_0_s22_q;
-      pixel_1_s23_q <= pixel_1_s22_q;
-      saturated_s23_q <= saturated_s22_q;
-      mask_s23_q <= mask_s22_q;
-      marks_first_s23_q <= marks_first_s22_q;
-      marks_last_s23_q <= line_ended_q;
-      census_columns_values_1_cell_2_of_skin_s23_q <= census_columns_values_1_cell_2_of_skin_s22_q;
-      census_columns_values_2_cell_4_mask_s23_q <= census_columns_values_2_cell_4_mask_q;
-      census_columns_values_3_cell_0_mask_s23_q <= census_columns_values_3_cell_0_mask_q;
-      census_columns_values_3_cell_1_mask_s23_q <= census_columns_values_3_cell_1_mask_q;
-      census_columns_values_3_cell_2_mask_s23_q <= census_columns_values_3_cell_2_mask_q;
-      census_columns_values_3_cell_3_mask_s23_q <= census_columns_values_3_cell_3_mask_q;
-      x_s23_q <= x_s22_q[6:0];
-      slot_s23_q <= slot_s22_q[0];
-      ends_cell_s23_q <= ends_cell_s22_q;
-      lower_half_s23_q <= lower_half_s22_q;
-      counts_supervised_s23_q <= counts_supervised_q;
-      counts_textured_s23_q <= counts_textured_s22_q;
-      counts_explained_s23_q <= counts_explained_s22_q;
-      registration_of_right_s23_q <= registration_of_right_s22_q;
-      product_s23_q <= product_s22_q;
-      centres_values_1_textured_s23_q <= centres_values_1_textured_s22_q;
-      centres_values_1_of_skin_s23_q <= centres_values_1_of_skin_s22_q;
-      column_s23_q <= column_s22_q;
-      and_370_s23_q <= and_370_s22_q;
-      so_s23_q <= so_s22_q;
-      less_404_s23_q <= less_404_s22_q;
-      less_405_s23_q <= less_405_s22_q;
-      less_406_s23_q <= less_406_s22_q;
-      less_407_s23_q <= less_407_s22_q;
-      less_408_s23_q <= less_408_s22_q;
-      less_409_s23_q <= less_409_s22_q;
-      less_410_s23_q <= less_410_s22_q;
-      less_411_s23_q <= less_411_s22_q;
-      less_412_s23_q <= less_412_s22_q;
-      less_413_s23_q <= less_413_s22_q;
-      less_414_s23_q <= less_414_s22_q;
-      less_415_s23_q <= less_415_s22_q;
-      less_416_s23_q <= less_416_s22_q;
-      less_417_s23_q <= less_417_s22_q;
-      less_418_s23_q <= less_418_s22_q;
-      less_419_s23_q <= less_419_s22_q;
-      less_420_s23_q <= less_420_s22_q;
-      less_421_s23_q <= less_421_s22_q;
-      less_422_s23_q <= less_422_s22_q;
-      less_423_s23_q <= less_423_s22_q;
-      less_424_s23_q <= less_424_s22_q;
-      less_425_s23_q <= less_425_s22_q;
-      less_426_s23_q <= less_426_s22_q;
-      less_427_s23_q <= less_427_s22_q;
-      and_435_s23_q <= and_435_s22_q;
-      whole_16_s23_q <= whole_16;
-      and_461_s23_q <= census_columns_values_1_cell_2_mask_s22_q & and_435_s22_q;
-      sum_476_s23_q <= {1'b0, sum_472} + {2'h0, sum_475_s22_q};
-      sum_479_s23_q <= sum_479_s22_q;
-      equal_1339_s23_q <= equal_1339_s22_q;
-      not_1340_s23_q <= not_1340_s22_q;
-      equal_1384_s23_q <= equal_1384_s22_q;
-      all_s23_q <= all_s22_q;
-      sum_1390_s23_q <= sum_1390_s22_q;
-      equal_1392_s23_q <= equal_1392_s22_q;
-      equal_1394_s23_q <= equal_1394_s22_q;
-      equal_1396_s23_q <= equal_1396_s22_q;
-      equal_1398_s23_q <= equal_1398_s22_q;
-      equal_1400_s23_q <= equal_1400_s22_q;
-      equal_1402_s23_q <= equal_1402_s22_q;
-      equal_1404_s23_q <= equal_1404_s22_q;
-      equal_1406_s23_q <= equal_1406_s22_q;
-      less_1415_s23_q <= less_1415_s22_q;
-      or_1419_s23_q <= or_1419_s22_q;
-      equal_1439_s23_q <= (registration_fresh_q & select_1437_s22_q) == 4'h0;
-      and_1449_s23_q <= not_1340_s22_q & and_1433;
-      not_1461_s23_q <= not_1461_s22_q;
-      not_1516_s23_q <= not_1516;
-      sum_1526_s23_q <= {2'h0, x_s22_q[7:2]} + 8'hff;
-      equal_1542_s23_q <= t[4:1] == 4'h0;
-      or_1547_s23_q <= or_1547_s22_q;
-      select_1558_s23_q <= select_1558;
-      not_1578_s23_q <= ~({sum_1576, around_s22_q[0]} < {2'h0, t});
-      less_1592_s23_q <= less_1592_s22_q;
-      and_1603_s23_q <= and_1603_s22_q;
-      sum_1732_s23_q <= {1'b0, sum_1728} + {2'h0, sum_1731_s22_q};
-      sum_1735_s23_q <= sum_1735_s22_q;
-      equal_1743_s23_q <= equal_1743_s22_q;
-      select_1757_s23_q <= sample_pair_whole_s22_q ? {detail_2, detail} : 28'h0;
-      and_1770_s23_q <= and_1770;
-      and_1782_s23_q <= and_1782;
-      select_1789_s23_q <= and_1770 ? contrast_s22_q : 9'h0;
-      select_1793_s23_q <= and_1782 ? contrast_2_s22_q : 9'h0;
-      equal_1796_s23_q <= x_s22_q[7:3] == 5'h0;
-      less_1797_s23_q <= 7'h2 < {x_s22_q[4:0], slot_s22_q[2:1]};
-      select_1802_s23_q <= select_1802;
-      equal_1840_s23_q <= {x_s22_q[4:0], slot_s22_q} == 8'h0;
-      equal_1867_s23_q <= equal_1867_s22_q;
-      and_1983_s23_q <= and_1983_s22_q;
-      and_2002_s23_q <= and_2002_s22_q;
-      not_2006_s23_q <= not_2006_s22_q;
-      not_2021_s23_q <= ~({sum_2019, e_s22_q[0]} < {2'h0, t});
-      select_2032_s23_q <= select_2032_s22_q;
-      select_2035_s23_q <= select_2035_s22_q;
-      equal_2091_s23_q <= equal_2091_s22_q;
-      and_2118_s23_q <= and_2118_s22_q;
-      and_2120_s23_q <= and_2120_s22_q;
-      residual_s23_q <= residual;
-      equal_2222_s23_q <= (registration_fresh_q & select_2220) == 4'h0;
-      equal_2360_s23_q <= select_2032_s22_q[9:3] == 7'h0;
-      or_2363_s23_q <= or_2363;
-      equal_2366_s23_q <= equal_2366_s22_q;
-      select_2372_s23_q <= select_2372;
-      not_2377_s23_q <= ~({sum_2375, select_2035_s22_q[0]} < {2'h0, select_2032_s22_q});
-      equal_2386_s23_q <= equal_2386_s22_q;
-      equal_2388_s23_q <= equal_2388_s22_q;
-      equal_2389_s23_q <= equal_2389_s22_q;
-      equal_2518_s23_q <= equal_2518_s22_q;
-      equal_2602_s23_q <= (registration_fresh_q & select_2600) == 4'h0;
-      select_2612_s23_q <= select_2612_s22_q;
+    if (s23_en) begin
+      pixel_0_s24_q <= pixel_0_s23_q;
+      pixel_1_s24_q <= pixel_1_s23_q;
+      saturated_s24_q <= saturated_s23_q;
+      mask_s24_q <= mask_s23_q;
+      marks_first_s24_q <= marks_first_s23_q;
+      marks_last_s24_q <= marks_last_s23_q;
+      sample_pair_pixel_0_s24_q <= sample_pair_pixel_0_s23_q;
+      sample_pair_pixel_1_s24_q <= sample_pair_pixel_1_s23_q;
+      sample_pair_whole_s24_q <= sample_pair_whole_s23_q;
+      sample_present_s24_q <= sample_present_s23_q;
+      census_columns_values_1_cell_2_of_skin_s24_q <= census_columns_values_1_cell_2_of_skin_s23_q;
+      census_columns_values_2_cell_4_mask_s24_q <= census_columns_values_2_cell_4_mask_q;
+      census_columns_values_3_cell_0_mask_s24_q <= census_columns_values_3_cell_0_mask_q;
+      census_columns_values_3_cell_1_mask_s24_q <= census_columns_values_3_cell_1_mask_q;
+      census_columns_values_3_cell_2_mask_s24_q <= census_columns_values_3_cell_2_mask_q;
+      census_columns_values_3_cell_3_mask_s24_q <= census_columns_values_3_cell_3_mask_q;
+      x_s24_q <= x_s23_q;
+      slot_s24_q <= slot_s23_q[0];
+      ends_cell_s24_q <= ends_cell_s23_q;
+      lower_half_s24_q <= lower_half_s23_q;
+      counts_nearer_s24_q <= counts_nearer_q;
+      registration_of_right_s24_q <= registration_of_right_s23_q;
+      patches_lower_s24_q <= patches_lower_s23_q;
+      patches_second_s24_q <= patches_second_s23_q;
+      patches_summed_row_column_s24_q <= patches_summed_row_column_s23_q;
+      patches_summed_first_s24_q <= patches_summed_first_q;
+      patches_summed_last_s24_q <= patches_summed_last_s23_q;
+      patches_summed_down_by_s24_q <= patches_summed_down_by_s23_q;
+      patches_read_first_s24_q <= patches_read_first_s23_q;
+      patches_read_far_s24_q <= patches_read_far_q;
+      product_s24_q <= product_s23_q;
+      centres_values_1_textured_s24_q <= centres_values_1_textured_s23_q;
+      centres_values_1_of_skin_s24_q <= centres_values_1_of_skin_s23_q;
+      done_s24_q <= done_q;
+      select_463_s24_q <= select_463_s23_q;
+      select_466_s24_q <= select_466_s23_q;
+      column_s24_q <= column_s23_q;
+      and_502_s24_q <= and_502_s23_q;
+      less_536_s24_q <= less_536_s23_q;
+      less_537_s24_q <= less_537_s23_q;
+      less_538_s24_q <= less_538_s23_q;
+      less_539_s24_q <= less_539_s23_q;
+      less_540_s24_q <= less_540_s23_q;
+      less_541_s24_q <= less_541_s23_q;
+      less_542_s24_q <= less_542_s23_q;
+      less_543_s24_q <= less_543_s23_q;
+      less_544_s24_q <= less_544_s23_q;
+      less_545_s24_q <= less_545_s23_q;
+      less_546_s24_q <= less_546_s23_q;
+      less_547_s24_q <= less_547_s23_q;
+      less_548_s24_q <= less_548_s23_q;
+      less_549_s24_q <= less_549_s23_q;
+      less_550_s24_q <= less_550_s23_q;
+      less_551_s24_q <= less_551_s23_q;
+      less_552_s24_q <= less_552_s23_q;
+      less_553_s24_q <= less_553_s23_q;
+      less_554_s24_q <= less_554_s23_q;
+      less_555_s24_q <= less_555_s23_q;
+      less_556_s24_q <= less_556_s23_q;
+      less_557_s24_q <= less_557_s23_q;
+      less_558_s24_q <= less_558_s23_q;
+      less_559_s24_q <= less_559_s23_q;
+      and_567_s24_q <= and_567_s23_q;
+      whole_16_s24_q <= whole_16;
+      and_593_s24_q <= census_columns_values_1_cell_2_mask_s23_q & and_567_s23_q;
+      sum_608_s24_q <= {1'b0, sum_604} + {2'h0, sum_607_s23_q};
+      sum_611_s24_q <= sum_611_s23_q;
+      equal_1471_s24_q <= equal_1471_s23_q;
+      not_1472_s24_q <= not_1472_s23_q;
+      equal_1516_s24_q <= equal_1516_s23_q;
+      sum_1522_s24_q <= sum_1522_s23_q;
+      equal_1524_s24_q <= equal_1524_s23_q;
+      equal_1526_s24_q <= equal_1526_s23_q;
+      equal_1528_s24_q <= equal_1528_s23_q;
+      equal_1530_s24_q <= equal_1530_s23_q;
+      equal_1532_s24_q <= equal_1532_s23_q;
+      equal_1534_s24_q <= equal_1534_s23_q;
+      less_1547_s24_q <= less_1547_s23_q;
+      select_1572_s24_q <= equal_1571_s23_q ? registration_sums_rdata_s23_q[19:0] : 20'h0;
+      select_1577_s24_q <= equal_1571_s23_q ? registration_sums_rdata_s23_q[31:20] : 12'h0;
+      and_1581_s24_q <= and_1581_s23_q;
+      and_1584_s24_q <= and_1584_s23_q;
+      select_1601_s24_q <= select_1601_s23_q;
+      equal_1602_s24_q <= equal_1602_s23_q;
+      equal_1612_s24_q <= equal_1612_s23_q;
+      equal_1692_s24_q <= equal_1692_s23_q;
+      equal_1694_s24_q <= equal_1694_s23_q;
+      equal_1697_s24_q <= equal_1697_s23_q;
+      select_1708_s24_q <= and_1707_s23_q ? select_1684 : patches_choices_rdata_s23_q;
+      select_1722_s24_q <= select_1722_s23_q;
+      select_1728_s24_q <= select_1728_s23_q;
+      select_1767_s24_q <= select_1767_s23_q;
+      less_1853_s24_q <= less_1853_s23_q;
+      equal_1854_s24_q <= equal_1854_s23_q;
+      not_1855_s24_q <= not_1855_s23_q;
+      equal_1856_s24_q <= equal_1856_s23_q;
+      not_1883_s24_q <= not_1883_s23_q;
+      index_s24_q <= index[2:0];
+      sum_1936_s24_q <= sum_1936;
+      and_1943_s24_q <= began_q & (seen_x_q == 4'h0);
+      less_1944_s24_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
+      index_2_s24_q <= index_2[2:0];
+      sum_1949_s24_q <= sum_1949;
+      equal_1962_s24_q <= equal_1962_s23_q;
+      not_1982_s24_q <= ~((good_q & select_1979) == 48'h0);
+      not_1998_s24_q <= not_1998_s23_q;
+      less_2012_s24_q <= less_2012_s23_q;
+      and_2023_s24_q <= and_2023_s23_q;
+      sum_2152_s24_q <= {1'b0, sum_2148} + {2'h0, sum_2151_s23_q};
+      sum_2155_s24_q <= sum_2155_s23_q;
+      equal_2163_s24_q <= equal_2163_s23_q;
+      select_2177_s24_q <= sample_pair_whole_s23_q ? {detail_2, detail} : 28'h0;
+      and_2190_s24_q <= and_2190;
+      and_2202_s24_q <= and_2202;
+      select_2209_s24_q <= and_2190 ? contrast_s23_q : 9'h0;
+      select_2213_s24_q <= and_2202 ? contrast_2_s23_q : 9'h0;
+      equal_2216_s24_q <= equal_2216_s23_q;
+      less_2217_s24_q <= 7'h2 < {x_s23_q[4:0], slot_s23_q[2:1]};
+      select_2222_s24_q <= select_2222;
+      equal_2260_s24_q <= {x_s23_q[4:0], slot_s23_q} == 8'h0;
+      and_2403_s24_q <= and_2403_s23_q;
+      not_2426_s24_q <= not_2426_s23_q;
+      not_2441_s24_q <= not_2441_s23_q;
+      select_2452_s24_q <= select_2452_s23_q;
+      select_2455_s24_q <= select_2455_s23_q;
+      less_2457_s24_q <= {sum_2456, select_2455_s23_q[1:0]} < {3'h0, select_2452_s23_q};
+      and_2518_s24_q <= and_2518_s23_q;
+      and_2519_s24_q <= and_2519_s23_q;
+      select_2536_s24_q <= equal_1471_s23_q ? 8'h0 : (so_s23_q ? select_2534 : 8'h0);
+      and_2545_s24_q <= and_2545;
+      and_2553_s24_q <= and_2519_s23_q & less_2552_s23_q;
+      and_2560_s24_q <= and_2519_s23_q & less_2559;
+      and_2567_s24_q <= and_2519_s23_q & less_2566_s23_q;
+      select_2614_s24_q <= select_2614;
+      and_2622_s24_q <= equal_1471_s23_q & (x_s23_q[6] & and_2620);
+      select_2629_s24_q <= select_2629;
+      and_2640_s24_q <= equal_1471_s23_q & (x_s23_q[6] & and_2638);
+      and_2644_s24_q <= and_2644;
+      equal_2671_s24_q <= equal_2671;
+      and_2676_s24_q <= equal_1471_s23_q & (x_s23_q[6] & and_2674);
+      and_2684_s24_q <= x_s23_q[6] & and_2683;
+      other_s24_q <= other[44:36];
+      select_2902_s24_q <= equal_1694_s23_q ? 3'h0 : select_2901;
+      select_2915_s24_q <= select_2915_s23_q[44:36];
+      xor_2930_s24_q <= xor_2930;
+      xor_2948_s24_q <= xor_2930 ^ parity_2947;
+      xor_2960_s24_q <= xor_2951 ^ (^{select_2915_s23_q[41:36], other[41:36]});
+      xor_2972_s24_q <= xor_2963 ^ (^{select_2915_s23_q[23:18], other[23:18]});
+      xor_2984_s24_q <= xor_2975 ^ (^{select_2915_s23_q[32:27], other[32:27]});
+      or_2993_s24_q <= (xor_2924 & xor_2927) | (xor_2921 & (xor_2924 | xor_2927));
+      or_2997_s24_q <= (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+      or_3001_s24_q <= (xor_2939 & xor_2942) | (xor_2936 & (xor_2939 | xor_2942));
+      or_3008_s24_q <= (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+      or_3012_s24_q <= (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+      or_3016_s24_q <= (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+      or_3023_s24_q <= (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+      or_3027_s24_q <= (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+      or_3031_s24_q <= (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+      or_3041_s24_q <= (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+      or_3045_s24_q <= (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+      or_3049_s24_q <= (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+      or_3057_s24_q <= (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+      or_3061_s24_q <= (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+      or_3065_s24_q <= (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+      or_3072_s24_q <= (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+      or_3076_s24_q <= (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+      or_3080_s24_q <= (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+      or_3090_s24_q <= (xor_2954 & xor_2957) | (xor_2951 & (xor_2954 | xor_2957));
+      or_3094_s24_q <= (xor_2966 & xor_2969) | (xor_2963 & (xor_2966 | xor_2969));
+      or_3098_s24_q <= (xor_2978 & xor_2981) | (xor_2975 & (xor_2978 | xor_2981));
+      and_3103_s24_q <= xor_2933 & xor_2945;
+      or_3104_s24_q <= xor_2933 | xor_2945;
+      equal_3225_s24_q <= equal_3225_s23_q;
+      select_3313_s24_q <= select_3313_s23_q;
+      select_3344_s24_q <= select_3344_s23_q;
+      less_3387_s24_q <= less_3387_s23_q;
+      eight_s24_q <= eight;
+      fall_s24_q <= fall;
+      equal_3466_s24_q <= equal_3466_s23_q;
+      equal_3565_s24_q <= equal_3565;
+      or_3637_s24_q <= or_3637_s23_q;
+      select_3645_s24_q <= select_3645_s23_q;
+      equal_3658_s24_q <= equal_3658_s23_q;
+      equal_3660_s24_q <= equal_3660_s23_q;
+      equal_3661_s24_q <= equal_3661_s23_q;
+      select_3883_s24_q <= select_3883;
+      select_3890_s24_q <= select_3890_s23_q;
     end
   end
 
-  // Stage 23 ----------------------------------------------------------------------------------------------------------
+  // Stage 24 ----------------------------------------------------------------------------------------------------------
   logic census_columns_values_3_cell_4_mask_q;
   logic [11:0] census_changes_values_0_left_q;
   logic [11:0] census_changes_values_0_right_q;
@@ -6478,129 +9131,345 @@ module horopter_agreement (
   logic [13:0] sharpness_last_detail_1_q;
   logic [23:0] sharpness_sums_contrast_0_q;
   logic [23:0] sharpness_sums_contrast_1_q;
-  logic [47:0] good_q;
-  logic [12:0] map_row_q;
-  logic [6:0] map_width_q;
-  logic write_half_q;
-  logic read_half_q;
-  logic done_q;
-  logic drew_q;
-  logic said_q;
+  logic [13:0] registration_half_across_q;
+  logic [5:0] registration_half_measured_q;
+  logic [6:0] registration_half_votes_down_q;
+  logic [6:0] registration_half_votes_up_q;
+  logic [6:0] registration_half_half_votes_down_q;
+  logic [6:0] registration_half_half_votes_up_q;
+  logic [13:0] registration_down_q;
+  logic [13:0] registration_up_q;
+  logic registration_enough_q;
+  logic registration_votes_down_q;
+  logic registration_votes_up_q;
+  logic registration_other_enough_q;
+  logic registration_other_down_q;
+  logic registration_other_up_q;
+  logic [7:0] patches_place_0_column_q;
+  logic [5:0] patches_place_0_shift_q;
+  logic [7:0] patches_place_0_slope_q;
+  logic [7:0] patches_place_1_column_q;
+  logic [5:0] patches_place_1_shift_q;
+  logic [7:0] patches_place_1_slope_q;
+  logic [2:0] patches_set_q;
+  logic [9:0] patches_size_q;
+  logic [9:0] patches_peak_far_q;
+  logic good_known_q;
   // hls/stages/agreement.hpp:443
   logic whole_17;
-  assign whole_17 = census_columns_values_2_cell_4_mask_s23_q & whole_16_s23_q;
+  assign whole_17 = census_columns_values_2_cell_4_mask_s24_q & whole_16_s24_q;
   logic whole_18;
-  assign whole_18 = census_columns_values_3_cell_0_mask_s23_q & whole_17;
+  assign whole_18 = census_columns_values_3_cell_0_mask_s24_q & whole_17;
   logic whole_19;
-  assign whole_19 = census_columns_values_3_cell_1_mask_s23_q & whole_18;
+  assign whole_19 = census_columns_values_3_cell_1_mask_s24_q & whole_18;
   logic whole_20;
-  assign whole_20 = census_columns_values_3_cell_2_mask_s23_q & whole_19;
+  assign whole_20 = census_columns_values_3_cell_2_mask_s24_q & whole_19;
   logic whole_21;
-  assign whole_21 = census_columns_values_3_cell_3_mask_s23_q & whole_20;
+  assign whole_21 = census_columns_values_3_cell_3_mask_s24_q & whole_20;
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
   // hls/stages/census.hpp:270
   logic [11:0] texture;
-  assign texture = sum_476_s23_q + {2'h0, sum_479_s23_q};
-  // hls/stages/agreement.hpp:1234
-  logic [12:0] index;
-  assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:1201
-  logic select_1514;
-  assign select_1514 = marks_first_s23_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1187
-  logic [10:0] sum_1515;
-  assign sum_1515 = {1'b0, {5{select_1514}}, 1'b0, {2{select_1514}}, 1'b0, select_1514} + {1'b0, index[12:3]};
-  // hls/stages/agreement.hpp:1053
-  logic [12:0] index_2;
-  assign index_2 = {{3{sum_1526_s23_q[7]}}, sum_1526_s23_q, x_s23_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1187
-  logic [10:0] sum_1528;
-  assign sum_1528 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
-  // hls/stages/agreement.hpp:1043
-  logic [47:0] select_1559;
-  assign select_1559 = or_1547_s23_q ? {select_1558_s23_q[23], 1'b0, select_1558_s23_q[22], 1'b0, select_1558_s23_q[21], 1'b0, select_1558_s23_q[20], 1'b0, select_1558_s23_q[19], 1'b0, select_1558_s23_q[18], 1'b0, select_1558_s23_q[17], 1'b0, select_1558_s23_q[16], 1'b0, select_1558_s23_q[15], 1'b0, select_1558_s23_q[14], 1'b0, select_1558_s23_q[13], 1'b0, select_1558_s23_q[12], 1'b0, select_1558_s23_q[11], 1'b0, select_1558_s23_q[10], 1'b0, select_1558_s23_q[9], 1'b0, select_1558_s23_q[8], 1'b0, select_1558_s23_q[7], 1'b0, select_1558_s23_q[6], 1'b0, select_1558_s23_q[5], 1'b0, select_1558_s23_q[4], 1'b0, select_1558_s23_q[3], 1'b0, select_1558_s23_q[2], 1'b0, select_1558_s23_q[1], 1'b0, select_1558_s23_q[0], 1'b0} : {1'b0, select_1558_s23_q[23], 1'b0, select_1558_s23_q[22], 1'b0, select_1558_s23_q[21], 1'b0, select_1558_s23_q[20], 1'b0, select_1558_s23_q[19], 1'b0, select_1558_s23_q[18], 1'b0, select_1558_s23_q[17], 1'b0, select_1558_s23_q[16], 1'b0, select_1558_s23_q[15], 1'b0, select_1558_s23_q[14], 1'b0, select_1558_s23_q[13], 1'b0, select_1558_s23_q[12], 1'b0, select_1558_s23_q[11], 1'b0, select_1558_s23_q[10], 1'b0, select_1558_s23_q[9], 1'b0, select_1558_s23_q[8], 1'b0, select_1558_s23_q[7], 1'b0, select_1558_s23_q[6], 1'b0, select_1558_s23_q[5], 1'b0, select_1558_s23_q[4], 1'b0, select_1558_s23_q[3], 1'b0, select_1558_s23_q[2], 1'b0, select_1558_s23_q[1], 1'b0, select_1558_s23_q[0]};
+  assign texture = sum_608_s24_q + {2'h0, sum_611_s24_q};
+  // hls/stages/registration.hpp:265
+  logic equal_1573;
+  assign equal_1573 = sum_1522_s24_q == 2'h0;
+  // hls/stages/registration.hpp:263
+  logic [6:0] down;
+  assign down = sum_1522_s24_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  // hls/stages/registration.hpp:265
+  logic [13:0] select_1575;
+  assign select_1575 = equal_1573 ? registration_half_across_q : {{7{down[6]}}, down};
+  // hls/stages/registration.hpp:264
+  logic [6:0] up;
+  assign up = sum_1522_s24_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  // hls/stages/registration.hpp:266
+  logic [6:0] select_1579;
+  assign select_1579 = equal_1573 ? {1'b0, registration_half_measured_q} : up;
+  // hls/stages/patches.hpp:336
+  logic [21:0] select_1711;
+  assign select_1711 = select_1601_s24_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1708_s24_q[22:1];
+  // hls/stages/patches.hpp:109
+  logic [7:0] select_1712;
+  assign select_1712 = equal_1602_s24_q ? patches_place_0_column_q : select_1711[7:0];
+  logic [5:0] select_1713;
+  assign select_1713 = equal_1602_s24_q ? patches_place_0_shift_q : select_1711[13:8];
+  // hls/stages/patches.hpp:336
+  logic [21:0] select_1740;
+  assign select_1740 = select_1601_s24_q ? select_1708_s24_q[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  // hls/stages/patches.hpp:109
+  logic [7:0] select_1741;
+  assign select_1741 = equal_1602_s24_q ? patches_place_1_column_q : select_1740[7:0];
+  logic [5:0] select_1742;
+  assign select_1742 = equal_1602_s24_q ? patches_place_1_shift_q : select_1740[13:8];
+  // hls/stages/patches.hpp:114
+  logic equal_1758;
+  assign equal_1758 = {select_1712[7], select_466_s24_q, select_463_s24_q} == {1'b0, select_1712[6:0], 4'h0};
+  logic equal_1762;
+  assign equal_1762 = {select_1741[7], select_466_s24_q, select_463_s24_q} == {1'b0, select_1741[6:0], 4'h0};
+  // hls/stages/agreement.hpp:976
+  logic and_1983;
+  assign and_1983 = good_known_q & not_1982_s24_q;
+  // hls/stages/agreement.hpp:1045
+  logic is_seen;
+  assign is_seen = equal_1962_s24_q ? and_1983 : not_1998_s24_q;
   // hls/stages/agreement.hpp:507
-  logic select_1716;
-  assign select_1716 = and_370_s23_q ? census_columns_values_2_cell_4_mask_s23_q : census_columns_values_3_cell_4_mask_q;
+  logic select_2136;
+  assign select_2136 = and_502_s24_q ? census_columns_values_2_cell_4_mask_s24_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:272
-  logic [11:0] sum_1736;
-  assign sum_1736 = sum_1732_s23_q + {2'h0, sum_1735_s23_q};
+  logic [11:0] sum_2156;
+  assign sum_2156 = sum_2152_s24_q + {2'h0, sum_2155_s24_q};
   // hls/stages/agreement.hpp:507
-  logic [11:0] select_1738;
-  assign select_1738 = and_370_s23_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_1739;
-  assign select_1739 = and_370_s23_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [13:0] select_1758;
-  assign select_1758 = and_370_s23_q ? select_1757_s23_q[13:0] : sharpness_last_detail_0_q;
-  logic [13:0] select_1759;
-  assign select_1759 = and_370_s23_q ? select_1757_s23_q[27:14] : sharpness_last_detail_1_q;
+  logic [11:0] select_2158;
+  assign select_2158 = and_502_s24_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2159;
+  assign select_2159 = and_502_s24_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [13:0] select_2178;
+  assign select_2178 = and_502_s24_q ? select_2177_s24_q[13:0] : sharpness_last_detail_0_q;
+  logic [13:0] select_2179;
+  assign select_2179 = and_502_s24_q ? select_2177_s24_q[27:14] : sharpness_last_detail_1_q;
   // hls/stages/census.hpp:354
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_1757_s23_q[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2177_s24_q[13:0]};
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_1757_s23_q[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2177_s24_q[27:14]};
   // hls/stages/census.hpp:357
-  logic [23:0] sum_1790;
-  assign sum_1790 = (equal_1743_s23_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_1789_s23_q};
-  logic [23:0] sum_1794;
-  assign sum_1794 = (equal_1743_s23_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_1793_s23_q};
+  logic [23:0] sum_2210;
+  assign sum_2210 = (equal_2163_s24_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2209_s24_q};
+  logic [23:0] sum_2214;
+  assign sum_2214 = (equal_2163_s24_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2213_s24_q};
   // hls/stages/census.hpp:409
-  logic less_1798;
-  assign less_1798 = x_s23_q[4:0] < 5'h3;
-  logic [23:0] select_1803;
-  assign select_1803 = slot_s23_q ? {select_1802_s23_q[11], 1'b0, select_1802_s23_q[10], 1'b0, select_1802_s23_q[9], 1'b0, select_1802_s23_q[8], 1'b0, select_1802_s23_q[7], 1'b0, select_1802_s23_q[6], 1'b0, select_1802_s23_q[5], 1'b0, select_1802_s23_q[4], 1'b0, select_1802_s23_q[3], 1'b0, select_1802_s23_q[2], 1'b0, select_1802_s23_q[1], 1'b0, select_1802_s23_q[0], 1'b0} : {1'b0, select_1802_s23_q[11], 1'b0, select_1802_s23_q[10], 1'b0, select_1802_s23_q[9], 1'b0, select_1802_s23_q[8], 1'b0, select_1802_s23_q[7], 1'b0, select_1802_s23_q[6], 1'b0, select_1802_s23_q[5], 1'b0, select_1802_s23_q[4], 1'b0, select_1802_s23_q[3], 1'b0, select_1802_s23_q[2], 1'b0, select_1802_s23_q[1], 1'b0, select_1802_s23_q[0]};
+  logic less_2218;
+  assign less_2218 = x_s24_q[4:0] < 5'h3;
+  logic [23:0] select_2223;
+  assign select_2223 = slot_s24_q ? {select_2222_s24_q[11], 1'b0, select_2222_s24_q[10], 1'b0, select_2222_s24_q[9], 1'b0, select_2222_s24_q[8], 1'b0, select_2222_s24_q[7], 1'b0, select_2222_s24_q[6], 1'b0, select_2222_s24_q[5], 1'b0, select_2222_s24_q[4], 1'b0, select_2222_s24_q[3], 1'b0, select_2222_s24_q[2], 1'b0, select_2222_s24_q[1], 1'b0, select_2222_s24_q[0], 1'b0} : {1'b0, select_2222_s24_q[11], 1'b0, select_2222_s24_q[10], 1'b0, select_2222_s24_q[9], 1'b0, select_2222_s24_q[8], 1'b0, select_2222_s24_q[7], 1'b0, select_2222_s24_q[6], 1'b0, select_2222_s24_q[5], 1'b0, select_2222_s24_q[4], 1'b0, select_2222_s24_q[3], 1'b0, select_2222_s24_q[2], 1'b0, select_2222_s24_q[1], 1'b0, select_2222_s24_q[0]};
   // hls/stages/census.hpp:372
-  logic and_1807;
-  assign and_1807 = less_1798 & (~((sharpness_sums_contrast_1_q & select_1803) == 24'h0));
-  logic and_1817;
-  assign and_1817 = less_1798 & (~((sharpness_sums_contrast_0_q & select_1803) == 24'h0));
-  // hls/stages/agreement.hpp:1075
-  logic [10:0] sum_2036;
-  assign sum_2036 = {1'b0, select_2035_s23_q} + {3'h0, select_2035_s23_q[9:2]};
-  // hls/stages/registration.hpp:205
-  logic [12:0] difference_2163;
-  assign difference_2163 = 13'h0 - {residual_s23_q[11], residual_s23_q};
-  logic less_2178;
-  assign less_2178 = $signed(difference_2163) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:1077
-  logic select_2378;
-  assign select_2378 = equal_2360_s23_q ? ((~or_2363_s23_q) & (~select_2372_s23_q)) : not_2377_s23_q;
-  // hls/stages/agreement.hpp:1085
-  logic [47:0] select_2380;
-  assign select_2380 = x_s23_q[6] ? (equal_1384_s23_q ? good_q : {select_2378, good_q[47:1]}) : good_q;
-  logic equal_2383;
-  assign equal_2383 = x_s23_q == 7'h7f;
-  // hls/stages/agreement.hpp:447
-  logic [12:0] select_2521;
-  assign select_2521 = equal_1867_s23_q ? (equal_2518_s23_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:507
-  logic [6:0] select_2524;
-  assign select_2524 = and_370_s23_q ? (equal_1867_s23_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
+  logic and_2227;
+  assign and_2227 = less_2218 & (~((sharpness_sums_contrast_1_q & select_2223) == 24'h0));
+  logic and_2237;
+  assign and_2237 = less_2218 & (~((sharpness_sums_contrast_0_q & select_2223) == 24'h0));
+  // hls/stages/agreement.hpp:1048
+  logic not_2443;
+  assign not_2443 = ~(equal_1962_s24_q ? and_1983 : not_2441_s24_q);
+  // hls/stages/patches.hpp:322
+  logic and_2446;
+  assign and_2446 = ends_cell_s24_q & (not_2426_s24_q & (centres_values_1_textured_s24_q & not_2443));
+  // hls/stages/agreement.hpp:1080
+  logic [9:0] select_2459;
+  assign select_2459 = ((~(select_2452_s24_q[9:4] == 6'h0)) & less_2457_s24_q) ? select_2452_s24_q : 10'h0;
+  // hls/stages/patches.hpp:322
+  logic [9:0] select_2462;
+  assign select_2462 = equal_1471_s24_q ? (x_s24_q[6] ? (equal_1516_s24_q ? 10'h0 : select_2459) : 10'h0) : 10'h0;
+  // hls/stages/agreement.hpp:1052
+  logic and_2480;
+  assign and_2480 = centres_values_1_textured_s24_q & (centres_values_1_of_skin_s24_q & not_2443);
+  // hls/stages/registration.hpp:133
+  logic [13:0] sum_2537;
+  assign sum_2537 = registration_half_across_q + {{6{select_2536_s24_q[7]}}, select_2536_s24_q};
+  // hls/stages/patches.hpp:322
+  logic and_2541;
+  assign and_2541 = not_1472_s24_q & (drew_q & (and_2519_s24_q & equal_1612_s24_q));
+  // hls/stages/registration.hpp:134
+  logic [5:0] select_2543;
+  assign select_2543 = and_2518_s24_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2541});
+  // hls/stages/patches.hpp:322
+  logic [1:0] select_2547;
+  assign select_2547 = drew_q ? (equal_1612_s24_q ? {and_2545_s24_q, and_2519_s24_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2548;
+  assign select_2548 = equal_1471_s24_q ? 2'h0 : select_2547;
+  // hls/stages/registration.hpp:184
+  logic [6:0] sum_2549;
+  assign sum_2549 = registration_half_votes_down_q + {{5{select_2548[1]}}, select_2548};
+  // hls/stages/patches.hpp:322
+  logic [1:0] select_2555;
+  assign select_2555 = drew_q ? (equal_1612_s24_q ? {and_2553_s24_q, and_2519_s24_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2556;
+  assign select_2556 = equal_1471_s24_q ? 2'h0 : select_2555;
+  // hls/stages/registration.hpp:185
+  logic [6:0] sum_2557;
+  assign sum_2557 = registration_half_votes_up_q + {{5{select_2556[1]}}, select_2556};
+  // hls/stages/patches.hpp:322
+  logic [1:0] select_2562;
+  assign select_2562 = drew_q ? (equal_1612_s24_q ? {and_2560_s24_q, and_2519_s24_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2563;
+  assign select_2563 = equal_1471_s24_q ? 2'h0 : select_2562;
+  // hls/stages/registration.hpp:184
+  logic [6:0] sum_2564;
+  assign sum_2564 = registration_half_half_votes_down_q + {{5{select_2563[1]}}, select_2563};
+  // hls/stages/patches.hpp:322
+  logic [1:0] select_2569;
+  assign select_2569 = drew_q ? (equal_1612_s24_q ? {and_2567_s24_q, and_2519_s24_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2570;
+  assign select_2570 = equal_1471_s24_q ? 2'h0 : select_2569;
+  // hls/stages/registration.hpp:185
+  logic [6:0] sum_2571;
+  assign sum_2571 = registration_half_half_votes_up_q + {{5{select_2570[1]}}, select_2570};
+  // hls/stages/patches.hpp:322
+  logic and_2605;
+  assign and_2605 = equal_1471_s24_q & (x_s24_q[6] & (not_1883_s24_q & less_1547_s24_q));
+  logic [11:0] select_2616;
+  assign select_2616 = equal_1471_s24_q ? (x_s24_q[6] ? select_2614_s24_q : 12'h0) : 12'h0;
+  // hls/stages/registration.hpp:252
+  logic [13:0] sum_2624;
+  assign sum_2624 = {{2{select_2616[11]}}, select_2616} + (and_2622_s24_q ? 14'h0 : registration_down_q);
+  // hls/stages/patches.hpp:322
+  logic [11:0] select_2631;
+  assign select_2631 = equal_1471_s24_q ? (x_s24_q[6] ? select_2629_s24_q : 12'h0) : 12'h0;
+  // hls/stages/registration.hpp:253
+  logic [13:0] sum_2633;
+  assign sum_2633 = {{2{select_2631[11]}}, select_2631} + (and_2622_s24_q ? 14'h0 : registration_up_q);
+  // hls/stages/registration.hpp:246
+  logic not_2645;
+  assign not_2645 = ~and_2644_s24_q;
+  logic less_2646;
+  assign less_2646 = $signed({9'h1, {2{not_2645}}, and_2644_s24_q}) < $signed(registration_up_q[13:2]);
+  logic select_2647;
+  assign select_2647 = and_2640_s24_q ? less_2646 : registration_enough_q;
+  // hls/stages/agreement.hpp:1084
+  logic and_2651;
+  assign and_2651 = x_s24_q[6] & (not_1883_s24_q & (less_1547_s24_q & (x_s24_q[2:0] == 3'h4)));
+  // hls/stages/patches.hpp:322
+  logic and_2652;
+  assign and_2652 = equal_1471_s24_q & and_2651;
+  // hls/stages/registration.hpp:242
+  logic less_2653;
+  assign less_2653 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2655;
+  assign less_2655 = $signed(14'h0) < $signed(registration_up_q);
+  // hls/stages/agreement.hpp:1084
+  logic and_2660;
+  assign and_2660 = x_s24_q[6] & (not_1883_s24_q & (less_1547_s24_q & (x_s24_q[2:0] == 3'h7)));
+  // hls/stages/patches.hpp:322
+  logic and_2661;
+  assign and_2661 = equal_1471_s24_q & and_2660;
+  // hls/stages/agreement.hpp:1084
+  logic and_2668;
+  assign and_2668 = x_s24_q[6] & (not_1883_s24_q & (less_1547_s24_q & (x_s24_q[5:0] == 6'h0)));
+  // hls/stages/registration.hpp:244
+  logic and_2686;
+  assign and_2686 = registration_votes_up_q & registration_other_down_q;
+  logic select_2688;
+  assign select_2688 = registration_votes_down_q ? (registration_other_up_q | and_2686) : and_2686;
+  // hls/stages/registration.hpp:138
+  logic and_2690;
+  assign and_2690 = (equal_1471_s24_q & and_2684_s24_q) & (registration_other_enough_q & select_2688);
+  logic and_2692;
+  assign and_2692 = registration_enough_q & ((and_2676_s24_q & (less_2655 | less_2653)) | and_2690);
+  // hls/stages/agreement.hpp:263
+  logic [7:0] select_2778;
+  assign select_2778 = sample_pair_whole_s24_q ? (equal_1602_s24_q ? patches_place_0_slope_q : select_1711[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_2783;
+  assign select_2783 = sample_pair_whole_s24_q ? (equal_1602_s24_q ? patches_place_1_slope_q : select_1740[21:14]) : patches_place_1_slope_q;
+  // hls/stages/patches.hpp:149
+  logic [9:0] sum_2905;
+  assign sum_2905 = {7'h0, patches_set_q} + (equal_1697_s24_q ? 10'h0 : patches_size_q);
+  // hls/stages/count_bits.hpp:24
+  logic xor_2985;
+  assign xor_2985 = xor_2972_s24_q ^ xor_2984_s24_q;
+  // hls/stages/count_bits.hpp:25
+  logic or_3110;
+  assign or_3110 = (xor_2972_s24_q & xor_2984_s24_q) | (xor_2960_s24_q & (xor_2972_s24_q | xor_2984_s24_q));
+  // hls/stages/patches.hpp:521
+  logic [9:0] select_3353;
+  assign select_3353 = (patches_read_far_s24_q < patches_peak_far_q) ? patches_read_far_s24_q : patches_peak_far_q;
+  logic [9:0] select_3354;
+  assign select_3354 = patches_read_first_s24_q ? patches_read_far_s24_q : select_3353;
+  // hls/stages/patches.hpp:561
+  logic [10:0] sum_3396;
+  assign sum_3396 = {1'b0, fall_s24_q} + {2'h0, fall_s24_q[9:1]};
+  // hls/stages/patches.hpp:562
+  logic [10:0] sum_3400;
+  assign sum_3400 = {1'b0, fall_s24_q} + {3'h0, fall_s24_q[9:2]};
+  logic not_3405;
+  assign not_3405 = ~({eight_s24_q, 3'h0} < ({fall_s24_q, 3'h0} - {3'h0, fall_s24_q}));
+  // hls/stages/patches.hpp:575
+  logic [7:0] select_3410;
+  assign select_3410 = patches_second_s24_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  // hls/stages/patches.hpp:574
+  logic [3:0] sum_3411;
+  assign sum_3411 = {2'h0, select_3344_s24_q[14:13]} + 4'hf;
+  logic [5:0] select_3412;
+  assign select_3412 = patches_second_s24_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [6:0] sum_3413;
+  assign sum_3413 = {select_3412[5], select_3412} + {{4{sum_3411[3]}}, sum_3411[3:1]};
+  // hls/stages/patches.hpp:322
+  logic select_3657;
+  assign select_3657 = equal_1471_s24_q ? ((x_s24_q[6] & good_known_q) | equal_3565_s24_q) : good_known_q;
+  // hls/stages/agreement.hpp:1235
+  logic and_3819;
+  assign and_3819 = and_2023_s24_q & ({sum_1949_s24_q, index_2_s24_q} == {sum_1936_s24_q, index_s24_q});
+
+  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1330; read in stage 24, written in stage 25: 24 < 25 < 24 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [1:0] map_mem [0:16079];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 16080; i++) map_mem[i] = 2'h0;
+`endif
+  logic [13:0] map_raddr;
+  assign map_raddr = {sum_1936_s24_q, index_s24_q};
+  logic map_re;
+  assign map_re = s24_en & (and_1943_s24_q & less_1944_s24_q);
+  logic [1:0] map_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (map_re) map_rdata_q <= map_mem[map_raddr];
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       sharpness_sums_contrast_0_q <= 24'h0;
       sharpness_sums_contrast_1_q <= 24'h0;
-      good_q <= 48'h0;
-      map_row_q <= 13'h0;
-      map_width_q <= 7'h0;
-      write_half_q <= 1'b0;
-      read_half_q <= 1'b1;
-      done_q <= 1'b0;
-      drew_q <= 1'b0;
-      said_q <= 1'b0;
-    end else if (s23_en) begin
-      sharpness_sums_contrast_0_q <= and_370_s23_q ? sum_1790 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_370_s23_q ? sum_1794 : sharpness_sums_contrast_1_q;
-      good_q <= equal_1339_s23_q ? select_2380 : good_q;
-      map_row_q <= and_370_s23_q ? select_2521 : map_row_q;
-      map_width_q <= select_2524;
-      write_half_q <= marks_first_s23_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_1514;
-      done_q <= not_1516_s23_q & ((~drew_q) & (done_q | said_q));
-      drew_q <= so_s23_q;
-      said_q <= equal_1339_s23_q & equal_2383;
+      registration_half_across_q <= 14'h0;
+      registration_half_measured_q <= 6'h0;
+      registration_half_votes_down_q <= 7'h0;
+      registration_half_votes_up_q <= 7'h0;
+      registration_half_half_votes_down_q <= 7'h0;
+      registration_half_half_votes_up_q <= 7'h0;
+      registration_down_q <= 14'h0;
+      registration_up_q <= 14'h0;
+      registration_enough_q <= 1'b0;
+      registration_votes_down_q <= 1'b0;
+      registration_votes_up_q <= 1'b0;
+      registration_other_enough_q <= 1'b0;
+      registration_other_down_q <= 1'b0;
+      registration_other_up_q <= 1'b0;
+      patches_place_0_column_q <= 8'h0;
+      patches_place_0_shift_q <= 6'h0;
+      patches_place_0_slope_q <= 8'h0;
+      patches_place_1_column_q <= 8'h0;
+      patches_place_1_shift_q <= 6'h0;
+      patches_place_1_slope_q <= 8'h0;
+      patches_set_q <= 3'h0;
+      patches_size_q <= 10'h0;
+      patches_peak_far_q <= 10'h0;
+      good_known_q <= 1'b0;
+    end else if (s24_en) begin
+      sharpness_sums_contrast_0_q <= and_502_s24_q ? sum_2210 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_502_s24_q ? sum_2214 : sharpness_sums_contrast_1_q;
+      registration_half_across_q <= and_2518_s24_q ? 14'h0 : sum_2537;
+      registration_half_measured_q <= select_2543;
+      registration_half_votes_down_q <= and_2518_s24_q ? 7'h0 : sum_2549;
+      registration_half_votes_up_q <= and_2518_s24_q ? 7'h0 : sum_2557;
+      registration_half_half_votes_down_q <= and_2518_s24_q ? 7'h0 : sum_2564;
+      registration_half_half_votes_up_q <= and_2518_s24_q ? 7'h0 : sum_2571;
+      registration_down_q <= and_2605 ? sum_2624 : registration_down_q;
+      registration_up_q <= and_2605 ? sum_2633 : registration_up_q;
+      registration_enough_q <= select_2647;
+      registration_votes_down_q <= and_2652 ? less_2653 : registration_votes_down_q;
+      registration_votes_up_q <= and_2652 ? less_2655 : registration_votes_up_q;
+      registration_other_enough_q <= and_2661 ? select_2647 : registration_other_enough_q;
+      registration_other_down_q <= and_2661 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2661 ? registration_votes_up_q : registration_other_up_q;
+      patches_place_0_column_q <= sample_pair_whole_s24_q ? select_1712 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s24_q ? select_1713 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_2778;
+      patches_place_1_column_q <= sample_pair_whole_s24_q ? select_1741 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s24_q ? select_1742 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_2783;
+      patches_set_q <= equal_1692_s24_q ? 3'h0 : select_2902_s24_q;
+      patches_size_q <= sum_2905;
+      patches_peak_far_q <= equal_1692_s24_q ? select_3354 : patches_peak_far_q;
+      good_known_q <= select_3657;
     end
   end
 
@@ -6617,435 +9486,14 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s23_en) begin
-      census_columns_values_3_cell_4_mask_q <= select_1716;
-      census_changes_values_0_left_q <= and_370_s23_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_370_s23_q ? sum_1736 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_1738;
-      census_changes_values_1_right_q <= select_1739;
-      sharpness_last_detail_0_q <= select_1758;
-      sharpness_last_detail_1_q <= select_1759;
-    end
-  end
-
-  logic [7:0] pixel_0_s24_q;
-  logic [7:0] pixel_1_s24_q;
-  logic saturated_s24_q;
-  logic mask_s24_q;
-  logic marks_first_s24_q;
-  logic marks_last_s24_q;
-  logic census_columns_values_1_cell_2_of_skin_s24_q;
-  logic [11:0] census_changes_values_1_left_s24_q;
-  logic [11:0] census_changes_values_1_right_s24_q;
-  logic [23:0] sharpness_sums_contrast_0_s24_q;
-  logic [23:0] sharpness_sums_contrast_1_s24_q;
-  logic [6:0] x_s24_q;
-  logic ends_cell_s24_q;
-  logic lower_half_s24_q;
-  logic [13:0] counts_supervised_s24_q;
-  logic [13:0] counts_textured_s24_q;
-  logic [13:0] counts_explained_s24_q;
-  logic registration_of_right_s24_q;
-  logic [13:0] product_s24_q;
-  logic centres_values_1_textured_s24_q;
-  logic centres_values_1_of_skin_s24_q;
-  logic done_s24_q;
-  logic [6:0] column_s24_q;
-  logic and_370_s24_q;
-  logic less_404_s24_q;
-  logic less_405_s24_q;
-  logic less_406_s24_q;
-  logic less_407_s24_q;
-  logic less_408_s24_q;
-  logic less_409_s24_q;
-  logic less_410_s24_q;
-  logic less_411_s24_q;
-  logic less_412_s24_q;
-  logic less_413_s24_q;
-  logic less_414_s24_q;
-  logic less_415_s24_q;
-  logic less_416_s24_q;
-  logic less_417_s24_q;
-  logic less_418_s24_q;
-  logic less_419_s24_q;
-  logic less_420_s24_q;
-  logic less_421_s24_q;
-  logic less_422_s24_q;
-  logic less_423_s24_q;
-  logic less_424_s24_q;
-  logic less_425_s24_q;
-  logic less_426_s24_q;
-  logic less_427_s24_q;
-  logic and_435_s24_q;
-  logic and_460_s24_q;
-  logic and_461_s24_q;
-  logic [12:0] sum_481_s24_q;
-  logic equal_1339_s24_q;
-  logic not_1340_s24_q;
-  logic equal_1384_s24_q;
-  logic all_s24_q;
-  logic [1:0] sum_1390_s24_q;
-  logic equal_1392_s24_q;
-  logic equal_1394_s24_q;
-  logic equal_1396_s24_q;
-  logic equal_1398_s24_q;
-  logic equal_1400_s24_q;
-  logic equal_1402_s24_q;
-  logic equal_1404_s24_q;
-  logic equal_1406_s24_q;
-  logic less_1415_s24_q;
-  logic or_1419_s24_q;
-  logic [31:0] registration_sums_rdata_s24_q;
-  logic equal_1439_s24_q;
-  logic and_1449_s24_q;
-  logic not_1461_s24_q;
-  logic [2:0] index_s24_q;
-  logic [10:0] sum_1515_s24_q;
-  logic and_1522_s24_q;
-  logic less_1523_s24_q;
-  logic [2:0] index_2_s24_q;
-  logic [10:0] sum_1528_s24_q;
-  logic equal_1542_s24_q;
-  logic not_1562_s24_q;
-  logic not_1578_s24_q;
-  logic less_1592_s24_q;
-  logic and_1603_s24_q;
-  logic equal_1743_s24_q;
-  logic [12:0] sum_1744_s24_q;
-  logic [12:0] select_1772_s24_q;
-  logic [12:0] select_1784_s24_q;
-  logic equal_1796_s24_q;
-  logic less_1797_s24_q;
-  logic and_1807_s24_q;
-  logic and_1817_s24_q;
-  logic equal_1840_s24_q;
-  logic and_1983_s24_q;
-  logic and_2002_s24_q;
-  logic not_2006_s24_q;
-  logic not_2021_s24_q;
-  logic [9:0] select_2032_s24_q;
-  logic [9:0] select_2035_s24_q;
-  logic less_2037_s24_q;
-  logic equal_2091_s24_q;
-  logic and_2118_s24_q;
-  logic and_2120_s24_q;
-  logic [7:0] residual_s24_q;
-  logic less_2164_s24_q;
-  logic less_2178_s24_q;
-  logic equal_2222_s24_q;
-  logic or_2363_s24_q;
-  logic equal_2366_s24_q;
-  logic select_2372_s24_q;
-  logic equal_2383_s24_q;
-  logic equal_2386_s24_q;
-  logic equal_2388_s24_q;
-  logic equal_2389_s24_q;
-  logic equal_2602_s24_q;
-  logic [9:0] select_2612_s24_q;
-  always_ff @(posedge clk_i) begin
-    if (s23_en) begin
-      pixel_0_s24_q <= pixel_0_s23_q;
-      pixel_1_s24_q <= pixel_1_s23_q;
-      saturated_s24_q <= saturated_s23_q;
-      mask_s24_q <= mask_s23_q;
-      marks_first_s24_q <= marks_first_s23_q;
-      marks_last_s24_q <= marks_last_s23_q;
-      census_columns_values_1_cell_2_of_skin_s24_q <= census_columns_values_1_cell_2_of_skin_s23_q;
-      census_changes_values_1_left_s24_q <= census_changes_values_1_left_q;
-      census_changes_values_1_right_s24_q <= census_changes_values_1_right_q;
-      sharpness_sums_contrast_0_s24_q <= sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_s24_q <= sharpness_sums_contrast_1_q;
-      x_s24_q <= x_s23_q;
-      ends_cell_s24_q <= ends_cell_s23_q;
-      lower_half_s24_q <= lower_half_s23_q;
-      counts_supervised_s24_q <= counts_supervised_s23_q;
-      counts_textured_s24_q <= counts_textured_s23_q;
-      counts_explained_s24_q <= counts_explained_s23_q;
-      registration_of_right_s24_q <= registration_of_right_s23_q;
-      product_s24_q <= product_s23_q;
-      centres_values_1_textured_s24_q <= centres_values_1_textured_s23_q;
-      centres_values_1_of_skin_s24_q <= centres_values_1_of_skin_s23_q;
-      done_s24_q <= done_q;
-      column_s24_q <= column_s23_q;
-      and_370_s24_q <= and_370_s23_q;
-      less_404_s24_q <= less_404_s23_q;
-      less_405_s24_q <= less_405_s23_q;
-      less_406_s24_q <= less_406_s23_q;
-      less_407_s24_q <= less_407_s23_q;
-      less_408_s24_q <= less_408_s23_q;
-      less_409_s24_q <= less_409_s23_q;
-      less_410_s24_q <= less_410_s23_q;
-      less_411_s24_q <= less_411_s23_q;
-      less_412_s24_q <= less_412_s23_q;
-      less_413_s24_q <= less_413_s23_q;
-      less_414_s24_q <= less_414_s23_q;
-      less_415_s24_q <= less_415_s23_q;
-      less_416_s24_q <= less_416_s23_q;
-      less_417_s24_q <= less_417_s23_q;
-      less_418_s24_q <= less_418_s23_q;
-      less_419_s24_q <= less_419_s23_q;
-      less_420_s24_q <= less_420_s23_q;
-      less_421_s24_q <= less_421_s23_q;
-      less_422_s24_q <= less_422_s23_q;
-      less_423_s24_q <= less_423_s23_q;
-      less_424_s24_q <= less_424_s23_q;
-      less_425_s24_q <= less_425_s23_q;
-      less_426_s24_q <= less_426_s23_q;
-      less_427_s24_q <= less_427_s23_q;
-      and_435_s24_q <= and_435_s23_q;
-      and_460_s24_q <= whole_22 & and_435_s23_q;
-      and_461_s24_q <= and_461_s23_q;
-      sum_481_s24_q <= {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-      equal_1339_s24_q <= equal_1339_s23_q;
-      not_1340_s24_q <= not_1340_s23_q;
-      equal_1384_s24_q <= equal_1384_s23_q;
-      all_s24_q <= all_s23_q;
-      sum_1390_s24_q <= sum_1390_s23_q;
-      equal_1392_s24_q <= equal_1392_s23_q;
-      equal_1394_s24_q <= equal_1394_s23_q;
-      equal_1396_s24_q <= equal_1396_s23_q;
-      equal_1398_s24_q <= equal_1398_s23_q;
-      equal_1400_s24_q <= equal_1400_s23_q;
-      equal_1402_s24_q <= equal_1402_s23_q;
-      equal_1404_s24_q <= equal_1404_s23_q;
-      equal_1406_s24_q <= equal_1406_s23_q;
-      less_1415_s24_q <= less_1415_s23_q;
-      or_1419_s24_q <= or_1419_s23_q;
-      registration_sums_rdata_s24_q <= registration_sums_rdata_q;
-      equal_1439_s24_q <= equal_1439_s23_q;
-      and_1449_s24_q <= and_1449_s23_q;
-      not_1461_s24_q <= not_1461_s23_q;
-      index_s24_q <= index[2:0];
-      sum_1515_s24_q <= sum_1515;
-      and_1522_s24_q <= began_q & (seen_x_q == 4'h0);
-      less_1523_s24_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
-      index_2_s24_q <= index_2[2:0];
-      sum_1528_s24_q <= sum_1528;
-      equal_1542_s24_q <= equal_1542_s23_q;
-      not_1562_s24_q <= ~((good_q & select_1559) == 48'h0);
-      not_1578_s24_q <= not_1578_s23_q;
-      less_1592_s24_q <= less_1592_s23_q;
-      and_1603_s24_q <= and_1603_s23_q;
-      equal_1743_s24_q <= equal_1743_s23_q;
-      sum_1744_s24_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_1736};
-      select_1772_s24_q <= and_1770_s23_q ? detail_3[14:2] : 13'h0;
-      select_1784_s24_q <= and_1782_s23_q ? detail_4[14:2] : 13'h0;
-      equal_1796_s24_q <= equal_1796_s23_q;
-      less_1797_s24_q <= less_1797_s23_q;
-      and_1807_s24_q <= and_1807;
-      and_1817_s24_q <= and_1817;
-      equal_1840_s24_q <= equal_1840_s23_q;
-      and_1983_s24_q <= and_1983_s23_q;
-      and_2002_s24_q <= and_2002_s23_q;
-      not_2006_s24_q <= not_2006_s23_q;
-      not_2021_s24_q <= not_2021_s23_q;
-      select_2032_s24_q <= select_2032_s23_q;
-      select_2035_s24_q <= select_2035_s23_q;
-      less_2037_s24_q <= {sum_2036, select_2035_s23_q[1:0]} < {3'h0, select_2032_s23_q};
-      equal_2091_s24_q <= equal_2091_s23_q;
-      and_2118_s24_q <= and_2118_s23_q;
-      and_2120_s24_q <= and_2120_s23_q;
-      residual_s24_q <= residual_s23_q[7:0];
-      less_2164_s24_q <= $signed(difference_2163) < $signed({7'h0, cfg_moved_limit_i});
-      less_2178_s24_q <= less_2178;
-      equal_2222_s24_q <= equal_2222_s23_q;
-      or_2363_s24_q <= or_2363_s23_q;
-      equal_2366_s24_q <= equal_2366_s23_q;
-      select_2372_s24_q <= select_2372_s23_q;
-      equal_2383_s24_q <= equal_2383;
-      equal_2386_s24_q <= equal_2386_s23_q;
-      equal_2388_s24_q <= equal_2388_s23_q;
-      equal_2389_s24_q <= equal_2389_s23_q;
-      equal_2602_s24_q <= equal_2602_s23_q;
-      select_2612_s24_q <= select_2612_s23_q;
-    end
-  end
-
-  // Stage 24 ----------------------------------------------------------------------------------------------------------
-  logic [11:0] census_changes_values_2_left_q;
-  logic [11:0] census_changes_values_2_right_q;
-  logic [23:0] sharpness_sums_detail_0_q;
-  logic [23:0] sharpness_sums_detail_1_q;
-  logic [1:0] sharpness_comparing_contrast_0_q;
-  logic [1:0] sharpness_comparing_contrast_1_q;
-  logic sharpness_comparing_less_contrast_0_q;
-  logic sharpness_comparing_less_contrast_1_q;
-  logic [13:0] counts_nearer_q;
-  logic good_known_q;
-  // hls/stages/census.hpp:281
-  logic [13:0] sum_482;
-  assign sum_482 = {2'h0, census_changes_values_1_left_s24_q} + {1'b0, sum_481_s24_q};
-  logic [13:0] sum_483;
-  assign sum_483 = {2'h0, census_changes_values_2_left_q} + sum_482;
-  // hls/stages/agreement.hpp:976
-  logic and_1563;
-  assign and_1563 = good_known_q & not_1562_s24_q;
-  // hls/stages/agreement.hpp:1045
-  logic is_seen;
-  assign is_seen = equal_1542_s24_q ? and_1563 : not_1578_s24_q;
-  // hls/stages/agreement.hpp:507
-  logic [11:0] select_1740;
-  assign select_1740 = and_370_s24_q ? census_changes_values_1_left_s24_q : census_changes_values_2_left_q;
-  logic [11:0] select_1741;
-  assign select_1741 = and_370_s24_q ? census_changes_values_1_right_s24_q : census_changes_values_2_right_q;
-  // hls/stages/census.hpp:282
-  logic [13:0] sum_1745;
-  assign sum_1745 = {2'h0, census_changes_values_1_right_s24_q} + {1'b0, sum_1744_s24_q};
-  logic [13:0] sum_1746;
-  assign sum_1746 = {2'h0, census_changes_values_2_right_q} + sum_1745;
-  // hls/stages/census.hpp:357
-  logic [23:0] select_1774;
-  assign select_1774 = equal_1743_s24_q ? {11'h0, select_1772_s24_q} : (sharpness_sums_detail_0_q + {11'h0, select_1772_s24_q});
-  logic [23:0] select_1786;
-  assign select_1786 = equal_1743_s24_q ? {11'h0, select_1784_s24_q} : (sharpness_sums_detail_1_q + {11'h0, select_1784_s24_q});
-  // hls/stages/census.hpp:377
-  logic [17:0] select_1809;
-  assign select_1809 = (less_1797_s24_q & and_1807_s24_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
-  logic [17:0] select_1819;
-  assign select_1819 = (less_1797_s24_q & and_1817_s24_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
-  // hls/stages/agreement.hpp:207
-  logic [1:0] select_1828;
-  assign select_1828 = equal_1796_s24_q ? {sharpness_comparing_contrast_0_q[0], and_1817_s24_q} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_1830;
-  assign select_1830 = equal_1796_s24_q ? {sharpness_comparing_contrast_1_q[0], and_1807_s24_q} : sharpness_comparing_contrast_1_q;
-  // hls/stages/census.hpp:386
-  logic xor_1853;
-  assign xor_1853 = sharpness_comparing_contrast_0_q[1] ^ and_1807_s24_q;
-  logic select_1856;
-  assign select_1856 = (equal_1840_s24_q | xor_1853) ? (and_1807_s24_q & xor_1853) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/agreement.hpp:207
-  logic select_1857;
-  assign select_1857 = equal_1796_s24_q ? select_1856 : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:386
-  logic xor_1859;
-  assign xor_1859 = sharpness_comparing_contrast_1_q[1] ^ and_1817_s24_q;
-  logic select_1862;
-  assign select_1862 = (equal_1840_s24_q | xor_1859) ? (and_1817_s24_q & xor_1859) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:207
-  logic select_1863;
-  assign select_1863 = equal_1796_s24_q ? select_1862 : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:889
-  logic [13:0] select_2004;
-  assign select_2004 = and_1983_s24_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2002_s24_q});
-  // hls/stages/agreement.hpp:1048
-  logic not_2023;
-  assign not_2023 = ~(equal_1542_s24_q ? and_1563 : not_2021_s24_q);
-  // hls/stages/agreement.hpp:402
-  logic and_2026;
-  assign and_2026 = ends_cell_s24_q & (not_2006_s24_q & (centres_values_1_textured_s24_q & not_2023));
-  // hls/stages/agreement.hpp:1080
-  logic [9:0] select_2039;
-  assign select_2039 = ((~(select_2032_s24_q[9:4] == 6'h0)) & less_2037_s24_q) ? select_2032_s24_q : 10'h0;
-  // hls/stages/agreement.hpp:402
-  logic [9:0] select_2042;
-  assign select_2042 = equal_1339_s24_q ? (x_s24_q[6] ? (equal_1384_s24_q ? 10'h0 : select_2039) : 10'h0) : 10'h0;
-  // hls/stages/agreement.hpp:1052
-  logic and_2060;
-  assign and_2060 = centres_values_1_textured_s24_q & (centres_values_1_of_skin_s24_q & not_2023);
-  // hls/stages/registration.hpp:107
-  logic [7:0] select_2146;
-  assign select_2146 = equal_2091_s24_q ? (and_2120_s24_q ? residual_s24_q : 8'h0) : 8'h0;
-  logic and_2157;
-  assign and_2157 = and_2120_s24_q & ($signed(residual_s24_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/registration.hpp:205
-  logic less_2171;
-  assign less_2171 = $signed(residual_s24_q) < $signed({2'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:1074
-  logic [11:0] select_2224;
-  assign select_2224 = or_1419_s24_q ? 12'h0 : (equal_2222_s24_q ? registration_sums_rdata_s24_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1085
-  logic [11:0] select_2226;
-  assign select_2226 = equal_1384_s24_q ? 12'h0 : (less_1415_s24_q ? select_2224 : 12'h0);
-  // hls/stages/registration.hpp:153
-  logic and_2229;
-  assign and_2229 = x_s24_q[1] & all_s24_q;
-  // hls/stages/agreement.hpp:1085
-  logic and_2232;
-  assign and_2232 = not_1461_s24_q & (less_1415_s24_q & ({and_2229, x_s24_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:1074
-  logic [11:0] select_2239;
-  assign select_2239 = or_1419_s24_q ? 12'h0 : (equal_2222_s24_q ? registration_sums_rdata_s24_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1085
-  logic [11:0] select_2241;
-  assign select_2241 = equal_1384_s24_q ? 12'h0 : (less_1415_s24_q ? select_2239 : 12'h0);
-  // hls/stages/registration.hpp:150
-  logic not_2247;
-  assign not_2247 = ~all_s24_q;
-  // hls/stages/agreement.hpp:1085
-  logic and_2250;
-  assign and_2250 = not_1461_s24_q & (less_1415_s24_q & (x_s24_q[2:0] == {all_s24_q, not_2247, 1'b0}));
-  // hls/stages/agreement.hpp:402
-  logic and_2256;
-  assign and_2256 = equal_1339_s24_q & (x_s24_q[6] & (not_1461_s24_q & (less_1415_s24_q & all_s24_q)));
-  // hls/stages/registration.hpp:157
-  logic equal_2283;
-  assign equal_2283 = x_s24_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1085
-  logic and_2286;
-  assign and_2286 = not_1461_s24_q & (less_1415_s24_q & (x_s24_q[5] ? x_s24_q[3] : equal_2283));
-  logic and_2295;
-  assign and_2295 = not_1461_s24_q & (less_1415_s24_q & ((~x_s24_q[5]) & (x_s24_q[3] & equal_2283)));
-  // hls/stages/agreement.hpp:402
-  logic select_2385;
-  assign select_2385 = equal_1339_s24_q ? ((x_s24_q[6] & good_known_q) | equal_2383_s24_q) : good_known_q;
-  // hls/stages/agreement.hpp:1234
-  logic and_2547;
-  assign and_2547 = and_1603_s24_q & ({sum_1528_s24_q, index_2_s24_q} == {sum_1515_s24_q, index_s24_q});
-  // hls/stages/agreement.hpp:1082
-  logic [31:0] select_2604;
-  assign select_2604 = equal_1406_s24_q ? {2'h0, counts_explained_s24_q, 2'h0, counts_textured_s24_q} : (equal_2602_s24_q ? registration_sums_rdata_s24_q : 32'h0);
-  logic [31:0] select_2605;
-  assign select_2605 = equal_1404_s24_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_s24_q} : select_2604;
-
-  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1329; read in stage 24, written in stage 25: 24 < 25 < 24 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [1:0] map_mem [0:16079];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 16080; i++) map_mem[i] = 2'h0;
-`endif
-  logic [13:0] map_raddr;
-  assign map_raddr = {sum_1515_s24_q, index_s24_q};
-  logic map_re;
-  assign map_re = s24_en & (and_1522_s24_q & less_1523_s24_q);
-  logic [1:0] map_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (map_re) map_rdata_q <= map_mem[map_raddr];
-  end
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      sharpness_sums_detail_0_q <= 24'h0;
-      sharpness_sums_detail_1_q <= 24'h0;
-      sharpness_comparing_contrast_0_q <= 2'h0;
-      sharpness_comparing_contrast_1_q <= 2'h0;
-      sharpness_comparing_less_contrast_0_q <= 1'b0;
-      sharpness_comparing_less_contrast_1_q <= 1'b0;
-      counts_nearer_q <= 14'h0;
-      good_known_q <= 1'b0;
-    end else if (s24_en) begin
-      sharpness_sums_detail_0_q <= and_370_s24_q ? select_1774 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_370_s24_q ? select_1786 : sharpness_sums_detail_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_1828 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_1830 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_less_contrast_0_q <= drew_q ? select_1857 : sharpness_comparing_less_contrast_0_q;
-      sharpness_comparing_less_contrast_1_q <= drew_q ? select_1863 : sharpness_comparing_less_contrast_1_q;
-      counts_nearer_q <= select_2004;
-      good_known_q <= select_2385;
-    end
-  end
-
-  // Not reset: nothing of it counts before it is written anew.
-`ifndef SYNTHESIS
-  initial begin
-    census_changes_values_2_left_q = 12'h0;
-    census_changes_values_2_right_q = 12'h0;
-  end
-`endif
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s24_en) begin
-      census_changes_values_2_left_q <= select_1740;
-      census_changes_values_2_right_q <= select_1741;
+      census_columns_values_3_cell_4_mask_q <= select_2136;
+      census_changes_values_0_left_q <= and_502_s24_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_502_s24_q ? sum_2156 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2158;
+      census_changes_values_1_right_q <= select_2159;
+      sharpness_last_detail_0_q <= select_2178;
+      sharpness_last_detail_1_q <= select_2179;
     end
   end
 
@@ -7055,109 +9503,164 @@ module horopter_agreement (
   logic mask_s25_q;
   logic marks_first_s25_q;
   logic marks_last_s25_q;
+  logic [7:0] sample_pair_pixel_0_s25_q;
+  logic [7:0] sample_pair_pixel_1_s25_q;
+  logic sample_pair_whole_s25_q;
+  logic sample_present_s25_q;
   logic census_columns_values_1_cell_2_of_skin_s25_q;
-  logic [23:0] sharpness_sums_detail_0_s25_q;
-  logic [23:0] sharpness_sums_detail_1_s25_q;
+  logic [11:0] census_changes_values_1_left_s25_q;
+  logic [11:0] census_changes_values_1_right_s25_q;
   logic [23:0] sharpness_sums_contrast_0_s25_q;
   logic [23:0] sharpness_sums_contrast_1_s25_q;
   logic [6:0] x_s25_q;
   logic lower_half_s25_q;
   logic [13:0] counts_nearer_s25_q;
   logic registration_of_right_s25_q;
+  logic patches_lower_s25_q;
+  logic patches_second_s25_q;
+  logic [4:0] patches_summed_row_column_s25_q;
+  logic patches_summed_first_s25_q;
+  logic patches_summed_last_s25_q;
+  logic [4:0] patches_summed_down_by_s25_q;
   logic [13:0] product_s25_q;
   logic done_s25_q;
+  logic [3:0] select_463_s25_q;
+  logic [6:0] select_466_s25_q;
   logic [6:0] column_s25_q;
-  logic and_370_s25_q;
+  logic and_502_s25_q;
   logic so_s25_q;
-  logic less_404_s25_q;
-  logic less_405_s25_q;
-  logic less_406_s25_q;
-  logic less_407_s25_q;
-  logic less_408_s25_q;
-  logic less_409_s25_q;
-  logic less_410_s25_q;
-  logic less_411_s25_q;
-  logic less_412_s25_q;
-  logic less_413_s25_q;
-  logic less_414_s25_q;
-  logic less_415_s25_q;
-  logic less_416_s25_q;
-  logic less_417_s25_q;
-  logic less_418_s25_q;
-  logic less_419_s25_q;
-  logic less_420_s25_q;
-  logic less_421_s25_q;
-  logic less_422_s25_q;
-  logic less_423_s25_q;
-  logic less_424_s25_q;
-  logic less_425_s25_q;
-  logic less_426_s25_q;
-  logic less_427_s25_q;
-  logic and_435_s25_q;
-  logic and_460_s25_q;
-  logic and_461_s25_q;
-  logic [8:0] sum_483_s25_q;
-  logic equal_1339_s25_q;
-  logic not_1340_s25_q;
-  logic equal_1384_s25_q;
-  logic [1:0] sum_1390_s25_q;
-  logic equal_1392_s25_q;
-  logic equal_1394_s25_q;
-  logic equal_1396_s25_q;
-  logic equal_1398_s25_q;
-  logic equal_1400_s25_q;
-  logic equal_1402_s25_q;
-  logic less_1415_s25_q;
-  logic [19:0] select_1440_s25_q;
-  logic [11:0] select_1445_s25_q;
-  logic and_1449_s25_q;
-  logic not_1461_s25_q;
-  logic and_1522_s25_q;
-  logic less_1523_s25_q;
+  logic less_536_s25_q;
+  logic less_537_s25_q;
+  logic less_538_s25_q;
+  logic less_539_s25_q;
+  logic less_540_s25_q;
+  logic less_541_s25_q;
+  logic less_542_s25_q;
+  logic less_543_s25_q;
+  logic less_544_s25_q;
+  logic less_545_s25_q;
+  logic less_546_s25_q;
+  logic less_547_s25_q;
+  logic less_548_s25_q;
+  logic less_549_s25_q;
+  logic less_550_s25_q;
+  logic less_551_s25_q;
+  logic less_552_s25_q;
+  logic less_553_s25_q;
+  logic less_554_s25_q;
+  logic less_555_s25_q;
+  logic less_556_s25_q;
+  logic less_557_s25_q;
+  logic less_558_s25_q;
+  logic less_559_s25_q;
+  logic and_567_s25_q;
+  logic and_592_s25_q;
+  logic and_593_s25_q;
+  logic [12:0] sum_613_s25_q;
+  logic equal_1471_s25_q;
+  logic not_1472_s25_q;
+  logic equal_1516_s25_q;
+  logic [1:0] sum_1522_s25_q;
+  logic equal_1524_s25_q;
+  logic equal_1526_s25_q;
+  logic equal_1528_s25_q;
+  logic equal_1530_s25_q;
+  logic equal_1532_s25_q;
+  logic equal_1534_s25_q;
+  logic [19:0] sum_1576_s25_q;
+  logic [11:0] sum_1580_s25_q;
+  logic and_1581_s25_q;
+  logic and_1584_s25_q;
+  logic select_1601_s25_q;
+  logic equal_1602_s25_q;
+  logic equal_1692_s25_q;
+  logic equal_1694_s25_q;
+  logic select_1708_s25_q;
+  logic [7:0] sum_1714_s25_q;
+  logic [4:0] select_1722_s25_q;
+  logic select_1728_s25_q;
+  logic [7:0] sum_1743_s25_q;
+  logic equal_1758_s25_q;
+  logic equal_1762_s25_q;
+  logic [3:0] select_1767_s25_q;
+  logic less_1853_s25_q;
+  logic equal_1854_s25_q;
+  logic not_1855_s25_q;
+  logic equal_1856_s25_q;
+  logic not_1883_s25_q;
+  logic and_1943_s25_q;
+  logic less_1944_s25_q;
   logic [2:0] index_2_s25_q;
-  logic [10:0] sum_1528_s25_q;
+  logic [10:0] sum_1949_s25_q;
   logic is_seen_s25_q;
-  logic and_1593_s25_q;
-  logic and_1603_s25_q;
-  logic equal_1743_s25_q;
-  logic [8:0] sum_1746_s25_q;
-  logic equal_1796_s25_q;
-  logic less_1797_s25_q;
-  logic [17:0] select_1809_s25_q;
-  logic [17:0] select_1819_s25_q;
-  logic equal_1840_s25_q;
-  logic and_1983_s25_q;
-  logic and_2028_s25_q;
-  logic [9:0] select_2032_s25_q;
-  logic [9:0] select_2035_s25_q;
-  logic [9:0] select_2042_s25_q;
-  logic and_2063_s25_q;
-  logic equal_2091_s25_q;
-  logic and_2118_s25_q;
-  logic and_2120_s25_q;
-  logic [7:0] select_2148_s25_q;
-  logic and_2157_s25_q;
-  logic and_2165_s25_q;
-  logic and_2172_s25_q;
-  logic and_2179_s25_q;
-  logic [11:0] select_2226_s25_q;
-  logic and_2234_s25_q;
-  logic [11:0] select_2241_s25_q;
-  logic and_2252_s25_q;
-  logic and_2256_s25_q;
-  logic and_2288_s25_q;
-  logic and_2296_s25_q;
-  logic or_2363_s25_q;
-  logic equal_2366_s25_q;
-  logic select_2372_s25_q;
-  logic equal_2383_s25_q;
-  logic equal_2386_s25_q;
-  logic equal_2388_s25_q;
-  logic equal_2389_s25_q;
-  logic and_2532_s25_q;
-  logic and_2547_s25_q;
-  logic [31:0] select_2605_s25_q;
-  logic [9:0] select_2612_s25_q;
+  logic and_2013_s25_q;
+  logic and_2023_s25_q;
+  logic equal_2163_s25_q;
+  logic [12:0] sum_2164_s25_q;
+  logic [12:0] select_2192_s25_q;
+  logic [12:0] select_2204_s25_q;
+  logic equal_2216_s25_q;
+  logic less_2217_s25_q;
+  logic and_2227_s25_q;
+  logic and_2237_s25_q;
+  logic equal_2260_s25_q;
+  logic and_2403_s25_q;
+  logic and_2448_s25_q;
+  logic [9:0] select_2452_s25_q;
+  logic [9:0] select_2455_s25_q;
+  logic [9:0] select_2462_s25_q;
+  logic and_2483_s25_q;
+  logic not_2670_s25_q;
+  logic equal_2671_s25_q;
+  logic and_2692_s25_q;
+  logic parity_2989_s25_q;
+  logic or_2993_s25_q;
+  logic or_2997_s25_q;
+  logic or_3001_s25_q;
+  logic or_3008_s25_q;
+  logic or_3012_s25_q;
+  logic or_3016_s25_q;
+  logic or_3023_s25_q;
+  logic or_3027_s25_q;
+  logic or_3031_s25_q;
+  logic or_3041_s25_q;
+  logic or_3045_s25_q;
+  logic or_3049_s25_q;
+  logic or_3057_s25_q;
+  logic or_3061_s25_q;
+  logic or_3065_s25_q;
+  logic or_3072_s25_q;
+  logic or_3076_s25_q;
+  logic or_3080_s25_q;
+  logic or_3090_s25_q;
+  logic or_3094_s25_q;
+  logic or_3098_s25_q;
+  logic and_3102_s25_q;
+  logic or_3106_s25_q;
+  logic or_3110_s25_q;
+  logic equal_3225_s25_q;
+  logic [4:0] select_3313_s25_q;
+  logic [12:0] select_3344_s25_q;
+  logic [9:0] select_3354_s25_q;
+  logic less_3387_s25_q;
+  logic not_3395_s25_q;
+  logic not_3398_s25_q;
+  logic not_3402_s25_q;
+  logic not_3405_s25_q;
+  logic [7:0] select_3410_s25_q;
+  logic sum_3411_s25_q;
+  logic [6:0] sum_3413_s25_q;
+  logic equal_3466_s25_q;
+  logic equal_3565_s25_q;
+  logic or_3637_s25_q;
+  logic select_3645_s25_q;
+  logic equal_3658_s25_q;
+  logic equal_3660_s25_q;
+  logic equal_3661_s25_q;
+  logic and_3804_s25_q;
+  logic and_3819_s25_q;
+  logic [31:0] select_3883_s25_q;
+  logic [9:0] select_3890_s25_q;
   always_ff @(posedge clk_i) begin
     if (s24_en) begin
       pixel_0_s25_q <= pixel_0_s24_q;
@@ -7166,292 +9669,411 @@ module horopter_agreement (
       mask_s25_q <= mask_s24_q;
       marks_first_s25_q <= marks_first_s24_q;
       marks_last_s25_q <= marks_last_s24_q;
+      sample_pair_pixel_0_s25_q <= sample_pair_pixel_0_s24_q;
+      sample_pair_pixel_1_s25_q <= sample_pair_pixel_1_s24_q;
+      sample_pair_whole_s25_q <= sample_pair_whole_s24_q;
+      sample_present_s25_q <= sample_present_s24_q;
       census_columns_values_1_cell_2_of_skin_s25_q <= census_columns_values_1_cell_2_of_skin_s24_q;
-      sharpness_sums_detail_0_s25_q <= sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_s25_q <= sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_s25_q <= sharpness_sums_contrast_0_s24_q;
-      sharpness_sums_contrast_1_s25_q <= sharpness_sums_contrast_1_s24_q;
+      census_changes_values_1_left_s25_q <= census_changes_values_1_left_q;
+      census_changes_values_1_right_s25_q <= census_changes_values_1_right_q;
+      sharpness_sums_contrast_0_s25_q <= sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_s25_q <= sharpness_sums_contrast_1_q;
       x_s25_q <= x_s24_q;
       lower_half_s25_q <= lower_half_s24_q;
-      counts_nearer_s25_q <= counts_nearer_q;
+      counts_nearer_s25_q <= counts_nearer_s24_q;
       registration_of_right_s25_q <= registration_of_right_s24_q;
+      patches_lower_s25_q <= patches_lower_s24_q;
+      patches_second_s25_q <= patches_second_s24_q;
+      patches_summed_row_column_s25_q <= patches_summed_row_column_s24_q;
+      patches_summed_first_s25_q <= patches_summed_first_s24_q;
+      patches_summed_last_s25_q <= patches_summed_last_s24_q;
+      patches_summed_down_by_s25_q <= patches_summed_down_by_s24_q;
       product_s25_q <= product_s24_q;
       done_s25_q <= done_s24_q;
+      select_463_s25_q <= select_463_s24_q;
+      select_466_s25_q <= select_466_s24_q;
       column_s25_q <= column_s24_q;
-      and_370_s25_q <= and_370_s24_q;
+      and_502_s25_q <= and_502_s24_q;
       so_s25_q <= drew_q;
-      less_404_s25_q <= less_404_s24_q;
-      less_405_s25_q <= less_405_s24_q;
-      less_406_s25_q <= less_406_s24_q;
-      less_407_s25_q <= less_407_s24_q;
-      less_408_s25_q <= less_408_s24_q;
-      less_409_s25_q <= less_409_s24_q;
-      less_410_s25_q <= less_410_s24_q;
-      less_411_s25_q <= less_411_s24_q;
-      less_412_s25_q <= less_412_s24_q;
-      less_413_s25_q <= less_413_s24_q;
-      less_414_s25_q <= less_414_s24_q;
-      less_415_s25_q <= less_415_s24_q;
-      less_416_s25_q <= less_416_s24_q;
-      less_417_s25_q <= less_417_s24_q;
-      less_418_s25_q <= less_418_s24_q;
-      less_419_s25_q <= less_419_s24_q;
-      less_420_s25_q <= less_420_s24_q;
-      less_421_s25_q <= less_421_s24_q;
-      less_422_s25_q <= less_422_s24_q;
-      less_423_s25_q <= less_423_s24_q;
-      less_424_s25_q <= less_424_s24_q;
-      less_425_s25_q <= less_425_s24_q;
-      less_426_s25_q <= less_426_s24_q;
-      less_427_s25_q <= less_427_s24_q;
-      and_435_s25_q <= and_435_s24_q;
-      and_460_s25_q <= and_460_s24_q;
-      and_461_s25_q <= and_461_s24_q;
-      sum_483_s25_q <= sum_483[13:5];
-      equal_1339_s25_q <= equal_1339_s24_q;
-      not_1340_s25_q <= not_1340_s24_q;
-      equal_1384_s25_q <= equal_1384_s24_q;
-      sum_1390_s25_q <= sum_1390_s24_q;
-      equal_1392_s25_q <= equal_1392_s24_q;
-      equal_1394_s25_q <= equal_1394_s24_q;
-      equal_1396_s25_q <= equal_1396_s24_q;
-      equal_1398_s25_q <= equal_1398_s24_q;
-      equal_1400_s25_q <= equal_1400_s24_q;
-      equal_1402_s25_q <= equal_1402_s24_q;
-      less_1415_s25_q <= less_1415_s24_q;
-      select_1440_s25_q <= equal_1439_s24_q ? registration_sums_rdata_s24_q[19:0] : 20'h0;
-      select_1445_s25_q <= equal_1439_s24_q ? registration_sums_rdata_s24_q[31:20] : 12'h0;
-      and_1449_s25_q <= and_1449_s24_q;
-      not_1461_s25_q <= not_1461_s24_q;
-      and_1522_s25_q <= and_1522_s24_q;
-      less_1523_s25_q <= less_1523_s24_q;
+      less_536_s25_q <= less_536_s24_q;
+      less_537_s25_q <= less_537_s24_q;
+      less_538_s25_q <= less_538_s24_q;
+      less_539_s25_q <= less_539_s24_q;
+      less_540_s25_q <= less_540_s24_q;
+      less_541_s25_q <= less_541_s24_q;
+      less_542_s25_q <= less_542_s24_q;
+      less_543_s25_q <= less_543_s24_q;
+      less_544_s25_q <= less_544_s24_q;
+      less_545_s25_q <= less_545_s24_q;
+      less_546_s25_q <= less_546_s24_q;
+      less_547_s25_q <= less_547_s24_q;
+      less_548_s25_q <= less_548_s24_q;
+      less_549_s25_q <= less_549_s24_q;
+      less_550_s25_q <= less_550_s24_q;
+      less_551_s25_q <= less_551_s24_q;
+      less_552_s25_q <= less_552_s24_q;
+      less_553_s25_q <= less_553_s24_q;
+      less_554_s25_q <= less_554_s24_q;
+      less_555_s25_q <= less_555_s24_q;
+      less_556_s25_q <= less_556_s24_q;
+      less_557_s25_q <= less_557_s24_q;
+      less_558_s25_q <= less_558_s24_q;
+      less_559_s25_q <= less_559_s24_q;
+      and_567_s25_q <= and_567_s24_q;
+      and_592_s25_q <= whole_22 & and_567_s24_q;
+      and_593_s25_q <= and_593_s24_q;
+      sum_613_s25_q <= {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+      equal_1471_s25_q <= equal_1471_s24_q;
+      not_1472_s25_q <= not_1472_s24_q;
+      equal_1516_s25_q <= equal_1516_s24_q;
+      sum_1522_s25_q <= sum_1522_s24_q;
+      equal_1524_s25_q <= equal_1524_s24_q;
+      equal_1526_s25_q <= equal_1526_s24_q;
+      equal_1528_s25_q <= equal_1528_s24_q;
+      equal_1530_s25_q <= equal_1530_s24_q;
+      equal_1532_s25_q <= equal_1532_s24_q;
+      equal_1534_s25_q <= equal_1534_s24_q;
+      sum_1576_s25_q <= select_1572_s24_q + {{6{select_1575[13]}}, select_1575};
+      sum_1580_s25_q <= select_1577_s24_q + {{5{select_1579[6]}}, select_1579};
+      and_1581_s25_q <= and_1581_s24_q;
+      and_1584_s25_q <= and_1584_s24_q;
+      select_1601_s25_q <= select_1601_s24_q;
+      equal_1602_s25_q <= equal_1602_s24_q;
+      equal_1692_s25_q <= equal_1692_s24_q;
+      equal_1694_s25_q <= equal_1694_s24_q;
+      select_1708_s25_q <= select_1708_s24_q[0];
+      sum_1714_s25_q <= select_1712 + {{2{select_1713[5]}}, select_1713};
+      select_1722_s25_q <= select_1722_s24_q;
+      select_1728_s25_q <= select_1728_s24_q;
+      sum_1743_s25_q <= select_1741 + {{2{select_1742[5]}}, select_1742};
+      equal_1758_s25_q <= equal_1758;
+      equal_1762_s25_q <= equal_1762;
+      select_1767_s25_q <= select_1767_s24_q;
+      less_1853_s25_q <= less_1853_s24_q;
+      equal_1854_s25_q <= equal_1854_s24_q;
+      not_1855_s25_q <= not_1855_s24_q;
+      equal_1856_s25_q <= equal_1856_s24_q;
+      not_1883_s25_q <= not_1883_s24_q;
+      and_1943_s25_q <= and_1943_s24_q;
+      less_1944_s25_q <= less_1944_s24_q;
       index_2_s25_q <= index_2_s24_q;
-      sum_1528_s25_q <= sum_1528_s24_q;
+      sum_1949_s25_q <= sum_1949_s24_q;
       is_seen_s25_q <= is_seen;
-      and_1593_s25_q <= is_seen & less_1592_s24_q;
-      and_1603_s25_q <= and_1603_s24_q;
-      equal_1743_s25_q <= equal_1743_s24_q;
-      sum_1746_s25_q <= sum_1746[13:5];
-      equal_1796_s25_q <= equal_1796_s24_q;
-      less_1797_s25_q <= less_1797_s24_q;
-      select_1809_s25_q <= select_1809;
-      select_1819_s25_q <= select_1819;
-      equal_1840_s25_q <= equal_1840_s24_q;
-      and_1983_s25_q <= and_1983_s24_q;
-      and_2028_s25_q <= not_1340_s24_q & (drew_q & and_2026);
-      select_2032_s25_q <= select_2032_s24_q;
-      select_2035_s25_q <= select_2035_s24_q;
-      select_2042_s25_q <= select_2042;
-      and_2063_s25_q <= drew_q & (ends_cell_s24_q & (not_2006_s24_q & and_2060));
-      equal_2091_s25_q <= equal_2091_s24_q;
-      and_2118_s25_q <= and_2118_s24_q;
-      and_2120_s25_q <= and_2120_s24_q;
-      select_2148_s25_q <= equal_1339_s24_q ? 8'h0 : (drew_q ? select_2146 : 8'h0);
-      and_2157_s25_q <= and_2157;
-      and_2165_s25_q <= and_2120_s24_q & less_2164_s24_q;
-      and_2172_s25_q <= and_2120_s24_q & less_2171;
-      and_2179_s25_q <= and_2120_s24_q & less_2178_s24_q;
-      select_2226_s25_q <= select_2226;
-      and_2234_s25_q <= equal_1339_s24_q & (x_s24_q[6] & and_2232);
-      select_2241_s25_q <= select_2241;
-      and_2252_s25_q <= equal_1339_s24_q & (x_s24_q[6] & and_2250);
-      and_2256_s25_q <= and_2256;
-      and_2288_s25_q <= equal_1339_s24_q & (x_s24_q[6] & and_2286);
-      and_2296_s25_q <= x_s24_q[6] & and_2295;
-      or_2363_s25_q <= or_2363_s24_q;
-      equal_2366_s25_q <= equal_2366_s24_q;
-      select_2372_s25_q <= select_2372_s24_q;
-      equal_2383_s25_q <= equal_2383_s24_q;
-      equal_2386_s25_q <= equal_2386_s24_q;
-      equal_2388_s25_q <= equal_2388_s24_q;
-      equal_2389_s25_q <= equal_2389_s24_q;
-      and_2532_s25_q <= said_q;
-      and_2547_s25_q <= and_2547;
-      select_2605_s25_q <= select_2605;
-      select_2612_s25_q <= select_2612_s24_q;
+      and_2013_s25_q <= is_seen & less_2012_s24_q;
+      and_2023_s25_q <= and_2023_s24_q;
+      equal_2163_s25_q <= equal_2163_s24_q;
+      sum_2164_s25_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2156};
+      select_2192_s25_q <= and_2190_s24_q ? detail_3[14:2] : 13'h0;
+      select_2204_s25_q <= and_2202_s24_q ? detail_4[14:2] : 13'h0;
+      equal_2216_s25_q <= equal_2216_s24_q;
+      less_2217_s25_q <= less_2217_s24_q;
+      and_2227_s25_q <= and_2227;
+      and_2237_s25_q <= and_2237;
+      equal_2260_s25_q <= equal_2260_s24_q;
+      and_2403_s25_q <= and_2403_s24_q;
+      and_2448_s25_q <= not_1472_s24_q & (drew_q & and_2446);
+      select_2452_s25_q <= select_2452_s24_q;
+      select_2455_s25_q <= select_2455_s24_q;
+      select_2462_s25_q <= select_2462;
+      and_2483_s25_q <= drew_q & (ends_cell_s24_q & (not_2426_s24_q & and_2480));
+      not_2670_s25_q <= ~(equal_1471_s24_q & and_2668);
+      equal_2671_s25_q <= equal_2671_s24_q;
+      and_2692_s25_q <= and_2692;
+      parity_2989_s25_q <= ^{xor_2985, xor_2948_s24_q, select_2915_s24_q, other_s24_q};
+      or_2993_s25_q <= or_2993_s24_q;
+      or_2997_s25_q <= or_2997_s24_q;
+      or_3001_s25_q <= or_3001_s24_q;
+      or_3008_s25_q <= or_3008_s24_q;
+      or_3012_s25_q <= or_3012_s24_q;
+      or_3016_s25_q <= or_3016_s24_q;
+      or_3023_s25_q <= or_3023_s24_q;
+      or_3027_s25_q <= or_3027_s24_q;
+      or_3031_s25_q <= or_3031_s24_q;
+      or_3041_s25_q <= or_3041_s24_q;
+      or_3045_s25_q <= or_3045_s24_q;
+      or_3049_s25_q <= or_3049_s24_q;
+      or_3057_s25_q <= or_3057_s24_q;
+      or_3061_s25_q <= or_3061_s24_q;
+      or_3065_s25_q <= or_3065_s24_q;
+      or_3072_s25_q <= or_3072_s24_q;
+      or_3076_s25_q <= or_3076_s24_q;
+      or_3080_s25_q <= or_3080_s24_q;
+      or_3090_s25_q <= or_3090_s24_q;
+      or_3094_s25_q <= or_3094_s24_q;
+      or_3098_s25_q <= or_3098_s24_q;
+      and_3102_s25_q <= xor_2948_s24_q & (^{xor_2985, select_2915_s24_q, other_s24_q});
+      or_3106_s25_q <= and_3103_s24_q | (xor_2930_s24_q & or_3104_s24_q);
+      or_3110_s25_q <= or_3110;
+      equal_3225_s25_q <= equal_3225_s24_q;
+      select_3313_s25_q <= select_3313_s24_q;
+      select_3344_s25_q <= select_3344_s24_q[12:0];
+      select_3354_s25_q <= select_3354;
+      less_3387_s25_q <= less_3387_s24_q;
+      not_3395_s25_q <= ~({eight_s24_q, 3'h0} < {3'h0, fall_s24_q});
+      not_3398_s25_q <= ~({eight_s24_q, 3'h0} < {1'b0, sum_3396, fall_s24_q[0]});
+      not_3402_s25_q <= ~({eight_s24_q, 3'h0} < {sum_3400, fall_s24_q[1:0]});
+      not_3405_s25_q <= not_3405;
+      select_3410_s25_q <= select_3410;
+      sum_3411_s25_q <= sum_3411[0];
+      sum_3413_s25_q <= sum_3413;
+      equal_3466_s25_q <= equal_3466_s24_q;
+      equal_3565_s25_q <= equal_3565_s24_q;
+      or_3637_s25_q <= or_3637_s24_q;
+      select_3645_s25_q <= select_3645_s24_q;
+      equal_3658_s25_q <= equal_3658_s24_q;
+      equal_3660_s25_q <= equal_3660_s24_q;
+      equal_3661_s25_q <= equal_3661_s24_q;
+      and_3804_s25_q <= said_q;
+      and_3819_s25_q <= and_3819;
+      select_3883_s25_q <= select_3883_s24_q;
+      select_3890_s25_q <= select_3890_s24_q;
     end
   end
 
   // Stage 25 ----------------------------------------------------------------------------------------------------------
-  logic [17:0] sharpness_comparing_rest_0_q;
-  logic [17:0] sharpness_comparing_rest_1_q;
+  logic [11:0] census_changes_values_2_left_q;
+  logic [11:0] census_changes_values_2_right_q;
+  logic [23:0] sharpness_sums_detail_0_q;
+  logic [23:0] sharpness_sums_detail_1_q;
+  logic [1:0] sharpness_comparing_contrast_0_q;
+  logic [1:0] sharpness_comparing_contrast_1_q;
+  logic sharpness_comparing_less_contrast_0_q;
+  logic sharpness_comparing_less_contrast_1_q;
   logic [13:0] counts_unproven_q;
   logic [13:0] counts_regions_bad_q;
   logic [13:0] counts_skin_unproven_q;
-  logic [13:0] registration_half_across_q;
-  logic [5:0] registration_half_measured_q;
-  logic [6:0] registration_half_votes_down_q;
-  logic [6:0] registration_half_votes_up_q;
-  logic [6:0] registration_half_half_votes_down_q;
-  logic [6:0] registration_half_half_votes_up_q;
-  logic [13:0] registration_down_q;
-  logic [13:0] registration_up_q;
-  logic registration_enough_q;
-  logic registration_votes_down_q;
-  logic registration_votes_up_q;
-  logic registration_other_enough_q;
-  logic registration_other_down_q;
-  logic registration_other_up_q;
+  logic registration_moved_q;
+  logic patches_place_0_valid_q;
+  logic patches_place_1_valid_q;
   logic proven_q;
-  // hls/stages/registration.hpp:265
-  logic equal_1441;
-  assign equal_1441 = sum_1390_s25_q == 2'h0;
-  // hls/stages/registration.hpp:263
-  logic [6:0] down;
-  assign down = sum_1390_s25_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
-  // hls/stages/registration.hpp:265
-  logic [13:0] select_1443;
-  assign select_1443 = equal_1441 ? registration_half_across_q : {{7{down[6]}}, down};
-  // hls/stages/registration.hpp:264
-  logic [6:0] up;
-  assign up = sum_1390_s25_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
-  // hls/stages/registration.hpp:266
-  logic [6:0] select_1447;
-  assign select_1447 = equal_1441 ? {1'b0, registration_half_measured_q} : up;
+  // hls/stages/census.hpp:281
+  logic [13:0] sum_614;
+  assign sum_614 = {2'h0, census_changes_values_1_left_s25_q} + {1'b0, sum_613_s25_q};
+  logic [13:0] sum_615;
+  assign sum_615 = {2'h0, census_changes_values_2_left_q} + sum_614;
+  // hls/stages/patches.hpp:109
+  logic select_1710;
+  assign select_1710 = equal_1602_s25_q ? patches_place_0_valid_q : (select_1601_s25_q ? patches_place_0_valid_q : select_1708_s25_q);
+  // hls/stages/patches.hpp:307
+  logic [7:0] sum_1715;
+  assign sum_1715 = sum_1714_s25_q + 8'hff;
+  // hls/stages/patches.hpp:113
+  logic equal_1716;
+  assign equal_1716 = {sum_1715[7], select_466_s25_q, select_463_s25_q} == {1'b0, sum_1715[6:0], 4'h8};
+  // hls/stages/patches.hpp:109
+  logic select_1739;
+  assign select_1739 = equal_1602_s25_q ? patches_place_1_valid_q : (select_1601_s25_q ? select_1708_s25_q : patches_place_1_valid_q);
+  // hls/stages/patches.hpp:307
+  logic [7:0] sum_1744;
+  assign sum_1744 = sum_1743_s25_q + 8'hff;
+  // hls/stages/patches.hpp:113
+  logic equal_1745;
+  assign equal_1745 = {sum_1744[7], select_466_s25_q, select_463_s25_q} == {1'b0, sum_1744[6:0], 4'h8};
+  // hls/stages/agreement.hpp:507
+  logic [11:0] select_2160;
+  assign select_2160 = and_502_s25_q ? census_changes_values_1_left_s25_q : census_changes_values_2_left_q;
+  logic [11:0] select_2161;
+  assign select_2161 = and_502_s25_q ? census_changes_values_1_right_s25_q : census_changes_values_2_right_q;
+  // hls/stages/census.hpp:282
+  logic [13:0] sum_2165;
+  assign sum_2165 = {2'h0, census_changes_values_1_right_s25_q} + {1'b0, sum_2164_s25_q};
+  logic [13:0] sum_2166;
+  assign sum_2166 = {2'h0, census_changes_values_2_right_q} + sum_2165;
+  // hls/stages/census.hpp:357
+  logic [23:0] select_2194;
+  assign select_2194 = equal_2163_s25_q ? {11'h0, select_2192_s25_q} : (sharpness_sums_detail_0_q + {11'h0, select_2192_s25_q});
+  logic [23:0] select_2206;
+  assign select_2206 = equal_2163_s25_q ? {11'h0, select_2204_s25_q} : (sharpness_sums_detail_1_q + {11'h0, select_2204_s25_q});
   // hls/stages/census.hpp:377
-  logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_1809_s25_q};
+  logic [17:0] select_2229;
+  assign select_2229 = (less_2217_s25_q & and_2227_s25_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2239;
+  assign select_2239 = (less_2217_s25_q & and_2237_s25_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   // hls/stages/agreement.hpp:207
-  logic [17:0] select_1812;
-  assign select_1812 = equal_1796_s25_q ? (less_1797_s25_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  // hls/stages/census.hpp:377
-  logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_1819_s25_q};
+  logic [1:0] select_2248;
+  assign select_2248 = equal_2216_s25_q ? {sharpness_comparing_contrast_0_q[0], and_2237_s25_q} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2250;
+  assign select_2250 = equal_2216_s25_q ? {sharpness_comparing_contrast_1_q[0], and_2227_s25_q} : sharpness_comparing_contrast_1_q;
+  // hls/stages/census.hpp:386
+  logic xor_2273;
+  assign xor_2273 = sharpness_comparing_contrast_0_q[1] ^ and_2227_s25_q;
+  logic select_2276;
+  assign select_2276 = (equal_2260_s25_q | xor_2273) ? (and_2227_s25_q & xor_2273) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:207
-  logic [17:0] select_1822;
-  assign select_1822 = equal_1796_s25_q ? (less_1797_s25_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic select_2277;
+  assign select_2277 = equal_2216_s25_q ? select_2276 : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:386
+  logic xor_2279;
+  assign xor_2279 = sharpness_comparing_contrast_1_q[1] ^ and_2237_s25_q;
+  logic select_2282;
+  assign select_2282 = (equal_2260_s25_q | xor_2279) ? (and_2237_s25_q & xor_2279) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:207
+  logic select_2283;
+  assign select_2283 = equal_2216_s25_q ? select_2282 : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2030;
-  assign select_2030 = and_1983_s25_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2028_s25_q});
-  logic [13:0] select_2044;
-  assign select_2044 = and_1983_s25_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2042_s25_q});
-  // hls/stages/agreement.hpp:402
-  logic and_2064;
-  assign and_2064 = not_1340_s25_q & and_2063_s25_q;
+  logic [13:0] select_2450;
+  assign select_2450 = and_2403_s25_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2448_s25_q});
+  logic [13:0] select_2464;
+  assign select_2464 = and_2403_s25_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2462_s25_q});
+  // hls/stages/patches.hpp:322
+  logic and_2484;
+  assign and_2484 = not_1472_s25_q & and_2483_s25_q;
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2066;
-  assign select_2066 = and_1983_s25_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2064});
-  // hls/stages/registration.hpp:133
-  logic [13:0] sum_2149;
-  assign sum_2149 = registration_half_across_q + {{6{select_2148_s25_q[7]}}, select_2148_s25_q};
-  // hls/stages/agreement.hpp:402
-  logic and_2153;
-  assign and_2153 = not_1340_s25_q & (so_s25_q & (and_2120_s25_q & equal_2091_s25_q));
-  // hls/stages/registration.hpp:134
-  logic [5:0] select_2155;
-  assign select_2155 = and_2118_s25_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2153});
-  // hls/stages/agreement.hpp:402
-  logic [1:0] select_2159;
-  assign select_2159 = so_s25_q ? (equal_2091_s25_q ? {and_2157_s25_q, and_2120_s25_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2160;
-  assign select_2160 = equal_1339_s25_q ? 2'h0 : select_2159;
-  // hls/stages/registration.hpp:184
-  logic [6:0] sum_2161;
-  assign sum_2161 = registration_half_votes_down_q + {{5{select_2160[1]}}, select_2160};
-  // hls/stages/agreement.hpp:402
-  logic [1:0] select_2167;
-  assign select_2167 = so_s25_q ? (equal_2091_s25_q ? {and_2165_s25_q, and_2120_s25_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2168;
-  assign select_2168 = equal_1339_s25_q ? 2'h0 : select_2167;
-  // hls/stages/registration.hpp:185
-  logic [6:0] sum_2169;
-  assign sum_2169 = registration_half_votes_up_q + {{5{select_2168[1]}}, select_2168};
-  // hls/stages/agreement.hpp:402
-  logic [1:0] select_2174;
-  assign select_2174 = so_s25_q ? (equal_2091_s25_q ? {and_2172_s25_q, and_2120_s25_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2175;
-  assign select_2175 = equal_1339_s25_q ? 2'h0 : select_2174;
-  // hls/stages/registration.hpp:184
-  logic [6:0] sum_2176;
-  assign sum_2176 = registration_half_half_votes_down_q + {{5{select_2175[1]}}, select_2175};
-  // hls/stages/agreement.hpp:402
-  logic [1:0] select_2181;
-  assign select_2181 = so_s25_q ? (equal_2091_s25_q ? {and_2179_s25_q, and_2120_s25_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2182;
-  assign select_2182 = equal_1339_s25_q ? 2'h0 : select_2181;
-  // hls/stages/registration.hpp:185
-  logic [6:0] sum_2183;
-  assign sum_2183 = registration_half_half_votes_up_q + {{5{select_2182[1]}}, select_2182};
-  // hls/stages/agreement.hpp:402
-  logic and_2217;
-  assign and_2217 = equal_1339_s25_q & (x_s25_q[6] & (not_1461_s25_q & less_1415_s25_q));
-  logic [11:0] select_2228;
-  assign select_2228 = equal_1339_s25_q ? (x_s25_q[6] ? select_2226_s25_q : 12'h0) : 12'h0;
-  // hls/stages/registration.hpp:252
-  logic [13:0] sum_2236;
-  assign sum_2236 = {{2{select_2228[11]}}, select_2228} + (and_2234_s25_q ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:402
-  logic [11:0] select_2243;
-  assign select_2243 = equal_1339_s25_q ? (x_s25_q[6] ? select_2241_s25_q : 12'h0) : 12'h0;
-  // hls/stages/registration.hpp:253
-  logic [13:0] sum_2245;
-  assign sum_2245 = {{2{select_2243[11]}}, select_2243} + (and_2234_s25_q ? 14'h0 : registration_up_q);
-  // hls/stages/registration.hpp:246
-  logic not_2257;
-  assign not_2257 = ~and_2256_s25_q;
-  logic less_2258;
-  assign less_2258 = $signed({9'h1, {2{not_2257}}, and_2256_s25_q}) < $signed(registration_up_q[13:2]);
-  logic select_2259;
-  assign select_2259 = and_2252_s25_q ? less_2258 : registration_enough_q;
-  // hls/stages/agreement.hpp:1085
-  logic and_2263;
-  assign and_2263 = x_s25_q[6] & (not_1461_s25_q & (less_1415_s25_q & (x_s25_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:402
-  logic and_2264;
-  assign and_2264 = equal_1339_s25_q & and_2263;
-  // hls/stages/registration.hpp:242
-  logic less_2265;
-  assign less_2265 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_2267;
-  assign less_2267 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/agreement.hpp:1085
-  logic and_2272;
-  assign and_2272 = x_s25_q[6] & (not_1461_s25_q & (less_1415_s25_q & (x_s25_q[2:0] == 3'h7)));
-  // hls/stages/agreement.hpp:402
-  logic and_2273;
-  assign and_2273 = equal_1339_s25_q & and_2272;
-  // hls/stages/agreement.hpp:1085
-  logic and_2280;
-  assign and_2280 = x_s25_q[6] & (not_1461_s25_q & (less_1415_s25_q & (x_s25_q[5:0] == 6'h0)));
-  // hls/stages/registration.hpp:244
-  logic and_2298;
-  assign and_2298 = registration_votes_up_q & registration_other_down_q;
-  logic select_2300;
-  assign select_2300 = registration_votes_down_q ? (registration_other_up_q | and_2298) : and_2298;
-  // hls/stages/registration.hpp:138
-  logic and_2302;
-  assign and_2302 = (equal_1339_s25_q & and_2296_s25_q) & (registration_other_enough_q & select_2300);
-  logic and_2304;
-  assign and_2304 = registration_enough_q & ((and_2288_s25_q & (less_2267 | less_2265)) | and_2302);
+  logic [13:0] select_2486;
+  assign select_2486 = and_2403_s25_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2484});
+  // hls/stages/count_bits.hpp:24
+  logic parity_3019;
+  assign parity_3019 = ^{or_3016_s25_q, or_3012_s25_q, or_3008_s25_q};
+  logic parity_3034;
+  assign parity_3034 = ^{or_3031_s25_q, or_3027_s25_q, or_3023_s25_q};
+  logic parity_3037;
+  assign parity_3037 = ^{or_3031_s25_q, or_3027_s25_q, or_3023_s25_q, or_3016_s25_q, or_3012_s25_q, or_3008_s25_q, or_3001_s25_q, or_2997_s25_q, or_2993_s25_q};
+  logic parity_3068;
+  assign parity_3068 = ^{or_3065_s25_q, or_3061_s25_q, or_3057_s25_q};
+  logic parity_3083;
+  assign parity_3083 = ^{or_3080_s25_q, or_3076_s25_q, or_3072_s25_q};
+  logic parity_3086;
+  assign parity_3086 = ^{or_3080_s25_q, or_3076_s25_q, or_3072_s25_q, or_3065_s25_q, or_3061_s25_q, or_3057_s25_q, or_3049_s25_q, or_3045_s25_q, or_3041_s25_q};
+  logic parity_3101;
+  assign parity_3101 = ^{or_3098_s25_q, or_3094_s25_q, or_3090_s25_q};
+  logic parity_3113;
+  assign parity_3113 = ^{or_3110_s25_q, or_3106_s25_q, and_3102_s25_q};
+  logic parity_3116;
+  assign parity_3116 = ^{or_3110_s25_q, or_3106_s25_q, and_3102_s25_q, or_3098_s25_q, or_3094_s25_q, or_3090_s25_q, or_3080_s25_q, or_3076_s25_q, or_3072_s25_q, or_3065_s25_q, or_3061_s25_q, or_3057_s25_q, or_3049_s25_q, or_3045_s25_q, or_3041_s25_q};
+  logic parity_3118;
+  assign parity_3118 = ^{or_3110_s25_q, or_3106_s25_q, and_3102_s25_q, or_3098_s25_q, or_3094_s25_q, or_3090_s25_q, or_3080_s25_q, or_3076_s25_q, or_3072_s25_q, or_3065_s25_q, or_3061_s25_q, or_3057_s25_q, or_3049_s25_q, or_3045_s25_q, or_3041_s25_q, or_3031_s25_q, or_3027_s25_q, or_3023_s25_q, or_3016_s25_q, or_3012_s25_q, or_3008_s25_q, or_3001_s25_q, or_2997_s25_q, or_2993_s25_q};
+  // hls/stages/count_bits.hpp:25
+  logic and_3119;
+  assign and_3119 = parity_3037 & parity_3116;
+  logic and_3122;
+  assign and_3122 = (^{or_3001_s25_q, or_2997_s25_q, or_2993_s25_q}) & (parity_3019 | parity_3034);
+  logic or_3123;
+  assign or_3123 = (parity_3019 & parity_3034) | and_3122;
+  logic or_3127;
+  assign or_3127 = (parity_3101 & parity_3113) | (parity_3086 & (parity_3101 | parity_3113));
+  logic and_3133;
+  assign and_3133 = (^{or_3049_s25_q, or_3045_s25_q, or_3041_s25_q}) & (parity_3068 | parity_3083);
+  logic or_3134;
+  assign or_3134 = (parity_3068 & parity_3083) | and_3133;
+  logic or_3138;
+  assign or_3138 = (or_3094_s25_q & or_3098_s25_q) | (or_3090_s25_q & (or_3094_s25_q | or_3098_s25_q));
+  logic or_3142;
+  assign or_3142 = (or_3106_s25_q & or_3110_s25_q) | (and_3102_s25_q & (or_3106_s25_q | or_3110_s25_q));
+  // hls/stages/count_bits.hpp:23
+  logic or_3149;
+  assign or_3149 = (or_3045_s25_q & or_3049_s25_q) | (or_3041_s25_q & (or_3045_s25_q | or_3049_s25_q));
+  // hls/stages/count_bits.hpp:25
+  logic or_3153;
+  assign or_3153 = (or_3061_s25_q & or_3065_s25_q) | (or_3057_s25_q & (or_3061_s25_q | or_3065_s25_q));
+  logic or_3157;
+  assign or_3157 = (or_3076_s25_q & or_3080_s25_q) | (or_3072_s25_q & (or_3076_s25_q | or_3080_s25_q));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3160;
+  assign parity_3160 = ^{or_3157, or_3153, or_3149};
+  // hls/stages/count_bits.hpp:23
+  logic or_3164;
+  assign or_3164 = (or_2997_s25_q & or_3001_s25_q) | (or_2993_s25_q & (or_2997_s25_q | or_3001_s25_q));
+  // hls/stages/count_bits.hpp:25
+  logic or_3168;
+  assign or_3168 = (or_3012_s25_q & or_3016_s25_q) | (or_3008_s25_q & (or_3012_s25_q | or_3016_s25_q));
+  logic or_3172;
+  assign or_3172 = (or_3027_s25_q & or_3031_s25_q) | (or_3023_s25_q & (or_3027_s25_q | or_3031_s25_q));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3175;
+  assign parity_3175 = ^{or_3172, or_3168, or_3164};
+  logic parity_3178;
+  assign parity_3178 = ^{or_3172, or_3168, or_3164, or_3157, or_3153, or_3149, or_3142, or_3138, or_3134};
+  // hls/stages/patches.hpp:572
+  logic [9:0] difference_3357;
+  assign difference_3357 = select_3354_s25_q - select_3344_s25_q[9:0];
+  // hls/stages/patches.hpp:577
+  logic or_3364;
+  assign or_3364 = (patches_size_q < 10'h39) | ({1'b0, patches_size_q[9:1]} < select_3344_s25_q[9:0]);
+  // hls/stages/patches.hpp:561
+  logic [1:0] sum_3399;
+  assign sum_3399 = {1'b0, not_3395_s25_q} + {1'b0, not_3398_s25_q};
+  // hls/stages/patches.hpp:562
+  logic [1:0] sum_3406;
+  assign sum_3406 = {1'b0, not_3402_s25_q} + {1'b0, not_3405_s25_q};
+  // hls/stages/patches.hpp:561
+  logic [2:0] fraction;
+  assign fraction = {1'b0, sum_3399} + {1'b0, sum_3406};
+  // hls/stages/patches.hpp:575
+  logic [18:0] product_3414;
+  assign product_3414 = $signed({{11{select_3410_s25_q[7]}}, select_3410_s25_q}) * $signed({{8{sum_3413_s25_q[6]}}, sum_3413_s25_q, sum_3411_s25_q, select_3344_s25_q[12:10]});
   // hls/stages/agreement.hpp:1067
-  logic [13:0] select_2391;
-  assign select_2391 = equal_2388_s25_q ? counts_skin_unproven_q : (equal_2389_s25_q ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_3663;
+  assign select_3663 = equal_3660_s25_q ? counts_skin_unproven_q : (equal_3661_s25_q ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_2386_s25_q ? counts_nearer_s25_q : select_2391;
-  // hls/stages/agreement.hpp:402
-  logic and_2562;
-  assign and_2562 = equal_1339_s25_q & (equal_2383_s25_q & (cfg_prove_i & (~proven_q)));
-  logic and_2596;
-  assign and_2596 = equal_1339_s25_q & (x_s25_q[6] & (not_1461_s25_q | (4'hc < x_s25_q[5:2])));
+  assign before_v_4 = equal_3658_s25_q ? counts_nearer_s25_q : select_3663;
   // hls/stages/agreement.hpp:1082
-  logic [31:0] select_2606;
-  assign select_2606 = equal_1402_s25_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_2605_s25_q;
-  logic [31:0] select_2607;
-  assign select_2607 = equal_1400_s25_q ? {8'h0, sharpness_sums_detail_0_s25_q} : select_2606;
-  logic [31:0] select_2608;
-  assign select_2608 = equal_1398_s25_q ? {8'h0, sharpness_sums_detail_1_s25_q} : select_2607;
-  logic [31:0] select_2609;
-  assign select_2609 = equal_1396_s25_q ? {8'h0, sharpness_sums_contrast_0_s25_q} : select_2608;
-  logic [31:0] select_2610;
-  assign select_2610 = equal_1394_s25_q ? {8'h0, sharpness_sums_contrast_1_s25_q} : select_2609;
+  logic [31:0] select_3884;
+  assign select_3884 = equal_1534_s25_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_3883_s25_q;
+  logic [31:0] select_3885;
+  assign select_3885 = equal_1532_s25_q ? {8'h0, sharpness_sums_detail_0_q} : select_3884;
+  logic [31:0] select_3886;
+  assign select_3886 = equal_1530_s25_q ? {8'h0, sharpness_sums_detail_1_q} : select_3885;
+  logic [31:0] select_3887;
+  assign select_3887 = equal_1528_s25_q ? {8'h0, sharpness_sums_contrast_0_s25_q} : select_3886;
+  logic [31:0] select_3888;
+  assign select_3888 = equal_1526_s25_q ? {8'h0, sharpness_sums_contrast_1_s25_q} : select_3887;
+
+  // Memory registration_sums, write
+  logic [3:0] registration_sums_waddr;
+  assign registration_sums_waddr = {sum_1522_s25_q, lower_half_s25_q, registration_of_right_s25_q};
+  logic registration_sums_we;
+  assign registration_sums_we = s25_en & and_1581_s25_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1580_s25_q, sum_1576_s25_q};
+  end
+`ifndef SYNTHESIS
+  logic [3:0] registration_sums_raddr_s22_sim;
+  logic registration_sums_re_s22_sim;
+  logic [3:0] registration_sums_raddr_s23_sim;
+  logic registration_sums_re_s23_sim;
+  logic [3:0] registration_sums_raddr_s24_sim;
+  logic registration_sums_re_s24_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      registration_sums_re_s22_sim <= 1'b0;
+      registration_sums_re_s23_sim <= 1'b0;
+      registration_sums_re_s24_sim <= 1'b0;
+    end else if (en_i) begin
+      registration_sums_re_s22_sim <= registration_sums_re;
+      registration_sums_raddr_s22_sim <= registration_sums_raddr;
+      registration_sums_re_s23_sim <= registration_sums_re_s22_sim;
+      registration_sums_raddr_s23_sim <= registration_sums_raddr_s22_sim;
+      registration_sums_re_s24_sim <= registration_sums_re_s23_sim;
+      registration_sums_raddr_s24_sim <= registration_sums_raddr_s23_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && registration_sums_we) begin
+      if (registration_sums_re && registration_sums_raddr == registration_sums_waddr) begin
+        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
+      end
+      if (registration_sums_re_s22_sim && registration_sums_raddr_s22_sim == registration_sums_waddr) begin
+        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
+      end
+      if (registration_sums_re_s23_sim && registration_sums_raddr_s23_sim == registration_sums_waddr) begin
+        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
+      end
+      if (registration_sums_re_s24_sim && registration_sums_raddr_s24_sim == registration_sums_waddr) begin
+        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
+      end
+      if (registration_sums_waddr >= 4'd12) $error("registration_sums: write outside, address %0d", registration_sums_waddr);
+    end
+    if (rst_ni && registration_sums_re && registration_sums_raddr >= 4'd12) $error("registration_sums: read outside, address %0d", registration_sums_raddr);
+  end
+`endif
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_1528_s25_q, index_2_s25_q};
+  assign map_waddr = {sum_1949_s25_q, index_2_s25_q};
   logic map_we;
-  assign map_we = s25_en & and_1603_s25_q;
+  assign map_we = s25_en & and_2023_s25_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_1593_s25_q, is_seen_s25_q};
+    if (map_we) map_mem[map_waddr] <= {and_2013_s25_q, is_seen_s25_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -7467,47 +10089,47 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      sharpness_comparing_rest_0_q <= 18'h0;
-      sharpness_comparing_rest_1_q <= 18'h0;
+      sharpness_sums_detail_0_q <= 24'h0;
+      sharpness_sums_detail_1_q <= 24'h0;
+      sharpness_comparing_contrast_0_q <= 2'h0;
+      sharpness_comparing_contrast_1_q <= 2'h0;
+      sharpness_comparing_less_contrast_0_q <= 1'b0;
+      sharpness_comparing_less_contrast_1_q <= 1'b0;
       counts_unproven_q <= 14'h0;
       counts_regions_bad_q <= 14'h0;
       counts_skin_unproven_q <= 14'h0;
-      registration_half_across_q <= 14'h0;
-      registration_half_measured_q <= 6'h0;
-      registration_half_votes_down_q <= 7'h0;
-      registration_half_votes_up_q <= 7'h0;
-      registration_half_half_votes_down_q <= 7'h0;
-      registration_half_half_votes_up_q <= 7'h0;
-      registration_down_q <= 14'h0;
-      registration_up_q <= 14'h0;
-      registration_enough_q <= 1'b0;
-      registration_votes_down_q <= 1'b0;
-      registration_votes_up_q <= 1'b0;
-      registration_other_enough_q <= 1'b0;
-      registration_other_down_q <= 1'b0;
-      registration_other_up_q <= 1'b0;
+      registration_moved_q <= 1'b0;
+      patches_place_0_valid_q <= 1'b0;
+      patches_place_1_valid_q <= 1'b0;
       proven_q <= 1'b0;
     end else if (s25_en) begin
-      sharpness_comparing_rest_0_q <= so_s25_q ? select_1812 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= so_s25_q ? select_1822 : sharpness_comparing_rest_1_q;
-      counts_unproven_q <= select_2030;
-      counts_regions_bad_q <= select_2044;
-      counts_skin_unproven_q <= select_2066;
-      registration_half_across_q <= and_2118_s25_q ? 14'h0 : sum_2149;
-      registration_half_measured_q <= select_2155;
-      registration_half_votes_down_q <= and_2118_s25_q ? 7'h0 : sum_2161;
-      registration_half_votes_up_q <= and_2118_s25_q ? 7'h0 : sum_2169;
-      registration_half_half_votes_down_q <= and_2118_s25_q ? 7'h0 : sum_2176;
-      registration_half_half_votes_up_q <= and_2118_s25_q ? 7'h0 : sum_2183;
-      registration_down_q <= and_2217 ? sum_2236 : registration_down_q;
-      registration_up_q <= and_2217 ? sum_2245 : registration_up_q;
-      registration_enough_q <= select_2259;
-      registration_votes_down_q <= and_2264 ? less_2265 : registration_votes_down_q;
-      registration_votes_up_q <= and_2264 ? less_2267 : registration_votes_up_q;
-      registration_other_enough_q <= and_2273 ? select_2259 : registration_other_enough_q;
-      registration_other_down_q <= and_2273 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2273 ? registration_votes_up_q : registration_other_up_q;
+      sharpness_sums_detail_0_q <= and_502_s25_q ? select_2194 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_502_s25_q ? select_2206 : sharpness_sums_detail_1_q;
+      sharpness_comparing_contrast_0_q <= so_s25_q ? select_2248 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= so_s25_q ? select_2250 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_less_contrast_0_q <= so_s25_q ? select_2277 : sharpness_comparing_less_contrast_0_q;
+      sharpness_comparing_less_contrast_1_q <= so_s25_q ? select_2283 : sharpness_comparing_less_contrast_1_q;
+      counts_unproven_q <= select_2450;
+      counts_regions_bad_q <= select_2464;
+      counts_skin_unproven_q <= select_2486;
+      registration_moved_q <= not_2670_s25_q & (registration_moved_q | and_2692_s25_q);
+      patches_place_0_valid_q <= sample_pair_whole_s25_q ? select_1710 : patches_place_0_valid_q;
+      patches_place_1_valid_q <= sample_pair_whole_s25_q ? select_1739 : patches_place_1_valid_q;
       proven_q <= marks_first_s25_q ? done_s25_q : proven_q;
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    census_changes_values_2_left_q = 12'h0;
+    census_changes_values_2_right_q = 12'h0;
+  end
+`endif
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (s25_en) begin
+      census_changes_values_2_left_q <= select_2160;
+      census_changes_values_2_right_q <= select_2161;
     end
   end
 
@@ -7517,81 +10139,130 @@ module horopter_agreement (
   logic mask_s26_q;
   logic marks_first_s26_q;
   logic marks_last_s26_q;
+  logic [7:0] sample_pair_pixel_0_s26_q;
+  logic [7:0] sample_pair_pixel_1_s26_q;
+  logic sample_pair_whole_s26_q;
+  logic sample_present_s26_q;
   logic census_columns_values_1_cell_2_of_skin_s26_q;
-  logic x_s26_q;
-  logic lower_half_s26_q;
-  logic registration_of_right_s26_q;
+  logic [6:0] x_s26_q;
+  logic registration_moved_s26_q;
+  logic patches_lower_s26_q;
+  logic patches_second_s26_q;
+  logic [4:0] patches_summed_row_column_s26_q;
+  logic patches_summed_first_s26_q;
+  logic patches_summed_last_s26_q;
+  logic [4:0] patches_summed_down_by_s26_q;
   logic [13:0] product_s26_q;
   logic [6:0] column_s26_q;
-  logic and_370_s26_q;
+  logic and_502_s26_q;
   logic so_s26_q;
-  logic less_404_s26_q;
-  logic less_405_s26_q;
-  logic less_406_s26_q;
-  logic less_407_s26_q;
-  logic less_408_s26_q;
-  logic less_409_s26_q;
-  logic less_410_s26_q;
-  logic less_411_s26_q;
-  logic less_412_s26_q;
-  logic less_413_s26_q;
-  logic less_414_s26_q;
-  logic less_415_s26_q;
-  logic less_416_s26_q;
-  logic less_417_s26_q;
-  logic less_418_s26_q;
-  logic less_419_s26_q;
-  logic less_420_s26_q;
-  logic less_421_s26_q;
-  logic less_422_s26_q;
-  logic less_423_s26_q;
-  logic less_424_s26_q;
-  logic less_425_s26_q;
-  logic less_426_s26_q;
-  logic less_427_s26_q;
-  logic and_435_s26_q;
-  logic and_460_s26_q;
-  logic and_461_s26_q;
-  logic less_484_s26_q;
-  logic equal_1339_s26_q;
-  logic equal_1384_s26_q;
-  logic [1:0] sum_1390_s26_q;
-  logic equal_1392_s26_q;
-  logic [19:0] sum_1444_s26_q;
-  logic [11:0] sum_1448_s26_q;
-  logic and_1449_s26_q;
-  logic and_1522_s26_q;
-  logic less_1523_s26_q;
+  logic less_536_s26_q;
+  logic less_537_s26_q;
+  logic less_538_s26_q;
+  logic less_539_s26_q;
+  logic less_540_s26_q;
+  logic less_541_s26_q;
+  logic less_542_s26_q;
+  logic less_543_s26_q;
+  logic less_544_s26_q;
+  logic less_545_s26_q;
+  logic less_546_s26_q;
+  logic less_547_s26_q;
+  logic less_548_s26_q;
+  logic less_549_s26_q;
+  logic less_550_s26_q;
+  logic less_551_s26_q;
+  logic less_552_s26_q;
+  logic less_553_s26_q;
+  logic less_554_s26_q;
+  logic less_555_s26_q;
+  logic less_556_s26_q;
+  logic less_557_s26_q;
+  logic less_558_s26_q;
+  logic less_559_s26_q;
+  logic and_567_s26_q;
+  logic and_592_s26_q;
+  logic and_593_s26_q;
+  logic [8:0] sum_615_s26_q;
+  logic equal_1471_s26_q;
+  logic equal_1516_s26_q;
+  logic equal_1524_s26_q;
+  logic and_1584_s26_q;
+  logic select_1601_s26_q;
+  logic equal_1602_s26_q;
+  logic equal_1692_s26_q;
+  logic equal_1694_s26_q;
+  logic select_1708_s26_q;
+  logic select_1710_s26_q;
+  logic equal_1716_s26_q;
+  logic [4:0] select_1722_s26_q;
+  logic select_1728_s26_q;
+  logic select_1739_s26_q;
+  logic equal_1745_s26_q;
+  logic or_1760_s26_q;
+  logic or_1764_s26_q;
+  logic [3:0] select_1767_s26_q;
+  logic less_1853_s26_q;
+  logic equal_1854_s26_q;
+  logic not_1855_s26_q;
+  logic equal_1856_s26_q;
+  logic not_1883_s26_q;
+  logic and_1943_s26_q;
+  logic less_1944_s26_q;
   logic [1:0] map_rdata_s26_q;
   logic is_seen_s26_q;
-  logic and_1593_s26_q;
-  logic equal_1743_s26_q;
-  logic and_1748_s26_q;
-  logic equal_1796_s26_q;
-  logic sum_s26_q;
-  logic sum_2_s26_q;
-  logic equal_1840_s26_q;
-  logic select_1858_s26_q;
-  logic select_1864_s26_q;
-  logic [9:0] select_2032_s26_q;
-  logic [9:0] select_2035_s26_q;
-  logic not_2282_s26_q;
-  logic and_2304_s26_q;
-  logic or_2363_s26_q;
-  logic equal_2366_s26_q;
-  logic select_2372_s26_q;
-  logic equal_2383_s26_q;
-  logic and_2387_s26_q;
+  logic and_2013_s26_q;
+  logic equal_2163_s26_q;
+  logic [8:0] sum_2166_s26_q;
+  logic equal_2216_s26_q;
+  logic less_2217_s26_q;
+  logic [17:0] select_2229_s26_q;
+  logic [17:0] select_2239_s26_q;
+  logic equal_2260_s26_q;
+  logic [9:0] select_2452_s26_q;
+  logic [9:0] select_2455_s26_q;
+  logic equal_2671_s26_q;
+  logic parity_2989_s26_q;
+  logic parity_3118_s26_q;
+  logic and_3119_s26_q;
+  logic or_3123_s26_q;
+  logic or_3127_s26_q;
+  logic or_3134_s26_q;
+  logic or_3138_s26_q;
+  logic or_3142_s26_q;
+  logic or_3149_s26_q;
+  logic or_3153_s26_q;
+  logic or_3157_s26_q;
+  logic or_3164_s26_q;
+  logic or_3168_s26_q;
+  logic or_3172_s26_q;
+  logic parity_3178_s26_q;
+  logic or_3188_s26_q;
+  logic or_3192_s26_q;
+  logic and_3199_s26_q;
+  logic and_3201_s26_q;
+  logic and_3203_s26_q;
+  logic equal_3225_s26_q;
+  logic [4:0] select_3313_s26_q;
+  logic less_3358_s26_q;
+  logic less_3359_s26_q;
+  logic or_3364_s26_q;
+  logic less_3387_s26_q;
+  logic [2:0] fraction_s26_q;
+  logic [13:0] product_3414_s26_q;
+  logic equal_3466_s26_q;
+  logic equal_3565_s26_q;
+  logic or_3637_s26_q;
+  logic select_3645_s26_q;
+  logic and_3659_s26_q;
   logic [13:0] before_v_4_s26_q;
-  logic not_2424_s26_q;
-  logic or_2428_s26_q;
-  logic and_2532_s26_q;
-  logic and_2547_s26_q;
-  logic and_2562_s26_q;
-  logic and_2596_s26_q;
-  logic [5:0] select_2598_s26_q;
-  logic [31:0] select_2610_s26_q;
-  logic [9:0] select_2612_s26_q;
+  logic not_3696_s26_q;
+  logic or_3700_s26_q;
+  logic and_3804_s26_q;
+  logic and_3819_s26_q;
+  logic not_3835_s26_q;
+  logic [31:0] select_3888_s26_q;
+  logic [9:0] select_3890_s26_q;
   always_ff @(posedge clk_i) begin
     if (s25_en) begin
       pixel_0_s26_q <= pixel_0_s25_q;
@@ -7600,155 +10271,637 @@ module horopter_agreement (
       mask_s26_q <= mask_s25_q;
       marks_first_s26_q <= marks_first_s25_q;
       marks_last_s26_q <= marks_last_s25_q;
+      sample_pair_pixel_0_s26_q <= sample_pair_pixel_0_s25_q;
+      sample_pair_pixel_1_s26_q <= sample_pair_pixel_1_s25_q;
+      sample_pair_whole_s26_q <= sample_pair_whole_s25_q;
+      sample_present_s26_q <= sample_present_s25_q;
       census_columns_values_1_cell_2_of_skin_s26_q <= census_columns_values_1_cell_2_of_skin_s25_q;
-      x_s26_q <= x_s25_q[6];
-      lower_half_s26_q <= lower_half_s25_q;
-      registration_of_right_s26_q <= registration_of_right_s25_q;
+      x_s26_q <= x_s25_q;
+      registration_moved_s26_q <= registration_moved_q;
+      patches_lower_s26_q <= patches_lower_s25_q;
+      patches_second_s26_q <= patches_second_s25_q;
+      patches_summed_row_column_s26_q <= patches_summed_row_column_s25_q;
+      patches_summed_first_s26_q <= patches_summed_first_s25_q;
+      patches_summed_last_s26_q <= patches_summed_last_s25_q;
+      patches_summed_down_by_s26_q <= patches_summed_down_by_s25_q;
       product_s26_q <= product_s25_q;
       column_s26_q <= column_s25_q;
-      and_370_s26_q <= and_370_s25_q;
+      and_502_s26_q <= and_502_s25_q;
       so_s26_q <= so_s25_q;
-      less_404_s26_q <= less_404_s25_q;
-      less_405_s26_q <= less_405_s25_q;
-      less_406_s26_q <= less_406_s25_q;
-      less_407_s26_q <= less_407_s25_q;
-      less_408_s26_q <= less_408_s25_q;
-      less_409_s26_q <= less_409_s25_q;
-      less_410_s26_q <= less_410_s25_q;
-      less_411_s26_q <= less_411_s25_q;
-      less_412_s26_q <= less_412_s25_q;
-      less_413_s26_q <= less_413_s25_q;
-      less_414_s26_q <= less_414_s25_q;
-      less_415_s26_q <= less_415_s25_q;
-      less_416_s26_q <= less_416_s25_q;
-      less_417_s26_q <= less_417_s25_q;
-      less_418_s26_q <= less_418_s25_q;
-      less_419_s26_q <= less_419_s25_q;
-      less_420_s26_q <= less_420_s25_q;
-      less_421_s26_q <= less_421_s25_q;
-      less_422_s26_q <= less_422_s25_q;
-      less_423_s26_q <= less_423_s25_q;
-      less_424_s26_q <= less_424_s25_q;
-      less_425_s26_q <= less_425_s25_q;
-      less_426_s26_q <= less_426_s25_q;
-      less_427_s26_q <= less_427_s25_q;
-      and_435_s26_q <= and_435_s25_q;
-      and_460_s26_q <= and_460_s25_q;
-      and_461_s26_q <= and_461_s25_q;
-      less_484_s26_q <= 9'h4 < sum_483_s25_q;
-      equal_1339_s26_q <= equal_1339_s25_q;
-      equal_1384_s26_q <= equal_1384_s25_q;
-      sum_1390_s26_q <= sum_1390_s25_q;
-      equal_1392_s26_q <= equal_1392_s25_q;
-      sum_1444_s26_q <= select_1440_s25_q + {{6{select_1443[13]}}, select_1443};
-      sum_1448_s26_q <= select_1445_s25_q + {{5{select_1447[6]}}, select_1447};
-      and_1449_s26_q <= and_1449_s25_q;
-      and_1522_s26_q <= and_1522_s25_q;
-      less_1523_s26_q <= less_1523_s25_q;
+      less_536_s26_q <= less_536_s25_q;
+      less_537_s26_q <= less_537_s25_q;
+      less_538_s26_q <= less_538_s25_q;
+      less_539_s26_q <= less_539_s25_q;
+      less_540_s26_q <= less_540_s25_q;
+      less_541_s26_q <= less_541_s25_q;
+      less_542_s26_q <= less_542_s25_q;
+      less_543_s26_q <= less_543_s25_q;
+      less_544_s26_q <= less_544_s25_q;
+      less_545_s26_q <= less_545_s25_q;
+      less_546_s26_q <= less_546_s25_q;
+      less_547_s26_q <= less_547_s25_q;
+      less_548_s26_q <= less_548_s25_q;
+      less_549_s26_q <= less_549_s25_q;
+      less_550_s26_q <= less_550_s25_q;
+      less_551_s26_q <= less_551_s25_q;
+      less_552_s26_q <= less_552_s25_q;
+      less_553_s26_q <= less_553_s25_q;
+      less_554_s26_q <= less_554_s25_q;
+      less_555_s26_q <= less_555_s25_q;
+      less_556_s26_q <= less_556_s25_q;
+      less_557_s26_q <= less_557_s25_q;
+      less_558_s26_q <= less_558_s25_q;
+      less_559_s26_q <= less_559_s25_q;
+      and_567_s26_q <= and_567_s25_q;
+      and_592_s26_q <= and_592_s25_q;
+      and_593_s26_q <= and_593_s25_q;
+      sum_615_s26_q <= sum_615[13:5];
+      equal_1471_s26_q <= equal_1471_s25_q;
+      equal_1516_s26_q <= equal_1516_s25_q;
+      equal_1524_s26_q <= equal_1524_s25_q;
+      and_1584_s26_q <= and_1584_s25_q;
+      select_1601_s26_q <= select_1601_s25_q;
+      equal_1602_s26_q <= equal_1602_s25_q;
+      equal_1692_s26_q <= equal_1692_s25_q;
+      equal_1694_s26_q <= equal_1694_s25_q;
+      select_1708_s26_q <= select_1708_s25_q;
+      select_1710_s26_q <= select_1710;
+      equal_1716_s26_q <= equal_1716;
+      select_1722_s26_q <= select_1722_s25_q;
+      select_1728_s26_q <= select_1728_s25_q;
+      select_1739_s26_q <= select_1739;
+      equal_1745_s26_q <= equal_1745;
+      or_1760_s26_q <= and_1584_s25_q | (select_1710 & equal_1758_s25_q);
+      or_1764_s26_q <= and_1584_s25_q | (select_1739 & equal_1762_s25_q);
+      select_1767_s26_q <= select_1767_s25_q;
+      less_1853_s26_q <= less_1853_s25_q;
+      equal_1854_s26_q <= equal_1854_s25_q;
+      not_1855_s26_q <= not_1855_s25_q;
+      equal_1856_s26_q <= equal_1856_s25_q;
+      not_1883_s26_q <= not_1883_s25_q;
+      and_1943_s26_q <= and_1943_s25_q;
+      less_1944_s26_q <= less_1944_s25_q;
       map_rdata_s26_q <= map_rdata_q;
       is_seen_s26_q <= is_seen_s25_q;
-      and_1593_s26_q <= and_1593_s25_q;
-      equal_1743_s26_q <= equal_1743_s25_q;
-      and_1748_s26_q <= and_460_s25_q & (9'h4 < sum_1746_s25_q);
-      equal_1796_s26_q <= equal_1796_s25_q;
-      sum_s26_q <= sum[0];
-      sum_2_s26_q <= sum_2[0];
-      equal_1840_s26_q <= equal_1840_s25_q;
-      select_1858_s26_q <= sharpness_comparing_less_contrast_0_q;
-      select_1864_s26_q <= sharpness_comparing_less_contrast_1_q;
-      select_2032_s26_q <= select_2032_s25_q;
-      select_2035_s26_q <= select_2035_s25_q;
-      not_2282_s26_q <= ~(equal_1339_s25_q & and_2280);
-      and_2304_s26_q <= and_2304;
-      or_2363_s26_q <= or_2363_s25_q;
-      equal_2366_s26_q <= equal_2366_s25_q;
-      select_2372_s26_q <= select_2372_s25_q;
-      equal_2383_s26_q <= equal_2383_s25_q;
-      and_2387_s26_q <= equal_2386_s25_q & equal_2366_s25_q;
+      and_2013_s26_q <= and_2013_s25_q;
+      equal_2163_s26_q <= equal_2163_s25_q;
+      sum_2166_s26_q <= sum_2166[13:5];
+      equal_2216_s26_q <= equal_2216_s25_q;
+      less_2217_s26_q <= less_2217_s25_q;
+      select_2229_s26_q <= select_2229;
+      select_2239_s26_q <= select_2239;
+      equal_2260_s26_q <= equal_2260_s25_q;
+      select_2452_s26_q <= select_2452_s25_q;
+      select_2455_s26_q <= select_2455_s25_q;
+      equal_2671_s26_q <= equal_2671_s25_q;
+      parity_2989_s26_q <= parity_2989_s25_q;
+      parity_3118_s26_q <= parity_3118;
+      and_3119_s26_q <= and_3119;
+      or_3123_s26_q <= or_3123;
+      or_3127_s26_q <= or_3127;
+      or_3134_s26_q <= or_3134;
+      or_3138_s26_q <= or_3138;
+      or_3142_s26_q <= or_3142;
+      or_3149_s26_q <= or_3149;
+      or_3153_s26_q <= or_3153;
+      or_3157_s26_q <= or_3157;
+      or_3164_s26_q <= or_3164;
+      or_3168_s26_q <= or_3168;
+      or_3172_s26_q <= or_3172;
+      parity_3178_s26_q <= parity_3178;
+      or_3188_s26_q <= (or_3153 & or_3157) | (or_3149 & (or_3153 | or_3157));
+      or_3192_s26_q <= (or_3168 & or_3172) | (or_3164 & (or_3168 | or_3172));
+      and_3199_s26_q <= and_3119 & (or_3123 | or_3127);
+      and_3201_s26_q <= parity_3160 & parity_3175;
+      and_3203_s26_q <= (^{or_3142, or_3138, or_3134}) & (parity_3160 | parity_3175);
+      equal_3225_s26_q <= equal_3225_s25_q;
+      select_3313_s26_q <= select_3313_s25_q;
+      less_3358_s26_q <= {difference_3357, 2'h0} < {2'h0, patches_size_q};
+      less_3359_s26_q <= select_3354_s25_q < select_3344_s25_q[9:0];
+      or_3364_s26_q <= or_3364;
+      less_3387_s26_q <= less_3387_s25_q;
+      fraction_s26_q <= fraction;
+      product_3414_s26_q <= product_3414[18:5];
+      equal_3466_s26_q <= equal_3466_s25_q;
+      equal_3565_s26_q <= equal_3565_s25_q;
+      or_3637_s26_q <= or_3637_s25_q;
+      select_3645_s26_q <= select_3645_s25_q;
+      and_3659_s26_q <= equal_3658_s25_q & equal_3466_s25_q;
       before_v_4_s26_q <= before_v_4;
-      not_2424_s26_q <= ~(equal_2389_s25_q & equal_2366_s25_q);
-      or_2428_s26_q <= (equal_2389_s25_q | equal_2388_s25_q) | (x_s25_q[6:3] == 4'hf);
-      and_2532_s26_q <= and_2532_s25_q;
-      and_2547_s26_q <= and_2547_s25_q;
-      and_2562_s26_q <= and_2562;
-      and_2596_s26_q <= and_2596;
-      select_2598_s26_q <= equal_1339_s25_q ? (x_s25_q[6] ? x_s25_q[5:0] : 6'h0) : 6'h0;
-      select_2610_s26_q <= select_2610;
-      select_2612_s26_q <= select_2612_s25_q;
+      not_3696_s26_q <= ~(equal_3661_s25_q & equal_3466_s25_q);
+      or_3700_s26_q <= (equal_3661_s25_q | equal_3660_s25_q) | (x_s25_q[6:3] == 4'hf);
+      and_3804_s26_q <= and_3804_s25_q;
+      and_3819_s26_q <= and_3819_s25_q;
+      not_3835_s26_q <= ~proven_q;
+      select_3888_s26_q <= select_3888;
+      select_3890_s26_q <= select_3890_s25_q;
     end
   end
 
   // Stage 26 ----------------------------------------------------------------------------------------------------------
+  logic [17:0] sharpness_comparing_rest_0_q;
+  logic [17:0] sharpness_comparing_rest_1_q;
+  logic [4:0] patches_left_next_0_q;
+  logic [4:0] patches_left_next_1_q;
+  logic hides_q;
+  // hls/stages/patches.hpp:116
+  logic [4:0] select_1761;
+  assign select_1761 = or_1760_s26_q ? {and_1584_s26_q, 4'h0} : patches_left_next_0_q;
+  logic [4:0] select_1765;
+  assign select_1765 = or_1764_s26_q ? {and_1584_s26_q, 4'h0} : patches_left_next_1_q;
+  // hls/stages/patches.hpp:124
+  logic [3:0] column_5;
+  assign column_5 = select_1761[4] ? select_1765[3:0] : select_1761[3:0];
+  logic and_1770;
+  assign and_1770 = select_1728_s26_q & (select_1722_s26_q[3] ^ select_1722_s26_q[4]);
+  logic and_1775;
+  assign and_1775 = sample_pair_whole_s26_q & (and_1770 & ((~select_1761[4]) | (~select_1765[4])));
+  // hls/stages/census.hpp:377
+  logic [18:0] sum;
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2229_s26_q};
+  // hls/stages/agreement.hpp:207
+  logic [17:0] select_2232;
+  assign select_2232 = equal_2216_s26_q ? (less_2217_s26_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  // hls/stages/census.hpp:377
+  logic [18:0] sum_2;
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2239_s26_q};
+  // hls/stages/agreement.hpp:207
+  logic [17:0] select_2242;
+  assign select_2242 = equal_2216_s26_q ? (less_2217_s26_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  // hls/stages/agreement.hpp:263
+  logic [4:0] select_2802;
+  assign select_2802 = sample_pair_whole_s26_q ? (select_1761[4] ? {1'b1, select_1761[3:0]} : (select_1761 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_2805;
+  assign select_2805 = sample_pair_whole_s26_q ? (select_1765[4] ? {1'b1, select_1765[3:0]} : (select_1765 + 5'h1)) : patches_left_next_1_q;
+  // hls/stages/count_bits.hpp:24
+  logic parity_3180;
+  assign parity_3180 = ^{or_3172_s26_q, or_3168_s26_q, or_3164_s26_q, or_3157_s26_q, or_3153_s26_q, or_3149_s26_q, or_3142_s26_q, or_3138_s26_q, or_3134_s26_q, or_3127_s26_q, or_3123_s26_q, and_3119_s26_q};
+  // hls/stages/count_bits.hpp:25
+  logic or_3184;
+  assign or_3184 = (or_3138_s26_q & or_3142_s26_q) | (or_3134_s26_q & (or_3138_s26_q | or_3142_s26_q));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3195;
+  assign parity_3195 = ^{or_3192_s26_q, or_3188_s26_q, or_3184};
+  // hls/stages/count_bits.hpp:25
+  logic and_3196;
+  assign and_3196 = (^{or_3127_s26_q, or_3123_s26_q, and_3119_s26_q}) & parity_3178_s26_q;
+  logic or_3200;
+  assign or_3200 = (or_3123_s26_q & or_3127_s26_q) | and_3199_s26_q;
+  logic or_3204;
+  assign or_3204 = and_3201_s26_q | and_3203_s26_q;
+  // hls/stages/count_bits.hpp:24
+  logic parity_3207;
+  assign parity_3207 = ^{or_3204, or_3200, and_3196};
+  // hls/stages/count_bits.hpp:25
+  logic and_3209;
+  assign and_3209 = parity_3195 & parity_3207;
+  logic or_3213;
+  assign or_3213 = (or_3188_s26_q & or_3192_s26_q) | (or_3184 & (or_3188_s26_q | or_3192_s26_q));
+  logic or_3217;
+  assign or_3217 = (or_3200 & or_3204) | (and_3196 & (or_3200 | or_3204));
+  // hls/stages/patches.hpp:563
+  logic [1:0] sum_3388;
+  assign sum_3388 = select_3313_s26_q[4:3] + 2'h3;
+  // hls/stages/patches.hpp:564
+  logic [7:0] difference_3408;
+  assign difference_3408 = {sum_3388, select_3313_s26_q[2:0], 3'h0} - {5'h0, fraction_s26_q};
+  logic [7:0] select_3409;
+  assign select_3409 = less_3387_s26_q ? difference_3408 : {sum_3388, select_3313_s26_q[2:0], fraction_s26_q};
+  // hls/stages/agreement.hpp:1153
+  logic [14:0] over;
+  assign over = {1'b0, product_s26_q} - {1'b0, before_v_4_s26_q};
+  // hls/stages/agreement.hpp:1161
+  logic select_3666;
+  assign select_3666 = and_3659_s26_q ? over[14] : hides_q;
+  // hls/stages/agreement.hpp:1235
+  logic [1:0] select_3820;
+  assign select_3820 = and_3819_s26_q ? {and_2013_s26_q, is_seen_s26_q} : map_rdata_s26_q;
+  // hls/stages/agreement.hpp:1236
+  logic and_3821;
+  assign and_3821 = proven_q & less_3809;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      sharpness_comparing_rest_0_q <= 18'h0;
+      sharpness_comparing_rest_1_q <= 18'h0;
+      patches_left_next_0_q <= 5'h0;
+      patches_left_next_1_q <= 5'h0;
+      hides_q <= 1'b0;
+    end else if (s26_en) begin
+      sharpness_comparing_rest_0_q <= so_s26_q ? select_2232 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= so_s26_q ? select_2242 : sharpness_comparing_rest_1_q;
+      patches_left_next_0_q <= select_2802;
+      patches_left_next_1_q <= select_2805;
+      hides_q <= equal_1471_s26_q ? select_3666 : hides_q;
+    end
+  end
+
+  logic [7:0] pixel_0_s27_q;
+  logic [7:0] pixel_1_s27_q;
+  logic saturated_s27_q;
+  logic mask_s27_q;
+  logic marks_first_s27_q;
+  logic marks_last_s27_q;
+  logic [7:0] sample_pair_pixel_0_s27_q;
+  logic [7:0] sample_pair_pixel_1_s27_q;
+  logic sample_pair_whole_s27_q;
+  logic sample_present_s27_q;
+  logic census_columns_values_1_cell_2_of_skin_s27_q;
+  logic [6:0] x_s27_q;
+  logic registration_moved_s27_q;
+  logic patches_lower_s27_q;
+  logic patches_second_s27_q;
+  logic [4:0] patches_summed_row_column_s27_q;
+  logic patches_summed_first_s27_q;
+  logic patches_summed_last_s27_q;
+  logic [4:0] patches_summed_down_by_s27_q;
+  logic [6:0] column_s27_q;
+  logic and_502_s27_q;
+  logic so_s27_q;
+  logic less_536_s27_q;
+  logic less_537_s27_q;
+  logic less_538_s27_q;
+  logic less_539_s27_q;
+  logic less_540_s27_q;
+  logic less_541_s27_q;
+  logic less_542_s27_q;
+  logic less_543_s27_q;
+  logic less_544_s27_q;
+  logic less_545_s27_q;
+  logic less_546_s27_q;
+  logic less_547_s27_q;
+  logic less_548_s27_q;
+  logic less_549_s27_q;
+  logic less_550_s27_q;
+  logic less_551_s27_q;
+  logic less_552_s27_q;
+  logic less_553_s27_q;
+  logic less_554_s27_q;
+  logic less_555_s27_q;
+  logic less_556_s27_q;
+  logic less_557_s27_q;
+  logic less_558_s27_q;
+  logic less_559_s27_q;
+  logic and_567_s27_q;
+  logic and_592_s27_q;
+  logic and_593_s27_q;
+  logic less_616_s27_q;
+  logic equal_1471_s27_q;
+  logic equal_1516_s27_q;
+  logic equal_1524_s27_q;
+  logic and_1584_s27_q;
+  logic select_1601_s27_q;
+  logic equal_1602_s27_q;
+  logic equal_1692_s27_q;
+  logic equal_1694_s27_q;
+  logic select_1708_s27_q;
+  logic or_1718_s27_q;
+  logic [4:0] select_1722_s27_q;
+  logic select_1728_s27_q;
+  logic or_1747_s27_q;
+  logic [3:0] column_5_s27_q;
+  logic [3:0] select_1767_s27_q;
+  logic select_1768_s27_q;
+  logic and_1775_s27_q;
+  logic less_1853_s27_q;
+  logic equal_1854_s27_q;
+  logic not_1855_s27_q;
+  logic equal_1856_s27_q;
+  logic not_1883_s27_q;
+  logic and_1943_s27_q;
+  logic less_1944_s27_q;
+  logic equal_2163_s27_q;
+  logic and_2168_s27_q;
+  logic equal_2216_s27_q;
+  logic sum_s27_q;
+  logic sum_2_s27_q;
+  logic equal_2260_s27_q;
+  logic select_2278_s27_q;
+  logic select_2284_s27_q;
+  logic [9:0] select_2452_s27_q;
+  logic [9:0] select_2455_s27_q;
+  logic equal_2671_s27_q;
+  logic parity_2989_s27_q;
+  logic parity_3118_s27_q;
+  logic parity_3180_s27_q;
+  logic xor_3208_s27_q;
+  logic parity_3220_s27_q;
+  logic and_3221_s27_q;
+  logic and_3223_s27_q;
+  logic equal_3225_s27_q;
+  logic equal_3356_s27_q;
+  logic less_3358_s27_q;
+  logic less_3359_s27_q;
+  logic or_3364_s27_q;
+  logic [7:0] select_3409_s27_q;
+  logic [13:0] product_3414_s27_q;
+  logic equal_3466_s27_q;
+  logic equal_3565_s27_q;
+  logic or_3637_s27_q;
+  logic select_3645_s27_q;
+  logic select_3666_s27_q;
+  logic and_3694_s27_q;
+  logic not_3696_s27_q;
+  logic or_3700_s27_q;
+  logic and_3804_s27_q;
+  logic and_3822_s27_q;
+  logic and_3825_s27_q;
+  logic not_3835_s27_q;
+  logic [31:0] select_3888_s27_q;
+  logic [9:0] select_3890_s27_q;
+  always_ff @(posedge clk_i) begin
+    if (s26_en) begin
+      pixel_0_s27_q <= pixel_0_s26_q;
+      pixel_1_s27_q <= pixel_1_s26_q;
+      saturated_s27_q <= saturated_s26_q;
+      mask_s27_q <= mask_s26_q;
+      marks_first_s27_q <= marks_first_s26_q;
+      marks_last_s27_q <= marks_last_s26_q;
+      sample_pair_pixel_0_s27_q <= sample_pair_pixel_0_s26_q;
+      sample_pair_pixel_1_s27_q <= sample_pair_pixel_1_s26_q;
+      sample_pair_whole_s27_q <= sample_pair_whole_s26_q;
+      sample_present_s27_q <= sample_present_s26_q;
+      census_columns_values_1_cell_2_of_skin_s27_q <= census_columns_values_1_cell_2_of_skin_s26_q;
+      x_s27_q <= x_s26_q;
+      registration_moved_s27_q <= registration_moved_s26_q;
+      patches_lower_s27_q <= patches_lower_s26_q;
+      patches_second_s27_q <= patches_second_s26_q;
+      patches_summed_row_column_s27_q <= patches_summed_row_column_s26_q;
+      patches_summed_first_s27_q <= patches_summed_first_s26_q;
+      patches_summed_last_s27_q <= patches_summed_last_s26_q;
+      patches_summed_down_by_s27_q <= patches_summed_down_by_s26_q;
+      column_s27_q <= column_s26_q;
+      and_502_s27_q <= and_502_s26_q;
+      so_s27_q <= so_s26_q;
+      less_536_s27_q <= less_536_s26_q;
+      less_537_s27_q <= less_537_s26_q;
+      less_538_s27_q <= less_538_s26_q;
+      less_539_s27_q <= less_539_s26_q;
+      less_540_s27_q <= less_540_s26_q;
+      less_541_s27_q <= less_541_s26_q;
+      less_542_s27_q <= less_542_s26_q;
+      less_543_s27_q <= less_543_s26_q;
+      less_544_s27_q <= less_544_s26_q;
+      less_545_s27_q <= less_545_s26_q;
+      less_546_s27_q <= less_546_s26_q;
+      less_547_s27_q <= less_547_s26_q;
+      less_548_s27_q <= less_548_s26_q;
+      less_549_s27_q <= less_549_s26_q;
+      less_550_s27_q <= less_550_s26_q;
+      less_551_s27_q <= less_551_s26_q;
+      less_552_s27_q <= less_552_s26_q;
+      less_553_s27_q <= less_553_s26_q;
+      less_554_s27_q <= less_554_s26_q;
+      less_555_s27_q <= less_555_s26_q;
+      less_556_s27_q <= less_556_s26_q;
+      less_557_s27_q <= less_557_s26_q;
+      less_558_s27_q <= less_558_s26_q;
+      less_559_s27_q <= less_559_s26_q;
+      and_567_s27_q <= and_567_s26_q;
+      and_592_s27_q <= and_592_s26_q;
+      and_593_s27_q <= and_593_s26_q;
+      less_616_s27_q <= 9'h4 < sum_615_s26_q;
+      equal_1471_s27_q <= equal_1471_s26_q;
+      equal_1516_s27_q <= equal_1516_s26_q;
+      equal_1524_s27_q <= equal_1524_s26_q;
+      and_1584_s27_q <= and_1584_s26_q;
+      select_1601_s27_q <= select_1601_s26_q;
+      equal_1602_s27_q <= equal_1602_s26_q;
+      equal_1692_s27_q <= equal_1692_s26_q;
+      equal_1694_s27_q <= equal_1694_s26_q;
+      select_1708_s27_q <= select_1708_s26_q;
+      or_1718_s27_q <= and_1584_s26_q | (select_1710_s26_q & equal_1716_s26_q);
+      select_1722_s27_q <= select_1722_s26_q;
+      select_1728_s27_q <= select_1728_s26_q;
+      or_1747_s27_q <= and_1584_s26_q | (select_1739_s26_q & equal_1745_s26_q);
+      column_5_s27_q <= column_5;
+      select_1767_s27_q <= select_1767_s26_q;
+      select_1768_s27_q <= or_1760_s26_q ? and_1584_s26_q : patches_left_next_0_q[4];
+      and_1775_s27_q <= and_1775;
+      less_1853_s27_q <= less_1853_s26_q;
+      equal_1854_s27_q <= equal_1854_s26_q;
+      not_1855_s27_q <= not_1855_s26_q;
+      equal_1856_s27_q <= equal_1856_s26_q;
+      not_1883_s27_q <= not_1883_s26_q;
+      and_1943_s27_q <= and_1943_s26_q;
+      less_1944_s27_q <= less_1944_s26_q;
+      equal_2163_s27_q <= equal_2163_s26_q;
+      and_2168_s27_q <= and_592_s26_q & (9'h4 < sum_2166_s26_q);
+      equal_2216_s27_q <= equal_2216_s26_q;
+      sum_s27_q <= sum[0];
+      sum_2_s27_q <= sum_2[0];
+      equal_2260_s27_q <= equal_2260_s26_q;
+      select_2278_s27_q <= sharpness_comparing_less_contrast_0_q;
+      select_2284_s27_q <= sharpness_comparing_less_contrast_1_q;
+      select_2452_s27_q <= select_2452_s26_q;
+      select_2455_s27_q <= select_2455_s26_q;
+      equal_2671_s27_q <= equal_2671_s26_q;
+      parity_2989_s27_q <= parity_2989_s26_q;
+      parity_3118_s27_q <= parity_3118_s26_q;
+      parity_3180_s27_q <= parity_3180;
+      xor_3208_s27_q <= parity_3195 ^ parity_3207;
+      parity_3220_s27_q <= ^{or_3217, or_3213, and_3209};
+      and_3221_s27_q <= or_3213 & or_3217;
+      and_3223_s27_q <= and_3209 & (or_3213 | or_3217);
+      equal_3225_s27_q <= equal_3225_s26_q;
+      equal_3356_s27_q <= select_3313_s26_q[3:0] == 4'h0;
+      less_3358_s27_q <= less_3358_s26_q;
+      less_3359_s27_q <= less_3359_s26_q;
+      or_3364_s27_q <= or_3364_s26_q;
+      select_3409_s27_q <= select_3409;
+      product_3414_s27_q <= product_3414_s26_q;
+      equal_3466_s27_q <= equal_3466_s26_q;
+      equal_3565_s27_q <= equal_3565_s26_q;
+      or_3637_s27_q <= or_3637_s26_q;
+      select_3645_s27_q <= select_3645_s26_q;
+      select_3666_s27_q <= select_3666;
+      and_3694_s27_q <= over[14] & equal_3466_s26_q;
+      not_3696_s27_q <= not_3696_s26_q;
+      or_3700_s27_q <= or_3700_s26_q;
+      and_3804_s27_q <= and_3804_s26_q;
+      and_3822_s27_q <= select_3820[0] & and_3821;
+      and_3825_s27_q <= select_3820[1] & and_3821;
+      not_3835_s27_q <= not_3835_s26_q;
+      select_3888_s27_q <= select_3888_s26_q;
+      select_3890_s27_q <= select_3890_s26_q;
+    end
+  end
+
+  // Stage 27 ----------------------------------------------------------------------------------------------------------
   logic [19:0] census_left_misses_q;
   logic [2:0] sharpness_comparing_product_0_q;
   logic [2:0] sharpness_comparing_product_1_q;
   logic sharpness_comparing_carry_0_q;
   logic sharpness_comparing_carry_1_q;
-  logic registration_moved_q;
-  logic hides_q;
+  logic patches_valid_0_q;
+  logic patches_valid_1_q;
+  logic [5:0] patches_right_next_0_q;
+  logic [5:0] patches_right_next_1_q;
+  logic [9:0] patches_sums_values_0_q;
+  logic [9:0] patches_sums_values_1_q;
+  logic [9:0] patches_sums_values_2_q;
+  logic [9:0] patches_sums_values_3_q;
+  logic [9:0] patches_sums_values_4_q;
+  logic [9:0] patches_sums_values_5_q;
+  logic [9:0] patches_sums_values_6_q;
+  logic [9:0] patches_sums_values_7_q;
+  logic [9:0] patches_sums_values_8_q;
+  logic [9:0] patches_sums_values_9_q;
+  logic [9:0] patches_sums_values_10_q;
+  logic [9:0] patches_sums_values_11_q;
+  logic [9:0] patches_sums_values_12_q;
+  logic [9:0] patches_sums_values_13_q;
+  logic [9:0] patches_sums_values_14_q;
+  logic [9:0] patches_sums_values_15_q;
+  logic [9:0] patches_sums_values_16_q;
+  logic [7:0] hidden_for_q;
+  logic too_much_q;
+  logic seen_q;
+  logic nearer_q;
   // hls/stages/census.hpp:303
-  logic and_485;
-  assign and_485 = and_435_s26_q & less_484_s26_q;
+  logic and_617;
+  assign and_617 = and_567_s27_q & less_616_s27_q;
+  // hls/stages/patches.hpp:115
+  logic [5:0] select_1729;
+  assign select_1729 = or_1718_s27_q ? {and_1584_s27_q, 5'h0} : patches_right_next_0_q;
+  // hls/stages/patches.hpp:119
+  logic and_1731;
+  assign and_1731 = select_1728_s27_q & (~select_1729[5]);
+  // hls/stages/patches.hpp:115
+  logic [5:0] select_1749;
+  assign select_1749 = or_1747_s27_q ? {and_1584_s27_q, 5'h0} : patches_right_next_1_q;
+  // hls/stages/patches.hpp:119
+  logic and_1751;
+  assign and_1751 = select_1728_s27_q & (~select_1749[5]);
   // hls/stages/census.hpp:306
-  logic and_1749;
-  assign and_1749 = and_460_s26_q & less_484_s26_q;
+  logic and_2169;
+  assign and_2169 = and_592_s27_q & less_616_s27_q;
   // hls/stages/census.hpp:307
-  logic [19:0] sum_1750;
-  assign sum_1750 = census_left_misses_q + {{17{and_1749}}, and_1748_s26_q, 1'b0, and_1748_s26_q};
+  logic [19:0] sum_2170;
+  assign sum_2170 = census_left_misses_q + {{17{and_2169}}, and_2168_s27_q, 1'b0, and_2168_s27_q};
   // hls/stages/agreement.hpp:507
-  logic [19:0] select_1752;
-  assign select_1752 = and_370_s26_q ? (equal_1743_s26_q ? 20'h0 : sum_1750) : census_left_misses_q;
+  logic [19:0] select_2172;
+  assign select_2172 = and_502_s27_q ? (equal_2163_s27_q ? 20'h0 : sum_2170) : census_left_misses_q;
   // hls/stages/agreement.hpp:207
-  logic [2:0] select_1824;
-  assign select_1824 = equal_1796_s26_q ? {sharpness_comparing_product_0_q[1:0], sum_s26_q} : sharpness_comparing_product_0_q;
-  logic [2:0] select_1826;
-  assign select_1826 = equal_1796_s26_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s26_q} : sharpness_comparing_product_1_q;
+  logic [2:0] select_2244;
+  assign select_2244 = equal_2216_s27_q ? {sharpness_comparing_product_0_q[1:0], sum_s27_q} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2246;
+  assign select_2246 = equal_2216_s27_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s27_q} : sharpness_comparing_product_1_q;
   // hls/stages/census.hpp:383
   logic [1:0] five_times;
-  assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s26_q});
+  assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s27_q});
   // hls/stages/agreement.hpp:207
-  logic select_1835;
-  assign select_1835 = so_s26_q ? (equal_1796_s26_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2255;
+  assign select_2255 = so_s27_q ? (equal_2216_s27_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:383
   logic [1:0] five_times_2;
-  assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s26_q});
+  assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s27_q});
   // hls/stages/agreement.hpp:207
-  logic select_1838;
-  assign select_1838 = equal_1796_s26_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
+  logic select_2258;
+  assign select_2258 = equal_2216_s27_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:385
-  logic xor_1841;
-  assign xor_1841 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic xor_1847;
-  assign xor_1847 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  // hls/stages/agreement.hpp:1153
-  logic [14:0] over;
-  assign over = {1'b0, product_s26_q} - {1'b0, before_v_4_s26_q};
-  // hls/stages/agreement.hpp:1161
-  logic select_2394;
-  assign select_2394 = and_2387_s26_q ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1234
-  logic [1:0] select_2548;
-  assign select_2548 = and_2547_s26_q ? {and_1593_s26_q, is_seen_s26_q} : map_rdata_s26_q;
-  // hls/stages/agreement.hpp:1235
-  logic and_2549;
-  assign and_2549 = proven_q & less_2537;
-  // hls/stages/agreement.hpp:402
-  logic and_2574;
-  assign and_2574 = equal_1339_s26_q & (equal_2383_s26_q & (cfg_prove_i & registration_moved_q));
+  logic xor_2261;
+  assign xor_2261 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic xor_2267;
+  assign xor_2267 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  // hls/stages/patches.hpp:109
+  logic select_2785;
+  assign select_2785 = equal_1602_s27_q ? patches_valid_0_q : (select_1601_s27_q ? patches_valid_0_q : select_1708_s27_q);
+  // hls/stages/agreement.hpp:263
+  logic select_2788;
+  assign select_2788 = sample_pair_whole_s27_q ? (and_1731 ? (sample_present_s27_q & select_2785) : select_2785) : patches_valid_0_q;
+  // hls/stages/patches.hpp:109
+  logic select_2790;
+  assign select_2790 = equal_1602_s27_q ? patches_valid_1_q : (select_1601_s27_q ? select_1708_s27_q : patches_valid_1_q);
+  // hls/stages/agreement.hpp:263
+  logic select_2793;
+  assign select_2793 = sample_pair_whole_s27_q ? (and_1751 ? (sample_present_s27_q & select_2790) : select_2790) : patches_valid_1_q;
+  logic [5:0] select_2796;
+  assign select_2796 = sample_pair_whole_s27_q ? (select_1729[5] ? {1'b1, select_1729[4:0]} : (select_1729 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_2799;
+  assign select_2799 = sample_pair_whole_s27_q ? (select_1749[5] ? {1'b1, select_1749[4:0]} : (select_1749 + 6'h1)) : patches_right_next_1_q;
+  // hls/stages/count_bits.hpp:27
+  logic or_3224;
+  assign or_3224 = and_3221_s27_q | and_3223_s27_q;
+  // hls/stages/patches.hpp:503
+  logic [9:0] sum_3;
+  assign sum_3 = {4'h0, or_3224, parity_3220_s27_q, xor_3208_s27_q, parity_3180_s27_q, parity_3118_s27_q, parity_2989_s27_q} + (equal_3225_s27_q ? 10'h0 : patches_sums_values_16_q);
+  // hls/stages/patches.hpp:166
+  logic [9:0] select_3229;
+  assign select_3229 = equal_1692_s27_q ? patches_sums_values_0_q : (equal_1694_s27_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3230;
+  assign select_3230 = equal_1694_s27_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3232;
+  assign select_3232 = equal_1694_s27_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3234;
+  assign select_3234 = equal_1694_s27_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  logic [9:0] select_3236;
+  assign select_3236 = equal_1694_s27_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  logic [9:0] select_3238;
+  assign select_3238 = equal_1694_s27_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  logic [9:0] select_3240;
+  assign select_3240 = equal_1694_s27_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  logic [9:0] select_3242;
+  assign select_3242 = equal_1694_s27_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  logic [9:0] select_3244;
+  assign select_3244 = equal_1694_s27_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  logic [9:0] select_3246;
+  assign select_3246 = equal_1694_s27_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  logic [9:0] select_3248;
+  assign select_3248 = equal_1694_s27_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3250;
+  assign select_3250 = equal_1694_s27_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3252;
+  assign select_3252 = equal_1694_s27_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3254;
+  assign select_3254 = equal_1694_s27_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3256;
+  assign select_3256 = equal_1694_s27_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3258;
+  assign select_3258 = equal_1694_s27_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3260;
+  assign select_3260 = equal_1694_s27_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  // hls/stages/patches.hpp:577
+  logic or_3365;
+  assign or_3365 = (~(patches_second_s27_q ? patches_valid_1_q : patches_valid_0_q)) | or_3364_s27_q;
+  logic or_3368;
+  assign or_3368 = equal_3356_s27_q | (less_3358_s27_q | (less_3359_s27_q | or_3365));
+  // hls/stages/patches.hpp:576
+  logic [14:0] difference_3415;
+  assign difference_3415 = {{7{select_3409_s27_q[7]}}, select_3409_s27_q} - {product_3414_s27_q[13], product_3414_s27_q};
+  // hls/stages/patches.hpp:582
+  logic less_3416;
+  assign less_3416 = $signed({{8{difference_3386[6]}}, difference_3386}) < $signed(difference_3415);
+  // hls/stages/agreement.hpp:1086
+  logic not_3667;
+  assign not_3667 = ~hidden_for_q[7];
+  logic [7:0] select_3669;
+  assign select_3669 = select_3666_s27_q ? (hidden_for_q + {7'h0, not_3667}) : 8'h0;
+  // hls/stages/patches.hpp:322
+  logic [7:0] select_3671;
+  assign select_3671 = equal_1471_s27_q ? (equal_3565_s27_q ? select_3669 : hidden_for_q) : hidden_for_q;
+  // hls/stages/agreement.hpp:1159
+  logic and_3697;
+  assign and_3697 = too_much_q & not_3696_s27_q;
+  // hls/stages/agreement.hpp:1160
+  logic select_3702;
+  assign select_3702 = and_3694_s27_q ? (and_3697 | or_3700_s27_q) : and_3697;
+  // hls/stages/agreement.hpp:424
+  logic select_3824;
+  assign select_3824 = and_1943_s27_q ? (less_1944_s27_q ? and_3822_s27_q : seen_q) : seen_q;
+  logic select_3827;
+  assign select_3827 = and_1943_s27_q ? (less_1944_s27_q ? and_3825_s27_q : nearer_q) : nearer_q;
   // hls/stages/agreement.hpp:1088
-  logic or_2576;
-  assign or_2576 = select_1858_s26_q | ($signed(20'h0) < $signed(census_left_misses_q));
-  // hls/stages/agreement.hpp:1085
-  logic [31:0] select_2613;
-  assign select_2613 = equal_1384_s26_q ? (equal_1392_s26_q ? 32'h0 : select_2610_s26_q) : {2'h0, select_2612_s26_q, select_2035_s26_q, select_2032_s26_q};
+  logic or_3854;
+  assign or_3854 = select_2278_s27_q | ($signed(20'h0) < $signed(census_left_misses_q));
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
-  assign fresh_waddr = column_s26_q;
+  assign fresh_waddr = column_s27_q;
   logic fresh_we;
-  assign fresh_we = s26_en & and_370_s26_q;
+  assign fresh_we = s27_en & and_502_s27_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s26_q, and_485, and_461_s26_q, and_460_s26_q, and_435_s26_q, less_427_s26_q, less_426_s26_q, less_425_s26_q, less_424_s26_q, less_423_s26_q, less_422_s26_q, less_421_s26_q, less_420_s26_q, less_419_s26_q, less_418_s26_q, less_417_s26_q, less_416_s26_q, less_415_s26_q, less_414_s26_q, less_413_s26_q, less_412_s26_q, less_411_s26_q, less_410_s26_q, less_409_s26_q, less_408_s26_q, less_407_s26_q, less_406_s26_q, less_405_s26_q, less_404_s26_q};
+    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s27_q, and_617, and_593_s27_q, and_592_s27_q, and_567_s27_q, less_559_s27_q, less_558_s27_q, less_557_s27_q, less_556_s27_q, less_555_s27_q, less_554_s27_q, less_553_s27_q, less_552_s27_q, less_551_s27_q, less_550_s27_q, less_549_s27_q, less_548_s27_q, less_547_s27_q, less_546_s27_q, less_545_s27_q, less_544_s27_q, less_543_s27_q, less_542_s27_q, less_541_s27_q, less_540_s27_q, less_539_s27_q, less_538_s27_q, less_537_s27_q, less_536_s27_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] fresh_raddr_s8_sim;
@@ -7787,6 +10940,8 @@ module horopter_agreement (
   logic fresh_re_s24_sim;
   logic [6:0] fresh_raddr_s25_sim;
   logic fresh_re_s25_sim;
+  logic [6:0] fresh_raddr_s26_sim;
+  logic fresh_re_s26_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       fresh_re_s8_sim <= 1'b0;
@@ -7807,6 +10962,7 @@ module horopter_agreement (
       fresh_re_s23_sim <= 1'b0;
       fresh_re_s24_sim <= 1'b0;
       fresh_re_s25_sim <= 1'b0;
+      fresh_re_s26_sim <= 1'b0;
     end else if (en_i) begin
       fresh_re_s8_sim <= fresh_re;
       fresh_raddr_s8_sim <= fresh_raddr;
@@ -7844,6 +11000,8 @@ module horopter_agreement (
       fresh_raddr_s24_sim <= fresh_raddr_s23_sim;
       fresh_re_s25_sim <= fresh_re_s24_sim;
       fresh_raddr_s25_sim <= fresh_raddr_s24_sim;
+      fresh_re_s26_sim <= fresh_re_s25_sim;
+      fresh_raddr_s26_sim <= fresh_raddr_s25_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -7905,58 +11063,123 @@ module horopter_agreement (
       if (fresh_re_s25_sim && fresh_raddr_s25_sim == fresh_waddr) begin
         $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
       end
+      if (fresh_re_s26_sim && fresh_raddr_s26_sim == fresh_waddr) begin
+        $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
+      end
       if (fresh_waddr >= 7'd120) $error("fresh: write outside, address %0d", fresh_waddr);
     end
     if (rst_ni && fresh_re && fresh_raddr >= 7'd120) $error("fresh: read outside, address %0d", fresh_raddr);
   end
 `endif
 
-  // Memory registration_sums, write
-  logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1390_s26_q, lower_half_s26_q, registration_of_right_s26_q};
-  logic registration_sums_we;
-  assign registration_sums_we = s26_en & and_1449_s26_q;
+  // Memory patches_left, write
+  logic [8:0] patches_left_waddr;
+  assign patches_left_waddr = {select_1768_s27_q, select_1767_s27_q, column_5_s27_q};
+  logic patches_left_we;
+  assign patches_left_we = s27_en & and_1775_s27_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1448_s26_q, sum_1444_s26_q};
+    if (patches_left_we) patches_left_mem[patches_left_waddr] <= sample_pair_pixel_0_s27_q;
   end
 `ifndef SYNTHESIS
-  logic [3:0] registration_sums_raddr_s23_sim;
-  logic registration_sums_re_s23_sim;
-  logic [3:0] registration_sums_raddr_s24_sim;
-  logic registration_sums_re_s24_sim;
-  logic [3:0] registration_sums_raddr_s25_sim;
-  logic registration_sums_re_s25_sim;
+  logic [8:0] patches_left_raddr_s16_sim;
+  logic patches_left_re_s16_sim;
+  logic [8:0] patches_left_raddr_s17_sim;
+  logic patches_left_re_s17_sim;
+  logic [8:0] patches_left_raddr_s18_sim;
+  logic patches_left_re_s18_sim;
+  logic [8:0] patches_left_raddr_s19_sim;
+  logic patches_left_re_s19_sim;
+  logic [8:0] patches_left_raddr_s20_sim;
+  logic patches_left_re_s20_sim;
+  logic [8:0] patches_left_raddr_s21_sim;
+  logic patches_left_re_s21_sim;
+  logic [8:0] patches_left_raddr_s22_sim;
+  logic patches_left_re_s22_sim;
+  logic [8:0] patches_left_raddr_s23_sim;
+  logic patches_left_re_s23_sim;
+  logic [8:0] patches_left_raddr_s24_sim;
+  logic patches_left_re_s24_sim;
+  logic [8:0] patches_left_raddr_s25_sim;
+  logic patches_left_re_s25_sim;
+  logic [8:0] patches_left_raddr_s26_sim;
+  logic patches_left_re_s26_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      registration_sums_re_s23_sim <= 1'b0;
-      registration_sums_re_s24_sim <= 1'b0;
-      registration_sums_re_s25_sim <= 1'b0;
+      patches_left_re_s16_sim <= 1'b0;
+      patches_left_re_s17_sim <= 1'b0;
+      patches_left_re_s18_sim <= 1'b0;
+      patches_left_re_s19_sim <= 1'b0;
+      patches_left_re_s20_sim <= 1'b0;
+      patches_left_re_s21_sim <= 1'b0;
+      patches_left_re_s22_sim <= 1'b0;
+      patches_left_re_s23_sim <= 1'b0;
+      patches_left_re_s24_sim <= 1'b0;
+      patches_left_re_s25_sim <= 1'b0;
+      patches_left_re_s26_sim <= 1'b0;
     end else if (en_i) begin
-      registration_sums_re_s23_sim <= registration_sums_re;
-      registration_sums_raddr_s23_sim <= registration_sums_raddr;
-      registration_sums_re_s24_sim <= registration_sums_re_s23_sim;
-      registration_sums_raddr_s24_sim <= registration_sums_raddr_s23_sim;
-      registration_sums_re_s25_sim <= registration_sums_re_s24_sim;
-      registration_sums_raddr_s25_sim <= registration_sums_raddr_s24_sim;
+      patches_left_re_s16_sim <= patches_left_re;
+      patches_left_raddr_s16_sim <= patches_left_raddr;
+      patches_left_re_s17_sim <= patches_left_re_s16_sim;
+      patches_left_raddr_s17_sim <= patches_left_raddr_s16_sim;
+      patches_left_re_s18_sim <= patches_left_re_s17_sim;
+      patches_left_raddr_s18_sim <= patches_left_raddr_s17_sim;
+      patches_left_re_s19_sim <= patches_left_re_s18_sim;
+      patches_left_raddr_s19_sim <= patches_left_raddr_s18_sim;
+      patches_left_re_s20_sim <= patches_left_re_s19_sim;
+      patches_left_raddr_s20_sim <= patches_left_raddr_s19_sim;
+      patches_left_re_s21_sim <= patches_left_re_s20_sim;
+      patches_left_raddr_s21_sim <= patches_left_raddr_s20_sim;
+      patches_left_re_s22_sim <= patches_left_re_s21_sim;
+      patches_left_raddr_s22_sim <= patches_left_raddr_s21_sim;
+      patches_left_re_s23_sim <= patches_left_re_s22_sim;
+      patches_left_raddr_s23_sim <= patches_left_raddr_s22_sim;
+      patches_left_re_s24_sim <= patches_left_re_s23_sim;
+      patches_left_raddr_s24_sim <= patches_left_raddr_s23_sim;
+      patches_left_re_s25_sim <= patches_left_re_s24_sim;
+      patches_left_raddr_s25_sim <= patches_left_raddr_s24_sim;
+      patches_left_re_s26_sim <= patches_left_re_s25_sim;
+      patches_left_raddr_s26_sim <= patches_left_raddr_s25_sim;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (rst_ni && registration_sums_we) begin
-      if (registration_sums_re && registration_sums_raddr == registration_sums_waddr) begin
-        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
+    if (rst_ni && patches_left_we) begin
+      if (patches_left_re && patches_left_raddr == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
       end
-      if (registration_sums_re_s23_sim && registration_sums_raddr_s23_sim == registration_sums_waddr) begin
-        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
+      if (patches_left_re_s16_sim && patches_left_raddr_s16_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
       end
-      if (registration_sums_re_s24_sim && registration_sums_raddr_s24_sim == registration_sums_waddr) begin
-        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
+      if (patches_left_re_s17_sim && patches_left_raddr_s17_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
       end
-      if (registration_sums_re_s25_sim && registration_sums_raddr_s25_sim == registration_sums_waddr) begin
-        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
+      if (patches_left_re_s18_sim && patches_left_raddr_s18_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
       end
-      if (registration_sums_waddr >= 4'd12) $error("registration_sums: write outside, address %0d", registration_sums_waddr);
+      if (patches_left_re_s19_sim && patches_left_raddr_s19_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s20_sim && patches_left_raddr_s20_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s21_sim && patches_left_raddr_s21_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s22_sim && patches_left_raddr_s22_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s23_sim && patches_left_raddr_s23_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s24_sim && patches_left_raddr_s24_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s25_sim && patches_left_raddr_s25_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s26_sim && patches_left_raddr_s26_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
     end
-    if (rst_ni && registration_sums_re && registration_sums_raddr >= 4'd12) $error("registration_sums: read outside, address %0d", registration_sums_raddr);
   end
 `endif
 
@@ -7967,157 +11190,62 @@ module horopter_agreement (
       sharpness_comparing_product_1_q <= 3'h0;
       sharpness_comparing_carry_0_q <= 1'b0;
       sharpness_comparing_carry_1_q <= 1'b0;
-      registration_moved_q <= 1'b0;
-      hides_q <= 1'b0;
-    end else if (s26_en) begin
-      census_left_misses_q <= select_1752;
-      sharpness_comparing_product_0_q <= so_s26_q ? select_1824 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= so_s26_q ? select_1826 : sharpness_comparing_product_1_q;
-      sharpness_comparing_carry_0_q <= select_1835;
-      sharpness_comparing_carry_1_q <= so_s26_q ? select_1838 : sharpness_comparing_carry_1_q;
-      registration_moved_q <= not_2282_s26_q & (registration_moved_q | and_2304_s26_q);
-      hides_q <= equal_1339_s26_q ? select_2394 : hides_q;
-    end
-  end
-
-  logic [7:0] pixel_0_s27_q;
-  logic [7:0] pixel_1_s27_q;
-  logic saturated_s27_q;
-  logic mask_s27_q;
-  logic marks_first_s27_q;
-  logic marks_last_s27_q;
-  logic so_s27_q;
-  logic equal_1339_s27_q;
-  logic and_1522_s27_q;
-  logic less_1523_s27_q;
-  logic equal_1796_s27_q;
-  logic or_1842_s27_q;
-  logic and_1843_s27_q;
-  logic or_1848_s27_q;
-  logic and_1849_s27_q;
-  logic select_1864_s27_q;
-  logic or_2363_s27_q;
-  logic select_2372_s27_q;
-  logic equal_2383_s27_q;
-  logic select_2394_s27_q;
-  logic and_2422_s27_q;
-  logic not_2424_s27_q;
-  logic or_2428_s27_q;
-  logic and_2532_s27_q;
-  logic and_2550_s27_q;
-  logic and_2553_s27_q;
-  logic and_2562_s27_q;
-  logic and_2574_s27_q;
-  logic or_2576_s27_q;
-  logic and_2596_s27_q;
-  logic [5:0] select_2598_s27_q;
-  logic [31:0] select_2615_s27_q;
-  always_ff @(posedge clk_i) begin
-    if (s26_en) begin
-      pixel_0_s27_q <= pixel_0_s26_q;
-      pixel_1_s27_q <= pixel_1_s26_q;
-      saturated_s27_q <= saturated_s26_q;
-      mask_s27_q <= mask_s26_q;
-      marks_first_s27_q <= marks_first_s26_q;
-      marks_last_s27_q <= marks_last_s26_q;
-      so_s27_q <= so_s26_q;
-      equal_1339_s27_q <= equal_1339_s26_q;
-      and_1522_s27_q <= and_1522_s26_q;
-      less_1523_s27_q <= less_1523_s26_q;
-      equal_1796_s27_q <= equal_1796_s26_q;
-      or_1842_s27_q <= equal_1840_s26_q | xor_1841;
-      and_1843_s27_q <= five_times[0] & xor_1841;
-      or_1848_s27_q <= equal_1840_s26_q | xor_1847;
-      and_1849_s27_q <= five_times_2[0] & xor_1847;
-      select_1864_s27_q <= select_1864_s26_q;
-      or_2363_s27_q <= or_2363_s26_q;
-      select_2372_s27_q <= select_2372_s26_q;
-      equal_2383_s27_q <= equal_2383_s26_q;
-      select_2394_s27_q <= select_2394;
-      and_2422_s27_q <= over[14] & equal_2366_s26_q;
-      not_2424_s27_q <= not_2424_s26_q;
-      or_2428_s27_q <= or_2428_s26_q;
-      and_2532_s27_q <= and_2532_s26_q;
-      and_2550_s27_q <= select_2548[0] & and_2549;
-      and_2553_s27_q <= select_2548[1] & and_2549;
-      and_2562_s27_q <= and_2562_s26_q;
-      and_2574_s27_q <= and_2574;
-      or_2576_s27_q <= or_2576;
-      and_2596_s27_q <= and_2596_s26_q;
-      select_2598_s27_q <= select_2598_s26_q;
-      select_2615_s27_q <= equal_1339_s26_q ? (x_s26_q ? select_2613 : 32'h0) : 32'h0;
-    end
-  end
-
-  // Stage 27 ----------------------------------------------------------------------------------------------------------
-  logic sharpness_comparing_less_detail_0_q;
-  logic sharpness_comparing_less_detail_1_q;
-  logic [7:0] hidden_for_q;
-  logic too_much_q;
-  logic seen_q;
-  logic nearer_q;
-  // hls/stages/census.hpp:385
-  logic select_1844;
-  assign select_1844 = or_1842_s27_q ? and_1843_s27_q : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:207
-  logic select_1845;
-  assign select_1845 = equal_1796_s27_q ? select_1844 : sharpness_comparing_less_detail_0_q;
-  logic select_1846;
-  assign select_1846 = so_s27_q ? select_1845 : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:385
-  logic select_1850;
-  assign select_1850 = or_1848_s27_q ? and_1849_s27_q : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:207
-  logic select_1851;
-  assign select_1851 = equal_1796_s27_q ? select_1850 : sharpness_comparing_less_detail_1_q;
-  logic select_1852;
-  assign select_1852 = so_s27_q ? select_1851 : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:1086
-  logic not_2395;
-  assign not_2395 = ~hidden_for_q[7];
-  logic [7:0] select_2397;
-  assign select_2397 = select_2394_s27_q ? (hidden_for_q + {7'h0, not_2395}) : 8'h0;
-  // hls/stages/agreement.hpp:402
-  logic [7:0] select_2399;
-  assign select_2399 = equal_1339_s27_q ? (equal_2383_s27_q ? select_2397 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:1159
-  logic and_2425;
-  assign and_2425 = too_much_q & not_2424_s27_q;
-  // hls/stages/agreement.hpp:1160
-  logic select_2430;
-  assign select_2430 = and_2422_s27_q ? (and_2425 | or_2428_s27_q) : and_2425;
-  // hls/stages/agreement.hpp:424
-  logic select_2552;
-  assign select_2552 = and_1522_s27_q ? (less_1523_s27_q ? and_2550_s27_q : seen_q) : seen_q;
-  logic select_2555;
-  assign select_2555 = and_1522_s27_q ? (less_1523_s27_q ? and_2553_s27_q : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:402
-  logic and_2565;
-  assign and_2565 = equal_1339_s27_q & (equal_2383_s27_q & (cfg_prove_i & or_2363_s27_q));
-  // hls/stages/agreement.hpp:1170
-  logic not_2567;
-  assign not_2567 = ~(or_2363_s27_q | not_2556);
-  // hls/stages/agreement.hpp:402
-  logic and_2570;
-  assign and_2570 = equal_2383_s27_q & (not_2567 & (select_2372_s27_q | select_2430));
-  logic and_2583;
-  assign and_2583 = equal_2383_s27_q & (not_2567 & (select_1852 | select_1864_s27_q));
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      sharpness_comparing_less_detail_0_q <= 1'b0;
-      sharpness_comparing_less_detail_1_q <= 1'b0;
+      patches_valid_0_q <= 1'b0;
+      patches_valid_1_q <= 1'b0;
+      patches_right_next_0_q <= 6'h0;
+      patches_right_next_1_q <= 6'h0;
+      patches_sums_values_0_q <= 10'h0;
+      patches_sums_values_1_q <= 10'h0;
+      patches_sums_values_2_q <= 10'h0;
+      patches_sums_values_3_q <= 10'h0;
+      patches_sums_values_4_q <= 10'h0;
+      patches_sums_values_5_q <= 10'h0;
+      patches_sums_values_6_q <= 10'h0;
+      patches_sums_values_7_q <= 10'h0;
+      patches_sums_values_8_q <= 10'h0;
+      patches_sums_values_9_q <= 10'h0;
+      patches_sums_values_10_q <= 10'h0;
+      patches_sums_values_11_q <= 10'h0;
+      patches_sums_values_12_q <= 10'h0;
+      patches_sums_values_13_q <= 10'h0;
+      patches_sums_values_14_q <= 10'h0;
+      patches_sums_values_15_q <= 10'h0;
+      patches_sums_values_16_q <= 10'h0;
       hidden_for_q <= 8'h0;
       too_much_q <= 1'b0;
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s27_en) begin
-      sharpness_comparing_less_detail_0_q <= select_1846;
-      sharpness_comparing_less_detail_1_q <= select_1852;
-      hidden_for_q <= select_2399;
-      too_much_q <= equal_1339_s27_q ? select_2430 : too_much_q;
-      seen_q <= select_2552;
-      nearer_q <= select_2555;
+      census_left_misses_q <= select_2172;
+      sharpness_comparing_product_0_q <= so_s27_q ? select_2244 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= so_s27_q ? select_2246 : sharpness_comparing_product_1_q;
+      sharpness_comparing_carry_0_q <= select_2255;
+      sharpness_comparing_carry_1_q <= so_s27_q ? select_2258 : sharpness_comparing_carry_1_q;
+      patches_valid_0_q <= select_2788;
+      patches_valid_1_q <= select_2793;
+      patches_right_next_0_q <= select_2796;
+      patches_right_next_1_q <= select_2799;
+      patches_sums_values_0_q <= select_3229;
+      patches_sums_values_1_q <= equal_1692_s27_q ? patches_sums_values_1_q : select_3230;
+      patches_sums_values_2_q <= equal_1692_s27_q ? patches_sums_values_2_q : select_3232;
+      patches_sums_values_3_q <= equal_1692_s27_q ? patches_sums_values_3_q : select_3234;
+      patches_sums_values_4_q <= equal_1692_s27_q ? patches_sums_values_4_q : select_3236;
+      patches_sums_values_5_q <= equal_1692_s27_q ? patches_sums_values_5_q : select_3238;
+      patches_sums_values_6_q <= equal_1692_s27_q ? patches_sums_values_6_q : select_3240;
+      patches_sums_values_7_q <= equal_1692_s27_q ? patches_sums_values_7_q : select_3242;
+      patches_sums_values_8_q <= equal_1692_s27_q ? patches_sums_values_8_q : select_3244;
+      patches_sums_values_9_q <= equal_1692_s27_q ? patches_sums_values_9_q : select_3246;
+      patches_sums_values_10_q <= equal_1692_s27_q ? patches_sums_values_10_q : select_3248;
+      patches_sums_values_11_q <= equal_1692_s27_q ? patches_sums_values_11_q : select_3250;
+      patches_sums_values_12_q <= equal_1692_s27_q ? patches_sums_values_12_q : select_3252;
+      patches_sums_values_13_q <= equal_1692_s27_q ? patches_sums_values_13_q : select_3254;
+      patches_sums_values_14_q <= equal_1692_s27_q ? patches_sums_values_14_q : select_3256;
+      patches_sums_values_15_q <= equal_1692_s27_q ? patches_sums_values_15_q : select_3258;
+      patches_sums_values_16_q <= equal_1692_s27_q ? patches_sums_values_16_q : select_3260;
+      hidden_for_q <= select_3671;
+      too_much_q <= equal_1471_s27_q ? select_3702 : too_much_q;
+      seen_q <= select_3824;
+      nearer_q <= select_3827;
     end
   end
 
@@ -8127,19 +11255,56 @@ module horopter_agreement (
   logic mask_s28_q;
   logic marks_first_s28_q;
   logic marks_last_s28_q;
-  logic equal_1339_s28_q;
-  logic equal_2383_s28_q;
-  logic and_2532_s28_q;
-  logic and_2562_s28_q;
-  logic and_2565_s28_q;
-  logic and_2571_s28_q;
-  logic and_2574_s28_q;
-  logic and_2579_s28_q;
-  logic and_2583_s28_q;
-  logic not_2588_s28_q;
-  logic and_2596_s28_q;
-  logic [5:0] select_2598_s28_q;
-  logic [31:0] select_2615_s28_q;
+  logic [7:0] sample_pair_pixel_1_s28_q;
+  logic [6:0] x_s28_q;
+  logic registration_moved_s28_q;
+  logic patches_lower_s28_q;
+  logic patches_second_s28_q;
+  logic [9:0] patches_sums_values_0_s28_q;
+  logic [4:0] patches_summed_row_column_s28_q;
+  logic patches_summed_first_s28_q;
+  logic patches_summed_last_s28_q;
+  logic [4:0] patches_summed_down_by_s28_q;
+  logic so_s28_q;
+  logic equal_1471_s28_q;
+  logic equal_1516_s28_q;
+  logic equal_1524_s28_q;
+  logic equal_1692_s28_q;
+  logic [4:0] select_1719_s28_q;
+  logic [4:0] select_1722_s28_q;
+  logic and_1732_s28_q;
+  logic [4:0] select_1748_s28_q;
+  logic and_1752_s28_q;
+  logic less_1853_s28_q;
+  logic equal_1854_s28_q;
+  logic not_1855_s28_q;
+  logic equal_1856_s28_q;
+  logic not_1883_s28_q;
+  logic equal_2216_s28_q;
+  logic or_2262_s28_q;
+  logic and_2263_s28_q;
+  logic or_2268_s28_q;
+  logic and_2269_s28_q;
+  logic select_2284_s28_q;
+  logic [9:0] select_2452_s28_q;
+  logic [9:0] select_2455_s28_q;
+  logic equal_2671_s28_q;
+  logic or_3368_s28_q;
+  logic [5:0] difference_3415_s28_q;
+  logic not_3417_s28_q;
+  logic not_3427_s28_q;
+  logic equal_3466_s28_q;
+  logic less_3536_s28_q;
+  logic less_3537_s28_q;
+  logic equal_3565_s28_q;
+  logic or_3637_s28_q;
+  logic and_3804_s28_q;
+  logic not_3835_s28_q;
+  logic or_3845_s28_q;
+  logic or_3854_s28_q;
+  logic not_3866_s28_q;
+  logic [31:0] select_3888_s28_q;
+  logic [9:0] select_3890_s28_q;
   always_ff @(posedge clk_i) begin
     if (s27_en) begin
       pixel_0_s28_q <= pixel_0_s27_q;
@@ -8148,26 +11313,468 @@ module horopter_agreement (
       mask_s28_q <= mask_s27_q;
       marks_first_s28_q <= marks_first_s27_q;
       marks_last_s28_q <= marks_last_s27_q;
-      equal_1339_s28_q <= equal_1339_s27_q;
-      equal_2383_s28_q <= equal_2383_s27_q;
-      and_2532_s28_q <= and_2532_s27_q;
-      and_2562_s28_q <= and_2562_s27_q;
-      and_2565_s28_q <= and_2565;
-      and_2571_s28_q <= equal_1339_s27_q & and_2570;
-      and_2574_s28_q <= and_2574_s27_q;
-      and_2579_s28_q <= equal_2383_s27_q & (not_2567 & (select_1846 | or_2576_s27_q));
-      and_2583_s28_q <= and_2583;
-      not_2588_s28_q <= ~(select_2397 < cfg_hidden_frames_i);
-      and_2596_s28_q <= and_2596_s27_q;
-      select_2598_s28_q <= select_2598_s27_q;
-      select_2615_s28_q <= select_2615_s27_q;
+      sample_pair_pixel_1_s28_q <= sample_pair_pixel_1_s27_q;
+      x_s28_q <= x_s27_q;
+      registration_moved_s28_q <= registration_moved_s27_q;
+      patches_lower_s28_q <= patches_lower_s27_q;
+      patches_second_s28_q <= patches_second_s27_q;
+      patches_sums_values_0_s28_q <= patches_sums_values_0_q;
+      patches_summed_row_column_s28_q <= patches_summed_row_column_s27_q;
+      patches_summed_first_s28_q <= patches_summed_first_s27_q;
+      patches_summed_last_s28_q <= patches_summed_last_s27_q;
+      patches_summed_down_by_s28_q <= patches_summed_down_by_s27_q;
+      so_s28_q <= so_s27_q;
+      equal_1471_s28_q <= equal_1471_s27_q;
+      equal_1516_s28_q <= equal_1516_s27_q;
+      equal_1524_s28_q <= equal_1524_s27_q;
+      equal_1692_s28_q <= equal_1692_s27_q;
+      select_1719_s28_q <= or_1718_s27_q ? 5'h0 : patches_right_next_0_q[4:0];
+      select_1722_s28_q <= select_1722_s27_q;
+      and_1732_s28_q <= sample_pair_whole_s27_q & and_1731;
+      select_1748_s28_q <= or_1747_s27_q ? 5'h0 : patches_right_next_1_q[4:0];
+      and_1752_s28_q <= sample_pair_whole_s27_q & and_1751;
+      less_1853_s28_q <= less_1853_s27_q;
+      equal_1854_s28_q <= equal_1854_s27_q;
+      not_1855_s28_q <= not_1855_s27_q;
+      equal_1856_s28_q <= equal_1856_s27_q;
+      not_1883_s28_q <= not_1883_s27_q;
+      equal_2216_s28_q <= equal_2216_s27_q;
+      or_2262_s28_q <= equal_2260_s27_q | xor_2261;
+      and_2263_s28_q <= five_times[0] & xor_2261;
+      or_2268_s28_q <= equal_2260_s27_q | xor_2267;
+      and_2269_s28_q <= five_times_2[0] & xor_2267;
+      select_2284_s28_q <= select_2284_s27_q;
+      select_2452_s28_q <= select_2452_s27_q;
+      select_2455_s28_q <= select_2455_s27_q;
+      equal_2671_s28_q <= equal_2671_s27_q;
+      or_3368_s28_q <= or_3368;
+      difference_3415_s28_q <= difference_3415[5:0];
+      not_3417_s28_q <= ~less_3416;
+      not_3427_s28_q <= ~($signed(difference_3415) < $signed({9'h0, cfg_patch_limit_i}));
+      equal_3466_s28_q <= equal_3466_s27_q;
+      less_3536_s28_q <= $signed(15'h10) < $signed(difference_3415);
+      less_3537_s28_q <= $signed(difference_3415[14:4]) < $signed(11'h7ff);
+      equal_3565_s28_q <= equal_3565_s27_q;
+      or_3637_s28_q <= or_3637_s27_q;
+      and_3804_s28_q <= and_3804_s27_q;
+      not_3835_s28_q <= not_3835_s27_q;
+      or_3845_s28_q <= select_3645_s27_q | select_3702;
+      or_3854_s28_q <= or_3854;
+      not_3866_s28_q <= ~(select_3669 < cfg_hidden_frames_i);
+      select_3888_s28_q <= select_3888_s27_q;
+      select_3890_s28_q <= select_3890_s27_q;
     end
   end
 
   // Stage 28 ----------------------------------------------------------------------------------------------------------
+  logic [7:0] left_pixel_q;
+  logic sharpness_comparing_less_detail_0_q;
+  logic sharpness_comparing_less_detail_1_q;
+  logic [9:0] patches_best_differing_q;
+  logic [4:0] patches_best_column_q;
+  // hls/stages/patches.hpp:166
+  logic less_1865;
+  assign less_1865 = patches_sums_values_0_s28_q < patches_best_differing_q;
+  // hls/stages/patches.hpp:167
+  logic not_1866;
+  assign not_1866 = ~less_1865;
+  logic [1:0] select_1867;
+  assign select_1867 = patches_summed_first_s28_q ? 2'h2 : {less_1865, not_1866};
+  logic [12:0] select_1869;
+  assign select_1869 = select_1867[0] ? {4'h0, patches_summed_first_s28_q, 3'h0, patches_summed_row_column_s28_q} : {patches_summed_row_column_s28_q, patches_sums_values_0_s28_q[7:0]};
+  logic [14:0] select_1870;
+  assign select_1870 = select_1867[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
+  logic [14:0] select_1871;
+  assign select_1871 = (select_1867 == 2'h2) ? {select_1869[12:8], patches_sums_values_0_s28_q[9:8], select_1869[7:0]} : select_1870;
+  // hls/stages/census.hpp:385
+  logic select_2264;
+  assign select_2264 = or_2262_s28_q ? and_2263_s28_q : sharpness_comparing_less_detail_0_q;
+  // hls/stages/agreement.hpp:207
+  logic select_2265;
+  assign select_2265 = equal_2216_s28_q ? select_2264 : sharpness_comparing_less_detail_0_q;
+  logic select_2266;
+  assign select_2266 = so_s28_q ? select_2265 : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:385
+  logic select_2270;
+  assign select_2270 = or_2268_s28_q ? and_2269_s28_q : sharpness_comparing_less_detail_1_q;
+  // hls/stages/agreement.hpp:207
+  logic select_2271;
+  assign select_2271 = equal_2216_s28_q ? select_2270 : sharpness_comparing_less_detail_1_q;
+  logic select_2272;
+  assign select_2272 = so_s28_q ? select_2271 : sharpness_comparing_less_detail_1_q;
+  // hls/stages/patches.hpp:557
+  logic not_3369;
+  assign not_3369 = ~or_3368_s28_q;
+  // hls/stages/patches.hpp:538
+  logic and_3370;
+  assign and_3370 = equal_1856_s28_q & not_3369;
+  // hls/stages/patches.hpp:166
+  logic and_3373;
+  assign and_3373 = equal_1692_s28_q & (less_1853_s28_q ? (not_1855_s28_q & and_3370) : and_3370);
+  // hls/stages/patches.hpp:538
+  logic and_3376;
+  assign and_3376 = equal_1856_s28_q & (patches_second_s28_q & not_3369);
+  // hls/stages/patches.hpp:166
+  logic and_3379;
+  assign and_3379 = equal_1692_s28_q & (less_1853_s28_q ? (not_1855_s28_q & and_3376) : and_3376);
+  // hls/stages/patches.hpp:538
+  logic and_3419;
+  assign and_3419 = equal_1856_s28_q & (not_3369 & not_3417_s28_q);
+  // hls/stages/patches.hpp:166
+  logic and_3422;
+  assign and_3422 = equal_1692_s28_q & (less_1853_s28_q ? (not_1855_s28_q & and_3419) : and_3419);
+  // hls/stages/patches.hpp:538
+  logic and_3429;
+  assign and_3429 = equal_1856_s28_q & (not_3369 & not_3427_s28_q);
+  // hls/stages/patches.hpp:166
+  logic and_3432;
+  assign and_3432 = equal_1692_s28_q & (less_1853_s28_q ? (not_1855_s28_q & and_3429) : and_3429);
+  // hls/stages/agreement.hpp:1072
+  logic less_3465;
+  assign less_3465 = x_s28_q[5:3] < 3'h5;
+  // hls/stages/registration.hpp:150
+  logic not_3467;
+  assign not_3467 = ~x_s28_q[4];
+  // hls/stages/registration.hpp:157
+  logic not_3468;
+  assign not_3468 = ~x_s28_q[3];
+  // hls/stages/patches.hpp:182
+  logic and_3469;
+  assign and_3469 = not_3467 & not_3468;
+  logic [1:0] select_3470;
+  assign select_3470 = x_s28_q[4] ? {1'b1, x_s28_q[3]} : {not_3468, 1'b1};
+  logic [3:0] select_3471;
+  assign select_3471 = x_s28_q[5] ? {{2{and_3469}}, 2'h0} : {not_3468, not_3467, select_3470};
+  // hls/stages/agreement.hpp:1084
+  logic and_3474;
+  assign and_3474 = not_1883_s28_q & (less_3465 & (equal_3466_s28_q & select_3471[0]));
+  // hls/stages/patches.hpp:182
+  logic equal_3478;
+  assign equal_3478 = x_s28_q[2:0] == 3'h1;
+  // hls/stages/agreement.hpp:1084
+  logic and_3482;
+  assign and_3482 = x_s28_q[6] & (not_1883_s28_q & (less_3465 & (select_3471[1] & equal_3478)));
+  logic and_3489;
+  assign and_3489 = not_1883_s28_q & (less_3465 & (select_3471[2] & (x_s28_q[2:0] == 3'h2)));
+  logic and_3497;
+  assign and_3497 = not_1883_s28_q & (less_3465 & (select_3471[3] & (x_s28_q[2:0] == 3'h3)));
+  // hls/stages/patches.hpp:186
+  logic [4:0] sum_3516;
+  assign sum_3516 = {2'h0, x_s28_q[2:0]} + 5'h1f;
+  // hls/stages/patches.hpp:322
+  logic and_3525;
+  assign and_3525 = equal_1471_s28_q & (x_s28_q[6] & (not_1883_s28_q & (less_3465 & equal_3478)));
+  // hls/stages/patches.hpp:583
+  logic [5:0] select_3539;
+  assign select_3539 = less_3536_s28_q ? 6'h10 : (less_3537_s28_q ? 6'h30 : difference_3415_s28_q);
+  // hls/stages/patches.hpp:538
+  logic [5:0] select_3541;
+  assign select_3541 = equal_1856_s28_q ? (or_3368_s28_q ? 6'h0 : select_3539) : 6'h0;
+  logic [5:0] select_3543;
+  assign select_3543 = less_1853_s28_q ? (equal_1854_s28_q ? 6'h0 : select_3541) : select_3541;
+  // hls/stages/patches.hpp:322
+  logic and_3550;
+  assign and_3550 = equal_1471_s28_q & (x_s28_q[6] & (not_1883_s28_q & (equal_2671_s28_q & less_3465)));
+  // hls/stages/agreement.hpp:1084
+  logic and_3554;
+  assign and_3554 = x_s28_q[6] & (not_1883_s28_q & (less_3465 & (x_s28_q[5:3] == 3'h0)));
+  // hls/stages/patches.hpp:322
+  logic and_3842;
+  assign and_3842 = equal_1471_s28_q & (equal_3565_s28_q & (cfg_prove_i & or_3637_s28_q));
+  // hls/stages/agreement.hpp:1171
+  logic not_3844;
+  assign not_3844 = ~(or_3637_s28_q | not_3828);
+  // hls/stages/patches.hpp:322
+  logic and_3848;
+  assign and_3848 = equal_1471_s28_q & (equal_3565_s28_q & (not_3844 & or_3845_s28_q));
+  logic and_3861;
+  assign and_3861 = equal_3565_s28_q & (not_3844 & (select_2272 | select_2284_s28_q));
   // hls/stages/agreement.hpp:1088
-  logic and_2590;
-  assign and_2590 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_2588_s28_q);
+  logic and_3868;
+  assign and_3868 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_3866_s28_q);
+  // hls/stages/patches.hpp:322
+  logic and_3874;
+  assign and_3874 = equal_1471_s28_q & (x_s28_q[6] & (not_1883_s28_q | (4'hc < x_s28_q[5:2])));
+
+  // Memory patches_right_0, write
+  logic [9:0] patches_right_0_waddr;
+  assign patches_right_0_waddr = {select_1722_s28_q, select_1719_s28_q};
+  logic patches_right_0_we;
+  assign patches_right_0_we = s28_en & and_1732_s28_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (patches_right_0_we) patches_right_0_mem[patches_right_0_waddr] <= sample_pair_pixel_1_s28_q;
+  end
+`ifndef SYNTHESIS
+  logic [9:0] patches_right_0_raddr_s15_sim;
+  logic patches_right_0_re_s15_sim;
+  logic [9:0] patches_right_0_raddr_s16_sim;
+  logic patches_right_0_re_s16_sim;
+  logic [9:0] patches_right_0_raddr_s17_sim;
+  logic patches_right_0_re_s17_sim;
+  logic [9:0] patches_right_0_raddr_s18_sim;
+  logic patches_right_0_re_s18_sim;
+  logic [9:0] patches_right_0_raddr_s19_sim;
+  logic patches_right_0_re_s19_sim;
+  logic [9:0] patches_right_0_raddr_s20_sim;
+  logic patches_right_0_re_s20_sim;
+  logic [9:0] patches_right_0_raddr_s21_sim;
+  logic patches_right_0_re_s21_sim;
+  logic [9:0] patches_right_0_raddr_s22_sim;
+  logic patches_right_0_re_s22_sim;
+  logic [9:0] patches_right_0_raddr_s23_sim;
+  logic patches_right_0_re_s23_sim;
+  logic [9:0] patches_right_0_raddr_s24_sim;
+  logic patches_right_0_re_s24_sim;
+  logic [9:0] patches_right_0_raddr_s25_sim;
+  logic patches_right_0_re_s25_sim;
+  logic [9:0] patches_right_0_raddr_s26_sim;
+  logic patches_right_0_re_s26_sim;
+  logic [9:0] patches_right_0_raddr_s27_sim;
+  logic patches_right_0_re_s27_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_right_0_re_s15_sim <= 1'b0;
+      patches_right_0_re_s16_sim <= 1'b0;
+      patches_right_0_re_s17_sim <= 1'b0;
+      patches_right_0_re_s18_sim <= 1'b0;
+      patches_right_0_re_s19_sim <= 1'b0;
+      patches_right_0_re_s20_sim <= 1'b0;
+      patches_right_0_re_s21_sim <= 1'b0;
+      patches_right_0_re_s22_sim <= 1'b0;
+      patches_right_0_re_s23_sim <= 1'b0;
+      patches_right_0_re_s24_sim <= 1'b0;
+      patches_right_0_re_s25_sim <= 1'b0;
+      patches_right_0_re_s26_sim <= 1'b0;
+      patches_right_0_re_s27_sim <= 1'b0;
+    end else if (en_i) begin
+      patches_right_0_re_s15_sim <= patches_right_0_re;
+      patches_right_0_raddr_s15_sim <= patches_right_0_raddr;
+      patches_right_0_re_s16_sim <= patches_right_0_re_s15_sim;
+      patches_right_0_raddr_s16_sim <= patches_right_0_raddr_s15_sim;
+      patches_right_0_re_s17_sim <= patches_right_0_re_s16_sim;
+      patches_right_0_raddr_s17_sim <= patches_right_0_raddr_s16_sim;
+      patches_right_0_re_s18_sim <= patches_right_0_re_s17_sim;
+      patches_right_0_raddr_s18_sim <= patches_right_0_raddr_s17_sim;
+      patches_right_0_re_s19_sim <= patches_right_0_re_s18_sim;
+      patches_right_0_raddr_s19_sim <= patches_right_0_raddr_s18_sim;
+      patches_right_0_re_s20_sim <= patches_right_0_re_s19_sim;
+      patches_right_0_raddr_s20_sim <= patches_right_0_raddr_s19_sim;
+      patches_right_0_re_s21_sim <= patches_right_0_re_s20_sim;
+      patches_right_0_raddr_s21_sim <= patches_right_0_raddr_s20_sim;
+      patches_right_0_re_s22_sim <= patches_right_0_re_s21_sim;
+      patches_right_0_raddr_s22_sim <= patches_right_0_raddr_s21_sim;
+      patches_right_0_re_s23_sim <= patches_right_0_re_s22_sim;
+      patches_right_0_raddr_s23_sim <= patches_right_0_raddr_s22_sim;
+      patches_right_0_re_s24_sim <= patches_right_0_re_s23_sim;
+      patches_right_0_raddr_s24_sim <= patches_right_0_raddr_s23_sim;
+      patches_right_0_re_s25_sim <= patches_right_0_re_s24_sim;
+      patches_right_0_raddr_s25_sim <= patches_right_0_raddr_s24_sim;
+      patches_right_0_re_s26_sim <= patches_right_0_re_s25_sim;
+      patches_right_0_raddr_s26_sim <= patches_right_0_raddr_s25_sim;
+      patches_right_0_re_s27_sim <= patches_right_0_re_s26_sim;
+      patches_right_0_raddr_s27_sim <= patches_right_0_raddr_s26_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && patches_right_0_we) begin
+      if (patches_right_0_re && patches_right_0_raddr == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s15_sim && patches_right_0_raddr_s15_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s16_sim && patches_right_0_raddr_s16_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s17_sim && patches_right_0_raddr_s17_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s18_sim && patches_right_0_raddr_s18_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s19_sim && patches_right_0_raddr_s19_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s20_sim && patches_right_0_raddr_s20_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s21_sim && patches_right_0_raddr_s21_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s22_sim && patches_right_0_raddr_s22_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s23_sim && patches_right_0_raddr_s23_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s24_sim && patches_right_0_raddr_s24_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s25_sim && patches_right_0_raddr_s25_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s26_sim && patches_right_0_raddr_s26_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s27_sim && patches_right_0_raddr_s27_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+    end
+  end
+`endif
+
+  // Memory patches_right_1, write
+  logic [9:0] patches_right_1_waddr;
+  assign patches_right_1_waddr = {select_1722_s28_q, select_1748_s28_q};
+  logic patches_right_1_we;
+  assign patches_right_1_we = s28_en & and_1752_s28_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (patches_right_1_we) patches_right_1_mem[patches_right_1_waddr] <= sample_pair_pixel_1_s28_q;
+  end
+`ifndef SYNTHESIS
+  logic [9:0] patches_right_1_raddr_s15_sim;
+  logic patches_right_1_re_s15_sim;
+  logic [9:0] patches_right_1_raddr_s16_sim;
+  logic patches_right_1_re_s16_sim;
+  logic [9:0] patches_right_1_raddr_s17_sim;
+  logic patches_right_1_re_s17_sim;
+  logic [9:0] patches_right_1_raddr_s18_sim;
+  logic patches_right_1_re_s18_sim;
+  logic [9:0] patches_right_1_raddr_s19_sim;
+  logic patches_right_1_re_s19_sim;
+  logic [9:0] patches_right_1_raddr_s20_sim;
+  logic patches_right_1_re_s20_sim;
+  logic [9:0] patches_right_1_raddr_s21_sim;
+  logic patches_right_1_re_s21_sim;
+  logic [9:0] patches_right_1_raddr_s22_sim;
+  logic patches_right_1_re_s22_sim;
+  logic [9:0] patches_right_1_raddr_s23_sim;
+  logic patches_right_1_re_s23_sim;
+  logic [9:0] patches_right_1_raddr_s24_sim;
+  logic patches_right_1_re_s24_sim;
+  logic [9:0] patches_right_1_raddr_s25_sim;
+  logic patches_right_1_re_s25_sim;
+  logic [9:0] patches_right_1_raddr_s26_sim;
+  logic patches_right_1_re_s26_sim;
+  logic [9:0] patches_right_1_raddr_s27_sim;
+  logic patches_right_1_re_s27_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_right_1_re_s15_sim <= 1'b0;
+      patches_right_1_re_s16_sim <= 1'b0;
+      patches_right_1_re_s17_sim <= 1'b0;
+      patches_right_1_re_s18_sim <= 1'b0;
+      patches_right_1_re_s19_sim <= 1'b0;
+      patches_right_1_re_s20_sim <= 1'b0;
+      patches_right_1_re_s21_sim <= 1'b0;
+      patches_right_1_re_s22_sim <= 1'b0;
+      patches_right_1_re_s23_sim <= 1'b0;
+      patches_right_1_re_s24_sim <= 1'b0;
+      patches_right_1_re_s25_sim <= 1'b0;
+      patches_right_1_re_s26_sim <= 1'b0;
+      patches_right_1_re_s27_sim <= 1'b0;
+    end else if (en_i) begin
+      patches_right_1_re_s15_sim <= patches_right_1_re;
+      patches_right_1_raddr_s15_sim <= patches_right_1_raddr;
+      patches_right_1_re_s16_sim <= patches_right_1_re_s15_sim;
+      patches_right_1_raddr_s16_sim <= patches_right_1_raddr_s15_sim;
+      patches_right_1_re_s17_sim <= patches_right_1_re_s16_sim;
+      patches_right_1_raddr_s17_sim <= patches_right_1_raddr_s16_sim;
+      patches_right_1_re_s18_sim <= patches_right_1_re_s17_sim;
+      patches_right_1_raddr_s18_sim <= patches_right_1_raddr_s17_sim;
+      patches_right_1_re_s19_sim <= patches_right_1_re_s18_sim;
+      patches_right_1_raddr_s19_sim <= patches_right_1_raddr_s18_sim;
+      patches_right_1_re_s20_sim <= patches_right_1_re_s19_sim;
+      patches_right_1_raddr_s20_sim <= patches_right_1_raddr_s19_sim;
+      patches_right_1_re_s21_sim <= patches_right_1_re_s20_sim;
+      patches_right_1_raddr_s21_sim <= patches_right_1_raddr_s20_sim;
+      patches_right_1_re_s22_sim <= patches_right_1_re_s21_sim;
+      patches_right_1_raddr_s22_sim <= patches_right_1_raddr_s21_sim;
+      patches_right_1_re_s23_sim <= patches_right_1_re_s22_sim;
+      patches_right_1_raddr_s23_sim <= patches_right_1_raddr_s22_sim;
+      patches_right_1_re_s24_sim <= patches_right_1_re_s23_sim;
+      patches_right_1_raddr_s24_sim <= patches_right_1_raddr_s23_sim;
+      patches_right_1_re_s25_sim <= patches_right_1_re_s24_sim;
+      patches_right_1_raddr_s25_sim <= patches_right_1_raddr_s24_sim;
+      patches_right_1_re_s26_sim <= patches_right_1_re_s25_sim;
+      patches_right_1_raddr_s26_sim <= patches_right_1_raddr_s25_sim;
+      patches_right_1_re_s27_sim <= patches_right_1_re_s26_sim;
+      patches_right_1_raddr_s27_sim <= patches_right_1_raddr_s26_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && patches_right_1_we) begin
+      if (patches_right_1_re && patches_right_1_raddr == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s15_sim && patches_right_1_raddr_s15_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s16_sim && patches_right_1_raddr_s16_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s17_sim && patches_right_1_raddr_s17_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s18_sim && patches_right_1_raddr_s18_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s19_sim && patches_right_1_raddr_s19_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s20_sim && patches_right_1_raddr_s20_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s21_sim && patches_right_1_raddr_s21_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s22_sim && patches_right_1_raddr_s22_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s23_sim && patches_right_1_raddr_s23_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s24_sim && patches_right_1_raddr_s24_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s25_sim && patches_right_1_raddr_s25_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s26_sim && patches_right_1_raddr_s26_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s27_sim && patches_right_1_raddr_s27_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+    end
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      sharpness_comparing_less_detail_0_q <= 1'b0;
+      sharpness_comparing_less_detail_1_q <= 1'b0;
+      patches_best_differing_q <= 10'h0;
+      patches_best_column_q <= 5'h0;
+    end else if (s28_en) begin
+      sharpness_comparing_less_detail_0_q <= select_2266;
+      sharpness_comparing_less_detail_1_q <= select_2272;
+      patches_best_differing_q <= select_1871[9:0];
+      patches_best_column_q <= select_1871[14:10];
+    end
+  end
+
+  // Not reset: nothing of it counts before it is written anew.
+`ifndef SYNTHESIS
+  initial begin
+    left_pixel_q = 8'h0;
+  end
+`endif
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (s28_en) begin
+      left_pixel_q <= left_pixel_q;
+    end
+  end
 
   logic [7:0] pixel_0_s29_q;
   logic [7:0] pixel_1_s29_q;
@@ -8175,19 +11782,42 @@ module horopter_agreement (
   logic mask_s29_q;
   logic marks_first_s29_q;
   logic marks_last_s29_q;
-  logic and_2532_s29_q;
-  logic or_2557_s29_q;
-  logic and_2558_s29_q;
-  logic and_2562_s29_q;
-  logic and_2565_s29_q;
-  logic and_2571_s29_q;
-  logic and_2574_s29_q;
-  logic and_2580_s29_q;
-  logic and_2584_s29_q;
-  logic and_2592_s29_q;
-  logic and_2596_s29_q;
-  logic [5:0] select_2598_s29_q;
-  logic [31:0] select_2615_s29_q;
+  logic [6:0] x_s29_q;
+  logic registration_moved_s29_q;
+  logic patches_lower_s29_q;
+  logic patches_summed_last_s29_q;
+  logic [4:0] patches_summed_down_by_s29_q;
+  logic equal_1471_s29_q;
+  logic equal_1516_s29_q;
+  logic equal_1524_s29_q;
+  logic [9:0] select_2452_s29_q;
+  logic [9:0] select_2455_s29_q;
+  logic and_3373_s29_q;
+  logic and_3379_s29_q;
+  logic and_3422_s29_q;
+  logic and_3432_s29_q;
+  logic and_3475_s29_q;
+  logic and_3482_s29_q;
+  logic and_3490_s29_q;
+  logic and_3498_s29_q;
+  logic and_3519_s29_q;
+  logic and_3525_s29_q;
+  logic [5:0] select_3544_s29_q;
+  logic and_3550_s29_q;
+  logic and_3555_s29_q;
+  logic equal_3565_s29_q;
+  logic and_3804_s29_q;
+  logic or_3829_s29_q;
+  logic and_3830_s29_q;
+  logic not_3835_s29_q;
+  logic and_3842_s29_q;
+  logic and_3848_s29_q;
+  logic and_3857_s29_q;
+  logic and_3861_s29_q;
+  logic and_3870_s29_q;
+  logic and_3874_s29_q;
+  logic [31:0] select_3888_s29_q;
+  logic [9:0] select_3890_s29_q;
   always_ff @(posedge clk_i) begin
     if (s28_en) begin
       pixel_0_s29_q <= pixel_0_s28_q;
@@ -8196,43 +11826,481 @@ module horopter_agreement (
       mask_s29_q <= mask_s28_q;
       marks_first_s29_q <= marks_first_s28_q;
       marks_last_s29_q <= marks_last_s28_q;
-      and_2532_s29_q <= and_2532_s28_q;
-      or_2557_s29_q <= not_2556 | seen_q;
-      and_2558_s29_q <= cfg_prove_i & nearer_q;
-      and_2562_s29_q <= and_2562_s28_q;
-      and_2565_s29_q <= and_2565_s28_q;
-      and_2571_s29_q <= and_2571_s28_q;
-      and_2574_s29_q <= and_2574_s28_q;
-      and_2580_s29_q <= equal_1339_s28_q & and_2579_s28_q;
-      and_2584_s29_q <= equal_1339_s28_q & and_2583_s28_q;
-      and_2592_s29_q <= equal_1339_s28_q & (equal_2383_s28_q & and_2590);
-      and_2596_s29_q <= and_2596_s28_q;
-      select_2598_s29_q <= select_2598_s28_q;
-      select_2615_s29_q <= select_2615_s28_q;
+      x_s29_q <= x_s28_q;
+      registration_moved_s29_q <= registration_moved_s28_q;
+      patches_lower_s29_q <= patches_lower_s28_q;
+      patches_summed_last_s29_q <= patches_summed_last_s28_q;
+      patches_summed_down_by_s29_q <= patches_summed_down_by_s28_q;
+      equal_1471_s29_q <= equal_1471_s28_q;
+      equal_1516_s29_q <= equal_1516_s28_q;
+      equal_1524_s29_q <= equal_1524_s28_q;
+      select_2452_s29_q <= select_2452_s28_q;
+      select_2455_s29_q <= select_2455_s28_q;
+      and_3373_s29_q <= and_3373;
+      and_3379_s29_q <= and_3379;
+      and_3422_s29_q <= and_3422;
+      and_3432_s29_q <= and_3432;
+      and_3475_s29_q <= x_s28_q[6] & and_3474;
+      and_3482_s29_q <= and_3482;
+      and_3490_s29_q <= x_s28_q[6] & and_3489;
+      and_3498_s29_q <= x_s28_q[6] & and_3497;
+      and_3519_s29_q <= not_1883_s28_q & (less_3465 & (sum_3516[4:2] == 3'h0));
+      and_3525_s29_q <= and_3525;
+      select_3544_s29_q <= equal_1692_s28_q ? select_3543 : 6'h0;
+      and_3550_s29_q <= and_3550;
+      and_3555_s29_q <= equal_1471_s28_q & and_3554;
+      equal_3565_s29_q <= equal_3565_s28_q;
+      and_3804_s29_q <= and_3804_s28_q;
+      or_3829_s29_q <= not_3828 | seen_q;
+      and_3830_s29_q <= cfg_prove_i & nearer_q;
+      not_3835_s29_q <= not_3835_s28_q;
+      and_3842_s29_q <= and_3842;
+      and_3848_s29_q <= and_3848;
+      and_3857_s29_q <= equal_3565_s28_q & (not_3844 & (select_2266 | or_3854_s28_q));
+      and_3861_s29_q <= and_3861;
+      and_3870_s29_q <= equal_1471_s28_q & (equal_3565_s28_q & and_3868);
+      and_3874_s29_q <= and_3874;
+      select_3888_s29_q <= select_3888_s28_q;
+      select_3890_s29_q <= select_3890_s28_q;
+    end
+  end
+
+  // Stage 29 ----------------------------------------------------------------------------------------------------------
+  logic [7:0] patches_quarters_0_places_q;
+  logic [7:0] patches_quarters_0_up_q;
+  logic [7:0] patches_quarters_0_down_q;
+  logic [7:0] patches_quarters_1_places_q;
+  logic [7:0] patches_quarters_1_up_q;
+  logic [7:0] patches_quarters_1_down_q;
+  logic [7:0] patches_quarters_2_places_q;
+  logic [7:0] patches_quarters_2_up_q;
+  logic [7:0] patches_quarters_2_down_q;
+  logic [7:0] patches_quarters_3_places_q;
+  logic [7:0] patches_quarters_3_up_q;
+  logic [7:0] patches_quarters_3_down_q;
+  logic [7:0] patches_word_places_q;
+  logic [7:0] patches_word_up_q;
+  logic [7:0] patches_word_down_q;
+  logic [7:0] patches_sum_places_q;
+  logic [7:0] patches_sum_up_q;
+  logic [7:0] patches_sum_down_q;
+  logic [11:0] patches_across_q;
+  logic [7:0] patches_places_q;
+  logic patches_enough_q;
+  logic patches_mostly_q;
+  logic patches_complete_q;
+  logic patches_round_ends_q;
+  logic [4:0] patches_found_q;
+  logic [7:0] patches_round_places_q;
+  logic [11:0] patches_round_across_q;
+  logic [4:0] patches_round_moved_q;
+  logic patches_moved_q;
+  logic patches_settled_q;
+  // hls/stages/patches.hpp:616
+  logic not_3374;
+  assign not_3374 = ~patches_lower_s29_q;
+  logic not_3380;
+  assign not_3380 = ~and_3379_s29_q;
+  // hls/stages/patches.hpp:170
+  logic and_3382;
+  assign and_3382 = and_3373_s29_q & (not_3374 & not_3380);
+  // hls/stages/patches.hpp:618
+  logic [7:0] sum_3384;
+  assign sum_3384 = {7'h0, and_3382} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  // hls/stages/patches.hpp:619
+  logic and_3423;
+  assign and_3423 = and_3422_s29_q & and_3382;
+  logic [7:0] sum_3424;
+  assign sum_3424 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3423};
+  // hls/stages/patches.hpp:620
+  logic and_3433;
+  assign and_3433 = and_3432_s29_q & and_3382;
+  logic [7:0] sum_3434;
+  assign sum_3434 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3433};
+  // hls/stages/patches.hpp:170
+  logic and_3436;
+  assign and_3436 = and_3373_s29_q & (and_3379_s29_q & not_3374);
+  // hls/stages/patches.hpp:618
+  logic [7:0] sum_3438;
+  assign sum_3438 = {7'h0, and_3436} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:619
+  logic and_3440;
+  assign and_3440 = and_3422_s29_q & and_3436;
+  logic [7:0] sum_3441;
+  assign sum_3441 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3440};
+  // hls/stages/patches.hpp:620
+  logic and_3443;
+  assign and_3443 = and_3432_s29_q & and_3436;
+  logic [7:0] sum_3444;
+  assign sum_3444 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3443};
+  // hls/stages/patches.hpp:170
+  logic and_3446;
+  assign and_3446 = and_3373_s29_q & (patches_lower_s29_q & not_3380);
+  // hls/stages/patches.hpp:618
+  logic [7:0] sum_3448;
+  assign sum_3448 = {7'h0, and_3446} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:619
+  logic and_3450;
+  assign and_3450 = and_3422_s29_q & and_3446;
+  logic [7:0] sum_3451;
+  assign sum_3451 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3450};
+  // hls/stages/patches.hpp:620
+  logic and_3453;
+  assign and_3453 = and_3432_s29_q & and_3446;
+  logic [7:0] sum_3454;
+  assign sum_3454 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3453};
+  // hls/stages/patches.hpp:170
+  logic and_3456;
+  assign and_3456 = and_3373_s29_q & (patches_lower_s29_q & and_3379_s29_q);
+  // hls/stages/patches.hpp:618
+  logic [7:0] sum_3458;
+  assign sum_3458 = {7'h0, and_3456} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:619
+  logic and_3460;
+  assign and_3460 = and_3422_s29_q & and_3456;
+  logic [7:0] sum_3461;
+  assign sum_3461 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3460};
+  // hls/stages/patches.hpp:620
+  logic and_3463;
+  assign and_3463 = and_3432_s29_q & and_3456;
+  logic [7:0] sum_3464;
+  assign sum_3464 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3463};
+  // hls/stages/patches.hpp:322
+  logic and_3476;
+  assign and_3476 = equal_1471_s29_q & and_3475_s29_q;
+  logic and_3483;
+  assign and_3483 = equal_1471_s29_q & and_3482_s29_q;
+  // hls/stages/patches.hpp:599
+  logic [7:0] or_3485;
+  assign or_3485 = (and_3476 ? patches_quarters_0_places_q : 8'h0) | (and_3483 ? patches_quarters_1_places_q : 8'h0);
+  // hls/stages/patches.hpp:322
+  logic and_3491;
+  assign and_3491 = equal_1471_s29_q & and_3490_s29_q;
+  logic and_3499;
+  assign and_3499 = equal_1471_s29_q & and_3498_s29_q;
+  // hls/stages/patches.hpp:599
+  logic [7:0] or_3501;
+  assign or_3501 = (or_3485 | (and_3491 ? patches_quarters_2_places_q : 8'h0)) | (and_3499 ? patches_quarters_3_places_q : 8'h0);
+  // hls/stages/patches.hpp:600
+  logic [7:0] or_3504;
+  assign or_3504 = (and_3476 ? patches_quarters_0_up_q : 8'h0) | (and_3483 ? patches_quarters_1_up_q : 8'h0);
+  logic [7:0] or_3508;
+  assign or_3508 = (or_3504 | (and_3491 ? patches_quarters_2_up_q : 8'h0)) | (and_3499 ? patches_quarters_3_up_q : 8'h0);
+  // hls/stages/patches.hpp:601
+  logic [7:0] or_3511;
+  assign or_3511 = (and_3476 ? patches_quarters_0_down_q : 8'h0) | (and_3483 ? patches_quarters_1_down_q : 8'h0);
+  logic [7:0] or_3515;
+  assign or_3515 = (or_3511 | (and_3491 ? patches_quarters_2_down_q : 8'h0)) | (and_3499 ? patches_quarters_3_down_q : 8'h0);
+  // hls/stages/patches.hpp:322
+  logic and_3521;
+  assign and_3521 = equal_1471_s29_q & (x_s29_q[6] & and_3519_s29_q);
+  // hls/stages/patches.hpp:594
+  logic [7:0] sum_3527;
+  assign sum_3527 = patches_word_places_q + (and_3525_s29_q ? 8'h0 : patches_sum_places_q);
+  // hls/stages/patches.hpp:596
+  logic [7:0] select_3531;
+  assign select_3531 = and_3521 ? (patches_word_up_q + (and_3525_s29_q ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] sum_3533;
+  assign sum_3533 = patches_word_down_q + (and_3525_s29_q ? 8'h0 : patches_sum_down_q);
+  // hls/stages/patches.hpp:622
+  logic [5:0] select_3545;
+  assign select_3545 = and_3373_s29_q ? select_3544_s29_q : 6'h0;
+  logic [11:0] sum_3546;
+  assign sum_3546 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3545[5]}}, select_3545};
+  // hls/stages/patches.hpp:611
+  logic [7:0] select_3557;
+  assign select_3557 = and_3550_s29_q ? (and_3555_s29_q ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  // hls/stages/patches.hpp:613
+  logic or_3561;
+  assign or_3561 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  // hls/stages/patches.hpp:610
+  logic select_3563;
+  assign select_3563 = and_3550_s29_q ? (and_3555_s29_q ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  // hls/stages/patches.hpp:170
+  logic and_3569;
+  assign and_3569 = patches_complete_q & (equal_1471_s29_q & ((x_s29_q == 7'h70) & (~equal_3565_s29_q)));
+  logic and_3570;
+  assign and_3570 = patches_enough_q & patches_mostly_q;
+  // hls/stages/patches.hpp:610
+  logic [4:0] select_3571;
+  assign select_3571 = and_3550_s29_q ? {and_3570, patches_found_q[4:1]} : patches_found_q;
+  logic [4:0] select_3573;
+  assign select_3573 = and_3550_s29_q ? (and_3555_s29_q ? {and_3570, patches_found_q[4:1]} : select_3571) : patches_found_q;
+  // hls/stages/patches.hpp:608
+  logic select_3579;
+  assign select_3579 = patches_round_ends_q ? (~(patches_found_q == 5'h0)) : patches_moved_q;
+  // hls/stages/agreement.hpp:1169
+  logic or_3836;
+  assign or_3836 = ((~(cfg_patch_limit_i == 6'h3f)) & (~patches_settled_q)) | not_3835_s29_q;
+  // hls/stages/patches.hpp:322
+  logic and_3851;
+  assign and_3851 = equal_3565_s29_q & (cfg_prove_i & (registration_moved_s29_q | patches_moved_q));
+  // hls/stages/agreement.hpp:1082
+  logic [31:0] select_3889;
+  assign select_3889 = equal_1524_s29_q ? {7'h0, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_3888_s29_q;
+  // hls/stages/agreement.hpp:1084
+  logic [31:0] select_3891;
+  assign select_3891 = equal_1516_s29_q ? select_3889 : {2'h0, select_3890_s29_q, select_2455_s29_q, select_2452_s29_q};
+
+  // Memory patches_rows, write
+  logic [4:0] patches_rows_waddr;
+  assign patches_rows_waddr = patches_summed_down_by_s29_q;
+  logic patches_rows_we;
+  assign patches_rows_we = s29_en & patches_summed_last_s29_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= {patches_best_column_q, patches_best_differing_q};
+  end
+`ifndef SYNTHESIS
+  logic [4:0] patches_rows_raddr_s16_sim;
+  logic patches_rows_re_s16_sim;
+  logic [4:0] patches_rows_raddr_s17_sim;
+  logic patches_rows_re_s17_sim;
+  logic [4:0] patches_rows_raddr_s18_sim;
+  logic patches_rows_re_s18_sim;
+  logic [4:0] patches_rows_raddr_s19_sim;
+  logic patches_rows_re_s19_sim;
+  logic [4:0] patches_rows_raddr_s20_sim;
+  logic patches_rows_re_s20_sim;
+  logic [4:0] patches_rows_raddr_s21_sim;
+  logic patches_rows_re_s21_sim;
+  logic [4:0] patches_rows_raddr_s22_sim;
+  logic patches_rows_re_s22_sim;
+  logic [4:0] patches_rows_raddr_s23_sim;
+  logic patches_rows_re_s23_sim;
+  logic [4:0] patches_rows_raddr_s24_sim;
+  logic patches_rows_re_s24_sim;
+  logic [4:0] patches_rows_raddr_s25_sim;
+  logic patches_rows_re_s25_sim;
+  logic [4:0] patches_rows_raddr_s26_sim;
+  logic patches_rows_re_s26_sim;
+  logic [4:0] patches_rows_raddr_s27_sim;
+  logic patches_rows_re_s27_sim;
+  logic [4:0] patches_rows_raddr_s28_sim;
+  logic patches_rows_re_s28_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_rows_re_s16_sim <= 1'b0;
+      patches_rows_re_s17_sim <= 1'b0;
+      patches_rows_re_s18_sim <= 1'b0;
+      patches_rows_re_s19_sim <= 1'b0;
+      patches_rows_re_s20_sim <= 1'b0;
+      patches_rows_re_s21_sim <= 1'b0;
+      patches_rows_re_s22_sim <= 1'b0;
+      patches_rows_re_s23_sim <= 1'b0;
+      patches_rows_re_s24_sim <= 1'b0;
+      patches_rows_re_s25_sim <= 1'b0;
+      patches_rows_re_s26_sim <= 1'b0;
+      patches_rows_re_s27_sim <= 1'b0;
+      patches_rows_re_s28_sim <= 1'b0;
+    end else if (en_i) begin
+      patches_rows_re_s16_sim <= patches_rows_re;
+      patches_rows_raddr_s16_sim <= patches_rows_raddr;
+      patches_rows_re_s17_sim <= patches_rows_re_s16_sim;
+      patches_rows_raddr_s17_sim <= patches_rows_raddr_s16_sim;
+      patches_rows_re_s18_sim <= patches_rows_re_s17_sim;
+      patches_rows_raddr_s18_sim <= patches_rows_raddr_s17_sim;
+      patches_rows_re_s19_sim <= patches_rows_re_s18_sim;
+      patches_rows_raddr_s19_sim <= patches_rows_raddr_s18_sim;
+      patches_rows_re_s20_sim <= patches_rows_re_s19_sim;
+      patches_rows_raddr_s20_sim <= patches_rows_raddr_s19_sim;
+      patches_rows_re_s21_sim <= patches_rows_re_s20_sim;
+      patches_rows_raddr_s21_sim <= patches_rows_raddr_s20_sim;
+      patches_rows_re_s22_sim <= patches_rows_re_s21_sim;
+      patches_rows_raddr_s22_sim <= patches_rows_raddr_s21_sim;
+      patches_rows_re_s23_sim <= patches_rows_re_s22_sim;
+      patches_rows_raddr_s23_sim <= patches_rows_raddr_s22_sim;
+      patches_rows_re_s24_sim <= patches_rows_re_s23_sim;
+      patches_rows_raddr_s24_sim <= patches_rows_raddr_s23_sim;
+      patches_rows_re_s25_sim <= patches_rows_re_s24_sim;
+      patches_rows_raddr_s25_sim <= patches_rows_raddr_s24_sim;
+      patches_rows_re_s26_sim <= patches_rows_re_s25_sim;
+      patches_rows_raddr_s26_sim <= patches_rows_raddr_s25_sim;
+      patches_rows_re_s27_sim <= patches_rows_re_s26_sim;
+      patches_rows_raddr_s27_sim <= patches_rows_raddr_s26_sim;
+      patches_rows_re_s28_sim <= patches_rows_re_s27_sim;
+      patches_rows_raddr_s28_sim <= patches_rows_raddr_s27_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && patches_rows_we) begin
+      if (patches_rows_re && patches_rows_raddr == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s16_sim && patches_rows_raddr_s16_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s17_sim && patches_rows_raddr_s17_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s18_sim && patches_rows_raddr_s18_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s19_sim && patches_rows_raddr_s19_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s20_sim && patches_rows_raddr_s20_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s21_sim && patches_rows_raddr_s21_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s22_sim && patches_rows_raddr_s22_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s23_sim && patches_rows_raddr_s23_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s24_sim && patches_rows_raddr_s24_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s25_sim && patches_rows_raddr_s25_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s26_sim && patches_rows_raddr_s26_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s27_sim && patches_rows_raddr_s27_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s28_sim && patches_rows_raddr_s28_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_waddr >= 5'd17) $error("patches_rows: write outside, address %0d", patches_rows_waddr);
+    end
+    if (rst_ni && patches_rows_re && patches_rows_raddr >= 5'd17) $error("patches_rows: read outside, address %0d", patches_rows_raddr);
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_quarters_0_places_q <= 8'h0;
+      patches_quarters_0_up_q <= 8'h0;
+      patches_quarters_0_down_q <= 8'h0;
+      patches_quarters_1_places_q <= 8'h0;
+      patches_quarters_1_up_q <= 8'h0;
+      patches_quarters_1_down_q <= 8'h0;
+      patches_quarters_2_places_q <= 8'h0;
+      patches_quarters_2_up_q <= 8'h0;
+      patches_quarters_2_down_q <= 8'h0;
+      patches_quarters_3_places_q <= 8'h0;
+      patches_quarters_3_up_q <= 8'h0;
+      patches_quarters_3_down_q <= 8'h0;
+      patches_word_places_q <= 8'h0;
+      patches_word_up_q <= 8'h0;
+      patches_word_down_q <= 8'h0;
+      patches_sum_places_q <= 8'h0;
+      patches_sum_up_q <= 8'h0;
+      patches_sum_down_q <= 8'h0;
+      patches_across_q <= 12'h0;
+      patches_places_q <= 8'h0;
+      patches_enough_q <= 1'b0;
+      patches_mostly_q <= 1'b0;
+      patches_complete_q <= 1'b0;
+      patches_round_ends_q <= 1'b0;
+      patches_found_q <= 5'h0;
+      patches_round_places_q <= 8'h0;
+      patches_round_across_q <= 12'h0;
+      patches_round_moved_q <= 5'h0;
+      patches_moved_q <= 1'b0;
+      patches_settled_q <= 1'b0;
+    end else if (s29_en) begin
+      patches_quarters_0_places_q <= sum_3384;
+      patches_quarters_0_up_q <= sum_3424;
+      patches_quarters_0_down_q <= sum_3434;
+      patches_quarters_1_places_q <= sum_3438;
+      patches_quarters_1_up_q <= sum_3441;
+      patches_quarters_1_down_q <= sum_3444;
+      patches_quarters_2_places_q <= sum_3448;
+      patches_quarters_2_up_q <= sum_3451;
+      patches_quarters_2_down_q <= sum_3454;
+      patches_quarters_3_places_q <= sum_3458;
+      patches_quarters_3_up_q <= sum_3461;
+      patches_quarters_3_down_q <= sum_3464;
+      patches_word_places_q <= or_3501;
+      patches_word_up_q <= or_3508;
+      patches_word_down_q <= or_3515;
+      patches_sum_places_q <= and_3521 ? sum_3527 : patches_sum_places_q;
+      patches_sum_up_q <= select_3531;
+      patches_sum_down_q <= and_3521 ? sum_3533 : patches_sum_down_q;
+      patches_across_q <= sum_3546;
+      patches_places_q <= select_3557;
+      patches_enough_q <= {3'h0, and_3555_s29_q, 1'b0} < patches_sum_places_q[7:3];
+      patches_mostly_q <= or_3561;
+      patches_complete_q <= select_3563;
+      patches_round_ends_q <= and_3569;
+      patches_found_q <= select_3573;
+      patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
+      patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
+      patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
+      patches_moved_q <= select_3579;
+      patches_settled_q <= patches_round_ends_q | patches_settled_q;
+    end
+  end
+
+  logic [7:0] pixel_0_s30_q;
+  logic [7:0] pixel_1_s30_q;
+  logic saturated_s30_q;
+  logic mask_s30_q;
+  logic marks_first_s30_q;
+  logic marks_last_s30_q;
+  logic and_3804_s30_q;
+  logic or_3829_s30_q;
+  logic and_3830_s30_q;
+  logic and_3839_s30_q;
+  logic and_3842_s30_q;
+  logic and_3848_s30_q;
+  logic and_3852_s30_q;
+  logic and_3858_s30_q;
+  logic and_3862_s30_q;
+  logic and_3870_s30_q;
+  logic and_3874_s30_q;
+  logic [5:0] select_3876_s30_q;
+  logic [31:0] select_3893_s30_q;
+  always_ff @(posedge clk_i) begin
+    if (s29_en) begin
+      pixel_0_s30_q <= pixel_0_s29_q;
+      pixel_1_s30_q <= pixel_1_s29_q;
+      saturated_s30_q <= saturated_s29_q;
+      mask_s30_q <= mask_s29_q;
+      marks_first_s30_q <= marks_first_s29_q;
+      marks_last_s30_q <= marks_last_s29_q;
+      and_3804_s30_q <= and_3804_s29_q;
+      or_3829_s30_q <= or_3829_s29_q;
+      and_3830_s30_q <= and_3830_s29_q;
+      and_3839_s30_q <= equal_1471_s29_q & (equal_3565_s29_q & (cfg_prove_i & or_3836));
+      and_3842_s30_q <= and_3842_s29_q;
+      and_3848_s30_q <= and_3848_s29_q;
+      and_3852_s30_q <= equal_1471_s29_q & and_3851;
+      and_3858_s30_q <= equal_1471_s29_q & and_3857_s29_q;
+      and_3862_s30_q <= equal_1471_s29_q & and_3861_s29_q;
+      and_3870_s30_q <= and_3870_s29_q;
+      and_3874_s30_q <= and_3874_s29_q;
+      select_3876_s30_q <= equal_1471_s29_q ? (x_s29_q[6] ? x_s29_q[5:0] : 6'h0) : 6'h0;
+      select_3893_s30_q <= equal_1471_s29_q ? (x_s29_q[6] ? select_3891 : 32'h0) : 32'h0;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = pixel_0_s29_q;
-  assign pixel_1_o = pixel_1_s29_q;
-  assign saturated_o = saturated_s29_q;
-  assign mask_o = mask_s29_q;
-  assign marks_first_o = marks_first_s29_q;
-  assign marks_last_o = marks_last_s29_q;
-  assign marks_seen_o = or_2557_s29_q;
-  assign marks_nearer_o = and_2558_s29_q;
-  assign verdict_valid_o = and_2532_s29_q;
-  assign verdict_unproven_yet_o = and_2562_s29_q;
-  assign verdict_untextured_o = and_2565_s29_q;
-  assign verdict_disagree_o = and_2571_s29_q;
-  assign verdict_moved_o = and_2574_s29_q;
-  assign verdict_unsharp_left_o = and_2580_s29_q;
-  assign verdict_unsharp_right_o = and_2584_s29_q;
-  assign verdict_hidden_o = and_2592_s29_q;
-  assign frame_valid_o = and_2596_s29_q;
-  assign frame_index_o = select_2598_s29_q;
-  assign frame_word_o = select_2615_s29_q;
-  assign valid_o = valid_s29_q;
+  assign pixel_0_o = pixel_0_s30_q;
+  assign pixel_1_o = pixel_1_s30_q;
+  assign saturated_o = saturated_s30_q;
+  assign mask_o = mask_s30_q;
+  assign marks_first_o = marks_first_s30_q;
+  assign marks_last_o = marks_last_s30_q;
+  assign marks_seen_o = or_3829_s30_q;
+  assign marks_nearer_o = and_3830_s30_q;
+  assign verdict_valid_o = and_3804_s30_q;
+  assign verdict_unproven_yet_o = and_3839_s30_q;
+  assign verdict_untextured_o = and_3842_s30_q;
+  assign verdict_disagree_o = and_3848_s30_q;
+  assign verdict_moved_o = and_3852_s30_q;
+  assign verdict_unsharp_left_o = and_3858_s30_q;
+  assign verdict_unsharp_right_o = and_3862_s30_q;
+  assign verdict_hidden_o = and_3870_s30_q;
+  assign frame_valid_o = and_3874_s30_q;
+  assign frame_index_o = select_3876_s30_q;
+  assign frame_word_o = select_3893_s30_q;
+  assign valid_o = valid_s30_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -8265,6 +12333,7 @@ module horopter_agreement (
       valid_s27_q <= 1'b0;
       valid_s28_q <= 1'b0;
       valid_s29_q <= 1'b0;
+      valid_s30_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -8295,11 +12364,12 @@ module horopter_agreement (
       valid_s27_q <= valid_s26_q;
       valid_s28_q <= valid_s27_q;
       valid_s29_q <= valid_s28_q;
+      valid_s30_q <= valid_s29_q;
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], sum_2135[0], sum_2131[0], sum_2106[1:0], sum_2105[1:0], sum_2101[0], sum_2088[0], detail_4[1:0], detail_3[1:0], sum_1746[4:0], sum_483[4:0], cfg_patch_limit_i, cfg_width_i[3:0]};
+  assign unused_bits = ^{over[13:0], sum_3516[1:0], product_3414[4:0], sum_2508[0], detail_4[1:0], detail_3[1:0], sum_2166[4:0], sum_1673[1:0], sum_1672[1:0], sum_1668[0], sum_1619[0], sum_1615[0], sum_615[4:0], cfg_width_i[3:0]};
 
 endmodule

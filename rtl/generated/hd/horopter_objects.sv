@@ -372,6 +372,7 @@ module horopter_objects (
   // Memory queue, 64 x 78, DISTANCE 16, hls/stages/objects.hpp:455; read in stage 4, written in stage 5: 4 < 5 < 4 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [77:0] queue_mem [0:63];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 64; i++) queue_mem[i] = 78'h0;
@@ -2237,6 +2238,7 @@ module horopter_objects (
   // Memory objects, 32 x 182, DISTANCE 8, hls/stages/objects.hpp:483; read in stage 8, written in stage 12: 8 < 12 < 8 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [181:0] objects_mem [0:31];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 32; i++) objects_mem[i] = 182'h0;

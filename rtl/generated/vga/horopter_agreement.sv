@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 2853 bits, pipeline 907 bits, memories 99716 bits.
+// State 2882 bits, pipeline 912 bits, memories 99800 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -72,18 +72,18 @@ module horopter_agreement (
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {1'b0, cfg_width_i[9:3]} + 8'hff;
-  logic [5:0] sum_2812;
-  assign sum_2812 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_3793;
-  assign difference_3793 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic [6:0] difference_4013;
-  assign difference_4013 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_4215;
-  assign less_4215 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_4216;
-  assign sum_4216 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic not_4234;
-  assign not_4234 = ~cfg_prove_i;
+  logic [5:0] sum_2836;
+  assign sum_2836 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_3825;
+  assign difference_3825 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic [6:0] difference_4046;
+  assign difference_4046 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_4248;
+  assign less_4248 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_4249;
+  assign sum_4249 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic not_4267;
+  assign not_4267 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -124,216 +124,216 @@ module horopter_agreement (
   logic ends_q;
   logic final_row_q;
   // hls/stages/census.hpp:35
-  logic [2:0] select_455;
-  assign select_455 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
-  logic [6:0] select_457;
-  assign select_457 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
+  logic [2:0] select_457;
+  assign select_457 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
+  logic [6:0] select_459;
+  assign select_459 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
   // hls/stages/census.hpp:115
-  logic [8:0] select_460;
-  assign select_460 = ({select_457, select_455} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
+  logic [8:0] select_462;
+  assign select_462 = ({select_459, select_457} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
   // hls/stages/census.hpp:116
-  logic [8:0] select_461;
-  assign select_461 = select_455[0] ? averager_place_q : select_460;
+  logic [8:0] select_463;
+  assign select_463 = select_457[0] ? averager_place_q : select_462;
   // hls/stages/census.hpp:41
-  logic or_462;
-  assign or_462 = sample_pair_first_q | raster_at_live_q;
+  logic or_464;
+  assign or_464 = sample_pair_first_q | raster_at_live_q;
   // hls/stages/agreement.hpp:404
-  logic and_465;
-  assign and_465 = (select_455[0] & or_462) & (select_461[8:6] < 3'h5);
+  logic and_467;
+  assign and_467 = (select_457[0] & or_464) & (select_463[8:6] < 3'h5);
   // hls/stages/census.hpp:41
-  logic [2:0] select_470;
-  assign select_470 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  logic [2:0] select_472;
+  assign select_472 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
   // hls/stages/agreement.hpp:263
   logic [6:0] column;
-  assign column = sample_pair_whole_q ? select_457 : 7'h0;
+  assign column = sample_pair_whole_q ? select_459 : 7'h0;
   // hls/stages/census.hpp:50
-  logic equal_487;
-  assign equal_487 = select_455 == 3'h7;
+  logic equal_489;
+  assign equal_489 = select_457 == 3'h7;
   // hls/stages/census.hpp:53
-  logic equal_488;
-  assign equal_488 = select_470 == 3'h7;
+  logic equal_490;
+  assign equal_490 = select_472 == 3'h7;
   // hls/stages/census.hpp:126
-  logic and_489;
-  assign and_489 = equal_488 & and_465;
-  // hls/stages/agreement.hpp:263
   logic and_491;
-  assign and_491 = sample_pair_whole_q & (equal_487 & and_489);
+  assign and_491 = equal_490 & and_467;
+  // hls/stages/agreement.hpp:263
+  logic and_493;
+  assign and_493 = sample_pair_whole_q & (equal_489 & and_491);
   // hls/stages/agreement.hpp:188
   logic so;
   assign so = run_phase_q == 3'h6;
   // hls/stages/agreement.hpp:610
-  logic equal_511;
-  assign equal_511 = run_phase_q == 3'h5;
+  logic equal_513;
+  assign equal_513 = run_phase_q == 3'h5;
   // hls/stages/agreement.hpp:581
-  logic or_512;
-  assign or_512 = so | equal_511;
-  logic not_513;
-  assign not_513 = ~or_512;
+  logic or_514;
+  assign or_514 = so | equal_513;
+  logic not_515;
+  assign not_515 = ~or_514;
   // hls/stages/agreement.hpp:601
-  logic equal_514;
-  assign equal_514 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:602
   logic equal_516;
-  assign equal_516 = run_phase_q == 3'h2;
+  assign equal_516 = run_phase_q == 3'h3;
+  // hls/stages/agreement.hpp:602
+  logic equal_518;
+  assign equal_518 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:579
-  logic [7:0] sum_517;
-  assign sum_517 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+  logic [7:0] sum_519;
+  assign sum_519 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
   // hls/stages/agreement.hpp:581
-  logic [7:0] select_518;
-  assign select_518 = run_shift_q[5] ? x_q : sum_517;
-  logic less_519;
-  assign less_519 = {1'b0, last_q} < select_518;
+  logic [7:0] select_520;
+  assign select_520 = run_shift_q[5] ? x_q : sum_519;
+  logic less_521;
+  assign less_521 = {1'b0, last_q} < select_520;
   // hls/stages/agreement.hpp:216
-  logic not_520;
-  assign not_520 = ~less_519;
+  logic not_522;
+  assign not_522 = ~less_521;
   // hls/stages/agreement.hpp:141
-  logic and_521;
-  assign and_521 = equal_516 & not_520;
   logic and_523;
-  assign and_523 = not_513 & ((~equal_514) & and_521);
+  assign and_523 = equal_518 & not_522;
+  logic and_525;
+  assign and_525 = not_515 & ((~equal_516) & and_523);
   // hls/stages/census.hpp:41
-  logic [5:0] select_550;
-  assign select_550 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
+  logic [5:0] select_552;
+  assign select_552 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:263
   logic [5:0] row;
-  assign row = sample_pair_whole_q ? select_550 : 6'h0;
+  assign row = sample_pair_whole_q ? select_552 : 6'h0;
   // hls/stages/agreement.hpp:141
-  logic select_607;
-  assign select_607 = equal_514 ? not_520 : and_521;
+  logic select_609;
+  assign select_609 = equal_516 ? not_522 : and_523;
   // hls/stages/agreement.hpp:773
   logic [7:0] x;
   assign x = x_q + 8'hfd;
   // hls/stages/agreement.hpp:141
-  logic and_631;
-  assign and_631 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_518)));
-  logic and_632;
-  assign and_632 = equal_514 & and_631;
-  logic select_633;
-  assign select_633 = or_512 ? not_520 : and_632;
+  logic and_633;
+  assign and_633 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_520)));
+  logic and_634;
+  assign and_634 = equal_516 & and_633;
+  logic select_635;
+  assign select_635 = or_514 ? not_522 : and_634;
   // hls/stages/agreement.hpp:778
-  logic equal_636;
-  assign equal_636 = {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
+  logic equal_638;
+  assign equal_638 = {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
   // hls/stages/agreement.hpp:782
-  logic or_638;
-  assign or_638 = equal_636 | ($signed(6'h0) < $signed(run_shift_q));
+  logic or_640;
+  assign or_640 = equal_638 | ($signed(6'h0) < $signed(run_shift_q));
   // hls/stages/agreement.hpp:794
   logic [6:0] right;
-  assign right = sum_517[6:0] + 7'h7d;
+  assign right = sum_519[6:0] + 7'h7d;
   // hls/stages/agreement.hpp:263
-  logic [2:0] select_2462;
-  assign select_2462 = sample_pair_whole_q ? (sample_last_q ? (select_470 + 3'h1) : select_470) : raster_at_y_q;
-  logic [6:0] select_2464;
-  assign select_2464 = sample_pair_whole_q ? (select_457 + {6'h0, equal_487}) : raster_at_column_q;
-  logic [5:0] select_2467;
-  assign select_2467 = sample_pair_whole_q ? (sample_last_q ? (select_550 + {5'h0, equal_488}) : select_550) : raster_at_row_q;
-  logic select_2471;
-  assign select_2471 = sample_pair_whole_q ? (sample_last_q ? (or_462 & (~raster_final_row_q)) : or_462) : raster_at_live_q;
+  logic [2:0] select_2486;
+  assign select_2486 = sample_pair_whole_q ? (sample_last_q ? (select_472 + 3'h1) : select_472) : raster_at_y_q;
+  logic [6:0] select_2488;
+  assign select_2488 = sample_pair_whole_q ? (select_459 + {6'h0, equal_489}) : raster_at_column_q;
+  logic [5:0] select_2491;
+  assign select_2491 = sample_pair_whole_q ? (sample_last_q ? (select_552 + {5'h0, equal_490}) : select_552) : raster_at_row_q;
+  logic select_2495;
+  assign select_2495 = sample_pair_whole_q ? (sample_last_q ? (or_464 & (~raster_final_row_q)) : or_464) : raster_at_live_q;
   // hls/stages/census.hpp:49
-  logic [8:0] select_2473;
-  assign select_2473 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [8:0] select_2497;
+  assign select_2497 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:263
-  logic select_2477;
-  assign select_2477 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  logic select_2501;
+  assign select_2501 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:446
-  logic equal_2721;
-  assign equal_2721 = {last[7], column} == {1'b0, last[6:0]};
+  logic equal_2745;
+  assign equal_2745 = {last[7], column} == {1'b0, last[6:0]};
   // hls/stages/agreement.hpp:451
-  logic and_2722;
-  assign and_2722 = and_491 & equal_2721;
+  logic and_2746;
+  assign and_2746 = and_493 & equal_2745;
   // hls/stages/agreement.hpp:510
-  logic select_2725;
-  assign select_2725 = (and_2722 | (~ends_cell_q)) ? and_2722 : ends_q;
+  logic select_2749;
+  assign select_2749 = (and_2746 | (~ends_cell_q)) ? and_2746 : ends_q;
   // hls/stages/agreement.hpp:516
   logic [2:0] now;
-  assign now = select_2725 ? (and_2722 ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2749 ? (and_2746 ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:521
-  logic [5:0] select_2729;
-  assign select_2729 = select_2725 ? (and_2722 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2732;
-  assign select_2732 = select_2725 ? (following_last_shift_q & (~and_2722)) : run_last_shift_q;
+  logic [5:0] select_2753;
+  assign select_2753 = select_2749 ? (and_2746 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2756;
+  assign select_2756 = select_2749 ? (following_last_shift_q & (~and_2746)) : run_last_shift_q;
   // hls/stages/agreement.hpp:594
-  logic and_2735;
-  assign and_2735 = run_last_shift_q & equal_514;
+  logic and_2759;
+  assign and_2759 = run_last_shift_q & equal_516;
   // hls/stages/agreement.hpp:603
-  logic select_2737;
-  assign select_2737 = equal_514 ? (~run_last_shift_q) : equal_516;
+  logic select_2761;
+  assign select_2761 = equal_516 ? (~run_last_shift_q) : equal_518;
   // hls/stages/agreement.hpp:607
-  logic equal_2738;
-  assign equal_2738 = run_phase_q == 3'h1;
-  logic not_2741;
-  assign not_2741 = ~select_2737;
+  logic equal_2762;
+  assign equal_2762 = run_phase_q == 3'h1;
+  logic not_2765;
+  assign not_2765 = ~select_2761;
   // hls/stages/agreement.hpp:610
-  logic equal_2743;
-  assign equal_2743 = run_phase_q == 3'h4;
+  logic equal_2767;
+  assign equal_2767 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:594
-  logic and_2744;
-  assign and_2744 = final_row_q & so;
+  logic and_2768;
+  assign and_2768 = final_row_q & so;
   // hls/stages/agreement.hpp:607
-  logic [1:0] select_2745;
-  assign select_2745 = equal_2743 ? 2'h1 : {2{and_2744}};
-  logic [2:0] select_2747;
-  assign select_2747 = (and_2735 | (select_2737 | equal_2738)) ? (equal_2738 ? 3'h2 : {not_2741, {2{select_2737}}}) : (equal_511 ? 3'h6 : {select_2745[0], select_2745});
+  logic [1:0] select_2769;
+  assign select_2769 = equal_2767 ? 2'h1 : {2{and_2768}};
+  logic [2:0] select_2771;
+  assign select_2771 = (and_2759 | (select_2761 | equal_2762)) ? (equal_2762 ? 3'h2 : {not_2765, {2{select_2761}}}) : (equal_513 ? 3'h6 : {select_2769[0], select_2769});
   // hls/stages/agreement.hpp:594
-  logic and_2750;
-  assign and_2750 = select_2737 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  logic and_2774;
+  assign and_2774 = select_2761 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:617
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2753;
-  assign select_2753 = (plan_shift_q[5] & select_2737) ? value : 7'h0;
-  logic [1:0] or_2754;
-  assign or_2754 = {2{so}} | select_2753[5:4];
+  logic [6:0] select_2777;
+  assign select_2777 = (plan_shift_q[5] & select_2761) ? value : 7'h0;
+  logic [1:0] or_2778;
+  assign or_2778 = {2{so}} | select_2777[5:4];
   // hls/stages/agreement.hpp:620
-  logic [7:0] or_2758;
-  assign or_2758 = (select_2737 ? plan_columns_q : 8'h0) | ((equal_2738 | equal_2743) ? whole_q : 8'h0);
-  logic [1:0] or_2759;
-  assign or_2759 = {2{and_2735}} | or_2758[3:2];
+  logic [7:0] or_2782;
+  assign or_2782 = (select_2761 ? plan_columns_q : 8'h0) | ((equal_2762 | equal_2767) ? whole_q : 8'h0);
+  logic [1:0] or_2783;
+  assign or_2783 = {2{and_2759}} | or_2782[3:2];
   // hls/stages/agreement.hpp:621
-  logic [7:0] or_2761;
-  assign or_2761 = {or_2758[7:4], or_2759, or_2758[1:0]} | (equal_511 ? drawn_q : 8'h0);
-  logic [4:0] or_2762;
-  assign or_2762 = {5{so}} | {or_2761[6], or_2761[3:0]};
+  logic [7:0] or_2785;
+  assign or_2785 = {or_2782[7:4], or_2783, or_2782[1:0]} | (equal_513 ? drawn_q : 8'h0);
+  logic [4:0] or_2786;
+  assign or_2786 = {5{so}} | {or_2785[6], or_2785[3:0]};
   // hls/stages/agreement.hpp:627
-  logic not_2766;
-  assign not_2766 = ~run_shift_q[5];
-  logic [7:0] select_2769;
-  assign select_2769 = equal_514 ? ({{7{not_2766}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  logic not_2790;
+  assign not_2790 = ~run_shift_q[5];
+  logic [7:0] select_2793;
+  assign select_2793 = equal_516 ? ({{7{not_2790}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:510
-  logic [6:0] select_2773;
-  assign select_2773 = and_2722 ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2797;
+  assign select_2797 = and_2746 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:513
-  logic [7:0] select_2775;
-  assign select_2775 = select_2725 ? {select_2773[6], select_2773} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2778;
-  assign select_2778 = select_2725 ? (and_2722 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2799;
+  assign select_2799 = select_2749 ? {select_2797[6], select_2797} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2802;
+  assign select_2802 = select_2749 ? (and_2746 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:507
-  logic [6:0] select_2786;
-  assign select_2786 = and_491 ? (equal_2721 ? ((6'he < column[6:1]) ? 7'h1d : column) : least_q) : least_q;
-  logic [7:0] select_2789;
-  assign select_2789 = and_491 ? (equal_2721 ? ({1'b0, cfg_width_i[9:3]} + 8'hb) : whole_q) : whole_q;
-  logic [7:0] select_2792;
-  assign select_2792 = and_491 ? (equal_2721 ? ({1'b0, cfg_width_i[9:3]} + 8'h3) : drawn_q) : drawn_q;
+  logic [6:0] select_2810;
+  assign select_2810 = and_493 ? (equal_2745 ? ((6'he < column[6:1]) ? 7'h1d : column) : least_q) : least_q;
+  logic [7:0] select_2813;
+  assign select_2813 = and_493 ? (equal_2745 ? ({1'b0, cfg_width_i[9:3]} + 8'hb) : whole_q) : whole_q;
+  logic [7:0] select_2816;
+  assign select_2816 = and_493 ? (equal_2745 ? ({1'b0, cfg_width_i[9:3]} + 8'h3) : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:518
-  logic select_2803;
-  assign select_2803 = (ends_cell_q | select_2725) ? (~(now == 3'h6)) : (equal_514 | (slot_q == 3'h6));
+  logic select_2827;
+  assign select_2827 = (ends_cell_q | select_2749) ? (~(now == 3'h6)) : (equal_516 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:513
-  logic and_2807;
-  assign and_2807 = (~select_2725) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_2831;
+  assign and_2831 = (~select_2749) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:463
-  logic [6:0] sum_2808;
-  assign sum_2808 = {1'b0, row} + 7'h1;
+  logic [6:0] sum_2832;
+  assign sum_2832 = {1'b0, row} + 7'h1;
   // hls/stages/agreement.hpp:447
-  logic select_2810;
-  assign select_2810 = equal_2721 ? ({sum_2808[6], cfg_height_i[8:3]} == {1'b0, sum_2808[5:0]}) : final_row_q;
-  // hls/stages/patches.hpp:344
-  logic or_3177;
-  assign or_3177 = select_457[0] | select_550[5];
-  logic [7:0] sum_3178;
-  assign sum_3178 = {1'b0, select_457[2:1], or_3177, select_550[4:1]} + 8'h1;
-  logic less_3179;
-  assign less_3179 = {sum_3178, select_550[0], select_470, 1'b0} < {4'h0, cfg_height_i};
+  logic select_2834;
+  assign select_2834 = equal_2745 ? ({sum_2832[6], cfg_height_i[8:3]} == {1'b0, sum_2832[5:0]}) : final_row_q;
+  // hls/stages/patches.hpp:353
+  logic or_3201;
+  assign or_3201 = select_459[0] | select_552[5];
+  logic [7:0] sum_3202;
+  assign sum_3202 = {1'b0, select_459[2:1], or_3201, select_552[4:1]} + 8'h1;
+  logic less_3203;
+  assign less_3203 = {sum_3202, select_552[0], select_472, 1'b0} < {4'h0, cfg_height_i};
 
-  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1293; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
+  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1294; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] fresh_mem [0:79];
@@ -343,7 +343,7 @@ module horopter_agreement (
   logic [6:0] fresh_raddr;
   assign fresh_raddr = x_q[6:0];
   logic fresh_re;
-  assign fresh_re = s0_en & and_523;
+  assign fresh_re = s0_en & and_525;
   logic [29:0] fresh_word_q;
   always_ff @(posedge clk_i) begin
     if (fresh_re) fresh_word_q <= fresh_mem[fresh_raddr];
@@ -354,7 +354,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) fresh_read_q <= rst_ni & fresh_re;
   assign fresh_error = fresh_read_q & ^fresh_word_q;
 
-  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:1294; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:1295; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [77:0] left_mem [0:79];
@@ -364,7 +364,7 @@ module horopter_agreement (
   logic [6:0] left_raddr;
   assign left_raddr = x_q[6:0];
   logic left_re;
-  assign left_re = s0_en & (or_512 ? not_520 : select_607);
+  assign left_re = s0_en & (or_514 ? not_522 : select_609);
   logic [77:0] left_word_q;
   always_ff @(posedge clk_i) begin
     if (left_re) left_word_q <= left_mem[left_raddr];
@@ -375,7 +375,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) left_read_q <= rst_ni & left_re;
   assign left_error = left_read_q & ^left_word_q;
 
-  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:1295; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:1296; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [91:0] right_codes_mem [0:79];
@@ -383,9 +383,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) right_codes_mem[i] = 92'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = equal_514 ? sum_517[6:0] : x_q[6:0];
+  assign right_codes_raddr = equal_516 ? sum_519[6:0] : x_q[6:0];
   logic right_codes_re;
-  assign right_codes_re = s0_en & (not_513 & select_607);
+  assign right_codes_re = s0_en & (not_515 & select_609);
   logic [91:0] right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (right_codes_re) right_codes_word_q <= right_codes_mem[right_codes_raddr];
@@ -396,7 +396,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) right_codes_read_q <= rst_ni & right_codes_re;
   assign right_codes_error = right_codes_read_q & ^right_codes_word_q;
 
-  // Memory best_left, 80 x 46 and parity, DISTANCE 12, hls/stages/agreement.hpp:1296; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 80 x 46 and parity, DISTANCE 12, hls/stages/agreement.hpp:1297; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [46:0] best_left_mem [0:79];
@@ -404,9 +404,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_left_mem[i] = 47'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = or_512 ? x_q[6:0] : x[6:0];
+  assign best_left_raddr = or_514 ? x_q[6:0] : x[6:0];
   logic best_left_re;
-  assign best_left_re = s0_en & select_633;
+  assign best_left_re = s0_en & select_635;
   logic [46:0] best_left_word_q;
   always_ff @(posedge clk_i) begin
     if (best_left_re) best_left_word_q <= best_left_mem[best_left_raddr];
@@ -461,39 +461,39 @@ module horopter_agreement (
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_455 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_2462;
-      raster_at_column_q <= select_2464;
-      raster_at_row_q <= select_2467;
-      raster_at_live_q <= select_2471;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2473 : raster_rows_left_q;
+      raster_at_x_q <= sample_pair_whole_q ? (select_457 + 3'h1) : raster_at_x_q;
+      raster_at_y_q <= select_2486;
+      raster_at_column_q <= select_2488;
+      raster_at_row_q <= select_2491;
+      raster_at_live_q <= select_2495;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2497 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2477;
-      averager_place_q <= sample_pair_whole_q ? select_461 : averager_place_q;
+      raster_final_row_q <= select_2501;
+      averager_place_q <= sample_pair_whole_q ? select_463 : averager_place_q;
       run_phase_q <= now;
-      run_shift_q <= select_2729;
-      run_last_shift_q <= select_2732;
-      run_span_q <= select_2725 ? (and_2722 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2747;
-      following_shift_q <= select_2737 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2750;
+      run_shift_q <= select_2753;
+      run_last_shift_q <= select_2756;
+      run_span_q <= select_2749 ? (and_2746 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2771;
+      following_shift_q <= select_2761 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2774;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2753[6], or_2754, select_2753[3:0]};
-      following_columns_q <= {or_2761[7], or_2762[4], or_2761[5:4], or_2762[3:0]};
-      plan_shift_q <= equal_514 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2769;
+      following_lowest_q <= {select_2777[6], or_2778, select_2777[3:0]};
+      following_columns_q <= {or_2785[7], or_2786[4], or_2785[5:4], or_2786[3:0]};
+      plan_shift_q <= equal_516 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
+      plan_span_q <= select_2793;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2775;
-      columns_left_q <= select_2778;
-      last_q <= and_491 ? (equal_2721 ? column : last_q) : last_q;
-      least_q <= select_2786;
-      whole_q <= select_2789;
-      drawn_q <= select_2792;
-      age_q <= select_2725 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2725 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2803;
-      ends_q <= and_2807;
-      final_row_q <= and_491 ? select_2810 : final_row_q;
+      x_q <= select_2799;
+      columns_left_q <= select_2802;
+      last_q <= and_493 ? (equal_2745 ? column : last_q) : last_q;
+      least_q <= select_2810;
+      whole_q <= select_2813;
+      drawn_q <= select_2816;
+      age_q <= select_2749 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2749 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2827;
+      ends_q <= and_2831;
+      final_row_q <= and_493 ? select_2834 : final_row_q;
     end
   end
 
@@ -510,33 +510,33 @@ module horopter_agreement (
   logic [3:0] age_s1_q;
   logic [2:0] slot_s1_q;
   logic ends_cell_s1_q;
-  logic [2:0] select_455_s1_q;
-  logic [6:0] select_457_s1_q;
-  logic [8:0] select_461_s1_q;
-  logic and_465_s1_q;
-  logic equal_471_s1_q;
+  logic [2:0] select_457_s1_q;
+  logic [6:0] select_459_s1_q;
+  logic [8:0] select_463_s1_q;
+  logic and_467_s1_q;
+  logic equal_473_s1_q;
   logic [6:0] column_s1_q;
-  logic and_489_s1_q;
   logic and_491_s1_q;
+  logic and_493_s1_q;
   logic so_s1_q;
-  logic equal_511_s1_q;
-  logic or_512_s1_q;
-  logic equal_514_s1_q;
-  logic less_519_s1_q;
-  logic not_520_s1_q;
-  logic and_523_s1_q;
+  logic equal_513_s1_q;
+  logic or_514_s1_q;
+  logic equal_516_s1_q;
+  logic less_521_s1_q;
+  logic not_522_s1_q;
+  logic and_525_s1_q;
   logic [5:0] row_s1_q;
   logic [6:0] x_s1_2_q;
-  logic select_633_s1_q;
-  logic select_640_s1_q;
-  logic and_1915_s1_q;
+  logic select_635_s1_q;
+  logic select_642_s1_q;
+  logic and_1917_s1_q;
   logic [6:0] right_s1_q;
-  logic select_1924_s1_q;
-  logic equal_1933_s1_q;
-  logic equal_2052_s1_q;
-  logic equal_2721_s1_q;
-  logic and_2722_s1_q;
-  logic not_3180_s1_q;
+  logic select_1926_s1_q;
+  logic equal_1935_s1_q;
+  logic equal_2054_s1_q;
+  logic equal_2745_s1_q;
+  logic and_2746_s1_q;
+  logic not_3204_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -552,33 +552,33 @@ module horopter_agreement (
       age_s1_q <= {age_q[6], age_q[4:3], age_q[0]};
       slot_s1_q <= slot_q;
       ends_cell_s1_q <= ends_cell_q;
-      select_455_s1_q <= select_455;
       select_457_s1_q <= select_457;
-      select_461_s1_q <= select_461;
-      and_465_s1_q <= and_465;
-      equal_471_s1_q <= select_470 == 3'h0;
+      select_459_s1_q <= select_459;
+      select_463_s1_q <= select_463;
+      and_467_s1_q <= and_467;
+      equal_473_s1_q <= select_472 == 3'h0;
       column_s1_q <= column;
-      and_489_s1_q <= and_489;
       and_491_s1_q <= and_491;
+      and_493_s1_q <= and_493;
       so_s1_q <= so;
-      equal_511_s1_q <= equal_511;
-      or_512_s1_q <= or_512;
-      equal_514_s1_q <= equal_514;
-      less_519_s1_q <= less_519;
-      not_520_s1_q <= not_520;
-      and_523_s1_q <= and_523;
+      equal_513_s1_q <= equal_513;
+      or_514_s1_q <= or_514;
+      equal_516_s1_q <= equal_516;
+      less_521_s1_q <= less_521;
+      not_522_s1_q <= not_522;
+      and_525_s1_q <= and_525;
       row_s1_q <= row;
       x_s1_2_q <= x[6:0];
-      select_633_s1_q <= select_633;
-      select_640_s1_q <= or_638 ? equal_636 : (~age_q[3]);
-      and_1915_s1_q <= not_513 & and_632;
+      select_635_s1_q <= select_635;
+      select_642_s1_q <= or_640 ? equal_638 : (~age_q[3]);
+      and_1917_s1_q <= not_515 & and_634;
       right_s1_q <= right;
-      select_1924_s1_q <= or_638 ? equal_636 : ({x[7], last_q} == {1'b0, x[6:0]});
-      equal_1933_s1_q <= run_phase_q == 3'h7;
-      equal_2052_s1_q <= {or_462, select_470} == 4'hc;
-      equal_2721_s1_q <= equal_2721;
-      and_2722_s1_q <= and_2722;
-      not_3180_s1_q <= ~less_3179;
+      select_1926_s1_q <= or_640 ? equal_638 : ({x[7], last_q} == {1'b0, x[6:0]});
+      equal_1935_s1_q <= run_phase_q == 3'h7;
+      equal_2054_s1_q <= {or_464, select_472} == 4'hc;
+      equal_2745_s1_q <= equal_2745;
+      and_2746_s1_q <= and_2746;
+      not_3204_s1_q <= ~less_3203;
     end
   end
 
@@ -650,906 +650,906 @@ module horopter_agreement (
   logic [4:0] patches_column_q;
   logic patches_column_ends_q;
   // hls/stages/agreement.hpp:653
-  logic not_611;
-  assign not_611 = ~(row_q == 6'h0);
+  logic not_613;
+  assign not_613 = ~(row_q == 6'h0);
   // hls/stages/agreement.hpp:656
-  logic and_612;
-  assign and_612 = left_rdata_q[12] & not_611;
-  logic and_613;
-  assign and_613 = left_rdata_q[28] & not_611;
   logic and_614;
-  assign and_614 = left_rdata_q[44] & not_611;
+  assign and_614 = left_rdata_q[12] & not_613;
   logic and_615;
-  assign and_615 = left_rdata_q[60] & not_611;
+  assign and_615 = left_rdata_q[28] & not_613;
+  logic and_616;
+  assign and_616 = left_rdata_q[44] & not_613;
+  logic and_617;
+  assign and_617 = left_rdata_q[60] & not_613;
   // hls/stages/agreement.hpp:657
-  logic and_619;
-  assign and_619 = right_codes_rdata_q[12] & not_611;
-  logic and_620;
-  assign and_620 = right_codes_rdata_q[25] & not_611;
   logic and_621;
-  assign and_621 = right_codes_rdata_q[38] & not_611;
+  assign and_621 = right_codes_rdata_q[12] & not_613;
   logic and_622;
-  assign and_622 = right_codes_rdata_q[51] & not_611;
+  assign and_622 = right_codes_rdata_q[25] & not_613;
   logic and_623;
-  assign and_623 = right_codes_rdata_q[64] & not_611;
+  assign and_623 = right_codes_rdata_q[38] & not_613;
   logic and_624;
-  assign and_624 = right_codes_rdata_q[77] & not_611;
+  assign and_624 = right_codes_rdata_q[51] & not_613;
+  logic and_625;
+  assign and_625 = right_codes_rdata_q[64] & not_613;
+  logic and_626;
+  assign and_626 = right_codes_rdata_q[77] & not_613;
   // hls/stages/agreement.hpp:212
-  logic and_646;
-  assign and_646 = left_rdata_q[44] & not_520_s1_q;
-  logic and_647;
-  assign and_647 = right_codes_rdata_q[38] & not_520_s1_q;
-  logic [11:0] select_648;
-  assign select_648 = less_519_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
-  logic [11:0] select_649;
-  assign select_649 = less_519_s1_q ? 12'h0 : left_rdata_q[43:32];
+  logic and_648;
+  assign and_648 = left_rdata_q[44] & not_522_s1_q;
+  logic and_649;
+  assign and_649 = right_codes_rdata_q[38] & not_522_s1_q;
+  logic [11:0] select_650;
+  assign select_650 = less_521_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
+  logic [11:0] select_651;
+  assign select_651 = less_521_s1_q ? 12'h0 : left_rdata_q[43:32];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_653;
-  assign select_653 = and_646 ? (and_647 ? (~(select_648 ^ select_649)) : 12'h0) : 12'h0;
+  logic [11:0] select_655;
+  assign select_655 = and_648 ? (and_649 ? (~(select_650 ^ select_651)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_659;
-  assign parity_659 = ^select_653[5:3];
-  logic parity_662;
-  assign parity_662 = ^select_653[8:6];
-  logic parity_665;
-  assign parity_665 = ^select_653[11:3];
+  logic parity_661;
+  assign parity_661 = ^select_655[5:3];
+  logic parity_664;
+  assign parity_664 = ^select_655[8:6];
+  logic parity_667;
+  assign parity_667 = ^select_655[11:3];
   // hls/stages/agreement.hpp:212
-  logic and_669;
-  assign and_669 = left_rdata_q[60] & not_520_s1_q;
-  logic and_670;
-  assign and_670 = right_codes_rdata_q[51] & not_520_s1_q;
-  logic [11:0] select_671;
-  assign select_671 = less_519_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
-  logic [11:0] select_672;
-  assign select_672 = less_519_s1_q ? 12'h0 : left_rdata_q[59:48];
+  logic and_671;
+  assign and_671 = left_rdata_q[60] & not_522_s1_q;
+  logic and_672;
+  assign and_672 = right_codes_rdata_q[51] & not_522_s1_q;
+  logic [11:0] select_673;
+  assign select_673 = less_521_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
+  logic [11:0] select_674;
+  assign select_674 = less_521_s1_q ? 12'h0 : left_rdata_q[59:48];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_676;
-  assign select_676 = and_669 ? (and_670 ? (~(select_671 ^ select_672)) : 12'h0) : 12'h0;
+  logic [11:0] select_678;
+  assign select_678 = and_671 ? (and_672 ? (~(select_673 ^ select_674)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_679;
-  assign parity_679 = ^select_676[8:6];
-  logic parity_682;
-  assign parity_682 = ^select_676[11:9];
+  logic parity_681;
+  assign parity_681 = ^select_678[8:6];
+  logic parity_684;
+  assign parity_684 = ^select_678[11:9];
   // hls/stages/agreement.hpp:212
-  logic and_686;
-  assign and_686 = left_rdata_q[76] & not_520_s1_q;
-  logic and_687;
-  assign and_687 = right_codes_rdata_q[64] & not_520_s1_q;
-  logic [11:0] select_688;
-  assign select_688 = less_519_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
-  logic [11:0] select_689;
-  assign select_689 = less_519_s1_q ? 12'h0 : left_rdata_q[75:64];
+  logic and_688;
+  assign and_688 = left_rdata_q[76] & not_522_s1_q;
+  logic and_689;
+  assign and_689 = right_codes_rdata_q[64] & not_522_s1_q;
+  logic [11:0] select_690;
+  assign select_690 = less_521_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
+  logic [11:0] select_691;
+  assign select_691 = less_521_s1_q ? 12'h0 : left_rdata_q[75:64];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_693;
-  assign select_693 = and_686 ? (and_687 ? (~(select_688 ^ select_689)) : 12'h0) : 12'h0;
+  logic [11:0] select_695;
+  assign select_695 = and_688 ? (and_689 ? (~(select_690 ^ select_691)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_699;
-  assign parity_699 = ^select_693[2:0];
-  logic parity_702;
-  assign parity_702 = ^select_693[5:3];
-  logic parity_705;
-  assign parity_705 = ^select_693[8:0];
-  logic parity_711;
-  assign parity_711 = ^select_693[11:9];
-  logic parity_714;
-  assign parity_714 = ^select_676[2:0];
-  logic parity_717;
-  assign parity_717 = ^{select_693[11:9], select_676[5:0]};
-  logic parity_720;
-  assign parity_720 = ^{select_693, select_676, select_653[2:0]};
-  logic xor_721;
-  assign xor_721 = parity_665 ^ parity_720;
+  logic parity_701;
+  assign parity_701 = ^select_695[2:0];
+  logic parity_704;
+  assign parity_704 = ^select_695[5:3];
+  logic parity_707;
+  assign parity_707 = ^select_695[8:0];
+  logic parity_713;
+  assign parity_713 = ^select_695[11:9];
+  logic parity_716;
+  assign parity_716 = ^select_678[2:0];
+  logic parity_719;
+  assign parity_719 = ^{select_695[11:9], select_678[5:0]};
+  logic parity_722;
+  assign parity_722 = ^{select_695, select_678, select_655[2:0]};
+  logic xor_723;
+  assign xor_723 = parity_667 ^ parity_722;
   // hls/stages/count_bits.hpp:23
-  logic or_725;
-  assign or_725 = (select_653[1:0] == 2'h3) | (select_653[2] & (select_653[0] | select_653[1]));
+  logic or_727;
+  assign or_727 = (select_655[1:0] == 2'h3) | (select_655[2] & (select_655[0] | select_655[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_729;
-  assign or_729 = (select_676[7:6] == 2'h3) | (select_676[8] & (select_676[6] | select_676[7]));
-  logic or_733;
-  assign or_733 = (select_676[10:9] == 2'h3) | (select_676[11] & (select_676[9] | select_676[10]));
+  logic or_731;
+  assign or_731 = (select_678[7:6] == 2'h3) | (select_678[8] & (select_678[6] | select_678[7]));
+  logic or_735;
+  assign or_735 = (select_678[10:9] == 2'h3) | (select_678[11] & (select_678[9] | select_678[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_741;
-  assign or_741 = (select_693[7:6] == 2'h3) | (select_693[8] & (~(select_693[7:6] == 2'h0)));
+  logic or_743;
+  assign or_743 = (select_695[7:6] == 2'h3) | (select_695[8] & (~(select_695[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_745;
-  assign or_745 = (select_693[1:0] == 2'h3) | (select_693[2] & (select_693[0] | select_693[1]));
-  logic or_749;
-  assign or_749 = (select_693[4:3] == 2'h3) | (select_693[5] & (select_693[3] | select_693[4]));
+  logic or_747;
+  assign or_747 = (select_695[1:0] == 2'h3) | (select_695[2] & (select_695[0] | select_695[1]));
+  logic or_751;
+  assign or_751 = (select_695[4:3] == 2'h3) | (select_695[5] & (select_695[3] | select_695[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_752;
-  assign parity_752 = ^{or_749, or_745, or_741};
+  logic parity_754;
+  assign parity_754 = ^{or_751, or_747, or_743};
   // hls/stages/count_bits.hpp:23
-  logic or_756;
-  assign or_756 = (select_676[4:3] == 2'h3) | (select_676[5] & (select_676[3] | select_676[4]));
+  logic or_758;
+  assign or_758 = (select_678[4:3] == 2'h3) | (select_678[5] & (select_678[3] | select_678[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_760;
-  assign or_760 = (select_693[10:9] == 2'h3) | (select_693[11] & (select_693[9] | select_693[10]));
-  logic or_764;
-  assign or_764 = (select_676[1:0] == 2'h3) | (select_676[2] & (select_676[0] | select_676[1]));
+  logic or_762;
+  assign or_762 = (select_695[10:9] == 2'h3) | (select_695[11] & (select_695[9] | select_695[10]));
+  logic or_766;
+  assign or_766 = (select_678[1:0] == 2'h3) | (select_678[2] & (select_678[0] | select_678[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_767;
-  assign parity_767 = ^{or_764, or_760, or_756};
-  logic parity_770;
-  assign parity_770 = ^{or_764, or_760, or_756, or_749, or_745, or_741, or_733, or_729, or_725};
+  logic parity_769;
+  assign parity_769 = ^{or_766, or_762, or_758};
+  logic parity_772;
+  assign parity_772 = ^{or_766, or_762, or_758, or_751, or_747, or_743, or_735, or_731, or_727};
   // hls/stages/count_bits.hpp:25
-  logic and_771;
-  assign and_771 = parity_665 & parity_720;
-  logic or_775;
-  assign or_775 = (parity_659 & parity_662) | ((^select_653[11:9]) & (parity_659 | parity_662));
-  logic and_778;
-  assign and_778 = (^{select_676[11:6], select_653[2:0]}) & (parity_705 | parity_717);
-  logic or_779;
-  assign or_779 = (parity_705 & parity_717) | and_778;
+  logic and_773;
+  assign and_773 = parity_667 & parity_722;
+  logic or_777;
+  assign or_777 = (parity_661 & parity_664) | ((^select_655[11:9]) & (parity_661 | parity_664));
+  logic and_780;
+  assign and_780 = (^{select_678[11:6], select_655[2:0]}) & (parity_707 | parity_719);
+  logic or_781;
+  assign or_781 = (parity_707 & parity_719) | and_780;
   // hls/stages/count_bits.hpp:23
-  logic or_786;
-  assign or_786 = (select_653[10:9] == 2'h3) | (select_653[11] & (select_653[9] | select_653[10]));
+  logic or_788;
+  assign or_788 = (select_655[10:9] == 2'h3) | (select_655[11] & (select_655[9] | select_655[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_790;
-  assign or_790 = (select_653[4:3] == 2'h3) | (select_653[5] & (select_653[3] | select_653[4]));
-  logic or_794;
-  assign or_794 = (select_653[7:6] == 2'h3) | (select_653[8] & (select_653[6] | select_653[7]));
+  logic or_792;
+  assign or_792 = (select_655[4:3] == 2'h3) | (select_655[5] & (select_655[3] | select_655[4]));
+  logic or_796;
+  assign or_796 = (select_655[7:6] == 2'h3) | (select_655[8] & (select_655[6] | select_655[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_797;
-  assign parity_797 = ^{or_794, or_790, or_786};
+  logic parity_799;
+  assign parity_799 = ^{or_796, or_792, or_788};
   // hls/stages/count_bits.hpp:25
-  logic or_801;
-  assign or_801 = (parity_679 & parity_682) | ((^select_653[2:0]) & (parity_679 | parity_682));
-  logic or_805;
-  assign or_805 = (parity_699 & parity_702) | ((^select_693[8:6]) & (parity_699 | parity_702));
-  logic or_809;
-  assign or_809 = (parity_711 & parity_714) | ((^select_676[5:3]) & (parity_711 | parity_714));
+  logic or_803;
+  assign or_803 = (parity_681 & parity_684) | ((^select_655[2:0]) & (parity_681 | parity_684));
+  logic or_807;
+  assign or_807 = (parity_701 & parity_704) | ((^select_695[8:6]) & (parity_701 | parity_704));
+  logic or_811;
+  assign or_811 = (parity_713 & parity_716) | ((^select_678[5:3]) & (parity_713 | parity_716));
   // hls/stages/count_bits.hpp:24
-  logic parity_812;
-  assign parity_812 = ^{or_809, or_805, or_801};
-  logic parity_815;
-  assign parity_815 = ^{or_809, or_805, or_801, or_794, or_790, or_786, or_779, or_775, and_771};
-  logic xor_816;
-  assign xor_816 = parity_770 ^ parity_815;
+  logic parity_814;
+  assign parity_814 = ^{or_811, or_807, or_803};
+  logic parity_817;
+  assign parity_817 = ^{or_811, or_807, or_803, or_796, or_792, or_788, or_781, or_777, and_773};
+  logic xor_818;
+  assign xor_818 = parity_772 ^ parity_817;
   // hls/stages/count_bits.hpp:25
-  logic and_817;
-  assign and_817 = parity_770 & parity_815;
-  logic or_821;
-  assign or_821 = (parity_752 & parity_767) | ((^{or_733, or_729, or_725}) & (parity_752 | parity_767));
-  logic or_825;
-  assign or_825 = (parity_797 & parity_812) | ((^{or_779, or_775, and_771}) & (parity_797 | parity_812));
-  logic or_832;
-  assign or_832 = (or_729 & or_733) | (or_725 & (or_729 | or_733));
-  logic or_836;
-  assign or_836 = (or_745 & or_749) | (or_741 & (or_745 | or_749));
-  logic or_840;
-  assign or_840 = (or_760 & or_764) | (or_756 & (or_760 | or_764));
+  logic and_819;
+  assign and_819 = parity_772 & parity_817;
+  logic or_823;
+  assign or_823 = (parity_754 & parity_769) | ((^{or_735, or_731, or_727}) & (parity_754 | parity_769));
+  logic or_827;
+  assign or_827 = (parity_799 & parity_814) | ((^{or_781, or_777, and_773}) & (parity_799 | parity_814));
+  logic or_834;
+  assign or_834 = (or_731 & or_735) | (or_727 & (or_731 | or_735));
+  logic or_838;
+  assign or_838 = (or_747 & or_751) | (or_743 & (or_747 | or_751));
+  logic or_842;
+  assign or_842 = (or_762 & or_766) | (or_758 & (or_762 | or_766));
   // hls/stages/count_bits.hpp:24
-  logic parity_843;
-  assign parity_843 = ^{or_840, or_836, or_832};
+  logic parity_845;
+  assign parity_845 = ^{or_842, or_838, or_834};
   // hls/stages/count_bits.hpp:25
-  logic or_847;
-  assign or_847 = (or_775 & or_779) | (and_771 & (or_775 | or_779));
-  logic or_851;
-  assign or_851 = (or_790 & or_794) | (or_786 & (or_790 | or_794));
-  logic or_855;
-  assign or_855 = (or_805 & or_809) | (or_801 & (or_805 | or_809));
+  logic or_849;
+  assign or_849 = (or_777 & or_781) | (and_773 & (or_777 | or_781));
+  logic or_853;
+  assign or_853 = (or_792 & or_796) | (or_788 & (or_792 | or_796));
+  logic or_857;
+  assign or_857 = (or_807 & or_811) | (or_803 & (or_807 | or_811));
   // hls/stages/count_bits.hpp:24
-  logic parity_858;
-  assign parity_858 = ^{or_855, or_851, or_847};
-  logic parity_861;
-  assign parity_861 = ^{or_855, or_851, or_847, or_840, or_836, or_832, or_825, or_821, and_817};
+  logic parity_860;
+  assign parity_860 = ^{or_857, or_853, or_849};
+  logic parity_863;
+  assign parity_863 = ^{or_857, or_853, or_849, or_842, or_838, or_834, or_827, or_823, and_819};
   // hls/stages/count_bits.hpp:25
-  logic or_865;
-  assign or_865 = (parity_843 & parity_858) | ((^{or_825, or_821, and_817}) & (parity_843 | parity_858));
-  logic or_869;
-  assign or_869 = (or_821 & or_825) | (and_817 & (or_821 | or_825));
-  logic or_873;
-  assign or_873 = (or_836 & or_840) | (or_832 & (or_836 | or_840));
-  logic or_877;
-  assign or_877 = (or_851 & or_855) | (or_847 & (or_851 | or_855));
+  logic or_867;
+  assign or_867 = (parity_845 & parity_860) | ((^{or_827, or_823, and_819}) & (parity_845 | parity_860));
+  logic or_871;
+  assign or_871 = (or_823 & or_827) | (and_819 & (or_823 | or_827));
+  logic or_875;
+  assign or_875 = (or_838 & or_842) | (or_834 & (or_838 | or_842));
+  logic or_879;
+  assign or_879 = (or_853 & or_857) | (or_849 & (or_853 | or_857));
   // hls/stages/count_bits.hpp:24
-  logic parity_882;
-  assign parity_882 = ^{or_877, or_873, or_869, or_865};
+  logic parity_884;
+  assign parity_884 = ^{or_879, or_875, or_871, or_867};
   // hls/stages/count_bits.hpp:25
-  logic or_886;
-  assign or_886 = (or_873 & or_877) | (or_869 & (or_873 | or_877));
-  logic and_887;
-  assign and_887 = or_865 & (^{or_877, or_873, or_869});
-  // hls/stages/count_bits.hpp:24
-  logic xor_888;
-  assign xor_888 = or_886 ^ and_887;
-  // hls/stages/count_bits.hpp:27
+  logic or_888;
+  assign or_888 = (or_875 & or_879) | (or_871 & (or_875 | or_879));
   logic and_889;
-  assign and_889 = or_886 & and_887;
+  assign and_889 = or_867 & (^{or_879, or_875, or_871});
+  // hls/stages/count_bits.hpp:24
+  logic xor_890;
+  assign xor_890 = or_888 ^ and_889;
+  // hls/stages/count_bits.hpp:27
+  logic and_891;
+  assign and_891 = or_888 & and_889;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_890;
-  assign select_890 = equal_514_s1_q ? {and_889, xor_888, parity_882, parity_861, xor_816, xor_721} : 6'h0;
-  logic [5:0] column_2;
-  assign column_2 = or_512_s1_q ? 6'h0 : select_890;
-  // hls/stages/agreement.hpp:762
   logic [5:0] select_892;
-  assign select_892 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  logic [6:0] difference_893;
-  assign difference_893 = {1'b0, column_2} - {1'b0, select_892};
-  logic [7:0] sum_895;
-  assign sum_895 = {difference_893[6], difference_893} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  assign select_892 = equal_516_s1_q ? {and_891, xor_890, parity_884, parity_863, xor_818, xor_723} : 6'h0;
+  logic [5:0] column_2;
+  assign column_2 = or_514_s1_q ? 6'h0 : select_892;
+  // hls/stages/agreement.hpp:762
+  logic [5:0] select_894;
+  assign select_894 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [6:0] difference_895;
+  assign difference_895 = {1'b0, column_2} - {1'b0, select_894};
+  logic [7:0] sum_897;
+  assign sum_897 = {difference_895[6], difference_895} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_899;
-  assign select_899 = and_646 ? (and_670 ? (~(select_671 ^ select_649)) : 12'h0) : 12'h0;
+  logic [11:0] select_901;
+  assign select_901 = and_648 ? (and_672 ? (~(select_673 ^ select_651)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_905;
-  assign parity_905 = ^select_899[5:3];
-  logic parity_908;
-  assign parity_908 = ^select_899[8:6];
-  logic parity_911;
-  assign parity_911 = ^select_899[11:3];
+  logic parity_907;
+  assign parity_907 = ^select_901[5:3];
+  logic parity_910;
+  assign parity_910 = ^select_901[8:6];
+  logic parity_913;
+  assign parity_913 = ^select_901[11:3];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_918;
-  assign select_918 = and_669 ? (and_687 ? (~(select_688 ^ select_672)) : 12'h0) : 12'h0;
+  logic [11:0] select_920;
+  assign select_920 = and_671 ? (and_689 ? (~(select_690 ^ select_674)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_921;
-  assign parity_921 = ^select_918[8:6];
-  logic parity_924;
-  assign parity_924 = ^select_918[11:9];
+  logic parity_923;
+  assign parity_923 = ^select_920[8:6];
+  logic parity_926;
+  assign parity_926 = ^select_920[11:9];
   // hls/stages/agreement.hpp:212
-  logic and_928;
-  assign and_928 = right_codes_rdata_q[77] & not_520_s1_q;
-  logic [11:0] select_929;
-  assign select_929 = less_519_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
+  logic and_930;
+  assign and_930 = right_codes_rdata_q[77] & not_522_s1_q;
+  logic [11:0] select_931;
+  assign select_931 = less_521_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_933;
-  assign select_933 = and_686 ? (and_928 ? (~(select_929 ^ select_689)) : 12'h0) : 12'h0;
+  logic [11:0] select_935;
+  assign select_935 = and_688 ? (and_930 ? (~(select_931 ^ select_691)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_939;
-  assign parity_939 = ^select_933[2:0];
-  logic parity_942;
-  assign parity_942 = ^select_933[5:3];
-  logic parity_945;
-  assign parity_945 = ^select_933[8:0];
-  logic parity_951;
-  assign parity_951 = ^select_933[11:9];
-  logic parity_954;
-  assign parity_954 = ^select_918[2:0];
-  logic parity_957;
-  assign parity_957 = ^{select_933[11:9], select_918[5:0]};
-  logic parity_960;
-  assign parity_960 = ^{select_933, select_918, select_899[2:0]};
-  logic xor_961;
-  assign xor_961 = parity_911 ^ parity_960;
+  logic parity_941;
+  assign parity_941 = ^select_935[2:0];
+  logic parity_944;
+  assign parity_944 = ^select_935[5:3];
+  logic parity_947;
+  assign parity_947 = ^select_935[8:0];
+  logic parity_953;
+  assign parity_953 = ^select_935[11:9];
+  logic parity_956;
+  assign parity_956 = ^select_920[2:0];
+  logic parity_959;
+  assign parity_959 = ^{select_935[11:9], select_920[5:0]};
+  logic parity_962;
+  assign parity_962 = ^{select_935, select_920, select_901[2:0]};
+  logic xor_963;
+  assign xor_963 = parity_913 ^ parity_962;
   // hls/stages/count_bits.hpp:23
-  logic or_965;
-  assign or_965 = (select_899[1:0] == 2'h3) | (select_899[2] & (select_899[0] | select_899[1]));
+  logic or_967;
+  assign or_967 = (select_901[1:0] == 2'h3) | (select_901[2] & (select_901[0] | select_901[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_969;
-  assign or_969 = (select_918[7:6] == 2'h3) | (select_918[8] & (select_918[6] | select_918[7]));
-  logic or_973;
-  assign or_973 = (select_918[10:9] == 2'h3) | (select_918[11] & (select_918[9] | select_918[10]));
+  logic or_971;
+  assign or_971 = (select_920[7:6] == 2'h3) | (select_920[8] & (select_920[6] | select_920[7]));
+  logic or_975;
+  assign or_975 = (select_920[10:9] == 2'h3) | (select_920[11] & (select_920[9] | select_920[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_981;
-  assign or_981 = (select_933[7:6] == 2'h3) | (select_933[8] & (~(select_933[7:6] == 2'h0)));
+  logic or_983;
+  assign or_983 = (select_935[7:6] == 2'h3) | (select_935[8] & (~(select_935[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_985;
-  assign or_985 = (select_933[1:0] == 2'h3) | (select_933[2] & (select_933[0] | select_933[1]));
-  logic or_989;
-  assign or_989 = (select_933[4:3] == 2'h3) | (select_933[5] & (select_933[3] | select_933[4]));
+  logic or_987;
+  assign or_987 = (select_935[1:0] == 2'h3) | (select_935[2] & (select_935[0] | select_935[1]));
+  logic or_991;
+  assign or_991 = (select_935[4:3] == 2'h3) | (select_935[5] & (select_935[3] | select_935[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_992;
-  assign parity_992 = ^{or_989, or_985, or_981};
+  logic parity_994;
+  assign parity_994 = ^{or_991, or_987, or_983};
   // hls/stages/count_bits.hpp:23
-  logic or_996;
-  assign or_996 = (select_918[4:3] == 2'h3) | (select_918[5] & (select_918[3] | select_918[4]));
+  logic or_998;
+  assign or_998 = (select_920[4:3] == 2'h3) | (select_920[5] & (select_920[3] | select_920[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1000;
-  assign or_1000 = (select_933[10:9] == 2'h3) | (select_933[11] & (select_933[9] | select_933[10]));
-  logic or_1004;
-  assign or_1004 = (select_918[1:0] == 2'h3) | (select_918[2] & (select_918[0] | select_918[1]));
+  logic or_1002;
+  assign or_1002 = (select_935[10:9] == 2'h3) | (select_935[11] & (select_935[9] | select_935[10]));
+  logic or_1006;
+  assign or_1006 = (select_920[1:0] == 2'h3) | (select_920[2] & (select_920[0] | select_920[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1007;
-  assign parity_1007 = ^{or_1004, or_1000, or_996};
-  logic parity_1010;
-  assign parity_1010 = ^{or_1004, or_1000, or_996, or_989, or_985, or_981, or_973, or_969, or_965};
+  logic parity_1009;
+  assign parity_1009 = ^{or_1006, or_1002, or_998};
+  logic parity_1012;
+  assign parity_1012 = ^{or_1006, or_1002, or_998, or_991, or_987, or_983, or_975, or_971, or_967};
   // hls/stages/count_bits.hpp:25
-  logic and_1011;
-  assign and_1011 = parity_911 & parity_960;
-  logic or_1015;
-  assign or_1015 = (parity_905 & parity_908) | ((^select_899[11:9]) & (parity_905 | parity_908));
-  logic and_1018;
-  assign and_1018 = (^{select_918[11:6], select_899[2:0]}) & (parity_945 | parity_957);
-  logic or_1019;
-  assign or_1019 = (parity_945 & parity_957) | and_1018;
+  logic and_1013;
+  assign and_1013 = parity_913 & parity_962;
+  logic or_1017;
+  assign or_1017 = (parity_907 & parity_910) | ((^select_901[11:9]) & (parity_907 | parity_910));
+  logic and_1020;
+  assign and_1020 = (^{select_920[11:6], select_901[2:0]}) & (parity_947 | parity_959);
+  logic or_1021;
+  assign or_1021 = (parity_947 & parity_959) | and_1020;
   // hls/stages/count_bits.hpp:23
-  logic or_1026;
-  assign or_1026 = (select_899[10:9] == 2'h3) | (select_899[11] & (select_899[9] | select_899[10]));
+  logic or_1028;
+  assign or_1028 = (select_901[10:9] == 2'h3) | (select_901[11] & (select_901[9] | select_901[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1030;
-  assign or_1030 = (select_899[4:3] == 2'h3) | (select_899[5] & (select_899[3] | select_899[4]));
-  logic or_1034;
-  assign or_1034 = (select_899[7:6] == 2'h3) | (select_899[8] & (select_899[6] | select_899[7]));
+  logic or_1032;
+  assign or_1032 = (select_901[4:3] == 2'h3) | (select_901[5] & (select_901[3] | select_901[4]));
+  logic or_1036;
+  assign or_1036 = (select_901[7:6] == 2'h3) | (select_901[8] & (select_901[6] | select_901[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1037;
-  assign parity_1037 = ^{or_1034, or_1030, or_1026};
+  logic parity_1039;
+  assign parity_1039 = ^{or_1036, or_1032, or_1028};
   // hls/stages/count_bits.hpp:25
-  logic or_1041;
-  assign or_1041 = (parity_921 & parity_924) | ((^select_899[2:0]) & (parity_921 | parity_924));
-  logic or_1045;
-  assign or_1045 = (parity_939 & parity_942) | ((^select_933[8:6]) & (parity_939 | parity_942));
-  logic or_1049;
-  assign or_1049 = (parity_951 & parity_954) | ((^select_918[5:3]) & (parity_951 | parity_954));
+  logic or_1043;
+  assign or_1043 = (parity_923 & parity_926) | ((^select_901[2:0]) & (parity_923 | parity_926));
+  logic or_1047;
+  assign or_1047 = (parity_941 & parity_944) | ((^select_935[8:6]) & (parity_941 | parity_944));
+  logic or_1051;
+  assign or_1051 = (parity_953 & parity_956) | ((^select_920[5:3]) & (parity_953 | parity_956));
   // hls/stages/count_bits.hpp:24
-  logic parity_1052;
-  assign parity_1052 = ^{or_1049, or_1045, or_1041};
-  logic parity_1055;
-  assign parity_1055 = ^{or_1049, or_1045, or_1041, or_1034, or_1030, or_1026, or_1019, or_1015, and_1011};
-  logic xor_1056;
-  assign xor_1056 = parity_1010 ^ parity_1055;
+  logic parity_1054;
+  assign parity_1054 = ^{or_1051, or_1047, or_1043};
+  logic parity_1057;
+  assign parity_1057 = ^{or_1051, or_1047, or_1043, or_1036, or_1032, or_1028, or_1021, or_1017, and_1013};
+  logic xor_1058;
+  assign xor_1058 = parity_1012 ^ parity_1057;
   // hls/stages/count_bits.hpp:25
-  logic and_1057;
-  assign and_1057 = parity_1010 & parity_1055;
-  logic or_1061;
-  assign or_1061 = (parity_992 & parity_1007) | ((^{or_973, or_969, or_965}) & (parity_992 | parity_1007));
-  logic or_1065;
-  assign or_1065 = (parity_1037 & parity_1052) | ((^{or_1019, or_1015, and_1011}) & (parity_1037 | parity_1052));
-  logic or_1072;
-  assign or_1072 = (or_969 & or_973) | (or_965 & (or_969 | or_973));
-  logic or_1076;
-  assign or_1076 = (or_985 & or_989) | (or_981 & (or_985 | or_989));
-  logic or_1080;
-  assign or_1080 = (or_1000 & or_1004) | (or_996 & (or_1000 | or_1004));
+  logic and_1059;
+  assign and_1059 = parity_1012 & parity_1057;
+  logic or_1063;
+  assign or_1063 = (parity_994 & parity_1009) | ((^{or_975, or_971, or_967}) & (parity_994 | parity_1009));
+  logic or_1067;
+  assign or_1067 = (parity_1039 & parity_1054) | ((^{or_1021, or_1017, and_1013}) & (parity_1039 | parity_1054));
+  logic or_1074;
+  assign or_1074 = (or_971 & or_975) | (or_967 & (or_971 | or_975));
+  logic or_1078;
+  assign or_1078 = (or_987 & or_991) | (or_983 & (or_987 | or_991));
+  logic or_1082;
+  assign or_1082 = (or_1002 & or_1006) | (or_998 & (or_1002 | or_1006));
   // hls/stages/count_bits.hpp:24
-  logic parity_1083;
-  assign parity_1083 = ^{or_1080, or_1076, or_1072};
+  logic parity_1085;
+  assign parity_1085 = ^{or_1082, or_1078, or_1074};
   // hls/stages/count_bits.hpp:25
-  logic or_1087;
-  assign or_1087 = (or_1015 & or_1019) | (and_1011 & (or_1015 | or_1019));
-  logic or_1091;
-  assign or_1091 = (or_1030 & or_1034) | (or_1026 & (or_1030 | or_1034));
-  logic or_1095;
-  assign or_1095 = (or_1045 & or_1049) | (or_1041 & (or_1045 | or_1049));
+  logic or_1089;
+  assign or_1089 = (or_1017 & or_1021) | (and_1013 & (or_1017 | or_1021));
+  logic or_1093;
+  assign or_1093 = (or_1032 & or_1036) | (or_1028 & (or_1032 | or_1036));
+  logic or_1097;
+  assign or_1097 = (or_1047 & or_1051) | (or_1043 & (or_1047 | or_1051));
   // hls/stages/count_bits.hpp:24
-  logic parity_1098;
-  assign parity_1098 = ^{or_1095, or_1091, or_1087};
-  logic parity_1101;
-  assign parity_1101 = ^{or_1095, or_1091, or_1087, or_1080, or_1076, or_1072, or_1065, or_1061, and_1057};
+  logic parity_1100;
+  assign parity_1100 = ^{or_1097, or_1093, or_1089};
+  logic parity_1103;
+  assign parity_1103 = ^{or_1097, or_1093, or_1089, or_1082, or_1078, or_1074, or_1067, or_1063, and_1059};
   // hls/stages/count_bits.hpp:25
-  logic or_1105;
-  assign or_1105 = (parity_1083 & parity_1098) | ((^{or_1065, or_1061, and_1057}) & (parity_1083 | parity_1098));
-  logic or_1109;
-  assign or_1109 = (or_1061 & or_1065) | (and_1057 & (or_1061 | or_1065));
-  logic or_1113;
-  assign or_1113 = (or_1076 & or_1080) | (or_1072 & (or_1076 | or_1080));
-  logic or_1117;
-  assign or_1117 = (or_1091 & or_1095) | (or_1087 & (or_1091 | or_1095));
+  logic or_1107;
+  assign or_1107 = (parity_1085 & parity_1100) | ((^{or_1067, or_1063, and_1059}) & (parity_1085 | parity_1100));
+  logic or_1111;
+  assign or_1111 = (or_1063 & or_1067) | (and_1059 & (or_1063 | or_1067));
+  logic or_1115;
+  assign or_1115 = (or_1078 & or_1082) | (or_1074 & (or_1078 | or_1082));
+  logic or_1119;
+  assign or_1119 = (or_1093 & or_1097) | (or_1089 & (or_1093 | or_1097));
   // hls/stages/count_bits.hpp:24
-  logic parity_1122;
-  assign parity_1122 = ^{or_1117, or_1113, or_1109, or_1105};
+  logic parity_1124;
+  assign parity_1124 = ^{or_1119, or_1115, or_1111, or_1107};
   // hls/stages/count_bits.hpp:25
-  logic or_1126;
-  assign or_1126 = (or_1113 & or_1117) | (or_1109 & (or_1113 | or_1117));
-  logic and_1127;
-  assign and_1127 = or_1105 & (^{or_1117, or_1113, or_1109});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1128;
-  assign xor_1128 = or_1126 ^ and_1127;
-  // hls/stages/count_bits.hpp:27
+  logic or_1128;
+  assign or_1128 = (or_1115 & or_1119) | (or_1111 & (or_1115 | or_1119));
   logic and_1129;
-  assign and_1129 = or_1126 & and_1127;
+  assign and_1129 = or_1107 & (^{or_1119, or_1115, or_1111});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1130;
+  assign xor_1130 = or_1128 ^ and_1129;
+  // hls/stages/count_bits.hpp:27
+  logic and_1131;
+  assign and_1131 = or_1128 & and_1129;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_1130;
-  assign select_1130 = equal_514_s1_q ? {and_1129, xor_1128, parity_1122, parity_1101, xor_1056, xor_961} : 6'h0;
-  logic [5:0] column_3;
-  assign column_3 = or_512_s1_q ? 6'h0 : select_1130;
-  // hls/stages/agreement.hpp:762
   logic [5:0] select_1132;
-  assign select_1132 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1133;
-  assign difference_1133 = {1'b0, column_3} - {1'b0, select_1132};
-  logic [7:0] sum_1135;
-  assign sum_1135 = {difference_1133[6], difference_1133} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
+  assign select_1132 = equal_516_s1_q ? {and_1131, xor_1130, parity_1124, parity_1103, xor_1058, xor_963} : 6'h0;
+  logic [5:0] column_3;
+  assign column_3 = or_514_s1_q ? 6'h0 : select_1132;
+  // hls/stages/agreement.hpp:762
+  logic [5:0] select_1134;
+  assign select_1134 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1135;
+  assign difference_1135 = {1'b0, column_3} - {1'b0, select_1134};
+  logic [7:0] sum_1137;
+  assign sum_1137 = {difference_1135[6], difference_1135} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:212
-  logic and_1136;
-  assign and_1136 = right_codes_rdata_q[25] & not_520_s1_q;
-  logic [11:0] select_1137;
-  assign select_1137 = less_519_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
+  logic and_1138;
+  assign and_1138 = right_codes_rdata_q[25] & not_522_s1_q;
+  logic [11:0] select_1139;
+  assign select_1139 = less_521_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1141;
-  assign select_1141 = and_646 ? (and_1136 ? (~(select_1137 ^ select_649)) : 12'h0) : 12'h0;
+  logic [11:0] select_1143;
+  assign select_1143 = and_648 ? (and_1138 ? (~(select_1139 ^ select_651)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1147;
-  assign parity_1147 = ^select_1141[5:3];
-  logic parity_1150;
-  assign parity_1150 = ^select_1141[8:6];
-  logic parity_1153;
-  assign parity_1153 = ^select_1141[11:3];
+  logic parity_1149;
+  assign parity_1149 = ^select_1143[5:3];
+  logic parity_1152;
+  assign parity_1152 = ^select_1143[8:6];
+  logic parity_1155;
+  assign parity_1155 = ^select_1143[11:3];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1160;
-  assign select_1160 = and_669 ? (and_647 ? (~(select_648 ^ select_672)) : 12'h0) : 12'h0;
+  logic [11:0] select_1162;
+  assign select_1162 = and_671 ? (and_649 ? (~(select_650 ^ select_674)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1163;
-  assign parity_1163 = ^select_1160[8:6];
-  logic parity_1166;
-  assign parity_1166 = ^select_1160[11:9];
+  logic parity_1165;
+  assign parity_1165 = ^select_1162[8:6];
+  logic parity_1168;
+  assign parity_1168 = ^select_1162[11:9];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1173;
-  assign select_1173 = and_686 ? (and_670 ? (~(select_671 ^ select_689)) : 12'h0) : 12'h0;
+  logic [11:0] select_1175;
+  assign select_1175 = and_688 ? (and_672 ? (~(select_673 ^ select_691)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1179;
-  assign parity_1179 = ^select_1173[2:0];
-  logic parity_1182;
-  assign parity_1182 = ^select_1173[5:3];
-  logic parity_1185;
-  assign parity_1185 = ^select_1173[8:0];
-  logic parity_1191;
-  assign parity_1191 = ^select_1173[11:9];
-  logic parity_1194;
-  assign parity_1194 = ^select_1160[2:0];
-  logic parity_1197;
-  assign parity_1197 = ^{select_1173[11:9], select_1160[5:0]};
-  logic parity_1200;
-  assign parity_1200 = ^{select_1173, select_1160, select_1141[2:0]};
-  logic xor_1201;
-  assign xor_1201 = parity_1153 ^ parity_1200;
+  logic parity_1181;
+  assign parity_1181 = ^select_1175[2:0];
+  logic parity_1184;
+  assign parity_1184 = ^select_1175[5:3];
+  logic parity_1187;
+  assign parity_1187 = ^select_1175[8:0];
+  logic parity_1193;
+  assign parity_1193 = ^select_1175[11:9];
+  logic parity_1196;
+  assign parity_1196 = ^select_1162[2:0];
+  logic parity_1199;
+  assign parity_1199 = ^{select_1175[11:9], select_1162[5:0]};
+  logic parity_1202;
+  assign parity_1202 = ^{select_1175, select_1162, select_1143[2:0]};
+  logic xor_1203;
+  assign xor_1203 = parity_1155 ^ parity_1202;
   // hls/stages/count_bits.hpp:23
-  logic or_1205;
-  assign or_1205 = (select_1141[1:0] == 2'h3) | (select_1141[2] & (select_1141[0] | select_1141[1]));
+  logic or_1207;
+  assign or_1207 = (select_1143[1:0] == 2'h3) | (select_1143[2] & (select_1143[0] | select_1143[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1209;
-  assign or_1209 = (select_1160[7:6] == 2'h3) | (select_1160[8] & (select_1160[6] | select_1160[7]));
-  logic or_1213;
-  assign or_1213 = (select_1160[10:9] == 2'h3) | (select_1160[11] & (select_1160[9] | select_1160[10]));
+  logic or_1211;
+  assign or_1211 = (select_1162[7:6] == 2'h3) | (select_1162[8] & (select_1162[6] | select_1162[7]));
+  logic or_1215;
+  assign or_1215 = (select_1162[10:9] == 2'h3) | (select_1162[11] & (select_1162[9] | select_1162[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1221;
-  assign or_1221 = (select_1173[7:6] == 2'h3) | (select_1173[8] & (~(select_1173[7:6] == 2'h0)));
+  logic or_1223;
+  assign or_1223 = (select_1175[7:6] == 2'h3) | (select_1175[8] & (~(select_1175[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1225;
-  assign or_1225 = (select_1173[1:0] == 2'h3) | (select_1173[2] & (select_1173[0] | select_1173[1]));
-  logic or_1229;
-  assign or_1229 = (select_1173[4:3] == 2'h3) | (select_1173[5] & (select_1173[3] | select_1173[4]));
+  logic or_1227;
+  assign or_1227 = (select_1175[1:0] == 2'h3) | (select_1175[2] & (select_1175[0] | select_1175[1]));
+  logic or_1231;
+  assign or_1231 = (select_1175[4:3] == 2'h3) | (select_1175[5] & (select_1175[3] | select_1175[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1232;
-  assign parity_1232 = ^{or_1229, or_1225, or_1221};
+  logic parity_1234;
+  assign parity_1234 = ^{or_1231, or_1227, or_1223};
   // hls/stages/count_bits.hpp:23
-  logic or_1236;
-  assign or_1236 = (select_1160[4:3] == 2'h3) | (select_1160[5] & (select_1160[3] | select_1160[4]));
+  logic or_1238;
+  assign or_1238 = (select_1162[4:3] == 2'h3) | (select_1162[5] & (select_1162[3] | select_1162[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1240;
-  assign or_1240 = (select_1173[10:9] == 2'h3) | (select_1173[11] & (select_1173[9] | select_1173[10]));
-  logic or_1244;
-  assign or_1244 = (select_1160[1:0] == 2'h3) | (select_1160[2] & (select_1160[0] | select_1160[1]));
+  logic or_1242;
+  assign or_1242 = (select_1175[10:9] == 2'h3) | (select_1175[11] & (select_1175[9] | select_1175[10]));
+  logic or_1246;
+  assign or_1246 = (select_1162[1:0] == 2'h3) | (select_1162[2] & (select_1162[0] | select_1162[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1247;
-  assign parity_1247 = ^{or_1244, or_1240, or_1236};
-  logic parity_1250;
-  assign parity_1250 = ^{or_1244, or_1240, or_1236, or_1229, or_1225, or_1221, or_1213, or_1209, or_1205};
+  logic parity_1249;
+  assign parity_1249 = ^{or_1246, or_1242, or_1238};
+  logic parity_1252;
+  assign parity_1252 = ^{or_1246, or_1242, or_1238, or_1231, or_1227, or_1223, or_1215, or_1211, or_1207};
   // hls/stages/count_bits.hpp:25
-  logic and_1251;
-  assign and_1251 = parity_1153 & parity_1200;
-  logic or_1255;
-  assign or_1255 = (parity_1147 & parity_1150) | ((^select_1141[11:9]) & (parity_1147 | parity_1150));
-  logic and_1258;
-  assign and_1258 = (^{select_1160[11:6], select_1141[2:0]}) & (parity_1185 | parity_1197);
-  logic or_1259;
-  assign or_1259 = (parity_1185 & parity_1197) | and_1258;
+  logic and_1253;
+  assign and_1253 = parity_1155 & parity_1202;
+  logic or_1257;
+  assign or_1257 = (parity_1149 & parity_1152) | ((^select_1143[11:9]) & (parity_1149 | parity_1152));
+  logic and_1260;
+  assign and_1260 = (^{select_1162[11:6], select_1143[2:0]}) & (parity_1187 | parity_1199);
+  logic or_1261;
+  assign or_1261 = (parity_1187 & parity_1199) | and_1260;
   // hls/stages/count_bits.hpp:23
-  logic or_1266;
-  assign or_1266 = (select_1141[10:9] == 2'h3) | (select_1141[11] & (select_1141[9] | select_1141[10]));
+  logic or_1268;
+  assign or_1268 = (select_1143[10:9] == 2'h3) | (select_1143[11] & (select_1143[9] | select_1143[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1270;
-  assign or_1270 = (select_1141[4:3] == 2'h3) | (select_1141[5] & (select_1141[3] | select_1141[4]));
-  logic or_1274;
-  assign or_1274 = (select_1141[7:6] == 2'h3) | (select_1141[8] & (select_1141[6] | select_1141[7]));
+  logic or_1272;
+  assign or_1272 = (select_1143[4:3] == 2'h3) | (select_1143[5] & (select_1143[3] | select_1143[4]));
+  logic or_1276;
+  assign or_1276 = (select_1143[7:6] == 2'h3) | (select_1143[8] & (select_1143[6] | select_1143[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1277;
-  assign parity_1277 = ^{or_1274, or_1270, or_1266};
+  logic parity_1279;
+  assign parity_1279 = ^{or_1276, or_1272, or_1268};
   // hls/stages/count_bits.hpp:25
-  logic or_1281;
-  assign or_1281 = (parity_1163 & parity_1166) | ((^select_1141[2:0]) & (parity_1163 | parity_1166));
-  logic or_1285;
-  assign or_1285 = (parity_1179 & parity_1182) | ((^select_1173[8:6]) & (parity_1179 | parity_1182));
-  logic or_1289;
-  assign or_1289 = (parity_1191 & parity_1194) | ((^select_1160[5:3]) & (parity_1191 | parity_1194));
+  logic or_1283;
+  assign or_1283 = (parity_1165 & parity_1168) | ((^select_1143[2:0]) & (parity_1165 | parity_1168));
+  logic or_1287;
+  assign or_1287 = (parity_1181 & parity_1184) | ((^select_1175[8:6]) & (parity_1181 | parity_1184));
+  logic or_1291;
+  assign or_1291 = (parity_1193 & parity_1196) | ((^select_1162[5:3]) & (parity_1193 | parity_1196));
   // hls/stages/count_bits.hpp:24
-  logic parity_1292;
-  assign parity_1292 = ^{or_1289, or_1285, or_1281};
-  logic parity_1295;
-  assign parity_1295 = ^{or_1289, or_1285, or_1281, or_1274, or_1270, or_1266, or_1259, or_1255, and_1251};
-  logic xor_1296;
-  assign xor_1296 = parity_1250 ^ parity_1295;
+  logic parity_1294;
+  assign parity_1294 = ^{or_1291, or_1287, or_1283};
+  logic parity_1297;
+  assign parity_1297 = ^{or_1291, or_1287, or_1283, or_1276, or_1272, or_1268, or_1261, or_1257, and_1253};
+  logic xor_1298;
+  assign xor_1298 = parity_1252 ^ parity_1297;
   // hls/stages/count_bits.hpp:25
-  logic and_1297;
-  assign and_1297 = parity_1250 & parity_1295;
-  logic or_1301;
-  assign or_1301 = (parity_1232 & parity_1247) | ((^{or_1213, or_1209, or_1205}) & (parity_1232 | parity_1247));
-  logic or_1305;
-  assign or_1305 = (parity_1277 & parity_1292) | ((^{or_1259, or_1255, and_1251}) & (parity_1277 | parity_1292));
-  logic or_1312;
-  assign or_1312 = (or_1209 & or_1213) | (or_1205 & (or_1209 | or_1213));
-  logic or_1316;
-  assign or_1316 = (or_1225 & or_1229) | (or_1221 & (or_1225 | or_1229));
-  logic or_1320;
-  assign or_1320 = (or_1240 & or_1244) | (or_1236 & (or_1240 | or_1244));
+  logic and_1299;
+  assign and_1299 = parity_1252 & parity_1297;
+  logic or_1303;
+  assign or_1303 = (parity_1234 & parity_1249) | ((^{or_1215, or_1211, or_1207}) & (parity_1234 | parity_1249));
+  logic or_1307;
+  assign or_1307 = (parity_1279 & parity_1294) | ((^{or_1261, or_1257, and_1253}) & (parity_1279 | parity_1294));
+  logic or_1314;
+  assign or_1314 = (or_1211 & or_1215) | (or_1207 & (or_1211 | or_1215));
+  logic or_1318;
+  assign or_1318 = (or_1227 & or_1231) | (or_1223 & (or_1227 | or_1231));
+  logic or_1322;
+  assign or_1322 = (or_1242 & or_1246) | (or_1238 & (or_1242 | or_1246));
   // hls/stages/count_bits.hpp:24
-  logic parity_1323;
-  assign parity_1323 = ^{or_1320, or_1316, or_1312};
+  logic parity_1325;
+  assign parity_1325 = ^{or_1322, or_1318, or_1314};
   // hls/stages/count_bits.hpp:25
-  logic or_1327;
-  assign or_1327 = (or_1255 & or_1259) | (and_1251 & (or_1255 | or_1259));
-  logic or_1331;
-  assign or_1331 = (or_1270 & or_1274) | (or_1266 & (or_1270 | or_1274));
-  logic or_1335;
-  assign or_1335 = (or_1285 & or_1289) | (or_1281 & (or_1285 | or_1289));
+  logic or_1329;
+  assign or_1329 = (or_1257 & or_1261) | (and_1253 & (or_1257 | or_1261));
+  logic or_1333;
+  assign or_1333 = (or_1272 & or_1276) | (or_1268 & (or_1272 | or_1276));
+  logic or_1337;
+  assign or_1337 = (or_1287 & or_1291) | (or_1283 & (or_1287 | or_1291));
   // hls/stages/count_bits.hpp:24
-  logic parity_1338;
-  assign parity_1338 = ^{or_1335, or_1331, or_1327};
-  logic parity_1341;
-  assign parity_1341 = ^{or_1335, or_1331, or_1327, or_1320, or_1316, or_1312, or_1305, or_1301, and_1297};
+  logic parity_1340;
+  assign parity_1340 = ^{or_1337, or_1333, or_1329};
+  logic parity_1343;
+  assign parity_1343 = ^{or_1337, or_1333, or_1329, or_1322, or_1318, or_1314, or_1307, or_1303, and_1299};
   // hls/stages/count_bits.hpp:25
-  logic or_1345;
-  assign or_1345 = (parity_1323 & parity_1338) | ((^{or_1305, or_1301, and_1297}) & (parity_1323 | parity_1338));
-  logic or_1349;
-  assign or_1349 = (or_1301 & or_1305) | (and_1297 & (or_1301 | or_1305));
-  logic or_1353;
-  assign or_1353 = (or_1316 & or_1320) | (or_1312 & (or_1316 | or_1320));
-  logic or_1357;
-  assign or_1357 = (or_1331 & or_1335) | (or_1327 & (or_1331 | or_1335));
+  logic or_1347;
+  assign or_1347 = (parity_1325 & parity_1340) | ((^{or_1307, or_1303, and_1299}) & (parity_1325 | parity_1340));
+  logic or_1351;
+  assign or_1351 = (or_1303 & or_1307) | (and_1299 & (or_1303 | or_1307));
+  logic or_1355;
+  assign or_1355 = (or_1318 & or_1322) | (or_1314 & (or_1318 | or_1322));
+  logic or_1359;
+  assign or_1359 = (or_1333 & or_1337) | (or_1329 & (or_1333 | or_1337));
   // hls/stages/count_bits.hpp:24
-  logic parity_1362;
-  assign parity_1362 = ^{or_1357, or_1353, or_1349, or_1345};
+  logic parity_1364;
+  assign parity_1364 = ^{or_1359, or_1355, or_1351, or_1347};
   // hls/stages/count_bits.hpp:25
-  logic or_1366;
-  assign or_1366 = (or_1353 & or_1357) | (or_1349 & (or_1353 | or_1357));
-  logic and_1367;
-  assign and_1367 = or_1345 & (^{or_1357, or_1353, or_1349});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1368;
-  assign xor_1368 = or_1366 ^ and_1367;
-  // hls/stages/count_bits.hpp:27
+  logic or_1368;
+  assign or_1368 = (or_1355 & or_1359) | (or_1351 & (or_1355 | or_1359));
   logic and_1369;
-  assign and_1369 = or_1366 & and_1367;
+  assign and_1369 = or_1347 & (^{or_1359, or_1355, or_1351});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1370;
+  assign xor_1370 = or_1368 ^ and_1369;
+  // hls/stages/count_bits.hpp:27
+  logic and_1371;
+  assign and_1371 = or_1368 & and_1369;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_1370;
-  assign select_1370 = equal_514_s1_q ? {and_1369, xor_1368, parity_1362, parity_1341, xor_1296, xor_1201} : 6'h0;
-  logic [5:0] column_4;
-  assign column_4 = or_512_s1_q ? 6'h0 : select_1370;
-  // hls/stages/agreement.hpp:762
   logic [5:0] select_1372;
-  assign select_1372 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1373;
-  assign difference_1373 = {1'b0, column_4} - {1'b0, select_1372};
-  logic [7:0] sum_1375;
-  assign sum_1375 = {difference_1373[6], difference_1373} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
+  assign select_1372 = equal_516_s1_q ? {and_1371, xor_1370, parity_1364, parity_1343, xor_1298, xor_1203} : 6'h0;
+  logic [5:0] column_4;
+  assign column_4 = or_514_s1_q ? 6'h0 : select_1372;
+  // hls/stages/agreement.hpp:762
+  logic [5:0] select_1374;
+  assign select_1374 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1375;
+  assign difference_1375 = {1'b0, column_4} - {1'b0, select_1374};
+  logic [7:0] sum_1377;
+  assign sum_1377 = {difference_1375[6], difference_1375} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1383;
-  assign select_1383 = and_646 ? (and_687 ? (~(select_688 ^ select_649)) : 12'h0) : 12'h0;
+  logic [11:0] select_1385;
+  assign select_1385 = and_648 ? (and_689 ? (~(select_690 ^ select_651)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1389;
-  assign parity_1389 = ^select_1383[5:3];
-  logic parity_1392;
-  assign parity_1392 = ^select_1383[8:6];
-  logic parity_1395;
-  assign parity_1395 = ^select_1383[11:3];
+  logic parity_1391;
+  assign parity_1391 = ^select_1385[5:3];
+  logic parity_1394;
+  assign parity_1394 = ^select_1385[8:6];
+  logic parity_1397;
+  assign parity_1397 = ^select_1385[11:3];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1402;
-  assign select_1402 = and_669 ? (and_928 ? (~(select_929 ^ select_672)) : 12'h0) : 12'h0;
+  logic [11:0] select_1404;
+  assign select_1404 = and_671 ? (and_930 ? (~(select_931 ^ select_674)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1405;
-  assign parity_1405 = ^select_1402[8:6];
-  logic parity_1408;
-  assign parity_1408 = ^select_1402[11:9];
+  logic parity_1407;
+  assign parity_1407 = ^select_1404[8:6];
+  logic parity_1410;
+  assign parity_1410 = ^select_1404[11:9];
   // hls/stages/agreement.hpp:669
-  logic [11:0] xor_1414;
-  assign xor_1414 = (less_519_s1_q ? 12'h0 : right_codes_rdata_q[89:78]) ^ select_689;
-  logic [11:0] select_1417;
-  assign select_1417 = and_686 ? ((right_codes_rdata_q[90] & not_520_s1_q) ? (~xor_1414) : 12'h0) : 12'h0;
+  logic [11:0] xor_1416;
+  assign xor_1416 = (less_521_s1_q ? 12'h0 : right_codes_rdata_q[89:78]) ^ select_691;
+  logic [11:0] select_1419;
+  assign select_1419 = and_688 ? ((right_codes_rdata_q[90] & not_522_s1_q) ? (~xor_1416) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1423;
-  assign parity_1423 = ^select_1417[2:0];
-  logic parity_1426;
-  assign parity_1426 = ^select_1417[5:3];
-  logic parity_1429;
-  assign parity_1429 = ^select_1417[8:0];
-  logic parity_1435;
-  assign parity_1435 = ^select_1417[11:9];
-  logic parity_1438;
-  assign parity_1438 = ^select_1402[2:0];
-  logic parity_1441;
-  assign parity_1441 = ^{select_1417[11:9], select_1402[5:0]};
-  logic parity_1444;
-  assign parity_1444 = ^{select_1417, select_1402, select_1383[2:0]};
-  logic xor_1445;
-  assign xor_1445 = parity_1395 ^ parity_1444;
+  logic parity_1425;
+  assign parity_1425 = ^select_1419[2:0];
+  logic parity_1428;
+  assign parity_1428 = ^select_1419[5:3];
+  logic parity_1431;
+  assign parity_1431 = ^select_1419[8:0];
+  logic parity_1437;
+  assign parity_1437 = ^select_1419[11:9];
+  logic parity_1440;
+  assign parity_1440 = ^select_1404[2:0];
+  logic parity_1443;
+  assign parity_1443 = ^{select_1419[11:9], select_1404[5:0]};
+  logic parity_1446;
+  assign parity_1446 = ^{select_1419, select_1404, select_1385[2:0]};
+  logic xor_1447;
+  assign xor_1447 = parity_1397 ^ parity_1446;
   // hls/stages/count_bits.hpp:23
-  logic or_1449;
-  assign or_1449 = (select_1383[1:0] == 2'h3) | (select_1383[2] & (select_1383[0] | select_1383[1]));
+  logic or_1451;
+  assign or_1451 = (select_1385[1:0] == 2'h3) | (select_1385[2] & (select_1385[0] | select_1385[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1453;
-  assign or_1453 = (select_1402[7:6] == 2'h3) | (select_1402[8] & (select_1402[6] | select_1402[7]));
-  logic or_1457;
-  assign or_1457 = (select_1402[10:9] == 2'h3) | (select_1402[11] & (select_1402[9] | select_1402[10]));
+  logic or_1455;
+  assign or_1455 = (select_1404[7:6] == 2'h3) | (select_1404[8] & (select_1404[6] | select_1404[7]));
+  logic or_1459;
+  assign or_1459 = (select_1404[10:9] == 2'h3) | (select_1404[11] & (select_1404[9] | select_1404[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1465;
-  assign or_1465 = (select_1417[7:6] == 2'h3) | (select_1417[8] & (~(select_1417[7:6] == 2'h0)));
+  logic or_1467;
+  assign or_1467 = (select_1419[7:6] == 2'h3) | (select_1419[8] & (~(select_1419[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1469;
-  assign or_1469 = (select_1417[1:0] == 2'h3) | (select_1417[2] & (select_1417[0] | select_1417[1]));
-  logic or_1473;
-  assign or_1473 = (select_1417[4:3] == 2'h3) | (select_1417[5] & (select_1417[3] | select_1417[4]));
+  logic or_1471;
+  assign or_1471 = (select_1419[1:0] == 2'h3) | (select_1419[2] & (select_1419[0] | select_1419[1]));
+  logic or_1475;
+  assign or_1475 = (select_1419[4:3] == 2'h3) | (select_1419[5] & (select_1419[3] | select_1419[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1476;
-  assign parity_1476 = ^{or_1473, or_1469, or_1465};
+  logic parity_1478;
+  assign parity_1478 = ^{or_1475, or_1471, or_1467};
   // hls/stages/count_bits.hpp:23
-  logic or_1480;
-  assign or_1480 = (select_1402[4:3] == 2'h3) | (select_1402[5] & (select_1402[3] | select_1402[4]));
+  logic or_1482;
+  assign or_1482 = (select_1404[4:3] == 2'h3) | (select_1404[5] & (select_1404[3] | select_1404[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1484;
-  assign or_1484 = (select_1417[10:9] == 2'h3) | (select_1417[11] & (select_1417[9] | select_1417[10]));
-  logic or_1488;
-  assign or_1488 = (select_1402[1:0] == 2'h3) | (select_1402[2] & (select_1402[0] | select_1402[1]));
+  logic or_1486;
+  assign or_1486 = (select_1419[10:9] == 2'h3) | (select_1419[11] & (select_1419[9] | select_1419[10]));
+  logic or_1490;
+  assign or_1490 = (select_1404[1:0] == 2'h3) | (select_1404[2] & (select_1404[0] | select_1404[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1491;
-  assign parity_1491 = ^{or_1488, or_1484, or_1480};
-  logic parity_1494;
-  assign parity_1494 = ^{or_1488, or_1484, or_1480, or_1473, or_1469, or_1465, or_1457, or_1453, or_1449};
+  logic parity_1493;
+  assign parity_1493 = ^{or_1490, or_1486, or_1482};
+  logic parity_1496;
+  assign parity_1496 = ^{or_1490, or_1486, or_1482, or_1475, or_1471, or_1467, or_1459, or_1455, or_1451};
   // hls/stages/count_bits.hpp:25
-  logic and_1495;
-  assign and_1495 = parity_1395 & parity_1444;
-  logic or_1499;
-  assign or_1499 = (parity_1389 & parity_1392) | ((^select_1383[11:9]) & (parity_1389 | parity_1392));
-  logic and_1502;
-  assign and_1502 = (^{select_1402[11:6], select_1383[2:0]}) & (parity_1429 | parity_1441);
-  logic or_1503;
-  assign or_1503 = (parity_1429 & parity_1441) | and_1502;
+  logic and_1497;
+  assign and_1497 = parity_1397 & parity_1446;
+  logic or_1501;
+  assign or_1501 = (parity_1391 & parity_1394) | ((^select_1385[11:9]) & (parity_1391 | parity_1394));
+  logic and_1504;
+  assign and_1504 = (^{select_1404[11:6], select_1385[2:0]}) & (parity_1431 | parity_1443);
+  logic or_1505;
+  assign or_1505 = (parity_1431 & parity_1443) | and_1504;
   // hls/stages/count_bits.hpp:23
-  logic or_1510;
-  assign or_1510 = (select_1383[10:9] == 2'h3) | (select_1383[11] & (select_1383[9] | select_1383[10]));
+  logic or_1512;
+  assign or_1512 = (select_1385[10:9] == 2'h3) | (select_1385[11] & (select_1385[9] | select_1385[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1514;
-  assign or_1514 = (select_1383[4:3] == 2'h3) | (select_1383[5] & (select_1383[3] | select_1383[4]));
-  logic or_1518;
-  assign or_1518 = (select_1383[7:6] == 2'h3) | (select_1383[8] & (select_1383[6] | select_1383[7]));
+  logic or_1516;
+  assign or_1516 = (select_1385[4:3] == 2'h3) | (select_1385[5] & (select_1385[3] | select_1385[4]));
+  logic or_1520;
+  assign or_1520 = (select_1385[7:6] == 2'h3) | (select_1385[8] & (select_1385[6] | select_1385[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1521;
-  assign parity_1521 = ^{or_1518, or_1514, or_1510};
+  logic parity_1523;
+  assign parity_1523 = ^{or_1520, or_1516, or_1512};
   // hls/stages/count_bits.hpp:25
-  logic or_1525;
-  assign or_1525 = (parity_1405 & parity_1408) | ((^select_1383[2:0]) & (parity_1405 | parity_1408));
-  logic or_1529;
-  assign or_1529 = (parity_1423 & parity_1426) | ((^select_1417[8:6]) & (parity_1423 | parity_1426));
-  logic or_1533;
-  assign or_1533 = (parity_1435 & parity_1438) | ((^select_1402[5:3]) & (parity_1435 | parity_1438));
+  logic or_1527;
+  assign or_1527 = (parity_1407 & parity_1410) | ((^select_1385[2:0]) & (parity_1407 | parity_1410));
+  logic or_1531;
+  assign or_1531 = (parity_1425 & parity_1428) | ((^select_1419[8:6]) & (parity_1425 | parity_1428));
+  logic or_1535;
+  assign or_1535 = (parity_1437 & parity_1440) | ((^select_1404[5:3]) & (parity_1437 | parity_1440));
   // hls/stages/count_bits.hpp:24
-  logic parity_1536;
-  assign parity_1536 = ^{or_1533, or_1529, or_1525};
-  logic parity_1539;
-  assign parity_1539 = ^{or_1533, or_1529, or_1525, or_1518, or_1514, or_1510, or_1503, or_1499, and_1495};
-  logic xor_1540;
-  assign xor_1540 = parity_1494 ^ parity_1539;
+  logic parity_1538;
+  assign parity_1538 = ^{or_1535, or_1531, or_1527};
+  logic parity_1541;
+  assign parity_1541 = ^{or_1535, or_1531, or_1527, or_1520, or_1516, or_1512, or_1505, or_1501, and_1497};
+  logic xor_1542;
+  assign xor_1542 = parity_1496 ^ parity_1541;
   // hls/stages/count_bits.hpp:25
-  logic and_1541;
-  assign and_1541 = parity_1494 & parity_1539;
-  logic or_1545;
-  assign or_1545 = (parity_1476 & parity_1491) | ((^{or_1457, or_1453, or_1449}) & (parity_1476 | parity_1491));
-  logic or_1549;
-  assign or_1549 = (parity_1521 & parity_1536) | ((^{or_1503, or_1499, and_1495}) & (parity_1521 | parity_1536));
-  logic or_1556;
-  assign or_1556 = (or_1453 & or_1457) | (or_1449 & (or_1453 | or_1457));
-  logic or_1560;
-  assign or_1560 = (or_1469 & or_1473) | (or_1465 & (or_1469 | or_1473));
-  logic or_1564;
-  assign or_1564 = (or_1484 & or_1488) | (or_1480 & (or_1484 | or_1488));
+  logic and_1543;
+  assign and_1543 = parity_1496 & parity_1541;
+  logic or_1547;
+  assign or_1547 = (parity_1478 & parity_1493) | ((^{or_1459, or_1455, or_1451}) & (parity_1478 | parity_1493));
+  logic or_1551;
+  assign or_1551 = (parity_1523 & parity_1538) | ((^{or_1505, or_1501, and_1497}) & (parity_1523 | parity_1538));
+  logic or_1558;
+  assign or_1558 = (or_1455 & or_1459) | (or_1451 & (or_1455 | or_1459));
+  logic or_1562;
+  assign or_1562 = (or_1471 & or_1475) | (or_1467 & (or_1471 | or_1475));
+  logic or_1566;
+  assign or_1566 = (or_1486 & or_1490) | (or_1482 & (or_1486 | or_1490));
   // hls/stages/count_bits.hpp:24
-  logic parity_1567;
-  assign parity_1567 = ^{or_1564, or_1560, or_1556};
+  logic parity_1569;
+  assign parity_1569 = ^{or_1566, or_1562, or_1558};
   // hls/stages/count_bits.hpp:25
-  logic or_1571;
-  assign or_1571 = (or_1499 & or_1503) | (and_1495 & (or_1499 | or_1503));
-  logic or_1575;
-  assign or_1575 = (or_1514 & or_1518) | (or_1510 & (or_1514 | or_1518));
-  logic or_1579;
-  assign or_1579 = (or_1529 & or_1533) | (or_1525 & (or_1529 | or_1533));
+  logic or_1573;
+  assign or_1573 = (or_1501 & or_1505) | (and_1497 & (or_1501 | or_1505));
+  logic or_1577;
+  assign or_1577 = (or_1516 & or_1520) | (or_1512 & (or_1516 | or_1520));
+  logic or_1581;
+  assign or_1581 = (or_1531 & or_1535) | (or_1527 & (or_1531 | or_1535));
   // hls/stages/count_bits.hpp:24
-  logic parity_1582;
-  assign parity_1582 = ^{or_1579, or_1575, or_1571};
-  logic parity_1585;
-  assign parity_1585 = ^{or_1579, or_1575, or_1571, or_1564, or_1560, or_1556, or_1549, or_1545, and_1541};
+  logic parity_1584;
+  assign parity_1584 = ^{or_1581, or_1577, or_1573};
+  logic parity_1587;
+  assign parity_1587 = ^{or_1581, or_1577, or_1573, or_1566, or_1562, or_1558, or_1551, or_1547, and_1543};
   // hls/stages/count_bits.hpp:25
-  logic or_1589;
-  assign or_1589 = (parity_1567 & parity_1582) | ((^{or_1549, or_1545, and_1541}) & (parity_1567 | parity_1582));
-  logic or_1593;
-  assign or_1593 = (or_1545 & or_1549) | (and_1541 & (or_1545 | or_1549));
-  logic or_1597;
-  assign or_1597 = (or_1560 & or_1564) | (or_1556 & (or_1560 | or_1564));
-  logic or_1601;
-  assign or_1601 = (or_1575 & or_1579) | (or_1571 & (or_1575 | or_1579));
+  logic or_1591;
+  assign or_1591 = (parity_1569 & parity_1584) | ((^{or_1551, or_1547, and_1543}) & (parity_1569 | parity_1584));
+  logic or_1595;
+  assign or_1595 = (or_1547 & or_1551) | (and_1543 & (or_1547 | or_1551));
+  logic or_1599;
+  assign or_1599 = (or_1562 & or_1566) | (or_1558 & (or_1562 | or_1566));
+  logic or_1603;
+  assign or_1603 = (or_1577 & or_1581) | (or_1573 & (or_1577 | or_1581));
   // hls/stages/count_bits.hpp:24
-  logic parity_1606;
-  assign parity_1606 = ^{or_1601, or_1597, or_1593, or_1589};
+  logic parity_1608;
+  assign parity_1608 = ^{or_1603, or_1599, or_1595, or_1591};
   // hls/stages/count_bits.hpp:25
-  logic or_1610;
-  assign or_1610 = (or_1597 & or_1601) | (or_1593 & (or_1597 | or_1601));
-  logic and_1611;
-  assign and_1611 = or_1589 & (^{or_1601, or_1597, or_1593});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1612;
-  assign xor_1612 = or_1610 ^ and_1611;
-  // hls/stages/count_bits.hpp:27
+  logic or_1612;
+  assign or_1612 = (or_1599 & or_1603) | (or_1595 & (or_1599 | or_1603));
   logic and_1613;
-  assign and_1613 = or_1610 & and_1611;
-  // hls/stages/agreement.hpp:141
-  logic [5:0] select_1614;
-  assign select_1614 = equal_514_s1_q ? {and_1613, xor_1612, parity_1606, parity_1585, xor_1540, xor_1445} : 6'h0;
-  logic [5:0] column_5;
-  assign column_5 = or_512_s1_q ? 6'h0 : select_1614;
-  // hls/stages/agreement.hpp:762
-  logic [5:0] select_1616;
-  assign select_1616 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1617;
-  assign difference_1617 = {1'b0, column_5} - {1'b0, select_1616};
-  logic [7:0] sum_1619;
-  assign sum_1619 = {difference_1617[6], difference_1617} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:669
-  logic [11:0] not_1623;
-  assign not_1623 = ~((less_519_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) ^ select_649);
-  logic [11:0] select_1625;
-  assign select_1625 = and_646 ? ((right_codes_rdata_q[12] & not_520_s1_q) ? not_1623 : 12'h0) : 12'h0;
+  assign and_1613 = or_1591 & (^{or_1603, or_1599, or_1595});
   // hls/stages/count_bits.hpp:24
-  logic parity_1631;
-  assign parity_1631 = ^select_1625[5:3];
-  logic parity_1634;
-  assign parity_1634 = ^select_1625[8:6];
-  logic parity_1637;
-  assign parity_1637 = ^select_1625[11:3];
-  // hls/stages/agreement.hpp:669
-  logic [11:0] select_1644;
-  assign select_1644 = and_669 ? (and_1136 ? (~(select_1137 ^ select_672)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1647;
-  assign parity_1647 = ^select_1644[8:6];
-  logic parity_1650;
-  assign parity_1650 = ^select_1644[11:9];
-  // hls/stages/agreement.hpp:669
-  logic [11:0] select_1657;
-  assign select_1657 = and_686 ? (and_647 ? (~(select_648 ^ select_689)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1663;
-  assign parity_1663 = ^select_1657[2:0];
-  logic parity_1666;
-  assign parity_1666 = ^select_1657[5:3];
-  logic parity_1669;
-  assign parity_1669 = ^select_1657[8:0];
-  logic parity_1675;
-  assign parity_1675 = ^select_1657[11:9];
-  logic parity_1678;
-  assign parity_1678 = ^select_1644[2:0];
-  logic parity_1681;
-  assign parity_1681 = ^{select_1657[11:9], select_1644[5:0]};
-  logic parity_1684;
-  assign parity_1684 = ^{select_1657, select_1644, select_1625[2:0]};
-  logic xor_1685;
-  assign xor_1685 = parity_1637 ^ parity_1684;
-  // hls/stages/count_bits.hpp:23
-  logic or_1689;
-  assign or_1689 = (select_1625[1:0] == 2'h3) | (select_1625[2] & (select_1625[0] | select_1625[1]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1693;
-  assign or_1693 = (select_1644[7:6] == 2'h3) | (select_1644[8] & (select_1644[6] | select_1644[7]));
-  logic or_1697;
-  assign or_1697 = (select_1644[10:9] == 2'h3) | (select_1644[11] & (select_1644[9] | select_1644[10]));
-  // hls/stages/count_bits.hpp:23
-  logic or_1705;
-  assign or_1705 = (select_1657[7:6] == 2'h3) | (select_1657[8] & (~(select_1657[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_1709;
-  assign or_1709 = (select_1657[1:0] == 2'h3) | (select_1657[2] & (select_1657[0] | select_1657[1]));
-  logic or_1713;
-  assign or_1713 = (select_1657[4:3] == 2'h3) | (select_1657[5] & (select_1657[3] | select_1657[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1716;
-  assign parity_1716 = ^{or_1713, or_1709, or_1705};
-  // hls/stages/count_bits.hpp:23
-  logic or_1720;
-  assign or_1720 = (select_1644[4:3] == 2'h3) | (select_1644[5] & (select_1644[3] | select_1644[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1724;
-  assign or_1724 = (select_1657[10:9] == 2'h3) | (select_1657[11] & (select_1657[9] | select_1657[10]));
-  logic or_1728;
-  assign or_1728 = (select_1644[1:0] == 2'h3) | (select_1644[2] & (select_1644[0] | select_1644[1]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1731;
-  assign parity_1731 = ^{or_1728, or_1724, or_1720};
-  logic parity_1734;
-  assign parity_1734 = ^{or_1728, or_1724, or_1720, or_1713, or_1709, or_1705, or_1697, or_1693, or_1689};
-  // hls/stages/count_bits.hpp:25
-  logic and_1735;
-  assign and_1735 = parity_1637 & parity_1684;
-  logic or_1739;
-  assign or_1739 = (parity_1631 & parity_1634) | ((^select_1625[11:9]) & (parity_1631 | parity_1634));
-  logic and_1742;
-  assign and_1742 = (^{select_1644[11:6], select_1625[2:0]}) & (parity_1669 | parity_1681);
-  logic or_1743;
-  assign or_1743 = (parity_1669 & parity_1681) | and_1742;
-  // hls/stages/count_bits.hpp:23
-  logic or_1750;
-  assign or_1750 = (select_1625[10:9] == 2'h3) | (select_1625[11] & (select_1625[9] | select_1625[10]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1754;
-  assign or_1754 = (select_1625[4:3] == 2'h3) | (select_1625[5] & (select_1625[3] | select_1625[4]));
-  logic or_1758;
-  assign or_1758 = (select_1625[7:6] == 2'h3) | (select_1625[8] & (select_1625[6] | select_1625[7]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1761;
-  assign parity_1761 = ^{or_1758, or_1754, or_1750};
-  // hls/stages/count_bits.hpp:25
-  logic or_1765;
-  assign or_1765 = (parity_1647 & parity_1650) | ((^select_1625[2:0]) & (parity_1647 | parity_1650));
-  logic or_1769;
-  assign or_1769 = (parity_1663 & parity_1666) | ((^select_1657[8:6]) & (parity_1663 | parity_1666));
-  logic or_1773;
-  assign or_1773 = (parity_1675 & parity_1678) | ((^select_1644[5:3]) & (parity_1675 | parity_1678));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1776;
-  assign parity_1776 = ^{or_1773, or_1769, or_1765};
-  logic parity_1779;
-  assign parity_1779 = ^{or_1773, or_1769, or_1765, or_1758, or_1754, or_1750, or_1743, or_1739, and_1735};
-  logic xor_1780;
-  assign xor_1780 = parity_1734 ^ parity_1779;
-  // hls/stages/count_bits.hpp:25
-  logic and_1781;
-  assign and_1781 = parity_1734 & parity_1779;
-  logic or_1785;
-  assign or_1785 = (parity_1716 & parity_1731) | ((^{or_1697, or_1693, or_1689}) & (parity_1716 | parity_1731));
-  logic or_1789;
-  assign or_1789 = (parity_1761 & parity_1776) | ((^{or_1743, or_1739, and_1735}) & (parity_1761 | parity_1776));
-  logic or_1796;
-  assign or_1796 = (or_1693 & or_1697) | (or_1689 & (or_1693 | or_1697));
-  logic or_1800;
-  assign or_1800 = (or_1709 & or_1713) | (or_1705 & (or_1709 | or_1713));
-  logic or_1804;
-  assign or_1804 = (or_1724 & or_1728) | (or_1720 & (or_1724 | or_1728));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1807;
-  assign parity_1807 = ^{or_1804, or_1800, or_1796};
-  // hls/stages/count_bits.hpp:25
-  logic or_1811;
-  assign or_1811 = (or_1739 & or_1743) | (and_1735 & (or_1739 | or_1743));
-  logic or_1815;
-  assign or_1815 = (or_1754 & or_1758) | (or_1750 & (or_1754 | or_1758));
-  logic or_1819;
-  assign or_1819 = (or_1769 & or_1773) | (or_1765 & (or_1769 | or_1773));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1822;
-  assign parity_1822 = ^{or_1819, or_1815, or_1811};
-  logic parity_1825;
-  assign parity_1825 = ^{or_1819, or_1815, or_1811, or_1804, or_1800, or_1796, or_1789, or_1785, and_1781};
-  // hls/stages/count_bits.hpp:25
-  logic or_1829;
-  assign or_1829 = (parity_1807 & parity_1822) | ((^{or_1789, or_1785, and_1781}) & (parity_1807 | parity_1822));
-  logic or_1833;
-  assign or_1833 = (or_1785 & or_1789) | (and_1781 & (or_1785 | or_1789));
-  logic or_1837;
-  assign or_1837 = (or_1800 & or_1804) | (or_1796 & (or_1800 | or_1804));
-  logic or_1841;
-  assign or_1841 = (or_1815 & or_1819) | (or_1811 & (or_1815 | or_1819));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1846;
-  assign parity_1846 = ^{or_1841, or_1837, or_1833, or_1829};
-  // hls/stages/count_bits.hpp:25
-  logic or_1850;
-  assign or_1850 = (or_1837 & or_1841) | (or_1833 & (or_1837 | or_1841));
-  logic and_1851;
-  assign and_1851 = or_1829 & (^{or_1841, or_1837, or_1833});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1852;
-  assign xor_1852 = or_1850 ^ and_1851;
+  logic xor_1614;
+  assign xor_1614 = or_1612 ^ and_1613;
   // hls/stages/count_bits.hpp:27
-  logic and_1853;
-  assign and_1853 = or_1850 & and_1851;
+  logic and_1615;
+  assign and_1615 = or_1612 & and_1613;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_1854;
-  assign select_1854 = equal_514_s1_q ? {and_1853, xor_1852, parity_1846, parity_1825, xor_1780, xor_1685} : 6'h0;
-  logic [5:0] column_6;
-  assign column_6 = or_512_s1_q ? 6'h0 : select_1854;
+  logic [5:0] select_1616;
+  assign select_1616 = equal_516_s1_q ? {and_1615, xor_1614, parity_1608, parity_1587, xor_1542, xor_1447} : 6'h0;
+  logic [5:0] column_5;
+  assign column_5 = or_514_s1_q ? 6'h0 : select_1616;
   // hls/stages/agreement.hpp:762
+  logic [5:0] select_1618;
+  assign select_1618 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1619;
+  assign difference_1619 = {1'b0, column_5} - {1'b0, select_1618};
+  logic [7:0] sum_1621;
+  assign sum_1621 = {difference_1619[6], difference_1619} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:669
+  logic [11:0] not_1625;
+  assign not_1625 = ~((less_521_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) ^ select_651);
+  logic [11:0] select_1627;
+  assign select_1627 = and_648 ? ((right_codes_rdata_q[12] & not_522_s1_q) ? not_1625 : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1633;
+  assign parity_1633 = ^select_1627[5:3];
+  logic parity_1636;
+  assign parity_1636 = ^select_1627[8:6];
+  logic parity_1639;
+  assign parity_1639 = ^select_1627[11:3];
+  // hls/stages/agreement.hpp:669
+  logic [11:0] select_1646;
+  assign select_1646 = and_671 ? (and_1138 ? (~(select_1139 ^ select_674)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1649;
+  assign parity_1649 = ^select_1646[8:6];
+  logic parity_1652;
+  assign parity_1652 = ^select_1646[11:9];
+  // hls/stages/agreement.hpp:669
+  logic [11:0] select_1659;
+  assign select_1659 = and_688 ? (and_649 ? (~(select_650 ^ select_691)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1665;
+  assign parity_1665 = ^select_1659[2:0];
+  logic parity_1668;
+  assign parity_1668 = ^select_1659[5:3];
+  logic parity_1671;
+  assign parity_1671 = ^select_1659[8:0];
+  logic parity_1677;
+  assign parity_1677 = ^select_1659[11:9];
+  logic parity_1680;
+  assign parity_1680 = ^select_1646[2:0];
+  logic parity_1683;
+  assign parity_1683 = ^{select_1659[11:9], select_1646[5:0]};
+  logic parity_1686;
+  assign parity_1686 = ^{select_1659, select_1646, select_1627[2:0]};
+  logic xor_1687;
+  assign xor_1687 = parity_1639 ^ parity_1686;
+  // hls/stages/count_bits.hpp:23
+  logic or_1691;
+  assign or_1691 = (select_1627[1:0] == 2'h3) | (select_1627[2] & (select_1627[0] | select_1627[1]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1695;
+  assign or_1695 = (select_1646[7:6] == 2'h3) | (select_1646[8] & (select_1646[6] | select_1646[7]));
+  logic or_1699;
+  assign or_1699 = (select_1646[10:9] == 2'h3) | (select_1646[11] & (select_1646[9] | select_1646[10]));
+  // hls/stages/count_bits.hpp:23
+  logic or_1707;
+  assign or_1707 = (select_1659[7:6] == 2'h3) | (select_1659[8] & (~(select_1659[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
+  logic or_1711;
+  assign or_1711 = (select_1659[1:0] == 2'h3) | (select_1659[2] & (select_1659[0] | select_1659[1]));
+  logic or_1715;
+  assign or_1715 = (select_1659[4:3] == 2'h3) | (select_1659[5] & (select_1659[3] | select_1659[4]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1718;
+  assign parity_1718 = ^{or_1715, or_1711, or_1707};
+  // hls/stages/count_bits.hpp:23
+  logic or_1722;
+  assign or_1722 = (select_1646[4:3] == 2'h3) | (select_1646[5] & (select_1646[3] | select_1646[4]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1726;
+  assign or_1726 = (select_1659[10:9] == 2'h3) | (select_1659[11] & (select_1659[9] | select_1659[10]));
+  logic or_1730;
+  assign or_1730 = (select_1646[1:0] == 2'h3) | (select_1646[2] & (select_1646[0] | select_1646[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1733;
+  assign parity_1733 = ^{or_1730, or_1726, or_1722};
+  logic parity_1736;
+  assign parity_1736 = ^{or_1730, or_1726, or_1722, or_1715, or_1711, or_1707, or_1699, or_1695, or_1691};
+  // hls/stages/count_bits.hpp:25
+  logic and_1737;
+  assign and_1737 = parity_1639 & parity_1686;
+  logic or_1741;
+  assign or_1741 = (parity_1633 & parity_1636) | ((^select_1627[11:9]) & (parity_1633 | parity_1636));
+  logic and_1744;
+  assign and_1744 = (^{select_1646[11:6], select_1627[2:0]}) & (parity_1671 | parity_1683);
+  logic or_1745;
+  assign or_1745 = (parity_1671 & parity_1683) | and_1744;
+  // hls/stages/count_bits.hpp:23
+  logic or_1752;
+  assign or_1752 = (select_1627[10:9] == 2'h3) | (select_1627[11] & (select_1627[9] | select_1627[10]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1756;
+  assign or_1756 = (select_1627[4:3] == 2'h3) | (select_1627[5] & (select_1627[3] | select_1627[4]));
+  logic or_1760;
+  assign or_1760 = (select_1627[7:6] == 2'h3) | (select_1627[8] & (select_1627[6] | select_1627[7]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1763;
+  assign parity_1763 = ^{or_1760, or_1756, or_1752};
+  // hls/stages/count_bits.hpp:25
+  logic or_1767;
+  assign or_1767 = (parity_1649 & parity_1652) | ((^select_1627[2:0]) & (parity_1649 | parity_1652));
+  logic or_1771;
+  assign or_1771 = (parity_1665 & parity_1668) | ((^select_1659[8:6]) & (parity_1665 | parity_1668));
+  logic or_1775;
+  assign or_1775 = (parity_1677 & parity_1680) | ((^select_1646[5:3]) & (parity_1677 | parity_1680));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1778;
+  assign parity_1778 = ^{or_1775, or_1771, or_1767};
+  logic parity_1781;
+  assign parity_1781 = ^{or_1775, or_1771, or_1767, or_1760, or_1756, or_1752, or_1745, or_1741, and_1737};
+  logic xor_1782;
+  assign xor_1782 = parity_1736 ^ parity_1781;
+  // hls/stages/count_bits.hpp:25
+  logic and_1783;
+  assign and_1783 = parity_1736 & parity_1781;
+  logic or_1787;
+  assign or_1787 = (parity_1718 & parity_1733) | ((^{or_1699, or_1695, or_1691}) & (parity_1718 | parity_1733));
+  logic or_1791;
+  assign or_1791 = (parity_1763 & parity_1778) | ((^{or_1745, or_1741, and_1737}) & (parity_1763 | parity_1778));
+  logic or_1798;
+  assign or_1798 = (or_1695 & or_1699) | (or_1691 & (or_1695 | or_1699));
+  logic or_1802;
+  assign or_1802 = (or_1711 & or_1715) | (or_1707 & (or_1711 | or_1715));
+  logic or_1806;
+  assign or_1806 = (or_1726 & or_1730) | (or_1722 & (or_1726 | or_1730));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1809;
+  assign parity_1809 = ^{or_1806, or_1802, or_1798};
+  // hls/stages/count_bits.hpp:25
+  logic or_1813;
+  assign or_1813 = (or_1741 & or_1745) | (and_1737 & (or_1741 | or_1745));
+  logic or_1817;
+  assign or_1817 = (or_1756 & or_1760) | (or_1752 & (or_1756 | or_1760));
+  logic or_1821;
+  assign or_1821 = (or_1771 & or_1775) | (or_1767 & (or_1771 | or_1775));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1824;
+  assign parity_1824 = ^{or_1821, or_1817, or_1813};
+  logic parity_1827;
+  assign parity_1827 = ^{or_1821, or_1817, or_1813, or_1806, or_1802, or_1798, or_1791, or_1787, and_1783};
+  // hls/stages/count_bits.hpp:25
+  logic or_1831;
+  assign or_1831 = (parity_1809 & parity_1824) | ((^{or_1791, or_1787, and_1783}) & (parity_1809 | parity_1824));
+  logic or_1835;
+  assign or_1835 = (or_1787 & or_1791) | (and_1783 & (or_1787 | or_1791));
+  logic or_1839;
+  assign or_1839 = (or_1802 & or_1806) | (or_1798 & (or_1802 | or_1806));
+  logic or_1843;
+  assign or_1843 = (or_1817 & or_1821) | (or_1813 & (or_1817 | or_1821));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1848;
+  assign parity_1848 = ^{or_1843, or_1839, or_1835, or_1831};
+  // hls/stages/count_bits.hpp:25
+  logic or_1852;
+  assign or_1852 = (or_1839 & or_1843) | (or_1835 & (or_1839 | or_1843));
+  logic and_1853;
+  assign and_1853 = or_1831 & (^{or_1843, or_1839, or_1835});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1854;
+  assign xor_1854 = or_1852 ^ and_1853;
+  // hls/stages/count_bits.hpp:27
+  logic and_1855;
+  assign and_1855 = or_1852 & and_1853;
+  // hls/stages/agreement.hpp:141
   logic [5:0] select_1856;
-  assign select_1856 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1857;
-  assign difference_1857 = {1'b0, column_6} - {1'b0, select_1856};
-  logic [7:0] sum_1859;
-  assign sum_1859 = {difference_1857[6], difference_1857} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
+  assign select_1856 = equal_516_s1_q ? {and_1855, xor_1854, parity_1848, parity_1827, xor_1782, xor_1687} : 6'h0;
+  logic [5:0] column_6;
+  assign column_6 = or_514_s1_q ? 6'h0 : select_1856;
+  // hls/stages/agreement.hpp:762
+  logic [5:0] select_1858;
+  assign select_1858 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1859;
+  assign difference_1859 = {1'b0, column_6} - {1'b0, select_1858};
+  logic [7:0] sum_1861;
+  assign sum_1861 = {difference_1859[6], difference_1859} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:927
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
@@ -1557,204 +1557,205 @@ module horopter_agreement (
   logic [7:0] found;
   assign found = x_s1_q + {{2{shift[5]}}, shift};
   // hls/stages/agreement.hpp:929
-  logic [6:0] select_1919;
-  assign select_1919 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
+  logic [6:0] select_1921;
+  assign select_1921 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
   // hls/stages/agreement.hpp:932
-  logic and_1939;
-  assign and_1939 = (or_512_s1_q & (left_rdata_q[61] & not_520_s1_q)) & (~(row_q[5:3] == 3'h0));
+  logic and_1941;
+  assign and_1941 = (or_514_s1_q & (left_rdata_q[61] & not_522_s1_q)) & (~(row_q[5:3] == 3'h0));
   // hls/stages/agreement.hpp:235
-  logic or_1961;
-  assign or_1961 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
-  // hls/stages/patches.hpp:313
-  logic [6:0] select_1972;
-  assign select_1972 = so_s1_q ? x_s1_q[6:0] : (or_512_s1_q ? (less_519_s1_q ? 7'h0 : select_1919) : 7'h0);
-  // hls/stages/patches.hpp:99
-  logic and_2046;
-  assign and_2046 = (select_455_s1_q == 3'h0) & (select_457_s1_q == 7'h0);
-  // hls/stages/patches.hpp:365
-  logic not_2047;
-  assign not_2047 = ~patches_begins_q;
+  logic or_1963;
+  assign or_1963 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  // hls/stages/patches.hpp:322
+  logic [6:0] select_1974;
+  assign select_1974 = so_s1_q ? x_s1_q[6:0] : (or_514_s1_q ? (less_521_s1_q ? 7'h0 : select_1921) : 7'h0);
+  // hls/stages/patches.hpp:104
+  logic and_2048;
+  assign and_2048 = (select_457_s1_q == 3'h0) & (select_459_s1_q == 7'h0);
+  // hls/stages/patches.hpp:374
+  logic not_2049;
+  assign not_2049 = ~patches_begins_q;
   // hls/stages/census.hpp:31
-  logic not_2050;
-  assign not_2050 = ~sample_pair_first_s1_q;
-  // hls/stages/patches.hpp:335
-  logic and_2051;
-  assign and_2051 = patches_capturing_q & not_2050;
-  // hls/stages/patches.hpp:285
-  logic equal_2054;
-  assign equal_2054 = patches_band_rows_rows_to_next_q == 4'h0;
-  // hls/stages/patches.hpp:102
-  logic and_2059;
-  assign and_2059 = (not_2047 & (patches_work_q == 3'h0)) & (~(and_2051 | ((~equal_2052_s1_q) | (~equal_2054))));
-  // hls/stages/patches.hpp:473
-  logic equal_2146;
-  assign equal_2146 = patches_work_q == 3'h4;
-  // hls/stages/patches.hpp:454
-  logic not_2147;
-  assign not_2147 = ~equal_2146;
-  // hls/stages/patches.hpp:473
+  logic not_2052;
+  assign not_2052 = ~sample_pair_first_s1_q;
+  // hls/stages/patches.hpp:344
+  logic and_2053;
+  assign and_2053 = patches_capturing_q & not_2052;
+  // hls/stages/patches.hpp:294
+  logic equal_2056;
+  assign equal_2056 = patches_band_rows_rows_to_next_q == 4'h0;
+  // hls/stages/patches.hpp:107
+  logic and_2061;
+  assign and_2061 = (not_2049 & (patches_work_q == 3'h0)) & (~(and_2053 | ((~equal_2054_s1_q) | (~equal_2056))));
+  // hls/stages/patches.hpp:512
   logic equal_2148;
-  assign equal_2148 = patches_work_q == 3'h3;
-  // hls/stages/patches.hpp:420
+  assign equal_2148 = patches_work_q == 3'h4;
+  // hls/stages/patches.hpp:490
   logic not_2149;
   assign not_2149 = ~equal_2148;
-  // hls/stages/patches.hpp:143
+  // hls/stages/patches.hpp:483
   logic equal_2150;
-  assign equal_2150 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:473
-  logic equal_2151;
-  assign equal_2151 = patches_work_q == 3'h2;
-  logic or_2152;
-  assign or_2152 = equal_2150 | equal_2151;
-  // hls/stages/patches.hpp:422
-  logic not_2153;
-  assign not_2153 = ~patches_second_q;
-  // hls/stages/patches.hpp:346
-  logic [4:0] select_2175;
-  assign select_2175 = and_2059 ? 5'h0 : (patches_row_q + 5'h1);
-  // hls/stages/patches.hpp:103
-  logic [4:0] select_2176;
-  assign select_2176 = and_2046 ? select_2175 : patches_row_q;
-  // hls/stages/patches.hpp:102
-  logic and_2178;
-  assign and_2178 = and_2051 & (patches_row_q == 5'h1f);
-  // hls/stages/patches.hpp:103
-  logic select_2182;
-  assign select_2182 = and_2046 ? (and_2059 | (and_2051 & (~and_2178))) : patches_capturing_q;
-  // hls/stages/patches.hpp:160
-  logic and_2190;
-  assign and_2190 = not_2147 & (not_2149 & (or_2152 & (patches_second_q & equal_2150)));
-  // hls/stages/patches.hpp:143
-  logic not_2207;
-  assign not_2207 = ~equal_2150;
+  assign equal_2150 = patches_work_q == 3'h3;
+  // hls/stages/patches.hpp:436
+  logic not_2151;
+  assign not_2151 = ~equal_2150;
+  // hls/stages/patches.hpp:477
+  logic equal_2152;
+  assign equal_2152 = patches_work_q == 3'h2;
+  // hls/stages/patches.hpp:149
+  logic equal_2153;
+  assign equal_2153 = patches_work_q == 3'h1;
+  // hls/stages/patches.hpp:512
+  logic or_2154;
+  assign or_2154 = equal_2152 | equal_2153;
+  // hls/stages/patches.hpp:438
+  logic not_2155;
+  assign not_2155 = ~patches_second_q;
+  // hls/stages/patches.hpp:355
+  logic [4:0] select_2177;
+  assign select_2177 = and_2061 ? 5'h0 : (patches_row_q + 5'h1);
+  // hls/stages/patches.hpp:108
+  logic [4:0] select_2178;
+  assign select_2178 = and_2048 ? select_2177 : patches_row_q;
+  // hls/stages/patches.hpp:107
+  logic and_2180;
+  assign and_2180 = and_2053 & (patches_row_q == 5'h1f);
+  // hls/stages/patches.hpp:108
+  logic select_2184;
+  assign select_2184 = and_2048 ? (and_2061 | (and_2053 & (~and_2180))) : patches_capturing_q;
+  // hls/stages/patches.hpp:166
+  logic and_2192;
+  assign and_2192 = not_2149 & (not_2151 & (or_2154 & (patches_second_q & equal_2153)));
+  // hls/stages/patches.hpp:149
+  logic not_2209;
+  assign not_2209 = ~equal_2153;
   // hls/stages/agreement.hpp:263
-  logic [3:0] select_2223;
-  assign select_2223 = and_2046 ? {select_2175[4], select_2175[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
-  // hls/stages/patches.hpp:420
-  logic and_2233;
-  assign and_2233 = not_2147 & (or_2152 & not_2149);
+  logic [3:0] select_2225;
+  assign select_2225 = and_2048 ? {select_2177[4], select_2177[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  // hls/stages/patches.hpp:436
+  logic and_2235;
+  assign and_2235 = not_2149 & (or_2154 & not_2151);
   // hls/stages/agreement.hpp:443
-  logic [5:0] or_2596;
-  assign or_2596 = column_s1_q[5:0] | row_s1_q;
+  logic [5:0] or_2620;
+  assign or_2620 = column_s1_q[5:0] | row_s1_q;
   // hls/stages/agreement.hpp:447
-  logic select_2815;
-  assign select_2815 = equal_2721_s1_q ? (~({row_s1_q, 1'b0} < {sum_2812, cfg_height_i[3]})) : lower_half_q;
+  logic select_2839;
+  assign select_2839 = equal_2745_s1_q ? (~({row_s1_q, 1'b0} < {sum_2836, cfg_height_i[3]})) : lower_half_q;
   // hls/stages/agreement.hpp:507
-  logic and_3004;
-  assign and_3004 = and_491_s1_q & (equal_2721_s1_q & (row_s1_q[5:2] == 4'h0));
-  // hls/stages/patches.hpp:291
+  logic and_3028;
+  assign and_3028 = and_493_s1_q & (equal_2745_s1_q & (row_s1_q[5:2] == 4'h0));
+  // hls/stages/patches.hpp:300
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
-  // hls/stages/patches.hpp:103
-  logic [3:0] select_3114;
-  assign select_3114 = and_2046 ? (sample_pair_first_s1_q ? phase : patches_phase_q) : patches_phase_q;
-  // hls/stages/agreement.hpp:263
-  logic [3:0] select_3115;
-  assign select_3115 = sample_pair_whole_s1_q ? select_3114 : patches_phase_q;
-  // hls/stages/patches.hpp:346
-  logic and_3116;
-  assign and_3116 = not_2050 & equal_2052_s1_q;
-  logic [8:0] select_3117;
-  assign select_3117 = and_3116 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_3118;
-  assign select_3118 = and_3116 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_3119;
-  assign select_3119 = sample_pair_first_s1_q ? select_3117 : select_3118;
-  // hls/stages/agreement.hpp:263
-  logic [3:0] select_3121;
-  assign select_3121 = sample_pair_whole_s1_q ? (and_2046 ? select_3119[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_3123;
-  assign select_3123 = sample_pair_whole_s1_q ? (and_2046 ? select_3119[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_3126;
-  assign select_3126 = sample_pair_whole_s1_q ? (equal_2054 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_3128;
-  assign select_3128 = sample_pair_whole_s1_q ? (patches_band_rows_number_q + {4'h0, equal_2054}) : patches_next_band_number_q;
-  // hls/stages/patches.hpp:304
-  logic equal_3129;
-  assign equal_3129 = phase[3:1] == 3'h0;
-  // hls/stages/patches.hpp:305
-  logic not_3130;
-  assign not_3130 = ~equal_3129;
-  // hls/stages/agreement.hpp:263
-  logic [3:0] select_3132;
-  assign select_3132 = sample_pair_whole_s1_q ? (phase + {not_3130, 1'b1, not_3130, equal_3129}) : patches_first_band_rows_to_next_q;
-  logic select_3133;
-  assign select_3133 = sample_pair_whole_s1_q ? equal_3129 : patches_first_band_number_q;
-  // hls/stages/agreement.hpp:457
-  logic equal_3134;
-  assign equal_3134 = row_s1_q == 6'h3;
-  // hls/stages/patches.hpp:64
+  // hls/stages/patches.hpp:108
   logic [3:0] select_3138;
-  assign select_3138 = equal_3134 ? ((select_3115 == 4'h6) ? 4'h0 : (select_3115 + 4'h1)) : patches_choosing_rows_to_next_q;
-  logic equal_3139;
-  assign equal_3139 = select_3138 == 4'h0;
+  assign select_3138 = and_2048 ? (sample_pair_first_s1_q ? phase : patches_phase_q) : patches_phase_q;
+  // hls/stages/agreement.hpp:263
+  logic [3:0] select_3139;
+  assign select_3139 = sample_pair_whole_s1_q ? select_3138 : patches_phase_q;
+  // hls/stages/patches.hpp:355
+  logic and_3140;
+  assign and_3140 = not_2052 & equal_2054_s1_q;
+  logic [8:0] select_3141;
+  assign select_3141 = and_3140 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_3142;
+  assign select_3142 = and_3140 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_3143;
+  assign select_3143 = sample_pair_first_s1_q ? select_3141 : select_3142;
+  // hls/stages/agreement.hpp:263
+  logic [3:0] select_3145;
+  assign select_3145 = sample_pair_whole_s1_q ? (and_2048 ? select_3143[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_3147;
+  assign select_3147 = sample_pair_whole_s1_q ? (and_2048 ? select_3143[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_3150;
+  assign select_3150 = sample_pair_whole_s1_q ? (equal_2056 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_3152;
+  assign select_3152 = sample_pair_whole_s1_q ? (patches_band_rows_number_q + {4'h0, equal_2056}) : patches_next_band_number_q;
+  // hls/stages/patches.hpp:313
+  logic equal_3153;
+  assign equal_3153 = phase[3:1] == 3'h0;
+  // hls/stages/patches.hpp:314
+  logic not_3154;
+  assign not_3154 = ~equal_3153;
+  // hls/stages/agreement.hpp:263
+  logic [3:0] select_3156;
+  assign select_3156 = sample_pair_whole_s1_q ? (phase + {not_3154, 1'b1, not_3154, equal_3153}) : patches_first_band_rows_to_next_q;
+  logic select_3157;
+  assign select_3157 = sample_pair_whole_s1_q ? equal_3153 : patches_first_band_number_q;
+  // hls/stages/agreement.hpp:457
+  logic equal_3158;
+  assign equal_3158 = row_s1_q == 6'h3;
+  // hls/stages/patches.hpp:69
+  logic [3:0] select_3162;
+  assign select_3162 = equal_3158 ? ((select_3139 == 4'h6) ? 4'h0 : (select_3139 + 4'h1)) : patches_choosing_rows_to_next_q;
+  logic equal_3163;
+  assign equal_3163 = select_3162 == 4'h0;
   // hls/stages/agreement.hpp:447
-  logic [3:0] select_3142;
-  assign select_3142 = equal_2721_s1_q ? (equal_3139 ? 4'h6 : (select_3138 + 4'hf)) : patches_choosing_rows_to_next_q;
-  // hls/stages/patches.hpp:64
-  logic [4:0] select_3144;
-  assign select_3144 = equal_3134 ? 5'h0 : patches_choosing_number_q;
+  logic [3:0] select_3166;
+  assign select_3166 = equal_2745_s1_q ? (equal_3163 ? 4'h6 : (select_3162 + 4'hf)) : patches_choosing_rows_to_next_q;
+  // hls/stages/patches.hpp:69
+  logic [4:0] select_3168;
+  assign select_3168 = equal_3158 ? 5'h0 : patches_choosing_number_q;
   // hls/stages/agreement.hpp:447
-  logic [4:0] select_3146;
-  assign select_3146 = equal_2721_s1_q ? (select_3144 + {4'h0, equal_3139}) : patches_choosing_number_q;
-  logic select_3150;
-  assign select_3150 = equal_2721_s1_q ? ((6'h2 < row_s1_q) & equal_3139) : patches_chooses_q;
+  logic [4:0] select_3170;
+  assign select_3170 = equal_2745_s1_q ? (select_3168 + {4'h0, equal_3163}) : patches_choosing_number_q;
+  logic select_3174;
+  assign select_3174 = equal_2745_s1_q ? ((6'h2 < row_s1_q) & equal_3163) : patches_chooses_q;
   // hls/stages/agreement.hpp:507
-  logic [4:0] select_3153;
-  assign select_3153 = and_491_s1_q ? (equal_2721_s1_q ? select_3144 : patches_choosing_band_q) : patches_choosing_band_q;
-  // hls/stages/patches.hpp:103
-  logic select_3182;
-  assign select_3182 = and_2046 ? (and_2059 ? not_3180_s1_q : patches_lower_q) : patches_lower_q;
-  // hls/stages/patches.hpp:366
-  logic or_3221;
-  assign or_3221 = patches_begins_q | patches_ends_q;
-  // hls/stages/patches.hpp:368
+  logic [4:0] select_3177;
+  assign select_3177 = and_493_s1_q ? (equal_2745_s1_q ? select_3168 : patches_choosing_band_q) : patches_choosing_band_q;
+  // hls/stages/patches.hpp:108
+  logic select_3206;
+  assign select_3206 = and_2048 ? (and_2061 ? not_3204_s1_q : patches_lower_q) : patches_lower_q;
+  // hls/stages/patches.hpp:375
+  logic or_3245;
+  assign or_3245 = patches_begins_q | patches_ends_q;
+  // hls/stages/patches.hpp:377
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
-  // hls/stages/patches.hpp:163
-  logic and_3227;
-  assign and_3227 = equal_2146 & not_2153;
-  // hls/stages/patches.hpp:372
-  logic and_3228;
-  assign and_3228 = not_2207 & and_3227;
-  logic [1:0] select_3230;
-  assign select_3230 = equal_2148 ? 2'h0 : (equal_2151 ? 2'h3 : {equal_2150, and_3228});
-  // hls/stages/patches.hpp:253
-  logic equal_3232;
-  assign equal_3232 = patches_following_q == 3'h4;
-  // hls/stages/patches.hpp:251
-  logic not_3233;
-  assign not_3233 = ~equal_3232;
-  // hls/stages/patches.hpp:253
-  logic equal_3234;
-  assign equal_3234 = patches_following_q == 3'h3;
-  // hls/stages/patches.hpp:249
-  logic not_3235;
-  assign not_3235 = ~equal_3234;
-  // hls/stages/patches.hpp:257
-  logic not_3237;
-  assign not_3237 = ~(patches_following_q == 3'h2);
-  logic and_3240;
-  assign and_3240 = (~(patches_following_q == 3'h1)) & not_3237;
-  // hls/stages/patches.hpp:370
-  logic [1:0] select_3241;
-  assign select_3241 = equal_3234 ? 2'h2 : {and_3240, not_3237};
-  logic [3:0] select_3242;
-  assign select_3242 = equal_3232 ? 4'h2 : {select_3241, {2{not_3235}}};
-  // hls/stages/patches.hpp:378
-  logic not_3245;
-  assign not_3245 = ~or_3221;
-  // hls/stages/patches.hpp:367
+  // hls/stages/patches.hpp:169
+  logic and_3251;
+  assign and_3251 = equal_2148 & not_2155;
+  // hls/stages/patches.hpp:381
+  logic and_3252;
+  assign and_3252 = not_2209 & and_3251;
+  logic [1:0] select_3254;
+  assign select_3254 = equal_2150 ? 2'h0 : (equal_2152 ? 2'h3 : {equal_2153, and_3252});
+  // hls/stages/patches.hpp:262
+  logic equal_3256;
+  assign equal_3256 = patches_following_q == 3'h4;
+  // hls/stages/patches.hpp:260
+  logic not_3257;
+  assign not_3257 = ~equal_3256;
+  // hls/stages/patches.hpp:262
+  logic equal_3258;
+  assign equal_3258 = patches_following_q == 3'h3;
+  // hls/stages/patches.hpp:258
+  logic not_3259;
+  assign not_3259 = ~equal_3258;
+  // hls/stages/patches.hpp:266
+  logic not_3261;
+  assign not_3261 = ~(patches_following_q == 3'h2);
+  logic and_3264;
+  assign and_3264 = (~(patches_following_q == 3'h1)) & not_3261;
+  // hls/stages/patches.hpp:379
+  logic [1:0] select_3265;
+  assign select_3265 = equal_3258 ? 2'h2 : {and_3264, not_3261};
+  logic [3:0] select_3266;
+  assign select_3266 = equal_3256 ? 4'h2 : {select_3265, {2{not_3259}}};
+  // hls/stages/patches.hpp:387
+  logic not_3269;
+  assign not_3269 = ~or_3245;
+  // hls/stages/patches.hpp:376
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
-  // hls/stages/patches.hpp:379
-  logic [11:0] select_3250;
-  assign select_3250 = or_3221 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
-  // hls/stages/patches.hpp:163
-  logic [4:0] select_3252;
-  assign select_3252 = or_3221 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  // hls/stages/patches.hpp:388
+  logic [11:0] select_3274;
+  assign select_3274 = or_3245 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  // hls/stages/patches.hpp:169
+  logic [4:0] select_3276;
+  assign select_3276 = or_3245 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
-  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1297; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1298; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] best_right_mem [0:79];
@@ -1762,9 +1763,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_right_mem[i] = 30'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_512_s1_q ? select_1919 : right_s1_q;
+  assign best_right_raddr = or_514_s1_q ? select_1921 : right_s1_q;
   logic best_right_re;
-  assign best_right_re = s1_en & select_633_s1_q;
+  assign best_right_re = s1_en & select_635_s1_q;
   logic [29:0] best_right_word_q;
   always_ff @(posedge clk_i) begin
     if (best_right_re) best_right_word_q <= best_right_mem[best_right_raddr];
@@ -1775,7 +1776,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) best_right_read_q <= rst_ni & best_right_re;
   assign best_right_error = best_right_read_q & ^best_right_word_q;
 
-  // Memory patches_right_0, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:697; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory patches_right_0, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:737; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] patches_right_0_mem [0:1023];
@@ -1785,7 +1786,7 @@ module horopter_agreement (
   logic [9:0] patches_right_0_raddr;
   assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
   logic patches_right_0_re;
-  assign patches_right_0_re = s1_en & (not_2147 & (not_2149 & (or_2152 & (equal_2150 & not_2153))));
+  assign patches_right_0_re = s1_en & (not_2149 & (not_2151 & (or_2154 & (equal_2153 & not_2155))));
   logic [8:0] patches_right_0_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_right_0_re) patches_right_0_word_q <= patches_right_0_mem[patches_right_0_raddr];
@@ -1796,7 +1797,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_right_0_read_q <= rst_ni & patches_right_0_re;
   assign patches_right_0_error = patches_right_0_read_q & ^patches_right_0_word_q;
 
-  // Memory patches_right_1, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:697; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory patches_right_1, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:737; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] patches_right_1_mem [0:1023];
@@ -1806,7 +1807,7 @@ module horopter_agreement (
   logic [9:0] patches_right_1_raddr;
   assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
   logic patches_right_1_re;
-  assign patches_right_1_re = s1_en & and_2190;
+  assign patches_right_1_re = s1_en & and_2192;
   logic [8:0] patches_right_1_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_right_1_re) patches_right_1_word_q <= patches_right_1_mem[patches_right_1_raddr];
@@ -1817,7 +1818,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_right_1_read_q <= rst_ni & patches_right_1_re;
   assign patches_right_1_error = patches_right_1_read_q & ^patches_right_1_word_q;
 
-  // Memory patches_left, 512 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:698; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory patches_left, 512 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:738; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] patches_left_mem [0:511];
@@ -1827,7 +1828,7 @@ module horopter_agreement (
   logic [8:0] patches_left_raddr;
   assign patches_left_raddr = {patches_second_q, patches_code_row_q[3:0], patches_column_q[3:0]};
   logic patches_left_re;
-  assign patches_left_re = s1_en & (not_2147 & (not_2149 & (not_2207 & or_2152)));
+  assign patches_left_re = s1_en & (not_2149 & (not_2151 & (not_2209 & or_2154)));
   logic [8:0] patches_left_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_left_re) patches_left_word_q <= patches_left_mem[patches_left_raddr];
@@ -1838,9 +1839,10 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_left_read_q <= rst_ni & patches_left_re;
   assign patches_left_error = patches_left_read_q & ^patches_left_word_q;
 
-  // Memory patches_columns_above, 32 x 32 and parity, DISTANCE 12, hls/stages/patches.hpp:709; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory patches_columns_above, 32 x 32 and parity, DISTANCE 12, hls/stages/patches.hpp:749; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [32:0] patches_columns_above_mem [0:31];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 32; i++) patches_columns_above_mem[i] = 33'h0;
@@ -1848,7 +1850,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_raddr;
   assign patches_columns_above_raddr = patches_column_q;
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s1_en & and_2233;
+  assign patches_columns_above_re = s1_en & and_2235;
   logic [32:0] patches_columns_above_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_columns_above_re) patches_columns_above_word_q <= patches_columns_above_mem[patches_columns_above_raddr];
@@ -1863,9 +1865,9 @@ module horopter_agreement (
   logic [6:0] left_waddr;
   assign left_waddr = x_s1_q[6:0];
   logic left_we;
-  assign left_we = s1_en & and_523_s1_q;
+  assign left_we = s1_en & and_525_s1_q;
   logic [76:0] left_wdata;
-  assign left_wdata = {and_615, left_rdata_q[59:45], and_614, left_rdata_q[43:29], and_613, left_rdata_q[27:13], and_612, left_rdata_q[11:0], fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+  assign left_wdata = {and_617, left_rdata_q[59:45], and_616, left_rdata_q[43:29], and_615, left_rdata_q[27:13], and_614, left_rdata_q[11:0], fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (left_we) left_mem[left_waddr] <= {^left_wdata, left_wdata};
   end
@@ -1885,9 +1887,9 @@ module horopter_agreement (
   logic [6:0] right_codes_waddr;
   assign right_codes_waddr = x_s1_q[6:0];
   logic right_codes_we;
-  assign right_codes_we = s1_en & and_523_s1_q;
+  assign right_codes_we = s1_en & and_525_s1_q;
   logic [90:0] right_codes_wdata;
-  assign right_codes_wdata = {and_624, right_codes_rdata_q[76:65], and_623, right_codes_rdata_q[63:52], and_622, right_codes_rdata_q[50:39], and_621, right_codes_rdata_q[37:26], and_620, right_codes_rdata_q[24:13], and_619, right_codes_rdata_q[11:0], fresh_rdata_q[25], fresh_rdata_q[23:12]};
+  assign right_codes_wdata = {and_626, right_codes_rdata_q[76:65], and_625, right_codes_rdata_q[63:52], and_624, right_codes_rdata_q[50:39], and_623, right_codes_rdata_q[37:26], and_622, right_codes_rdata_q[24:13], and_621, right_codes_rdata_q[11:0], fresh_rdata_q[25], fresh_rdata_q[23:12]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (right_codes_we) right_codes_mem[right_codes_waddr] <= {^right_codes_wdata, right_codes_wdata};
   end
@@ -1932,32 +1934,32 @@ module horopter_agreement (
       patches_column_q <= 5'h0;
       patches_column_ends_q <= 1'b0;
     end else if (s1_en) begin
-      row_q <= and_491_s1_q ? (equal_2721_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_491_s1_q ? select_2815 : lower_half_q;
-      patches_phase_q <= select_3115;
-      patches_band_rows_rows_to_next_q <= select_3121;
-      patches_band_rows_number_q <= select_3123;
-      patches_next_band_rows_to_next_q <= select_3126;
-      patches_next_band_number_q <= select_3128;
-      patches_first_band_rows_to_next_q <= select_3132;
-      patches_first_band_number_q <= select_3133;
-      patches_choosing_rows_to_next_q <= and_491_s1_q ? select_3142 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_491_s1_q ? select_3146 : patches_choosing_number_q;
-      patches_chooses_q <= and_491_s1_q ? select_3150 : patches_chooses_q;
-      patches_choosing_band_q <= select_3153;
-      patches_capturing_q <= sample_pair_whole_s1_q ? select_2182 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_s1_q ? select_3182 : patches_lower_q;
-      patches_row_q <= sample_pair_whole_s1_q ? select_2176 : patches_row_q;
-      patches_work_q <= or_3221 ? following : patches_work_q;
-      patches_second_q <= not_2047 & (patches_second_q | (patches_ends_q & equal_2146));
-      patches_following_q <= equal_2146 ? {2'h0, and_3227} : {equal_2148, select_3230};
-      patches_following_beats_q <= {select_3242, not_3233};
-      patches_begins_q <= sample_pair_whole_s1_q & (and_2046 & and_2178);
-      patches_ends_q <= not_3245 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3250;
-      patches_code_row_q <= select_3252;
-      patches_column_q <= or_3221 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3245 & (patches_column_q == 5'h1e);
+      row_q <= and_493_s1_q ? (equal_2745_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_493_s1_q ? select_2839 : lower_half_q;
+      patches_phase_q <= select_3139;
+      patches_band_rows_rows_to_next_q <= select_3145;
+      patches_band_rows_number_q <= select_3147;
+      patches_next_band_rows_to_next_q <= select_3150;
+      patches_next_band_number_q <= select_3152;
+      patches_first_band_rows_to_next_q <= select_3156;
+      patches_first_band_number_q <= select_3157;
+      patches_choosing_rows_to_next_q <= and_493_s1_q ? select_3166 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_493_s1_q ? select_3170 : patches_choosing_number_q;
+      patches_chooses_q <= and_493_s1_q ? select_3174 : patches_chooses_q;
+      patches_choosing_band_q <= select_3177;
+      patches_capturing_q <= sample_pair_whole_s1_q ? select_2184 : patches_capturing_q;
+      patches_lower_q <= sample_pair_whole_s1_q ? select_3206 : patches_lower_q;
+      patches_row_q <= sample_pair_whole_s1_q ? select_2178 : patches_row_q;
+      patches_work_q <= or_3245 ? following : patches_work_q;
+      patches_second_q <= not_2049 & (patches_second_q | (patches_ends_q & equal_2148));
+      patches_following_q <= equal_2148 ? {2'h0, and_3251} : {equal_2150, select_3254};
+      patches_following_beats_q <= {select_3266, not_3257};
+      patches_begins_q <= sample_pair_whole_s1_q & (and_2048 & and_2180);
+      patches_ends_q <= not_3269 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3274;
+      patches_code_row_q <= select_3276;
+      patches_column_q <= or_3245 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3269 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -2015,7 +2017,7 @@ module horopter_agreement (
       middle_sum_columns_values_4_q <= middle_sum_columns_values_3_q;
       middle_sum_columns_values_5_q <= middle_sum_columns_values_4_q;
       middle_sum_columns_values_6_q <= middle_sum_columns_values_5_q;
-      middle_sum_sum_sums_values_0_q <= sum_895;
+      middle_sum_sum_sums_values_0_q <= sum_897;
       sums_0_columns_values_0_q <= column_3;
       sums_0_columns_values_1_q <= sums_0_columns_values_0_q;
       sums_0_columns_values_2_q <= sums_0_columns_values_1_q;
@@ -2023,7 +2025,7 @@ module horopter_agreement (
       sums_0_columns_values_4_q <= sums_0_columns_values_3_q;
       sums_0_columns_values_5_q <= sums_0_columns_values_4_q;
       sums_0_columns_values_6_q <= sums_0_columns_values_5_q;
-      sums_0_sum_sums_values_0_q <= sum_1135;
+      sums_0_sum_sums_values_0_q <= sum_1137;
       sums_1_columns_values_0_q <= column_4;
       sums_1_columns_values_1_q <= sums_1_columns_values_0_q;
       sums_1_columns_values_2_q <= sums_1_columns_values_1_q;
@@ -2031,7 +2033,7 @@ module horopter_agreement (
       sums_1_columns_values_4_q <= sums_1_columns_values_3_q;
       sums_1_columns_values_5_q <= sums_1_columns_values_4_q;
       sums_1_columns_values_6_q <= sums_1_columns_values_5_q;
-      sums_1_sum_sums_values_0_q <= sum_1375;
+      sums_1_sum_sums_values_0_q <= sum_1377;
       sums_2_columns_values_0_q <= column_5;
       sums_2_columns_values_1_q <= sums_2_columns_values_0_q;
       sums_2_columns_values_2_q <= sums_2_columns_values_1_q;
@@ -2039,7 +2041,7 @@ module horopter_agreement (
       sums_2_columns_values_4_q <= sums_2_columns_values_3_q;
       sums_2_columns_values_5_q <= sums_2_columns_values_4_q;
       sums_2_columns_values_6_q <= sums_2_columns_values_5_q;
-      sums_2_sum_sums_values_0_q <= sum_1619;
+      sums_2_sum_sums_values_0_q <= sum_1621;
       sums_3_columns_values_0_q <= column_6;
       sums_3_columns_values_1_q <= sums_3_columns_values_0_q;
       sums_3_columns_values_2_q <= sums_3_columns_values_1_q;
@@ -2047,7 +2049,7 @@ module horopter_agreement (
       sums_3_columns_values_4_q <= sums_3_columns_values_3_q;
       sums_3_columns_values_5_q <= sums_3_columns_values_4_q;
       sums_3_columns_values_6_q <= sums_3_columns_values_5_q;
-      sums_3_sum_sums_values_0_q <= sum_1859;
+      sums_3_sum_sums_values_0_q <= sum_1861;
     end
   end
 
@@ -2073,54 +2075,55 @@ module horopter_agreement (
   logic patches_second_s2_q;
   logic [4:0] patches_code_row_s2_q;
   logic [4:0] patches_column_s2_q;
-  logic [2:0] select_455_s2_q;
-  logic [6:0] select_457_s2_q;
-  logic [8:0] select_461_s2_q;
-  logic and_465_s2_q;
-  logic equal_471_s2_q;
+  logic [2:0] select_457_s2_q;
+  logic [6:0] select_459_s2_q;
+  logic [8:0] select_463_s2_q;
+  logic and_467_s2_q;
+  logic equal_473_s2_q;
   logic [6:0] column_s2_q;
-  logic and_489_s2_q;
   logic and_491_s2_q;
+  logic and_493_s2_q;
   logic so_s2_q;
-  logic equal_511_s2_q;
-  logic or_512_s2_q;
-  logic less_519_s2_q;
-  logic not_520_s2_q;
-  logic equal_552_s2_q;
+  logic equal_513_s2_q;
+  logic or_514_s2_q;
+  logic less_521_s2_q;
+  logic not_522_s2_q;
+  logic equal_554_s2_q;
   logic [6:0] x_s2_2_q;
   logic [45:0] best_left_rdata_s2_q;
-  logic select_640_s2_q;
-  logic and_1915_s2_q;
+  logic select_642_s2_q;
+  logic and_1917_s2_q;
   logic [6:0] right_s2_q;
-  logic select_1924_s2_q;
-  logic equal_1933_s2_q;
-  logic and_1940_s2_q;
-  logic and_1943_s2_q;
-  logic and_1947_s2_q;
-  logic or_1961_s2_q;
-  logic [6:0] select_1972_s2_q;
-  logic and_2046_s2_q;
-  logic and_2059_s2_q;
-  logic less_2073_s2_q;
-  logic equal_2146_s2_q;
-  logic not_2147_s2_q;
+  logic select_1926_s2_q;
+  logic equal_1935_s2_q;
+  logic and_1942_s2_q;
+  logic and_1945_s2_q;
+  logic and_1949_s2_q;
+  logic or_1963_s2_q;
+  logic [6:0] select_1974_s2_q;
+  logic and_2048_s2_q;
+  logic and_2061_s2_q;
+  logic less_2075_s2_q;
   logic equal_2148_s2_q;
   logic not_2149_s2_q;
   logic equal_2150_s2_q;
-  logic or_2152_s2_q;
-  logic [4:0] select_2176_s2_q;
-  logic select_2182_s2_q;
-  logic [3:0] select_2223_s2_q;
-  logic and_2233_s2_q;
-  logic and_2451_s2_q;
-  logic equal_2597_s2_q;
-  logic equal_2721_s2_q;
-  logic and_3005_s2_q;
-  logic and_3007_s2_q;
-  logic or_3221_s2_q;
-  logic not_3245_s2_q;
-  logic less_3991_s2_q;
-  logic equal_4196_s2_q;
+  logic not_2151_s2_q;
+  logic equal_2152_s2_q;
+  logic equal_2153_s2_q;
+  logic or_2154_s2_q;
+  logic [4:0] select_2178_s2_q;
+  logic select_2184_s2_q;
+  logic [3:0] select_2225_s2_q;
+  logic and_2235_s2_q;
+  logic and_2475_s2_q;
+  logic equal_2621_s2_q;
+  logic equal_2745_s2_q;
+  logic and_3029_s2_q;
+  logic and_3031_s2_q;
+  logic or_3245_s2_q;
+  logic not_3269_s2_q;
+  logic less_4024_s2_q;
+  logic equal_4229_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -2145,54 +2148,55 @@ module horopter_agreement (
       patches_second_s2_q <= patches_second_q;
       patches_code_row_s2_q <= patches_code_row_q;
       patches_column_s2_q <= patches_column_q;
-      select_455_s2_q <= select_455_s1_q;
       select_457_s2_q <= select_457_s1_q;
-      select_461_s2_q <= select_461_s1_q;
-      and_465_s2_q <= and_465_s1_q;
-      equal_471_s2_q <= equal_471_s1_q;
+      select_459_s2_q <= select_459_s1_q;
+      select_463_s2_q <= select_463_s1_q;
+      and_467_s2_q <= and_467_s1_q;
+      equal_473_s2_q <= equal_473_s1_q;
       column_s2_q <= column_s1_q;
-      and_489_s2_q <= and_489_s1_q;
       and_491_s2_q <= and_491_s1_q;
+      and_493_s2_q <= and_493_s1_q;
       so_s2_q <= so_s1_q;
-      equal_511_s2_q <= equal_511_s1_q;
-      or_512_s2_q <= or_512_s1_q;
-      less_519_s2_q <= less_519_s1_q;
-      not_520_s2_q <= not_520_s1_q;
-      equal_552_s2_q <= row_s1_q == 6'h0;
+      equal_513_s2_q <= equal_513_s1_q;
+      or_514_s2_q <= or_514_s1_q;
+      less_521_s2_q <= less_521_s1_q;
+      not_522_s2_q <= not_522_s1_q;
+      equal_554_s2_q <= row_s1_q == 6'h0;
       x_s2_2_q <= x_s1_2_q;
       best_left_rdata_s2_q <= best_left_rdata_q;
-      select_640_s2_q <= select_640_s1_q;
-      and_1915_s2_q <= and_1915_s1_q;
+      select_642_s2_q <= select_642_s1_q;
+      and_1917_s2_q <= and_1917_s1_q;
       right_s2_q <= right_s1_q;
-      select_1924_s2_q <= select_1924_s1_q;
-      equal_1933_s2_q <= equal_1933_s1_q;
-      and_1940_s2_q <= not_520_s1_q & and_1939;
-      and_1943_s2_q <= (or_512_s1_q & (left_rdata_q[62] & not_520_s1_q)) & and_1939;
-      and_1947_s2_q <= not_520_s1_q & (or_512_s1_q & (left_rdata_q[63] & not_520_s1_q));
-      or_1961_s2_q <= or_1961;
-      select_1972_s2_q <= select_1972;
-      and_2046_s2_q <= and_2046;
-      and_2059_s2_q <= and_2059;
-      less_2073_s2_q <= 5'h4 < row_q[5:1];
-      equal_2146_s2_q <= equal_2146;
-      not_2147_s2_q <= not_2147;
+      select_1926_s2_q <= select_1926_s1_q;
+      equal_1935_s2_q <= equal_1935_s1_q;
+      and_1942_s2_q <= not_522_s1_q & and_1941;
+      and_1945_s2_q <= (or_514_s1_q & (left_rdata_q[62] & not_522_s1_q)) & and_1941;
+      and_1949_s2_q <= not_522_s1_q & (or_514_s1_q & (left_rdata_q[63] & not_522_s1_q));
+      or_1963_s2_q <= or_1963;
+      select_1974_s2_q <= select_1974;
+      and_2048_s2_q <= and_2048;
+      and_2061_s2_q <= and_2061;
+      less_2075_s2_q <= 5'h4 < row_q[5:1];
       equal_2148_s2_q <= equal_2148;
       not_2149_s2_q <= not_2149;
       equal_2150_s2_q <= equal_2150;
-      or_2152_s2_q <= or_2152;
-      select_2176_s2_q <= select_2176;
-      select_2182_s2_q <= select_2182;
-      select_2223_s2_q <= select_2223;
-      and_2233_s2_q <= and_2233;
-      and_2451_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
-      equal_2597_s2_q <= {column_s1_q[6], or_2596} == 7'h0;
-      equal_2721_s2_q <= equal_2721_s1_q;
-      and_3005_s2_q <= and_2722_s1_q & and_3004;
-      and_3007_s2_q <= and_2722_s1_q & (~and_3004);
-      or_3221_s2_q <= or_3221;
-      not_3245_s2_q <= not_3245;
-      less_3991_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_4196_s2_q <= row_s1_q[5:3] == 3'h0;
+      not_2151_s2_q <= not_2151;
+      equal_2152_s2_q <= equal_2152;
+      equal_2153_s2_q <= equal_2153;
+      or_2154_s2_q <= or_2154;
+      select_2178_s2_q <= select_2178;
+      select_2184_s2_q <= select_2184;
+      select_2225_s2_q <= select_2225;
+      and_2235_s2_q <= and_2235;
+      and_2475_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
+      equal_2621_s2_q <= {column_s1_q[6], or_2620} == 7'h0;
+      equal_2745_s2_q <= equal_2745_s1_q;
+      and_3029_s2_q <= and_2746_s1_q & and_3028;
+      and_3031_s2_q <= and_2746_s1_q & (~and_3028);
+      or_3245_s2_q <= or_3245;
+      not_3269_s2_q <= not_3269;
+      less_4024_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_4229_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
@@ -2216,7 +2220,6 @@ module horopter_agreement (
   logic [4:0] patches_down_by_q;
   logic [4:0] patches_along_q;
   logic [3:0] patches_match_row_q;
-  logic [4:0] patches_summed_row_column_q;
   logic patches_summed_last_q;
   logic [4:0] patches_summed_down_by_q;
   logic [6:0] patches_step_q;
@@ -2227,460 +2230,491 @@ module horopter_agreement (
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
   // hls/stages/census.hpp:119
-  logic and_466;
-  assign and_466 = sample_pair_whole_s2_q & and_465_s2_q;
+  logic and_468;
+  assign and_468 = sample_pair_whole_s2_q & and_467_s2_q;
   // hls/stages/agreement.hpp:772
-  logic not_642;
-  assign not_642 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_643;
-  assign less_643 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  logic not_644;
+  assign not_644 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_645;
+  assign less_645 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
   // hls/stages/agreement.hpp:231
-  logic and_645;
-  assign and_645 = not_642 & (~less_643);
+  logic and_647;
+  assign and_647 = not_644 & (~less_645);
   // hls/stages/agreement.hpp:735
-  logic less_1376;
-  assign less_1376 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
-  logic [7:0] select_1377;
-  assign select_1377 = less_1376 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
   logic less_1378;
-  assign less_1378 = middle_sum_sum_sums_values_0_q < select_1377;
+  assign less_1378 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
   logic [7:0] select_1379;
-  assign select_1379 = less_1378 ? select_1377 : middle_sum_sum_sums_values_0_q;
-  logic less_1860;
-  assign less_1860 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
-  logic [7:0] select_1861;
-  assign select_1861 = less_1860 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
+  assign select_1379 = less_1378 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic less_1380;
+  assign less_1380 = middle_sum_sum_sums_values_0_q < select_1379;
+  logic [7:0] select_1381;
+  assign select_1381 = less_1380 ? select_1379 : middle_sum_sum_sums_values_0_q;
   logic less_1862;
-  assign less_1862 = select_1379 < select_1861;
+  assign less_1862 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
+  logic [7:0] select_1863;
+  assign select_1863 = less_1862 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
+  logic less_1864;
+  assign less_1864 = select_1381 < select_1863;
   // hls/stages/agreement.hpp:776
   logic [7:0] of_best;
-  assign of_best = and_645 ? (less_1862 ? select_1861 : select_1379) : 8'h0;
+  assign of_best = and_647 ? (less_1864 ? select_1863 : select_1381) : 8'h0;
   // hls/stages/agreement.hpp:783
-  logic or_1866;
-  assign or_1866 = select_640_s2_q | (best_left_rdata_s2_q[16:9] < of_best);
+  logic or_1868;
+  assign or_1868 = select_642_s2_q | (best_left_rdata_s2_q[16:9] < of_best);
   // hls/stages/agreement.hpp:788
-  logic [5:0] select_1867;
-  assign select_1867 = or_1866 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
+  logic [5:0] select_1869;
+  assign select_1869 = or_1868 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
   // hls/stages/agreement.hpp:736
-  logic or_1869;
-  assign or_1869 = less_1376 | (~less_1378);
-  logic [2:0] select_1870;
-  assign select_1870 = less_1862 ? {less_1860, 2'h0} : {1'b0, or_1869, less_1378};
+  logic or_1871;
+  assign or_1871 = less_1378 | (~less_1380);
+  logic [2:0] select_1872;
+  assign select_1872 = less_1864 ? {less_1862, 2'h0} : {1'b0, or_1871, less_1380};
   // hls/stages/agreement.hpp:788
-  logic [2:0] select_1871;
-  assign select_1871 = or_1866 ? select_1870 : best_left_rdata_s2_q[8:6];
-  logic [7:0] select_1872;
-  assign select_1872 = or_1866 ? of_best : best_left_rdata_s2_q[16:9];
+  logic [2:0] select_1873;
+  assign select_1873 = or_1868 ? select_1872 : best_left_rdata_s2_q[8:6];
+  logic [7:0] select_1874;
+  assign select_1874 = or_1868 ? of_best : best_left_rdata_s2_q[16:9];
   // hls/stages/agreement.hpp:785
-  logic equal_1873;
-  assign equal_1873 = select_1870 == 3'h1;
-  logic equal_1874;
-  assign equal_1874 = select_1870 == 3'h2;
-  logic not_1875;
-  assign not_1875 = ~equal_1874;
-  logic [1:0] select_1876;
-  assign select_1876 = equal_1873 ? 2'h0 : {not_1875, equal_1874};
-  logic [7:0] select_1877;
-  assign select_1877 = select_1876[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
-  logic [7:0] select_1878;
-  assign select_1878 = select_1876[0] ? sums_0_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:788
+  logic equal_1875;
+  assign equal_1875 = select_1872 == 3'h1;
+  logic equal_1876;
+  assign equal_1876 = select_1872 == 3'h2;
+  logic not_1877;
+  assign not_1877 = ~equal_1876;
+  logic [1:0] select_1878;
+  assign select_1878 = equal_1875 ? 2'h0 : {not_1877, equal_1876};
+  logic [7:0] select_1879;
+  assign select_1879 = select_1878[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
   logic [7:0] select_1880;
-  assign select_1880 = or_1866 ? (select_1876[1] ? select_1877 : select_1878) : best_left_rdata_s2_q[24:17];
-  // hls/stages/agreement.hpp:786
-  logic [2:0] select_1881;
-  assign select_1881 = equal_1873 ? 3'h2 : {not_1875, {2{equal_1874}}};
-  logic [7:0] select_1882;
-  assign select_1882 = select_1881[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
-  logic [7:0] select_1883;
-  assign select_1883 = select_1881[0] ? sums_0_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
-  logic [7:0] select_1885;
-  assign select_1885 = select_1881[2] ? sums_3_sum_sums_values_0_q : (select_1881[1] ? select_1882 : select_1883);
+  assign select_1880 = select_1878[0] ? sums_0_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_1886;
-  assign select_1886 = or_1866 ? select_1885 : best_left_rdata_s2_q[32:25];
+  logic [7:0] select_1882;
+  assign select_1882 = or_1868 ? (select_1878[1] ? select_1879 : select_1880) : best_left_rdata_s2_q[24:17];
+  // hls/stages/agreement.hpp:786
+  logic [2:0] select_1883;
+  assign select_1883 = equal_1875 ? 3'h2 : {not_1877, {2{equal_1876}}};
+  logic [7:0] select_1884;
+  assign select_1884 = select_1883[0] ? sums_1_sum_sums_values_0_q : middle_sum_sum_sums_values_0_q;
+  logic [7:0] select_1885;
+  assign select_1885 = select_1883[0] ? sums_0_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
+  logic [7:0] select_1887;
+  assign select_1887 = select_1883[2] ? sums_3_sum_sums_values_0_q : (select_1883[1] ? select_1884 : select_1885);
+  // hls/stages/agreement.hpp:788
+  logic [7:0] select_1888;
+  assign select_1888 = or_1868 ? select_1887 : best_left_rdata_s2_q[32:25];
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v;
   assign before_v = age_s2_q[0] ? middle_sum_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1888;
-  assign sum_1888 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
-  logic [6:0] sum_1889;
-  assign sum_1889 = {1'b0, before_v} + sum_1888;
+  logic [6:0] sum_1890;
+  assign sum_1890 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
+  logic [6:0] sum_1891;
+  assign sum_1891 = {1'b0, before_v} + sum_1890;
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[0] ? sums_0_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1891;
-  assign sum_1891 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
-  logic [6:0] sum_1892;
-  assign sum_1892 = {1'b0, before_v_2} + sum_1891;
+  logic [6:0] sum_1893;
+  assign sum_1893 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
+  logic [6:0] sum_1894;
+  assign sum_1894 = {1'b0, before_v_2} + sum_1893;
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[0] ? sums_1_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1894;
-  assign sum_1894 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
-  logic [6:0] sum_1895;
-  assign sum_1895 = {1'b0, before_v_3} + sum_1894;
+  logic [6:0] sum_1896;
+  assign sum_1896 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
+  logic [6:0] sum_1897;
+  assign sum_1897 = {1'b0, before_v_3} + sum_1896;
   // hls/stages/agreement.hpp:735
-  logic [6:0] select_1897;
-  assign select_1897 = (sum_1892 < sum_1895) ? sum_1895 : sum_1892;
   logic [6:0] select_1899;
-  assign select_1899 = (sum_1889 < select_1897) ? select_1897 : sum_1889;
+  assign select_1899 = (sum_1894 < sum_1897) ? sum_1897 : sum_1894;
+  logic [6:0] select_1901;
+  assign select_1901 = (sum_1891 < select_1899) ? select_1899 : sum_1891;
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v_4;
   assign before_v_4 = age_s2_q[0] ? sums_2_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1901;
-  assign sum_1901 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
-  logic [6:0] sum_1902;
-  assign sum_1902 = {1'b0, before_v_4} + sum_1901;
+  logic [6:0] sum_1903;
+  assign sum_1903 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
+  logic [6:0] sum_1904;
+  assign sum_1904 = {1'b0, before_v_4} + sum_1903;
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v_5;
   assign before_v_5 = age_s2_q[0] ? sums_3_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1904;
-  assign sum_1904 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
-  logic [6:0] sum_1905;
-  assign sum_1905 = {1'b0, before_v_5} + sum_1904;
+  logic [6:0] sum_1906;
+  assign sum_1906 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
+  logic [6:0] sum_1907;
+  assign sum_1907 = {1'b0, before_v_5} + sum_1906;
   // hls/stages/agreement.hpp:735
-  logic [6:0] select_1907;
-  assign select_1907 = (sum_1902 < sum_1905) ? sum_1905 : sum_1902;
+  logic [6:0] select_1909;
+  assign select_1909 = (sum_1904 < sum_1907) ? sum_1907 : sum_1904;
   // hls/stages/agreement.hpp:777
   logic [6:0] of_near;
-  assign of_near = and_645 ? ((select_1899 < select_1907) ? select_1907 : select_1899) : 7'h0;
+  assign of_near = and_647 ? ((select_1901 < select_1909) ? select_1909 : select_1901) : 7'h0;
   // hls/stages/agreement.hpp:788
-  logic or_1912;
-  assign or_1912 = select_640_s2_q | (best_left_rdata_s2_q[39:33] < of_near);
+  logic or_1914;
+  assign or_1914 = select_642_s2_q | (best_left_rdata_s2_q[39:33] < of_near);
   // hls/stages/agreement.hpp:792
-  logic [6:0] select_1913;
-  assign select_1913 = or_1912 ? of_near : best_left_rdata_s2_q[39:33];
-  logic [5:0] select_1914;
-  assign select_1914 = or_1912 ? run_shift_s2_q : best_left_rdata_s2_q[45:40];
+  logic [6:0] select_1915;
+  assign select_1915 = or_1914 ? of_near : best_left_rdata_s2_q[39:33];
+  logic [5:0] select_1916;
+  assign select_1916 = or_1914 ? run_shift_s2_q : best_left_rdata_s2_q[45:40];
   // hls/stages/agreement.hpp:797
-  logic or_1926;
-  assign or_1926 = select_1924_s2_q | (best_right_rdata_q[7:0] < of_best);
+  logic or_1928;
+  assign or_1928 = select_1926_s2_q | (best_right_rdata_q[7:0] < of_best);
   // hls/stages/agreement.hpp:801
-  logic [7:0] select_1927;
-  assign select_1927 = or_1926 ? of_best : best_right_rdata_q[7:0];
-  logic [6:0] select_1928;
-  assign select_1928 = or_1926 ? x_s2_2_q : best_right_rdata_q[14:8];
-  logic or_1930;
-  assign or_1930 = select_1924_s2_q | (best_right_rdata_q[21:15] < of_near);
+  logic [7:0] select_1929;
+  assign select_1929 = or_1928 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_1930;
+  assign select_1930 = or_1928 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_1932;
+  assign or_1932 = select_1926_s2_q | (best_right_rdata_q[21:15] < of_near);
   // hls/stages/agreement.hpp:805
-  logic [6:0] select_1931;
-  assign select_1931 = or_1930 ? of_near : best_right_rdata_q[21:15];
-  logic [6:0] select_1932;
-  assign select_1932 = or_1930 ? x_s2_2_q : best_right_rdata_q[28:22];
+  logic [6:0] select_1933;
+  assign select_1933 = or_1932 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_1934;
+  assign select_1934 = or_1932 ? x_s2_2_q : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:955
-  logic not_1934;
-  assign not_1934 = ~equal_1933_s2_q;
+  logic not_1936;
+  assign not_1936 = ~equal_1935_s2_q;
   // hls/stages/agreement.hpp:235
-  logic and_1944;
-  assign and_1944 = not_520_s2_q & and_1943_s2_q;
+  logic and_1946;
+  assign and_1946 = not_522_s2_q & and_1945_s2_q;
   // hls/stages/agreement.hpp:935
-  logic select_1950;
-  assign select_1950 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  logic select_1952;
+  assign select_1952 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
   // hls/stages/agreement.hpp:936
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:942
-  logic [8:0] difference_1953;
-  assign difference_1953 = {2'h0, chosen} - {1'b0, x_s2_q};
+  logic [8:0] difference_1955;
+  assign difference_1955 = {2'h0, chosen} - {1'b0, x_s2_q};
   // hls/stages/agreement.hpp:943
-  logic [9:0] sum_1954;
-  assign sum_1954 = {difference_1953[8], difference_1953} + 10'h1;
+  logic [9:0] sum_1956;
+  assign sum_1956 = {difference_1955[8], difference_1955} + 10'h1;
   // hls/stages/agreement.hpp:235
-  logic and_1956;
-  assign and_1956 = (and_1943_s2_q & select_1950) & ({{22{sum_1954[9]}}, sum_1954} < 32'h3);
-  logic and_1957;
-  assign and_1957 = not_520_s2_q & and_1956;
-  logic and_1963;
-  assign and_1963 = not_520_s2_q & (and_1956 & or_1961_s2_q);
+  logic and_1958;
+  assign and_1958 = (and_1945_s2_q & select_1952) & ({{22{sum_1956[9]}}, sum_1956} < 32'h3);
+  logic and_1959;
+  assign and_1959 = not_522_s2_q & and_1958;
+  logic and_1965;
+  assign and_1965 = not_522_s2_q & (and_1958 & or_1963_s2_q);
   // hls/stages/agreement.hpp:141
-  logic [8:0] select_1964;
-  assign select_1964 = less_519_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
+  logic [8:0] select_1966;
+  assign select_1966 = less_521_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
   logic [14:0] shift_2;
-  assign shift_2 = or_512_s2_q ? {select_1964, and_1963, and_1957, and_1947_s2_q, and_1944, and_1940_s2_q, not_520_s2_q} : 15'h0;
-  // hls/stages/patches.hpp:313
-  logic and_1966;
-  assign and_1966 = ends_cell_s2_q & shift_2[0];
+  assign shift_2 = or_514_s2_q ? {select_1966, and_1965, and_1959, and_1949_s2_q, and_1946, and_1942_s2_q, not_522_s2_q} : 15'h0;
+  // hls/stages/patches.hpp:322
   logic and_1968;
-  assign and_1968 = not_1934 & (so_s2_q & and_1966);
+  assign and_1968 = ends_cell_s2_q & shift_2[0];
+  logic and_1970;
+  assign and_1970 = not_1936 & (so_s2_q & and_1968);
   // hls/stages/agreement.hpp:955
-  logic [5:0] sum_2018;
-  assign sum_2018 = {1'b0, last_s2_q[6:2]} + 6'h1;
+  logic [5:0] sum_2020;
+  assign sum_2020 = {1'b0, last_s2_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:250
   logic right_2;
-  assign right_2 = shift_2[0] & ({1'b0, sum_2018, last_s2_q[1]} < x_s2_q);
-  // hls/stages/patches.hpp:80
+  assign right_2 = shift_2[0] & ({1'b0, sum_2020, last_s2_q[1]} < x_s2_q);
+  // hls/stages/patches.hpp:85
   logic right_3;
   assign right_3 = {2'h0, last_s2_q[6:1]} < x_s2_q;
   // hls/stages/registration.hpp:218
-  logic [16:0] select_2076;
-  assign select_2076 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_2078;
+  assign select_2078 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
-  assign change = ($signed(10'h0) < $signed(select_2076[16:7])) ? 8'h7f : select_2076[7:0];
-  // hls/stages/patches.hpp:81
-  logic and_2099;
-  assign and_2099 = ({3'h0, last_s2_q[6:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
-  // hls/stages/patches.hpp:83
-  logic equal_2100;
-  assign equal_2100 = x_s2_q == 8'h0;
-  // hls/stages/patches.hpp:79
-  logic [9:0] sum_2106;
-  assign sum_2106 = {2'h0, x_s2_q} + {{4{shift_2[11]}}, shift_2[11:6]};
-  // hls/stages/patches.hpp:83
+  assign change = ($signed(10'h0) < $signed(select_2078[16:7])) ? 8'h7f : select_2078[7:0];
+  // hls/stages/patches.hpp:86
+  logic and_2101;
+  assign and_2101 = ({3'h0, last_s2_q[6:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
+  // hls/stages/patches.hpp:88
+  logic equal_2102;
+  assign equal_2102 = x_s2_q == 8'h0;
+  // hls/stages/patches.hpp:84
   logic [9:0] sum_2108;
-  assign sum_2108 = {sum_2106[9], sum_2106[9:1]} + 10'h1;
+  assign sum_2108 = {2'h0, x_s2_q} + {{4{shift_2[11]}}, shift_2[11:6]};
+  // hls/stages/patches.hpp:88
+  logic [9:0] sum_2110;
+  assign sum_2110 = {sum_2108[9], sum_2108[9:1]} + 10'h1;
   // hls/stages/agreement.hpp:964
-  logic and_2111;
-  assign and_2111 = ($signed(9'h0) < $signed(sum_2106[9:1])) & (~($signed({4'h0, last_s2_q}) < $signed({sum_2108, sum_2106[0]})));
-  logic and_2112;
-  assign and_2112 = (~(and_2099 | (equal_2100 | (~(x_s2_q < {1'b0, last_s2_q}))))) & and_2111;
-  // hls/stages/patches.hpp:90
-  logic equal_2139;
-  assign equal_2139 = x_s2_q == {1'b0, last_s2_q};
-  // hls/stages/patches.hpp:313
-  logic and_2143;
-  assign and_2143 = so_s2_q & (ends_cell_s2_q & (shift_2[0] & (and_2099 | equal_2139)));
-  logic and_2144;
-  assign and_2144 = not_1934 & and_2143;
-  // hls/stages/patches.hpp:148
+  logic and_2113;
+  assign and_2113 = ($signed(9'h0) < $signed(sum_2108[9:1])) & (~($signed({4'h0, last_s2_q}) < $signed({sum_2110, sum_2108[0]})));
+  logic and_2114;
+  assign and_2114 = (~(and_2101 | (equal_2102 | (~(x_s2_q < {1'b0, last_s2_q}))))) & and_2113;
+  // hls/stages/patches.hpp:95
+  logic equal_2141;
+  assign equal_2141 = x_s2_q == {1'b0, last_s2_q};
+  // hls/stages/patches.hpp:322
+  logic and_2145;
+  assign and_2145 = so_s2_q & (ends_cell_s2_q & (shift_2[0] & (and_2101 | equal_2141)));
+  logic and_2146;
+  assign and_2146 = not_1936 & and_2145;
+  // hls/stages/patches.hpp:154
   logic [7:0] pixel;
-  assign pixel = equal_2150_s2_q ? (patches_second_s2_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
+  assign pixel = equal_2153_s2_q ? (patches_second_s2_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
-  assign pixel_2 = equal_2150_s2_q ? (patches_second_s2_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
-  // hls/stages/patches.hpp:454
+  assign pixel_2 = equal_2153_s2_q ? (patches_second_s2_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
+  // hls/stages/patches.hpp:478
+  logic less_2241;
+  assign less_2241 = 5'he < patches_along_q;
+  // hls/stages/patches.hpp:479
+  logic or_2242;
+  assign or_2242 = equal_2152_s2_q | less_2241;
+  // hls/stages/patches.hpp:482
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
-  // hls/stages/patches.hpp:160
-  logic and_2242;
-  assign and_2242 = not_2147_s2_q & (equal_2148_s2_q & new_row);
-  // hls/stages/patches.hpp:431
-  logic [8:0] sum_2245;
-  assign sum_2245 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
-  logic [8:0] sum_2246;
-  assign sum_2246 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
+  logic select_2247;
+  assign select_2247 = equal_2152_s2_q ? patches_column_s2_q[0] : (or_2242 ? (patches_along_q == 5'h10) : (~new_row));
+  logic not_2248;
+  assign not_2248 = ~or_2242;
+  // hls/stages/patches.hpp:479
+  logic [4:0] sum_2249;
+  assign sum_2249 = patches_down_by_q + {1'b0, patches_match_row_q};
+  // hls/stages/patches.hpp:481
+  logic [4:0] select_2252;
+  assign select_2252 = or_2242 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_2249) + 5'h1) : sum_2249;
+  // hls/stages/patches.hpp:483
+  logic [4:0] select_2253;
+  assign select_2253 = equal_2152_s2_q ? 5'h0 : select_2252;
+  logic or_2254;
+  assign or_2254 = equal_2152_s2_q | equal_2150_s2_q;
+  // hls/stages/patches.hpp:459
+  logic equal_2256;
+  assign equal_2256 = patches_column_s2_q == 5'h1f;
+  logic of_row;
+  assign of_row = patches_column_s2_q == 5'h11;
+  logic equal_2258;
+  assign equal_2258 = patches_column_s2_q == 5'h18;
+  // hls/stages/patches.hpp:461
+  logic and_2260;
+  assign and_2260 = of_row & (~equal_2258);
+  logic [1:0] of_row_2;
+  assign of_row_2 = equal_2256 ? 2'h3 : {equal_2258, and_2260};
+  // hls/stages/patches.hpp:447
+  logic [8:0] sum_2263;
+  assign sum_2263 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
+  logic [8:0] sum_2264;
+  assign sum_2264 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
   logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_2245, pixel_2[0]} - {1'b0, sum_2246, patches_columns_above_rdata_q[24]};
-  // hls/stages/patches.hpp:433
-  logic [11:0] sum_2248;
-  assign sum_2248 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_2249;
-  assign sum_2249 = {{4{down_2[10]}}, down_2[10:2]} + {sum_2248[11], sum_2248};
-  logic [13:0] sum_2250;
-  assign sum_2250 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_2249, down_2[1]};
-  logic [12:0] sum_2251;
-  assign sum_2251 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2250[13:1];
-  logic [14:0] sum_2252;
-  assign sum_2252 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2251, sum_2250[0], down_2[0]};
-  // hls/stages/patches.hpp:429
-  logic [8:0] sum_2255;
-  assign sum_2255 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
-  logic [9:0] sum_2256;
-  assign sum_2256 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_2255};
-  logic [10:0] sum_2257;
-  assign sum_2257 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2256, patches_columns_above_rdata_q[25]};
-  logic [9:0] sum_2258;
-  assign sum_2258 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2257[10:1];
-  // hls/stages/patches.hpp:430
+  assign down_2 = {1'b0, sum_2263, pixel_2[0]} - {1'b0, sum_2264, patches_columns_above_rdata_q[24]};
+  // hls/stages/patches.hpp:449
+  logic [11:0] sum_2266;
+  assign sum_2266 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_2267;
+  assign sum_2267 = {{4{down_2[10]}}, down_2[10:2]} + {sum_2266[11], sum_2266};
+  logic [13:0] sum_2268;
+  assign sum_2268 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_2267, down_2[1]};
+  logic [12:0] sum_2269;
+  assign sum_2269 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2268[13:1];
+  logic [14:0] sum_2270;
+  assign sum_2270 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2269, sum_2268[0], down_2[0]};
+  // hls/stages/patches.hpp:445
+  logic [8:0] sum_2273;
+  assign sum_2273 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
+  logic [9:0] sum_2274;
+  assign sum_2274 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_2273};
+  logic [10:0] sum_2275;
+  assign sum_2275 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2274, patches_columns_above_rdata_q[25]};
+  logic [9:0] sum_2276;
+  assign sum_2276 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2275[10:1];
+  // hls/stages/patches.hpp:446
   logic [11:0] smooth;
-  assign smooth = {sum_2258, sum_2257[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
-  // hls/stages/patches.hpp:432
-  logic [12:0] sum_2260;
-  assign sum_2260 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
-  logic [12:0] sum_2261;
-  assign sum_2261 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_2262;
-  assign difference_2262 = {1'b0, sum_2260, smooth[0]} - {1'b0, sum_2261, patches_smooth_values_3_q[0]};
-  // hls/stages/patches.hpp:148
-  logic and_2269;
-  assign and_2269 = (~(patches_code_row_s2_q[4:2] == 3'h0)) & (~(patches_column_s2_q[4:2] == 3'h0));
-  // hls/stages/patches.hpp:160
-  logic and_2273;
-  assign and_2273 = or_2152_s2_q & ((equal_2150_s2_q & and_2269) & (patches_column_s2_q == 5'h1f));
-  // hls/stages/patches.hpp:444
-  logic or_2279;
-  assign or_2279 = equal_2150_s2_q | (~and_2269);
+  assign smooth = {sum_2276, sum_2275[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
   // hls/stages/patches.hpp:448
-  logic and_2284;
-  assign and_2284 = (~or_2279) & ((~patches_column_s2_q[4]) & (patches_column_s2_q == 5'hf));
-  // hls/stages/patches.hpp:485
-  logic less_2288;
-  assign less_2288 = patches_step_q[4:0] < 5'h11;
-  logic equal_2289;
-  assign equal_2289 = patches_step_q[6:5] == 2'h0;
-  logic not_2290;
-  assign not_2290 = ~equal_2289;
-  logic equal_2291;
-  assign equal_2291 = patches_step_q[6:5] == 2'h3;
-  logic not_2292;
-  assign not_2292 = ~equal_2291;
-  // hls/stages/patches.hpp:499
-  logic select_2295;
-  assign select_2295 = equal_2291 ? (less_2288 & (less_2288 & not_2292)) : less_2288;
-  // hls/stages/patches.hpp:160
-  logic and_2298;
-  assign and_2298 = equal_2146_s2_q & (less_2288 ? (not_2290 & select_2295) : select_2295);
+  logic [12:0] sum_2278;
+  assign sum_2278 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
+  logic [12:0] sum_2279;
+  assign sum_2279 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_2280;
+  assign difference_2280 = {1'b0, sum_2278, smooth[0]} - {1'b0, sum_2279, patches_smooth_values_3_q[0]};
+  // hls/stages/patches.hpp:460
+  logic or_2286;
+  assign or_2286 = (((patches_column_s2_q == 5'ha) | of_row) | equal_2258) | equal_2256;
+  // hls/stages/patches.hpp:455
+  logic and_2291;
+  assign and_2291 = (~(patches_code_row_s2_q[4:2] == 3'h0)) & (~(patches_column_s2_q[4:2] == 3'h0));
+  // hls/stages/patches.hpp:166
+  logic and_2295;
+  assign and_2295 = not_2151_s2_q & (or_2154_s2_q & (or_2286 & (equal_2153_s2_q & and_2291)));
+  // hls/stages/patches.hpp:154
+  logic and_2305;
+  assign and_2305 = (~(equal_2153_s2_q | (~and_2291))) & (~patches_column_s2_q[4]);
+  // hls/stages/patches.hpp:166
+  logic and_2309;
+  assign and_2309 = not_2151_s2_q & (or_2154_s2_q & (and_2305 & (patches_column_s2_q == 5'hf)));
+  // hls/stages/patches.hpp:524
+  logic less_2311;
+  assign less_2311 = patches_step_q[4:0] < 5'h11;
+  logic equal_2312;
+  assign equal_2312 = patches_step_q[6:5] == 2'h0;
+  logic not_2313;
+  assign not_2313 = ~equal_2312;
+  logic equal_2314;
+  assign equal_2314 = patches_step_q[6:5] == 2'h3;
+  logic not_2315;
+  assign not_2315 = ~equal_2314;
+  // hls/stages/patches.hpp:538
+  logic select_2318;
+  assign select_2318 = equal_2314 ? (less_2311 & (less_2311 & not_2315)) : less_2311;
+  // hls/stages/patches.hpp:166
+  logic and_2321;
+  assign and_2321 = equal_2148_s2_q & (less_2311 ? (not_2313 & select_2318) : select_2318);
   // hls/stages/division.hpp:34
-  logic [5:0] sum_2319;
-  assign sum_2319 = region_across_rest_q[8:3] + 6'h1;
+  logic [5:0] sum_2343;
+  assign sum_2343 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:250
   logic textured;
   assign textured = shift_2[0] & shift_2[2];
-  // hls/stages/patches.hpp:313
-  logic and_2455;
-  assign and_2455 = ends_cell_s2_q & (and_2451_s2_q & (~({sum_2018, last_s2_q[1:0]} < x_s2_q)));
+  // hls/stages/patches.hpp:322
+  logic and_2479;
+  assign and_2479 = ends_cell_s2_q & (and_2475_s2_q & (~({sum_2020, last_s2_q[1:0]} < x_s2_q)));
   // hls/stages/registration.hpp:76
-  logic less_2902;
-  assign less_2902 = slot_s2_q < 3'h3;
+  logic less_2926;
+  assign less_2926 = slot_s2_q < 3'h3;
   // hls/stages/agreement.hpp:141
-  logic [7:0] select_2904;
-  assign select_2904 = or_512_s2_q ? (less_519_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
-  logic [7:0] select_2906;
-  assign select_2906 = or_512_s2_q ? (less_519_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
-  logic [7:0] select_2908;
-  assign select_2908 = or_512_s2_q ? (less_519_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  logic [7:0] select_2928;
+  assign select_2928 = or_514_s2_q ? (less_521_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_2930;
+  assign select_2930 = or_514_s2_q ? (less_521_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_2932;
+  assign select_2932 = or_514_s2_q ? (less_521_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise;
-  assign rise = {1'b0, select_2906} - {1'b0, select_2908};
+  assign rise = {1'b0, select_2930} - {1'b0, select_2932};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_2910;
-  assign select_2910 = rise[8] ? select_2906 : select_2908;
-  logic [8:0] difference_2911;
-  assign difference_2911 = {1'b0, select_2904} - {1'b0, select_2910};
+  logic [7:0] select_2934;
+  assign select_2934 = rise[8] ? select_2930 : select_2932;
+  logic [8:0] difference_2935;
+  assign difference_2935 = {1'b0, select_2928} - {1'b0, select_2934};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
-  assign wide = difference_2911[8] ? 8'h0 : difference_2911[7:0];
+  assign wide = difference_2935[8] ? 8'h0 : difference_2935[7:0];
   // hls/stages/registration.hpp:37
-  logic not_2913;
-  assign not_2913 = ~registration_displacement_over_q[9];
+  logic not_2937;
+  assign not_2937 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2902 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2913};
+  assign left = less_2926 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2937};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_2915;
-  assign xor_2915 = rise[7:0] ^ {8{rise[8]}};
+  logic [7:0] xor_2939;
+  assign xor_2939 = rise[7:0] ^ {8{rise[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise[8]} + {1'b0, xor_2915};
+  assign size_3 = {8'h0, rise[8]} + {1'b0, xor_2939};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_2921;
-  assign select_2921 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_2945;
+  assign select_2945 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_2902 ? {taken, 1'b1} : {not_2913, select_2921, not_2913};
+  assign taken_2 = less_2926 ? {taken, 1'b1} : {not_2937, select_2945, not_2937};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2923;
-  assign sum_2923 = {left, 1'b1} + {taken_2, less_2902};
+  logic [10:0] sum_2947;
+  assign sum_2947 = {left, 1'b1} + {taken_2, less_2926};
   // hls/stages/agreement.hpp:245
-  logic [4:0] select_2925;
-  assign select_2925 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  logic [4:0] select_2949;
+  assign select_2949 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
   // hls/stages/registration.hpp:129
-  logic [15:0] select_3008;
-  assign select_3008 = and_3007_s2_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_3032;
+  assign select_3032 = and_3031_s2_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_3010;
-  assign select_3010 = and_3005_s2_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3008[15]}}, select_3008});
+  logic [23:0] select_3034;
+  assign select_3034 = and_3029_s2_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3032[15]}}, select_3032});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_3011;
-  assign select_3011 = and_3007_s2_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_3035;
+  assign select_3035 = and_3031_s2_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_3011[15]}}, select_3011};
+  assign both = registration_slope_change_q + {{12{select_3035[15]}}, select_3035};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_3013;
-  assign select_3013 = and_3005_s2_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_3037;
+  assign select_3037 = and_3029_s2_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:141
-  logic and_3014;
-  assign and_3014 = ends_cell_s2_q & so_s2_q;
+  logic and_3038;
+  assign and_3038 = ends_cell_s2_q & so_s2_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_8;
-  assign column_8 = registration_slope_q + (and_3014 ? registration_slope_change_q : 28'h0);
-  // hls/stages/patches.hpp:68
-  logic parity_3157;
-  assign parity_3157 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  assign column_8 = registration_slope_q + (and_3038 ? registration_slope_change_q : 28'h0);
+  // hls/stages/patches.hpp:73
+  logic parity_3181;
+  assign parity_3181 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
   // hls/stages/agreement.hpp:447
-  logic [15:0] select_3158;
-  assign select_3158 = equal_2721_s2_q ? {patches_chance_q[14:0], parity_3157} : patches_chance_q;
-  // hls/stages/patches.hpp:85
+  logic [15:0] select_3182;
+  assign select_3182 = equal_2745_s2_q ? {patches_chance_q[14:0], parity_3181} : patches_chance_q;
+  // hls/stages/patches.hpp:90
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
-  // hls/stages/patches.hpp:86
+  // hls/stages/patches.hpp:91
   logic [5:0] further;
   assign further = last_s2_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
-  // hls/stages/patches.hpp:87
-  logic [5:0] select_3163;
-  assign select_3163 = right_3 ? last_s2_q[6:1] : 6'h0;
+  // hls/stages/patches.hpp:92
+  logic [5:0] select_3187;
+  assign select_3187 = right_3 ? last_s2_q[6:1] : 6'h0;
   logic [6:0] from;
-  assign from = {1'b0, further} + {1'b0, select_3163};
-  // hls/stages/patches.hpp:313
-  logic and_3169;
-  assign and_3169 = so_s2_q & (ends_cell_s2_q & (shift_2[0] & (~(x_s2_q < {1'b0, from}))));
-  // hls/stages/patches.hpp:163
-  logic select_3260;
-  assign select_3260 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
-  // hls/stages/patches.hpp:160
-  logic [11:0] select_3263;
-  assign select_3263 = equal_2148_s2_q ? patches_smooth_values_0_q : (or_2152_s2_q ? smooth : patches_smooth_values_0_q);
-  logic [11:0] select_3265;
-  assign select_3265 = or_2152_s2_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
-  logic [11:0] select_3267;
-  assign select_3267 = equal_2146_s2_q ? patches_smooth_values_1_q : (equal_2148_s2_q ? patches_smooth_values_1_q : select_3265);
-  logic [11:0] select_3268;
-  assign select_3268 = or_2152_s2_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
-  logic [11:0] select_3270;
-  assign select_3270 = equal_2146_s2_q ? patches_smooth_values_2_q : (equal_2148_s2_q ? patches_smooth_values_2_q : select_3268);
-  logic [11:0] select_3271;
-  assign select_3271 = or_2152_s2_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
-  logic [11:0] select_3273;
-  assign select_3273 = equal_2146_s2_q ? patches_smooth_values_3_q : (equal_2148_s2_q ? patches_smooth_values_3_q : select_3271);
-  logic [10:0] select_3275;
-  assign select_3275 = equal_2148_s2_q ? patches_down_values_0_q : (or_2152_s2_q ? down_2 : patches_down_values_0_q);
-  logic [10:0] select_3278;
-  assign select_3278 = equal_2148_s2_q ? patches_down_values_1_q : (or_2152_s2_q ? patches_down_values_0_q : patches_down_values_1_q);
-  logic [10:0] select_3281;
-  assign select_3281 = equal_2148_s2_q ? patches_down_values_2_q : (or_2152_s2_q ? patches_down_values_1_q : patches_down_values_2_q);
-  logic [10:0] select_3284;
-  assign select_3284 = equal_2148_s2_q ? patches_down_values_3_q : (or_2152_s2_q ? patches_down_values_2_q : patches_down_values_3_q);
-  // hls/stages/patches.hpp:151
-  logic and_3313;
-  assign and_3313 = patches_along_ends_q & patches_match_row_ends_q;
-  // hls/stages/patches.hpp:386
-  logic [4:0] select_3318;
-  assign select_3318 = or_3221_s2_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
-  // hls/stages/patches.hpp:388
-  logic [3:0] select_3320;
-  assign select_3320 = and_3313 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
-  // hls/stages/patches.hpp:160
-  logic [4:0] select_3670;
-  assign select_3670 = equal_2146_s2_q ? patches_summed_row_column_q : (equal_2148_s2_q ? patches_along_q : patches_summed_row_column_q);
-  logic [4:0] select_3676;
-  assign select_3676 = equal_2146_s2_q ? patches_summed_down_by_q : (equal_2148_s2_q ? patches_down_by_q : patches_summed_down_by_q);
-  // hls/stages/patches.hpp:495
-  logic and_3709;
-  assign and_3709 = less_2288 & (patches_step_q[6:5] == 2'h1);
-  // hls/stages/patches.hpp:499
-  logic select_3712;
-  assign select_3712 = equal_2291 ? (less_2288 ? (not_2292 & and_3709) : and_3709) : and_3709;
-  // hls/stages/patches.hpp:160
-  logic select_3715;
-  assign select_3715 = equal_2146_s2_q ? (less_2288 ? (not_2290 & select_3712) : select_3712) : patches_read_searches_q;
+  assign from = {1'b0, further} + {1'b0, select_3187};
+  // hls/stages/patches.hpp:322
+  logic and_3193;
+  assign and_3193 = so_s2_q & (ends_cell_s2_q & (shift_2[0] & (~(x_s2_q < {1'b0, from}))));
+  // hls/stages/patches.hpp:169
+  logic select_3284;
+  assign select_3284 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  // hls/stages/patches.hpp:166
+  logic [11:0] select_3287;
+  assign select_3287 = equal_2150_s2_q ? patches_smooth_values_0_q : (or_2154_s2_q ? smooth : patches_smooth_values_0_q);
+  logic [11:0] select_3289;
+  assign select_3289 = or_2154_s2_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3291;
+  assign select_3291 = equal_2148_s2_q ? patches_smooth_values_1_q : (equal_2150_s2_q ? patches_smooth_values_1_q : select_3289);
+  logic [11:0] select_3292;
+  assign select_3292 = or_2154_s2_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3294;
+  assign select_3294 = equal_2148_s2_q ? patches_smooth_values_2_q : (equal_2150_s2_q ? patches_smooth_values_2_q : select_3292);
+  logic [11:0] select_3295;
+  assign select_3295 = or_2154_s2_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3297;
+  assign select_3297 = equal_2148_s2_q ? patches_smooth_values_3_q : (equal_2150_s2_q ? patches_smooth_values_3_q : select_3295);
+  logic [10:0] select_3299;
+  assign select_3299 = equal_2150_s2_q ? patches_down_values_0_q : (or_2154_s2_q ? down_2 : patches_down_values_0_q);
+  logic [10:0] select_3302;
+  assign select_3302 = equal_2150_s2_q ? patches_down_values_1_q : (or_2154_s2_q ? patches_down_values_0_q : patches_down_values_1_q);
+  logic [10:0] select_3305;
+  assign select_3305 = equal_2150_s2_q ? patches_down_values_2_q : (or_2154_s2_q ? patches_down_values_1_q : patches_down_values_2_q);
+  logic [10:0] select_3308;
+  assign select_3308 = equal_2150_s2_q ? patches_down_values_3_q : (or_2154_s2_q ? patches_down_values_2_q : patches_down_values_3_q);
+  // hls/stages/patches.hpp:157
+  logic and_3345;
+  assign and_3345 = patches_along_ends_q & patches_match_row_ends_q;
+  // hls/stages/patches.hpp:395
+  logic [4:0] select_3350;
+  assign select_3350 = or_3245_s2_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  // hls/stages/patches.hpp:397
+  logic [3:0] select_3352;
+  assign select_3352 = and_3345 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  // hls/stages/patches.hpp:166
+  logic [4:0] select_3708;
+  assign select_3708 = equal_2148_s2_q ? patches_summed_down_by_q : (equal_2150_s2_q ? patches_down_by_q : patches_summed_down_by_q);
+  // hls/stages/patches.hpp:534
+  logic and_3741;
+  assign and_3741 = less_2311 & (patches_step_q[6:5] == 2'h1);
+  // hls/stages/patches.hpp:538
+  logic select_3744;
+  assign select_3744 = equal_2314 ? (less_2311 ? (not_2315 & and_3741) : and_3741) : and_3741;
+  // hls/stages/patches.hpp:166
+  logic select_3747;
+  assign select_3747 = equal_2148_s2_q ? (less_2311 ? (not_2313 & select_3744) : select_3744) : patches_read_searches_q;
   // hls/stages/agreement.hpp:197
-  logic [8:0] select_4003;
-  assign select_4003 = so_s2_q ? (and_3014 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic [8:0] select_4036;
+  assign select_4036 = so_s2_q ? (and_3038 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4005;
-  assign sum_4005 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_4038;
+  assign sum_4038 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4006;
-  assign select_4006 = sum_2319[5] ? {1'b1, sum_2319[4:0], region_across_rest_q[2:0]} : sum_4005;
+  logic [8:0] select_4039;
+  assign select_4039 = sum_2343[5] ? {1'b1, sum_2343[4:0], region_across_rest_q[2:0]} : sum_4038;
   // hls/stages/agreement.hpp:447
-  logic [8:0] select_4008;
-  assign select_4008 = equal_2721_s2_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_4011;
-  assign select_4011 = equal_2721_s2_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  logic [8:0] select_4041;
+  assign select_4041 = equal_2745_s2_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_4044;
+  assign select_4044 = equal_2745_s2_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
 
   // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:226; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -2690,9 +2724,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 320; i++) averager_memory_mem[i] = 27'h0;
 `endif
   logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_461_s2_q;
+  assign averager_memory_raddr = select_463_s2_q;
   logic averager_memory_re;
-  assign averager_memory_re = s2_en & and_466;
+  assign averager_memory_re = s2_en & and_468;
   logic [26:0] averager_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (averager_memory_re) averager_memory_word_q <= averager_memory_mem[averager_memory_raddr];
@@ -2713,7 +2747,7 @@ module horopter_agreement (
   logic [6:0] census_memory_raddr;
   assign census_memory_raddr = column_s2_q;
   logic census_memory_re;
-  assign census_memory_re = s2_en & and_491_s2_q;
+  assign census_memory_re = s2_en & and_493_s2_q;
   logic [78:0] census_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (census_memory_re) census_memory_word_q <= census_memory_mem[census_memory_raddr];
@@ -2724,7 +2758,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) census_memory_read_q <= rst_ni & census_memory_re;
   assign census_memory_error = census_memory_read_q & ^census_memory_word_q;
 
-  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1298; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1299; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] shown_right_mem [0:79];
@@ -2734,7 +2768,7 @@ module horopter_agreement (
   logic [6:0] shown_right_raddr;
   assign shown_right_raddr = x_s2_q[6:0];
   logic shown_right_re;
-  assign shown_right_re = s2_en & and_1968;
+  assign shown_right_re = s2_en & and_1970;
   logic [2:0] shown_right_word_q;
   always_ff @(posedge clk_i) begin
     if (shown_right_re) shown_right_word_q <= shown_right_mem[shown_right_raddr];
@@ -2745,30 +2779,31 @@ module horopter_agreement (
   always_ff @(posedge clk_i) shown_right_read_q <= rst_ni & shown_right_re;
   assign shown_right_error = shown_right_read_q & ^shown_right_word_q;
 
-  // Memory patches_right_codes, 28 x 112 and parity, DISTANCE 12, hls/stages/patches.hpp:713; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory patches_right_codes, 112 x 28 and parity, DISTANCE 12, hls/stages/patches.hpp:754; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [112:0] patches_right_codes_mem [0:27];
+  logic [28:0] patches_right_codes_mem [0:111];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 28; i++) patches_right_codes_mem[i] = 113'h0;
+  initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 29'h0;
 `endif
-  logic [4:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = patches_down_by_q + {1'b0, patches_match_row_q};
+  logic [6:0] patches_right_codes_raddr;
+  assign patches_right_codes_raddr = {select_2253, not_2248, select_2247};
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s2_en & and_2242;
-  logic [112:0] patches_right_codes_word_q;
+  assign patches_right_codes_re = s2_en & or_2254;
+  logic [28:0] patches_right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_right_codes_re) patches_right_codes_word_q <= patches_right_codes_mem[patches_right_codes_raddr];
   end
-  logic [111:0] patches_right_codes_rdata_q;
-  assign patches_right_codes_rdata_q = patches_right_codes_word_q[111:0];
+  logic [27:0] patches_right_codes_rdata_q;
+  assign patches_right_codes_rdata_q = patches_right_codes_word_q[27:0];
   logic patches_right_codes_read_q, patches_right_codes_error;
   always_ff @(posedge clk_i) patches_right_codes_read_q <= rst_ni & patches_right_codes_re;
   assign patches_right_codes_error = patches_right_codes_read_q & ^patches_right_codes_word_q;
 
-  // Memory patches_left_codes, 12 x 48 and parity, DISTANCE 12, hls/stages/patches.hpp:714; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory patches_left_codes, 12 x 48 and parity, DISTANCE 12, hls/stages/patches.hpp:755; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [48:0] patches_left_codes_mem [0:11];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 12; i++) patches_left_codes_mem[i] = 49'h0;
@@ -2776,7 +2811,7 @@ module horopter_agreement (
   logic [3:0] patches_left_codes_raddr;
   assign patches_left_codes_raddr = patches_match_row_q;
   logic patches_left_codes_re;
-  assign patches_left_codes_re = s2_en & and_2242;
+  assign patches_left_codes_re = s2_en & (not_2149_s2_q & (new_row & equal_2150_s2_q));
   logic [48:0] patches_left_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_left_codes_re) patches_left_codes_word_q <= patches_left_codes_mem[patches_left_codes_raddr];
@@ -2787,9 +2822,10 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_left_codes_read_q <= rst_ni & patches_left_codes_re;
   assign patches_left_codes_error = patches_left_codes_read_q & ^patches_left_codes_word_q;
 
-  // Memory patches_rows, 17 x 15 and parity, DISTANCE 12, hls/stages/patches.hpp:728; read in stage 2, written in stage 4: 2 < 4 < 2 + DISTANCE.
+  // Memory patches_rows, 17 x 15 and parity, DISTANCE 12, hls/stages/patches.hpp:769; read in stage 2, written in stage 4: 2 < 4 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [15:0] patches_rows_mem [0:16];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 17; i++) patches_rows_mem[i] = 16'h0;
@@ -2797,7 +2833,7 @@ module horopter_agreement (
   logic [4:0] patches_rows_raddr;
   assign patches_rows_raddr = patches_step_q[4:0];
   logic patches_rows_re;
-  assign patches_rows_re = s2_en & and_2298;
+  assign patches_rows_re = s2_en & and_2321;
   logic [15:0] patches_rows_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_rows_re) patches_rows_word_q <= patches_rows_mem[patches_rows_raddr];
@@ -2808,7 +2844,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_rows_read_q <= rst_ni & patches_rows_re;
   assign patches_rows_error = patches_rows_read_q & ^patches_rows_word_q;
 
-  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1325; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1326; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [18:0] seen_columns_mem [0:79];
@@ -2818,7 +2854,7 @@ module horopter_agreement (
   logic [6:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s2_q[6:0];
   logic seen_columns_re;
-  assign seen_columns_re = s2_en & and_1968;
+  assign seen_columns_re = s2_en & and_1970;
   logic [18:0] seen_columns_word_q;
   always_ff @(posedge clk_i) begin
     if (seen_columns_re) seen_columns_word_q <= seen_columns_mem[seen_columns_raddr];
@@ -2833,9 +2869,9 @@ module horopter_agreement (
   logic [6:0] best_left_waddr;
   assign best_left_waddr = x_s2_2_q;
   logic best_left_we;
-  assign best_left_we = s2_en & and_1915_s2_q;
+  assign best_left_we = s2_en & and_1917_s2_q;
   logic [45:0] best_left_wdata;
-  assign best_left_wdata = {select_1914, select_1913, select_1886, select_1880, select_1872, select_1871, select_1867};
+  assign best_left_wdata = {select_1916, select_1915, select_1888, select_1882, select_1874, select_1873, select_1869};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_left_we) best_left_mem[best_left_waddr] <= {^best_left_wdata, best_left_wdata};
   end
@@ -2868,9 +2904,9 @@ module horopter_agreement (
   logic [6:0] best_right_waddr;
   assign best_right_waddr = right_s2_q;
   logic best_right_we;
-  assign best_right_we = s2_en & and_1915_s2_q;
+  assign best_right_we = s2_en & and_1917_s2_q;
   logic [28:0] best_right_wdata;
-  assign best_right_wdata = {select_1932, select_1931, select_1928, select_1927};
+  assign best_right_wdata = {select_1934, select_1933, select_1930, select_1929};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_right_we) best_right_mem[best_right_waddr] <= {^best_right_wdata, best_right_wdata};
   end
@@ -2890,7 +2926,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_waddr;
   assign patches_columns_above_waddr = patches_column_s2_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s2_en & and_2233_s2_q;
+  assign patches_columns_above_we = s2_en & and_2235_s2_q;
   logic [31:0] patches_columns_above_wdata;
   assign patches_columns_above_wdata = {patches_columns_above_rdata_q[23:0], pixel_2};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -2927,7 +2963,6 @@ module horopter_agreement (
       patches_down_by_q <= 5'h0;
       patches_along_q <= 5'h0;
       patches_match_row_q <= 4'h0;
-      patches_summed_row_column_q <= 5'h0;
       patches_summed_last_q <= 1'b0;
       patches_summed_down_by_q <= 5'h0;
       patches_step_q <= 7'h0;
@@ -2938,35 +2973,34 @@ module horopter_agreement (
       columns_begin_rest_q <= 9'h0;
       columns_begin_back_q <= 8'h0;
     end else if (s2_en) begin
-      registration_displacement_over_q <= so_s2_q ? sum_2923[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2925;
-      registration_slope_row_q <= select_3010;
-      registration_slope_change_q <= select_3013;
+      registration_displacement_over_q <= so_s2_q ? sum_2947[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2949;
+      registration_slope_row_q <= select_3034;
+      registration_slope_change_q <= select_3037;
       registration_slope_q <= so_s2_q ? column_8 : {registration_slope_row_q, 4'h0};
-      patches_chance_q <= and_491_s2_q ? select_3158 : patches_chance_q;
-      patches_along_ends_q <= not_3245_s2_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3245_s2_q & select_3260;
-      patches_smooth_values_0_q <= equal_2146_s2_q ? patches_smooth_values_0_q : select_3263;
-      patches_smooth_values_1_q <= select_3267;
-      patches_smooth_values_2_q <= select_3270;
-      patches_smooth_values_3_q <= select_3273;
-      patches_down_values_0_q <= equal_2146_s2_q ? patches_down_values_0_q : select_3275;
-      patches_down_values_1_q <= equal_2146_s2_q ? patches_down_values_1_q : select_3278;
-      patches_down_values_2_q <= equal_2146_s2_q ? patches_down_values_2_q : select_3281;
-      patches_down_values_3_q <= equal_2146_s2_q ? patches_down_values_3_q : select_3284;
-      patches_down_by_q <= or_3221_s2_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3313});
-      patches_along_q <= select_3318;
-      patches_match_row_q <= or_3221_s2_q ? 4'h0 : select_3320;
-      patches_summed_row_column_q <= select_3670;
-      patches_summed_last_q <= not_2147_s2_q & (equal_2148_s2_q & and_3313);
-      patches_summed_down_by_q <= select_3676;
-      patches_step_q <= or_3221_s2_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3715;
-      region_across_rest_q <= select_4003;
+      patches_chance_q <= and_493_s2_q ? select_3182 : patches_chance_q;
+      patches_along_ends_q <= not_3269_s2_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3269_s2_q & select_3284;
+      patches_smooth_values_0_q <= equal_2148_s2_q ? patches_smooth_values_0_q : select_3287;
+      patches_smooth_values_1_q <= select_3291;
+      patches_smooth_values_2_q <= select_3294;
+      patches_smooth_values_3_q <= select_3297;
+      patches_down_values_0_q <= equal_2148_s2_q ? patches_down_values_0_q : select_3299;
+      patches_down_values_1_q <= equal_2148_s2_q ? patches_down_values_1_q : select_3302;
+      patches_down_values_2_q <= equal_2148_s2_q ? patches_down_values_2_q : select_3305;
+      patches_down_values_3_q <= equal_2148_s2_q ? patches_down_values_3_q : select_3308;
+      patches_down_by_q <= or_3245_s2_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3345});
+      patches_along_q <= select_3350;
+      patches_match_row_q <= or_3245_s2_q ? 4'h0 : select_3352;
+      patches_summed_last_q <= not_2149_s2_q & (equal_2150_s2_q & and_3345);
+      patches_summed_down_by_q <= select_3708;
+      patches_step_q <= or_3245_s2_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3747;
+      region_across_rest_q <= select_4036;
       region_across_back_q <= so_s2_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_4006;
-      columns_begin_rest_q <= and_491_s2_q ? select_4008 : columns_begin_rest_q;
-      columns_begin_back_q <= and_491_s2_q ? select_4011 : columns_begin_back_q;
+      region_across_next_q <= select_4039;
+      columns_begin_rest_q <= and_493_s2_q ? select_4041 : columns_begin_rest_q;
+      columns_begin_back_q <= and_493_s2_q ? select_4044 : columns_begin_back_q;
     end
   end
 
@@ -2989,71 +3023,74 @@ module horopter_agreement (
   logic patches_lower_s3_q;
   logic patches_second_s3_q;
   logic [4:0] patches_code_row_s3_q;
-  logic patches_column_s3_q;
-  logic [4:0] patches_summed_row_column_s3_q;
+  logic [4:0] patches_along_s3_q;
   logic patches_summed_last_s3_q;
   logic [4:0] patches_summed_down_by_s3_q;
   logic [4:0] patches_step_s3_q;
   logic patches_read_searches_s3_q;
-  logic [2:0] select_455_s3_q;
-  logic [6:0] select_457_s3_q;
-  logic [8:0] select_461_s3_q;
-  logic and_465_s3_q;
-  logic and_466_s3_q;
-  logic equal_471_s3_q;
+  logic [2:0] select_457_s3_q;
+  logic [6:0] select_459_s3_q;
+  logic [8:0] select_463_s3_q;
+  logic and_467_s3_q;
+  logic and_468_s3_q;
+  logic equal_473_s3_q;
   logic [6:0] column_s3_q;
-  logic and_489_s3_q;
   logic and_491_s3_q;
+  logic and_493_s3_q;
   logic so_s3_q;
-  logic equal_552_s3_q;
-  logic equal_1933_s3_q;
-  logic not_1934_s3_q;
+  logic equal_554_s3_q;
+  logic equal_1935_s3_q;
+  logic not_1936_s3_q;
   logic [13:0] shift_2_s3_q;
-  logic and_1968_s3_q;
-  logic [6:0] select_1972_s3_q;
-  logic and_1977_s3_q;
+  logic and_1970_s3_q;
+  logic [6:0] select_1974_s3_q;
+  logic and_1979_s3_q;
   logic right_2_s3_q;
-  logic and_2046_s3_q;
-  logic and_2059_s3_q;
-  logic and_2072_s3_q;
-  logic less_2073_s3_q;
+  logic and_2048_s3_q;
+  logic and_2061_s3_q;
+  logic and_2074_s3_q;
+  logic less_2075_s3_q;
   logic [7:0] change_s3_q;
-  logic equal_2100_s3_q;
-  logic and_2112_s3_q;
-  logic equal_2139_s3_q;
-  logic and_2144_s3_q;
-  logic and_2145_s3_q;
-  logic equal_2146_s3_q;
+  logic equal_2102_s3_q;
+  logic and_2114_s3_q;
+  logic equal_2141_s3_q;
+  logic and_2146_s3_q;
+  logic and_2147_s3_q;
   logic equal_2148_s3_q;
   logic equal_2150_s3_q;
-  logic or_2152_s3_q;
-  logic [4:0] select_2176_s3_q;
-  logic select_2182_s3_q;
-  logic [3:0] select_2223_s3_q;
+  logic equal_2153_s3_q;
+  logic or_2154_s3_q;
+  logic [4:0] select_2178_s3_q;
+  logic select_2184_s3_q;
+  logic [3:0] select_2225_s3_q;
+  logic less_2241_s3_q;
   logic new_row_s3_q;
-  logic less_2253_s3_q;
-  logic less_2254_s3_q;
-  logic less_2263_s3_q;
-  logic less_2264_s3_q;
-  logic and_2275_s3_q;
-  logic or_2279_s3_q;
-  logic and_2287_s3_q;
-  logic less_2288_s3_q;
-  logic equal_2289_s3_q;
-  logic not_2290_s3_q;
-  logic equal_2291_s3_q;
-  logic not_2292_s3_q;
-  logic sum_2319_s3_q;
+  logic or_2254_s3_q;
+  logic [1:0] of_row_2_s3_q;
+  logic less_2271_s3_q;
+  logic less_2272_s3_q;
+  logic less_2281_s3_q;
+  logic less_2282_s3_q;
+  logic and_2296_s3_q;
+  logic and_2305_s3_q;
+  logic and_2310_s3_q;
+  logic less_2311_s3_q;
+  logic equal_2312_s3_q;
+  logic not_2313_s3_q;
+  logic equal_2314_s3_q;
+  logic not_2315_s3_q;
+  logic sum_2343_s3_q;
   logic textured_s3_q;
-  logic and_2457_s3_q;
-  logic equal_2597_s3_q;
-  logic equal_2721_s3_q;
-  logic less_2939_s3_q;
-  logic and_3170_s3_q;
-  logic equal_3632_s3_q;
-  logic equal_3716_s3_q;
-  logic less_3991_s3_q;
-  logic equal_4196_s3_q;
+  logic and_2481_s3_q;
+  logic equal_2621_s3_q;
+  logic equal_2745_s3_q;
+  logic less_2963_s3_q;
+  logic and_3194_s3_q;
+  logic less_3321_s3_q;
+  logic equal_3664_s3_q;
+  logic equal_3748_s3_q;
+  logic less_4024_s3_q;
+  logic equal_4229_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       pixel_0_s3_q <= pixel_0_s2_q;
@@ -3075,71 +3112,74 @@ module horopter_agreement (
       patches_lower_s3_q <= patches_lower_s2_q;
       patches_second_s3_q <= patches_second_s2_q;
       patches_code_row_s3_q <= patches_code_row_s2_q;
-      patches_column_s3_q <= patches_column_s2_q[4];
-      patches_summed_row_column_s3_q <= patches_summed_row_column_q;
+      patches_along_s3_q <= patches_along_q;
       patches_summed_last_s3_q <= patches_summed_last_q;
       patches_summed_down_by_s3_q <= patches_summed_down_by_q;
       patches_step_s3_q <= patches_step_q[4:0];
       patches_read_searches_s3_q <= patches_read_searches_q;
-      select_455_s3_q <= select_455_s2_q;
       select_457_s3_q <= select_457_s2_q;
-      select_461_s3_q <= select_461_s2_q;
-      and_465_s3_q <= and_465_s2_q;
-      and_466_s3_q <= and_466;
-      equal_471_s3_q <= equal_471_s2_q;
+      select_459_s3_q <= select_459_s2_q;
+      select_463_s3_q <= select_463_s2_q;
+      and_467_s3_q <= and_467_s2_q;
+      and_468_s3_q <= and_468;
+      equal_473_s3_q <= equal_473_s2_q;
       column_s3_q <= column_s2_q;
-      and_489_s3_q <= and_489_s2_q;
       and_491_s3_q <= and_491_s2_q;
+      and_493_s3_q <= and_493_s2_q;
       so_s3_q <= so_s2_q;
-      equal_552_s3_q <= equal_552_s2_q;
-      equal_1933_s3_q <= equal_1933_s2_q;
-      not_1934_s3_q <= not_1934;
+      equal_554_s3_q <= equal_554_s2_q;
+      equal_1935_s3_q <= equal_1935_s2_q;
+      not_1936_s3_q <= not_1936;
       shift_2_s3_q <= {shift_2[14:3], shift_2[1:0]};
-      and_1968_s3_q <= and_1968;
-      select_1972_s3_q <= select_1972_s2_q;
-      and_1977_s3_q <= not_1934 & (so_s2_q ? and_1966 : (equal_511_s2_q & shift_2[4]));
+      and_1970_s3_q <= and_1970;
+      select_1974_s3_q <= select_1974_s2_q;
+      and_1979_s3_q <= not_1936 & (so_s2_q ? and_1968 : (equal_513_s2_q & shift_2[4]));
       right_2_s3_q <= right_2;
-      and_2046_s3_q <= and_2046_s2_q;
-      and_2059_s3_q <= and_2059_s2_q;
-      and_2072_s3_q <= not_1934 & (so_s2_q & (ends_cell_s2_q & (shift_2[0] & right_3)));
-      less_2073_s3_q <= less_2073_s2_q;
+      and_2048_s3_q <= and_2048_s2_q;
+      and_2061_s3_q <= and_2061_s2_q;
+      and_2074_s3_q <= not_1936 & (so_s2_q & (ends_cell_s2_q & (shift_2[0] & right_3)));
+      less_2075_s3_q <= less_2075_s2_q;
       change_s3_q <= change;
-      equal_2100_s3_q <= equal_2100;
-      and_2112_s3_q <= and_2112;
-      equal_2139_s3_q <= equal_2139;
-      and_2144_s3_q <= and_2144;
-      and_2145_s3_q <= patches_chooses_s2_q & and_2144;
-      equal_2146_s3_q <= equal_2146_s2_q;
+      equal_2102_s3_q <= equal_2102;
+      and_2114_s3_q <= and_2114;
+      equal_2141_s3_q <= equal_2141;
+      and_2146_s3_q <= and_2146;
+      and_2147_s3_q <= patches_chooses_s2_q & and_2146;
       equal_2148_s3_q <= equal_2148_s2_q;
       equal_2150_s3_q <= equal_2150_s2_q;
-      or_2152_s3_q <= or_2152_s2_q;
-      select_2176_s3_q <= select_2176_s2_q;
-      select_2182_s3_q <= select_2182_s2_q;
-      select_2223_s3_q <= select_2223_s2_q;
+      equal_2153_s3_q <= equal_2153_s2_q;
+      or_2154_s3_q <= or_2154_s2_q;
+      select_2178_s3_q <= select_2178_s2_q;
+      select_2184_s3_q <= select_2184_s2_q;
+      select_2225_s3_q <= select_2225_s2_q;
+      less_2241_s3_q <= less_2241;
       new_row_s3_q <= new_row;
-      less_2253_s3_q <= $signed(15'h100) < $signed(sum_2252);
-      less_2254_s3_q <= $signed(sum_2252[14:8]) < $signed(7'h7f);
-      less_2263_s3_q <= $signed(15'h100) < $signed(difference_2262);
-      less_2264_s3_q <= $signed(difference_2262[14:8]) < $signed(7'h7f);
-      and_2275_s3_q <= not_2147_s2_q & (not_2149_s2_q & and_2273);
-      or_2279_s3_q <= or_2279;
-      and_2287_s3_q <= not_2147_s2_q & (not_2149_s2_q & (or_2152_s2_q & and_2284));
-      less_2288_s3_q <= less_2288;
-      equal_2289_s3_q <= equal_2289;
-      not_2290_s3_q <= not_2290;
-      equal_2291_s3_q <= equal_2291;
-      not_2292_s3_q <= not_2292;
-      sum_2319_s3_q <= sum_2319[5];
+      or_2254_s3_q <= or_2254;
+      of_row_2_s3_q <= of_row_2;
+      less_2271_s3_q <= $signed(15'h100) < $signed(sum_2270);
+      less_2272_s3_q <= $signed(sum_2270[14:8]) < $signed(7'h7f);
+      less_2281_s3_q <= $signed(15'h100) < $signed(difference_2280);
+      less_2282_s3_q <= $signed(difference_2280[14:8]) < $signed(7'h7f);
+      and_2296_s3_q <= not_2149_s2_q & and_2295;
+      and_2305_s3_q <= and_2305;
+      and_2310_s3_q <= not_2149_s2_q & and_2309;
+      less_2311_s3_q <= less_2311;
+      equal_2312_s3_q <= equal_2312;
+      not_2313_s3_q <= not_2313;
+      equal_2314_s3_q <= equal_2314;
+      not_2315_s3_q <= not_2315;
+      sum_2343_s3_q <= sum_2343[5];
       textured_s3_q <= textured;
-      and_2457_s3_q <= not_1934 & (so_s2_q & and_2455);
-      equal_2597_s3_q <= equal_2597_s2_q;
-      equal_2721_s3_q <= equal_2721_s2_q;
-      less_2939_s3_q <= select_2906 < select_2908;
-      and_3170_s3_q <= not_1934 & and_3169;
-      equal_3632_s3_q <= patches_match_row_q == 4'h0;
-      equal_3716_s3_q <= patches_step_q[6:5] == 2'h2;
-      less_3991_s3_q <= less_3991_s2_q;
-      equal_4196_s3_q <= equal_4196_s2_q;
+      and_2481_s3_q <= not_1936 & (so_s2_q & and_2479);
+      equal_2621_s3_q <= equal_2621_s2_q;
+      equal_2745_s3_q <= equal_2745_s2_q;
+      less_2963_s3_q <= select_2930 < select_2932;
+      and_3194_s3_q <= not_1936 & and_3193;
+      less_3321_s3_q <= 4'he < patches_column_s2_q[4:1];
+      equal_3664_s3_q <= patches_match_row_q == 4'h0;
+      equal_3748_s3_q <= patches_step_q[6:5] == 2'h2;
+      less_4024_s3_q <= less_4024_s2_q;
+      equal_4229_s3_q <= equal_4229_s2_q;
     end
   end
 
@@ -3227,11 +3267,13 @@ module horopter_agreement (
   logic [7:0] patches_choice_slope_q;
   logic [4:0] patches_band_q;
   logic [1:0] patches_fetch_q;
-  logic [51:0] patches_codes_low_q;
-  logic [55:0] patches_codes_high_q;
+  logic [51:0] patches_codes_at_q;
+  logic [27:0] patches_codes_further_q;
+  logic [55:0] patches_next_codes_q;
   logic [2:0] patches_set_q;
   logic [9:0] patches_size_q;
   logic [47:0] patches_left_row_q;
+  logic [4:0] patches_summed_row_column_q;
   logic patches_summed_first_q;
   logic [9:0] patches_read_row_differing_q;
   logic [4:0] patches_read_row_column_q;
@@ -3304,140 +3346,140 @@ module horopter_agreement (
   logic was_next_row_q;
   logic [12:0] seen_base_q;
   // hls/stages/census.hpp:112
-  logic [11:0] select_469;
-  assign select_469 = select_455_s3_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  logic [11:0] select_471;
+  assign select_471 = select_457_s3_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
   // hls/stages/census.hpp:121
-  logic [11:0] sum_473;
-  assign sum_473 = select_469 + (equal_471_s3_q ? 12'h0 : averager_memory_rdata_q[11:0]);
-  // hls/stages/census.hpp:112
   logic [11:0] sum_475;
-  assign sum_475 = {4'h0, sample_pair_pixel_1_q} + (select_455_s3_q[0] ? averager_running_1_q : 12'h0);
-  // hls/stages/census.hpp:121
+  assign sum_475 = select_471 + (equal_473_s3_q ? 12'h0 : averager_memory_rdata_q[11:0]);
+  // hls/stages/census.hpp:112
   logic [11:0] sum_477;
-  assign sum_477 = sum_475 + (equal_471_s3_q ? 12'h0 : averager_memory_rdata_q[23:12]);
+  assign sum_477 = {4'h0, sample_pair_pixel_1_q} + (select_457_s3_q[0] ? averager_running_1_q : 12'h0);
+  // hls/stages/census.hpp:121
+  logic [11:0] sum_479;
+  assign sum_479 = sum_477 + (equal_473_s3_q ? 12'h0 : averager_memory_rdata_q[23:12]);
   // hls/stages/agreement.hpp:404
   logic whole;
-  assign whole = select_455_s3_q[0] ? (sample_present_s3_q & averager_running_mask_q) : sample_present_s3_q;
+  assign whole = select_457_s3_q[0] ? (sample_present_s3_q & averager_running_mask_q) : sample_present_s3_q;
   // hls/stages/census.hpp:122
-  logic and_481;
-  assign and_481 = whole & (averager_memory_rdata_q[24] | equal_471_s3_q);
+  logic and_483;
+  assign and_483 = whole & (averager_memory_rdata_q[24] | equal_473_s3_q);
   // hls/stages/agreement.hpp:404
   logic all_of_skin;
-  assign all_of_skin = select_455_s3_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  assign all_of_skin = select_457_s3_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
   // hls/stages/census.hpp:123
-  logic and_485;
-  assign and_485 = all_of_skin & (averager_memory_rdata_q[25] | equal_471_s3_q);
+  logic and_487;
+  assign and_487 = all_of_skin & (averager_memory_rdata_q[25] | equal_473_s3_q);
   // hls/stages/census.hpp:206
   logic [8:0] grey;
-  assign grey = and_465_s3_q ? sum_473[11:3] : 9'h0;
+  assign grey = and_467_s3_q ? sum_475[11:3] : 9'h0;
   // hls/stages/census.hpp:126
-  logic equal_494;
-  assign equal_494 = select_455_s3_q == 3'h1;
+  logic equal_496;
+  assign equal_496 = select_457_s3_q == 3'h1;
   // hls/stages/census.hpp:207
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_494 ? 11'h0 : averager_total_0_q);
+  assign total = {2'h0, grey} + (equal_496 ? 11'h0 : averager_total_0_q);
   // hls/stages/agreement.hpp:263
-  logic [8:0] select_497;
-  assign select_497 = sample_pair_whole_s3_q ? total[10:2] : 9'h0;
+  logic [8:0] select_499;
+  assign select_499 = sample_pair_whole_s3_q ? total[10:2] : 9'h0;
   // hls/stages/census.hpp:206
   logic [8:0] grey_2;
-  assign grey_2 = and_465_s3_q ? sum_477[11:3] : 9'h0;
+  assign grey_2 = and_467_s3_q ? sum_479[11:3] : 9'h0;
   // hls/stages/census.hpp:207
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_494 ? 11'h0 : averager_total_1_q);
+  assign total_2 = {2'h0, grey_2} + (equal_496 ? 11'h0 : averager_total_1_q);
   // hls/stages/agreement.hpp:263
-  logic [8:0] select_501;
-  assign select_501 = sample_pair_whole_s3_q ? total_2[10:2] : 9'h0;
+  logic [8:0] select_503;
+  assign select_503 = sample_pair_whole_s3_q ? total_2[10:2] : 9'h0;
   // hls/stages/census.hpp:206
-  logic and_502;
-  assign and_502 = and_465_s3_q & and_481;
+  logic and_504;
+  assign and_504 = and_467_s3_q & and_483;
   // hls/stages/census.hpp:126
-  logic select_504;
-  assign select_504 = equal_494 ? and_502 : (averager_mask_q & and_502);
+  logic select_506;
+  assign select_506 = equal_496 ? and_504 : (averager_mask_q & and_504);
   // hls/stages/agreement.hpp:263
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s3_q & select_504;
+  assign whole_2 = sample_pair_whole_s3_q & select_506;
   // hls/stages/census.hpp:206
-  logic and_506;
-  assign and_506 = and_465_s3_q & and_485;
+  logic and_508;
+  assign and_508 = and_467_s3_q & and_487;
   // hls/stages/census.hpp:126
-  logic select_508;
-  assign select_508 = equal_494 ? and_506 : (averager_of_skin_q & and_506);
+  logic select_510;
+  assign select_510 = equal_496 ? and_508 : (averager_of_skin_q & and_508);
   // hls/stages/agreement.hpp:263
-  logic and_509;
-  assign and_509 = sample_pair_whole_s3_q & select_508;
+  logic and_511;
+  assign and_511 = sample_pair_whole_s3_q & select_510;
   // hls/stages/census.hpp:294
-  logic less_525;
-  assign less_525 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_526;
-  assign less_526 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_527;
-  assign less_527 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_527 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_528;
-  assign less_528 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_528 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_529;
-  assign less_529 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_529 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_530;
-  assign less_530 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_530 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_531;
-  assign less_531 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_531 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_532;
-  assign less_532 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_532 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_533;
-  assign less_533 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_533 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_534;
-  assign less_534 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_534 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_535;
-  assign less_535 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_535 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_536;
-  assign less_536 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:295
+  assign less_536 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_537;
-  assign less_537 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_537 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_538;
-  assign less_538 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_538 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:295
   logic less_539;
-  assign less_539 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_539 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_540;
-  assign less_540 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_540 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_541;
-  assign less_541 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_541 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_542;
-  assign less_542 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_542 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_543;
-  assign less_543 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_543 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_544;
-  assign less_544 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_544 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_545;
-  assign less_545 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_545 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   logic less_546;
-  assign less_546 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_546 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_547;
-  assign less_547 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_547 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_548;
-  assign less_548 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_548 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_549;
+  assign less_549 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_550;
+  assign less_550 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   // hls/stages/agreement.hpp:442
-  logic equal_549;
-  assign equal_549 = column_s3_q == 7'h0;
-  logic [3:0] select_553;
-  assign select_553 = equal_552_s3_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:443
-  logic [4:0] select_554;
-  assign select_554 = equal_549 ? {select_553, 1'b1} : rows_passed_above_q;
-  // hls/stages/census.hpp:276
+  logic equal_551;
+  assign equal_551 = column_s3_q == 7'h0;
   logic [3:0] select_555;
-  assign select_555 = equal_549 ? 4'h0 : census_filled_q;
+  assign select_555 = equal_554_s3_q ? 4'h0 : rows_passed_above_q[3:0];
+  // hls/stages/agreement.hpp:443
+  logic [4:0] select_556;
+  assign select_556 = equal_551 ? {select_555, 1'b1} : rows_passed_above_q;
+  // hls/stages/census.hpp:276
+  logic [3:0] select_557;
+  assign select_557 = equal_551 ? 4'h0 : census_filled_q;
   // hls/stages/census.hpp:299
-  logic and_556;
-  assign and_556 = select_554[4] & select_555[3];
-  // hls/stages/census.hpp:286
   logic and_558;
-  assign and_558 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
+  assign and_558 = select_556[4] & select_557[3];
+  // hls/stages/census.hpp:286
   logic and_560;
-  assign and_560 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_558);
+  assign and_560 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
+  logic and_562;
+  assign and_562 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_560);
   // hls/stages/agreement.hpp:443
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_560;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_562;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_q & whole_3;
   logic whole_5;
@@ -3477,45 +3519,45 @@ module horopter_agreement (
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
   // hls/stages/census.hpp:270
-  logic [9:0] difference_583;
-  assign difference_583 = {1'b0, select_497} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [8:0] xor_584;
-  assign xor_584 = difference_583[8:0] ^ {9{difference_583[9]}};
-  logic [9:0] sum_585;
-  assign sum_585 = {9'h0, difference_583[9]} + {1'b0, xor_584};
-  logic [9:0] difference_586;
-  assign difference_586 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [8:0] xor_587;
-  assign xor_587 = difference_586[8:0] ^ {9{difference_586[9]}};
-  logic [9:0] sum_588;
-  assign sum_588 = {9'h0, difference_586[9]} + {1'b0, xor_587};
-  logic [9:0] difference_590;
-  assign difference_590 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [8:0] xor_591;
-  assign xor_591 = difference_590[8:0] ^ {9{difference_590[9]}};
-  logic [9:0] sum_592;
-  assign sum_592 = {9'h0, difference_590[9]} + {1'b0, xor_591};
-  logic [10:0] sum_593;
-  assign sum_593 = ({1'b0, sum_585} + {1'b0, sum_588}) + {1'b0, sum_592};
-  logic [9:0] difference_594;
-  assign difference_594 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [8:0] xor_595;
-  assign xor_595 = difference_594[8:0] ^ {9{difference_594[9]}};
-  logic [9:0] sum_596;
-  assign sum_596 = {9'h0, difference_594[9]} + {1'b0, xor_595};
-  logic [9:0] difference_598;
-  assign difference_598 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  logic [8:0] xor_599;
-  assign xor_599 = difference_598[8:0] ^ {9{difference_598[9]}};
+  logic [9:0] difference_585;
+  assign difference_585 = {1'b0, select_499} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [8:0] xor_586;
+  assign xor_586 = difference_585[8:0] ^ {9{difference_585[9]}};
+  logic [9:0] sum_587;
+  assign sum_587 = {9'h0, difference_585[9]} + {1'b0, xor_586};
+  logic [9:0] difference_588;
+  assign difference_588 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [8:0] xor_589;
+  assign xor_589 = difference_588[8:0] ^ {9{difference_588[9]}};
+  logic [9:0] sum_590;
+  assign sum_590 = {9'h0, difference_588[9]} + {1'b0, xor_589};
+  logic [9:0] difference_592;
+  assign difference_592 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [8:0] xor_593;
+  assign xor_593 = difference_592[8:0] ^ {9{difference_592[9]}};
+  logic [9:0] sum_594;
+  assign sum_594 = {9'h0, difference_592[9]} + {1'b0, xor_593};
+  logic [10:0] sum_595;
+  assign sum_595 = ({1'b0, sum_587} + {1'b0, sum_590}) + {1'b0, sum_594};
+  logic [9:0] difference_596;
+  assign difference_596 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [8:0] xor_597;
+  assign xor_597 = difference_596[8:0] ^ {9{difference_596[9]}};
+  logic [9:0] sum_598;
+  assign sum_598 = {9'h0, difference_596[9]} + {1'b0, xor_597};
+  logic [9:0] difference_600;
+  assign difference_600 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [8:0] xor_601;
+  assign xor_601 = difference_600[8:0] ^ {9{difference_600[9]}};
   // hls/stages/agreement.hpp:193
-  logic not_1973;
-  assign not_1973 = ~so_s3_q;
-  // hls/stages/patches.hpp:313
-  logic and_1974;
-  assign and_1974 = not_1973 & shift_2_s3_q[4];
+  logic not_1975;
+  assign not_1975 = ~so_s3_q;
+  // hls/stages/patches.hpp:322
+  logic and_1976;
+  assign and_1976 = not_1975 & shift_2_s3_q[4];
   // hls/stages/agreement.hpp:1070
-  logic equal_1978;
-  assign equal_1978 = x_s3_q[6:4] == 3'h7;
+  logic equal_1980;
+  assign equal_1980 = x_s3_q[6:4] == 3'h7;
   // hls/stages/agreement.hpp:1116
   logic [1:0] quarter;
   assign quarter = x_s3_q[1:0] + 2'h1;
@@ -3523,1173 +3565,1185 @@ module horopter_agreement (
   logic all;
   assign all = x_s3_q[5:3] == 3'h4;
   // hls/stages/agreement.hpp:1071
-  logic [1:0] select_1981;
-  assign select_1981 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
+  logic [1:0] select_1983;
+  assign select_1983 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
   // hls/stages/agreement.hpp:1084
-  logic [3:0] select_1983;
-  assign select_1983 = equal_1978 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1981});
-  // hls/stages/registration.hpp:107
-  logic [1:0] sum_1984;
-  assign sum_1984 = slot_s3_q[1:0] + 2'h3;
-  // hls/stages/patches.hpp:313
   logic [3:0] select_1985;
-  assign select_1985 = equal_1933_s3_q ? select_1983 : {sum_1984, lower_half_s3_q, registration_of_right_q};
-  // hls/stages/patches.hpp:185
-  logic equal_1986;
-  assign equal_1986 = x_s3_q[5:0] == 6'h3f;
+  assign select_1985 = equal_1980 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1983});
+  // hls/stages/registration.hpp:107
+  logic [1:0] sum_1986;
+  assign sum_1986 = slot_s3_q[1:0] + 2'h3;
+  // hls/stages/patches.hpp:322
+  logic [3:0] select_1987;
+  assign select_1987 = equal_1935_s3_q ? select_1985 : {sum_1986, lower_half_s3_q, registration_of_right_q};
+  // hls/stages/patches.hpp:193
   logic equal_1988;
-  assign equal_1988 = x_s3_q[5:0] == 6'h3e;
+  assign equal_1988 = x_s3_q[5:0] == 6'h3f;
   logic equal_1990;
-  assign equal_1990 = x_s3_q[5:0] == 6'h3d;
+  assign equal_1990 = x_s3_q[5:0] == 6'h3e;
   logic equal_1992;
-  assign equal_1992 = x_s3_q[5:0] == 6'h3c;
+  assign equal_1992 = x_s3_q[5:0] == 6'h3d;
   logic equal_1994;
-  assign equal_1994 = x_s3_q[5:0] == 6'h3b;
+  assign equal_1994 = x_s3_q[5:0] == 6'h3c;
   logic equal_1996;
-  assign equal_1996 = x_s3_q[5:0] == 6'h36;
+  assign equal_1996 = x_s3_q[5:0] == 6'h3b;
   logic equal_1998;
-  assign equal_1998 = x_s3_q[5:0] == 6'h35;
+  assign equal_1998 = x_s3_q[5:0] == 6'h36;
   logic equal_2000;
-  assign equal_2000 = x_s3_q[5:0] == 6'h34;
+  assign equal_2000 = x_s3_q[5:0] == 6'h35;
+  logic equal_2002;
+  assign equal_2002 = x_s3_q[5:0] == 6'h34;
   // hls/stages/agreement.hpp:1116
-  logic and_2004;
-  assign and_2004 = (~equal_1994) & ((~equal_1996) & ((~equal_1998) & (~equal_2000)));
-  logic and_2008;
-  assign and_2008 = (~equal_1986) & ((~equal_1988) & ((~equal_1990) & ((~equal_1992) & and_2004)));
+  logic and_2006;
+  assign and_2006 = (~equal_1996) & ((~equal_1998) & ((~equal_2000) & (~equal_2002)));
+  logic and_2010;
+  assign and_2010 = (~equal_1988) & ((~equal_1990) & ((~equal_1992) & ((~equal_1994) & and_2006)));
   // hls/stages/agreement.hpp:1071
-  logic less_2009;
-  assign less_2009 = x_s3_q[5:0] < 6'h29;
+  logic less_2011;
+  assign less_2011 = x_s3_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
   logic [1:0] kind;
   assign kind = all ? {1'b0, x_s3_q[2]} : x_s3_q[2:1];
   // hls/stages/registration.hpp:160
-  logic or_2013;
-  assign or_2013 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
+  logic or_2015;
+  assign or_2015 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = shift_2_s3_q[0] ? (right_2_s3_q & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:107
-  logic [4:0] sum_2024;
-  assign sum_2024 = {2'h0, slot_s3_q} + 5'h1f;
-  logic and_2026;
-  assign and_2026 = half_ends & ({{3{sum_2024[4]}}, sum_2024} < 8'h3);
-  // hls/stages/patches.hpp:313
-  logic and_2027;
-  assign and_2027 = so_s3_q & and_2026;
-  logic select_2028;
-  assign select_2028 = equal_1933_s3_q ? (x_s3_q[6] & (equal_1978 ? and_2008 : (less_2009 & (~or_2013)))) : and_2027;
+  logic [4:0] sum_2026;
+  assign sum_2026 = {2'h0, slot_s3_q} + 5'h1f;
+  logic and_2028;
+  assign and_2028 = half_ends & ({{3{sum_2026[4]}}, sum_2026} < 8'h3);
+  // hls/stages/patches.hpp:322
+  logic and_2029;
+  assign and_2029 = so_s3_q & and_2028;
+  logic select_2030;
+  assign select_2030 = equal_1935_s3_q ? (x_s3_q[6] & (equal_1980 ? and_2010 : (less_2011 & (~or_2015)))) : and_2029;
   // hls/stages/registration.hpp:258
-  logic not_2030;
-  assign not_2030 = ~lower_half_s3_q;
-  logic [3:0] select_2031;
-  assign select_2031 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_2030, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_2030};
-  // hls/stages/patches.hpp:346
-  logic [1:0] select_2060;
-  assign select_2060 = and_2059_s3_q ? 2'h1 : patches_fetch_q;
-  logic [4:0] select_2061;
-  assign select_2061 = and_2059_s3_q ? patches_band_rows_number_s3_q : patches_band_q;
+  logic not_2032;
+  assign not_2032 = ~lower_half_s3_q;
+  logic [3:0] select_2033;
+  assign select_2033 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_2032, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_2032};
+  // hls/stages/patches.hpp:355
+  logic [1:0] select_2062;
+  assign select_2062 = and_2061_s3_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_2063;
+  assign select_2063 = and_2061_s3_q ? patches_band_rows_number_s3_q : patches_band_q;
   // hls/stages/agreement.hpp:263
-  logic [5:0] select_2062;
-  assign select_2062 = and_2046_s3_q ? {select_2061, select_2060[1]} : {patches_band_q, patches_fetch_q[1]};
-  // hls/stages/patches.hpp:103
-  logic [1:0] select_2063;
-  assign select_2063 = and_2046_s3_q ? select_2060 : patches_fetch_q;
-  logic equal_2064;
-  assign equal_2064 = select_2063 == 2'h0;
+  logic [5:0] select_2064;
+  assign select_2064 = and_2048_s3_q ? {select_2063, select_2062[1]} : {patches_band_q, patches_fetch_q[1]};
+  // hls/stages/patches.hpp:108
+  logic [1:0] select_2065;
+  assign select_2065 = and_2048_s3_q ? select_2062 : patches_fetch_q;
+  logic equal_2066;
+  assign equal_2066 = select_2065 == 2'h0;
   // hls/stages/registration.hpp:83
-  logic equal_2074;
-  assign equal_2074 = slot_s3_q == 3'h7;
+  logic equal_2076;
+  assign equal_2076 = slot_s3_q == 3'h7;
   // hls/stages/registration.hpp:89
   logic [7:0] a;
-  assign a = equal_2074 ? registration_slope_here_q : change_s3_q;
+  assign a = equal_2076 ? registration_slope_here_q : change_s3_q;
   // hls/stages/registration.hpp:211
-  logic [6:0] select_2080;
-  assign select_2080 = shift_2_s3_q[5] ? a[7:1] : 7'h0;
-  logic [7:0] select_2081;
-  assign select_2081 = shift_2_s3_q[6] ? a : 8'h0;
-  logic [8:0] sum_2082;
-  assign sum_2082 = {{2{select_2080[6]}}, select_2080} + {select_2081[7], select_2081};
-  // hls/stages/registration.hpp:212
+  logic [6:0] select_2082;
+  assign select_2082 = shift_2_s3_q[5] ? a[7:1] : 7'h0;
   logic [7:0] select_2083;
-  assign select_2083 = shift_2_s3_q[7] ? a : 8'h0;
-  logic [7:0] select_2084;
-  assign select_2084 = shift_2_s3_q[8] ? a : 8'h0;
-  logic [8:0] sum_2085;
-  assign sum_2085 = {{2{select_2083[7]}}, select_2083[7:1]} + {select_2084[7], select_2084};
+  assign select_2083 = shift_2_s3_q[6] ? a : 8'h0;
+  logic [8:0] sum_2084;
+  assign sum_2084 = {{2{select_2082[6]}}, select_2082} + {select_2083[7], select_2083};
+  // hls/stages/registration.hpp:212
+  logic [7:0] select_2085;
+  assign select_2085 = shift_2_s3_q[7] ? a : 8'h0;
+  logic [7:0] select_2086;
+  assign select_2086 = shift_2_s3_q[8] ? a : 8'h0;
+  logic [8:0] sum_2087;
+  assign sum_2087 = {{2{select_2085[7]}}, select_2085[7:1]} + {select_2086[7], select_2086};
   // hls/stages/registration.hpp:214
-  logic [10:0] sum_2086;
-  assign sum_2086 = {{3{sum_2082[8]}}, sum_2082[8:1]} + {sum_2085[8], sum_2085, select_2083[0]};
+  logic [10:0] sum_2088;
+  assign sum_2088 = {{3{sum_2084[8]}}, sum_2084[8:1]} + {sum_2087[8], sum_2087, select_2085[0]};
   // hls/stages/registration.hpp:213
-  logic [7:0] select_2087;
-  assign select_2087 = shift_2_s3_q[9] ? a : 8'h0;
-  logic [7:0] select_2088;
-  assign select_2088 = shift_2_s3_q[10] ? a : 8'h0;
-  logic [8:0] difference_2089;
-  assign difference_2089 = {{2{select_2087[7]}}, select_2087[7:1]} - {select_2088[7], select_2088};
+  logic [7:0] select_2089;
+  assign select_2089 = shift_2_s3_q[9] ? a : 8'h0;
+  logic [7:0] select_2090;
+  assign select_2090 = shift_2_s3_q[10] ? a : 8'h0;
+  logic [8:0] difference_2091;
+  assign difference_2091 = {{2{select_2089[7]}}, select_2089[7:1]} - {select_2090[7], select_2090};
   // hls/stages/registration.hpp:214
-  logic [9:0] sum_2090;
-  assign sum_2090 = {difference_2089, select_2087[0]} + {sum_2086[10], sum_2086[10:2]};
+  logic [9:0] sum_2092;
+  assign sum_2092 = {difference_2091, select_2089[0]} + {sum_2088[10], sum_2088[10:2]};
   // hls/stages/registration.hpp:107
   logic [10:0] expected;
-  assign expected = equal_2074 ? {sum_2090, sum_2086[1]} : registration_expected_q;
-  // hls/stages/patches.hpp:75
-  logic [9:0] sum_2092;
-  assign sum_2092 = {expected[10], expected[10:2]} + 10'h5;
+  assign expected = equal_2076 ? {sum_2092, sum_2088[1]} : registration_expected_q;
+  // hls/stages/patches.hpp:80
+  logic [9:0] sum_2094;
+  assign sum_2094 = {expected[10], expected[10:2]} + 10'h5;
   // hls/stages/agreement.hpp:964
-  logic and_2094;
-  assign and_2094 = shift_2_s3_q[3] & ({{4{sum_2092[9]}}, sum_2092, expected[1:0]} < 16'h29);
-  // hls/stages/patches.hpp:313
-  logic and_2115;
-  assign and_2115 = ends_cell_s3_q & (shift_2_s3_q[0] & ((less_2073_s3_q & and_2094) & and_2112_s3_q));
+  logic and_2096;
+  assign and_2096 = shift_2_s3_q[3] & ({{4{sum_2094[9]}}, sum_2094, expected[1:0]} < 16'h29);
+  // hls/stages/patches.hpp:322
   logic and_2117;
-  assign and_2117 = not_1934_s3_q & (so_s3_q & and_2115);
-  // hls/stages/patches.hpp:133
+  assign and_2117 = ends_cell_s3_q & (shift_2_s3_q[0] & ((less_2075_s3_q & and_2096) & and_2114_s3_q));
   logic and_2119;
-  assign and_2119 = and_2117 & (~patches_fixed_q);
-  // hls/stages/patches.hpp:313
-  logic [7:0] select_2122;
-  assign select_2122 = so_s3_q ? (ends_cell_s3_q ? (shift_2_s3_q[0] ? x_s3_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2123;
-  assign select_2123 = equal_1933_s3_q ? 8'h0 : select_2122;
-  logic [5:0] select_2125;
-  assign select_2125 = ends_cell_s3_q ? (shift_2_s3_q[0] ? shift_2_s3_q[10:5] : 6'h0) : 6'h0;
+  assign and_2119 = not_1936_s3_q & (so_s3_q & and_2117);
+  // hls/stages/patches.hpp:138
+  logic and_2121;
+  assign and_2121 = and_2119 & (~patches_fixed_q);
+  // hls/stages/patches.hpp:322
+  logic [7:0] select_2124;
+  assign select_2124 = so_s3_q ? (ends_cell_s3_q ? (shift_2_s3_q[0] ? x_s3_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_2125;
+  assign select_2125 = equal_1935_s3_q ? 8'h0 : select_2124;
   logic [5:0] select_2127;
-  assign select_2127 = equal_1933_s3_q ? 6'h0 : (so_s3_q ? select_2125 : 6'h0);
+  assign select_2127 = ends_cell_s3_q ? (shift_2_s3_q[0] ? shift_2_s3_q[10:5] : 6'h0) : 6'h0;
+  logic [5:0] select_2129;
+  assign select_2129 = equal_1935_s3_q ? 6'h0 : (so_s3_q ? select_2127 : 6'h0);
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_2128;
-  assign sum_2128 = {registration_slope_s3_q[11], registration_slope_s3_q} + {{5{sum_2090[9]}}, sum_2090[9:2]};
+  logic [12:0] sum_2130;
+  assign sum_2130 = {registration_slope_s3_q[11], registration_slope_s3_q} + {{5{sum_2092[9]}}, sum_2092[9:2]};
   // hls/stages/registration.hpp:218
-  logic [7:0] select_2131;
-  assign select_2131 = ($signed(sum_2128[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2128[7:0];
+  logic [7:0] select_2133;
+  assign select_2133 = ($signed(sum_2130[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2130[7:0];
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
-  assign slope = equal_2074 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2128[12:7])) ? 8'h7f : select_2131);
-  // hls/stages/patches.hpp:313
-  logic [7:0] select_2136;
-  assign select_2136 = so_s3_q ? (ends_cell_s3_q ? (shift_2_s3_q[0] ? slope : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2137;
-  assign select_2137 = equal_1933_s3_q ? 8'h0 : select_2136;
-  // hls/stages/patches.hpp:316
-  logic [22:0] select_2138;
-  assign select_2138 = and_2119 ? {select_2137, select_2127, select_2123, and_2117} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
-  // hls/stages/patches.hpp:103
-  logic [4:0] select_2159;
-  assign select_2159 = and_2046_s3_q ? select_2061 : patches_band_q;
-  // hls/stages/patches.hpp:326
-  logic equal_2160;
-  assign equal_2160 = {patches_choosing_band_s3_q, and_2072_s3_q} == {select_2159, select_2063[1]};
-  // hls/stages/patches.hpp:442
-  logic [2:0] sum_2244;
-  assign sum_2244 = patches_code_row_s3_q[4:2] + 3'h7;
-  // hls/stages/patches.hpp:446
-  logic [1:0] sum_2277;
-  assign sum_2277 = patches_code_row_s3_q[3:2] + 2'h3;
+  assign slope = equal_2076 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2130[12:7])) ? 8'h7f : select_2133);
+  // hls/stages/patches.hpp:322
+  logic [7:0] select_2138;
+  assign select_2138 = so_s3_q ? (ends_cell_s3_q ? (shift_2_s3_q[0] ? slope : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_2139;
+  assign select_2139 = equal_1935_s3_q ? 8'h0 : select_2138;
+  // hls/stages/patches.hpp:325
+  logic [22:0] select_2140;
+  assign select_2140 = and_2121 ? {select_2139, select_2129, select_2125, and_2119} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
+  // hls/stages/patches.hpp:108
+  logic [4:0] select_2161;
+  assign select_2161 = and_2048_s3_q ? select_2063 : patches_band_q;
+  // hls/stages/patches.hpp:335
+  logic equal_2162;
+  assign equal_2162 = {patches_choosing_band_s3_q, and_2074_s3_q} == {select_2161, select_2065[1]};
+  // hls/stages/patches.hpp:464
+  logic [2:0] sum_2262;
+  assign sum_2262 = patches_code_row_s3_q[4:2] + 3'h7;
+  // hls/stages/patches.hpp:468
+  logic [1:0] sum_2300;
+  assign sum_2300 = patches_code_row_s3_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:197
-  logic [7:0] select_2306;
-  assign select_2306 = so_s3_q ? region_columns_q : 8'h1;
+  logic [7:0] select_2330;
+  assign select_2330 = so_s3_q ? region_columns_q : 8'h1;
   // hls/stages/agreement.hpp:992
-  logic or_2309;
-  assign or_2309 = select_2306[7] | (~({select_2306[5], select_2306[3], select_2306[1]} == 3'h0));
+  logic or_2333;
+  assign or_2333 = select_2330[7] | (~({select_2330[5], select_2330[3], select_2330[1]} == 3'h0));
   // hls/stages/agreement.hpp:991
-  logic or_2312;
-  assign or_2312 = select_2306[7] | (~({select_2306[6], select_2306[3:2]} == 3'h0));
+  logic or_2336;
+  assign or_2336 = select_2330[7] | (~({select_2330[6], select_2330[3:2]} == 3'h0));
   // hls/stages/agreement.hpp:990
-  logic or_2315;
-  assign or_2315 = select_2306[7] | (~(select_2306[6:4] == 3'h0));
-  // hls/stages/patches.hpp:313
-  logic [5:0] select_2316;
-  assign select_2316 = equal_1933_s3_q ? x_s3_q[5:0] : {region_row_q, or_2315, or_2312, or_2309};
+  logic or_2339;
+  assign or_2339 = select_2330[7] | (~(select_2330[6:4] == 3'h0));
+  // hls/stages/patches.hpp:322
+  logic [5:0] select_2340;
+  assign select_2340 = equal_1935_s3_q ? x_s3_q[5:0] : {region_row_q, or_2339, or_2336, or_2333};
   // hls/stages/agreement.hpp:1070
-  logic not_2317;
-  assign not_2317 = ~equal_1978;
+  logic not_2341;
+  assign not_2341 = ~equal_1980;
   // hls/stages/agreement.hpp:1000
-  logic or_2321;
-  assign or_2321 = (~sum_2319_s3_q) | equal_2139_s3_q;
-  // hls/stages/patches.hpp:313
-  logic and_2324;
-  assign and_2324 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & or_2321));
+  logic or_2345;
+  assign or_2345 = (~sum_2343_s3_q) | equal_2141_s3_q;
+  // hls/stages/patches.hpp:322
+  logic and_2348;
+  assign and_2348 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & or_2345));
   // hls/stages/agreement.hpp:250
   logic explained;
   assign explained = shift_2_s3_q[0] & shift_2_s3_q[3];
-  logic and_2345;
-  assign and_2345 = shift_2_s3_q[0] & shift_2_s3_q[2];
+  logic and_2369;
+  assign and_2369 = shift_2_s3_q[0] & shift_2_s3_q[2];
   // hls/stages/agreement.hpp:960
-  logic select_2346;
-  assign select_2346 = slot_s3_q[2] ? shown_shown_q : shift_2_s3_q[3];
+  logic select_2370;
+  assign select_2370 = slot_s3_q[2] ? shown_shown_q : shift_2_s3_q[3];
   // hls/stages/agreement.hpp:250
   logic shown;
-  assign shown = shift_2_s3_q[0] & (shown_right_rdata_q[0] | select_2346);
+  assign shown = shift_2_s3_q[0] & (shown_right_rdata_q[0] | select_2370);
   // hls/stages/agreement.hpp:960
-  logic select_2349;
-  assign select_2349 = slot_s3_q[2] ? shown_nearer_q : shift_2_s3_q[4];
+  logic select_2373;
+  assign select_2373 = slot_s3_q[2] ? shown_nearer_q : shift_2_s3_q[4];
   // hls/stages/agreement.hpp:250
   logic near;
-  assign near = shift_2_s3_q[0] & (select_2346 ? select_2349 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:1201
-  logic or_2352;
-  assign or_2352 = marks_first_s3_q | line_ended_q;
-  // hls/stages/agreement.hpp:1203
-  logic [16:0] select_2354;
-  assign select_2354 = marks_first_s3_q ? 17'h1 : (or_2352 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
+  assign near = shift_2_s3_q[0] & (select_2370 ? select_2373 : shown_right_rdata_q[1]);
   // hls/stages/agreement.hpp:1202
-  logic [8:0] select_2356;
-  assign select_2356 = or_2352 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1210
-  logic select_2358;
-  assign select_2358 = cfg_compete_i ? (or_2352 & select_2354[16]) : (select_2356[8] & select_2354[9]);
+  logic or_2376;
+  assign or_2376 = marks_first_s3_q | line_ended_q;
+  // hls/stages/agreement.hpp:1204
+  logic [16:0] select_2378;
+  assign select_2378 = marks_first_s3_q ? 17'h1 : (or_2376 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:1203
+  logic [8:0] select_2380;
+  assign select_2380 = or_2376 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:1211
+  logic select_2382;
+  assign select_2382 = cfg_compete_i ? (or_2376 & select_2378[16]) : (select_2380[8] & select_2378[9]);
   // hls/stages/agreement.hpp:422
   logic next_row;
-  assign next_row = select_2358 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1217
-  logic [6:0] select_2361;
-  assign select_2361 = next_row ? cfg_width_i[9:3] : 7'h0;
-  logic [12:0] select_2363;
-  assign select_2363 = marks_first_s3_q ? 13'h0 : (seen_base_q + {6'h0, select_2361});
-  // hls/stages/agreement.hpp:1227
-  logic equal_2364;
-  assign equal_2364 = seen_x_q == 3'h7;
-  logic [7:0] select_2366;
-  assign select_2366 = select_2358 ? 8'h0 : (seen_column_q + {7'h0, equal_2364});
-  // hls/stages/agreement.hpp:1234
-  logic [12:0] index;
-  assign index = select_2363 + {5'h0, select_2366};
-  // hls/stages/agreement.hpp:1201
-  logic select_2369;
-  assign select_2369 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1187
-  logic [7:0] sum_2370;
-  assign sum_2370 = {1'b0, select_2369, 2'h0, select_2369, 1'b0, {2{select_2369}}} + {1'b0, index[12:6]};
-  // hls/stages/agreement.hpp:1200
-  logic not_2371;
-  assign not_2371 = ~marks_first_s3_q;
-  // hls/stages/agreement.hpp:422
-  logic and_2373;
-  assign and_2373 = not_2371 & (began_q | select_2358);
+  assign next_row = select_2382 & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1218
+  logic [6:0] select_2385;
+  assign select_2385 = next_row ? cfg_width_i[9:3] : 7'h0;
+  logic [12:0] select_2387;
+  assign select_2387 = marks_first_s3_q ? 13'h0 : (seen_base_q + {6'h0, select_2385});
   // hls/stages/agreement.hpp:1228
-  logic [2:0] select_2375;
-  assign select_2375 = select_2358 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:1233
-  logic and_2377;
-  assign and_2377 = and_2373 & (select_2375 == 3'h0);
-  logic less_2378;
-  assign less_2378 = select_2366 < {1'b0, cfg_width_i[9:3]};
+  logic equal_2388;
+  assign equal_2388 = seen_x_q == 3'h7;
+  logic [7:0] select_2390;
+  assign select_2390 = select_2382 ? 8'h0 : (seen_column_q + {7'h0, equal_2388});
+  // hls/stages/agreement.hpp:1235
+  logic [12:0] index;
+  assign index = select_2387 + {5'h0, select_2390};
+  // hls/stages/agreement.hpp:1202
+  logic select_2393;
+  assign select_2393 = marks_first_s3_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  // hls/stages/agreement.hpp:1188
+  logic [7:0] sum_2394;
+  assign sum_2394 = {1'b0, select_2393, 2'h0, select_2393, 1'b0, {2{select_2393}}} + {1'b0, index[12:6]};
+  // hls/stages/agreement.hpp:1201
+  logic not_2395;
+  assign not_2395 = ~marks_first_s3_q;
+  // hls/stages/agreement.hpp:422
+  logic and_2397;
+  assign and_2397 = not_2395 & (began_q | select_2382);
+  // hls/stages/agreement.hpp:1229
+  logic [2:0] select_2399;
+  assign select_2399 = select_2382 ? 3'h0 : (seen_x_q + 3'h1);
+  // hls/stages/agreement.hpp:1234
+  logic and_2401;
+  assign and_2401 = and_2397 & (select_2399 == 3'h0);
+  logic less_2402;
+  assign less_2402 = select_2390 < {1'b0, cfg_width_i[9:3]};
   // hls/stages/agreement.hpp:1053
-  logic [7:0] sum_2381;
-  assign sum_2381 = {2'h0, x_s3_q[7:2]} + 8'hff;
+  logic [7:0] sum_2405;
+  assign sum_2405 = {2'h0, x_s3_q[7:2]} + 8'hff;
   logic [12:0] index_2;
-  assign index_2 = {{3{sum_2381[7]}}, sum_2381, x_s3_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1187
-  logic [7:0] sum_2383;
-  assign sum_2383 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
+  assign index_2 = {{3{sum_2405[7]}}, sum_2405, x_s3_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:1188
+  logic [7:0] sum_2407;
+  assign sum_2407 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
   // hls/stages/agreement.hpp:976
-  logic and_2384;
-  assign and_2384 = seen_columns_rdata_q[14] & shift_2_s3_q[0];
-  logic and_2385;
-  assign and_2385 = seen_columns_rdata_q[10] & shift_2_s3_q[0];
-  logic and_2386;
-  assign and_2386 = seen_columns_rdata_q[5] & shift_2_s3_q[0];
-  logic and_2387;
-  assign and_2387 = seen_columns_rdata_q[0] & shift_2_s3_q[0];
+  logic and_2408;
+  assign and_2408 = seen_columns_rdata_q[14] & shift_2_s3_q[0];
+  logic and_2409;
+  assign and_2409 = seen_columns_rdata_q[10] & shift_2_s3_q[0];
+  logic and_2410;
+  assign and_2410 = seen_columns_rdata_q[5] & shift_2_s3_q[0];
+  logic and_2411;
+  assign and_2411 = seen_columns_rdata_q[0] & shift_2_s3_q[0];
   // hls/stages/agreement.hpp:1029
-  logic [1:0] sum_2389;
-  assign sum_2389 = {1'b0, and_2386} + ({1'b0, textured_s3_q} + {1'b0, and_2387});
+  logic [1:0] sum_2413;
+  assign sum_2413 = {1'b0, and_2410} + ({1'b0, textured_s3_q} + {1'b0, and_2411});
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2384} + ({2'h0, and_2385} + {1'b0, sum_2389});
+  assign textured_2 = {2'h0, and_2408} + ({2'h0, and_2409} + {1'b0, sum_2413});
   // hls/stages/agreement.hpp:1036
-  logic [2:0] select_2392;
-  assign select_2392 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2393;
-  assign difference_2393 = {1'b0, textured_2} - {1'b0, select_2392};
+  logic [2:0] select_2416;
+  assign select_2416 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2417;
+  assign difference_2417 = {1'b0, textured_2} - {1'b0, select_2416};
   logic [4:0] t;
-  assign t = {difference_2393[3], difference_2393} + (equal_2100_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  assign t = {difference_2417[3], difference_2417} + (equal_2102_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:976
-  logic [7:0] select_2398;
-  assign select_2398 = shift_2_s3_q[0] ? (sum_2319_s3_q ? select_2306 : {select_2306[6:0], 1'b0}) : select_2306;
+  logic [7:0] select_2422;
+  assign select_2422 = shift_2_s3_q[0] ? (sum_2343_s3_q ? select_2330 : {select_2330[6:0], 1'b0}) : select_2330;
   // hls/stages/agreement.hpp:992
-  logic or_2401;
-  assign or_2401 = select_2398[7] | (~({select_2398[5], select_2398[3], select_2398[1]} == 3'h0));
+  logic or_2425;
+  assign or_2425 = select_2422[7] | (~({select_2422[5], select_2422[3], select_2422[1]} == 3'h0));
   // hls/stages/agreement.hpp:976
-  logic and_2418;
-  assign and_2418 = seen_columns_rdata_q[16] & shift_2_s3_q[0];
-  logic and_2419;
-  assign and_2419 = seen_columns_rdata_q[12] & shift_2_s3_q[0];
-  logic and_2420;
-  assign and_2420 = seen_columns_rdata_q[8] & shift_2_s3_q[0];
-  logic and_2421;
-  assign and_2421 = seen_columns_rdata_q[3] & shift_2_s3_q[0];
+  logic and_2442;
+  assign and_2442 = seen_columns_rdata_q[16] & shift_2_s3_q[0];
+  logic and_2443;
+  assign and_2443 = seen_columns_rdata_q[12] & shift_2_s3_q[0];
+  logic and_2444;
+  assign and_2444 = seen_columns_rdata_q[8] & shift_2_s3_q[0];
+  logic and_2445;
+  assign and_2445 = seen_columns_rdata_q[3] & shift_2_s3_q[0];
   // hls/stages/agreement.hpp:1031
-  logic [1:0] sum_2423;
-  assign sum_2423 = {1'b0, and_2420} + ({1'b0, shown} + {1'b0, and_2421});
+  logic [1:0] sum_2447;
+  assign sum_2447 = {1'b0, and_2444} + ({1'b0, shown} + {1'b0, and_2445});
   logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2418} + ({2'h0, and_2419} + {1'b0, sum_2423});
+  assign shown_2 = {2'h0, and_2442} + ({2'h0, and_2443} + {1'b0, sum_2447});
   // hls/stages/agreement.hpp:1038
-  logic [2:0] select_2426;
-  assign select_2426 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2427;
-  assign difference_2427 = {1'b0, shown_2} - {1'b0, select_2426};
+  logic [2:0] select_2450;
+  assign select_2450 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2451;
+  assign difference_2451 = {1'b0, shown_2} - {1'b0, select_2450};
   logic [4:0] around;
-  assign around = {difference_2427[3], difference_2427} + (equal_2100_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  assign around = {difference_2451[3], difference_2451} + (equal_2102_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1045
-  logic [5:0] sum_2430;
-  assign sum_2430 = {1'b0, around} + {2'h0, around[4:1]};
+  logic [5:0] sum_2454;
+  assign sum_2454 = {1'b0, around} + {2'h0, around[4:1]};
   // hls/stages/agreement.hpp:976
-  logic and_2434;
-  assign and_2434 = seen_columns_rdata_q[17] & shift_2_s3_q[0];
-  logic and_2435;
-  assign and_2435 = seen_columns_rdata_q[13] & shift_2_s3_q[0];
-  logic and_2436;
-  assign and_2436 = seen_columns_rdata_q[9] & shift_2_s3_q[0];
-  logic and_2437;
-  assign and_2437 = seen_columns_rdata_q[4] & shift_2_s3_q[0];
+  logic and_2458;
+  assign and_2458 = seen_columns_rdata_q[17] & shift_2_s3_q[0];
+  logic and_2459;
+  assign and_2459 = seen_columns_rdata_q[13] & shift_2_s3_q[0];
+  logic and_2460;
+  assign and_2460 = seen_columns_rdata_q[9] & shift_2_s3_q[0];
+  logic and_2461;
+  assign and_2461 = seen_columns_rdata_q[4] & shift_2_s3_q[0];
   // hls/stages/agreement.hpp:1032
-  logic [1:0] sum_2439;
-  assign sum_2439 = {1'b0, and_2436} + ({1'b0, near} + {1'b0, and_2437});
+  logic [1:0] sum_2463;
+  assign sum_2463 = {1'b0, and_2460} + ({1'b0, near} + {1'b0, and_2461});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2434} + ({2'h0, and_2435} + {1'b0, sum_2439});
+  assign near_2 = {2'h0, and_2458} + ({2'h0, and_2459} + {1'b0, sum_2463});
   // hls/stages/agreement.hpp:1039
-  logic [2:0] select_2442;
-  assign select_2442 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2443;
-  assign difference_2443 = {1'b0, near_2} - {1'b0, select_2442};
+  logic [2:0] select_2466;
+  assign select_2466 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2467;
+  assign difference_2467 = {1'b0, near_2} - {1'b0, select_2466};
   logic [4:0] n;
-  assign n = {difference_2443[3], difference_2443} + (equal_2100_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  assign n = {difference_2467[3], difference_2467} + (equal_2102_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:263
-  logic [10:0] select_2489;
-  assign select_2489 = sample_pair_whole_s3_q ? (and_489_s3_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2491;
-  assign select_2491 = sample_pair_whole_s3_q ? (and_489_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2510;
-  assign select_2510 = sample_pair_whole_s3_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_2512;
-  assign select_2512 = sample_pair_whole_s3_q ? (and_489_s3_q ? select_504 : averager_mask_q) : averager_mask_q;
-  logic select_2514;
-  assign select_2514 = sample_pair_whole_s3_q ? (and_489_s3_q ? select_508 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:507
-  logic [8:0] select_2515;
-  assign select_2515 = and_491_s3_q ? select_497 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2516;
-  assign select_2516 = and_491_s3_q ? select_501 : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2518;
-  assign select_2518 = and_491_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2519;
-  assign select_2519 = and_491_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2520;
-  assign select_2520 = and_491_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_2521;
-  assign select_2521 = and_491_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2522;
-  assign select_2522 = and_491_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2523;
-  assign select_2523 = and_491_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2524;
-  assign select_2524 = and_491_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_2525;
-  assign select_2525 = and_491_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2526;
-  assign select_2526 = and_491_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2527;
-  assign select_2527 = and_491_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_2528;
-  assign select_2528 = and_491_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2529;
-  assign select_2529 = and_491_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2530;
-  assign select_2530 = and_491_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_2531;
-  assign select_2531 = and_491_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2532;
-  assign select_2532 = and_491_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_2533;
-  assign select_2533 = and_491_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic [8:0] select_2534;
-  assign select_2534 = and_491_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2535;
-  assign select_2535 = and_491_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic [10:0] select_2513;
+  assign select_2513 = sample_pair_whole_s3_q ? (and_491_s3_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2515;
+  assign select_2515 = sample_pair_whole_s3_q ? (and_491_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2534;
+  assign select_2534 = sample_pair_whole_s3_q ? all_of_skin : averager_running_of_skin_q;
   logic select_2536;
-  assign select_2536 = and_491_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
-  logic [8:0] select_2537;
-  assign select_2537 = and_491_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2538;
-  assign select_2538 = and_491_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2539;
-  assign select_2539 = and_491_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2540;
-  assign select_2540 = and_491_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_2541;
-  assign select_2541 = and_491_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2542;
-  assign select_2542 = and_491_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2543;
-  assign select_2543 = and_491_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
-  logic [8:0] select_2544;
-  assign select_2544 = and_491_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2545;
-  assign select_2545 = and_491_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2546;
-  assign select_2546 = and_491_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
-  logic [8:0] select_2547;
-  assign select_2547 = and_491_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2548;
-  assign select_2548 = and_491_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_2549;
-  assign select_2549 = and_491_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic [8:0] select_2550;
-  assign select_2550 = and_491_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_2551;
-  assign select_2551 = and_491_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_2552;
-  assign select_2552 = and_491_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  logic [8:0] select_2553;
-  assign select_2553 = and_491_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_2554;
-  assign select_2554 = and_491_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_2555;
-  assign select_2555 = and_491_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic [8:0] select_2556;
-  assign select_2556 = and_491_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2557;
-  assign select_2557 = and_491_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_2558;
-  assign select_2558 = and_491_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
-  logic [8:0] select_2559;
-  assign select_2559 = and_491_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2560;
-  assign select_2560 = and_491_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic select_2561;
-  assign select_2561 = and_491_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2562;
-  assign select_2562 = and_491_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
-  logic [8:0] select_2563;
-  assign select_2563 = and_491_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2564;
-  assign select_2564 = and_491_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_2565;
-  assign select_2565 = and_491_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2566;
-  assign select_2566 = and_491_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_2567;
-  assign select_2567 = and_491_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2568;
-  assign select_2568 = and_491_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_2569;
-  assign select_2569 = and_491_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_2570;
-  assign select_2570 = and_491_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
-  // hls/stages/census.hpp:272
-  logic [9:0] difference_2572;
-  assign difference_2572 = {1'b0, select_501} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2573;
-  assign xor_2573 = difference_2572[8:0] ^ {9{difference_2572[9]}};
-  logic [9:0] sum_2574;
-  assign sum_2574 = {9'h0, difference_2572[9]} + {1'b0, xor_2573};
-  logic [9:0] difference_2575;
-  assign difference_2575 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2576;
-  assign xor_2576 = difference_2575[8:0] ^ {9{difference_2575[9]}};
-  logic [9:0] sum_2577;
-  assign sum_2577 = {9'h0, difference_2575[9]} + {1'b0, xor_2576};
-  logic [9:0] difference_2579;
-  assign difference_2579 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2580;
-  assign xor_2580 = difference_2579[8:0] ^ {9{difference_2579[9]}};
-  logic [9:0] sum_2581;
-  assign sum_2581 = {9'h0, difference_2579[9]} + {1'b0, xor_2580};
-  logic [10:0] sum_2582;
-  assign sum_2582 = ({1'b0, sum_2574} + {1'b0, sum_2577}) + {1'b0, sum_2581};
-  logic [9:0] difference_2583;
-  assign difference_2583 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2584;
-  assign xor_2584 = difference_2583[8:0] ^ {9{difference_2583[9]}};
-  logic [9:0] sum_2585;
-  assign sum_2585 = {9'h0, difference_2583[9]} + {1'b0, xor_2584};
-  logic [9:0] difference_2587;
-  assign difference_2587 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2588;
-  assign xor_2588 = difference_2587[8:0] ^ {9{difference_2587[9]}};
-  // hls/stages/census.hpp:353
-  logic [9:0] difference_2618;
-  assign difference_2618 = {1'b0, select_497} - {1'b0, sharpness_last_mean_0_q};
-  logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2618[9]} + (difference_2618[8:0] ^ {9{difference_2618[9]}});
-  logic [9:0] difference_2630;
-  assign difference_2630 = {1'b0, select_501} - {1'b0, sharpness_last_mean_1_q};
-  logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2630[9]} + (difference_2630[8:0] ^ {9{difference_2630[9]}});
+  assign select_2536 = sample_pair_whole_s3_q ? (and_491_s3_q ? select_506 : averager_mask_q) : averager_mask_q;
+  logic select_2538;
+  assign select_2538 = sample_pair_whole_s3_q ? (and_491_s3_q ? select_510 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/agreement.hpp:507
-  logic and_2818;
-  assign and_2818 = and_491_s3_q & (equal_552_s3_q & equal_2721_s3_q);
-  // hls/stages/patches.hpp:313
-  logic and_2822;
-  assign and_2822 = not_1934_s3_q & (so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & shift_2_s3_q[1])));
-  // hls/stages/agreement.hpp:976
+  logic [8:0] select_2539;
+  assign select_2539 = and_493_s3_q ? select_499 : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2540;
+  assign select_2540 = and_493_s3_q ? select_503 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2542;
+  assign select_2542 = and_493_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_2543;
+  assign select_2543 = and_493_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2544;
+  assign select_2544 = and_493_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2545;
+  assign select_2545 = and_493_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2546;
+  assign select_2546 = and_493_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2547;
+  assign select_2547 = and_493_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2548;
+  assign select_2548 = and_493_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2549;
+  assign select_2549 = and_493_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_2550;
+  assign select_2550 = and_493_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2551;
+  assign select_2551 = and_493_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2552;
+  assign select_2552 = and_493_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2553;
+  assign select_2553 = and_493_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2554;
+  assign select_2554 = and_493_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2555;
+  assign select_2555 = and_493_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2556;
+  assign select_2556 = and_493_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2557;
+  assign select_2557 = and_493_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2558;
+  assign select_2558 = and_493_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_2559;
+  assign select_2559 = and_493_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2560;
+  assign select_2560 = and_493_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2561;
+  assign select_2561 = and_493_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2562;
+  assign select_2562 = and_493_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2563;
+  assign select_2563 = and_493_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2564;
+  assign select_2564 = and_493_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2565;
+  assign select_2565 = and_493_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_2566;
+  assign select_2566 = and_493_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2567;
+  assign select_2567 = and_493_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_2568;
+  assign select_2568 = and_493_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2569;
+  assign select_2569 = and_493_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2570;
+  assign select_2570 = and_493_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  logic [8:0] select_2571;
+  assign select_2571 = and_493_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2572;
+  assign select_2572 = and_493_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2573;
+  assign select_2573 = and_493_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic [8:0] select_2574;
+  assign select_2574 = and_493_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2575;
+  assign select_2575 = and_493_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2576;
+  assign select_2576 = and_493_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2577;
+  assign select_2577 = and_493_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2578;
+  assign select_2578 = and_493_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2579;
+  assign select_2579 = and_493_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2580;
+  assign select_2580 = and_493_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2581;
+  assign select_2581 = and_493_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2582;
+  assign select_2582 = and_493_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_2583;
+  assign select_2583 = and_493_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2584;
+  assign select_2584 = and_493_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_2585;
+  assign select_2585 = and_493_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2586;
+  assign select_2586 = and_493_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2587;
+  assign select_2587 = and_493_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2588;
+  assign select_2588 = and_493_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2589;
+  assign select_2589 = and_493_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2590;
+  assign select_2590 = and_493_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2591;
+  assign select_2591 = and_493_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2592;
+  assign select_2592 = and_493_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2593;
+  assign select_2593 = and_493_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2594;
+  assign select_2594 = and_493_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  // hls/stages/census.hpp:272
+  logic [9:0] difference_2596;
+  assign difference_2596 = {1'b0, select_503} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2597;
+  assign xor_2597 = difference_2596[8:0] ^ {9{difference_2596[9]}};
+  logic [9:0] sum_2598;
+  assign sum_2598 = {9'h0, difference_2596[9]} + {1'b0, xor_2597};
+  logic [9:0] difference_2599;
+  assign difference_2599 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2600;
+  assign xor_2600 = difference_2599[8:0] ^ {9{difference_2599[9]}};
+  logic [9:0] sum_2601;
+  assign sum_2601 = {9'h0, difference_2599[9]} + {1'b0, xor_2600};
+  logic [9:0] difference_2603;
+  assign difference_2603 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2604;
+  assign xor_2604 = difference_2603[8:0] ^ {9{difference_2603[9]}};
+  logic [9:0] sum_2605;
+  assign sum_2605 = {9'h0, difference_2603[9]} + {1'b0, xor_2604};
+  logic [10:0] sum_2606;
+  assign sum_2606 = ({1'b0, sum_2598} + {1'b0, sum_2601}) + {1'b0, sum_2605};
+  logic [9:0] difference_2607;
+  assign difference_2607 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2608;
+  assign xor_2608 = difference_2607[8:0] ^ {9{difference_2607[9]}};
+  logic [9:0] sum_2609;
+  assign sum_2609 = {9'h0, difference_2607[9]} + {1'b0, xor_2608};
+  logic [9:0] difference_2611;
+  assign difference_2611 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2612;
+  assign xor_2612 = difference_2611[8:0] ^ {9{difference_2611[9]}};
+  // hls/stages/census.hpp:353
+  logic [9:0] difference_2642;
+  assign difference_2642 = {1'b0, select_499} - {1'b0, sharpness_last_mean_0_q};
+  logic [8:0] contrast;
+  assign contrast = {8'h0, difference_2642[9]} + (difference_2642[8:0] ^ {9{difference_2642[9]}});
+  logic [9:0] difference_2654;
+  assign difference_2654 = {1'b0, select_503} - {1'b0, sharpness_last_mean_1_q};
+  logic [8:0] contrast_2;
+  assign contrast_2 = {8'h0, difference_2654[9]} + (difference_2654[8:0] ^ {9{difference_2654[9]}});
+  // hls/stages/agreement.hpp:507
   logic and_2842;
-  assign and_2842 = seen_columns_rdata_q[15] & shift_2_s3_q[0];
-  logic and_2843;
-  assign and_2843 = seen_columns_rdata_q[11] & shift_2_s3_q[0];
-  logic and_2844;
-  assign and_2844 = seen_columns_rdata_q[7] & shift_2_s3_q[0];
-  logic and_2845;
-  assign and_2845 = seen_columns_rdata_q[2] & shift_2_s3_q[0];
+  assign and_2842 = and_493_s3_q & (equal_554_s3_q & equal_2745_s3_q);
+  // hls/stages/patches.hpp:322
+  logic and_2846;
+  assign and_2846 = not_1936_s3_q & (so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & shift_2_s3_q[1])));
+  // hls/stages/agreement.hpp:976
+  logic and_2866;
+  assign and_2866 = seen_columns_rdata_q[15] & shift_2_s3_q[0];
+  logic and_2867;
+  assign and_2867 = seen_columns_rdata_q[11] & shift_2_s3_q[0];
+  logic and_2868;
+  assign and_2868 = seen_columns_rdata_q[7] & shift_2_s3_q[0];
+  logic and_2869;
+  assign and_2869 = seen_columns_rdata_q[2] & shift_2_s3_q[0];
   // hls/stages/agreement.hpp:1030
-  logic [1:0] sum_2847;
-  assign sum_2847 = {1'b0, and_2844} + ({1'b0, explained} + {1'b0, and_2845});
+  logic [1:0] sum_2871;
+  assign sum_2871 = {1'b0, and_2868} + ({1'b0, explained} + {1'b0, and_2869});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2842} + ({2'h0, and_2843} + {1'b0, sum_2847});
+  assign explained_2 = {2'h0, and_2866} + ({2'h0, and_2867} + {1'b0, sum_2871});
   // hls/stages/agreement.hpp:1037
-  logic [2:0] select_2850;
-  assign select_2850 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2851;
-  assign difference_2851 = {1'b0, explained_2} - {1'b0, select_2850};
+  logic [2:0] select_2874;
+  assign select_2874 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2875;
+  assign difference_2875 = {1'b0, explained_2} - {1'b0, select_2874};
   logic [4:0] e;
-  assign e = {difference_2851[3], difference_2851} + (equal_2100_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  assign e = {difference_2875[3], difference_2875} + (equal_2102_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1044
-  logic [5:0] sum_2854;
-  assign sum_2854 = {1'b0, e} + {2'h0, e[4:1]};
-  // hls/stages/patches.hpp:313
-  logic and_2883;
-  assign and_2883 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & (shift_2_s3_q[2:1] == 2'h3)));
-  logic [7:0] select_2927;
-  assign select_2927 = equal_1933_s3_q ? registration_slope_here_q : (so_s3_q ? slope : registration_slope_here_q);
-  logic [10:0] select_2929;
-  assign select_2929 = equal_1933_s3_q ? registration_expected_q : (so_s3_q ? expected : registration_expected_q);
+  logic [5:0] sum_2878;
+  assign sum_2878 = {1'b0, e} + {2'h0, e[4:1]};
+  // hls/stages/patches.hpp:322
+  logic and_2907;
+  assign and_2907 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & (shift_2_s3_q[2:1] == 2'h3)));
+  logic [7:0] select_2951;
+  assign select_2951 = equal_1935_s3_q ? registration_slope_here_q : (so_s3_q ? slope : registration_slope_here_q);
+  logic [10:0] select_2953;
+  assign select_2953 = equal_1935_s3_q ? registration_expected_q : (so_s3_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_2930;
-  assign equal_2930 = slot_s3_q == 3'h4;
+  logic equal_2954;
+  assign equal_2954 = slot_s3_q == 3'h4;
   // hls/stages/agreement.hpp:250
-  logic and_2934;
-  assign and_2934 = shift_2_s3_q[3] & less_2073_s3_q;
+  logic and_2958;
+  assign and_2958 = shift_2_s3_q[3] & less_2075_s3_q;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_2938;
-  assign sum_2938 = shift_2_s3_q[13:12] + 2'h3;
+  logic [1:0] sum_2962;
+  assign sum_2962 = shift_2_s3_q[13:12] + 2'h3;
   // hls/stages/registration.hpp:47
-  logic [7:0] difference_2940;
-  assign difference_2940 = {sum_2938, shift_2_s3_q[11], 5'h0} - {3'h0, registration_displacement_fraction_q};
+  logic [7:0] difference_2964;
+  assign difference_2964 = {sum_2962, shift_2_s3_q[11], 5'h0} - {3'h0, registration_displacement_fraction_q};
   // hls/stages/registration.hpp:102
-  logic [7:0] select_2941;
-  assign select_2941 = less_2939_s3_q ? difference_2940 : {sum_2938, shift_2_s3_q[11], registration_displacement_fraction_q};
-  logic [7:0] select_2942;
-  assign select_2942 = ((shift_2_s3_q[13:11] == 3'h0) | (shift_2_s3_q[13:11] == 3'h4)) ? {sum_2938, shift_2_s3_q[11], 5'h0} : select_2941;
+  logic [7:0] select_2965;
+  assign select_2965 = less_2963_s3_q ? difference_2964 : {sum_2962, shift_2_s3_q[11], registration_displacement_fraction_q};
+  logic [7:0] select_2966;
+  assign select_2966 = ((shift_2_s3_q[13:11] == 3'h0) | (shift_2_s3_q[13:11] == 3'h4)) ? {sum_2962, shift_2_s3_q[11], 5'h0} : select_2965;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2942[7]}}, select_2942} - {sum_2090[9], sum_2090, sum_2086[1]};
+  assign value_2 = {{4{select_2966[7]}}, select_2966} - {sum_2092[9], sum_2092, sum_2088[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_2945;
-  assign select_2945 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_2969;
+  assign select_2969 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2945[11:7])) ? 12'h7f : select_2945;
+  assign residual = ($signed(5'h0) < $signed(select_2969[11:7])) ? 12'h7f : select_2969;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_2966;
-  assign difference_2966 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_2990;
+  assign difference_2990 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_2968;
-  assign and_2968 = and_2934 & ($signed(difference_2966) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_2992;
+  assign and_2992 = and_2958 & ($signed(difference_2990) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_2981;
-  assign less_2981 = $signed(difference_2966) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/patches.hpp:313
-  logic select_2989;
-  assign select_2989 = so_s3_q ? (equal_2930 ? right_2_s3_q : registration_of_right_q) : registration_of_right_q;
-  logic select_2992;
-  assign select_2992 = so_s3_q ? (equal_2074 ? shift_2_s3_q[0] : registration_was_inside_q) : registration_was_inside_q;
+  logic less_3005;
+  assign less_3005 = $signed(difference_2990) < $signed({7'h0, cfg_moved_half_limit_i});
+  // hls/stages/patches.hpp:322
+  logic select_3013;
+  assign select_3013 = so_s3_q ? (equal_2954 ? right_2_s3_q : registration_of_right_q) : registration_of_right_q;
+  logic select_3016;
+  assign select_3016 = so_s3_q ? (equal_2076 ? shift_2_s3_q[0] : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_2997;
-  assign select_2997 = (sum_1984 == 2'h2) ? (registration_fresh_q & (~select_2031)) : registration_fresh_q;
-  // hls/stages/patches.hpp:313
-  logic [3:0] select_2999;
-  assign select_2999 = so_s3_q ? (and_2026 ? select_2997 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_3021;
+  assign select_3021 = (sum_1986 == 2'h2) ? (registration_fresh_q & (~select_2033)) : registration_fresh_q;
+  // hls/stages/patches.hpp:322
+  logic [3:0] select_3023;
+  assign select_3023 = so_s3_q ? (and_2028 ? select_3021 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_3001;
-  assign select_3001 = and_2818 ? 4'hf : (equal_1933_s3_q ? registration_fresh_q : select_2999);
+  logic [3:0] select_3025;
+  assign select_3025 = and_2842 ? 4'hf : (equal_1935_s3_q ? registration_fresh_q : select_3023);
   // hls/stages/agreement.hpp:1071
   logic [1:0] quarter_2;
-  assign quarter_2 = all ? x_s3_q[1:0] : select_1981;
+  assign quarter_2 = all ? x_s3_q[1:0] : select_1983;
   // hls/stages/registration.hpp:258
-  logic not_3022;
-  assign not_3022 = ~quarter_2[1];
-  logic [3:0] select_3023;
-  assign select_3023 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3022, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3022};
-  // hls/stages/patches.hpp:318
-  logic not_3160;
-  assign not_3160 = ~and_2144_s3_q;
+  logic not_3046;
+  assign not_3046 = ~quarter_2[1];
+  logic [3:0] select_3047;
+  assign select_3047 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3046, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3046};
   // hls/stages/patches.hpp:327
-  logic not_3186;
-  assign not_3186 = ~select_2063[1];
+  logic not_3184;
+  assign not_3184 = ~and_2146_s3_q;
+  // hls/stages/patches.hpp:336
+  logic not_3210;
+  assign not_3210 = ~select_2065[1];
   // hls/stages/agreement.hpp:263
-  logic [1:0] select_3188;
-  assign select_3188 = sample_pair_whole_s3_q ? (equal_2064 ? select_2063 : {not_3186, 1'b0}) : patches_fetch_q;
-  // hls/stages/patches.hpp:462
+  logic [1:0] select_3212;
+  assign select_3212 = sample_pair_whole_s3_q ? (equal_2066 ? select_2065 : {not_3210, 1'b0}) : patches_fetch_q;
+  // hls/stages/patches.hpp:500
   logic [55:0] other;
-  assign other = new_row_s3_q ? patches_right_codes_rdata_q[55:0] : {patches_codes_high_q[3:0], patches_codes_low_q};
-  // hls/stages/patches.hpp:160
-  logic [51:0] select_3287;
-  assign select_3287 = or_2152_s3_q ? {patches_codes_high_q[3:0], patches_codes_low_q[51:4]} : patches_codes_low_q;
-  logic [51:0] select_3289;
-  assign select_3289 = equal_2146_s3_q ? patches_codes_low_q : (equal_2148_s3_q ? other[55:4] : select_3287);
-  // hls/stages/patches.hpp:462
-  logic [55:0] select_3290;
-  assign select_3290 = new_row_s3_q ? patches_right_codes_rdata_q[111:56] : {4'h0, patches_codes_high_q[55:4]};
-  // hls/stages/patches.hpp:160
-  logic [55:0] select_3291;
-  assign select_3291 = or_2152_s3_q ? {less_2264_s3_q, less_2263_s3_q, less_2254_s3_q, less_2253_s3_q, patches_codes_high_q[55:4]} : patches_codes_high_q;
-  logic [55:0] select_3293;
-  assign select_3293 = equal_2146_s3_q ? patches_codes_high_q : (equal_2148_s3_q ? select_3290 : select_3291);
+  assign other = new_row_s3_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
+  // hls/stages/patches.hpp:166
+  logic [51:0] select_3311;
+  assign select_3311 = or_2154_s3_q ? {less_2282_s3_q, less_2281_s3_q, less_2272_s3_q, less_2271_s3_q, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3313;
+  assign select_3313 = equal_2148_s3_q ? patches_codes_at_q : (equal_2150_s3_q ? other[55:4] : select_3311);
+  // hls/stages/patches.hpp:483
+  logic [27:0] word;
+  assign word = or_2254_s3_q ? patches_right_codes_rdata_q : 28'h0;
+  // hls/stages/patches.hpp:499
+  logic [27:0] select_3316;
+  assign select_3316 = (patches_along_s3_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
+  // hls/stages/patches.hpp:166
+  logic [27:0] select_3318;
+  assign select_3318 = equal_2150_s3_q ? (new_row_s3_q ? word : select_3316) : patches_codes_further_q;
+  // hls/stages/patches.hpp:501
+  logic [55:0] select_3320;
+  assign select_3320 = less_2241_s3_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:471
+  logic [55:0] select_3322;
+  assign select_3322 = less_3321_s3_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:166
+  logic [55:0] select_3324;
+  assign select_3324 = or_2154_s3_q ? (equal_2153_s3_q ? patches_next_codes_q : select_3322) : patches_next_codes_q;
+  logic [55:0] select_3326;
+  assign select_3326 = equal_2148_s3_q ? patches_next_codes_q : (equal_2150_s3_q ? select_3320 : select_3324);
   // hls/stages/count_bits.hpp:24
-  logic parity_3298;
-  assign parity_3298 = ^{less_2264_s3_q, less_2263_s3_q, less_2254_s3_q, less_2253_s3_q};
+  logic parity_3331;
+  assign parity_3331 = ^{less_2282_s3_q, less_2281_s3_q, less_2272_s3_q, less_2271_s3_q};
   // hls/stages/count_bits.hpp:25
-  logic or_3302;
-  assign or_3302 = ({less_2254_s3_q, less_2253_s3_q} == 2'h3) | (less_2263_s3_q & (less_2254_s3_q | less_2253_s3_q));
-  logic and_3303;
-  assign and_3303 = less_2264_s3_q & (^{less_2263_s3_q, less_2254_s3_q, less_2253_s3_q});
+  logic or_3335;
+  assign or_3335 = ({less_2272_s3_q, less_2271_s3_q} == 2'h3) | (less_2281_s3_q & (less_2272_s3_q | less_2271_s3_q));
+  logic and_3336;
+  assign and_3336 = less_2282_s3_q & (^{less_2281_s3_q, less_2272_s3_q, less_2271_s3_q});
   // hls/stages/count_bits.hpp:24
-  logic xor_3304;
-  assign xor_3304 = or_3302 ^ and_3303;
-  // hls/stages/count_bits.hpp:27
-  logic and_3305;
-  assign and_3305 = or_3302 & and_3303;
-  // hls/stages/patches.hpp:448
-  logic [2:0] select_3307;
-  assign select_3307 = or_2279_s3_q ? 3'h0 : (patches_column_s3_q ? 3'h0 : {and_3305, xor_3304, parity_3298});
-  // hls/stages/patches.hpp:160
-  logic [2:0] select_3310;
-  assign select_3310 = equal_2146_s3_q ? 3'h0 : (equal_2148_s3_q ? 3'h0 : (or_2152_s3_q ? select_3307 : 3'h0));
-  // hls/stages/patches.hpp:143
-  logic [9:0] sum_3312;
-  assign sum_3312 = {7'h0, patches_set_q} + (equal_2150_s3_q ? 10'h0 : patches_size_q);
-  // hls/stages/patches.hpp:463
-  logic [47:0] select_3322;
-  assign select_3322 = new_row_s3_q ? patches_left_codes_rdata_q : patches_left_row_q;
-  // hls/stages/patches.hpp:160
-  logic [47:0] select_3324;
-  assign select_3324 = equal_2146_s3_q ? patches_left_row_q : (equal_2148_s3_q ? select_3322 : patches_left_row_q);
-  // hls/stages/patches.hpp:463
-  logic [47:0] bits;
-  assign bits = select_3322 ^ other[47:0];
-  // hls/stages/count_bits.hpp:24
-  logic xor_3328;
-  assign xor_3328 = bits[17] ^ (^{select_3322[16:15], other[16:15]});
-  logic xor_3331;
-  assign xor_3331 = bits[11] ^ (^{select_3322[10:9], other[10:9]});
-  logic xor_3334;
-  assign xor_3334 = bits[14] ^ (^{select_3322[13:12], other[13:12]});
   logic xor_3337;
-  assign xor_3337 = xor_3328 ^ (^{select_3322[14:9], other[14:9]});
-  logic xor_3340;
-  assign xor_3340 = bits[47] ^ (^{select_3322[46:45], other[46:45]});
-  logic xor_3343;
-  assign xor_3343 = bits[8] ^ (^{select_3322[7:6], other[7:6]});
-  logic xor_3346;
-  assign xor_3346 = bits[2] ^ (^{select_3322[1:0], other[1:0]});
-  logic xor_3349;
-  assign xor_3349 = bits[5] ^ (^{select_3322[4:3], other[4:3]});
-  logic xor_3352;
-  assign xor_3352 = xor_3343 ^ (^{select_3322[5:0], other[5:0]});
-  logic parity_3354;
-  assign parity_3354 = ^{select_3322[47:45], select_3322[8:0], other[47:45], other[8:0]};
-  logic xor_3355;
-  assign xor_3355 = xor_3337 ^ parity_3354;
-  logic xor_3358;
-  assign xor_3358 = bits[44] ^ (^{select_3322[43:42], other[43:42]});
-  logic xor_3361;
-  assign xor_3361 = bits[38] ^ (^{select_3322[37:36], other[37:36]});
-  logic xor_3364;
-  assign xor_3364 = bits[41] ^ (^{select_3322[40:39], other[40:39]});
-  logic xor_3370;
-  assign xor_3370 = bits[26] ^ (^{select_3322[25:24], other[25:24]});
-  logic xor_3373;
-  assign xor_3373 = bits[20] ^ (^{select_3322[19:18], other[19:18]});
-  logic xor_3376;
-  assign xor_3376 = bits[23] ^ (^{select_3322[22:21], other[22:21]});
-  logic xor_3379;
-  assign xor_3379 = xor_3370 ^ (^{select_3322[23:18], other[23:18]});
-  logic xor_3382;
-  assign xor_3382 = bits[35] ^ (^{select_3322[34:33], other[34:33]});
-  logic xor_3385;
-  assign xor_3385 = bits[29] ^ (^{select_3322[28:27], other[28:27]});
-  logic xor_3388;
-  assign xor_3388 = bits[32] ^ (^{select_3322[31:30], other[31:30]});
-  logic xor_3391;
-  assign xor_3391 = xor_3382 ^ (^{select_3322[32:27], other[32:27]});
-  logic xor_3392;
-  assign xor_3392 = xor_3379 ^ xor_3391;
+  assign xor_3337 = or_3335 ^ and_3336;
+  // hls/stages/count_bits.hpp:27
+  logic and_3338;
+  assign and_3338 = or_3335 & and_3336;
+  // hls/stages/patches.hpp:166
+  logic [2:0] select_3340;
+  assign select_3340 = or_2154_s3_q ? (and_2305_s3_q ? {and_3338, xor_3337, parity_3331} : 3'h0) : 3'h0;
+  // hls/stages/patches.hpp:149
+  logic [9:0] sum_3344;
+  assign sum_3344 = {7'h0, patches_set_q} + (equal_2153_s3_q ? 10'h0 : patches_size_q);
+  // hls/stages/patches.hpp:500
+  logic [47:0] select_3354;
+  assign select_3354 = new_row_s3_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  // hls/stages/patches.hpp:166
+  logic [47:0] select_3356;
+  assign select_3356 = equal_2148_s3_q ? patches_left_row_q : (equal_2150_s3_q ? select_3354 : patches_left_row_q);
+  // hls/stages/patches.hpp:502
+  logic [47:0] bits;
+  assign bits = other[47:0] ^ select_3354;
+  // hls/stages/count_bits.hpp:24
+  logic xor_3360;
+  assign xor_3360 = bits[17] ^ (^{select_3354[16:15], other[16:15]});
+  logic xor_3363;
+  assign xor_3363 = bits[11] ^ (^{select_3354[10:9], other[10:9]});
+  logic xor_3366;
+  assign xor_3366 = bits[14] ^ (^{select_3354[13:12], other[13:12]});
+  logic xor_3369;
+  assign xor_3369 = xor_3360 ^ (^{select_3354[14:9], other[14:9]});
+  logic xor_3372;
+  assign xor_3372 = bits[47] ^ (^{select_3354[46:45], other[46:45]});
+  logic xor_3375;
+  assign xor_3375 = bits[8] ^ (^{select_3354[7:6], other[7:6]});
+  logic xor_3378;
+  assign xor_3378 = bits[2] ^ (^{select_3354[1:0], other[1:0]});
+  logic xor_3381;
+  assign xor_3381 = bits[5] ^ (^{select_3354[4:3], other[4:3]});
+  logic xor_3384;
+  assign xor_3384 = xor_3375 ^ (^{select_3354[5:0], other[5:0]});
+  logic parity_3386;
+  assign parity_3386 = ^{select_3354[47:45], select_3354[8:0], other[47:45], other[8:0]};
+  logic xor_3387;
+  assign xor_3387 = xor_3369 ^ parity_3386;
+  logic xor_3390;
+  assign xor_3390 = bits[44] ^ (^{select_3354[43:42], other[43:42]});
+  logic xor_3393;
+  assign xor_3393 = bits[38] ^ (^{select_3354[37:36], other[37:36]});
+  logic xor_3396;
+  assign xor_3396 = bits[41] ^ (^{select_3354[40:39], other[40:39]});
+  logic xor_3402;
+  assign xor_3402 = bits[26] ^ (^{select_3354[25:24], other[25:24]});
+  logic xor_3405;
+  assign xor_3405 = bits[20] ^ (^{select_3354[19:18], other[19:18]});
+  logic xor_3408;
+  assign xor_3408 = bits[23] ^ (^{select_3354[22:21], other[22:21]});
+  logic xor_3411;
+  assign xor_3411 = xor_3402 ^ (^{select_3354[23:18], other[23:18]});
+  logic xor_3414;
+  assign xor_3414 = bits[35] ^ (^{select_3354[34:33], other[34:33]});
+  logic xor_3417;
+  assign xor_3417 = bits[29] ^ (^{select_3354[28:27], other[28:27]});
+  logic xor_3420;
+  assign xor_3420 = bits[32] ^ (^{select_3354[31:30], other[31:30]});
+  logic xor_3423;
+  assign xor_3423 = xor_3414 ^ (^{select_3354[32:27], other[32:27]});
+  logic xor_3424;
+  assign xor_3424 = xor_3411 ^ xor_3423;
   // hls/stages/count_bits.hpp:25
-  logic or_3400;
-  assign or_3400 = (xor_3331 & xor_3334) | (xor_3328 & (xor_3331 | xor_3334));
-  logic or_3404;
-  assign or_3404 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3408;
-  assign or_3408 = (xor_3346 & xor_3349) | (xor_3343 & (xor_3346 | xor_3349));
+  logic or_3432;
+  assign or_3432 = (xor_3363 & xor_3366) | (xor_3360 & (xor_3363 | xor_3366));
+  logic or_3436;
+  assign or_3436 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+  logic or_3440;
+  assign or_3440 = (xor_3378 & xor_3381) | (xor_3375 & (xor_3378 | xor_3381));
   // hls/stages/count_bits.hpp:23
-  logic or_3415;
-  assign or_3415 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  logic or_3447;
+  assign or_3447 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
   // hls/stages/count_bits.hpp:25
-  logic or_3419;
-  assign or_3419 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-  logic or_3423;
-  assign or_3423 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+  logic or_3451;
+  assign or_3451 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  logic or_3455;
+  assign or_3455 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3426;
-  assign parity_3426 = ^{or_3423, or_3419, or_3415};
+  logic parity_3458;
+  assign parity_3458 = ^{or_3455, or_3451, or_3447};
   // hls/stages/count_bits.hpp:23
-  logic or_3430;
-  assign or_3430 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+  logic or_3462;
+  assign or_3462 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
   // hls/stages/count_bits.hpp:25
-  logic or_3434;
-  assign or_3434 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-  logic or_3438;
-  assign or_3438 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+  logic or_3466;
+  assign or_3466 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3470;
+  assign or_3470 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3441;
-  assign parity_3441 = ^{or_3438, or_3434, or_3430};
-  logic parity_3444;
-  assign parity_3444 = ^{or_3438, or_3434, or_3430, or_3423, or_3419, or_3415, or_3408, or_3404, or_3400};
+  logic parity_3473;
+  assign parity_3473 = ^{or_3470, or_3466, or_3462};
+  logic parity_3476;
+  assign parity_3476 = ^{or_3470, or_3466, or_3462, or_3455, or_3451, or_3447, or_3440, or_3436, or_3432};
   // hls/stages/count_bits.hpp:23
-  logic or_3448;
-  assign or_3448 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  logic or_3480;
+  assign or_3480 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
   // hls/stages/count_bits.hpp:25
-  logic or_3452;
-  assign or_3452 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3456;
-  assign or_3456 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+  logic or_3484;
+  assign or_3484 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3488;
+  assign or_3488 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
   // hls/stages/count_bits.hpp:23
-  logic or_3464;
-  assign or_3464 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+  logic or_3496;
+  assign or_3496 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_3468;
-  assign or_3468 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-  logic or_3472;
-  assign or_3472 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+  logic or_3500;
+  assign or_3500 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  logic or_3504;
+  assign or_3504 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3475;
-  assign parity_3475 = ^{or_3472, or_3468, or_3464};
+  logic parity_3507;
+  assign parity_3507 = ^{or_3504, or_3500, or_3496};
   // hls/stages/count_bits.hpp:23
-  logic or_3479;
-  assign or_3479 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+  logic or_3511;
+  assign or_3511 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
   // hls/stages/count_bits.hpp:25
-  logic or_3483;
-  assign or_3483 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-  logic or_3487;
-  assign or_3487 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  logic or_3515;
+  assign or_3515 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3519;
+  assign or_3519 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3490;
-  assign parity_3490 = ^{or_3487, or_3483, or_3479};
-  logic parity_3493;
-  assign parity_3493 = ^{or_3487, or_3483, or_3479, or_3472, or_3468, or_3464, or_3456, or_3452, or_3448};
-  // hls/stages/count_bits.hpp:25
-  logic or_3497;
-  assign or_3497 = (xor_3361 & xor_3364) | (xor_3358 & (xor_3361 | xor_3364));
-  logic or_3501;
-  assign or_3501 = (xor_3373 & xor_3376) | (xor_3370 & (xor_3373 | xor_3376));
-  logic or_3505;
-  assign or_3505 = (xor_3385 & xor_3388) | (xor_3382 & (xor_3385 | xor_3388));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3508;
-  assign parity_3508 = ^{or_3505, or_3501, or_3497};
-  // hls/stages/count_bits.hpp:25
-  logic and_3509;
-  assign and_3509 = xor_3355 & (^{xor_3392, select_3322[44:36], other[44:36]});
-  logic or_3513;
-  assign or_3513 = (xor_3340 & xor_3352) | (xor_3337 & (xor_3340 | xor_3352));
-  logic and_3516;
-  assign and_3516 = (xor_3358 ^ (^{select_3322[41:36], other[41:36]})) & (xor_3379 | xor_3391);
-  logic or_3517;
-  assign or_3517 = (xor_3379 & xor_3391) | and_3516;
-  // hls/stages/count_bits.hpp:24
-  logic parity_3520;
-  assign parity_3520 = ^{or_3517, or_3513, and_3509};
-  logic parity_3523;
-  assign parity_3523 = ^{or_3517, or_3513, and_3509, or_3505, or_3501, or_3497, or_3487, or_3483, or_3479, or_3472, or_3468, or_3464, or_3456, or_3452, or_3448};
+  logic parity_3522;
+  assign parity_3522 = ^{or_3519, or_3515, or_3511};
   logic parity_3525;
-  assign parity_3525 = ^{or_3517, or_3513, and_3509, or_3505, or_3501, or_3497, or_3487, or_3483, or_3479, or_3472, or_3468, or_3464, or_3456, or_3452, or_3448, or_3438, or_3434, or_3430, or_3423, or_3419, or_3415, or_3408, or_3404, or_3400};
+  assign parity_3525 = ^{or_3519, or_3515, or_3511, or_3504, or_3500, or_3496, or_3488, or_3484, or_3480};
   // hls/stages/count_bits.hpp:25
-  logic and_3526;
-  assign and_3526 = parity_3444 & parity_3523;
-  logic or_3530;
-  assign or_3530 = (parity_3426 & parity_3441) | ((^{or_3408, or_3404, or_3400}) & (parity_3426 | parity_3441));
-  logic or_3534;
-  assign or_3534 = (parity_3508 & parity_3520) | (parity_3493 & (parity_3508 | parity_3520));
-  logic or_3541;
-  assign or_3541 = (parity_3475 & parity_3490) | ((^{or_3456, or_3452, or_3448}) & (parity_3475 | parity_3490));
+  logic or_3529;
+  assign or_3529 = (xor_3393 & xor_3396) | (xor_3390 & (xor_3393 | xor_3396));
+  logic or_3533;
+  assign or_3533 = (xor_3405 & xor_3408) | (xor_3402 & (xor_3405 | xor_3408));
+  logic or_3537;
+  assign or_3537 = (xor_3417 & xor_3420) | (xor_3414 & (xor_3417 | xor_3420));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3540;
+  assign parity_3540 = ^{or_3537, or_3533, or_3529};
+  // hls/stages/count_bits.hpp:25
+  logic and_3541;
+  assign and_3541 = xor_3387 & (^{xor_3424, select_3354[44:36], other[44:36]});
   logic or_3545;
-  assign or_3545 = (or_3501 & or_3505) | (or_3497 & (or_3501 | or_3505));
+  assign or_3545 = (xor_3372 & xor_3384) | (xor_3369 & (xor_3372 | xor_3384));
+  logic and_3548;
+  assign and_3548 = (xor_3390 ^ (^{select_3354[41:36], other[41:36]})) & (xor_3411 | xor_3423);
   logic or_3549;
-  assign or_3549 = (or_3513 & or_3517) | (and_3509 & (or_3513 | or_3517));
+  assign or_3549 = (xor_3411 & xor_3423) | and_3548;
+  // hls/stages/count_bits.hpp:24
+  logic parity_3552;
+  assign parity_3552 = ^{or_3549, or_3545, and_3541};
+  logic parity_3555;
+  assign parity_3555 = ^{or_3549, or_3545, and_3541, or_3537, or_3533, or_3529, or_3519, or_3515, or_3511, or_3504, or_3500, or_3496, or_3488, or_3484, or_3480};
+  logic parity_3557;
+  assign parity_3557 = ^{or_3549, or_3545, and_3541, or_3537, or_3533, or_3529, or_3519, or_3515, or_3511, or_3504, or_3500, or_3496, or_3488, or_3484, or_3480, or_3470, or_3466, or_3462, or_3455, or_3451, or_3447, or_3440, or_3436, or_3432};
+  // hls/stages/count_bits.hpp:25
+  logic and_3558;
+  assign and_3558 = parity_3476 & parity_3555;
+  logic or_3562;
+  assign or_3562 = (parity_3458 & parity_3473) | ((^{or_3440, or_3436, or_3432}) & (parity_3458 | parity_3473));
+  logic or_3566;
+  assign or_3566 = (parity_3540 & parity_3552) | (parity_3525 & (parity_3540 | parity_3552));
+  logic or_3573;
+  assign or_3573 = (parity_3507 & parity_3522) | ((^{or_3488, or_3484, or_3480}) & (parity_3507 | parity_3522));
+  logic or_3577;
+  assign or_3577 = (or_3533 & or_3537) | (or_3529 & (or_3533 | or_3537));
+  logic or_3581;
+  assign or_3581 = (or_3545 & or_3549) | (and_3541 & (or_3545 | or_3549));
   // hls/stages/count_bits.hpp:23
-  logic or_3556;
-  assign or_3556 = (or_3452 & or_3456) | (or_3448 & (or_3452 | or_3456));
+  logic or_3588;
+  assign or_3588 = (or_3484 & or_3488) | (or_3480 & (or_3484 | or_3488));
   // hls/stages/count_bits.hpp:25
-  logic or_3560;
-  assign or_3560 = (or_3468 & or_3472) | (or_3464 & (or_3468 | or_3472));
-  logic or_3564;
-  assign or_3564 = (or_3483 & or_3487) | (or_3479 & (or_3483 | or_3487));
+  logic or_3592;
+  assign or_3592 = (or_3500 & or_3504) | (or_3496 & (or_3500 | or_3504));
+  logic or_3596;
+  assign or_3596 = (or_3515 & or_3519) | (or_3511 & (or_3515 | or_3519));
   // hls/stages/count_bits.hpp:24
-  logic parity_3567;
-  assign parity_3567 = ^{or_3564, or_3560, or_3556};
+  logic parity_3599;
+  assign parity_3599 = ^{or_3596, or_3592, or_3588};
   // hls/stages/count_bits.hpp:23
-  logic or_3571;
-  assign or_3571 = (or_3404 & or_3408) | (or_3400 & (or_3404 | or_3408));
+  logic or_3603;
+  assign or_3603 = (or_3436 & or_3440) | (or_3432 & (or_3436 | or_3440));
   // hls/stages/count_bits.hpp:25
-  logic or_3575;
-  assign or_3575 = (or_3419 & or_3423) | (or_3415 & (or_3419 | or_3423));
-  logic or_3579;
-  assign or_3579 = (or_3434 & or_3438) | (or_3430 & (or_3434 | or_3438));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3582;
-  assign parity_3582 = ^{or_3579, or_3575, or_3571};
-  logic parity_3585;
-  assign parity_3585 = ^{or_3579, or_3575, or_3571, or_3564, or_3560, or_3556, or_3549, or_3545, or_3541};
-  logic parity_3587;
-  assign parity_3587 = ^{or_3579, or_3575, or_3571, or_3564, or_3560, or_3556, or_3549, or_3545, or_3541, or_3534, or_3530, and_3526};
-  // hls/stages/count_bits.hpp:25
-  logic or_3591;
-  assign or_3591 = (or_3545 & or_3549) | (or_3541 & (or_3545 | or_3549));
-  logic or_3595;
-  assign or_3595 = (or_3560 & or_3564) | (or_3556 & (or_3560 | or_3564));
-  logic or_3599;
-  assign or_3599 = (or_3575 & or_3579) | (or_3571 & (or_3575 | or_3579));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3602;
-  assign parity_3602 = ^{or_3599, or_3595, or_3591};
-  // hls/stages/count_bits.hpp:25
-  logic and_3603;
-  assign and_3603 = (^{or_3534, or_3530, and_3526}) & parity_3585;
   logic or_3607;
-  assign or_3607 = (or_3530 & or_3534) | (and_3526 & (or_3530 | or_3534));
+  assign or_3607 = (or_3451 & or_3455) | (or_3447 & (or_3451 | or_3455));
   logic or_3611;
-  assign or_3611 = (parity_3567 & parity_3582) | ((^{or_3549, or_3545, or_3541}) & (parity_3567 | parity_3582));
+  assign or_3611 = (or_3466 & or_3470) | (or_3462 & (or_3466 | or_3470));
   // hls/stages/count_bits.hpp:24
   logic parity_3614;
-  assign parity_3614 = ^{or_3611, or_3607, and_3603};
+  assign parity_3614 = ^{or_3611, or_3607, or_3603};
+  logic parity_3617;
+  assign parity_3617 = ^{or_3611, or_3607, or_3603, or_3596, or_3592, or_3588, or_3581, or_3577, or_3573};
+  logic parity_3619;
+  assign parity_3619 = ^{or_3611, or_3607, or_3603, or_3596, or_3592, or_3588, or_3581, or_3577, or_3573, or_3566, or_3562, and_3558};
   // hls/stages/count_bits.hpp:25
-  logic and_3616;
-  assign and_3616 = parity_3602 & parity_3614;
-  logic or_3620;
-  assign or_3620 = (or_3595 & or_3599) | (or_3591 & (or_3595 | or_3599));
-  logic or_3624;
-  assign or_3624 = (or_3607 & or_3611) | (and_3603 & (or_3607 | or_3611));
-  // hls/stages/patches.hpp:160
-  logic select_3672;
-  assign select_3672 = equal_2146_s3_q ? patches_summed_first_q : (equal_2148_s3_q ? new_row_s3_q : patches_summed_first_q);
-  // hls/stages/patches.hpp:495
-  logic [9:0] select_3679;
-  assign select_3679 = less_2288_s3_q ? patches_rows_rdata_q[9:0] : 10'h0;
-  // hls/stages/patches.hpp:499
-  logic [9:0] select_3682;
-  assign select_3682 = equal_2291_s3_q ? (less_2288_s3_q ? (equal_2291_s3_q ? 10'h0 : select_3679) : 10'h0) : select_3679;
-  logic [9:0] select_3684;
-  assign select_3684 = less_2288_s3_q ? (equal_2289_s3_q ? 10'h0 : select_3682) : select_3682;
-  // hls/stages/patches.hpp:495
-  logic [4:0] select_3686;
-  assign select_3686 = less_2288_s3_q ? patches_rows_rdata_q[14:10] : 5'h0;
-  // hls/stages/patches.hpp:499
-  logic [4:0] select_3689;
-  assign select_3689 = equal_2291_s3_q ? (less_2288_s3_q ? (equal_2291_s3_q ? 5'h0 : select_3686) : 5'h0) : select_3686;
-  logic [4:0] select_3691;
-  assign select_3691 = less_2288_s3_q ? (equal_2289_s3_q ? 5'h0 : select_3689) : select_3689;
-  // hls/stages/patches.hpp:495
-  logic [4:0] select_3693;
-  assign select_3693 = less_2288_s3_q ? patches_step_s3_q : 5'h0;
-  // hls/stages/patches.hpp:499
-  logic [4:0] select_3696;
-  assign select_3696 = equal_2291_s3_q ? (less_2288_s3_q ? (equal_2291_s3_q ? 5'h0 : select_3693) : 5'h0) : select_3693;
-  logic [4:0] select_3698;
-  assign select_3698 = less_2288_s3_q ? (equal_2289_s3_q ? 5'h0 : select_3696) : select_3696;
-  // hls/stages/patches.hpp:495
-  logic and_3701;
-  assign and_3701 = less_2288_s3_q & (patches_step_s3_q == 5'h0);
-  // hls/stages/patches.hpp:499
+  logic or_3623;
+  assign or_3623 = (or_3577 & or_3581) | (or_3573 & (or_3577 | or_3581));
+  logic or_3627;
+  assign or_3627 = (or_3592 & or_3596) | (or_3588 & (or_3592 | or_3596));
+  logic or_3631;
+  assign or_3631 = (or_3607 & or_3611) | (or_3603 & (or_3607 | or_3611));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3634;
+  assign parity_3634 = ^{or_3631, or_3627, or_3623};
+  // hls/stages/count_bits.hpp:25
+  logic and_3635;
+  assign and_3635 = (^{or_3566, or_3562, and_3558}) & parity_3617;
+  logic or_3639;
+  assign or_3639 = (or_3562 & or_3566) | (and_3558 & (or_3562 | or_3566));
+  logic or_3643;
+  assign or_3643 = (parity_3599 & parity_3614) | ((^{or_3581, or_3577, or_3573}) & (parity_3599 | parity_3614));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3646;
+  assign parity_3646 = ^{or_3643, or_3639, and_3635};
+  // hls/stages/count_bits.hpp:25
+  logic and_3648;
+  assign and_3648 = parity_3634 & parity_3646;
+  logic or_3652;
+  assign or_3652 = (or_3627 & or_3631) | (or_3623 & (or_3627 | or_3631));
+  logic or_3656;
+  assign or_3656 = (or_3639 & or_3643) | (and_3635 & (or_3639 | or_3643));
+  // hls/stages/patches.hpp:166
+  logic [4:0] select_3701;
+  assign select_3701 = equal_2150_s3_q ? patches_along_s3_q : patches_summed_row_column_q;
   logic select_3704;
-  assign select_3704 = equal_2291_s3_q ? (less_2288_s3_q ? (not_2292_s3_q & and_3701) : and_3701) : and_3701;
-  // hls/stages/patches.hpp:160
-  logic select_3707;
-  assign select_3707 = equal_2146_s3_q ? (less_2288_s3_q ? (not_2290_s3_q & select_3704) : select_3704) : patches_read_first_q;
-  // hls/stages/patches.hpp:154
-  logic or_3718;
-  assign or_3718 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3719;
-  assign and_3719 = patches_read_searches_s3_q & or_3718;
-  // hls/stages/patches.hpp:479
-  logic [4:0] select_3720;
-  assign select_3720 = and_3719 ? patches_read_at_q : patches_peak_row_q;
-  // hls/stages/patches.hpp:486
-  logic [5:0] away;
-  assign away = {1'b0, patches_step_s3_q} - {1'b0, select_3720};
-  // hls/stages/patches.hpp:495
-  logic and_3724;
-  assign and_3724 = less_2288_s3_q & (equal_3716_s3_q & (away == 6'h3f));
-  // hls/stages/patches.hpp:499
-  logic select_3727;
-  assign select_3727 = equal_2291_s3_q ? (less_2288_s3_q ? (not_2292_s3_q & and_3724) : and_3724) : and_3724;
-  // hls/stages/patches.hpp:160
-  logic select_3730;
-  assign select_3730 = equal_2146_s3_q ? (less_2288_s3_q ? (not_2290_s3_q & select_3727) : select_3727) : patches_read_above_q;
-  // hls/stages/patches.hpp:495
+  assign select_3704 = equal_2148_s3_q ? patches_summed_first_q : (equal_2150_s3_q ? new_row_s3_q : patches_summed_first_q);
+  // hls/stages/patches.hpp:534
+  logic [9:0] select_3711;
+  assign select_3711 = less_2311_s3_q ? patches_rows_rdata_q[9:0] : 10'h0;
+  // hls/stages/patches.hpp:538
+  logic [9:0] select_3714;
+  assign select_3714 = equal_2314_s3_q ? (less_2311_s3_q ? (equal_2314_s3_q ? 10'h0 : select_3711) : 10'h0) : select_3711;
+  logic [9:0] select_3716;
+  assign select_3716 = less_2311_s3_q ? (equal_2312_s3_q ? 10'h0 : select_3714) : select_3714;
+  // hls/stages/patches.hpp:534
+  logic [4:0] select_3718;
+  assign select_3718 = less_2311_s3_q ? patches_rows_rdata_q[14:10] : 5'h0;
+  // hls/stages/patches.hpp:538
+  logic [4:0] select_3721;
+  assign select_3721 = equal_2314_s3_q ? (less_2311_s3_q ? (equal_2314_s3_q ? 5'h0 : select_3718) : 5'h0) : select_3718;
+  logic [4:0] select_3723;
+  assign select_3723 = less_2311_s3_q ? (equal_2312_s3_q ? 5'h0 : select_3721) : select_3721;
+  // hls/stages/patches.hpp:534
+  logic [4:0] select_3725;
+  assign select_3725 = less_2311_s3_q ? patches_step_s3_q : 5'h0;
+  // hls/stages/patches.hpp:538
+  logic [4:0] select_3728;
+  assign select_3728 = equal_2314_s3_q ? (less_2311_s3_q ? (equal_2314_s3_q ? 5'h0 : select_3725) : 5'h0) : select_3725;
+  logic [4:0] select_3730;
+  assign select_3730 = less_2311_s3_q ? (equal_2312_s3_q ? 5'h0 : select_3728) : select_3728;
+  // hls/stages/patches.hpp:534
   logic and_3733;
-  assign and_3733 = less_2288_s3_q & (equal_3716_s3_q & (away == 6'h1));
-  // hls/stages/patches.hpp:499
+  assign and_3733 = less_2311_s3_q & (patches_step_s3_q == 5'h0);
+  // hls/stages/patches.hpp:538
   logic select_3736;
-  assign select_3736 = equal_2291_s3_q ? (less_2288_s3_q ? (not_2292_s3_q & and_3733) : and_3733) : and_3733;
-  // hls/stages/patches.hpp:160
+  assign select_3736 = equal_2314_s3_q ? (less_2311_s3_q ? (not_2315_s3_q & and_3733) : and_3733) : and_3733;
+  // hls/stages/patches.hpp:166
   logic select_3739;
-  assign select_3739 = equal_2146_s3_q ? (less_2288_s3_q ? (not_2290_s3_q & select_3736) : select_3736) : patches_read_below_q;
-  // hls/stages/patches.hpp:492
-  logic [6:0] sum_3740;
-  assign sum_3740 = {away[5], away} + 7'h7d;
-  // hls/stages/patches.hpp:493
-  logic [9:0] select_3743;
-  assign select_3743 = (equal_3716_s3_q & ({sum_3740[6], sum_3740} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
-  // hls/stages/patches.hpp:495
-  logic [9:0] select_3744;
-  assign select_3744 = less_2288_s3_q ? select_3743 : 10'h3ff;
-  // hls/stages/patches.hpp:496
-  logic [9:0] select_3746;
-  assign select_3746 = less_2288_s3_q ? (equal_2291_s3_q ? 10'h3ff : select_3744) : 10'h3ff;
-  // hls/stages/patches.hpp:499
-  logic [9:0] select_3747;
-  assign select_3747 = equal_2291_s3_q ? select_3746 : select_3744;
-  logic [9:0] select_3749;
-  assign select_3749 = less_2288_s3_q ? (equal_2289_s3_q ? 10'h3ff : select_3747) : select_3747;
-  // hls/stages/patches.hpp:478
-  logic [14:0] select_3751;
-  assign select_3751 = and_3719 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  assign select_3739 = equal_2148_s3_q ? (less_2311_s3_q ? (not_2313_s3_q & select_3736) : select_3736) : patches_read_first_q;
   // hls/stages/patches.hpp:160
-  logic [9:0] select_3752;
-  assign select_3752 = equal_2146_s3_q ? select_3751[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3753;
-  assign select_3753 = equal_2146_s3_q ? select_3751[14:10] : patches_peak_best_column_q;
-  // hls/stages/patches.hpp:480
-  logic [9:0] select_3755;
-  assign select_3755 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
-  // hls/stages/patches.hpp:481
-  logic [9:0] select_3757;
-  assign select_3757 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
-  // hls/stages/patches.hpp:482
-  logic [9:0] select_3760;
-  assign select_3760 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
-  logic [9:0] select_3761;
-  assign select_3761 = patches_read_first_q ? patches_read_far_q : select_3760;
-  // hls/stages/patches.hpp:533
-  logic [9:0] difference_3764;
-  assign difference_3764 = select_3761 - select_3751[9:0];
+  logic or_3750;
+  assign or_3750 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3751;
+  assign and_3751 = patches_read_searches_s3_q & or_3750;
   // hls/stages/patches.hpp:518
-  logic less_3794;
-  assign less_3794 = select_3755 < select_3757;
-  // hls/stages/patches.hpp:524
-  logic [1:0] sum_3795;
-  assign sum_3795 = select_3720[4:3] + 2'h3;
+  logic [4:0] select_3752;
+  assign select_3752 = and_3751 ? patches_read_at_q : patches_peak_row_q;
+  // hls/stages/patches.hpp:525
+  logic [5:0] away;
+  assign away = {1'b0, patches_step_s3_q} - {1'b0, select_3752};
+  // hls/stages/patches.hpp:534
+  logic and_3756;
+  assign and_3756 = less_2311_s3_q & (equal_3748_s3_q & (away == 6'h3f));
+  // hls/stages/patches.hpp:538
+  logic select_3759;
+  assign select_3759 = equal_2314_s3_q ? (less_2311_s3_q ? (not_2315_s3_q & and_3756) : and_3756) : and_3756;
+  // hls/stages/patches.hpp:166
+  logic select_3762;
+  assign select_3762 = equal_2148_s3_q ? (less_2311_s3_q ? (not_2313_s3_q & select_3759) : select_3759) : patches_read_above_q;
+  // hls/stages/patches.hpp:534
+  logic and_3765;
+  assign and_3765 = less_2311_s3_q & (equal_3748_s3_q & (away == 6'h1));
+  // hls/stages/patches.hpp:538
+  logic select_3768;
+  assign select_3768 = equal_2314_s3_q ? (less_2311_s3_q ? (not_2315_s3_q & and_3765) : and_3765) : and_3765;
+  // hls/stages/patches.hpp:166
+  logic select_3771;
+  assign select_3771 = equal_2148_s3_q ? (less_2311_s3_q ? (not_2313_s3_q & select_3768) : select_3768) : patches_read_below_q;
+  // hls/stages/patches.hpp:531
+  logic [6:0] sum_3772;
+  assign sum_3772 = {away[5], away} + 7'h7d;
+  // hls/stages/patches.hpp:532
+  logic [9:0] select_3775;
+  assign select_3775 = (equal_3748_s3_q & ({sum_3772[6], sum_3772} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  // hls/stages/patches.hpp:534
+  logic [9:0] select_3776;
+  assign select_3776 = less_2311_s3_q ? select_3775 : 10'h3ff;
+  // hls/stages/patches.hpp:535
+  logic [9:0] select_3778;
+  assign select_3778 = less_2311_s3_q ? (equal_2314_s3_q ? 10'h3ff : select_3776) : 10'h3ff;
+  // hls/stages/patches.hpp:538
+  logic [9:0] select_3779;
+  assign select_3779 = equal_2314_s3_q ? select_3778 : select_3776;
+  logic [9:0] select_3781;
+  assign select_3781 = less_2311_s3_q ? (equal_2312_s3_q ? 10'h3ff : select_3779) : select_3779;
+  // hls/stages/patches.hpp:517
+  logic [14:0] select_3783;
+  assign select_3783 = and_3751 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  // hls/stages/patches.hpp:166
+  logic [9:0] select_3784;
+  assign select_3784 = equal_2148_s3_q ? select_3783[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3785;
+  assign select_3785 = equal_2148_s3_q ? select_3783[14:10] : patches_peak_best_column_q;
   // hls/stages/patches.hpp:519
-  logic [9:0] high;
-  assign high = less_3794 ? select_3757 : select_3755;
-  logic [9:0] low;
-  assign low = (select_3757 < select_3755) ? select_3757 : select_3755;
+  logic [9:0] select_3787;
+  assign select_3787 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
   // hls/stages/patches.hpp:520
+  logic [9:0] select_3789;
+  assign select_3789 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  // hls/stages/patches.hpp:521
+  logic [9:0] select_3792;
+  assign select_3792 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
+  logic [9:0] select_3793;
+  assign select_3793 = patches_read_first_q ? patches_read_far_q : select_3792;
+  // hls/stages/patches.hpp:572
+  logic [9:0] difference_3796;
+  assign difference_3796 = select_3793 - select_3783[9:0];
+  // hls/stages/patches.hpp:557
+  logic less_3826;
+  assign less_3826 = select_3787 < select_3789;
+  // hls/stages/patches.hpp:563
+  logic [1:0] sum_3827;
+  assign sum_3827 = select_3752[4:3] + 2'h3;
+  // hls/stages/patches.hpp:558
+  logic [9:0] high;
+  assign high = less_3826 ? select_3789 : select_3787;
+  logic [9:0] low;
+  assign low = (select_3789 < select_3787) ? select_3789 : select_3787;
+  // hls/stages/patches.hpp:559
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall;
-  assign fall = high - select_3751[9:0];
-  // hls/stages/patches.hpp:522
-  logic not_3802;
-  assign not_3802 = ~({eight, 3'h0} < {3'h0, fall});
-  logic [10:0] sum_3803;
-  assign sum_3803 = {1'b0, fall} + {2'h0, fall[9:1]};
-  logic not_3805;
-  assign not_3805 = ~({eight, 3'h0} < {1'b0, sum_3803, fall[0]});
-  logic [1:0] sum_3806;
-  assign sum_3806 = {1'b0, not_3802} + {1'b0, not_3805};
-  // hls/stages/patches.hpp:523
-  logic [10:0] sum_3807;
-  assign sum_3807 = {1'b0, fall} + {3'h0, fall[9:2]};
-  logic not_3809;
-  assign not_3809 = ~({eight, 3'h0} < {sum_3807, fall[1:0]});
-  logic not_3812;
-  assign not_3812 = ~({eight, 3'h0} < ({fall, 3'h0} - {3'h0, fall}));
-  logic [1:0] sum_3813;
-  assign sum_3813 = {1'b0, not_3809} + {1'b0, not_3812};
-  // hls/stages/patches.hpp:522
+  assign fall = high - select_3783[9:0];
+  // hls/stages/patches.hpp:561
+  logic not_3834;
+  assign not_3834 = ~({eight, 3'h0} < {3'h0, fall});
+  logic [10:0] sum_3835;
+  assign sum_3835 = {1'b0, fall} + {2'h0, fall[9:1]};
+  logic not_3837;
+  assign not_3837 = ~({eight, 3'h0} < {1'b0, sum_3835, fall[0]});
+  logic [1:0] sum_3838;
+  assign sum_3838 = {1'b0, not_3834} + {1'b0, not_3837};
+  // hls/stages/patches.hpp:562
+  logic [10:0] sum_3839;
+  assign sum_3839 = {1'b0, fall} + {3'h0, fall[9:2]};
+  logic not_3841;
+  assign not_3841 = ~({eight, 3'h0} < {sum_3839, fall[1:0]});
+  logic not_3844;
+  assign not_3844 = ~({eight, 3'h0} < ({fall, 3'h0} - {3'h0, fall}));
+  logic [1:0] sum_3845;
+  assign sum_3845 = {1'b0, not_3841} + {1'b0, not_3844};
+  // hls/stages/patches.hpp:561
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3806} + {1'b0, sum_3813};
-  // hls/stages/patches.hpp:525
-  logic [7:0] select_3816;
-  assign select_3816 = less_3794 ? ({sum_3795, select_3720[2:0], 3'h0} - {5'h0, fraction}) : {sum_3795, select_3720[2:0], fraction};
+  assign fraction = {1'b0, sum_3838} + {1'b0, sum_3845};
+  // hls/stages/patches.hpp:564
+  logic [7:0] select_3848;
+  assign select_3848 = less_3826 ? ({sum_3827, select_3752[2:0], 3'h0} - {5'h0, fraction}) : {sum_3827, select_3752[2:0], fraction};
   // hls/stages/agreement.hpp:1086
-  logic equal_3972;
-  assign equal_3972 = x_s3_q[6:0] == 7'h7f;
-  // hls/stages/patches.hpp:313
-  logic select_3988;
-  assign select_3988 = equal_1933_s3_q ? shown_shown_q : (so_s3_q ? select_2346 : shown_shown_q);
-  logic select_3990;
-  assign select_3990 = equal_1933_s3_q ? shown_nearer_q : (so_s3_q ? select_2349 : shown_nearer_q);
+  logic equal_4004;
+  assign equal_4004 = x_s3_q[6:0] == 7'h7f;
+  // hls/stages/patches.hpp:322
+  logic select_4021;
+  assign select_4021 = equal_1935_s3_q ? shown_shown_q : (so_s3_q ? select_2370 : shown_shown_q);
+  logic select_4023;
+  assign select_4023 = equal_1935_s3_q ? shown_nearer_q : (so_s3_q ? select_2373 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_3992;
-  assign sum_3992 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_4025;
+  assign sum_4025 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:447
-  logic [2:0] select_3994;
-  assign select_3994 = less_3991_s3_q ? (sum_3992[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_3996;
-  assign select_3996 = equal_2721_s3_q ? (equal_552_s3_q ? 3'h0 : select_3994) : region_row_q;
-  // hls/stages/patches.hpp:313
-  logic [7:0] select_4001;
-  assign select_4001 = equal_1933_s3_q ? select_2306 : (so_s3_q ? (ends_cell_s3_q ? select_2398 : select_2306) : 8'h1);
+  logic [2:0] select_4027;
+  assign select_4027 = less_4024_s3_q ? (sum_4025[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_4029;
+  assign select_4029 = equal_2745_s3_q ? (equal_554_s3_q ? 3'h0 : select_4027) : region_row_q;
+  // hls/stages/patches.hpp:322
+  logic [7:0] select_4034;
+  assign select_4034 = equal_1935_s3_q ? select_2330 : (so_s3_q ? (ends_cell_s3_q ? select_2422 : select_2330) : 8'h1);
   // hls/stages/agreement.hpp:447
-  logic [8:0] select_4015;
-  assign select_4015 = equal_552_s3_q ? {{2{difference_4013[6]}}, difference_4013} : (less_3991_s3_q ? region_down_next_q : region_down_rest_q);
+  logic [8:0] select_4048;
+  assign select_4048 = equal_554_s3_q ? {{2{difference_4046[6]}}, difference_4046} : (less_4024_s3_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:507
-  logic [8:0] select_4017;
-  assign select_4017 = and_491_s3_q ? (equal_2721_s3_q ? select_4015 : region_down_rest_q) : region_down_rest_q;
+  logic [8:0] select_4050;
+  assign select_4050 = and_493_s3_q ? (equal_2745_s3_q ? select_4048 : region_down_rest_q) : region_down_rest_q;
   // hls/stages/agreement.hpp:447
-  logic [6:0] select_4019;
-  assign select_4019 = equal_552_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  logic [6:0] select_4052;
+  assign select_4052 = equal_554_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
   // hls/stages/agreement.hpp:507
-  logic [6:0] select_4021;
-  assign select_4021 = and_491_s3_q ? (equal_2721_s3_q ? select_4019 : region_down_back_q) : region_down_back_q;
+  logic [6:0] select_4054;
+  assign select_4054 = and_493_s3_q ? (equal_2745_s3_q ? select_4052 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4022;
-  assign sum_4022 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_4055;
+  assign sum_4055 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4023;
-  assign select_4023 = sum_3992[7] ? {1'b1, sum_3992[6:0], region_down_rest_q[0]} : sum_4022;
+  logic [8:0] select_4056;
+  assign select_4056 = sum_4025[7] ? {1'b1, sum_4025[6:0], region_down_rest_q[0]} : sum_4055;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3992[7];
+  assign next = ~sum_4025[7];
   // hls/stages/agreement.hpp:447
-  logic select_4027;
-  assign select_4027 = equal_2721_s3_q ? (equal_552_s3_q | (less_3991_s3_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_4060;
+  assign select_4060 = equal_2745_s3_q ? (equal_554_s3_q | (less_4024_s3_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:197
-  logic or_4032;
-  assign or_4032 = segment_starts_q | not_1973;
+  logic or_4065;
+  assign or_4065 = segment_starts_q | not_1975;
   // hls/stages/agreement.hpp:976
-  logic select_4035;
-  assign select_4035 = shift_2_s3_q[0] ? (sum_2319_s3_q ? (equal_2139_s3_q & or_2321) : or_2321) : or_4032;
-  // hls/stages/patches.hpp:313
-  logic select_4038;
-  assign select_4038 = equal_1933_s3_q ? or_4032 : (so_s3_q ? (ends_cell_s3_q ? select_4035 : or_4032) : or_4032);
-  logic [2:0] select_4112;
-  assign select_4112 = so_s3_q ? (ends_cell_s3_q ? textured_2 : box_textured_columns_values_0_q) : box_textured_columns_values_0_q;
-  logic [2:0] select_4114;
-  assign select_4114 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_4116;
-  assign select_4116 = equal_1933_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_4114 : box_textured_columns_values_1_q);
-  logic [2:0] select_4117;
-  assign select_4117 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [2:0] select_4119;
-  assign select_4119 = equal_1933_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_4117 : box_textured_columns_values_2_q);
-  logic [2:0] select_4120;
-  assign select_4120 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_4122;
-  assign select_4122 = equal_1933_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_4120 : box_textured_columns_values_3_q);
-  logic [2:0] select_4123;
-  assign select_4123 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_4125;
-  assign select_4125 = equal_1933_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_4123 : box_textured_columns_values_4_q);
-  logic [4:0] select_4127;
-  assign select_4127 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_4130;
-  assign select_4130 = so_s3_q ? (ends_cell_s3_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
-  logic [2:0] select_4132;
-  assign select_4132 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [2:0] select_4134;
-  assign select_4134 = equal_1933_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_4132 : box_explained_columns_values_1_q);
-  logic [2:0] select_4135;
-  assign select_4135 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
-  logic [2:0] select_4137;
-  assign select_4137 = equal_1933_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_4135 : box_explained_columns_values_2_q);
-  logic [2:0] select_4138;
-  assign select_4138 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [2:0] select_4140;
-  assign select_4140 = equal_1933_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_4138 : box_explained_columns_values_3_q);
-  logic [2:0] select_4141;
-  assign select_4141 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [2:0] select_4143;
-  assign select_4143 = equal_1933_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_4141 : box_explained_columns_values_4_q);
-  logic [4:0] select_4145;
-  assign select_4145 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_4146;
-  assign select_4146 = equal_1933_s3_q ? box_explained_sum_sums_values_0_q : select_4145;
-  logic [2:0] select_4148;
-  assign select_4148 = so_s3_q ? (ends_cell_s3_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic select_4068;
+  assign select_4068 = shift_2_s3_q[0] ? (sum_2343_s3_q ? (equal_2141_s3_q & or_2345) : or_2345) : or_4065;
+  // hls/stages/patches.hpp:322
+  logic select_4071;
+  assign select_4071 = equal_1935_s3_q ? or_4065 : (so_s3_q ? (ends_cell_s3_q ? select_4068 : or_4065) : or_4065);
+  logic [2:0] select_4145;
+  assign select_4145 = so_s3_q ? (ends_cell_s3_q ? textured_2 : box_textured_columns_values_0_q) : box_textured_columns_values_0_q;
+  logic [2:0] select_4147;
+  assign select_4147 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_4149;
+  assign select_4149 = equal_1935_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_4147 : box_textured_columns_values_1_q);
   logic [2:0] select_4150;
-  assign select_4150 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_4150 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
   logic [2:0] select_4152;
-  assign select_4152 = equal_1933_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_4150 : box_shown_columns_values_1_q);
+  assign select_4152 = equal_1935_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_4150 : box_textured_columns_values_2_q);
   logic [2:0] select_4153;
-  assign select_4153 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_4153 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
   logic [2:0] select_4155;
-  assign select_4155 = equal_1933_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_4153 : box_shown_columns_values_2_q);
+  assign select_4155 = equal_1935_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_4153 : box_textured_columns_values_3_q);
   logic [2:0] select_4156;
-  assign select_4156 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  assign select_4156 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
   logic [2:0] select_4158;
-  assign select_4158 = equal_1933_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_4156 : box_shown_columns_values_3_q);
-  logic [2:0] select_4159;
-  assign select_4159 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_4161;
-  assign select_4161 = equal_1933_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_4159 : box_shown_columns_values_4_q);
-  logic [4:0] select_4163;
-  assign select_4163 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_4166;
-  assign select_4166 = so_s3_q ? (ends_cell_s3_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  assign select_4158 = equal_1935_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_4156 : box_textured_columns_values_4_q);
+  logic [4:0] select_4160;
+  assign select_4160 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [2:0] select_4163;
+  assign select_4163 = so_s3_q ? (ends_cell_s3_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
+  logic [2:0] select_4165;
+  assign select_4165 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_4167;
+  assign select_4167 = equal_1935_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_4165 : box_explained_columns_values_1_q);
   logic [2:0] select_4168;
-  assign select_4168 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_4168 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
   logic [2:0] select_4170;
-  assign select_4170 = equal_1933_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_4168 : box_nearer_columns_values_1_q);
+  assign select_4170 = equal_1935_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_4168 : box_explained_columns_values_2_q);
   logic [2:0] select_4171;
-  assign select_4171 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_4171 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
   logic [2:0] select_4173;
-  assign select_4173 = equal_1933_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_4171 : box_nearer_columns_values_2_q);
+  assign select_4173 = equal_1935_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_4171 : box_explained_columns_values_3_q);
   logic [2:0] select_4174;
-  assign select_4174 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  assign select_4174 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
   logic [2:0] select_4176;
-  assign select_4176 = equal_1933_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_4174 : box_nearer_columns_values_3_q);
-  logic [2:0] select_4177;
-  assign select_4177 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_4179;
-  assign select_4179 = equal_1933_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_4177 : box_nearer_columns_values_4_q);
-  logic [4:0] select_4181;
-  assign select_4181 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  logic select_4184;
-  assign select_4184 = so_s3_q ? (ends_cell_s3_q ? and_2386 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4187;
-  assign select_4187 = ends_cell_s3_q ? (seen_columns_rdata_q[6] & shift_2_s3_q[0]) : centres_values_0_of_skin_q;
-  logic select_4189;
-  assign select_4189 = equal_1933_s3_q ? centres_values_0_of_skin_q : (so_s3_q ? select_4187 : centres_values_0_of_skin_q);
-  logic select_4190;
-  assign select_4190 = ends_cell_s3_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_4192;
-  assign select_4192 = equal_1933_s3_q ? centres_values_1_textured_q : (so_s3_q ? select_4190 : centres_values_1_textured_q);
-  logic select_4193;
-  assign select_4193 = ends_cell_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_4195;
-  assign select_4195 = equal_1933_s3_q ? centres_values_1_of_skin_q : (so_s3_q ? select_4193 : centres_values_1_of_skin_q);
+  assign select_4176 = equal_1935_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_4174 : box_explained_columns_values_4_q);
+  logic [4:0] select_4178;
+  assign select_4178 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_4179;
+  assign select_4179 = equal_1935_s3_q ? box_explained_sum_sums_values_0_q : select_4178;
+  logic [2:0] select_4181;
+  assign select_4181 = so_s3_q ? (ends_cell_s3_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_4183;
+  assign select_4183 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4185;
+  assign select_4185 = equal_1935_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_4183 : box_shown_columns_values_1_q);
+  logic [2:0] select_4186;
+  assign select_4186 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_4188;
+  assign select_4188 = equal_1935_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_4186 : box_shown_columns_values_2_q);
+  logic [2:0] select_4189;
+  assign select_4189 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_4191;
+  assign select_4191 = equal_1935_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_4189 : box_shown_columns_values_3_q);
+  logic [2:0] select_4192;
+  assign select_4192 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4194;
+  assign select_4194 = equal_1935_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_4192 : box_shown_columns_values_4_q);
+  logic [4:0] select_4196;
+  assign select_4196 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [2:0] select_4199;
+  assign select_4199 = so_s3_q ? (ends_cell_s3_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_4201;
+  assign select_4201 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4203;
+  assign select_4203 = equal_1935_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_4201 : box_nearer_columns_values_1_q);
+  logic [2:0] select_4204;
+  assign select_4204 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4206;
+  assign select_4206 = equal_1935_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_4204 : box_nearer_columns_values_2_q);
+  logic [2:0] select_4207;
+  assign select_4207 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4209;
+  assign select_4209 = equal_1935_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_4207 : box_nearer_columns_values_3_q);
+  logic [2:0] select_4210;
+  assign select_4210 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4212;
+  assign select_4212 = equal_1935_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_4210 : box_nearer_columns_values_4_q);
+  logic [4:0] select_4214;
+  assign select_4214 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  logic select_4217;
+  assign select_4217 = so_s3_q ? (ends_cell_s3_q ? and_2410 : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_4220;
+  assign select_4220 = ends_cell_s3_q ? (seen_columns_rdata_q[6] & shift_2_s3_q[0]) : centres_values_0_of_skin_q;
+  logic select_4222;
+  assign select_4222 = equal_1935_s3_q ? centres_values_0_of_skin_q : (so_s3_q ? select_4220 : centres_values_0_of_skin_q);
+  logic select_4223;
+  assign select_4223 = ends_cell_s3_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4225;
+  assign select_4225 = equal_1935_s3_q ? centres_values_1_textured_q : (so_s3_q ? select_4223 : centres_values_1_textured_q);
+  logic select_4226;
+  assign select_4226 = ends_cell_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4228;
+  assign select_4228 = equal_1935_s3_q ? centres_values_1_of_skin_q : (so_s3_q ? select_4226 : centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:447
-  logic [12:0] select_4199;
-  assign select_4199 = equal_2721_s3_q ? (equal_4196_s3_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  logic [12:0] select_4232;
+  assign select_4232 = equal_2745_s3_q ? (equal_4229_s3_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:507
-  logic [6:0] select_4202;
-  assign select_4202 = and_491_s3_q ? (equal_2721_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:1226
-  logic [2:0] select_4213;
-  assign select_4213 = select_2358 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
+  logic [6:0] select_4235;
+  assign select_4235 = and_493_s3_q ? (equal_2745_s3_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
+  // hls/stages/agreement.hpp:1227
+  logic [2:0] select_4246;
+  assign select_4246 = select_2382 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:422
-  logic [7:0] select_4219;
-  assign select_4219 = marks_first_s3_q ? (less_4215 ? {sum_4216, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:1234
-  logic and_4225;
-  assign and_4225 = and_2457_s3_q & ({sum_2383, index_2[5:0]} == {sum_2370, index[5:0]});
+  logic [7:0] select_4252;
+  assign select_4252 = marks_first_s3_q ? (less_4248 ? {sum_4249, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  // hls/stages/agreement.hpp:1235
+  logic and_4258;
+  assign and_4258 = and_2481_s3_q & ({sum_2407, index_2[5:0]} == {sum_2394, index[5:0]});
   // hls/stages/registration.hpp:258
-  logic not_4278;
-  assign not_4278 = ~quarter[1];
-  logic [3:0] select_4279;
-  assign select_4279 = quarter[0] ? {quarter[1], 1'b0, not_4278, 1'b0} : {1'b0, quarter[1], 1'b0, not_4278};
+  logic not_4316;
+  assign not_4316 = ~quarter[1];
+  logic [3:0] select_4317;
+  assign select_4317 = quarter[0] ? {quarter[1], 1'b0, not_4316, 1'b0} : {1'b0, quarter[1], 1'b0, not_4316};
 
   // Memory registration_sums, 12 x 32 and parity, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [32:0] registration_sums_mem [0:11];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 33'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1985;
+  assign registration_sums_raddr = select_1987;
   logic registration_sums_re;
-  assign registration_sums_re = s3_en & select_2028;
+  assign registration_sums_re = s3_en & select_2030;
   logic [32:0] registration_sums_word_q;
   always_ff @(posedge clk_i) begin
     if (registration_sums_re) registration_sums_word_q <= registration_sums_mem[registration_sums_raddr];
@@ -4700,17 +4754,18 @@ module horopter_agreement (
   always_ff @(posedge clk_i) registration_sums_read_q <= rst_ni & registration_sums_re;
   assign registration_sums_error = registration_sums_read_q & ^registration_sums_word_q;
 
-  // Memory patches_choices, 64 x 23 and parity, DISTANCE 12, hls/stages/patches.hpp:685; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory patches_choices, 64 x 23 and parity, DISTANCE 12, hls/stages/patches.hpp:725; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [23:0] patches_choices_mem [0:63];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 24'h0;
 `endif
   logic [5:0] patches_choices_raddr;
-  assign patches_choices_raddr = select_2062;
+  assign patches_choices_raddr = select_2064;
   logic patches_choices_re;
-  assign patches_choices_re = s3_en & (sample_pair_whole_s3_q & (~equal_2064));
+  assign patches_choices_re = s3_en & (sample_pair_whole_s3_q & (~equal_2066));
   logic [23:0] patches_choices_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_choices_re) patches_choices_word_q <= patches_choices_mem[patches_choices_raddr];
@@ -4721,17 +4776,18 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_choices_read_q <= rst_ni & patches_choices_re;
   assign patches_choices_error = patches_choices_read_q & ^patches_choices_word_q;
 
-  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1318; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1319; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [30:0] regions_mem [0:63];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 31'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_2316;
+  assign regions_raddr = select_2340;
   logic regions_re;
-  assign regions_re = s3_en & (equal_1933_s3_q ? (x_s3_q[6] & not_2317) : and_2324);
+  assign regions_re = s3_en & (equal_1935_s3_q ? (x_s3_q[6] & not_2341) : and_2348);
   logic [30:0] regions_word_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_word_q <= regions_mem[regions_raddr];
@@ -4742,7 +4798,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) regions_read_q <= rst_ni & regions_re;
   assign regions_error = regions_read_q & ^regions_word_q;
 
-  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1329; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1330; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] map_mem [0:9599];
@@ -4750,9 +4806,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 9600; i++) map_mem[i] = 3'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_2370, index[5:0]};
+  assign map_raddr = {sum_2394, index[5:0]};
   logic map_re;
-  assign map_re = s3_en & (and_2377 & less_2378);
+  assign map_re = s3_en & (and_2401 & less_2402);
   logic [2:0] map_word_q;
   always_ff @(posedge clk_i) begin
     if (map_re) map_word_q <= map_mem[map_raddr];
@@ -4765,11 +4821,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_461_s3_q;
+  assign averager_memory_waddr = select_463_s3_q;
   logic averager_memory_we;
-  assign averager_memory_we = s3_en & and_466_s3_q;
+  assign averager_memory_we = s3_en & and_468_s3_q;
   logic [25:0] averager_memory_wdata;
-  assign averager_memory_wdata = {and_485, and_481, sum_477, sum_473};
+  assign averager_memory_wdata = {and_487, and_483, sum_479, sum_475};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {^averager_memory_wdata, averager_memory_wdata};
   end
@@ -4789,9 +4845,9 @@ module horopter_agreement (
   logic [6:0] census_memory_waddr;
   assign census_memory_waddr = column_s3_q;
   logic census_memory_we;
-  assign census_memory_we = s3_en & and_491_s3_q;
+  assign census_memory_we = s3_en & and_493_s3_q;
   logic [77:0] census_memory_wdata;
-  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_509, whole_2, select_501, select_497};
+  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_511, whole_2, select_503, select_499};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (census_memory_we) census_memory_mem[census_memory_waddr] <= {^census_memory_wdata, census_memory_wdata};
   end
@@ -4809,11 +4865,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_1972_s3_q;
+  assign shown_right_waddr = select_1974_s3_q;
   logic shown_right_we;
-  assign shown_right_we = s3_en & and_1977_s3_q;
+  assign shown_right_we = s3_en & and_1979_s3_q;
   logic [1:0] shown_right_wdata;
-  assign shown_right_wdata = {and_1974, not_1973};
+  assign shown_right_wdata = {and_1976, not_1975};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (shown_right_we) shown_right_mem[shown_right_waddr] <= {^shown_right_wdata, shown_right_wdata};
   end
@@ -4830,12 +4886,12 @@ module horopter_agreement (
 `endif
 
   // Memory patches_right_codes, write
-  logic [4:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_2244, patches_code_row_s3_q[1:0]};
+  logic [6:0] patches_right_codes_waddr;
+  assign patches_right_codes_waddr = {sum_2262, patches_code_row_s3_q[1:0], of_row_2_s3_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s3_en & and_2275_s3_q;
-  logic [111:0] patches_right_codes_wdata;
-  assign patches_right_codes_wdata = {less_2264_s3_q, less_2263_s3_q, less_2254_s3_q, less_2253_s3_q, patches_codes_high_q, patches_codes_low_q};
+  assign patches_right_codes_we = s3_en & and_2296_s3_q;
+  logic [27:0] patches_right_codes_wdata;
+  assign patches_right_codes_wdata = {less_2282_s3_q, less_2281_s3_q, less_2272_s3_q, less_2271_s3_q, patches_codes_at_q[51:28]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {^patches_right_codes_wdata, patches_right_codes_wdata};
   end
@@ -4845,19 +4901,19 @@ module horopter_agreement (
       if (patches_right_codes_re && patches_right_codes_raddr == patches_right_codes_waddr) begin
         $error("patches_right_codes: address %0d is read less than DISTANCE steps after its write", patches_right_codes_waddr);
       end
-      if (patches_right_codes_waddr >= 5'd28) $error("patches_right_codes: write outside, address %0d", patches_right_codes_waddr);
+      if (patches_right_codes_waddr >= 7'd112) $error("patches_right_codes: write outside, address %0d", patches_right_codes_waddr);
     end
-    if (rst_ni && patches_right_codes_re && patches_right_codes_raddr >= 5'd28) $error("patches_right_codes: read outside, address %0d", patches_right_codes_raddr);
+    if (rst_ni && patches_right_codes_re && patches_right_codes_raddr >= 7'd112) $error("patches_right_codes: read outside, address %0d", patches_right_codes_raddr);
   end
 `endif
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_2277, patches_code_row_s3_q[1:0]};
+  assign patches_left_codes_waddr = {sum_2300, patches_code_row_s3_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s3_en & and_2287_s3_q;
+  assign patches_left_codes_we = s3_en & and_2310_s3_q;
   logic [47:0] patches_left_codes_wdata;
-  assign patches_left_codes_wdata = {less_2264_s3_q, less_2263_s3_q, less_2254_s3_q, less_2253_s3_q, patches_codes_high_q[55:12]};
+  assign patches_left_codes_wdata = {less_2282_s3_q, less_2281_s3_q, less_2272_s3_q, less_2271_s3_q, patches_codes_at_q[51:8]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {^patches_left_codes_wdata, patches_left_codes_wdata};
   end
@@ -4877,9 +4933,9 @@ module horopter_agreement (
   logic [6:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s3_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s3_en & and_1968_s3_q;
+  assign seen_columns_we = s3_en & and_1970_s3_q;
   logic [17:0] seen_columns_wdata;
-  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2345, textured_s3_q};
+  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2369, textured_s3_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {^seen_columns_wdata, seen_columns_wdata};
   end
@@ -4918,11 +4974,13 @@ module horopter_agreement (
       patches_choice_slope_q <= 8'h0;
       patches_band_q <= 5'h0;
       patches_fetch_q <= 2'h0;
-      patches_codes_low_q <= 52'h0;
-      patches_codes_high_q <= 56'h0;
+      patches_codes_at_q <= 52'h0;
+      patches_codes_further_q <= 28'h0;
+      patches_next_codes_q <= 56'h0;
       patches_set_q <= 3'h0;
       patches_size_q <= 10'h0;
       patches_left_row_q <= 48'h0;
+      patches_summed_row_column_q <= 5'h0;
       patches_summed_first_q <= 1'b0;
       patches_read_row_differing_q <= 10'h0;
       patches_read_row_column_q <= 5'h0;
@@ -4975,75 +5033,77 @@ module horopter_agreement (
       sample_pair_pixel_1_q <= pixel_1_s3_q;
       sample_of_skin_q <= mask_s3_q;
       averager_running_mask_q <= sample_pair_whole_s3_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2510;
-      averager_mask_q <= select_2512;
-      averager_of_skin_q <= select_2514;
-      census_filled_q <= and_491_s3_q ? {select_555[2:0], 1'b1} : census_filled_q;
-      rows_passed_above_q <= and_491_s3_q ? select_554 : rows_passed_above_q;
-      registration_slope_here_q <= select_2927;
-      registration_expected_q <= select_2929;
-      registration_of_right_q <= equal_1933_s3_q ? registration_of_right_q : select_2989;
-      registration_was_inside_q <= equal_1933_s3_q ? registration_was_inside_q : select_2992;
-      registration_fresh_q <= select_3001;
-      patches_fixed_q <= not_3160 & (patches_fixed_q | (and_3170_s3_q & and_2119));
-      patches_choice_valid_q <= and_2144_s3_q ? (select_2138[0] & not_3160) : select_2138[0];
-      patches_choice_column_q <= select_2138[8:1];
-      patches_choice_shift_q <= select_2138[14:9];
-      patches_choice_slope_q <= select_2138[22:15];
-      patches_band_q <= sample_pair_whole_s3_q ? select_2159 : patches_band_q;
-      patches_fetch_q <= select_3188;
-      patches_codes_low_q <= select_3289;
-      patches_codes_high_q <= select_3293;
-      patches_set_q <= select_3310;
-      patches_size_q <= sum_3312;
-      patches_left_row_q <= select_3324;
-      patches_summed_first_q <= select_3672;
-      patches_read_row_differing_q <= equal_2146_s3_q ? select_3684 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_2146_s3_q ? select_3691 : patches_read_row_column_q;
-      patches_read_at_q <= equal_2146_s3_q ? select_3698 : patches_read_at_q;
-      patches_read_first_q <= select_3707;
-      patches_read_above_q <= select_3730;
-      patches_read_below_q <= select_3739;
-      patches_read_far_q <= equal_2146_s3_q ? select_3749 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_3752;
-      patches_peak_best_column_q <= select_3753;
-      patches_peak_row_q <= equal_2146_s3_q ? select_3720 : patches_peak_row_q;
-      patches_peak_above_q <= equal_2146_s3_q ? select_3755 : patches_peak_above_q;
-      patches_peak_below_q <= equal_2146_s3_q ? select_3757 : patches_peak_below_q;
-      patches_peak_far_q <= equal_2146_s3_q ? select_3761 : patches_peak_far_q;
-      shown_shown_q <= select_3988;
-      shown_nearer_q <= select_3990;
-      region_row_q <= and_491_s3_q ? select_3996 : region_row_q;
+      averager_running_of_skin_q <= select_2534;
+      averager_mask_q <= select_2536;
+      averager_of_skin_q <= select_2538;
+      census_filled_q <= and_493_s3_q ? {select_557[2:0], 1'b1} : census_filled_q;
+      rows_passed_above_q <= and_493_s3_q ? select_556 : rows_passed_above_q;
+      registration_slope_here_q <= select_2951;
+      registration_expected_q <= select_2953;
+      registration_of_right_q <= equal_1935_s3_q ? registration_of_right_q : select_3013;
+      registration_was_inside_q <= equal_1935_s3_q ? registration_was_inside_q : select_3016;
+      registration_fresh_q <= select_3025;
+      patches_fixed_q <= not_3184 & (patches_fixed_q | (and_3194_s3_q & and_2121));
+      patches_choice_valid_q <= and_2146_s3_q ? (select_2140[0] & not_3184) : select_2140[0];
+      patches_choice_column_q <= select_2140[8:1];
+      patches_choice_shift_q <= select_2140[14:9];
+      patches_choice_slope_q <= select_2140[22:15];
+      patches_band_q <= sample_pair_whole_s3_q ? select_2161 : patches_band_q;
+      patches_fetch_q <= select_3212;
+      patches_codes_at_q <= select_3313;
+      patches_codes_further_q <= equal_2148_s3_q ? patches_codes_further_q : select_3318;
+      patches_next_codes_q <= select_3326;
+      patches_set_q <= equal_2148_s3_q ? 3'h0 : (equal_2150_s3_q ? 3'h0 : select_3340);
+      patches_size_q <= sum_3344;
+      patches_left_row_q <= select_3356;
+      patches_summed_row_column_q <= equal_2148_s3_q ? patches_summed_row_column_q : select_3701;
+      patches_summed_first_q <= select_3704;
+      patches_read_row_differing_q <= equal_2148_s3_q ? select_3716 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_2148_s3_q ? select_3723 : patches_read_row_column_q;
+      patches_read_at_q <= equal_2148_s3_q ? select_3730 : patches_read_at_q;
+      patches_read_first_q <= select_3739;
+      patches_read_above_q <= select_3762;
+      patches_read_below_q <= select_3771;
+      patches_read_far_q <= equal_2148_s3_q ? select_3781 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_3784;
+      patches_peak_best_column_q <= select_3785;
+      patches_peak_row_q <= equal_2148_s3_q ? select_3752 : patches_peak_row_q;
+      patches_peak_above_q <= equal_2148_s3_q ? select_3787 : patches_peak_above_q;
+      patches_peak_below_q <= equal_2148_s3_q ? select_3789 : patches_peak_below_q;
+      patches_peak_far_q <= equal_2148_s3_q ? select_3793 : patches_peak_far_q;
+      shown_shown_q <= select_4021;
+      shown_nearer_q <= select_4023;
+      region_row_q <= and_493_s3_q ? select_4029 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_4001;
-      region_down_rest_q <= select_4017;
-      region_down_back_q <= select_4021;
-      region_down_next_q <= select_4023;
-      region_fresh_q <= and_491_s3_q ? select_4027 : region_fresh_q;
-      segment_starts_q <= select_4038;
-      centres_values_0_textured_q <= equal_1933_s3_q ? centres_values_0_textured_q : select_4184;
-      centres_values_0_of_skin_q <= select_4189;
-      centres_values_1_textured_q <= select_4192;
-      centres_values_1_of_skin_q <= select_4195;
-      map_row_q <= and_491_s3_q ? select_4199 : map_row_q;
-      map_width_q <= select_4202;
+      region_columns_q <= select_4034;
+      region_down_rest_q <= select_4050;
+      region_down_back_q <= select_4054;
+      region_down_next_q <= select_4056;
+      region_fresh_q <= and_493_s3_q ? select_4060 : region_fresh_q;
+      segment_starts_q <= select_4071;
+      centres_values_0_textured_q <= equal_1935_s3_q ? centres_values_0_textured_q : select_4217;
+      centres_values_0_of_skin_q <= select_4222;
+      centres_values_1_textured_q <= select_4225;
+      centres_values_1_of_skin_q <= select_4228;
+      map_row_q <= and_493_s3_q ? select_4232 : map_row_q;
+      map_width_q <= select_4235;
       write_half_q <= marks_first_s3_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_2369;
-      done_q <= not_2371 & ((~drew_q) & (done_q | said_q));
+      read_half_q <= select_2393;
+      done_q <= not_2395 & ((~drew_q) & (done_q | said_q));
       proven_q <= marks_first_s3_q ? done_q : proven_q;
       drew_q <= so_s3_q;
-      said_q <= equal_1933_s3_q & equal_3972;
-      rows_passed_q <= select_2354;
-      columns_passed_q <= {select_2356[7:0], or_2352};
+      said_q <= equal_1935_s3_q & equal_4004;
+      rows_passed_q <= select_2378;
+      columns_passed_q <= {select_2380[7:0], or_2376};
       line_ended_q <= marks_last_s3_q;
-      began_q <= and_2373;
-      seen_x_q <= select_2375;
-      seen_y_q <= marks_first_s3_q ? 3'h0 : select_4213;
-      seen_column_q <= select_2366;
-      seen_rows_left_q <= select_4219;
+      began_q <= and_2397;
+      seen_x_q <= select_2399;
+      seen_y_q <= marks_first_s3_q ? 3'h0 : select_4246;
+      seen_column_q <= select_2390;
+      seen_rows_left_q <= select_4252;
       at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= select_2363;
+      seen_base_q <= select_2387;
     end
   end
 
@@ -5140,92 +5200,92 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
-      averager_running_0_q <= sample_pair_whole_s3_q ? select_469 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s3_q ? sum_475 : averager_running_1_q;
-      averager_total_0_q <= select_2489;
-      averager_total_1_q <= select_2491;
-      census_columns_values_0_cell_0_left_q <= select_2515;
-      census_columns_values_0_cell_0_right_q <= select_2516;
-      census_columns_values_0_cell_0_mask_q <= and_491_s3_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2518;
-      census_columns_values_0_cell_1_right_q <= select_2519;
-      census_columns_values_0_cell_1_mask_q <= select_2520;
-      census_columns_values_0_cell_2_left_q <= select_2521;
-      census_columns_values_0_cell_2_right_q <= select_2522;
-      census_columns_values_0_cell_2_mask_q <= select_2523;
-      census_columns_values_0_cell_2_of_skin_q <= select_2524;
-      census_columns_values_0_cell_3_left_q <= select_2525;
-      census_columns_values_0_cell_3_right_q <= select_2526;
-      census_columns_values_0_cell_3_mask_q <= select_2527;
-      census_columns_values_0_cell_4_left_q <= select_2528;
-      census_columns_values_0_cell_4_right_q <= select_2529;
-      census_columns_values_0_cell_4_mask_q <= select_2530;
-      census_columns_values_1_cell_0_left_q <= select_2531;
-      census_columns_values_1_cell_0_right_q <= select_2532;
-      census_columns_values_1_cell_0_mask_q <= select_2533;
-      census_columns_values_1_cell_1_left_q <= select_2534;
-      census_columns_values_1_cell_1_right_q <= select_2535;
-      census_columns_values_1_cell_1_mask_q <= select_2536;
-      census_columns_values_1_cell_2_left_q <= select_2537;
-      census_columns_values_1_cell_2_right_q <= select_2538;
-      census_columns_values_1_cell_2_mask_q <= select_2539;
-      census_columns_values_1_cell_2_of_skin_q <= select_2540;
-      census_columns_values_1_cell_3_left_q <= select_2541;
-      census_columns_values_1_cell_3_right_q <= select_2542;
-      census_columns_values_1_cell_3_mask_q <= select_2543;
-      census_columns_values_1_cell_4_left_q <= select_2544;
-      census_columns_values_1_cell_4_right_q <= select_2545;
-      census_columns_values_1_cell_4_mask_q <= select_2546;
-      census_columns_values_2_cell_0_left_q <= select_2547;
-      census_columns_values_2_cell_0_right_q <= select_2548;
-      census_columns_values_2_cell_0_mask_q <= select_2549;
-      census_columns_values_2_cell_1_left_q <= select_2550;
-      census_columns_values_2_cell_1_right_q <= select_2551;
-      census_columns_values_2_cell_1_mask_q <= select_2552;
-      census_columns_values_2_cell_2_left_q <= select_2553;
-      census_columns_values_2_cell_2_right_q <= select_2554;
-      census_columns_values_2_cell_2_mask_q <= select_2555;
-      census_columns_values_2_cell_3_left_q <= select_2556;
-      census_columns_values_2_cell_3_right_q <= select_2557;
-      census_columns_values_2_cell_3_mask_q <= select_2558;
-      census_columns_values_2_cell_4_left_q <= select_2559;
-      census_columns_values_2_cell_4_right_q <= select_2560;
-      census_columns_values_2_cell_4_mask_q <= select_2561;
-      census_columns_values_3_cell_0_mask_q <= select_2562;
-      census_columns_values_3_cell_1_left_q <= select_2563;
-      census_columns_values_3_cell_1_right_q <= select_2564;
-      census_columns_values_3_cell_1_mask_q <= select_2565;
-      census_columns_values_3_cell_2_mask_q <= select_2566;
-      census_columns_values_3_cell_3_left_q <= select_2567;
-      census_columns_values_3_cell_3_right_q <= select_2568;
-      census_columns_values_3_cell_3_mask_q <= select_2569;
-      census_columns_values_3_cell_4_mask_q <= select_2570;
-      sharpness_last_mean_0_q <= and_491_s3_q ? select_497 : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_491_s3_q ? select_501 : sharpness_last_mean_1_q;
-      box_textured_columns_values_0_q <= equal_1933_s3_q ? box_textured_columns_values_0_q : select_4112;
-      box_textured_columns_values_1_q <= select_4116;
-      box_textured_columns_values_2_q <= select_4119;
-      box_textured_columns_values_3_q <= select_4122;
-      box_textured_columns_values_4_q <= select_4125;
-      box_textured_sum_sums_values_0_q <= equal_1933_s3_q ? box_textured_sum_sums_values_0_q : select_4127;
-      box_explained_columns_values_0_q <= equal_1933_s3_q ? box_explained_columns_values_0_q : select_4130;
-      box_explained_columns_values_1_q <= select_4134;
-      box_explained_columns_values_2_q <= select_4137;
-      box_explained_columns_values_3_q <= select_4140;
-      box_explained_columns_values_4_q <= select_4143;
-      box_explained_sum_sums_values_0_q <= select_4146;
-      box_shown_columns_values_0_q <= equal_1933_s3_q ? box_shown_columns_values_0_q : select_4148;
-      box_shown_columns_values_1_q <= select_4152;
-      box_shown_columns_values_2_q <= select_4155;
-      box_shown_columns_values_3_q <= select_4158;
-      box_shown_columns_values_4_q <= select_4161;
-      box_shown_sum_sums_values_0_q <= equal_1933_s3_q ? box_shown_sum_sums_values_0_q : select_4163;
-      box_nearer_columns_values_0_q <= equal_1933_s3_q ? box_nearer_columns_values_0_q : select_4166;
-      box_nearer_columns_values_1_q <= select_4170;
-      box_nearer_columns_values_2_q <= select_4173;
-      box_nearer_columns_values_3_q <= select_4176;
-      box_nearer_columns_values_4_q <= select_4179;
-      box_nearer_sum_sums_values_0_q <= equal_1933_s3_q ? box_nearer_sum_sums_values_0_q : select_4181;
+      averager_running_0_q <= sample_pair_whole_s3_q ? select_471 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s3_q ? sum_477 : averager_running_1_q;
+      averager_total_0_q <= select_2513;
+      averager_total_1_q <= select_2515;
+      census_columns_values_0_cell_0_left_q <= select_2539;
+      census_columns_values_0_cell_0_right_q <= select_2540;
+      census_columns_values_0_cell_0_mask_q <= and_493_s3_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
+      census_columns_values_0_cell_1_left_q <= select_2542;
+      census_columns_values_0_cell_1_right_q <= select_2543;
+      census_columns_values_0_cell_1_mask_q <= select_2544;
+      census_columns_values_0_cell_2_left_q <= select_2545;
+      census_columns_values_0_cell_2_right_q <= select_2546;
+      census_columns_values_0_cell_2_mask_q <= select_2547;
+      census_columns_values_0_cell_2_of_skin_q <= select_2548;
+      census_columns_values_0_cell_3_left_q <= select_2549;
+      census_columns_values_0_cell_3_right_q <= select_2550;
+      census_columns_values_0_cell_3_mask_q <= select_2551;
+      census_columns_values_0_cell_4_left_q <= select_2552;
+      census_columns_values_0_cell_4_right_q <= select_2553;
+      census_columns_values_0_cell_4_mask_q <= select_2554;
+      census_columns_values_1_cell_0_left_q <= select_2555;
+      census_columns_values_1_cell_0_right_q <= select_2556;
+      census_columns_values_1_cell_0_mask_q <= select_2557;
+      census_columns_values_1_cell_1_left_q <= select_2558;
+      census_columns_values_1_cell_1_right_q <= select_2559;
+      census_columns_values_1_cell_1_mask_q <= select_2560;
+      census_columns_values_1_cell_2_left_q <= select_2561;
+      census_columns_values_1_cell_2_right_q <= select_2562;
+      census_columns_values_1_cell_2_mask_q <= select_2563;
+      census_columns_values_1_cell_2_of_skin_q <= select_2564;
+      census_columns_values_1_cell_3_left_q <= select_2565;
+      census_columns_values_1_cell_3_right_q <= select_2566;
+      census_columns_values_1_cell_3_mask_q <= select_2567;
+      census_columns_values_1_cell_4_left_q <= select_2568;
+      census_columns_values_1_cell_4_right_q <= select_2569;
+      census_columns_values_1_cell_4_mask_q <= select_2570;
+      census_columns_values_2_cell_0_left_q <= select_2571;
+      census_columns_values_2_cell_0_right_q <= select_2572;
+      census_columns_values_2_cell_0_mask_q <= select_2573;
+      census_columns_values_2_cell_1_left_q <= select_2574;
+      census_columns_values_2_cell_1_right_q <= select_2575;
+      census_columns_values_2_cell_1_mask_q <= select_2576;
+      census_columns_values_2_cell_2_left_q <= select_2577;
+      census_columns_values_2_cell_2_right_q <= select_2578;
+      census_columns_values_2_cell_2_mask_q <= select_2579;
+      census_columns_values_2_cell_3_left_q <= select_2580;
+      census_columns_values_2_cell_3_right_q <= select_2581;
+      census_columns_values_2_cell_3_mask_q <= select_2582;
+      census_columns_values_2_cell_4_left_q <= select_2583;
+      census_columns_values_2_cell_4_right_q <= select_2584;
+      census_columns_values_2_cell_4_mask_q <= select_2585;
+      census_columns_values_3_cell_0_mask_q <= select_2586;
+      census_columns_values_3_cell_1_left_q <= select_2587;
+      census_columns_values_3_cell_1_right_q <= select_2588;
+      census_columns_values_3_cell_1_mask_q <= select_2589;
+      census_columns_values_3_cell_2_mask_q <= select_2590;
+      census_columns_values_3_cell_3_left_q <= select_2591;
+      census_columns_values_3_cell_3_right_q <= select_2592;
+      census_columns_values_3_cell_3_mask_q <= select_2593;
+      census_columns_values_3_cell_4_mask_q <= select_2594;
+      sharpness_last_mean_0_q <= and_493_s3_q ? select_499 : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_493_s3_q ? select_503 : sharpness_last_mean_1_q;
+      box_textured_columns_values_0_q <= equal_1935_s3_q ? box_textured_columns_values_0_q : select_4145;
+      box_textured_columns_values_1_q <= select_4149;
+      box_textured_columns_values_2_q <= select_4152;
+      box_textured_columns_values_3_q <= select_4155;
+      box_textured_columns_values_4_q <= select_4158;
+      box_textured_sum_sums_values_0_q <= equal_1935_s3_q ? box_textured_sum_sums_values_0_q : select_4160;
+      box_explained_columns_values_0_q <= equal_1935_s3_q ? box_explained_columns_values_0_q : select_4163;
+      box_explained_columns_values_1_q <= select_4167;
+      box_explained_columns_values_2_q <= select_4170;
+      box_explained_columns_values_3_q <= select_4173;
+      box_explained_columns_values_4_q <= select_4176;
+      box_explained_sum_sums_values_0_q <= select_4179;
+      box_shown_columns_values_0_q <= equal_1935_s3_q ? box_shown_columns_values_0_q : select_4181;
+      box_shown_columns_values_1_q <= select_4185;
+      box_shown_columns_values_2_q <= select_4188;
+      box_shown_columns_values_3_q <= select_4191;
+      box_shown_columns_values_4_q <= select_4194;
+      box_shown_sum_sums_values_0_q <= equal_1935_s3_q ? box_shown_sum_sums_values_0_q : select_4196;
+      box_nearer_columns_values_0_q <= equal_1935_s3_q ? box_nearer_columns_values_0_q : select_4199;
+      box_nearer_columns_values_1_q <= select_4203;
+      box_nearer_columns_values_2_q <= select_4206;
+      box_nearer_columns_values_3_q <= select_4209;
+      box_nearer_columns_values_4_q <= select_4212;
+      box_nearer_sum_sums_values_0_q <= equal_1935_s3_q ? box_nearer_sum_sums_values_0_q : select_4214;
     end
   end
 
@@ -5252,17 +5312,15 @@ module horopter_agreement (
   logic region_fresh_s4_q;
   logic centres_values_1_textured_s4_q;
   logic centres_values_1_of_skin_s4_q;
-  logic [2:0] select_455_s4_q;
-  logic [6:0] select_457_s4_q;
+  logic [2:0] select_457_s4_q;
+  logic [6:0] select_459_s4_q;
   logic [6:0] column_s4_q;
-  logic and_489_s4_q;
   logic and_491_s4_q;
+  logic and_493_s4_q;
   logic [8:0] grey_s4_q;
-  logic equal_494_s4_q;
+  logic equal_496_s4_q;
   logic [8:0] grey_2_s4_q;
   logic whole_2_s4_q;
-  logic less_525_s4_q;
-  logic less_526_s4_q;
   logic less_527_s4_q;
   logic less_528_s4_q;
   logic less_529_s4_q;
@@ -5285,17 +5343,18 @@ module horopter_agreement (
   logic less_546_s4_q;
   logic less_547_s4_q;
   logic less_548_s4_q;
-  logic and_556_s4_q;
-  logic and_581_s4_q;
-  logic and_582_s4_q;
-  logic [11:0] sum_597_s4_q;
-  logic [9:0] sum_600_s4_q;
-  logic equal_1933_s4_q;
-  logic not_1934_s4_q;
-  logic equal_1978_s4_q;
+  logic less_549_s4_q;
+  logic less_550_s4_q;
+  logic and_558_s4_q;
+  logic and_583_s4_q;
+  logic and_584_s4_q;
+  logic [11:0] sum_599_s4_q;
+  logic [9:0] sum_602_s4_q;
+  logic equal_1935_s4_q;
+  logic not_1936_s4_q;
+  logic equal_1980_s4_q;
   logic all_s4_q;
-  logic [1:0] sum_1984_s4_q;
-  logic equal_1986_s4_q;
+  logic [1:0] sum_1986_s4_q;
   logic equal_1988_s4_q;
   logic equal_1990_s4_q;
   logic equal_1992_s4_q;
@@ -5303,78 +5362,79 @@ module horopter_agreement (
   logic equal_1996_s4_q;
   logic equal_1998_s4_q;
   logic equal_2000_s4_q;
-  logic less_2009_s4_q;
-  logic or_2013_s4_q;
-  logic equal_2033_s4_q;
-  logic and_2043_s4_q;
-  logic and_2046_s4_q;
-  logic select_2063_s4_q;
-  logic equal_2064_s4_q;
-  logic and_2072_s4_q;
-  logic equal_2074_s4_q;
-  logic select_2138_s4_q;
-  logic and_2145_s4_q;
-  logic equal_2146_s4_q;
+  logic equal_2002_s4_q;
+  logic less_2011_s4_q;
+  logic or_2015_s4_q;
+  logic equal_2035_s4_q;
+  logic and_2045_s4_q;
+  logic and_2048_s4_q;
+  logic select_2065_s4_q;
+  logic equal_2066_s4_q;
+  logic and_2074_s4_q;
+  logic equal_2076_s4_q;
+  logic select_2140_s4_q;
+  logic and_2147_s4_q;
   logic equal_2148_s4_q;
-  logic and_2161_s4_q;
-  logic [4:0] select_2176_s4_q;
-  logic select_2182_s4_q;
-  logic [3:0] select_2223_s4_q;
-  logic less_2288_s4_q;
-  logic equal_2289_s4_q;
-  logic not_2290_s4_q;
-  logic equal_2291_s4_q;
-  logic or_2309_s4_q;
-  logic or_2312_s4_q;
-  logic or_2315_s4_q;
-  logic not_2317_s4_q;
+  logic equal_2150_s4_q;
+  logic and_2163_s4_q;
+  logic [4:0] select_2178_s4_q;
+  logic select_2184_s4_q;
+  logic [3:0] select_2225_s4_q;
+  logic less_2311_s4_q;
+  logic equal_2312_s4_q;
+  logic not_2313_s4_q;
+  logic equal_2314_s4_q;
+  logic or_2333_s4_q;
+  logic or_2336_s4_q;
+  logic or_2339_s4_q;
+  logic not_2341_s4_q;
   logic textured_s4_q;
   logic explained_s4_q;
-  logic and_2338_s4_q;
-  logic and_2343_s4_q;
-  logic and_2377_s4_q;
-  logic less_2378_s4_q;
+  logic and_2362_s4_q;
+  logic and_2367_s4_q;
+  logic and_2401_s4_q;
+  logic less_2402_s4_q;
   logic [5:0] index_2_s4_q;
-  logic [7:0] sum_2383_s4_q;
-  logic equal_2396_s4_q;
-  logic or_2401_s4_q;
-  logic or_2404_s4_q;
-  logic or_2407_s4_q;
-  logic not_2432_s4_q;
-  logic less_2446_s4_q;
-  logic and_2457_s4_q;
-  logic [11:0] sum_2586_s4_q;
-  logic [9:0] sum_2589_s4_q;
-  logic equal_2597_s4_q;
+  logic [7:0] sum_2407_s4_q;
+  logic equal_2420_s4_q;
+  logic or_2425_s4_q;
+  logic or_2428_s4_q;
+  logic or_2431_s4_q;
+  logic not_2456_s4_q;
+  logic less_2470_s4_q;
+  logic and_2481_s4_q;
+  logic [11:0] sum_2610_s4_q;
+  logic [9:0] sum_2613_s4_q;
+  logic equal_2621_s4_q;
   logic [8:0] contrast_s4_q;
   logic [8:0] contrast_2_s4_q;
-  logic and_2818_s4_q;
-  logic and_2822_s4_q;
-  logic not_2856_s4_q;
-  logic and_2884_s4_q;
-  logic and_2933_s4_q;
-  logic and_2934_s4_q;
+  logic and_2842_s4_q;
+  logic and_2846_s4_q;
+  logic not_2880_s4_q;
+  logic and_2908_s4_q;
+  logic and_2957_s4_q;
+  logic and_2958_s4_q;
   logic [7:0] residual_s4_q;
-  logic and_2968_s4_q;
-  logic and_2982_s4_q;
-  logic equal_3025_s4_q;
-  logic parity_3396_s4_q;
-  logic parity_3525_s4_q;
-  logic parity_3587_s4_q;
-  logic xor_3615_s4_q;
-  logic parity_3627_s4_q;
-  logic or_3631_s4_q;
-  logic equal_3632_s4_q;
-  logic [4:0] select_3751_s4_q;
-  logic equal_3763_s4_q;
-  logic less_3765_s4_q;
-  logic less_3766_s4_q;
-  logic or_3771_s4_q;
-  logic [7:0] select_3816_s4_q;
-  logic equal_3972_s4_q;
-  logic and_4225_s4_q;
-  logic and_4240_s4_q;
-  logic equal_4281_s4_q;
+  logic and_2992_s4_q;
+  logic and_3006_s4_q;
+  logic equal_3049_s4_q;
+  logic parity_3428_s4_q;
+  logic parity_3557_s4_q;
+  logic parity_3619_s4_q;
+  logic xor_3647_s4_q;
+  logic parity_3659_s4_q;
+  logic or_3663_s4_q;
+  logic equal_3664_s4_q;
+  logic [4:0] select_3783_s4_q;
+  logic equal_3795_s4_q;
+  logic less_3797_s4_q;
+  logic less_3798_s4_q;
+  logic or_3803_s4_q;
+  logic [7:0] select_3848_s4_q;
+  logic equal_4004_s4_q;
+  logic and_4258_s4_q;
+  logic not_4274_s4_q;
+  logic equal_4319_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       saturated_s4_q <= saturated_s3_q;
@@ -5392,7 +5452,7 @@ module horopter_agreement (
       patches_choosing_band_s4_q <= patches_choosing_band_s3_q;
       patches_lower_s4_q <= patches_lower_s3_q;
       patches_second_s4_q <= patches_second_s3_q;
-      patches_summed_row_column_s4_q <= patches_summed_row_column_s3_q;
+      patches_summed_row_column_s4_q <= patches_summed_row_column_q;
       patches_summed_first_s4_q <= patches_summed_first_q;
       patches_summed_last_s4_q <= patches_summed_last_s3_q;
       patches_summed_down_by_s4_q <= patches_summed_down_by_s3_q;
@@ -5400,17 +5460,15 @@ module horopter_agreement (
       region_fresh_s4_q <= region_fresh_q;
       centres_values_1_textured_s4_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s4_q <= centres_values_1_of_skin_q;
-      select_455_s4_q <= select_455_s3_q;
       select_457_s4_q <= select_457_s3_q;
+      select_459_s4_q <= select_459_s3_q;
       column_s4_q <= column_s3_q;
-      and_489_s4_q <= and_489_s3_q;
       and_491_s4_q <= and_491_s3_q;
+      and_493_s4_q <= and_493_s3_q;
       grey_s4_q <= grey;
-      equal_494_s4_q <= equal_494;
+      equal_496_s4_q <= equal_496;
       grey_2_s4_q <= grey_2;
       whole_2_s4_q <= whole_2;
-      less_525_s4_q <= less_525;
-      less_526_s4_q <= less_526;
       less_527_s4_q <= less_527;
       less_528_s4_q <= less_528;
       less_529_s4_q <= less_529;
@@ -5433,17 +5491,18 @@ module horopter_agreement (
       less_546_s4_q <= less_546;
       less_547_s4_q <= less_547;
       less_548_s4_q <= less_548;
-      and_556_s4_q <= and_556;
-      and_581_s4_q <= whole_22 & and_556;
-      and_582_s4_q <= census_columns_values_1_cell_2_mask_q & and_556;
-      sum_597_s4_q <= {1'b0, sum_593} + {2'h0, sum_596};
-      sum_600_s4_q <= {9'h0, difference_598[9]} + {1'b0, xor_599};
-      equal_1933_s4_q <= equal_1933_s3_q;
-      not_1934_s4_q <= not_1934_s3_q;
-      equal_1978_s4_q <= equal_1978;
+      less_549_s4_q <= less_549;
+      less_550_s4_q <= less_550;
+      and_558_s4_q <= and_558;
+      and_583_s4_q <= whole_22 & and_558;
+      and_584_s4_q <= census_columns_values_1_cell_2_mask_q & and_558;
+      sum_599_s4_q <= {1'b0, sum_595} + {2'h0, sum_598};
+      sum_602_s4_q <= {9'h0, difference_600[9]} + {1'b0, xor_601};
+      equal_1935_s4_q <= equal_1935_s3_q;
+      not_1936_s4_q <= not_1936_s3_q;
+      equal_1980_s4_q <= equal_1980;
       all_s4_q <= all;
-      sum_1984_s4_q <= sum_1984;
-      equal_1986_s4_q <= equal_1986;
+      sum_1986_s4_q <= sum_1986;
       equal_1988_s4_q <= equal_1988;
       equal_1990_s4_q <= equal_1990;
       equal_1992_s4_q <= equal_1992;
@@ -5451,78 +5510,79 @@ module horopter_agreement (
       equal_1996_s4_q <= equal_1996;
       equal_1998_s4_q <= equal_1998;
       equal_2000_s4_q <= equal_2000;
-      less_2009_s4_q <= less_2009;
-      or_2013_s4_q <= or_2013;
-      equal_2033_s4_q <= (registration_fresh_q & select_2031) == 4'h0;
-      and_2043_s4_q <= not_1934_s3_q & and_2027;
-      and_2046_s4_q <= and_2046_s3_q;
-      select_2063_s4_q <= select_2063[1];
-      equal_2064_s4_q <= equal_2064;
-      and_2072_s4_q <= and_2072_s3_q;
-      equal_2074_s4_q <= equal_2074;
-      select_2138_s4_q <= select_2138[0];
-      and_2145_s4_q <= and_2145_s3_q;
-      equal_2146_s4_q <= equal_2146_s3_q;
+      equal_2002_s4_q <= equal_2002;
+      less_2011_s4_q <= less_2011;
+      or_2015_s4_q <= or_2015;
+      equal_2035_s4_q <= (registration_fresh_q & select_2033) == 4'h0;
+      and_2045_s4_q <= not_1936_s3_q & and_2029;
+      and_2048_s4_q <= and_2048_s3_q;
+      select_2065_s4_q <= select_2065[1];
+      equal_2066_s4_q <= equal_2066;
+      and_2074_s4_q <= and_2074_s3_q;
+      equal_2076_s4_q <= equal_2076;
+      select_2140_s4_q <= select_2140[0];
+      and_2147_s4_q <= and_2147_s3_q;
       equal_2148_s4_q <= equal_2148_s3_q;
-      and_2161_s4_q <= and_2145_s3_q & equal_2160;
-      select_2176_s4_q <= select_2176_s3_q;
-      select_2182_s4_q <= select_2182_s3_q;
-      select_2223_s4_q <= select_2223_s3_q;
-      less_2288_s4_q <= less_2288_s3_q;
-      equal_2289_s4_q <= equal_2289_s3_q;
-      not_2290_s4_q <= not_2290_s3_q;
-      equal_2291_s4_q <= equal_2291_s3_q;
-      or_2309_s4_q <= or_2309;
-      or_2312_s4_q <= or_2312;
-      or_2315_s4_q <= or_2315;
-      not_2317_s4_q <= not_2317;
+      equal_2150_s4_q <= equal_2150_s3_q;
+      and_2163_s4_q <= and_2147_s3_q & equal_2162;
+      select_2178_s4_q <= select_2178_s3_q;
+      select_2184_s4_q <= select_2184_s3_q;
+      select_2225_s4_q <= select_2225_s3_q;
+      less_2311_s4_q <= less_2311_s3_q;
+      equal_2312_s4_q <= equal_2312_s3_q;
+      not_2313_s4_q <= not_2313_s3_q;
+      equal_2314_s4_q <= equal_2314_s3_q;
+      or_2333_s4_q <= or_2333;
+      or_2336_s4_q <= or_2336;
+      or_2339_s4_q <= or_2339;
+      not_2341_s4_q <= not_2341;
       textured_s4_q <= textured_s3_q;
       explained_s4_q <= explained;
-      and_2338_s4_q <= shift_2_s3_q[0] & ({shift_2_s3_q[4], shift_2_s3_q[2]} == 2'h3);
-      and_2343_s4_q <= not_1934_s3_q & and_2324;
-      and_2377_s4_q <= and_2377;
-      less_2378_s4_q <= less_2378;
+      and_2362_s4_q <= shift_2_s3_q[0] & ({shift_2_s3_q[4], shift_2_s3_q[2]} == 2'h3);
+      and_2367_s4_q <= not_1936_s3_q & and_2348;
+      and_2401_s4_q <= and_2401;
+      less_2402_s4_q <= less_2402;
       index_2_s4_q <= index_2[5:0];
-      sum_2383_s4_q <= sum_2383;
-      equal_2396_s4_q <= t[4:1] == 4'h0;
-      or_2401_s4_q <= or_2401;
-      or_2404_s4_q <= select_2398[7] | (~({select_2398[6], select_2398[3:2]} == 3'h0));
-      or_2407_s4_q <= select_2398[7] | (~(select_2398[6:4] == 3'h0));
-      not_2432_s4_q <= ~({sum_2430, around[0]} < {2'h0, t});
-      less_2446_s4_q <= {1'b0, around[4:1]} < n;
-      and_2457_s4_q <= and_2457_s3_q;
-      sum_2586_s4_q <= {1'b0, sum_2582} + {2'h0, sum_2585};
-      sum_2589_s4_q <= {9'h0, difference_2587[9]} + {1'b0, xor_2588};
-      equal_2597_s4_q <= equal_2597_s3_q;
+      sum_2407_s4_q <= sum_2407;
+      equal_2420_s4_q <= t[4:1] == 4'h0;
+      or_2425_s4_q <= or_2425;
+      or_2428_s4_q <= select_2422[7] | (~({select_2422[6], select_2422[3:2]} == 3'h0));
+      or_2431_s4_q <= select_2422[7] | (~(select_2422[6:4] == 3'h0));
+      not_2456_s4_q <= ~({sum_2454, around[0]} < {2'h0, t});
+      less_2470_s4_q <= {1'b0, around[4:1]} < n;
+      and_2481_s4_q <= and_2481_s3_q;
+      sum_2610_s4_q <= {1'b0, sum_2606} + {2'h0, sum_2609};
+      sum_2613_s4_q <= {9'h0, difference_2611[9]} + {1'b0, xor_2612};
+      equal_2621_s4_q <= equal_2621_s3_q;
       contrast_s4_q <= contrast;
       contrast_2_s4_q <= contrast_2;
-      and_2818_s4_q <= and_2818;
-      and_2822_s4_q <= and_2822;
-      not_2856_s4_q <= ~({sum_2854, e[0]} < {2'h0, t});
-      and_2884_s4_q <= not_1934_s3_q & and_2883;
-      and_2933_s4_q <= not_1934_s3_q & (so_s3_q & (half_ends & equal_2930));
-      and_2934_s4_q <= and_2934;
+      and_2842_s4_q <= and_2842;
+      and_2846_s4_q <= and_2846;
+      not_2880_s4_q <= ~({sum_2878, e[0]} < {2'h0, t});
+      and_2908_s4_q <= not_1936_s3_q & and_2907;
+      and_2957_s4_q <= not_1936_s3_q & (so_s3_q & (half_ends & equal_2954));
+      and_2958_s4_q <= and_2958;
       residual_s4_q <= residual[7:0];
-      and_2968_s4_q <= and_2968;
-      and_2982_s4_q <= and_2934 & less_2981;
-      equal_3025_s4_q <= (registration_fresh_q & select_3023) == 4'h0;
-      parity_3396_s4_q <= ^{xor_3392, xor_3355, select_3322[44:36], other[44:36]};
-      parity_3525_s4_q <= parity_3525;
-      parity_3587_s4_q <= parity_3587;
-      xor_3615_s4_q <= parity_3602 ^ parity_3614;
-      parity_3627_s4_q <= ^{or_3624, or_3620, and_3616};
-      or_3631_s4_q <= (or_3620 & or_3624) | (and_3616 & (or_3620 | or_3624));
-      equal_3632_s4_q <= equal_3632_s3_q;
-      select_3751_s4_q <= select_3751[14:10];
-      equal_3763_s4_q <= select_3720[3:0] == 4'h0;
-      less_3765_s4_q <= {difference_3764, 2'h0} < {2'h0, sum_3312};
-      less_3766_s4_q <= select_3761 < select_3751[9:0];
-      or_3771_s4_q <= (sum_3312 < 10'h39) | ({1'b0, sum_3312[9:1]} < select_3751[9:0]);
-      select_3816_s4_q <= select_3816;
-      equal_3972_s4_q <= equal_3972;
-      and_4225_s4_q <= and_4225;
-      and_4240_s4_q <= equal_1933_s3_q & (equal_3972 & (cfg_prove_i & (~proven_q)));
-      equal_4281_s4_q <= (registration_fresh_q & select_4279) == 4'h0;
+      and_2992_s4_q <= and_2992;
+      and_3006_s4_q <= and_2958 & less_3005;
+      equal_3049_s4_q <= (registration_fresh_q & select_3047) == 4'h0;
+      parity_3428_s4_q <= ^{xor_3424, xor_3387, select_3354[44:36], other[44:36]};
+      parity_3557_s4_q <= parity_3557;
+      parity_3619_s4_q <= parity_3619;
+      xor_3647_s4_q <= parity_3634 ^ parity_3646;
+      parity_3659_s4_q <= ^{or_3656, or_3652, and_3648};
+      or_3663_s4_q <= (or_3652 & or_3656) | (and_3648 & (or_3652 | or_3656));
+      equal_3664_s4_q <= equal_3664_s3_q;
+      select_3783_s4_q <= select_3783[14:10];
+      equal_3795_s4_q <= select_3752[3:0] == 4'h0;
+      less_3797_s4_q <= {difference_3796, 2'h0} < {2'h0, sum_3344};
+      less_3798_s4_q <= select_3793 < select_3783[9:0];
+      or_3803_s4_q <= (sum_3344 < 10'h39) | ({1'b0, sum_3344[9:1]} < select_3783[9:0]);
+      select_3848_s4_q <= select_3848;
+      equal_4004_s4_q <= equal_4004;
+      and_4258_s4_q <= and_4258;
+      not_4274_s4_q <= ~proven_q;
+      equal_4319_s4_q <= (registration_fresh_q & select_4317) == 4'h0;
     end
   end
 
@@ -5647,6 +5707,7 @@ module horopter_agreement (
   logic [11:0] patches_round_across_q;
   logic [4:0] patches_round_moved_q;
   logic patches_moved_q;
+  logic patches_settled_q;
   logic [6:0] segment_textured_q;
   logic [6:0] segment_explained_q;
   logic [6:0] segment_nearer_q;
@@ -5663,1072 +5724,1075 @@ module horopter_agreement (
   logic nearer_q;
   // hls/stages/census.hpp:270
   logic [11:0] texture;
-  assign texture = sum_597_s4_q + {2'h0, sum_600_s4_q};
+  assign texture = sum_599_s4_q + {2'h0, sum_602_s4_q};
   // hls/stages/census.hpp:281
-  logic [12:0] sum_602;
-  assign sum_602 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-  logic [13:0] sum_604;
-  assign sum_604 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_602});
+  logic [12:0] sum_604;
+  assign sum_604 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+  logic [13:0] sum_606;
+  assign sum_606 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_604});
   // hls/stages/census.hpp:303
-  logic less_605;
-  assign less_605 = 9'h4 < sum_604[13:5];
-  logic and_606;
-  assign and_606 = and_556_s4_q & less_605;
+  logic less_607;
+  assign less_607 = 9'h4 < sum_606[13:5];
+  logic and_608;
+  assign and_608 = and_558_s4_q & less_607;
   // hls/stages/registration.hpp:265
-  logic equal_2035;
-  assign equal_2035 = sum_1984_s4_q == 2'h0;
+  logic equal_2037;
+  assign equal_2037 = sum_1986_s4_q == 2'h0;
   // hls/stages/registration.hpp:263
   logic [6:0] down;
-  assign down = sum_1984_s4_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_1986_s4_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:265
-  logic [13:0] select_2037;
-  assign select_2037 = equal_2035 ? registration_half_across_q : {{7{down[6]}}, down};
-  logic [19:0] sum_2038;
-  assign sum_2038 = (equal_2033_s4_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_2037[13]}}, select_2037};
+  logic [13:0] select_2039;
+  assign select_2039 = equal_2037 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_2040;
+  assign sum_2040 = (equal_2035_s4_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_2039[13]}}, select_2039};
   // hls/stages/registration.hpp:264
   logic [6:0] up;
-  assign up = sum_1984_s4_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_1986_s4_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:266
-  logic [6:0] select_2041;
-  assign select_2041 = equal_2035 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_2042;
-  assign sum_2042 = (equal_2033_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_2041[6]}}, select_2041};
-  // hls/stages/patches.hpp:326
-  logic [22:0] select_2162;
-  assign select_2162 = and_2161_s4_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2138_s4_q} : patches_choices_rdata_q;
-  // hls/stages/patches.hpp:104
-  logic select_2164;
-  assign select_2164 = equal_2064_s4_q ? patches_place_0_valid_q : (select_2063_s4_q ? patches_place_0_valid_q : select_2162[0]);
-  // hls/stages/patches.hpp:327
-  logic [21:0] select_2165;
-  assign select_2165 = select_2063_s4_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2162[22:1];
-  // hls/stages/patches.hpp:104
-  logic [7:0] select_2166;
-  assign select_2166 = equal_2064_s4_q ? patches_place_0_column_q : select_2165[7:0];
-  logic [5:0] select_2167;
-  assign select_2167 = equal_2064_s4_q ? patches_place_0_shift_q : select_2165[13:8];
-  // hls/stages/patches.hpp:297
-  logic [7:0] sum_2168;
-  assign sum_2168 = select_2166 + {{2{select_2167[5]}}, select_2167};
-  // hls/stages/patches.hpp:298
-  logic [6:0] sum_2169;
-  assign sum_2169 = sum_2168[7:1] + 7'h7f;
-  // hls/stages/patches.hpp:108
-  logic equal_2170;
-  assign equal_2170 = {sum_2169[6], select_457_s4_q, select_455_s4_q} == {1'b0, sum_2169[5:0], sum_2168[0], 3'h4};
-  // hls/stages/patches.hpp:110
-  logic or_2172;
-  assign or_2172 = and_2046_s4_q | (select_2164 & equal_2170);
-  // hls/stages/agreement.hpp:263
-  logic [4:0] select_2173;
-  assign select_2173 = or_2172 ? 5'h0 : patches_right_next_0_q[4:0];
-  // hls/stages/patches.hpp:110
-  logic [5:0] select_2183;
-  assign select_2183 = or_2172 ? {and_2046_s4_q, 5'h0} : patches_right_next_0_q;
-  // hls/stages/patches.hpp:114
-  logic and_2185;
-  assign and_2185 = select_2182_s4_q & (~select_2183[5]);
-  // hls/stages/patches.hpp:104
-  logic select_2193;
-  assign select_2193 = equal_2064_s4_q ? patches_place_1_valid_q : (select_2063_s4_q ? select_2162[0] : patches_place_1_valid_q);
-  // hls/stages/patches.hpp:327
-  logic [21:0] select_2194;
-  assign select_2194 = select_2063_s4_q ? select_2162[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
-  // hls/stages/patches.hpp:104
-  logic [7:0] select_2195;
-  assign select_2195 = equal_2064_s4_q ? patches_place_1_column_q : select_2194[7:0];
-  logic [5:0] select_2196;
-  assign select_2196 = equal_2064_s4_q ? patches_place_1_shift_q : select_2194[13:8];
-  // hls/stages/patches.hpp:297
-  logic [7:0] sum_2197;
-  assign sum_2197 = select_2195 + {{2{select_2196[5]}}, select_2196};
-  // hls/stages/patches.hpp:298
-  logic [6:0] sum_2198;
-  assign sum_2198 = sum_2197[7:1] + 7'h7f;
-  // hls/stages/patches.hpp:108
-  logic equal_2199;
-  assign equal_2199 = {sum_2198[6], select_457_s4_q, select_455_s4_q} == {1'b0, sum_2198[5:0], sum_2197[0], 3'h4};
-  // hls/stages/patches.hpp:110
-  logic or_2201;
-  assign or_2201 = and_2046_s4_q | (select_2193 & equal_2199);
-  // hls/stages/agreement.hpp:263
-  logic [4:0] select_2202;
-  assign select_2202 = or_2201 ? 5'h0 : patches_right_next_1_q[4:0];
-  // hls/stages/patches.hpp:110
-  logic [5:0] select_2203;
-  assign select_2203 = or_2201 ? {and_2046_s4_q, 5'h0} : patches_right_next_1_q;
-  // hls/stages/patches.hpp:114
-  logic and_2205;
-  assign and_2205 = select_2182_s4_q & (~select_2203[5]);
-  // hls/stages/patches.hpp:293
-  logic [7:0] sum_2212;
-  assign sum_2212 = select_2166 + 8'hff;
+  logic [6:0] select_2043;
+  assign select_2043 = equal_2037 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_2044;
+  assign sum_2044 = (equal_2035_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_2043[6]}}, select_2043};
+  // hls/stages/patches.hpp:335
+  logic [22:0] select_2164;
+  assign select_2164 = and_2163_s4_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2140_s4_q} : patches_choices_rdata_q;
   // hls/stages/patches.hpp:109
-  logic equal_2213;
-  assign equal_2213 = {sum_2212[7], select_457_s4_q, select_455_s4_q} == {1'b0, sum_2212[6:0], 3'h4};
-  // hls/stages/patches.hpp:111
-  logic or_2215;
-  assign or_2215 = and_2046_s4_q | (select_2164 & equal_2213);
-  logic [4:0] select_2216;
-  assign select_2216 = or_2215 ? {and_2046_s4_q, 4'h0} : patches_left_next_0_q;
-  // hls/stages/patches.hpp:293
-  logic [7:0] sum_2217;
-  assign sum_2217 = select_2195 + 8'hff;
+  logic select_2166;
+  assign select_2166 = equal_2066_s4_q ? patches_place_0_valid_q : (select_2065_s4_q ? patches_place_0_valid_q : select_2164[0]);
+  // hls/stages/patches.hpp:336
+  logic [21:0] select_2167;
+  assign select_2167 = select_2065_s4_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2164[22:1];
   // hls/stages/patches.hpp:109
-  logic equal_2218;
-  assign equal_2218 = {sum_2217[7], select_457_s4_q, select_455_s4_q} == {1'b0, sum_2217[6:0], 3'h4};
-  // hls/stages/patches.hpp:111
-  logic [4:0] select_2221;
-  assign select_2221 = (and_2046_s4_q | (select_2193 & equal_2218)) ? {and_2046_s4_q, 4'h0} : patches_left_next_1_q;
+  logic [7:0] select_2168;
+  assign select_2168 = equal_2066_s4_q ? patches_place_0_column_q : select_2167[7:0];
+  logic [5:0] select_2169;
+  assign select_2169 = equal_2066_s4_q ? patches_place_0_shift_q : select_2167[13:8];
+  // hls/stages/patches.hpp:306
+  logic [7:0] sum_2170;
+  assign sum_2170 = select_2168 + {{2{select_2169[5]}}, select_2169};
+  // hls/stages/patches.hpp:307
+  logic [6:0] sum_2171;
+  assign sum_2171 = sum_2170[7:1] + 7'h7f;
+  // hls/stages/patches.hpp:113
+  logic equal_2172;
+  assign equal_2172 = {sum_2171[6], select_459_s4_q, select_457_s4_q} == {1'b0, sum_2171[5:0], sum_2170[0], 3'h4};
+  // hls/stages/patches.hpp:115
+  logic or_2174;
+  assign or_2174 = and_2048_s4_q | (select_2166 & equal_2172);
+  // hls/stages/agreement.hpp:263
+  logic [4:0] select_2175;
+  assign select_2175 = or_2174 ? 5'h0 : patches_right_next_0_q[4:0];
+  // hls/stages/patches.hpp:115
+  logic [5:0] select_2185;
+  assign select_2185 = or_2174 ? {and_2048_s4_q, 5'h0} : patches_right_next_0_q;
   // hls/stages/patches.hpp:119
+  logic and_2187;
+  assign and_2187 = select_2184_s4_q & (~select_2185[5]);
+  // hls/stages/patches.hpp:109
+  logic select_2195;
+  assign select_2195 = equal_2066_s4_q ? patches_place_1_valid_q : (select_2065_s4_q ? select_2164[0] : patches_place_1_valid_q);
+  // hls/stages/patches.hpp:336
+  logic [21:0] select_2196;
+  assign select_2196 = select_2065_s4_q ? select_2164[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  // hls/stages/patches.hpp:109
+  logic [7:0] select_2197;
+  assign select_2197 = equal_2066_s4_q ? patches_place_1_column_q : select_2196[7:0];
+  logic [5:0] select_2198;
+  assign select_2198 = equal_2066_s4_q ? patches_place_1_shift_q : select_2196[13:8];
+  // hls/stages/patches.hpp:306
+  logic [7:0] sum_2199;
+  assign sum_2199 = select_2197 + {{2{select_2198[5]}}, select_2198};
+  // hls/stages/patches.hpp:307
+  logic [6:0] sum_2200;
+  assign sum_2200 = sum_2199[7:1] + 7'h7f;
+  // hls/stages/patches.hpp:113
+  logic equal_2201;
+  assign equal_2201 = {sum_2200[6], select_459_s4_q, select_457_s4_q} == {1'b0, sum_2200[5:0], sum_2199[0], 3'h4};
+  // hls/stages/patches.hpp:115
+  logic or_2203;
+  assign or_2203 = and_2048_s4_q | (select_2195 & equal_2201);
+  // hls/stages/agreement.hpp:263
+  logic [4:0] select_2204;
+  assign select_2204 = or_2203 ? 5'h0 : patches_right_next_1_q[4:0];
+  // hls/stages/patches.hpp:115
+  logic [5:0] select_2205;
+  assign select_2205 = or_2203 ? {and_2048_s4_q, 5'h0} : patches_right_next_1_q;
+  // hls/stages/patches.hpp:119
+  logic and_2207;
+  assign and_2207 = select_2184_s4_q & (~select_2205[5]);
+  // hls/stages/patches.hpp:302
+  logic [7:0] sum_2214;
+  assign sum_2214 = select_2168 + 8'hff;
+  // hls/stages/patches.hpp:114
+  logic equal_2215;
+  assign equal_2215 = {sum_2214[7], select_459_s4_q, select_457_s4_q} == {1'b0, sum_2214[6:0], 3'h4};
+  // hls/stages/patches.hpp:116
+  logic or_2217;
+  assign or_2217 = and_2048_s4_q | (select_2166 & equal_2215);
+  logic [4:0] select_2218;
+  assign select_2218 = or_2217 ? {and_2048_s4_q, 4'h0} : patches_left_next_0_q;
+  // hls/stages/patches.hpp:302
+  logic [7:0] sum_2219;
+  assign sum_2219 = select_2197 + 8'hff;
+  // hls/stages/patches.hpp:114
+  logic equal_2220;
+  assign equal_2220 = {sum_2219[7], select_459_s4_q, select_457_s4_q} == {1'b0, sum_2219[6:0], 3'h4};
+  // hls/stages/patches.hpp:116
+  logic [4:0] select_2223;
+  assign select_2223 = (and_2048_s4_q | (select_2195 & equal_2220)) ? {and_2048_s4_q, 4'h0} : patches_left_next_1_q;
+  // hls/stages/patches.hpp:124
   logic [3:0] column_7;
-  assign column_7 = select_2216[4] ? select_2221[3:0] : select_2216[3:0];
+  assign column_7 = select_2218[4] ? select_2223[3:0] : select_2218[3:0];
   // hls/stages/agreement.hpp:263
-  logic select_2224;
-  assign select_2224 = or_2215 ? and_2046_s4_q : patches_left_next_0_q[4];
-  // hls/stages/patches.hpp:119
-  logic and_2230;
-  assign and_2230 = (select_2182_s4_q & (select_2176_s4_q[3] ^ select_2176_s4_q[4])) & ((~select_2216[4]) | (~select_2221[4]));
-  // hls/stages/patches.hpp:160
-  logic less_2300;
-  assign less_2300 = patches_sums_values_0_q < patches_best_differing_q;
-  // hls/stages/patches.hpp:161
-  logic not_2301;
-  assign not_2301 = ~less_2300;
-  logic [1:0] select_2302;
-  assign select_2302 = patches_summed_first_s4_q ? 2'h2 : {less_2300, not_2301};
-  logic [12:0] select_2303;
-  assign select_2303 = select_2302[0] ? {4'h0, patches_summed_first_s4_q, 3'h0, patches_summed_row_column_s4_q} : {patches_summed_row_column_s4_q, patches_sums_values_0_q[7:0]};
-  logic [14:0] select_2304;
-  assign select_2304 = select_2302[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
-  logic [14:0] select_2305;
-  assign select_2305 = select_2302[1] ? {select_2303[12:8], patches_sums_values_0_q[9:8], select_2303[7:0]} : select_2304;
+  logic select_2226;
+  assign select_2226 = or_2217 ? and_2048_s4_q : patches_left_next_0_q[4];
+  // hls/stages/patches.hpp:124
+  logic and_2232;
+  assign and_2232 = (select_2184_s4_q & (select_2178_s4_q[3] ^ select_2178_s4_q[4])) & ((~select_2218[4]) | (~select_2223[4]));
+  // hls/stages/patches.hpp:166
+  logic less_2323;
+  assign less_2323 = patches_sums_values_0_q < patches_best_differing_q;
+  // hls/stages/patches.hpp:167
+  logic not_2324;
+  assign not_2324 = ~less_2323;
+  logic [1:0] select_2325;
+  assign select_2325 = patches_summed_first_s4_q ? 2'h2 : {less_2323, not_2324};
+  logic [12:0] select_2327;
+  assign select_2327 = select_2325[0] ? {4'h0, patches_summed_first_s4_q, 3'h0, patches_summed_row_column_s4_q} : {patches_summed_row_column_s4_q, patches_sums_values_0_q[7:0]};
+  logic [14:0] select_2328;
+  assign select_2328 = select_2325[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
+  logic [14:0] select_2329;
+  assign select_2329 = (select_2325 == 2'h2) ? {select_2327[12:8], patches_sums_values_0_q[9:8], select_2327[7:0]} : select_2328;
   // hls/stages/agreement.hpp:866
-  logic [6:0] select_2328;
-  assign select_2328 = segment_started_q ? segment_textured_q : 7'h0;
+  logic [6:0] select_2352;
+  assign select_2352 = segment_started_q ? segment_textured_q : 7'h0;
   // hls/stages/agreement.hpp:867
-  logic [6:0] sum_2329;
-  assign sum_2329 = {6'h0, textured_s4_q} + select_2328;
+  logic [6:0] sum_2353;
+  assign sum_2353 = {6'h0, textured_s4_q} + select_2352;
   // hls/stages/agreement.hpp:1003
-  logic [9:0] sum_2331;
-  assign sum_2331 = {3'h0, sum_2329} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
+  logic [9:0] sum_2355;
+  assign sum_2355 = {3'h0, sum_2353} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
   // hls/stages/agreement.hpp:866
-  logic [6:0] select_2333;
-  assign select_2333 = segment_started_q ? segment_explained_q : 7'h0;
+  logic [6:0] select_2357;
+  assign select_2357 = segment_started_q ? segment_explained_q : 7'h0;
   // hls/stages/agreement.hpp:867
-  logic [6:0] sum_2334;
-  assign sum_2334 = {6'h0, explained_s4_q} + select_2333;
+  logic [6:0] sum_2358;
+  assign sum_2358 = {6'h0, explained_s4_q} + select_2357;
   // hls/stages/agreement.hpp:1004
-  logic [9:0] sum_2336;
-  assign sum_2336 = {3'h0, sum_2334} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
+  logic [9:0] sum_2360;
+  assign sum_2360 = {3'h0, sum_2358} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
   // hls/stages/agreement.hpp:866
-  logic [6:0] select_2339;
-  assign select_2339 = segment_started_q ? segment_nearer_q : 7'h0;
+  logic [6:0] select_2363;
+  assign select_2363 = segment_started_q ? segment_nearer_q : 7'h0;
   // hls/stages/agreement.hpp:868
-  logic [6:0] sum_2340;
-  assign sum_2340 = {6'h0, and_2338_s4_q} + select_2339;
+  logic [6:0] sum_2364;
+  assign sum_2364 = {6'h0, and_2362_s4_q} + select_2363;
   // hls/stages/agreement.hpp:1005
-  logic [9:0] sum_2342;
-  assign sum_2342 = {3'h0, sum_2340} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
+  logic [9:0] sum_2366;
+  assign sum_2366 = {3'h0, sum_2364} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
   // hls/stages/agreement.hpp:1043
-  logic not_2408;
-  assign not_2408 = ~region_row_s4_q[2];
-  logic [2:0] select_2409;
-  assign select_2409 = region_row_s4_q[1] ? {1'b0, not_2408, 1'b0} : {region_row_s4_q[2], 1'b0, not_2408};
-  logic [5:0] select_2410;
-  assign select_2410 = region_row_s4_q[0] ? {select_2409[2], 1'b0, select_2409[1], 1'b0, select_2409[0], 1'b0} : {1'b0, select_2409[2], 1'b0, select_2409[1], 1'b0, select_2409[0]};
-  logic [11:0] select_2411;
-  assign select_2411 = or_2407_s4_q ? {select_2410[5], 1'b0, select_2410[4], 1'b0, select_2410[3], 1'b0, select_2410[2], 1'b0, select_2410[1], 1'b0, select_2410[0], 1'b0} : {1'b0, select_2410[5], 1'b0, select_2410[4], 1'b0, select_2410[3], 1'b0, select_2410[2], 1'b0, select_2410[1], 1'b0, select_2410[0]};
-  logic [23:0] select_2412;
-  assign select_2412 = or_2404_s4_q ? {select_2411[11], 1'b0, select_2411[10], 1'b0, select_2411[9], 1'b0, select_2411[8], 1'b0, select_2411[7], 1'b0, select_2411[6], 1'b0, select_2411[5], 1'b0, select_2411[4], 1'b0, select_2411[3], 1'b0, select_2411[2], 1'b0, select_2411[1], 1'b0, select_2411[0], 1'b0} : {1'b0, select_2411[11], 1'b0, select_2411[10], 1'b0, select_2411[9], 1'b0, select_2411[8], 1'b0, select_2411[7], 1'b0, select_2411[6], 1'b0, select_2411[5], 1'b0, select_2411[4], 1'b0, select_2411[3], 1'b0, select_2411[2], 1'b0, select_2411[1], 1'b0, select_2411[0]};
-  logic [47:0] select_2413;
-  assign select_2413 = or_2401_s4_q ? {select_2412[23], 1'b0, select_2412[22], 1'b0, select_2412[21], 1'b0, select_2412[20], 1'b0, select_2412[19], 1'b0, select_2412[18], 1'b0, select_2412[17], 1'b0, select_2412[16], 1'b0, select_2412[15], 1'b0, select_2412[14], 1'b0, select_2412[13], 1'b0, select_2412[12], 1'b0, select_2412[11], 1'b0, select_2412[10], 1'b0, select_2412[9], 1'b0, select_2412[8], 1'b0, select_2412[7], 1'b0, select_2412[6], 1'b0, select_2412[5], 1'b0, select_2412[4], 1'b0, select_2412[3], 1'b0, select_2412[2], 1'b0, select_2412[1], 1'b0, select_2412[0], 1'b0} : {1'b0, select_2412[23], 1'b0, select_2412[22], 1'b0, select_2412[21], 1'b0, select_2412[20], 1'b0, select_2412[19], 1'b0, select_2412[18], 1'b0, select_2412[17], 1'b0, select_2412[16], 1'b0, select_2412[15], 1'b0, select_2412[14], 1'b0, select_2412[13], 1'b0, select_2412[12], 1'b0, select_2412[11], 1'b0, select_2412[10], 1'b0, select_2412[9], 1'b0, select_2412[8], 1'b0, select_2412[7], 1'b0, select_2412[6], 1'b0, select_2412[5], 1'b0, select_2412[4], 1'b0, select_2412[3], 1'b0, select_2412[2], 1'b0, select_2412[1], 1'b0, select_2412[0]};
+  logic not_2432;
+  assign not_2432 = ~region_row_s4_q[2];
+  logic [2:0] select_2433;
+  assign select_2433 = region_row_s4_q[1] ? {1'b0, not_2432, 1'b0} : {region_row_s4_q[2], 1'b0, not_2432};
+  logic [5:0] select_2434;
+  assign select_2434 = region_row_s4_q[0] ? {select_2433[2], 1'b0, select_2433[1], 1'b0, select_2433[0], 1'b0} : {1'b0, select_2433[2], 1'b0, select_2433[1], 1'b0, select_2433[0]};
+  logic [11:0] select_2435;
+  assign select_2435 = or_2431_s4_q ? {select_2434[5], 1'b0, select_2434[4], 1'b0, select_2434[3], 1'b0, select_2434[2], 1'b0, select_2434[1], 1'b0, select_2434[0], 1'b0} : {1'b0, select_2434[5], 1'b0, select_2434[4], 1'b0, select_2434[3], 1'b0, select_2434[2], 1'b0, select_2434[1], 1'b0, select_2434[0]};
+  logic [23:0] select_2436;
+  assign select_2436 = or_2428_s4_q ? {select_2435[11], 1'b0, select_2435[10], 1'b0, select_2435[9], 1'b0, select_2435[8], 1'b0, select_2435[7], 1'b0, select_2435[6], 1'b0, select_2435[5], 1'b0, select_2435[4], 1'b0, select_2435[3], 1'b0, select_2435[2], 1'b0, select_2435[1], 1'b0, select_2435[0], 1'b0} : {1'b0, select_2435[11], 1'b0, select_2435[10], 1'b0, select_2435[9], 1'b0, select_2435[8], 1'b0, select_2435[7], 1'b0, select_2435[6], 1'b0, select_2435[5], 1'b0, select_2435[4], 1'b0, select_2435[3], 1'b0, select_2435[2], 1'b0, select_2435[1], 1'b0, select_2435[0]};
+  logic [47:0] select_2437;
+  assign select_2437 = or_2425_s4_q ? {select_2436[23], 1'b0, select_2436[22], 1'b0, select_2436[21], 1'b0, select_2436[20], 1'b0, select_2436[19], 1'b0, select_2436[18], 1'b0, select_2436[17], 1'b0, select_2436[16], 1'b0, select_2436[15], 1'b0, select_2436[14], 1'b0, select_2436[13], 1'b0, select_2436[12], 1'b0, select_2436[11], 1'b0, select_2436[10], 1'b0, select_2436[9], 1'b0, select_2436[8], 1'b0, select_2436[7], 1'b0, select_2436[6], 1'b0, select_2436[5], 1'b0, select_2436[4], 1'b0, select_2436[3], 1'b0, select_2436[2], 1'b0, select_2436[1], 1'b0, select_2436[0], 1'b0} : {1'b0, select_2436[23], 1'b0, select_2436[22], 1'b0, select_2436[21], 1'b0, select_2436[20], 1'b0, select_2436[19], 1'b0, select_2436[18], 1'b0, select_2436[17], 1'b0, select_2436[16], 1'b0, select_2436[15], 1'b0, select_2436[14], 1'b0, select_2436[13], 1'b0, select_2436[12], 1'b0, select_2436[11], 1'b0, select_2436[10], 1'b0, select_2436[9], 1'b0, select_2436[8], 1'b0, select_2436[7], 1'b0, select_2436[6], 1'b0, select_2436[5], 1'b0, select_2436[4], 1'b0, select_2436[3], 1'b0, select_2436[2], 1'b0, select_2436[1], 1'b0, select_2436[0]};
   // hls/stages/agreement.hpp:976
-  logic and_2417;
-  assign and_2417 = good_known_q & (~((good_q & select_2413) == 48'h0));
+  logic and_2441;
+  assign and_2441 = good_known_q & (~((good_q & select_2437) == 48'h0));
   // hls/stages/agreement.hpp:1045
   logic is_seen;
-  assign is_seen = equal_2396_s4_q ? and_2417 : not_2432_s4_q;
+  assign is_seen = equal_2420_s4_q ? and_2441 : not_2456_s4_q;
   // hls/stages/agreement.hpp:1054
-  logic and_2447;
-  assign and_2447 = is_seen & less_2446_s4_q;
+  logic and_2471;
+  assign and_2471 = is_seen & less_2470_s4_q;
   // hls/stages/agreement.hpp:263
-  logic [8:0] select_2481;
-  assign select_2481 = sample_pair_whole_s4_q ? (and_489_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2483;
-  assign select_2483 = sample_pair_whole_s4_q ? (and_489_s4_q ? grey_2_s4_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2485;
-  assign select_2485 = sample_pair_whole_s4_q ? (and_489_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2487;
-  assign select_2487 = sample_pair_whole_s4_q ? (and_489_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  logic [8:0] select_2505;
+  assign select_2505 = sample_pair_whole_s4_q ? (and_491_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2507;
+  assign select_2507 = sample_pair_whole_s4_q ? (and_491_s4_q ? grey_2_s4_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2509;
+  assign select_2509 = sample_pair_whole_s4_q ? (and_491_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2511;
+  assign select_2511 = sample_pair_whole_s4_q ? (and_491_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:208
-  logic [9:0] sum_2492;
-  assign sum_2492 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
-  logic [9:0] difference_2493;
-  assign difference_2493 = {1'b0, sum_2492[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_2516;
+  assign sum_2516 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
+  logic [9:0] difference_2517;
+  assign difference_2517 = {1'b0, sum_2516[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:209
-  logic [9:0] xor_2494;
-  assign xor_2494 = {difference_2493[8:0], sum_2492[0]} ^ {10{difference_2493[9]}};
+  logic [9:0] xor_2518;
+  assign xor_2518 = {difference_2517[8:0], sum_2516[0]} ^ {10{difference_2517[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2493[9]} + {1'b0, xor_2494};
+  assign size = {10'h0, difference_2517[9]} + {1'b0, xor_2518};
   // hls/stages/census.hpp:210
   logic [13:0] detail;
-  assign detail = {3'h0, size} + (equal_494_s4_q ? 14'h0 : averager_detail_0_q);
+  assign detail = {3'h0, size} + (equal_496_s4_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:263
-  logic [13:0] select_2499;
-  assign select_2499 = sample_pair_whole_s4_q ? (and_489_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2523;
+  assign select_2523 = sample_pair_whole_s4_q ? (and_491_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:208
-  logic [9:0] sum_2500;
-  assign sum_2500 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
-  logic [9:0] difference_2501;
-  assign difference_2501 = {1'b0, sum_2500[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_2524;
+  assign sum_2524 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
+  logic [9:0] difference_2525;
+  assign difference_2525 = {1'b0, sum_2524[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:209
-  logic [9:0] xor_2502;
-  assign xor_2502 = {difference_2501[8:0], sum_2500[0]} ^ {10{difference_2501[9]}};
+  logic [9:0] xor_2526;
+  assign xor_2526 = {difference_2525[8:0], sum_2524[0]} ^ {10{difference_2525[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2501[9]} + {1'b0, xor_2502};
+  assign size_2 = {10'h0, difference_2525[9]} + {1'b0, xor_2526};
   // hls/stages/census.hpp:210
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2} + (equal_494_s4_q ? 14'h0 : averager_detail_1_q);
+  assign detail_2 = {3'h0, size_2} + (equal_496_s4_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:263
-  logic [13:0] select_2507;
-  assign select_2507 = sample_pair_whole_s4_q ? (and_489_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2531;
+  assign select_2531 = sample_pair_whole_s4_q ? (and_491_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/census.hpp:272
-  logic [11:0] sum_2590;
-  assign sum_2590 = sum_2586_s4_q + {2'h0, sum_2589_s4_q};
+  logic [11:0] sum_2614;
+  assign sum_2614 = sum_2610_s4_q + {2'h0, sum_2613_s4_q};
   // hls/stages/agreement.hpp:507
-  logic [11:0] select_2592;
-  assign select_2592 = and_491_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2593;
-  assign select_2593 = and_491_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [11:0] select_2594;
-  assign select_2594 = and_491_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_2595;
-  assign select_2595 = and_491_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  logic [11:0] select_2616;
+  assign select_2616 = and_493_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2617;
+  assign select_2617 = and_493_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2618;
+  assign select_2618 = and_493_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2619;
+  assign select_2619 = and_493_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:282
-  logic [12:0] sum_2598;
-  assign sum_2598 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2590};
-  logic [13:0] sum_2600;
-  assign sum_2600 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2598});
+  logic [12:0] sum_2622;
+  assign sum_2622 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2614};
+  logic [13:0] sum_2624;
+  assign sum_2624 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2622});
   // hls/stages/census.hpp:305
-  logic and_2602;
-  assign and_2602 = and_581_s4_q & (9'h4 < sum_2600[13:5]);
+  logic and_2626;
+  assign and_2626 = and_583_s4_q & (9'h4 < sum_2624[13:5]);
   // hls/stages/census.hpp:306
-  logic and_2603;
-  assign and_2603 = and_581_s4_q & less_605;
+  logic and_2627;
+  assign and_2627 = and_583_s4_q & less_607;
   // hls/stages/census.hpp:307
-  logic [19:0] sum_2604;
-  assign sum_2604 = census_left_misses_q + {{17{and_2603}}, and_2602, 1'b0, and_2602};
+  logic [19:0] sum_2628;
+  assign sum_2628 = census_left_misses_q + {{17{and_2627}}, and_2626, 1'b0, and_2626};
   // hls/stages/agreement.hpp:507
-  logic [19:0] select_2606;
-  assign select_2606 = and_491_s4_q ? (equal_2597_s4_q ? 20'h0 : sum_2604) : census_left_misses_q;
+  logic [19:0] select_2630;
+  assign select_2630 = and_493_s4_q ? (equal_2621_s4_q ? 20'h0 : sum_2628) : census_left_misses_q;
   // hls/stages/agreement.hpp:263
-  logic [27:0] select_2611;
-  assign select_2611 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
+  logic [27:0] select_2635;
+  assign select_2635 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
   // hls/stages/agreement.hpp:507
-  logic select_2614;
-  assign select_2614 = and_491_s4_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic select_2638;
+  assign select_2638 = and_493_s4_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:355
-  logic and_2617;
-  assign and_2617 = whole_2_s4_q & (~(column_s4_q[6:1] == 6'h0));
+  logic and_2641;
+  assign and_2641 = whole_2_s4_q & (~(column_s4_q[6:1] == 6'h0));
   // hls/stages/agreement.hpp:444
-  logic and_2623;
-  assign and_2623 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
-  logic and_2624;
-  assign and_2624 = and_2617 & and_2623;
+  logic and_2647;
+  assign and_2647 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
+  logic and_2648;
+  assign and_2648 = and_2641 & and_2647;
   // hls/stages/census.hpp:354
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2611[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2635[13:0]};
   // hls/stages/census.hpp:356
-  logic [12:0] select_2626;
-  assign select_2626 = and_2624 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2650;
+  assign select_2650 = and_2648 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:357
-  logic [23:0] select_2628;
-  assign select_2628 = equal_2597_s4_q ? {11'h0, select_2626} : (sharpness_sums_detail_0_q + {11'h0, select_2626});
+  logic [23:0] select_2652;
+  assign select_2652 = equal_2621_s4_q ? {11'h0, select_2650} : (sharpness_sums_detail_0_q + {11'h0, select_2650});
   // hls/stages/agreement.hpp:444
-  logic and_2635;
-  assign and_2635 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
-  logic and_2636;
-  assign and_2636 = and_2617 & and_2635;
+  logic and_2659;
+  assign and_2659 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
+  logic and_2660;
+  assign and_2660 = and_2641 & and_2659;
   // hls/stages/census.hpp:354
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2611[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2635[27:14]};
   // hls/stages/census.hpp:356
-  logic [12:0] select_2638;
-  assign select_2638 = and_2636 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2662;
+  assign select_2662 = and_2660 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:357
-  logic [23:0] select_2640;
-  assign select_2640 = equal_2597_s4_q ? {11'h0, select_2638} : (sharpness_sums_detail_1_q + {11'h0, select_2638});
-  logic [8:0] select_2643;
-  assign select_2643 = and_2624 ? contrast_s4_q : 9'h0;
-  logic [23:0] sum_2644;
-  assign sum_2644 = (equal_2597_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2643};
-  logic [8:0] select_2647;
-  assign select_2647 = and_2636 ? contrast_2_s4_q : 9'h0;
-  logic [23:0] sum_2648;
-  assign sum_2648 = (equal_2597_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2647};
+  logic [23:0] select_2664;
+  assign select_2664 = equal_2621_s4_q ? {11'h0, select_2662} : (sharpness_sums_detail_1_q + {11'h0, select_2662});
+  logic [8:0] select_2667;
+  assign select_2667 = and_2648 ? contrast_s4_q : 9'h0;
+  logic [23:0] sum_2668;
+  assign sum_2668 = (equal_2621_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2667};
+  logic [8:0] select_2671;
+  assign select_2671 = and_2660 ? contrast_2_s4_q : 9'h0;
+  logic [23:0] sum_2672;
+  assign sum_2672 = (equal_2621_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2671};
   // hls/stages/agreement.hpp:203
-  logic equal_2650;
-  assign equal_2650 = x_s4_q[7:3] == 5'h0;
+  logic equal_2674;
+  assign equal_2674 = x_s4_q[7:3] == 5'h0;
   // hls/stages/census.hpp:370
-  logic less_2651;
-  assign less_2651 = 7'h2 < {x_s4_q[4:0], slot_s4_q[2:1]};
+  logic less_2675;
+  assign less_2675 = 7'h2 < {x_s4_q[4:0], slot_s4_q[2:1]};
   // hls/stages/census.hpp:409
-  logic less_2652;
-  assign less_2652 = x_s4_q[4:0] < 5'h3;
-  logic not_2653;
-  assign not_2653 = ~x_s4_q[1];
-  logic [2:0] select_2654;
-  assign select_2654 = x_s4_q[0] ? {1'b0, not_2653, 1'b0} : {x_s4_q[1], 1'b0, not_2653};
-  logic [5:0] select_2655;
-  assign select_2655 = slot_s4_q[2] ? {select_2654[2], 1'b0, select_2654[1], 1'b0, select_2654[0], 1'b0} : {1'b0, select_2654[2], 1'b0, select_2654[1], 1'b0, select_2654[0]};
-  logic [11:0] select_2656;
-  assign select_2656 = slot_s4_q[1] ? {select_2655[5], 1'b0, select_2655[4], 1'b0, select_2655[3], 1'b0, select_2655[2], 1'b0, select_2655[1], 1'b0, select_2655[0], 1'b0} : {1'b0, select_2655[5], 1'b0, select_2655[4], 1'b0, select_2655[3], 1'b0, select_2655[2], 1'b0, select_2655[1], 1'b0, select_2655[0]};
-  logic [23:0] select_2657;
-  assign select_2657 = slot_s4_q[0] ? {select_2656[11], 1'b0, select_2656[10], 1'b0, select_2656[9], 1'b0, select_2656[8], 1'b0, select_2656[7], 1'b0, select_2656[6], 1'b0, select_2656[5], 1'b0, select_2656[4], 1'b0, select_2656[3], 1'b0, select_2656[2], 1'b0, select_2656[1], 1'b0, select_2656[0], 1'b0} : {1'b0, select_2656[11], 1'b0, select_2656[10], 1'b0, select_2656[9], 1'b0, select_2656[8], 1'b0, select_2656[7], 1'b0, select_2656[6], 1'b0, select_2656[5], 1'b0, select_2656[4], 1'b0, select_2656[3], 1'b0, select_2656[2], 1'b0, select_2656[1], 1'b0, select_2656[0]};
-  // hls/stages/census.hpp:372
-  logic and_2661;
-  assign and_2661 = less_2652 & (~((sharpness_sums_contrast_1_q & select_2657) == 24'h0));
-  // hls/stages/census.hpp:377
-  logic [17:0] select_2663;
-  assign select_2663 = (less_2651 & and_2661) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
-  logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2663};
-  // hls/stages/agreement.hpp:207
-  logic [17:0] select_2666;
-  assign select_2666 = equal_2650 ? (less_2651 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  // hls/stages/census.hpp:372
-  logic and_2671;
-  assign and_2671 = less_2652 & (~((sharpness_sums_contrast_0_q & select_2657) == 24'h0));
-  // hls/stages/census.hpp:377
-  logic [17:0] select_2673;
-  assign select_2673 = (less_2651 & and_2671) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
-  logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2673};
-  // hls/stages/agreement.hpp:207
-  logic [17:0] select_2676;
-  assign select_2676 = equal_2650 ? (less_2651 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic less_2676;
+  assign less_2676 = x_s4_q[4:0] < 5'h3;
+  logic not_2677;
+  assign not_2677 = ~x_s4_q[1];
   logic [2:0] select_2678;
-  assign select_2678 = equal_2650 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2680;
-  assign select_2680 = equal_2650 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2682;
-  assign select_2682 = equal_2650 ? {sharpness_comparing_contrast_0_q[0], and_2671} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2684;
-  assign select_2684 = equal_2650 ? {sharpness_comparing_contrast_1_q[0], and_2661} : sharpness_comparing_contrast_1_q;
+  assign select_2678 = x_s4_q[0] ? {1'b0, not_2677, 1'b0} : {x_s4_q[1], 1'b0, not_2677};
+  logic [5:0] select_2679;
+  assign select_2679 = slot_s4_q[2] ? {select_2678[2], 1'b0, select_2678[1], 1'b0, select_2678[0], 1'b0} : {1'b0, select_2678[2], 1'b0, select_2678[1], 1'b0, select_2678[0]};
+  logic [11:0] select_2680;
+  assign select_2680 = slot_s4_q[1] ? {select_2679[5], 1'b0, select_2679[4], 1'b0, select_2679[3], 1'b0, select_2679[2], 1'b0, select_2679[1], 1'b0, select_2679[0], 1'b0} : {1'b0, select_2679[5], 1'b0, select_2679[4], 1'b0, select_2679[3], 1'b0, select_2679[2], 1'b0, select_2679[1], 1'b0, select_2679[0]};
+  logic [23:0] select_2681;
+  assign select_2681 = slot_s4_q[0] ? {select_2680[11], 1'b0, select_2680[10], 1'b0, select_2680[9], 1'b0, select_2680[8], 1'b0, select_2680[7], 1'b0, select_2680[6], 1'b0, select_2680[5], 1'b0, select_2680[4], 1'b0, select_2680[3], 1'b0, select_2680[2], 1'b0, select_2680[1], 1'b0, select_2680[0], 1'b0} : {1'b0, select_2680[11], 1'b0, select_2680[10], 1'b0, select_2680[9], 1'b0, select_2680[8], 1'b0, select_2680[7], 1'b0, select_2680[6], 1'b0, select_2680[5], 1'b0, select_2680[4], 1'b0, select_2680[3], 1'b0, select_2680[2], 1'b0, select_2680[1], 1'b0, select_2680[0]};
+  // hls/stages/census.hpp:372
+  logic and_2685;
+  assign and_2685 = less_2676 & (~((sharpness_sums_contrast_1_q & select_2681) == 24'h0));
+  // hls/stages/census.hpp:377
+  logic [17:0] select_2687;
+  assign select_2687 = (less_2675 & and_2685) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [18:0] sum;
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2687};
+  // hls/stages/agreement.hpp:207
+  logic [17:0] select_2690;
+  assign select_2690 = equal_2674 ? (less_2675 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  // hls/stages/census.hpp:372
+  logic and_2695;
+  assign and_2695 = less_2676 & (~((sharpness_sums_contrast_0_q & select_2681) == 24'h0));
+  // hls/stages/census.hpp:377
+  logic [17:0] select_2697;
+  assign select_2697 = (less_2675 & and_2695) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [18:0] sum_2;
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2697};
+  // hls/stages/agreement.hpp:207
+  logic [17:0] select_2700;
+  assign select_2700 = equal_2674 ? (less_2675 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2702;
+  assign select_2702 = equal_2674 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2704;
+  assign select_2704 = equal_2674 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2706;
+  assign select_2706 = equal_2674 ? {sharpness_comparing_contrast_0_q[0], and_2695} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2708;
+  assign select_2708 = equal_2674 ? {sharpness_comparing_contrast_1_q[0], and_2685} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:383
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:207
-  logic select_2689;
-  assign select_2689 = drew_q ? (equal_2650 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2713;
+  assign select_2713 = drew_q ? (equal_2674 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:383
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:207
-  logic select_2693;
-  assign select_2693 = drew_q ? (equal_2650 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  logic select_2717;
+  assign select_2717 = drew_q ? (equal_2674 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:369
-  logic equal_2694;
-  assign equal_2694 = {x_s4_q[4:0], slot_s4_q} == 8'h0;
+  logic equal_2718;
+  assign equal_2718 = {x_s4_q[4:0], slot_s4_q} == 8'h0;
   // hls/stages/census.hpp:385
-  logic xor_2695;
-  assign xor_2695 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2698;
-  assign select_2698 = (equal_2694 | xor_2695) ? (five_times[0] & xor_2695) : sharpness_comparing_less_detail_0_q;
+  logic xor_2719;
+  assign xor_2719 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic select_2722;
+  assign select_2722 = (equal_2718 | xor_2719) ? (five_times[0] & xor_2719) : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:207
-  logic select_2700;
-  assign select_2700 = drew_q ? (equal_2650 ? select_2698 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  logic select_2724;
+  assign select_2724 = drew_q ? (equal_2674 ? select_2722 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
   // hls/stages/census.hpp:385
-  logic xor_2701;
-  assign xor_2701 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2704;
-  assign select_2704 = (equal_2694 | xor_2701) ? (five_times_2[0] & xor_2701) : sharpness_comparing_less_detail_1_q;
+  logic xor_2725;
+  assign xor_2725 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2728;
+  assign select_2728 = (equal_2718 | xor_2725) ? (five_times_2[0] & xor_2725) : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:207
-  logic select_2706;
-  assign select_2706 = drew_q ? (equal_2650 ? select_2704 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  logic select_2730;
+  assign select_2730 = drew_q ? (equal_2674 ? select_2728 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
   // hls/stages/census.hpp:386
-  logic xor_2707;
-  assign xor_2707 = sharpness_comparing_contrast_0_q[1] ^ and_2661;
-  logic select_2710;
-  assign select_2710 = (equal_2694 | xor_2707) ? (and_2661 & xor_2707) : sharpness_comparing_less_contrast_0_q;
+  logic xor_2731;
+  assign xor_2731 = sharpness_comparing_contrast_0_q[1] ^ and_2685;
+  logic select_2734;
+  assign select_2734 = (equal_2718 | xor_2731) ? (and_2685 & xor_2731) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:207
-  logic select_2712;
-  assign select_2712 = drew_q ? (equal_2650 ? select_2710 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  logic select_2736;
+  assign select_2736 = drew_q ? (equal_2674 ? select_2734 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/census.hpp:386
-  logic xor_2713;
-  assign xor_2713 = sharpness_comparing_contrast_1_q[1] ^ and_2671;
-  logic select_2716;
-  assign select_2716 = (equal_2694 | xor_2713) ? (and_2671 & xor_2713) : sharpness_comparing_less_contrast_1_q;
+  logic xor_2737;
+  assign xor_2737 = sharpness_comparing_contrast_1_q[1] ^ and_2695;
+  logic select_2740;
+  assign select_2740 = (equal_2718 | xor_2737) ? (and_2695 & xor_2737) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:207
-  logic select_2718;
-  assign select_2718 = drew_q ? (equal_2650 ? select_2716 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  logic select_2742;
+  assign select_2742 = drew_q ? (equal_2674 ? select_2740 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2824;
-  assign select_2824 = and_2818_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2822_s4_q});
-  // hls/stages/patches.hpp:313
-  logic and_2827;
-  assign and_2827 = not_1934_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
-  logic and_2832;
-  assign and_2832 = not_1934_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
-  logic and_2837;
-  assign and_2837 = not_1934_s4_q & (drew_q & (ends_cell_s4_q & and_2338_s4_q));
-  // hls/stages/agreement.hpp:1047
-  logic not_2841;
-  assign not_2841 = ~(x_s4_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:1048
-  logic not_2858;
-  assign not_2858 = ~(equal_2396_s4_q ? and_2417 : not_2856_s4_q);
-  // hls/stages/patches.hpp:313
+  logic [13:0] select_2848;
+  assign select_2848 = and_2842_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2846_s4_q});
+  // hls/stages/patches.hpp:322
+  logic and_2851;
+  assign and_2851 = not_1936_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
+  logic and_2856;
+  assign and_2856 = not_1936_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
   logic and_2861;
-  assign and_2861 = ends_cell_s4_q & (not_2841 & (centres_values_1_textured_s4_q & not_2858));
-  logic and_2863;
-  assign and_2863 = not_1934_s4_q & (drew_q & and_2861);
+  assign and_2861 = not_1936_s4_q & (drew_q & (ends_cell_s4_q & and_2362_s4_q));
+  // hls/stages/agreement.hpp:1047
+  logic not_2865;
+  assign not_2865 = ~(x_s4_q[7:1] == 7'h0);
+  // hls/stages/agreement.hpp:1048
+  logic not_2882;
+  assign not_2882 = ~(equal_2420_s4_q ? and_2441 : not_2880_s4_q);
+  // hls/stages/patches.hpp:322
+  logic and_2885;
+  assign and_2885 = ends_cell_s4_q & (not_2865 & (centres_values_1_textured_s4_q & not_2882));
+  logic and_2887;
+  assign and_2887 = not_1936_s4_q & (drew_q & and_2885);
   // hls/stages/agreement.hpp:1074
-  logic less_2866;
-  assign less_2866 = region_row_s4_q < x_s4_q[5:3];
-  logic [9:0] select_2867;
-  assign select_2867 = less_2866 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_2870;
-  assign select_2870 = less_2866 ? 10'h0 : regions_rdata_q[19:10];
+  logic less_2890;
+  assign less_2890 = region_row_s4_q < x_s4_q[5:3];
+  logic [9:0] select_2891;
+  assign select_2891 = less_2890 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_2894;
+  assign select_2894 = less_2890 ? 10'h0 : regions_rdata_q[19:10];
   // hls/stages/agreement.hpp:1075
-  logic [10:0] sum_2871;
-  assign sum_2871 = {1'b0, select_2870} + {3'h0, select_2870[9:2]};
-  logic and_2873;
-  assign and_2873 = (~(select_2867[9:4] == 6'h0)) & ({sum_2871, select_2870[1:0]} < {3'h0, select_2867});
+  logic [10:0] sum_2895;
+  assign sum_2895 = {1'b0, select_2894} + {3'h0, select_2894[9:2]};
+  logic and_2897;
+  assign and_2897 = (~(select_2891[9:4] == 6'h0)) & ({sum_2895, select_2894[1:0]} < {3'h0, select_2891});
   // hls/stages/agreement.hpp:1084
-  logic [9:0] select_2876;
-  assign select_2876 = x_s4_q[6] ? (equal_1978_s4_q ? 10'h0 : (and_2873 ? select_2867 : 10'h0)) : 10'h0;
-  // hls/stages/patches.hpp:313
-  logic [9:0] select_2877;
-  assign select_2877 = equal_1933_s4_q ? select_2876 : 10'h0;
+  logic [9:0] select_2900;
+  assign select_2900 = x_s4_q[6] ? (equal_1980_s4_q ? 10'h0 : (and_2897 ? select_2891 : 10'h0)) : 10'h0;
+  // hls/stages/patches.hpp:322
+  logic [9:0] select_2901;
+  assign select_2901 = equal_1935_s4_q ? select_2900 : 10'h0;
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2879;
-  assign select_2879 = and_2818_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2877});
-  logic [13:0] select_2886;
-  assign select_2886 = and_2818_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2884_s4_q});
+  logic [13:0] select_2903;
+  assign select_2903 = and_2842_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2901});
+  logic [13:0] select_2910;
+  assign select_2910 = and_2842_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2908_s4_q});
   // hls/stages/agreement.hpp:1052
-  logic and_2888;
-  assign and_2888 = not_2841 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
-  // hls/stages/patches.hpp:313
-  logic and_2891;
-  assign and_2891 = not_1934_s4_q & (drew_q & (ends_cell_s4_q & and_2888));
+  logic and_2912;
+  assign and_2912 = not_2865 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
+  // hls/stages/patches.hpp:322
+  logic and_2915;
+  assign and_2915 = not_1936_s4_q & (drew_q & (ends_cell_s4_q & and_2912));
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2893;
-  assign select_2893 = and_2818_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2891});
+  logic [13:0] select_2917;
+  assign select_2917 = and_2842_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2915});
   // hls/stages/agreement.hpp:1052
-  logic and_2895;
-  assign and_2895 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2858);
-  // hls/stages/patches.hpp:313
-  logic and_2899;
-  assign and_2899 = not_1934_s4_q & (drew_q & (ends_cell_s4_q & (not_2841 & and_2895)));
+  logic and_2919;
+  assign and_2919 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2882);
+  // hls/stages/patches.hpp:322
+  logic and_2923;
+  assign and_2923 = not_1936_s4_q & (drew_q & (ends_cell_s4_q & (not_2865 & and_2919)));
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2901;
-  assign select_2901 = and_2818_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2899});
-  // hls/stages/patches.hpp:313
-  logic [7:0] select_2950;
-  assign select_2950 = drew_q ? (equal_2074_s4_q ? (and_2934_s4_q ? residual_s4_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2951;
-  assign select_2951 = equal_1933_s4_q ? 8'h0 : select_2950;
+  logic [13:0] select_2925;
+  assign select_2925 = and_2842_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2923});
+  // hls/stages/patches.hpp:322
+  logic [7:0] select_2974;
+  assign select_2974 = drew_q ? (equal_2076_s4_q ? (and_2958_s4_q ? residual_s4_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_2975;
+  assign select_2975 = equal_1935_s4_q ? 8'h0 : select_2974;
   // hls/stages/registration.hpp:134
-  logic [13:0] select_2953;
-  assign select_2953 = and_2933_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2951[7]}}, select_2951});
-  // hls/stages/patches.hpp:313
-  logic and_2956;
-  assign and_2956 = not_1934_s4_q & (drew_q & (and_2934_s4_q & equal_2074_s4_q));
+  logic [13:0] select_2977;
+  assign select_2977 = and_2957_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2975[7]}}, select_2975});
+  // hls/stages/patches.hpp:322
+  logic and_2980;
+  assign and_2980 = not_1936_s4_q & (drew_q & (and_2958_s4_q & equal_2076_s4_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_2958;
-  assign select_2958 = and_2933_s4_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2956});
+  logic [5:0] select_2982;
+  assign select_2982 = and_2957_s4_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2980});
   // hls/stages/registration.hpp:107
-  logic and_2960;
-  assign and_2960 = and_2934_s4_q & ($signed(residual_s4_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/patches.hpp:313
-  logic [1:0] select_2962;
-  assign select_2962 = drew_q ? (equal_2074_s4_q ? {and_2960, and_2934_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2963;
-  assign select_2963 = equal_1933_s4_q ? 2'h0 : select_2962;
+  logic and_2984;
+  assign and_2984 = and_2958_s4_q & ($signed(residual_s4_q) < $signed({2'h0, cfg_moved_limit_i}));
+  // hls/stages/patches.hpp:322
+  logic [1:0] select_2986;
+  assign select_2986 = drew_q ? (equal_2076_s4_q ? {and_2984, and_2958_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2987;
+  assign select_2987 = equal_1935_s4_q ? 2'h0 : select_2986;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2964;
-  assign sum_2964 = registration_half_votes_down_q + {{5{select_2963[1]}}, select_2963};
-  // hls/stages/patches.hpp:313
-  logic [1:0] select_2970;
-  assign select_2970 = drew_q ? (equal_2074_s4_q ? {and_2968_s4_q, and_2934_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2971;
-  assign select_2971 = equal_1933_s4_q ? 2'h0 : select_2970;
+  logic [6:0] sum_2988;
+  assign sum_2988 = registration_half_votes_down_q + {{5{select_2987[1]}}, select_2987};
+  // hls/stages/patches.hpp:322
+  logic [1:0] select_2994;
+  assign select_2994 = drew_q ? (equal_2076_s4_q ? {and_2992_s4_q, and_2958_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2995;
+  assign select_2995 = equal_1935_s4_q ? 2'h0 : select_2994;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2972;
-  assign sum_2972 = registration_half_votes_up_q + {{5{select_2971[1]}}, select_2971};
+  logic [6:0] sum_2996;
+  assign sum_2996 = registration_half_votes_up_q + {{5{select_2995[1]}}, select_2995};
   // hls/stages/registration.hpp:107
-  logic and_2975;
-  assign and_2975 = and_2934_s4_q & ($signed(residual_s4_q) < $signed({2'h0, cfg_moved_half_limit_i}));
-  // hls/stages/patches.hpp:313
-  logic [1:0] select_2977;
-  assign select_2977 = drew_q ? (equal_2074_s4_q ? {and_2975, and_2934_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2978;
-  assign select_2978 = equal_1933_s4_q ? 2'h0 : select_2977;
+  logic and_2999;
+  assign and_2999 = and_2958_s4_q & ($signed(residual_s4_q) < $signed({2'h0, cfg_moved_half_limit_i}));
+  // hls/stages/patches.hpp:322
+  logic [1:0] select_3001;
+  assign select_3001 = drew_q ? (equal_2076_s4_q ? {and_2999, and_2958_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3002;
+  assign select_3002 = equal_1935_s4_q ? 2'h0 : select_3001;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2979;
-  assign sum_2979 = registration_half_half_votes_down_q + {{5{select_2978[1]}}, select_2978};
-  // hls/stages/patches.hpp:313
-  logic [1:0] select_2984;
-  assign select_2984 = drew_q ? (equal_2074_s4_q ? {and_2982_s4_q, and_2934_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2985;
-  assign select_2985 = equal_1933_s4_q ? 2'h0 : select_2984;
+  logic [6:0] sum_3003;
+  assign sum_3003 = registration_half_half_votes_down_q + {{5{select_3002[1]}}, select_3002};
+  // hls/stages/patches.hpp:322
+  logic [1:0] select_3008;
+  assign select_3008 = drew_q ? (equal_2076_s4_q ? {and_3006_s4_q, and_2958_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3009;
+  assign select_3009 = equal_1935_s4_q ? 2'h0 : select_3008;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2986;
-  assign sum_2986 = registration_half_half_votes_up_q + {{5{select_2985[1]}}, select_2985};
-  // hls/stages/patches.hpp:313
-  logic and_3020;
-  assign and_3020 = equal_1933_s4_q & (x_s4_q[6] & (not_2317_s4_q & less_2009_s4_q));
+  logic [6:0] sum_3010;
+  assign sum_3010 = registration_half_half_votes_up_q + {{5{select_3009[1]}}, select_3009};
+  // hls/stages/patches.hpp:322
+  logic and_3044;
+  assign and_3044 = equal_1935_s4_q & (x_s4_q[6] & (not_2341_s4_q & less_2011_s4_q));
   // hls/stages/agreement.hpp:1072
-  logic [11:0] select_3027;
-  assign select_3027 = or_2013_s4_q ? 12'h0 : (equal_3025_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  logic [11:0] select_3051;
+  assign select_3051 = or_2015_s4_q ? 12'h0 : (equal_3049_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
   // hls/stages/agreement.hpp:1084
-  logic [11:0] select_3030;
-  assign select_3030 = x_s4_q[6] ? (equal_1978_s4_q ? 12'h0 : (less_2009_s4_q ? select_3027 : 12'h0)) : 12'h0;
-  // hls/stages/patches.hpp:313
-  logic [11:0] select_3031;
-  assign select_3031 = equal_1933_s4_q ? select_3030 : 12'h0;
+  logic [11:0] select_3054;
+  assign select_3054 = x_s4_q[6] ? (equal_1980_s4_q ? 12'h0 : (less_2011_s4_q ? select_3051 : 12'h0)) : 12'h0;
+  // hls/stages/patches.hpp:322
+  logic [11:0] select_3055;
+  assign select_3055 = equal_1935_s4_q ? select_3054 : 12'h0;
   // hls/stages/registration.hpp:153
-  logic and_3032;
-  assign and_3032 = x_s4_q[1] & all_s4_q;
+  logic and_3056;
+  assign and_3056 = x_s4_q[1] & all_s4_q;
   // hls/stages/agreement.hpp:1084
-  logic and_3035;
-  assign and_3035 = not_2317_s4_q & (less_2009_s4_q & ({and_3032, x_s4_q[0]} == 2'h0));
-  // hls/stages/patches.hpp:313
-  logic and_3037;
-  assign and_3037 = equal_1933_s4_q & (x_s4_q[6] & and_3035);
-  // hls/stages/registration.hpp:252
-  logic [13:0] sum_3039;
-  assign sum_3039 = {{2{select_3031[11]}}, select_3031} + (and_3037 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:1072
-  logic [11:0] select_3042;
-  assign select_3042 = or_2013_s4_q ? 12'h0 : (equal_3025_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1084
-  logic [11:0] select_3045;
-  assign select_3045 = x_s4_q[6] ? (equal_1978_s4_q ? 12'h0 : (less_2009_s4_q ? select_3042 : 12'h0)) : 12'h0;
-  // hls/stages/patches.hpp:313
-  logic [11:0] select_3046;
-  assign select_3046 = equal_1933_s4_q ? select_3045 : 12'h0;
-  // hls/stages/registration.hpp:253
-  logic [13:0] sum_3048;
-  assign sum_3048 = {{2{select_3046[11]}}, select_3046} + (and_3037 ? 14'h0 : registration_up_q);
-  // hls/stages/registration.hpp:150
-  logic not_3050;
-  assign not_3050 = ~all_s4_q;
-  // hls/stages/agreement.hpp:1084
-  logic and_3053;
-  assign and_3053 = not_2317_s4_q & (less_2009_s4_q & (x_s4_q[2:0] == {all_s4_q, not_3050, 1'b0}));
-  // hls/stages/patches.hpp:313
   logic and_3059;
-  assign and_3059 = equal_1933_s4_q & (x_s4_q[6] & (not_2317_s4_q & (less_2009_s4_q & all_s4_q)));
-  // hls/stages/registration.hpp:246
-  logic not_3060;
-  assign not_3060 = ~and_3059;
-  logic less_3061;
-  assign less_3061 = $signed({9'h1, {2{not_3060}}, and_3059}) < $signed(registration_up_q[13:2]);
-  logic select_3062;
-  assign select_3062 = (equal_1933_s4_q & (x_s4_q[6] & and_3053)) ? less_3061 : registration_enough_q;
-  // hls/stages/agreement.hpp:1084
-  logic and_3066;
-  assign and_3066 = x_s4_q[6] & (not_2317_s4_q & (less_2009_s4_q & (x_s4_q[2:0] == 3'h4)));
-  // hls/stages/patches.hpp:313
-  logic and_3067;
-  assign and_3067 = equal_1933_s4_q & and_3066;
-  // hls/stages/registration.hpp:242
-  logic less_3068;
-  assign less_3068 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_3070;
-  assign less_3070 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/agreement.hpp:1084
-  logic and_3075;
-  assign and_3075 = x_s4_q[6] & (not_2317_s4_q & (less_2009_s4_q & (x_s4_q[2:0] == 3'h7)));
-  // hls/stages/patches.hpp:313
-  logic and_3076;
-  assign and_3076 = equal_1933_s4_q & and_3075;
-  // hls/stages/agreement.hpp:1084
-  logic and_3083;
-  assign and_3083 = x_s4_q[6] & (not_2317_s4_q & (less_2009_s4_q & (x_s4_q[5:0] == 6'h0)));
-  // hls/stages/registration.hpp:157
-  logic equal_3086;
-  assign equal_3086 = x_s4_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1084
-  logic and_3089;
-  assign and_3089 = not_2317_s4_q & (less_2009_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_3086));
-  // hls/stages/registration.hpp:244
-  logic and_3093;
-  assign and_3093 = (equal_1933_s4_q & (x_s4_q[6] & and_3089)) & (less_3070 | less_3068);
-  // hls/stages/agreement.hpp:1084
-  logic and_3098;
-  assign and_3098 = not_2317_s4_q & (less_2009_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_3086)));
-  // hls/stages/registration.hpp:244
-  logic and_3101;
-  assign and_3101 = registration_votes_up_q & registration_other_down_q;
-  logic select_3103;
-  assign select_3103 = registration_votes_down_q ? (registration_other_up_q | and_3101) : and_3101;
-  // hls/stages/registration.hpp:138
-  logic and_3105;
-  assign and_3105 = (equal_1933_s4_q & (x_s4_q[6] & and_3098)) & (registration_other_enough_q & select_3103);
-  // hls/stages/registration.hpp:245
-  logic or_3108;
-  assign or_3108 = registration_moved_q | (registration_enough_q & (and_3093 | and_3105));
-  // hls/stages/agreement.hpp:263
-  logic [7:0] select_3193;
-  assign select_3193 = sample_pair_whole_s4_q ? (equal_2064_s4_q ? patches_place_0_slope_q : select_2165[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3198;
-  assign select_3198 = sample_pair_whole_s4_q ? (equal_2064_s4_q ? patches_place_1_slope_q : select_2194[21:14]) : patches_place_1_slope_q;
-  // hls/stages/patches.hpp:104
-  logic select_3200;
-  assign select_3200 = equal_2064_s4_q ? patches_valid_0_q : (select_2063_s4_q ? patches_valid_0_q : select_2162[0]);
-  // hls/stages/agreement.hpp:263
-  logic select_3203;
-  assign select_3203 = sample_pair_whole_s4_q ? (and_2185 ? (sample_present_s4_q & select_3200) : select_3200) : patches_valid_0_q;
-  // hls/stages/patches.hpp:104
-  logic select_3205;
-  assign select_3205 = equal_2064_s4_q ? patches_valid_1_q : (select_2063_s4_q ? select_2162[0] : patches_valid_1_q);
-  // hls/stages/agreement.hpp:263
-  logic select_3208;
-  assign select_3208 = sample_pair_whole_s4_q ? (and_2205 ? (sample_present_s4_q & select_3205) : select_3205) : patches_valid_1_q;
-  logic [5:0] select_3211;
-  assign select_3211 = sample_pair_whole_s4_q ? (select_2183[5] ? {1'b1, select_2183[4:0]} : (select_2183 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3214;
-  assign select_3214 = sample_pair_whole_s4_q ? (select_2203[5] ? {1'b1, select_2203[4:0]} : (select_2203 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3217;
-  assign select_3217 = sample_pair_whole_s4_q ? (select_2216[4] ? {1'b1, select_2216[3:0]} : (select_2216 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3220;
-  assign select_3220 = sample_pair_whole_s4_q ? (select_2221[4] ? {1'b1, select_2221[3:0]} : (select_2221 + 5'h1)) : patches_left_next_1_q;
-  // hls/stages/patches.hpp:464
-  logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3631_s4_q, parity_3627_s4_q, xor_3615_s4_q, parity_3587_s4_q, parity_3525_s4_q, parity_3396_s4_q} + (equal_3632_s4_q ? 10'h0 : patches_sums_values_16_q);
-  // hls/stages/patches.hpp:160
-  logic [9:0] select_3636;
-  assign select_3636 = equal_2146_s4_q ? patches_sums_values_0_q : (equal_2148_s4_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3637;
-  assign select_3637 = equal_2148_s4_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3639;
-  assign select_3639 = equal_2148_s4_q ? patches_sums_values_1_q : patches_sums_values_2_q;
-  logic [9:0] select_3641;
-  assign select_3641 = equal_2148_s4_q ? patches_sums_values_2_q : patches_sums_values_3_q;
-  logic [9:0] select_3643;
-  assign select_3643 = equal_2148_s4_q ? patches_sums_values_3_q : patches_sums_values_4_q;
-  logic [9:0] select_3645;
-  assign select_3645 = equal_2148_s4_q ? patches_sums_values_4_q : patches_sums_values_5_q;
-  logic [9:0] select_3647;
-  assign select_3647 = equal_2148_s4_q ? patches_sums_values_5_q : patches_sums_values_6_q;
-  logic [9:0] select_3649;
-  assign select_3649 = equal_2148_s4_q ? patches_sums_values_6_q : patches_sums_values_7_q;
-  logic [9:0] select_3651;
-  assign select_3651 = equal_2148_s4_q ? patches_sums_values_7_q : patches_sums_values_8_q;
-  logic [9:0] select_3653;
-  assign select_3653 = equal_2148_s4_q ? patches_sums_values_8_q : patches_sums_values_9_q;
-  logic [9:0] select_3655;
-  assign select_3655 = equal_2148_s4_q ? patches_sums_values_9_q : patches_sums_values_10_q;
-  logic [9:0] select_3657;
-  assign select_3657 = equal_2148_s4_q ? patches_sums_values_10_q : patches_sums_values_11_q;
-  logic [9:0] select_3659;
-  assign select_3659 = equal_2148_s4_q ? patches_sums_values_11_q : patches_sums_values_12_q;
-  logic [9:0] select_3661;
-  assign select_3661 = equal_2148_s4_q ? patches_sums_values_12_q : patches_sums_values_13_q;
-  logic [9:0] select_3663;
-  assign select_3663 = equal_2148_s4_q ? patches_sums_values_13_q : patches_sums_values_14_q;
-  logic [9:0] select_3665;
-  assign select_3665 = equal_2148_s4_q ? patches_sums_values_14_q : patches_sums_values_15_q;
-  logic [9:0] select_3667;
-  assign select_3667 = equal_2148_s4_q ? patches_sums_values_15_q : patches_sums_values_16_q;
-  // hls/stages/patches.hpp:538
-  logic or_3772;
-  assign or_3772 = (~(patches_second_s4_q ? patches_valid_1_q : patches_valid_0_q)) | or_3771_s4_q;
-  logic or_3775;
-  assign or_3775 = equal_3763_s4_q | (less_3765_s4_q | (less_3766_s4_q | or_3772));
-  // hls/stages/patches.hpp:518
-  logic not_3776;
-  assign not_3776 = ~or_3775;
-  // hls/stages/patches.hpp:499
-  logic and_3777;
-  assign and_3777 = equal_2291_s4_q & not_3776;
-  // hls/stages/patches.hpp:160
-  logic and_3780;
-  assign and_3780 = equal_2146_s4_q & (less_2288_s4_q ? (not_2290_s4_q & and_3777) : and_3777);
-  // hls/stages/patches.hpp:576
-  logic not_3781;
-  assign not_3781 = ~patches_lower_s4_q;
-  // hls/stages/patches.hpp:499
-  logic and_3783;
-  assign and_3783 = equal_2291_s4_q & (patches_second_s4_q & not_3776);
-  // hls/stages/patches.hpp:160
-  logic and_3786;
-  assign and_3786 = equal_2146_s4_q & (less_2288_s4_q ? (not_2290_s4_q & and_3783) : and_3783);
-  // hls/stages/patches.hpp:576
-  logic not_3787;
-  assign not_3787 = ~and_3786;
-  // hls/stages/patches.hpp:164
-  logic and_3789;
-  assign and_3789 = and_3780 & (not_3781 & not_3787);
-  // hls/stages/patches.hpp:578
-  logic [7:0] sum_3791;
-  assign sum_3791 = {7'h0, and_3789} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
-  // hls/stages/patches.hpp:536
-  logic [7:0] select_3817;
-  assign select_3817 = patches_second_s4_q ? patches_place_1_slope_q : patches_place_0_slope_q;
-  // hls/stages/patches.hpp:535
-  logic [5:0] select_3818;
-  assign select_3818 = patches_second_s4_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_3819;
-  assign sum_3819 = {2'h0, select_3751_s4_q[4:3]} + 4'hf;
-  logic [6:0] sum_3820;
-  assign sum_3820 = {select_3818[5], select_3818} + {{3{sum_3819[3]}}, sum_3819};
-  // hls/stages/patches.hpp:536
-  logic [17:0] product_3821;
-  assign product_3821 = $signed({{10{select_3817[7]}}, select_3817}) * $signed({{8{sum_3820[6]}}, sum_3820, select_3751_s4_q[2:0]});
-  // hls/stages/patches.hpp:537
-  logic [13:0] difference_3822;
-  assign difference_3822 = {{6{select_3816_s4_q[7]}}, select_3816_s4_q} - {product_3821[17], product_3821[17:5]};
-  // hls/stages/patches.hpp:543
-  logic less_3823;
-  assign less_3823 = $signed({{7{difference_3793[6]}}, difference_3793}) < $signed(difference_3822);
-  // hls/stages/patches.hpp:499
-  logic and_3826;
-  assign and_3826 = equal_2291_s4_q & (not_3776 & (~less_3823));
-  // hls/stages/patches.hpp:160
-  logic and_3829;
-  assign and_3829 = equal_2146_s4_q & (less_2288_s4_q ? (not_2290_s4_q & and_3826) : and_3826);
-  // hls/stages/patches.hpp:579
-  logic and_3830;
-  assign and_3830 = and_3829 & and_3789;
-  logic [7:0] sum_3831;
-  assign sum_3831 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3830};
-  // hls/stages/patches.hpp:499
-  logic and_3835;
-  assign and_3835 = not_3776 & (~($signed(difference_3822) < $signed({8'h0, cfg_patch_limit_i})));
-  logic and_3836;
-  assign and_3836 = equal_2291_s4_q & and_3835;
-  // hls/stages/patches.hpp:160
-  logic and_3839;
-  assign and_3839 = equal_2146_s4_q & (less_2288_s4_q ? (not_2290_s4_q & and_3836) : and_3836);
-  // hls/stages/patches.hpp:580
-  logic and_3840;
-  assign and_3840 = and_3839 & and_3789;
-  logic [7:0] sum_3841;
-  assign sum_3841 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3840};
-  // hls/stages/patches.hpp:164
-  logic and_3843;
-  assign and_3843 = and_3780 & (and_3786 & not_3781);
-  // hls/stages/patches.hpp:578
-  logic [7:0] sum_3845;
-  assign sum_3845 = {7'h0, and_3843} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:579
-  logic and_3847;
-  assign and_3847 = and_3829 & and_3843;
-  logic [7:0] sum_3848;
-  assign sum_3848 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3847};
-  // hls/stages/patches.hpp:580
-  logic and_3850;
-  assign and_3850 = and_3839 & and_3843;
-  logic [7:0] sum_3851;
-  assign sum_3851 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3850};
-  // hls/stages/patches.hpp:164
-  logic and_3853;
-  assign and_3853 = and_3780 & (patches_lower_s4_q & not_3787);
-  // hls/stages/patches.hpp:578
-  logic [7:0] sum_3855;
-  assign sum_3855 = {7'h0, and_3853} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:579
-  logic and_3857;
-  assign and_3857 = and_3829 & and_3853;
-  logic [7:0] sum_3858;
-  assign sum_3858 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3857};
-  // hls/stages/patches.hpp:580
-  logic and_3860;
-  assign and_3860 = and_3839 & and_3853;
-  logic [7:0] sum_3861;
-  assign sum_3861 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3860};
-  // hls/stages/patches.hpp:164
-  logic and_3863;
-  assign and_3863 = and_3780 & (patches_lower_s4_q & and_3786);
-  // hls/stages/patches.hpp:578
-  logic [7:0] sum_3865;
-  assign sum_3865 = {7'h0, and_3863} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
-  // hls/stages/patches.hpp:579
-  logic and_3867;
-  assign and_3867 = and_3829 & and_3863;
-  logic [7:0] sum_3868;
-  assign sum_3868 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3867};
-  // hls/stages/patches.hpp:580
-  logic and_3870;
-  assign and_3870 = and_3839 & and_3863;
-  logic [7:0] sum_3871;
-  assign sum_3871 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3870};
+  assign and_3059 = not_2341_s4_q & (less_2011_s4_q & ({and_3056, x_s4_q[0]} == 2'h0));
+  // hls/stages/patches.hpp:322
+  logic and_3061;
+  assign and_3061 = equal_1935_s4_q & (x_s4_q[6] & and_3059);
+  // hls/stages/registration.hpp:252
+  logic [13:0] sum_3063;
+  assign sum_3063 = {{2{select_3055[11]}}, select_3055} + (and_3061 ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:1072
-  logic less_3872;
-  assign less_3872 = x_s4_q[5:3] < 3'h5;
-  // hls/stages/agreement.hpp:1154
-  logic equal_3873;
-  assign equal_3873 = x_s4_q[2:0] == 3'h0;
+  logic [11:0] select_3066;
+  assign select_3066 = or_2015_s4_q ? 12'h0 : (equal_3049_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:1084
+  logic [11:0] select_3069;
+  assign select_3069 = x_s4_q[6] ? (equal_1980_s4_q ? 12'h0 : (less_2011_s4_q ? select_3066 : 12'h0)) : 12'h0;
+  // hls/stages/patches.hpp:322
+  logic [11:0] select_3070;
+  assign select_3070 = equal_1935_s4_q ? select_3069 : 12'h0;
+  // hls/stages/registration.hpp:253
+  logic [13:0] sum_3072;
+  assign sum_3072 = {{2{select_3070[11]}}, select_3070} + (and_3061 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:150
-  logic not_3874;
-  assign not_3874 = ~x_s4_q[4];
+  logic not_3074;
+  assign not_3074 = ~all_s4_q;
+  // hls/stages/agreement.hpp:1084
+  logic and_3077;
+  assign and_3077 = not_2341_s4_q & (less_2011_s4_q & (x_s4_q[2:0] == {all_s4_q, not_3074, 1'b0}));
+  // hls/stages/patches.hpp:322
+  logic and_3083;
+  assign and_3083 = equal_1935_s4_q & (x_s4_q[6] & (not_2341_s4_q & (less_2011_s4_q & all_s4_q)));
+  // hls/stages/registration.hpp:246
+  logic not_3084;
+  assign not_3084 = ~and_3083;
+  logic less_3085;
+  assign less_3085 = $signed({9'h1, {2{not_3084}}, and_3083}) < $signed(registration_up_q[13:2]);
+  logic select_3086;
+  assign select_3086 = (equal_1935_s4_q & (x_s4_q[6] & and_3077)) ? less_3085 : registration_enough_q;
+  // hls/stages/agreement.hpp:1084
+  logic and_3090;
+  assign and_3090 = x_s4_q[6] & (not_2341_s4_q & (less_2011_s4_q & (x_s4_q[2:0] == 3'h4)));
+  // hls/stages/patches.hpp:322
+  logic and_3091;
+  assign and_3091 = equal_1935_s4_q & and_3090;
+  // hls/stages/registration.hpp:242
+  logic less_3092;
+  assign less_3092 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_3094;
+  assign less_3094 = $signed(14'h0) < $signed(registration_up_q);
+  // hls/stages/agreement.hpp:1084
+  logic and_3099;
+  assign and_3099 = x_s4_q[6] & (not_2341_s4_q & (less_2011_s4_q & (x_s4_q[2:0] == 3'h7)));
+  // hls/stages/patches.hpp:322
+  logic and_3100;
+  assign and_3100 = equal_1935_s4_q & and_3099;
+  // hls/stages/agreement.hpp:1084
+  logic and_3107;
+  assign and_3107 = x_s4_q[6] & (not_2341_s4_q & (less_2011_s4_q & (x_s4_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
-  logic not_3875;
-  assign not_3875 = ~x_s4_q[3];
-  // hls/stages/patches.hpp:176
-  logic and_3876;
-  assign and_3876 = not_3874 & not_3875;
-  logic [1:0] select_3877;
-  assign select_3877 = x_s4_q[4] ? {1'b1, x_s4_q[3]} : {not_3875, 1'b1};
-  logic [3:0] select_3878;
-  assign select_3878 = x_s4_q[5] ? {{2{and_3876}}, 2'h0} : {not_3875, not_3874, select_3877};
+  logic equal_3110;
+  assign equal_3110 = x_s4_q[2:0] == 3'h6;
   // hls/stages/agreement.hpp:1084
-  logic and_3882;
-  assign and_3882 = x_s4_q[6] & (not_2317_s4_q & (less_3872 & (equal_3873 & select_3878[0])));
-  // hls/stages/patches.hpp:313
-  logic and_3883;
-  assign and_3883 = equal_1933_s4_q & and_3882;
-  // hls/stages/patches.hpp:176
-  logic equal_3885;
-  assign equal_3885 = x_s4_q[2:0] == 3'h1;
+  logic and_3113;
+  assign and_3113 = not_2341_s4_q & (less_2011_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_3110));
+  // hls/stages/registration.hpp:244
+  logic and_3117;
+  assign and_3117 = (equal_1935_s4_q & (x_s4_q[6] & and_3113)) & (less_3094 | less_3092);
   // hls/stages/agreement.hpp:1084
-  logic and_3889;
-  assign and_3889 = x_s4_q[6] & (not_2317_s4_q & (less_3872 & (select_3878[1] & equal_3885)));
-  // hls/stages/patches.hpp:313
-  logic and_3890;
-  assign and_3890 = equal_1933_s4_q & and_3889;
-  // hls/stages/patches.hpp:560
-  logic [7:0] or_3892;
-  assign or_3892 = (and_3883 ? patches_quarters_0_places_q : 8'h0) | (and_3890 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/agreement.hpp:1084
-  logic and_3896;
-  assign and_3896 = not_2317_s4_q & (less_3872 & (select_3878[2] & (x_s4_q[2:0] == 3'h2)));
-  // hls/stages/patches.hpp:313
-  logic and_3898;
-  assign and_3898 = equal_1933_s4_q & (x_s4_q[6] & and_3896);
-  // hls/stages/agreement.hpp:1084
-  logic and_3904;
-  assign and_3904 = not_2317_s4_q & (less_3872 & (select_3878[3] & (x_s4_q[2:0] == 3'h3)));
-  // hls/stages/patches.hpp:313
-  logic and_3906;
-  assign and_3906 = equal_1933_s4_q & (x_s4_q[6] & and_3904);
-  // hls/stages/patches.hpp:560
-  logic [7:0] or_3908;
-  assign or_3908 = (or_3892 | (and_3898 ? patches_quarters_2_places_q : 8'h0)) | (and_3906 ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/patches.hpp:561
-  logic [7:0] or_3911;
-  assign or_3911 = (and_3883 ? patches_quarters_0_up_q : 8'h0) | (and_3890 ? patches_quarters_1_up_q : 8'h0);
-  logic [7:0] or_3915;
-  assign or_3915 = (or_3911 | (and_3898 ? patches_quarters_2_up_q : 8'h0)) | (and_3906 ? patches_quarters_3_up_q : 8'h0);
-  // hls/stages/patches.hpp:562
-  logic [7:0] or_3918;
-  assign or_3918 = (and_3883 ? patches_quarters_0_down_q : 8'h0) | (and_3890 ? patches_quarters_1_down_q : 8'h0);
-  logic [7:0] or_3922;
-  assign or_3922 = (or_3918 | (and_3898 ? patches_quarters_2_down_q : 8'h0)) | (and_3906 ? patches_quarters_3_down_q : 8'h0);
-  // hls/stages/patches.hpp:180
-  logic [4:0] sum_3923;
-  assign sum_3923 = {2'h0, x_s4_q[2:0]} + 5'h1f;
-  // hls/stages/agreement.hpp:1084
-  logic and_3927;
-  assign and_3927 = x_s4_q[6] & (not_2317_s4_q & (less_3872 & (sum_3923[4:2] == 3'h0)));
-  // hls/stages/patches.hpp:313
-  logic and_3928;
-  assign and_3928 = equal_1933_s4_q & and_3927;
-  logic and_3932;
-  assign and_3932 = equal_1933_s4_q & (x_s4_q[6] & (not_2317_s4_q & (less_3872 & equal_3885)));
+  logic and_3122;
+  assign and_3122 = not_2341_s4_q & (less_2011_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_3110)));
+  // hls/stages/registration.hpp:244
+  logic and_3125;
+  assign and_3125 = registration_votes_up_q & registration_other_down_q;
+  logic select_3127;
+  assign select_3127 = registration_votes_down_q ? (registration_other_up_q | and_3125) : and_3125;
+  // hls/stages/registration.hpp:138
+  logic and_3129;
+  assign and_3129 = (equal_1935_s4_q & (x_s4_q[6] & and_3122)) & (registration_other_enough_q & select_3127);
+  // hls/stages/registration.hpp:245
+  logic or_3132;
+  assign or_3132 = registration_moved_q | (registration_enough_q & (and_3117 | and_3129));
+  // hls/stages/agreement.hpp:263
+  logic [7:0] select_3217;
+  assign select_3217 = sample_pair_whole_s4_q ? (equal_2066_s4_q ? patches_place_0_slope_q : select_2167[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3222;
+  assign select_3222 = sample_pair_whole_s4_q ? (equal_2066_s4_q ? patches_place_1_slope_q : select_2196[21:14]) : patches_place_1_slope_q;
+  // hls/stages/patches.hpp:109
+  logic select_3224;
+  assign select_3224 = equal_2066_s4_q ? patches_valid_0_q : (select_2065_s4_q ? patches_valid_0_q : select_2164[0]);
+  // hls/stages/agreement.hpp:263
+  logic select_3227;
+  assign select_3227 = sample_pair_whole_s4_q ? (and_2187 ? (sample_present_s4_q & select_3224) : select_3224) : patches_valid_0_q;
+  // hls/stages/patches.hpp:109
+  logic select_3229;
+  assign select_3229 = equal_2066_s4_q ? patches_valid_1_q : (select_2065_s4_q ? select_2164[0] : patches_valid_1_q);
+  // hls/stages/agreement.hpp:263
+  logic select_3232;
+  assign select_3232 = sample_pair_whole_s4_q ? (and_2207 ? (sample_present_s4_q & select_3229) : select_3229) : patches_valid_1_q;
+  logic [5:0] select_3235;
+  assign select_3235 = sample_pair_whole_s4_q ? (select_2185[5] ? {1'b1, select_2185[4:0]} : (select_2185 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3238;
+  assign select_3238 = sample_pair_whole_s4_q ? (select_2205[5] ? {1'b1, select_2205[4:0]} : (select_2205 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3241;
+  assign select_3241 = sample_pair_whole_s4_q ? (select_2218[4] ? {1'b1, select_2218[3:0]} : (select_2218 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3244;
+  assign select_3244 = sample_pair_whole_s4_q ? (select_2223[4] ? {1'b1, select_2223[3:0]} : (select_2223 + 5'h1)) : patches_left_next_1_q;
+  // hls/stages/patches.hpp:503
+  logic [9:0] sum_3;
+  assign sum_3 = {4'h0, or_3663_s4_q, parity_3659_s4_q, xor_3647_s4_q, parity_3619_s4_q, parity_3557_s4_q, parity_3428_s4_q} + (equal_3664_s4_q ? 10'h0 : patches_sums_values_16_q);
+  // hls/stages/patches.hpp:166
+  logic [9:0] select_3668;
+  assign select_3668 = equal_2148_s4_q ? patches_sums_values_0_q : (equal_2150_s4_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3669;
+  assign select_3669 = equal_2150_s4_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3671;
+  assign select_3671 = equal_2150_s4_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3673;
+  assign select_3673 = equal_2150_s4_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  logic [9:0] select_3675;
+  assign select_3675 = equal_2150_s4_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  logic [9:0] select_3677;
+  assign select_3677 = equal_2150_s4_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  logic [9:0] select_3679;
+  assign select_3679 = equal_2150_s4_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  logic [9:0] select_3681;
+  assign select_3681 = equal_2150_s4_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  logic [9:0] select_3683;
+  assign select_3683 = equal_2150_s4_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  logic [9:0] select_3685;
+  assign select_3685 = equal_2150_s4_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  logic [9:0] select_3687;
+  assign select_3687 = equal_2150_s4_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3689;
+  assign select_3689 = equal_2150_s4_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3691;
+  assign select_3691 = equal_2150_s4_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3693;
+  assign select_3693 = equal_2150_s4_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3695;
+  assign select_3695 = equal_2150_s4_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3697;
+  assign select_3697 = equal_2150_s4_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3699;
+  assign select_3699 = equal_2150_s4_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  // hls/stages/patches.hpp:577
+  logic or_3804;
+  assign or_3804 = (~(patches_second_s4_q ? patches_valid_1_q : patches_valid_0_q)) | or_3803_s4_q;
+  logic or_3807;
+  assign or_3807 = equal_3795_s4_q | (less_3797_s4_q | (less_3798_s4_q | or_3804));
   // hls/stages/patches.hpp:557
-  logic [7:0] select_3935;
-  assign select_3935 = and_3928 ? (patches_word_places_q + (and_3932 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_3938;
-  assign select_3938 = and_3928 ? (patches_word_up_q + (and_3932 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] select_3941;
-  assign select_3941 = and_3928 ? (patches_word_down_q + (and_3932 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
-  // hls/stages/patches.hpp:544
-  logic [5:0] select_3945;
-  assign select_3945 = ($signed(difference_3822[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3822[5:0];
-  logic [5:0] select_3946;
-  assign select_3946 = ($signed(14'h10) < $signed(difference_3822)) ? 6'h10 : select_3945;
-  // hls/stages/patches.hpp:499
-  logic [5:0] select_3948;
-  assign select_3948 = equal_2291_s4_q ? (or_3775 ? 6'h0 : select_3946) : 6'h0;
-  logic [5:0] select_3950;
-  assign select_3950 = less_2288_s4_q ? (equal_2289_s4_q ? 6'h0 : select_3948) : select_3948;
+  logic not_3808;
+  assign not_3808 = ~or_3807;
+  // hls/stages/patches.hpp:538
+  logic and_3809;
+  assign and_3809 = equal_2314_s4_q & not_3808;
+  // hls/stages/patches.hpp:166
+  logic and_3812;
+  assign and_3812 = equal_2148_s4_q & (less_2311_s4_q ? (not_2313_s4_q & and_3809) : and_3809);
+  // hls/stages/patches.hpp:616
+  logic not_3813;
+  assign not_3813 = ~patches_lower_s4_q;
+  // hls/stages/patches.hpp:538
+  logic and_3815;
+  assign and_3815 = equal_2314_s4_q & (patches_second_s4_q & not_3808);
+  // hls/stages/patches.hpp:166
+  logic and_3818;
+  assign and_3818 = equal_2148_s4_q & (less_2311_s4_q ? (not_2313_s4_q & and_3815) : and_3815);
+  // hls/stages/patches.hpp:616
+  logic not_3819;
+  assign not_3819 = ~and_3818;
+  // hls/stages/patches.hpp:170
+  logic and_3821;
+  assign and_3821 = and_3812 & (not_3813 & not_3819);
+  // hls/stages/patches.hpp:618
+  logic [7:0] sum_3823;
+  assign sum_3823 = {7'h0, and_3821} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  // hls/stages/patches.hpp:575
+  logic [7:0] select_3849;
+  assign select_3849 = patches_second_s4_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  // hls/stages/patches.hpp:574
+  logic [5:0] select_3850;
+  assign select_3850 = patches_second_s4_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_3851;
+  assign sum_3851 = {2'h0, select_3783_s4_q[4:3]} + 4'hf;
+  logic [6:0] sum_3852;
+  assign sum_3852 = {select_3850[5], select_3850} + {{3{sum_3851[3]}}, sum_3851};
+  // hls/stages/patches.hpp:575
+  logic [17:0] product_3853;
+  assign product_3853 = $signed({{10{select_3849[7]}}, select_3849}) * $signed({{8{sum_3852[6]}}, sum_3852, select_3783_s4_q[2:0]});
+  // hls/stages/patches.hpp:576
+  logic [13:0] difference_3854;
+  assign difference_3854 = {{6{select_3848_s4_q[7]}}, select_3848_s4_q} - {product_3853[17], product_3853[17:5]};
   // hls/stages/patches.hpp:582
-  logic [5:0] select_3952;
-  assign select_3952 = and_3780 ? (equal_2146_s4_q ? select_3950 : 6'h0) : 6'h0;
-  logic [11:0] sum_3953;
-  assign sum_3953 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3952[5]}}, select_3952};
-  // hls/stages/patches.hpp:313
-  logic and_3957;
-  assign and_3957 = equal_1933_s4_q & (x_s4_q[6] & (not_2317_s4_q & (equal_3086 & less_3872)));
+  logic less_3855;
+  assign less_3855 = $signed({{7{difference_3825[6]}}, difference_3825}) < $signed(difference_3854);
+  // hls/stages/patches.hpp:538
+  logic and_3858;
+  assign and_3858 = equal_2314_s4_q & (not_3808 & (~less_3855));
+  // hls/stages/patches.hpp:166
+  logic and_3861;
+  assign and_3861 = equal_2148_s4_q & (less_2311_s4_q ? (not_2313_s4_q & and_3858) : and_3858);
+  // hls/stages/patches.hpp:619
+  logic and_3862;
+  assign and_3862 = and_3861 & and_3821;
+  logic [7:0] sum_3863;
+  assign sum_3863 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3862};
+  // hls/stages/patches.hpp:538
+  logic and_3867;
+  assign and_3867 = not_3808 & (~($signed(difference_3854) < $signed({8'h0, cfg_patch_limit_i})));
+  logic and_3868;
+  assign and_3868 = equal_2314_s4_q & and_3867;
+  // hls/stages/patches.hpp:166
+  logic and_3871;
+  assign and_3871 = equal_2148_s4_q & (less_2311_s4_q ? (not_2313_s4_q & and_3868) : and_3868);
+  // hls/stages/patches.hpp:620
+  logic and_3872;
+  assign and_3872 = and_3871 & and_3821;
+  logic [7:0] sum_3873;
+  assign sum_3873 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3872};
+  // hls/stages/patches.hpp:170
+  logic and_3875;
+  assign and_3875 = and_3812 & (and_3818 & not_3813);
+  // hls/stages/patches.hpp:618
+  logic [7:0] sum_3877;
+  assign sum_3877 = {7'h0, and_3875} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:619
+  logic and_3879;
+  assign and_3879 = and_3861 & and_3875;
+  logic [7:0] sum_3880;
+  assign sum_3880 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3879};
+  // hls/stages/patches.hpp:620
+  logic and_3882;
+  assign and_3882 = and_3871 & and_3875;
+  logic [7:0] sum_3883;
+  assign sum_3883 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3882};
+  // hls/stages/patches.hpp:170
+  logic and_3885;
+  assign and_3885 = and_3812 & (patches_lower_s4_q & not_3819);
+  // hls/stages/patches.hpp:618
+  logic [7:0] sum_3887;
+  assign sum_3887 = {7'h0, and_3885} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:619
+  logic and_3889;
+  assign and_3889 = and_3861 & and_3885;
+  logic [7:0] sum_3890;
+  assign sum_3890 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3889};
+  // hls/stages/patches.hpp:620
+  logic and_3892;
+  assign and_3892 = and_3871 & and_3885;
+  logic [7:0] sum_3893;
+  assign sum_3893 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3892};
+  // hls/stages/patches.hpp:170
+  logic and_3895;
+  assign and_3895 = and_3812 & (patches_lower_s4_q & and_3818);
+  // hls/stages/patches.hpp:618
+  logic [7:0] sum_3897;
+  assign sum_3897 = {7'h0, and_3895} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:619
+  logic and_3899;
+  assign and_3899 = and_3861 & and_3895;
+  logic [7:0] sum_3900;
+  assign sum_3900 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3899};
+  // hls/stages/patches.hpp:620
+  logic and_3902;
+  assign and_3902 = and_3871 & and_3895;
+  logic [7:0] sum_3903;
+  assign sum_3903 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3902};
+  // hls/stages/agreement.hpp:1072
+  logic less_3904;
+  assign less_3904 = x_s4_q[5:3] < 3'h5;
+  // hls/stages/agreement.hpp:1154
+  logic equal_3905;
+  assign equal_3905 = x_s4_q[2:0] == 3'h0;
+  // hls/stages/registration.hpp:150
+  logic not_3906;
+  assign not_3906 = ~x_s4_q[4];
+  // hls/stages/registration.hpp:157
+  logic not_3907;
+  assign not_3907 = ~x_s4_q[3];
+  // hls/stages/patches.hpp:182
+  logic and_3908;
+  assign and_3908 = not_3906 & not_3907;
+  logic [1:0] select_3909;
+  assign select_3909 = x_s4_q[4] ? {1'b1, x_s4_q[3]} : {not_3907, 1'b1};
+  logic [3:0] select_3910;
+  assign select_3910 = x_s4_q[5] ? {{2{and_3908}}, 2'h0} : {not_3907, not_3906, select_3909};
   // hls/stages/agreement.hpp:1084
-  logic and_3961;
-  assign and_3961 = x_s4_q[6] & (not_2317_s4_q & (less_3872 & (x_s4_q[5:3] == 3'h0)));
-  // hls/stages/patches.hpp:313
-  logic and_3962;
-  assign and_3962 = equal_1933_s4_q & and_3961;
-  // hls/stages/patches.hpp:571
-  logic [7:0] select_3964;
-  assign select_3964 = and_3957 ? (and_3962 ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:573
-  logic or_3968;
-  assign or_3968 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:570
-  logic select_3970;
-  assign select_3970 = and_3957 ? (and_3962 ? patches_enough_q : patches_complete_q) : patches_complete_q;
-  // hls/stages/patches.hpp:164
-  logic and_3976;
-  assign and_3976 = patches_complete_q & (equal_1933_s4_q & ((x_s4_q[6:0] == 7'h70) & (~equal_3972_s4_q)));
-  logic and_3977;
-  assign and_3977 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:570
-  logic [4:0] select_3979;
-  assign select_3979 = and_3962 ? {and_3977, patches_found_q[4:1]} : (and_3957 ? {and_3977, patches_found_q[4:1]} : patches_found_q);
-  // hls/stages/patches.hpp:569
-  logic select_3986;
-  assign select_3986 = patches_round_ends_q ? (~(patches_found_q == 5'h0)) : patches_moved_q;
+  logic and_3914;
+  assign and_3914 = x_s4_q[6] & (not_2341_s4_q & (less_3904 & (equal_3905 & select_3910[0])));
+  // hls/stages/patches.hpp:322
+  logic and_3915;
+  assign and_3915 = equal_1935_s4_q & and_3914;
+  // hls/stages/patches.hpp:182
+  logic equal_3917;
+  assign equal_3917 = x_s4_q[2:0] == 3'h1;
+  // hls/stages/agreement.hpp:1084
+  logic and_3921;
+  assign and_3921 = x_s4_q[6] & (not_2341_s4_q & (less_3904 & (select_3910[1] & equal_3917)));
+  // hls/stages/patches.hpp:322
+  logic and_3922;
+  assign and_3922 = equal_1935_s4_q & and_3921;
+  // hls/stages/patches.hpp:599
+  logic [7:0] or_3924;
+  assign or_3924 = (and_3915 ? patches_quarters_0_places_q : 8'h0) | (and_3922 ? patches_quarters_1_places_q : 8'h0);
+  // hls/stages/agreement.hpp:1084
+  logic and_3928;
+  assign and_3928 = not_2341_s4_q & (less_3904 & (select_3910[2] & (x_s4_q[2:0] == 3'h2)));
+  // hls/stages/patches.hpp:322
+  logic and_3930;
+  assign and_3930 = equal_1935_s4_q & (x_s4_q[6] & and_3928);
+  // hls/stages/agreement.hpp:1084
+  logic and_3936;
+  assign and_3936 = not_2341_s4_q & (less_3904 & (select_3910[3] & (x_s4_q[2:0] == 3'h3)));
+  // hls/stages/patches.hpp:322
+  logic and_3938;
+  assign and_3938 = equal_1935_s4_q & (x_s4_q[6] & and_3936);
+  // hls/stages/patches.hpp:599
+  logic [7:0] or_3940;
+  assign or_3940 = (or_3924 | (and_3930 ? patches_quarters_2_places_q : 8'h0)) | (and_3938 ? patches_quarters_3_places_q : 8'h0);
+  // hls/stages/patches.hpp:600
+  logic [7:0] or_3943;
+  assign or_3943 = (and_3915 ? patches_quarters_0_up_q : 8'h0) | (and_3922 ? patches_quarters_1_up_q : 8'h0);
+  logic [7:0] or_3947;
+  assign or_3947 = (or_3943 | (and_3930 ? patches_quarters_2_up_q : 8'h0)) | (and_3938 ? patches_quarters_3_up_q : 8'h0);
+  // hls/stages/patches.hpp:601
+  logic [7:0] or_3950;
+  assign or_3950 = (and_3915 ? patches_quarters_0_down_q : 8'h0) | (and_3922 ? patches_quarters_1_down_q : 8'h0);
+  logic [7:0] or_3954;
+  assign or_3954 = (or_3950 | (and_3930 ? patches_quarters_2_down_q : 8'h0)) | (and_3938 ? patches_quarters_3_down_q : 8'h0);
+  // hls/stages/patches.hpp:186
+  logic [4:0] sum_3955;
+  assign sum_3955 = {2'h0, x_s4_q[2:0]} + 5'h1f;
+  // hls/stages/agreement.hpp:1084
+  logic and_3959;
+  assign and_3959 = x_s4_q[6] & (not_2341_s4_q & (less_3904 & (sum_3955[4:2] == 3'h0)));
+  // hls/stages/patches.hpp:322
+  logic and_3960;
+  assign and_3960 = equal_1935_s4_q & and_3959;
+  logic and_3964;
+  assign and_3964 = equal_1935_s4_q & (x_s4_q[6] & (not_2341_s4_q & (less_3904 & equal_3917)));
+  // hls/stages/patches.hpp:596
+  logic [7:0] select_3967;
+  assign select_3967 = and_3960 ? (patches_word_places_q + (and_3964 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_3970;
+  assign select_3970 = and_3960 ? (patches_word_up_q + (and_3964 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] select_3973;
+  assign select_3973 = and_3960 ? (patches_word_down_q + (and_3964 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  // hls/stages/patches.hpp:583
+  logic [5:0] select_3977;
+  assign select_3977 = ($signed(difference_3854[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3854[5:0];
+  logic [5:0] select_3978;
+  assign select_3978 = ($signed(14'h10) < $signed(difference_3854)) ? 6'h10 : select_3977;
+  // hls/stages/patches.hpp:538
+  logic [5:0] select_3980;
+  assign select_3980 = equal_2314_s4_q ? (or_3807 ? 6'h0 : select_3978) : 6'h0;
+  logic [5:0] select_3982;
+  assign select_3982 = less_2311_s4_q ? (equal_2312_s4_q ? 6'h0 : select_3980) : select_3980;
+  // hls/stages/patches.hpp:622
+  logic [5:0] select_3984;
+  assign select_3984 = and_3812 ? (equal_2148_s4_q ? select_3982 : 6'h0) : 6'h0;
+  logic [11:0] sum_3985;
+  assign sum_3985 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3984[5]}}, select_3984};
+  // hls/stages/patches.hpp:322
+  logic and_3989;
+  assign and_3989 = equal_1935_s4_q & (x_s4_q[6] & (not_2341_s4_q & (equal_3110 & less_3904)));
+  // hls/stages/agreement.hpp:1084
+  logic and_3993;
+  assign and_3993 = x_s4_q[6] & (not_2341_s4_q & (less_3904 & (x_s4_q[5:3] == 3'h0)));
+  // hls/stages/patches.hpp:322
+  logic and_3994;
+  assign and_3994 = equal_1935_s4_q & and_3993;
+  // hls/stages/patches.hpp:611
+  logic [7:0] select_3996;
+  assign select_3996 = and_3989 ? (and_3994 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  // hls/stages/patches.hpp:613
+  logic or_4000;
+  assign or_4000 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  // hls/stages/patches.hpp:610
+  logic select_4002;
+  assign select_4002 = and_3989 ? (and_3994 ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  // hls/stages/patches.hpp:170
+  logic and_4008;
+  assign and_4008 = patches_complete_q & (equal_1935_s4_q & ((x_s4_q[6:0] == 7'h70) & (~equal_4004_s4_q)));
+  logic and_4009;
+  assign and_4009 = patches_enough_q & patches_mostly_q;
+  // hls/stages/patches.hpp:610
+  logic [4:0] select_4011;
+  assign select_4011 = and_3994 ? {and_4009, patches_found_q[4:1]} : (and_3989 ? {and_4009, patches_found_q[4:1]} : patches_found_q);
+  // hls/stages/patches.hpp:608
+  logic select_4018;
+  assign select_4018 = patches_round_ends_q ? (~(patches_found_q == 5'h0)) : patches_moved_q;
   // hls/stages/agreement.hpp:1126
-  logic or_4043;
-  assign or_4043 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  logic or_4076;
+  assign or_4076 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1148
-  logic equal_4045;
-  assign equal_4045 = x_s4_q[6:3] == 4'h7;
+  logic equal_4078;
+  assign equal_4078 = x_s4_q[6:3] == 4'h7;
   // hls/stages/agreement.hpp:1157
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
   // hls/stages/agreement.hpp:1158
-  logic select_4051;
-  assign select_4051 = (equal_4045 & equal_3873) ? too_little : disagree_q;
+  logic select_4084;
+  assign select_4084 = (equal_4078 & equal_3905) ? too_little : disagree_q;
   // hls/stages/agreement.hpp:1077
-  logic [10:0] sum_4054;
-  assign sum_4054 = {1'b0, select_2870} + {2'h0, select_2870[9:1]};
-  logic select_4057;
-  assign select_4057 = (select_2867[9:3] == 7'h0) ? ((~or_4043) & (~select_4051)) : (~({sum_4054, select_2870[0]} < {2'h0, select_2867}));
+  logic [10:0] sum_4087;
+  assign sum_4087 = {1'b0, select_2894} + {2'h0, select_2894[9:1]};
+  logic select_4090;
+  assign select_4090 = (select_2891[9:3] == 7'h0) ? ((~or_4076) & (~select_4084)) : (~({sum_4087, select_2894[0]} < {2'h0, select_2891}));
   // hls/stages/agreement.hpp:1084
-  logic [47:0] select_4059;
-  assign select_4059 = x_s4_q[6] ? (equal_1978_s4_q ? good_q : {select_4057, good_q[47:1]}) : good_q;
-  // hls/stages/patches.hpp:313
-  logic select_4063;
-  assign select_4063 = equal_1933_s4_q ? ((x_s4_q[6] & good_known_q) | equal_3972_s4_q) : good_known_q;
+  logic [47:0] select_4092;
+  assign select_4092 = x_s4_q[6] ? (equal_1980_s4_q ? good_q : {select_4090, good_q[47:1]}) : good_q;
+  // hls/stages/patches.hpp:322
+  logic select_4096;
+  assign select_4096 = equal_1935_s4_q ? ((x_s4_q[6] & good_known_q) | equal_4004_s4_q) : good_known_q;
   // hls/stages/agreement.hpp:1148
-  logic equal_4064;
-  assign equal_4064 = x_s4_q[6:3] == 4'ha;
-  logic equal_4066;
-  assign equal_4066 = x_s4_q[6:3] == 4'h9;
-  logic equal_4067;
-  assign equal_4067 = x_s4_q[6:3] == 4'h8;
+  logic equal_4097;
+  assign equal_4097 = x_s4_q[6:3] == 4'ha;
+  logic equal_4099;
+  assign equal_4099 = x_s4_q[6:3] == 4'h9;
+  logic equal_4100;
+  assign equal_4100 = x_s4_q[6:3] == 4'h8;
   // hls/stages/agreement.hpp:1067
-  logic [13:0] select_4069;
-  assign select_4069 = equal_4066 ? counts_skin_unproven_q : (equal_4067 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_4102;
+  assign select_4102 = equal_4099 ? counts_skin_unproven_q : (equal_4100 ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_6;
-  assign before_v_6 = equal_4064 ? counts_nearer_q : select_4069;
+  assign before_v_6 = equal_4097 ? counts_nearer_q : select_4102;
   // hls/stages/agreement.hpp:1153
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_6};
   // hls/stages/agreement.hpp:1161
-  logic select_4072;
-  assign select_4072 = (equal_4064 & equal_3873) ? over[14] : hides_q;
+  logic select_4105;
+  assign select_4105 = (equal_4097 & equal_3905) ? over[14] : hides_q;
   // hls/stages/agreement.hpp:1086
-  logic not_4073;
-  assign not_4073 = ~hidden_for_q[7];
-  logic [7:0] select_4075;
-  assign select_4075 = select_4072 ? (hidden_for_q + {7'h0, not_4073}) : 8'h0;
-  // hls/stages/patches.hpp:313
-  logic [7:0] select_4077;
-  assign select_4077 = equal_1933_s4_q ? (equal_3972_s4_q ? select_4075 : hidden_for_q) : hidden_for_q;
+  logic not_4106;
+  assign not_4106 = ~hidden_for_q[7];
+  logic [7:0] select_4108;
+  assign select_4108 = select_4105 ? (hidden_for_q + {7'h0, not_4106}) : 8'h0;
+  // hls/stages/patches.hpp:322
+  logic [7:0] select_4110;
+  assign select_4110 = equal_1935_s4_q ? (equal_4004_s4_q ? select_4108 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1161
-  logic [13:0] select_4078;
-  assign select_4078 = equal_3873 ? 14'h0 : product_q;
+  logic [13:0] select_4111;
+  assign select_4111 = equal_3905 ? 14'h0 : product_q;
   // hls/stages/agreement.hpp:1067
-  logic [7:0] select_4080;
-  assign select_4080 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_4082;
-  assign select_4082 = equal_4067 ? cfg_unproven_skin_limit_i : (equal_4045 ? cfg_unproven_limit_i : select_4080);
+  logic [7:0] select_4113;
+  assign select_4113 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_4115;
+  assign select_4115 = equal_4100 ? cfg_unproven_skin_limit_i : (equal_4078 ? cfg_unproven_limit_i : select_4113);
   logic [7:0] limit;
-  assign limit = equal_4064 ? cfg_regions_limit_i : (equal_4066 ? cfg_hidden_limit_i : select_4082);
+  assign limit = equal_4097 ? cfg_regions_limit_i : (equal_4099 ? cfg_hidden_limit_i : select_4115);
   // hls/stages/agreement.hpp:1161
-  logic not_4085;
-  assign not_4085 = ~x_s4_q[2];
-  logic [3:0] select_4086;
-  assign select_4086 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_4085, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_4085};
-  logic [7:0] select_4087;
-  assign select_4087 = x_s4_q[0] ? {select_4086[3], 1'b0, select_4086[2], 1'b0, select_4086[1], 1'b0, select_4086[0], 1'b0} : {1'b0, select_4086[3], 1'b0, select_4086[2], 1'b0, select_4086[1], 1'b0, select_4086[0]};
+  logic not_4118;
+  assign not_4118 = ~x_s4_q[2];
+  logic [3:0] select_4119;
+  assign select_4119 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_4118, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_4118};
+  logic [7:0] select_4120;
+  assign select_4120 = x_s4_q[0] ? {select_4119[3], 1'b0, select_4119[2], 1'b0, select_4119[1], 1'b0, select_4119[0], 1'b0} : {1'b0, select_4119[3], 1'b0, select_4119[2], 1'b0, select_4119[1], 1'b0, select_4119[0]};
   // hls/stages/agreement.hpp:1067
-  logic [13:0] select_4091;
-  assign select_4091 = equal_4066 ? counts_skin_supervised_q : (equal_4067 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_4124;
+  assign select_4124 = equal_4099 ? counts_skin_supervised_q : (equal_4100 ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] of;
-  assign of = equal_4064 ? counts_textured_q : select_4091;
+  assign of = equal_4097 ? counts_textured_q : select_4124;
   // hls/stages/agreement.hpp:1161
-  logic [13:0] select_4093;
-  assign select_4093 = ((limit & select_4087) == 8'h0) ? 14'h0 : of;
+  logic [13:0] select_4126;
+  assign select_4126 = ((limit & select_4120) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_4078} + {1'b0, select_4093};
-  // hls/stages/patches.hpp:313
-  logic select_4098;
-  assign select_4098 = equal_1933_s4_q ? (equal_3873 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
+  assign sum_4 = {1'b0, select_4111} + {1'b0, select_4126};
+  // hls/stages/patches.hpp:322
+  logic select_4131;
+  assign select_4131 = equal_1935_s4_q ? (equal_3905 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
   // hls/stages/agreement.hpp:1159
-  logic and_4103;
-  assign and_4103 = too_much_q & (~(equal_4067 & equal_3873));
+  logic and_4136;
+  assign and_4136 = too_much_q & (~(equal_4100 & equal_3905));
   // hls/stages/agreement.hpp:1160
-  logic select_4108;
-  assign select_4108 = (over[14] & equal_3873) ? (and_4103 | ((equal_4067 | equal_4066) | (x_s4_q[6:3] == 4'hf))) : and_4103;
-  // hls/stages/agreement.hpp:1234
-  logic [1:0] select_4226;
-  assign select_4226 = and_4225_s4_q ? {and_2447, is_seen} : map_rdata_q;
+  logic select_4141;
+  assign select_4141 = (over[14] & equal_3905) ? (and_4136 | ((equal_4100 | equal_4099) | (x_s4_q[6:3] == 4'hf))) : and_4136;
   // hls/stages/agreement.hpp:1235
-  logic and_4227;
-  assign and_4227 = proven_q & less_4215;
+  logic [1:0] select_4259;
+  assign select_4259 = and_4258_s4_q ? {and_2471, is_seen} : map_rdata_q;
+  // hls/stages/agreement.hpp:1236
+  logic and_4260;
+  assign and_4260 = proven_q & less_4248;
   // hls/stages/agreement.hpp:424
-  logic select_4230;
-  assign select_4230 = and_2377_s4_q ? (less_2378_s4_q ? (select_4226[0] & and_4227) : seen_q) : seen_q;
-  logic select_4233;
-  assign select_4233 = and_2377_s4_q ? (less_2378_s4_q ? (select_4226[1] & and_4227) : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:1170
-  logic not_4245;
-  assign not_4245 = ~(or_4043 | not_4234);
-  // hls/stages/patches.hpp:313
-  logic and_4249;
-  assign and_4249 = equal_1933_s4_q & (equal_3972_s4_q & (not_4245 & (select_4051 | select_4108)));
-  logic and_4252;
-  assign and_4252 = equal_3972_s4_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  logic select_4263;
+  assign select_4263 = and_2401_s4_q ? (less_2402_s4_q ? (select_4259[0] & and_4260) : seen_q) : seen_q;
+  logic select_4266;
+  assign select_4266 = and_2401_s4_q ? (less_2402_s4_q ? (select_4259[1] & and_4260) : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:1169
+  logic or_4275;
+  assign or_4275 = ((~(cfg_patch_limit_i == 6'h3f)) & (~patches_settled_q)) | not_4274_s4_q;
+  // hls/stages/agreement.hpp:1171
+  logic not_4283;
+  assign not_4283 = ~(or_4076 | not_4267);
+  // hls/stages/patches.hpp:322
+  logic and_4287;
+  assign and_4287 = equal_1935_s4_q & (equal_4004_s4_q & (not_4283 & (select_4084 | select_4141)));
+  logic and_4290;
+  assign and_4290 = equal_4004_s4_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
   // hls/stages/agreement.hpp:1088
-  logic or_4256;
-  assign or_4256 = select_2700 | (select_2712 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/patches.hpp:313
-  logic and_4263;
-  assign and_4263 = equal_1933_s4_q & (equal_3972_s4_q & (not_4245 & (select_2706 | select_2718)));
+  logic or_4294;
+  assign or_4294 = select_2724 | (select_2736 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  // hls/stages/patches.hpp:322
+  logic and_4301;
+  assign and_4301 = equal_1935_s4_q & (equal_4004_s4_q & (not_4283 & (select_2730 | select_2742)));
   // hls/stages/agreement.hpp:1088
-  logic and_4268;
-  assign and_4268 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4075 < cfg_hidden_frames_i));
-  // hls/stages/patches.hpp:313
-  logic and_4275;
-  assign and_4275 = equal_1933_s4_q & (x_s4_q[6] & (not_2317_s4_q | (4'hc < x_s4_q[5:2])));
+  logic and_4306;
+  assign and_4306 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4108 < cfg_hidden_frames_i));
+  // hls/stages/patches.hpp:322
+  logic and_4313;
+  assign and_4313 = equal_1935_s4_q & (x_s4_q[6] & (not_2341_s4_q | (4'hc < x_s4_q[5:2])));
   // hls/stages/agreement.hpp:1082
-  logic [31:0] select_4283;
-  assign select_4283 = equal_2000_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4281_s4_q ? registration_sums_rdata_q : 32'h0);
-  logic [31:0] select_4284;
-  assign select_4284 = equal_1998_s4_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4283;
-  logic [31:0] select_4285;
-  assign select_4285 = equal_1996_s4_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4284;
-  logic [31:0] select_4286;
-  assign select_4286 = equal_1994_s4_q ? {8'h0, sharpness_sums_detail_0_q} : select_4285;
-  logic [31:0] select_4287;
-  assign select_4287 = equal_1992_s4_q ? {8'h0, sharpness_sums_detail_1_q} : select_4286;
-  logic [31:0] select_4288;
-  assign select_4288 = equal_1990_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4287;
-  logic [31:0] select_4289;
-  assign select_4289 = equal_1988_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4288;
-  logic [31:0] select_4290;
-  assign select_4290 = equal_1986_s4_q ? {7'h0, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4289;
+  logic [31:0] select_4321;
+  assign select_4321 = equal_2002_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4319_s4_q ? registration_sums_rdata_q : 32'h0);
+  logic [31:0] select_4322;
+  assign select_4322 = equal_2000_s4_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4321;
+  logic [31:0] select_4323;
+  assign select_4323 = equal_1998_s4_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4322;
+  logic [31:0] select_4324;
+  assign select_4324 = equal_1996_s4_q ? {8'h0, sharpness_sums_detail_0_q} : select_4323;
+  logic [31:0] select_4325;
+  assign select_4325 = equal_1994_s4_q ? {8'h0, sharpness_sums_detail_1_q} : select_4324;
+  logic [31:0] select_4326;
+  assign select_4326 = equal_1992_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4325;
+  logic [31:0] select_4327;
+  assign select_4327 = equal_1990_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4326;
+  logic [31:0] select_4328;
+  assign select_4328 = equal_1988_s4_q ? {7'h0, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4327;
   // hls/stages/agreement.hpp:1080
-  logic [9:0] select_4291;
-  assign select_4291 = less_2866 ? 10'h0 : regions_rdata_q[29:20];
+  logic [9:0] select_4329;
+  assign select_4329 = less_2890 ? 10'h0 : regions_rdata_q[29:20];
   // hls/stages/agreement.hpp:1084
-  logic [31:0] select_4292;
-  assign select_4292 = equal_1978_s4_q ? select_4290 : {2'h0, select_4291, select_2870, select_2867};
+  logic [31:0] select_4330;
+  assign select_4330 = equal_1980_s4_q ? select_4328 : {2'h0, select_4329, select_2894, select_2891};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
   assign fresh_waddr = column_s4_q;
   logic fresh_we;
-  assign fresh_we = s4_en & and_491_s4_q;
+  assign fresh_we = s4_en & and_493_s4_q;
   logic [28:0] fresh_wdata;
-  assign fresh_wdata = {census_columns_values_1_cell_2_of_skin_s4_q, and_606, and_582_s4_q, and_581_s4_q, and_556_s4_q, less_548_s4_q, less_547_s4_q, less_546_s4_q, less_545_s4_q, less_544_s4_q, less_543_s4_q, less_542_s4_q, less_541_s4_q, less_540_s4_q, less_539_s4_q, less_538_s4_q, less_537_s4_q, less_536_s4_q, less_535_s4_q, less_534_s4_q, less_533_s4_q, less_532_s4_q, less_531_s4_q, less_530_s4_q, less_529_s4_q, less_528_s4_q, less_527_s4_q, less_526_s4_q, less_525_s4_q};
+  assign fresh_wdata = {census_columns_values_1_cell_2_of_skin_s4_q, and_608, and_584_s4_q, and_583_s4_q, and_558_s4_q, less_550_s4_q, less_549_s4_q, less_548_s4_q, less_547_s4_q, less_546_s4_q, less_545_s4_q, less_544_s4_q, less_543_s4_q, less_542_s4_q, less_541_s4_q, less_540_s4_q, less_539_s4_q, less_538_s4_q, less_537_s4_q, less_536_s4_q, less_535_s4_q, less_534_s4_q, less_533_s4_q, less_532_s4_q, less_531_s4_q, less_530_s4_q, less_529_s4_q, less_528_s4_q, less_527_s4_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (fresh_we) fresh_mem[fresh_waddr] <= {^fresh_wdata, fresh_wdata};
   end
@@ -6775,11 +6839,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1984_s4_q, lower_half_s4_q, registration_of_right_s4_q};
+  assign registration_sums_waddr = {sum_1986_s4_q, lower_half_s4_q, registration_of_right_s4_q};
   logic registration_sums_we;
-  assign registration_sums_we = s4_en & and_2043_s4_q;
+  assign registration_sums_we = s4_en & and_2045_s4_q;
   logic [31:0] registration_sums_wdata;
-  assign registration_sums_wdata = {sum_2042, sum_2038};
+  assign registration_sums_wdata = {sum_2044, sum_2040};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {^registration_sums_wdata, registration_sums_wdata};
   end
@@ -6797,11 +6861,11 @@ module horopter_agreement (
 
   // Memory patches_choices, write
   logic [5:0] patches_choices_waddr;
-  assign patches_choices_waddr = {patches_choosing_band_s4_q, and_2072_s4_q};
+  assign patches_choices_waddr = {patches_choosing_band_s4_q, and_2074_s4_q};
   logic patches_choices_we;
-  assign patches_choices_we = s4_en & and_2145_s4_q;
+  assign patches_choices_we = s4_en & and_2147_s4_q;
   logic [22:0] patches_choices_wdata;
-  assign patches_choices_wdata = {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2138_s4_q};
+  assign patches_choices_wdata = {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2140_s4_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {^patches_choices_wdata, patches_choices_wdata};
   end
@@ -6817,9 +6881,9 @@ module horopter_agreement (
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
-  assign patches_right_0_waddr = {select_2176_s4_q, select_2173};
+  assign patches_right_0_waddr = {select_2178_s4_q, select_2175};
   logic patches_right_0_we;
-  assign patches_right_0_we = s4_en & (sample_pair_whole_s4_q & and_2185);
+  assign patches_right_0_we = s4_en & (sample_pair_whole_s4_q & and_2187);
   logic [7:0] patches_right_0_wdata;
   assign patches_right_0_wdata = sample_pair_pixel_1_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -6858,9 +6922,9 @@ module horopter_agreement (
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_2176_s4_q, select_2202};
+  assign patches_right_1_waddr = {select_2178_s4_q, select_2204};
   logic patches_right_1_we;
-  assign patches_right_1_we = s4_en & (sample_pair_whole_s4_q & and_2205);
+  assign patches_right_1_we = s4_en & (sample_pair_whole_s4_q & and_2207);
   logic [7:0] patches_right_1_wdata;
   assign patches_right_1_wdata = sample_pair_pixel_1_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -6899,9 +6963,9 @@ module horopter_agreement (
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_2224, select_2223_s4_q, column_7};
+  assign patches_left_waddr = {select_2226, select_2225_s4_q, column_7};
   logic patches_left_we;
-  assign patches_left_we = s4_en & (sample_pair_whole_s4_q & and_2230);
+  assign patches_left_we = s4_en & (sample_pair_whole_s4_q & and_2232);
   logic [7:0] patches_left_wdata;
   assign patches_left_wdata = sample_pair_pixel_0_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -6944,7 +7008,7 @@ module horopter_agreement (
   logic patches_rows_we;
   assign patches_rows_we = s4_en & patches_summed_last_s4_q;
   logic [14:0] patches_rows_wdata;
-  assign patches_rows_wdata = select_2305;
+  assign patches_rows_wdata = select_2329;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= {^patches_rows_wdata, patches_rows_wdata};
   end
@@ -6975,11 +7039,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s4_q, or_2315_s4_q, or_2312_s4_q, or_2309_s4_q};
+  assign regions_waddr = {region_row_s4_q, or_2339_s4_q, or_2336_s4_q, or_2333_s4_q};
   logic regions_we;
-  assign regions_we = s4_en & and_2343_s4_q;
+  assign regions_we = s4_en & and_2367_s4_q;
   logic [29:0] regions_wdata;
-  assign regions_wdata = {sum_2342, sum_2336, sum_2331};
+  assign regions_wdata = {sum_2366, sum_2360, sum_2355};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (regions_we) regions_mem[regions_waddr] <= {^regions_wdata, regions_wdata};
   end
@@ -6995,11 +7059,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_2383_s4_q, index_2_s4_q};
+  assign map_waddr = {sum_2407_s4_q, index_2_s4_q};
   logic map_we;
-  assign map_we = s4_en & and_2457_s4_q;
+  assign map_we = s4_en & and_2481_s4_q;
   logic [1:0] map_wdata;
-  assign map_wdata = {and_2447, is_seen};
+  assign map_wdata = {and_2471, is_seen};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (map_we) map_mem[map_waddr] <= {^map_wdata, map_wdata};
   end
@@ -7121,6 +7185,7 @@ module horopter_agreement (
       patches_round_across_q <= 12'h0;
       patches_round_moved_q <= 5'h0;
       patches_moved_q <= 1'b0;
+      patches_settled_q <= 1'b0;
       segment_textured_q <= 7'h0;
       segment_explained_q <= 7'h0;
       segment_nearer_q <= 7'h0;
@@ -7136,124 +7201,125 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s4_en) begin
-      census_left_misses_q <= select_2606;
-      sharpness_before_last_mask_q <= select_2614;
-      sharpness_sums_detail_0_q <= and_491_s4_q ? select_2628 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_491_s4_q ? select_2640 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_491_s4_q ? sum_2644 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_491_s4_q ? sum_2648 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2666 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2676 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2678 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2680 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2682 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2684 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2689;
-      sharpness_comparing_carry_1_q <= select_2693;
-      sharpness_comparing_less_detail_0_q <= select_2700;
-      sharpness_comparing_less_detail_1_q <= select_2706;
-      sharpness_comparing_less_contrast_0_q <= select_2712;
-      sharpness_comparing_less_contrast_1_q <= select_2718;
-      counts_supervised_q <= select_2824;
-      counts_textured_q <= and_2818_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_2827});
-      counts_explained_q <= and_2818_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_2832});
-      counts_nearer_q <= and_2818_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2837});
-      counts_unproven_q <= and_2818_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2863});
-      counts_regions_bad_q <= select_2879;
-      counts_skin_supervised_q <= select_2886;
-      counts_skin_textured_q <= select_2893;
-      counts_skin_unproven_q <= select_2901;
-      registration_half_across_q <= select_2953;
-      registration_half_measured_q <= select_2958;
-      registration_half_votes_down_q <= and_2933_s4_q ? 7'h0 : sum_2964;
-      registration_half_votes_up_q <= and_2933_s4_q ? 7'h0 : sum_2972;
-      registration_half_half_votes_down_q <= and_2933_s4_q ? 7'h0 : sum_2979;
-      registration_half_half_votes_up_q <= and_2933_s4_q ? 7'h0 : sum_2986;
-      registration_down_q <= and_3020 ? sum_3039 : registration_down_q;
-      registration_up_q <= and_3020 ? sum_3048 : registration_up_q;
-      registration_enough_q <= select_3062;
-      registration_votes_down_q <= and_3067 ? less_3068 : registration_votes_down_q;
-      registration_votes_up_q <= and_3067 ? less_3070 : registration_votes_up_q;
-      registration_other_enough_q <= and_3076 ? select_3062 : registration_other_enough_q;
-      registration_other_down_q <= and_3076 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_3076 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_1933_s4_q & and_3083)) & or_3108;
-      patches_place_0_valid_q <= sample_pair_whole_s4_q ? select_2164 : patches_place_0_valid_q;
-      patches_place_0_column_q <= sample_pair_whole_s4_q ? select_2166 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s4_q ? select_2167 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3193;
-      patches_place_1_valid_q <= sample_pair_whole_s4_q ? select_2193 : patches_place_1_valid_q;
-      patches_place_1_column_q <= sample_pair_whole_s4_q ? select_2195 : patches_place_1_column_q;
-      patches_place_1_shift_q <= sample_pair_whole_s4_q ? select_2196 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3198;
-      patches_valid_0_q <= select_3203;
-      patches_valid_1_q <= select_3208;
-      patches_right_next_0_q <= select_3211;
-      patches_right_next_1_q <= select_3214;
-      patches_left_next_0_q <= select_3217;
-      patches_left_next_1_q <= select_3220;
-      patches_sums_values_0_q <= select_3636;
-      patches_sums_values_1_q <= equal_2146_s4_q ? patches_sums_values_1_q : select_3637;
-      patches_sums_values_2_q <= equal_2146_s4_q ? patches_sums_values_2_q : select_3639;
-      patches_sums_values_3_q <= equal_2146_s4_q ? patches_sums_values_3_q : select_3641;
-      patches_sums_values_4_q <= equal_2146_s4_q ? patches_sums_values_4_q : select_3643;
-      patches_sums_values_5_q <= equal_2146_s4_q ? patches_sums_values_5_q : select_3645;
-      patches_sums_values_6_q <= equal_2146_s4_q ? patches_sums_values_6_q : select_3647;
-      patches_sums_values_7_q <= equal_2146_s4_q ? patches_sums_values_7_q : select_3649;
-      patches_sums_values_8_q <= equal_2146_s4_q ? patches_sums_values_8_q : select_3651;
-      patches_sums_values_9_q <= equal_2146_s4_q ? patches_sums_values_9_q : select_3653;
-      patches_sums_values_10_q <= equal_2146_s4_q ? patches_sums_values_10_q : select_3655;
-      patches_sums_values_11_q <= equal_2146_s4_q ? patches_sums_values_11_q : select_3657;
-      patches_sums_values_12_q <= equal_2146_s4_q ? patches_sums_values_12_q : select_3659;
-      patches_sums_values_13_q <= equal_2146_s4_q ? patches_sums_values_13_q : select_3661;
-      patches_sums_values_14_q <= equal_2146_s4_q ? patches_sums_values_14_q : select_3663;
-      patches_sums_values_15_q <= equal_2146_s4_q ? patches_sums_values_15_q : select_3665;
-      patches_sums_values_16_q <= equal_2146_s4_q ? patches_sums_values_16_q : select_3667;
-      patches_best_differing_q <= select_2305[9:0];
-      patches_best_column_q <= select_2305[14:10];
-      patches_quarters_0_places_q <= sum_3791;
-      patches_quarters_0_up_q <= sum_3831;
-      patches_quarters_0_down_q <= sum_3841;
-      patches_quarters_1_places_q <= sum_3845;
-      patches_quarters_1_up_q <= sum_3848;
-      patches_quarters_1_down_q <= sum_3851;
-      patches_quarters_2_places_q <= sum_3855;
-      patches_quarters_2_up_q <= sum_3858;
-      patches_quarters_2_down_q <= sum_3861;
-      patches_quarters_3_places_q <= sum_3865;
-      patches_quarters_3_up_q <= sum_3868;
-      patches_quarters_3_down_q <= sum_3871;
-      patches_word_places_q <= or_3908;
-      patches_word_up_q <= or_3915;
-      patches_word_down_q <= or_3922;
-      patches_sum_places_q <= select_3935;
-      patches_sum_up_q <= select_3938;
-      patches_sum_down_q <= select_3941;
-      patches_across_q <= sum_3953;
-      patches_places_q <= select_3964;
-      patches_enough_q <= {3'h0, and_3962, 1'b0} < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_3968;
-      patches_complete_q <= select_3970;
-      patches_round_ends_q <= and_3976;
-      patches_found_q <= and_3957 ? select_3979 : patches_found_q;
+      census_left_misses_q <= select_2630;
+      sharpness_before_last_mask_q <= select_2638;
+      sharpness_sums_detail_0_q <= and_493_s4_q ? select_2652 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_493_s4_q ? select_2664 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_493_s4_q ? sum_2668 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_493_s4_q ? sum_2672 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2690 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2700 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2702 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2704 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2706 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2708 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2713;
+      sharpness_comparing_carry_1_q <= select_2717;
+      sharpness_comparing_less_detail_0_q <= select_2724;
+      sharpness_comparing_less_detail_1_q <= select_2730;
+      sharpness_comparing_less_contrast_0_q <= select_2736;
+      sharpness_comparing_less_contrast_1_q <= select_2742;
+      counts_supervised_q <= select_2848;
+      counts_textured_q <= and_2842_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_2851});
+      counts_explained_q <= and_2842_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_2856});
+      counts_nearer_q <= and_2842_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2861});
+      counts_unproven_q <= and_2842_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2887});
+      counts_regions_bad_q <= select_2903;
+      counts_skin_supervised_q <= select_2910;
+      counts_skin_textured_q <= select_2917;
+      counts_skin_unproven_q <= select_2925;
+      registration_half_across_q <= select_2977;
+      registration_half_measured_q <= select_2982;
+      registration_half_votes_down_q <= and_2957_s4_q ? 7'h0 : sum_2988;
+      registration_half_votes_up_q <= and_2957_s4_q ? 7'h0 : sum_2996;
+      registration_half_half_votes_down_q <= and_2957_s4_q ? 7'h0 : sum_3003;
+      registration_half_half_votes_up_q <= and_2957_s4_q ? 7'h0 : sum_3010;
+      registration_down_q <= and_3044 ? sum_3063 : registration_down_q;
+      registration_up_q <= and_3044 ? sum_3072 : registration_up_q;
+      registration_enough_q <= select_3086;
+      registration_votes_down_q <= and_3091 ? less_3092 : registration_votes_down_q;
+      registration_votes_up_q <= and_3091 ? less_3094 : registration_votes_up_q;
+      registration_other_enough_q <= and_3100 ? select_3086 : registration_other_enough_q;
+      registration_other_down_q <= and_3100 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_3100 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_1935_s4_q & and_3107)) & or_3132;
+      patches_place_0_valid_q <= sample_pair_whole_s4_q ? select_2166 : patches_place_0_valid_q;
+      patches_place_0_column_q <= sample_pair_whole_s4_q ? select_2168 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s4_q ? select_2169 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_3217;
+      patches_place_1_valid_q <= sample_pair_whole_s4_q ? select_2195 : patches_place_1_valid_q;
+      patches_place_1_column_q <= sample_pair_whole_s4_q ? select_2197 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s4_q ? select_2198 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_3222;
+      patches_valid_0_q <= select_3227;
+      patches_valid_1_q <= select_3232;
+      patches_right_next_0_q <= select_3235;
+      patches_right_next_1_q <= select_3238;
+      patches_left_next_0_q <= select_3241;
+      patches_left_next_1_q <= select_3244;
+      patches_sums_values_0_q <= select_3668;
+      patches_sums_values_1_q <= equal_2148_s4_q ? patches_sums_values_1_q : select_3669;
+      patches_sums_values_2_q <= equal_2148_s4_q ? patches_sums_values_2_q : select_3671;
+      patches_sums_values_3_q <= equal_2148_s4_q ? patches_sums_values_3_q : select_3673;
+      patches_sums_values_4_q <= equal_2148_s4_q ? patches_sums_values_4_q : select_3675;
+      patches_sums_values_5_q <= equal_2148_s4_q ? patches_sums_values_5_q : select_3677;
+      patches_sums_values_6_q <= equal_2148_s4_q ? patches_sums_values_6_q : select_3679;
+      patches_sums_values_7_q <= equal_2148_s4_q ? patches_sums_values_7_q : select_3681;
+      patches_sums_values_8_q <= equal_2148_s4_q ? patches_sums_values_8_q : select_3683;
+      patches_sums_values_9_q <= equal_2148_s4_q ? patches_sums_values_9_q : select_3685;
+      patches_sums_values_10_q <= equal_2148_s4_q ? patches_sums_values_10_q : select_3687;
+      patches_sums_values_11_q <= equal_2148_s4_q ? patches_sums_values_11_q : select_3689;
+      patches_sums_values_12_q <= equal_2148_s4_q ? patches_sums_values_12_q : select_3691;
+      patches_sums_values_13_q <= equal_2148_s4_q ? patches_sums_values_13_q : select_3693;
+      patches_sums_values_14_q <= equal_2148_s4_q ? patches_sums_values_14_q : select_3695;
+      patches_sums_values_15_q <= equal_2148_s4_q ? patches_sums_values_15_q : select_3697;
+      patches_sums_values_16_q <= equal_2148_s4_q ? patches_sums_values_16_q : select_3699;
+      patches_best_differing_q <= select_2329[9:0];
+      patches_best_column_q <= select_2329[14:10];
+      patches_quarters_0_places_q <= sum_3823;
+      patches_quarters_0_up_q <= sum_3863;
+      patches_quarters_0_down_q <= sum_3873;
+      patches_quarters_1_places_q <= sum_3877;
+      patches_quarters_1_up_q <= sum_3880;
+      patches_quarters_1_down_q <= sum_3883;
+      patches_quarters_2_places_q <= sum_3887;
+      patches_quarters_2_up_q <= sum_3890;
+      patches_quarters_2_down_q <= sum_3893;
+      patches_quarters_3_places_q <= sum_3897;
+      patches_quarters_3_up_q <= sum_3900;
+      patches_quarters_3_down_q <= sum_3903;
+      patches_word_places_q <= or_3940;
+      patches_word_up_q <= or_3947;
+      patches_word_down_q <= or_3954;
+      patches_sum_places_q <= select_3967;
+      patches_sum_up_q <= select_3970;
+      patches_sum_down_q <= select_3973;
+      patches_across_q <= sum_3985;
+      patches_places_q <= select_3996;
+      patches_enough_q <= {3'h0, and_3994, 1'b0} < patches_sum_places_q[7:3];
+      patches_mostly_q <= or_4000;
+      patches_complete_q <= select_4002;
+      patches_round_ends_q <= and_4008;
+      patches_found_q <= and_3989 ? select_4011 : patches_found_q;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_moved_q <= select_3986;
-      segment_textured_q <= select_2328 + {6'h0, and_2827};
-      segment_explained_q <= select_2333 + {6'h0, and_2832};
-      segment_nearer_q <= select_2339 + {6'h0, and_2837};
+      patches_moved_q <= select_4018;
+      patches_settled_q <= patches_round_ends_q | patches_settled_q;
+      segment_textured_q <= select_2352 + {6'h0, and_2851};
+      segment_explained_q <= select_2357 + {6'h0, and_2856};
+      segment_nearer_q <= select_2363 + {6'h0, and_2861};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_1933_s4_q ? select_4059 : good_q;
-      good_known_q <= select_4063;
-      hidden_for_q <= select_4077;
-      product_q <= equal_1933_s4_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_4098;
-      disagree_q <= equal_1933_s4_q ? select_4051 : disagree_q;
-      too_much_q <= equal_1933_s4_q ? select_4108 : too_much_q;
-      hides_q <= equal_1933_s4_q ? select_4072 : hides_q;
-      seen_q <= select_4230;
-      nearer_q <= select_4233;
+      good_q <= equal_1935_s4_q ? select_4092 : good_q;
+      good_known_q <= select_4096;
+      hidden_for_q <= select_4110;
+      product_q <= equal_1935_s4_q ? sum_4[14:1] : product_q;
+      product_rest_q <= select_4131;
+      disagree_q <= equal_1935_s4_q ? select_4084 : disagree_q;
+      too_much_q <= equal_1935_s4_q ? select_4141 : too_much_q;
+      hides_q <= equal_1935_s4_q ? select_4105 : hides_q;
+      seen_q <= select_4263;
+      nearer_q <= select_4266;
     end
   end
 
@@ -7281,21 +7347,21 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s4_en) begin
       left_pixel_q <= left_pixel_q;
-      averager_quarter_1_0_q <= select_2481;
-      averager_quarter_1_1_q <= select_2483;
-      averager_quarter_2_0_q <= select_2485;
-      averager_quarter_2_1_q <= select_2487;
-      averager_detail_0_q <= select_2499;
-      averager_detail_1_q <= select_2507;
-      census_changes_values_0_left_q <= and_491_s4_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_491_s4_q ? sum_2590 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2592;
-      census_changes_values_1_right_q <= select_2593;
-      census_changes_values_2_left_q <= select_2594;
-      census_changes_values_2_right_q <= select_2595;
-      sharpness_last_mask_q <= and_491_s4_q ? whole_2_s4_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_491_s4_q ? select_2611[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_491_s4_q ? select_2611[27:14] : sharpness_last_detail_1_q;
+      averager_quarter_1_0_q <= select_2505;
+      averager_quarter_1_1_q <= select_2507;
+      averager_quarter_2_0_q <= select_2509;
+      averager_quarter_2_1_q <= select_2511;
+      averager_detail_0_q <= select_2523;
+      averager_detail_1_q <= select_2531;
+      census_changes_values_0_left_q <= and_493_s4_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_493_s4_q ? sum_2614 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2616;
+      census_changes_values_1_right_q <= select_2617;
+      census_changes_values_2_left_q <= select_2618;
+      census_changes_values_2_right_q <= select_2619;
+      sharpness_last_mask_q <= and_493_s4_q ? whole_2_s4_q : sharpness_last_mask_q;
+      sharpness_last_detail_0_q <= and_493_s4_q ? select_2635[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_493_s4_q ? select_2635[27:14] : sharpness_last_detail_1_q;
     end
   end
 
@@ -7305,19 +7371,19 @@ module horopter_agreement (
   logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic and_4210_s5_q;
-  logic or_4235_s5_q;
-  logic and_4236_s5_q;
-  logic and_4240_s5_q;
   logic and_4243_s5_q;
-  logic and_4249_s5_q;
-  logic and_4253_s5_q;
-  logic and_4259_s5_q;
-  logic and_4263_s5_q;
-  logic and_4271_s5_q;
-  logic and_4275_s5_q;
-  logic [5:0] select_4277_s5_q;
-  logic [31:0] select_4294_s5_q;
+  logic or_4268_s5_q;
+  logic and_4269_s5_q;
+  logic and_4278_s5_q;
+  logic and_4281_s5_q;
+  logic and_4287_s5_q;
+  logic and_4291_s5_q;
+  logic and_4297_s5_q;
+  logic and_4301_s5_q;
+  logic and_4309_s5_q;
+  logic and_4313_s5_q;
+  logic [5:0] select_4315_s5_q;
+  logic [31:0] select_4332_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       pixel_0_s5_q <= sample_pair_pixel_0_q;
@@ -7326,19 +7392,19 @@ module horopter_agreement (
       mask_s5_q <= sample_of_skin_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= line_ended_q;
-      and_4210_s5_q <= said_q;
-      or_4235_s5_q <= not_4234 | select_4230;
-      and_4236_s5_q <= cfg_prove_i & select_4233;
-      and_4240_s5_q <= and_4240_s4_q;
-      and_4243_s5_q <= equal_1933_s4_q & (equal_3972_s4_q & (cfg_prove_i & or_4043));
-      and_4249_s5_q <= and_4249;
-      and_4253_s5_q <= equal_1933_s4_q & and_4252;
-      and_4259_s5_q <= equal_1933_s4_q & (equal_3972_s4_q & (not_4245 & or_4256));
-      and_4263_s5_q <= and_4263;
-      and_4271_s5_q <= equal_1933_s4_q & (equal_3972_s4_q & (cfg_prove_i & and_4268));
-      and_4275_s5_q <= and_4275;
-      select_4277_s5_q <= equal_1933_s4_q ? (x_s4_q[6] ? x_s4_q[5:0] : 6'h0) : 6'h0;
-      select_4294_s5_q <= equal_1933_s4_q ? (x_s4_q[6] ? select_4292 : 32'h0) : 32'h0;
+      and_4243_s5_q <= said_q;
+      or_4268_s5_q <= not_4267 | select_4263;
+      and_4269_s5_q <= cfg_prove_i & select_4266;
+      and_4278_s5_q <= equal_1935_s4_q & (equal_4004_s4_q & (cfg_prove_i & or_4275));
+      and_4281_s5_q <= equal_1935_s4_q & (equal_4004_s4_q & (cfg_prove_i & or_4076));
+      and_4287_s5_q <= and_4287;
+      and_4291_s5_q <= equal_1935_s4_q & and_4290;
+      and_4297_s5_q <= equal_1935_s4_q & (equal_4004_s4_q & (not_4283 & or_4294));
+      and_4301_s5_q <= and_4301;
+      and_4309_s5_q <= equal_1935_s4_q & (equal_4004_s4_q & (cfg_prove_i & and_4306));
+      and_4313_s5_q <= and_4313;
+      select_4315_s5_q <= equal_1935_s4_q ? (x_s4_q[6] ? x_s4_q[5:0] : 6'h0) : 6'h0;
+      select_4332_s5_q <= equal_1935_s4_q ? (x_s4_q[6] ? select_4330 : 32'h0) : 32'h0;
     end
   end
 
@@ -7352,19 +7418,19 @@ module horopter_agreement (
   assign mask_o = mask_s5_q;
   assign marks_first_o = marks_first_s5_q;
   assign marks_last_o = marks_last_s5_q;
-  assign marks_seen_o = or_4235_s5_q;
-  assign marks_nearer_o = and_4236_s5_q;
-  assign verdict_valid_o = and_4210_s5_q;
-  assign verdict_unproven_yet_o = and_4240_s5_q;
-  assign verdict_untextured_o = and_4243_s5_q;
-  assign verdict_disagree_o = and_4249_s5_q;
-  assign verdict_moved_o = and_4253_s5_q;
-  assign verdict_unsharp_left_o = and_4259_s5_q;
-  assign verdict_unsharp_right_o = and_4263_s5_q;
-  assign verdict_hidden_o = and_4271_s5_q;
-  assign frame_valid_o = and_4275_s5_q;
-  assign frame_index_o = select_4277_s5_q;
-  assign frame_word_o = select_4294_s5_q;
+  assign marks_seen_o = or_4268_s5_q;
+  assign marks_nearer_o = and_4269_s5_q;
+  assign verdict_valid_o = and_4243_s5_q;
+  assign verdict_unproven_yet_o = and_4278_s5_q;
+  assign verdict_untextured_o = and_4281_s5_q;
+  assign verdict_disagree_o = and_4287_s5_q;
+  assign verdict_moved_o = and_4291_s5_q;
+  assign verdict_unsharp_left_o = and_4297_s5_q;
+  assign verdict_unsharp_right_o = and_4301_s5_q;
+  assign verdict_hidden_o = and_4309_s5_q;
+  assign frame_valid_o = and_4313_s5_q;
+  assign frame_index_o = select_4315_s5_q;
+  assign frame_word_o = select_4332_s5_q;
   assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin
@@ -7385,6 +7451,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], sum_3923[1:0], product_3821[4:0], sum_2923[0], detail_4[1:0], detail_3[1:0], sum_2600[4:0], sum_2086[0], sum_2082[0], sum_604[4:0], cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], sum_3955[1:0], product_3853[4:0], sum_2947[0], detail_4[1:0], detail_3[1:0], sum_2624[4:0], sum_2088[0], sum_2084[0], sum_606[4:0], cfg_width_i[2:0]};
 
 endmodule

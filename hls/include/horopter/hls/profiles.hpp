@@ -66,10 +66,6 @@ struct Profile {
   /// Side of the cells, px, on whose means whole images are compared (stages/cells.hpp).
   [[nodiscard]] constexpr int cell() const { return width > 1024 ? 16 : 8; }
 
-  /// Whether a camera was moved is told at full resolution, too (stages/patches.hpp): for that the largest build has no
-  /// block memories left on an ECP5-85F.
-  [[nodiscard]] constexpr bool has_patches() const { return cell() == 8; }
-
   /// Without what stages do not depend on: profiles for which it is the same have the same stages.
   [[nodiscard]] constexpr Profile of_stages() const {
     Profile profile = *this;

@@ -181,7 +181,7 @@ class Monitor {
   /// Waits until the output of a frame that was begun is made by this table. Throws DeviceError when it never is.
   void wait_for_table(int slot);
 
-  /// The first pair, shown so often, is worth being shown again: no round at full resolution is complete. At most 12 times.
+  /// The first pair, shown so often, is worth being shown again: it is unproven. At most 24 times.
   [[nodiscard]] bool shows_again(int shown, const FrameResult& result) const;
 
   /// While it lives, a frame may be that of before: FROZEN_LIMIT and STILL_LIMIT are 0.
@@ -228,9 +228,8 @@ class Supervisor {
   Supervisor(std::unique_ptr<Device> device, const MachineProfile& profile, const MapSet& maps,
              const Settings& settings = {});
 
-  /// Clear is earned by the frame before: the first pair is given to the machine twice, and more often until a round of
-  /// places at full resolution tells whether a camera was moved (Monitor::shows_again). Not with Settings::live: it is
-  /// `unproven` there, as in a machine with cameras of its own.
+  /// Clear is earned by frames before: the first pair is given to the machine until it is proven (Monitor::shows_again).
+  /// Not with Settings::live: it is `unproven` there, as in a machine with cameras of its own.
   std::vector<FrameResult> process(const Image& left, const Image& right);
   Monitor& monitor() { return monitor_; }
 

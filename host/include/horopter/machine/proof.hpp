@@ -22,7 +22,10 @@ struct Proof {
   /// Slope of the epipolar lines, rows for a column: of the first cell, its change from column to column, from row to
   /// row, and of the one with the other. 0 without a rig.
   std::array<double, 4> epipolar{};
-  bool registered = false;     ///< these are known: what is displaced across them is a fault
+  bool registered = false;  ///< these are known: what is displaced across them is a fault
+  /// Also at full resolution (stages/patches.hpp), and nothing is safe before that: where most lines to what is behind
+  /// the skin stay within its reach.
+  bool at_full_resolution = false;
   double hidden_percent = 10;  ///< of the cells: more behind something nearer are a fault,
   int hidden_frames = 50;      ///< after so many frames in a row, 1 to 128; 0 = never
 };

@@ -559,7 +559,8 @@ inline constexpr Field kOneCamera{10, 1};
 /// Both cameras do not see the same world: too little of what is textured is explained by any depth, in all or by
 /// region (AGREEMENT_LIMITS).
 inline constexpr Field kDisagree{11, 1};
-/// The first frame after enable: nothing has been shown before it that could earn clear.
+/// The first frame after enable: nothing has been shown before it that could earn clear. Until a first round of places
+/// is complete, too (REGISTRATION.patches).
 inline constexpr Field kUnproven{12, 1};
 /// The right image is displaced across the rows against the rig (REGISTRATION): a camera was knocked, turned or its
 /// lens changed.
@@ -775,7 +776,8 @@ inline constexpr Field kOneCamera{10, 1};
 /// Both cameras do not see the same world: too little of what is textured is explained by any depth, in all or by
 /// region (AGREEMENT_LIMITS).
 inline constexpr Field kDisagree{11, 1};
-/// The first frame after enable: nothing has been shown before it that could earn clear.
+/// The first frame after enable: nothing has been shown before it that could earn clear. Until a first round of places
+/// is complete, too (REGISTRATION.patches).
 inline constexpr Field kUnproven{12, 1};
 /// The right image is displaced across the rows against the rig (REGISTRATION): a camera was knocked, turned or its
 /// lens changed.
@@ -848,7 +850,7 @@ inline constexpr Field kMoved{0, 6};
 /// In one half of the image a median of this or more is.
 inline constexpr Field kMovedHalf{6, 6};
 /// 1/8 px: the same at full resolution, in the median of a round of places, or of those in a half of the image
-/// (hls/stages/patches.hpp); 63 = never, where the epipolar lines are the rows.
+/// (hls/stages/patches.hpp); nothing is safe before the first round is complete; 63 = never, and not waited for.
 inline constexpr Field kPatches{12, 6};
 }  // namespace registration
 
