@@ -15,7 +15,6 @@
 #include "horopter/map/map_json.hpp"
 #include "horopter/map/support.hpp"
 #include "horopter/skin/skin_file.hpp"
-#include "stages/patches.hpp"
 #include "warnings.hpp"
 
 namespace horopter::cli {
@@ -293,8 +292,8 @@ void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& 
   } else if (!with_knowledge(settings.proof, profile, tables, rig, skin).at_full_resolution) {
     warn(fmt::format(
         "{}: a camera that moves by less than about 3 px is not told. The cameras are turned so far about their axes that "
-        "places behind the skin lie more than {} px higher or lower in the right image",
-        skin, stages::patch_reach_across_px));
+        "what is behind the skin lies too much higher or lower in the right image for a fine comparison",
+        skin));
   }
 }
 

@@ -13,6 +13,7 @@
 
 #include "machine_bench.hpp"
 #include "signal.hpp"
+#include "stages/patches.hpp"
 
 // What tb/upset lists of each model, and its way to compute all logic anew from the registers.
 #define HOROPTER_TB_MACHINE(Name, model)                                            \
@@ -184,6 +185,7 @@ class SceneBench final : public Bench<Build> {
     settings.prove = 1;
     settings.nearer_above = 1;
     settings.hidden_frames = 2;
+    settings.patch_limit = horopter::stages::patch_limit_never;  // images so small have no places for it
     settings.blind_share = usual.blind_share;
     settings.one_camera_segments = usual.one_camera_segments;
     machine.configure();
