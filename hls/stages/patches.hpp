@@ -9,9 +9,10 @@
 // where it fits, and where it fits nowhere else across the rows. The fraction of a row is where two lines of equal and
 // opposite slope meet (Shimizu and Okutomi, ICCV 2001). From it goes what the slope of the epipolar line makes of the shift.
 //
-// Of a round of at least least_places places: a camera has moved where in the median of all, or of a half of the image
-// (left, right, upper, lower), they are displaced by patch_limit or more, all up or all down. What is said stays until the
-// next round is complete. The bands are other rows in the next frame, the places of a band others by chance.
+// Of a round of at least least_places places: more than half of them are displaced by patch_limit or more, all up or all
+// down; or the left ones up and the right ones down, or the upper and the lower ones, or the other way round. Where two rounds
+// one after the other say so, a camera has moved. One is not enough: patterns that repeat give places a wrong depth, and the
+// same ones again. The bands are other rows in the next frame, the places of a band others by chance.
 //
 // Memory: both cameras' windows; the right one's bits by row; places; a score a row.
 // Time: patch_beats for a place. A band for which there is no time, in narrow images, is left out.
@@ -38,7 +39,7 @@ inline constexpr int patch_limit_never = 63;
 struct PatchRound {
   u<8> places;
   s<12> across;  // sum of their displacements, each of at most ±2 px: 1/8 px
-  u<5> moved;    // bit 0: in the median of all; left, right, upper, lower half
+  u<3> moved;    // bit 0: one way; left and right opposite ways; upper and lower
 };
 
 /// AT_ONCE: on the CPU a band is compared at once; what it shows counts in the same beat as in the hardware.
@@ -48,8 +49,8 @@ class Patches {
   using Shift = s<6>;   // along the row, cells
   using Column = u<8>;  // of cells, and beyond
   using Slope = s<8>;   // rows down a column to the right, 1/256
-  static constexpr int least_places = 24, least_in_half = 8;
-  static constexpr int decide_steps = 40;
+  static constexpr int least_places = 24;
+  static constexpr int decide_steps = 24;
 
   void begin_step() {
     right_0_.begin_step();
@@ -170,25 +171,23 @@ class Patches {
     tally();
   }
 
-  /// Behind the frame, steps 0 … decide_steps - 1, then end_frame(). Eight steps for all places, and for each half of the
-  /// image: its quarters one by one, then what they say.
+  /// Behind the frame, steps 0 … decide_steps - 1, then end_frame(). Eight steps for each way to be moved: the quarters of the
+  /// image one by one, then what they say. Where left and right, or upper and lower, go opposite ways, up and down are exchanged
+  /// in one of them.
   void step_decide(u<6> step) {
-    // all; left, right; upper, lower
-    static constexpr std::array<int, 8> halves{0b1111, 0b0101, 0b1010, 0b0011, 0b1100};
-    const u<3> at = step.template bits<2, 0>();
+    const u<3> quarter = step.template bits<2, 0>();
+    const u<3> way = step.template bits<5, 3>();
     decision_.is = true;
-    for (int q = 0; q < 4; ++q) {
-      decision_.takes[static_cast<std::size_t>(q)] =
-          at == q && (halves[step.template bits<5, 3>().value()] >> q & 1) != 0;
-    }
-    decision_.all = step.template bits<5, 3>() == 0;
-    decision_.begins = at == 1;
-    decision_.adds = at >= 1 && at <= 4;
-    decision_.ends = at == 6;
+    for (int q = 0; q < 4; ++q) decision_.takes[static_cast<std::size_t>(q)] = quarter == q;
+    decision_.exchanges = (way == 1 && quarter.bit(0)) || (way == 2 && quarter.bit(1));
+    decision_.all = way == 0;
+    decision_.begins = quarter == 1;
+    decision_.adds = quarter >= 1 && quarter <= 4;
+    decision_.ends = quarter == 6;
   }
   void end_frame() { frame_ends_ = true; }
   [[nodiscard]] bool moved() const { return moved_; }
-  /// A round was complete since the start: nothing is safe before.
+  /// It is known whether a camera was moved: nothing is safe before.
   [[nodiscard]] bool settled() const { return settled_; }
   [[nodiscard]] const PatchRound& round() const { return round_; }
 
@@ -569,7 +568,7 @@ class Patches {
     const Choice& choice = place_[second ? 1 : 0];
     const bool textured = peak.size >= least_bits;
     const bool fits = shl<1>(peak.best.differing) <= peak.size;
-    const bool alone = peak.far >= peak.best.differing && shl<2>(Bits(peak.far - peak.best.differing)) >= peak.size;
+    const bool alone = peak.far >= peak.best.differing && shl<3>(Bits(peak.far - peak.best.differing)) >= peak.size;
     const bool between = peak.row != 0 && peak.row != displacements - 1;
     const s<11> along(s<10>(shl<bits_for(CELL - 1)>(choice.shift)) + s<6>(peak.best.column - lit<reach>()));
     const s<14> expected(s<14>(shr<5>(s<19>(along * choice.slope))));
@@ -597,19 +596,23 @@ class Patches {
     word_ = Quarter{};
     for (std::size_t q = 0; q < 4; ++q) {
       word_.places = word_.places | only(d.takes[q], quarters_[q].places);
-      word_.up = word_.up | only(d.takes[q], quarters_[q].up);
-      word_.down = word_.down | only(d.takes[q], quarters_[q].down);
+      word_.up = word_.up | only(d.takes[q], d.exchanges ? quarters_[q].down : quarters_[q].up);
+      word_.down = word_.down | only(d.takes[q], d.exchanges ? quarters_[q].up : quarters_[q].down);
     }
     const bool starts = round_ends_;
     round_ends_ = frame_ends_ && complete_;
     frame_ends_ = false;
     if (starts) round_ = {places_, across_, found_};
-    if (starts) moved_ = found_ != 0;
-    settled_ = settled_ || starts;
-    if (d.ends) found_ = u<5>(cat(enough_ && mostly_, found_.template bits<4, 1>()));
+    if (starts) {
+      const bool now = found_ != 0;
+      moved_ = now && suspected_;
+      settled_ = settled_ || !now || suspected_;
+      suspected_ = now;
+    }
+    if (d.ends) found_ = u<3>(cat(enough_ && mostly_, found_.template bits<2, 1>()));
     complete_ = d.ends && d.all ? enough_ : complete_;
     places_ = d.ends && d.all ? sum.places : places_;
-    enough_ = d.all ? sum.places >= least_places : sum.places >= least_in_half;
+    enough_ = sum.places >= least_places;
     mostly_ = shl<1>(sum.up) > sum.places || shl<1>(sum.down) > sum.places;
 
     for (std::size_t q = 0; q < 4; ++q) {
@@ -780,8 +783,9 @@ class Patches {
   };
   struct Decision {
     bool is = false;
-    bool all = false;                   // quarters, or those of a half
+    bool all = false;                   // quarters go the same way
     std::array<bool, 4> takes{};        // one of them
+    bool exchanges = false;             // up and down, in it
     bool begins = false, adds = false;  // what was taken a beat before
     bool ends = false;
   };
@@ -793,9 +797,9 @@ class Patches {
   bool enough_ = false, mostly_ = false;
   bool complete_ = false;  // the round
   bool frame_ends_ = false, round_ends_ = false;
-  u<5> found_{0};
+  u<3> found_{0};
   PatchRound round_;
-  bool moved_ = false, settled_ = false;
+  bool suspected_ = false, moved_ = false, settled_ = false;
 #ifndef __HLSC__
   std::array<Peak, 2> peaks_{};
   int beats_left_ = 0;

@@ -936,7 +936,7 @@ class Pipeline {
       default:
         to.patch_places = bits(0, 8);
         to.patch_across = hls::s<12>(word >> 8).value();
-        to.patch_moved = bits(20, 5);
+        to.patch_moved = bits(20, 3);
         break;
     }
   }

@@ -187,7 +187,7 @@ package horopter_csr_pkg;
   } frame_across_3_t;
 
   typedef struct packed {  // from the highest bit
-    logic [ 4:0] moved;
+    logic [ 2:0] moved;
     logic [11:0] across;
     logic [ 7:0] places;
   } frame_patches_t;

@@ -349,7 +349,7 @@ TEST_CASE("at full resolution a camera that was moved by little is found, and on
       CAPTURE(of.what, gain);
       Picture right = seen(world, of.place, 3);
       for (double& grey : right.grey) grey = gain * grey + 20;
-      const Answer answer = last_of(20, config, left, right);
+      const Answer answer = last_of(2 * kRound, config, left, right);
       CHECK(answer.verdict.moved == of.moved);
       CHECK(answer.places >= 24);
       if (of.across_px != 0 || !of.moved) CHECK(answer.across_px == Approx(of.across_px).margin(0.15));
@@ -359,7 +359,7 @@ TEST_CASE("at full resolution a camera that was moved by little is found, and on
   const auto stage = std::make_unique<Small>();
   const Picture knocked = seen(world, shifted(-19.3, -1.5), 3);
   Answer answer;
-  for (int i = 0; i < 20; ++i) answer = frame(*stage, config, left, knocked);
+  for (int i = 0; i < 2 * kRound; ++i) answer = frame(*stage, config, left, knocked);
   CHECK(answer.verdict.moved);
   const Picture other = scene(320, 240, 77);
   for (int i = 0; i < 3; ++i) answer = frame(*stage, config, left, other);

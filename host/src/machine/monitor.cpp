@@ -240,8 +240,8 @@ void Monitor::trip() {
 void Monitor::select(int slot) { device_->write(reg::table_select::kAddress, static_cast<std::uint32_t>(slot)); }
 
 bool Monitor::shows_again(int shown, const FrameResult& result) const {
-  constexpr int kMost = 24;
-  return shown < kMost && result.faults.has(Fault::unproven);
+  constexpr int kMost = 60;
+  return shown < kMost && result.faults.has(Fault::unproven) && (shown == 1 || result.faults.names().size() == 1);
 }
 
 Monitor::Repeated::Repeated(Monitor& monitor) : monitor_(monitor) {

@@ -84,7 +84,7 @@ std::vector<FrameResult> MovingSupervisor::process(const Image& left, const Imag
     };
     FrameResult shown_last = show();
     const Monitor::Repeated repeated(monitor_);
-    for (int shown = 1; monitor_.shows_again(shown + 1, shown_last); ++shown) shown_last = show();
+    for (int shown = 1; monitor_.shows_again(shown, shown_last); ++shown) shown_last = show();
     return pass(left, right);
   }
   return pass(left, right);

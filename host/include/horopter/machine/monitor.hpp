@@ -181,7 +181,8 @@ class Monitor {
   /// Waits until the output of a frame that was begun is made by this table. Throws DeviceError when it never is.
   void wait_for_table(int slot);
 
-  /// The first pair, shown so often, is worth being shown again: it is unproven. At most 24 times.
+  /// The first pair, shown so often, is worth being shown again: it is unproven, and nothing else is wrong with it. At most 60
+  /// times.
   [[nodiscard]] bool shows_again(int shown, const FrameResult& result) const;
 
   /// While it lives, a frame may be that of before: FROZEN_LIMIT and STILL_LIMIT are 0.

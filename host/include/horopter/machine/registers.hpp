@@ -849,8 +849,8 @@ inline constexpr std::uint32_t kReset = 0x8143;
 inline constexpr Field kMoved{0, 6};
 /// In one half of the image a median of this or more is.
 inline constexpr Field kMovedHalf{6, 6};
-/// 1/8 px: the same at full resolution, in the median of a round of places, or of those in a half of the image
-/// (hls/stages/patches.hpp); nothing is safe before the first round is complete; 63 = never, and not waited for.
+/// 1/8 px: the same at full resolution, of most places of two rounds (hls/stages/patches.hpp); nothing is safe before
+/// the first round is complete; 63 = never, and not waited for.
 inline constexpr Field kPatches{12, 6};
 }  // namespace registration
 
@@ -987,8 +987,9 @@ inline constexpr Access kAccess = Access::kReadOnly;
 inline constexpr Field kPlaces{0, 8};
 /// Two's complement, sum over the places in 1/8 px, each at most 2 px.
 inline constexpr Field kAcross{8, 12};
-/// Beyond REGISTRATION.patches: bit 0 all; left, right, upper, lower half.
-inline constexpr Field kMoved{20, 5};
+/// Beyond REGISTRATION.patches: bit 0 one way; left and right opposite ways; upper and lower. In two rounds one after
+/// the other: fault moved.
+inline constexpr Field kMoved{20, 3};
 }  // namespace frame_patches
 
 /// One camera twice: the check of both images against each other (hls/stages/coarse.hpp).
