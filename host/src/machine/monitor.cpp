@@ -241,7 +241,10 @@ void Monitor::select(int slot) { device_->write(reg::table_select::kAddress, sta
 
 bool Monitor::shows_again(int shown, const FrameResult& result) const {
   constexpr int kMost = 60;
-  return shown < kMost && result.faults.has(Fault::unproven) && (shown == 1 || result.faults.names().size() == 1);
+  if (shown >= kMost || !result.faults.has(Fault::unproven)) return false;
+  // A pair that is bad otherwise is not safe, however often it is shown. That it teaches is no badness.
+  const std::size_t expected = result.faults.has(Fault::teaching) ? 2 : 1;
+  return shown == 1 || result.faults.names().size() == expected;
 }
 
 Monitor::Repeated::Repeated(Monitor& monitor) : monitor_(monitor) {
