@@ -14,6 +14,11 @@
 // one after the other say so, a camera has moved. One is not enough: patterns that repeat give places a wrong depth, and the
 // same ones again. The bands are other rows in the next frame, the places of a band others by chance.
 //
+// That less than half are displaced shows nothing: of a camera that is rolled, places near the middle of the image are not.
+// A round is *clear* where in each of these ways no more than 5/16 are. The first round, if it is clear, or two clear ones one
+// after the other say that no camera has moved. Before that nothing is known, and a camera that has moved has, until they do.
+// What is known grows old: it is forgotten where rounds have said neither for patch_known_frames.
+//
 // Memory: both cameras' windows; the right one's bits by row; places; a score a row.
 // Time: patch_beats for a place. A band for which there is no time, in narrow images, is left out.
 #pragma once
@@ -34,6 +39,10 @@ namespace horopter::stages {
 inline constexpr int patch_reach_across_px = 5;
 /// The limit with which nothing is said, or waited for.
 inline constexpr int patch_limit_never = 63;
+
+/// Frames for which it stays known whether a camera has moved. Of real pairs in simulation, at rest, with noise or half the gain
+/// in one camera, rounds that say so were up to 354 frames apart.
+inline constexpr int patch_known_frames = 512;
 
 /// Of the last complete round.
 struct PatchRound {
@@ -183,12 +192,12 @@ class Patches {
     decision_.all = way == 0;
     decision_.begins = quarter == 1;
     decision_.adds = quarter >= 1 && quarter <= 4;
-    decision_.ends = quarter == 6;
+    decision_.ends = quarter == 7;
   }
   void end_frame() { frame_ends_ = true; }
   [[nodiscard]] bool moved() const { return moved_; }
   /// It is known whether a camera was moved: nothing is safe before.
-  [[nodiscard]] bool settled() const { return settled_; }
+  [[nodiscard]] bool settled() const { return !age_.bit(known_bits); }
   [[nodiscard]] const PatchRound& round() const { return round_; }
 
 #ifndef __HLSC__
@@ -585,7 +594,7 @@ class Patches {
   /// What a place says, and a step of the decision. Flat, so that the way from register to register is short.
   void tally() {
 #ifndef __HLSC__
-    if (!vote_.counts && !decision_.is && !frame_ends_ && !round_ends_) return;  // nothing changes
+    if (!vote_.counts && !decision_.is && !frame_ends_ && !frame_ended_) return;  // nothing changes
 #endif
     const Decision& d = decision_;
     const Quarter sum = sum_, word = word_;
@@ -601,19 +610,27 @@ class Patches {
     }
     const bool starts = round_ends_;
     round_ends_ = frame_ends_ && complete_;
+    const bool ages = frame_ended_;
+    frame_ended_ = frame_ends_;
     frame_ends_ = false;
     if (starts) round_ = {places_, across_, found_};
+    const bool found = found_ != 0;
+    moved_ = starts ? twice_ || (moved_ && !clear_) : moved_;
+    age_ = starts && (twice_ || clear_) ? Age(0) : Age(age_ + u<1>(ages && !age_.bit(known_bits)));
+    twice_ = found && suspected_;
+    clear_ = !doubted_ && !doubted_before_;
     if (starts) {
-      const bool now = found_ != 0;
-      moved_ = now && suspected_;
-      settled_ = settled_ || !now || suspected_;
-      suspected_ = now;
+      suspected_ = found;
+      doubted_before_ = doubted_;
     }
     if (d.ends) found_ = u<3>(cat(enough_ && mostly_, found_.template bits<2, 1>()));
+    doubted_ = d.ends ? partly_ || (!d.all && doubted_) : doubted_;
     complete_ = d.ends && d.all ? enough_ : complete_;
     places_ = d.ends && d.all ? sum.places : places_;
     enough_ = sum.places >= least_places;
     mostly_ = shl<1>(sum.up) > sum.places || shl<1>(sum.down) > sum.places;
+    partly_ = shl<4>(sum.up) > clear_limit_ || shl<4>(sum.down) > clear_limit_;
+    clear_limit_ = u<11>(shl<2>(sum.places) + sum.places);
 
     for (std::size_t q = 0; q < 4; ++q) {
       const u<1> here(vote_.counts && (q >= 2) == lower_ && (q % 2 == 1) == vote_.right);
@@ -794,12 +811,19 @@ class Patches {
   Quarter word_, sum_;
   s<12> across_{0};
   Places places_{0};
-  bool enough_ = false, mostly_ = false;
+  bool enough_ = false, mostly_ = false, partly_ = false;
+  u<11> clear_limit_{0};   // 5/16 of the places
   bool complete_ = false;  // the round
-  bool frame_ends_ = false, round_ends_ = false;
+  bool frame_ends_ = false, frame_ended_ = false, round_ends_ = false;
   u<3> found_{0};
+  bool doubted_ = false, doubted_before_ = false;  // the last round, and the one before
   PatchRound round_;
-  bool suspected_ = false, moved_ = false, settled_ = false;
+  bool suspected_ = false, moved_ = false;
+  bool twice_ = false, clear_ = false;  // what the round says, of the beat before
+  static constexpr int known_bits = bits_for(patch_known_frames - 1);
+  static_assert(patch_known_frames == 1 << known_bits);
+  using Age = u<known_bits + 1>;
+  Age age_{patch_known_frames};  // frames, of what is known; so old is nothing
 #ifndef __HLSC__
   std::array<Peak, 2> peaks_{};
   int beats_left_ = 0;

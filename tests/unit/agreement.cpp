@@ -122,6 +122,7 @@ struct Answer {
   double nearer_share = 0;
   int places = 0;  // of a round at full resolution
   double across_px = 0;
+  int displaced = 0;  // more than half of them, by one of three ways
 };
 
 /// Pixels of the skin; around it both images are there, too.
@@ -155,6 +156,7 @@ Answer frame(Small& stage, const Small::Config& config, const Picture& left, con
       if (out.frame.valid && out.frame.index == 63) {
         answer.places = word & 0xFF;
         answer.across_px = answer.places > 0 ? s<12>(word >> 8).value() / 8.0 / answer.places : 0;
+        answer.displaced = word >> 20 & 7;
       }
       if (out.verdict.valid) {
         answer.verdict = out.verdict;
@@ -378,6 +380,71 @@ TEST_CASE("at full resolution a camera that was moved by little is found, and on
   const Picture back = seen(world, shifted(-19.3, 0), 3);
   for (int i = 0; i < 20; ++i) answer = frame(*stage, config, left, back);
   CHECK_FALSE(answer.verdict.moved);
+}
+
+TEST_CASE("a roll of which less than half of the places show it is never taken for good cameras") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const double across = GENERATE(0.0113, -0.0113);  // beyond the limit: 72 of 160 columns to each side
+  CAPTURE(across);
+  const Place rolled = [=](double x, double y) {
+    return std::pair{x - 19.3 - across * (y - 120), y + across * (x - 160)};
+  };
+  auto config = defaults(320, 240);
+  config.moved_limit = config.moved_half_limit = 63;  // of cells, at once
+  const Picture right = seen(world, rolled, 3);
+  const auto stage = std::make_unique<Small>();
+  int undecided = 0;
+  for (int i = 0; i < 6 * kRound; ++i) {
+    const Answer answer = frame(*stage, config, left, right);
+    CHECK((answer.verdict.moved || answer.verdict.unproven_yet));
+    undecided += answer.places > 0 && answer.displaced == 0;
+  }
+  CHECK(undecided > 0);
+}
+
+TEST_CASE("after a round that is not clear it takes two clear ones") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const Picture good = seen(world, shifted(-19.3, 0), 3);
+  const Picture knocked = seen(world, shifted(-19.3, -1.5), 3);
+  auto config = defaults(320, 240);
+  config.moved_limit = config.moved_half_limit = 63;  // of cells, at once
+  const bool moved = GENERATE(false, true);           // else only one round says so
+  CAPTURE(moved);
+  const auto stage = std::make_unique<Small>();
+  Answer answer;
+  while (answer.displaced == 0 || answer.verdict.moved != moved) answer = frame(*stage, config, left, knocked);
+  CHECK(answer.verdict.unproven_yet != moved);
+  const auto said = [&] { return moved ? answer.verdict.moved : answer.verdict.unproven_yet; };
+  int frames = 0;
+  for (; answer.displaced != 0; ++frames) answer = frame(*stage, config, left, good);
+  CHECK(said());
+  CHECK(frames < kRound);
+  for (frames = 0; said() && frames < 2 * kRound; ++frames) answer = frame(*stage, config, left, good);
+  CHECK(frames > 2);
+  CHECK(faultless(answer.verdict));
+}
+
+TEST_CASE("what is known of moved cameras is forgotten when no round comes any more") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const Picture right = seen(world, shifted(-19.3, 0), 3);
+  const Picture covered{320, 240, std::vector<double>(320 * 240, 90)};  // no place is compared
+  const auto config = defaults(320, 240);
+  const auto stage = std::make_unique<Small>();
+  Answer answer;
+  do {
+    answer = frame(*stage, config, left, right);
+  } while (answer.verdict.unproven_yet);
+  CHECK(answer.places > 0);
+  for (int i = 1; i < patch_known_frames; ++i) {
+    answer = frame(*stage, config, left, covered);
+    CHECK_FALSE(answer.verdict.unproven_yet);
+  }
+  CHECK(frame(*stage, config, left, covered).verdict.unproven_yet);
+  for (int i = 0; i < kRound; ++i) answer = frame(*stage, config, left, right);
+  CHECK(faultless(answer.verdict));
 }
 
 TEST_CASE("displacement along an epipolar line that is not a row is none") {

@@ -3,7 +3,7 @@
 //
 // Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 2896 bits, pipeline 894 bits, memories 58067 bits.
+// State 2918 bits, pipeline 894 bits, memories 58067 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -69,20 +69,20 @@ module horopter_agreement (
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {2'h0, cfg_width_i[8:3]} + 8'hff;
-  logic [5:0] sum_2382;
-  assign sum_2382 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_3386;
-  assign difference_3386 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic [6:0] difference_3614;
-  assign difference_3614 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_3847;
-  assign less_3847 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_3848;
-  assign sum_3848 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic [7:0] select_3849;
-  assign select_3849 = less_3847 ? {sum_3848, cfg_height_i[5:3]} : 8'h0;
-  logic not_3884;
-  assign not_3884 = ~cfg_prove_i;
+  logic [5:0] sum_2389;
+  assign sum_2389 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_3393;
+  assign difference_3393 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic [6:0] difference_3641;
+  assign difference_3641 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_3874;
+  assign less_3874 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_3875;
+  assign sum_3875 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic [7:0] select_3876;
+  assign select_3876 = less_3874 ? {sum_3875, cfg_height_i[5:3]} : 8'h0;
+  logic not_3911;
+  assign not_3911 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic left_first_q;
@@ -125,223 +125,223 @@ module horopter_agreement (
   logic ends_q;
   logic final_row_q;
   // hls/stages/census.hpp:35
-  logic [2:0] select_465;
-  assign select_465 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
-  logic [5:0] select_467;
-  assign select_467 = sample_pair_first_q ? 6'h0 : (raster_row_ended_q ? 6'h0 : raster_at_column_q);
+  logic [2:0] select_472;
+  assign select_472 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
+  logic [5:0] select_474;
+  assign select_474 = sample_pair_first_q ? 6'h0 : (raster_row_ended_q ? 6'h0 : raster_at_column_q);
   // hls/stages/census.hpp:115
-  logic [7:0] select_470;
-  assign select_470 = ({select_467, select_465} == 9'h0) ? 8'h0 : (averager_place_q + 8'h1);
+  logic [7:0] select_477;
+  assign select_477 = ({select_474, select_472} == 9'h0) ? 8'h0 : (averager_place_q + 8'h1);
   // hls/stages/census.hpp:116
-  logic [7:0] select_471;
-  assign select_471 = select_465[0] ? averager_place_q : select_470;
+  logic [7:0] select_478;
+  assign select_478 = select_472[0] ? averager_place_q : select_477;
   // hls/stages/census.hpp:41
-  logic or_472;
-  assign or_472 = sample_pair_first_q | raster_at_live_q;
+  logic or_479;
+  assign or_479 = sample_pair_first_q | raster_at_live_q;
   // hls/stages/agreement.hpp:404
-  logic and_475;
-  assign and_475 = (select_465[0] & or_472) & (select_471 < 8'hbd);
+  logic and_482;
+  assign and_482 = (select_472[0] & or_479) & (select_478 < 8'hbd);
   // hls/stages/census.hpp:41
-  logic [2:0] select_480;
-  assign select_480 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  logic [2:0] select_487;
+  assign select_487 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
   // hls/stages/agreement.hpp:263
   logic [5:0] column;
-  assign column = sample_pair_whole_q ? select_467 : 6'h0;
+  assign column = sample_pair_whole_q ? select_474 : 6'h0;
   // hls/stages/census.hpp:50
-  logic equal_497;
-  assign equal_497 = select_465 == 3'h7;
+  logic equal_504;
+  assign equal_504 = select_472 == 3'h7;
   // hls/stages/census.hpp:53
-  logic equal_498;
-  assign equal_498 = select_480 == 3'h7;
+  logic equal_505;
+  assign equal_505 = select_487 == 3'h7;
   // hls/stages/census.hpp:126
-  logic and_499;
-  assign and_499 = equal_498 & and_475;
+  logic and_506;
+  assign and_506 = equal_505 & and_482;
   // hls/stages/agreement.hpp:263
-  logic and_501;
-  assign and_501 = sample_pair_whole_q & (equal_497 & and_499);
+  logic and_508;
+  assign and_508 = sample_pair_whole_q & (equal_504 & and_506);
   // hls/stages/agreement.hpp:188
   logic so;
   assign so = run_phase_q == 3'h6;
   // hls/stages/agreement.hpp:610
-  logic equal_521;
-  assign equal_521 = run_phase_q == 3'h5;
+  logic equal_528;
+  assign equal_528 = run_phase_q == 3'h5;
   // hls/stages/agreement.hpp:581
-  logic or_522;
-  assign or_522 = so | equal_521;
+  logic or_529;
+  assign or_529 = so | equal_528;
   // hls/stages/agreement.hpp:704
-  logic not_523;
-  assign not_523 = ~or_522;
-  // hls/stages/agreement.hpp:601
-  logic equal_524;
-  assign equal_524 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:602
-  logic equal_526;
-  assign equal_526 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:579
-  logic [7:0] sum_527;
-  assign sum_527 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
-  // hls/stages/agreement.hpp:581
-  logic [7:0] select_528;
-  assign select_528 = run_shift_q[5] ? x_q : sum_527;
-  logic less_529;
-  assign less_529 = {2'h0, last_q} < select_528;
-  // hls/stages/agreement.hpp:216
   logic not_530;
-  assign not_530 = ~less_529;
+  assign not_530 = ~or_529;
+  // hls/stages/agreement.hpp:601
+  logic equal_531;
+  assign equal_531 = run_phase_q == 3'h3;
+  // hls/stages/agreement.hpp:602
+  logic equal_533;
+  assign equal_533 = run_phase_q == 3'h2;
+  // hls/stages/agreement.hpp:579
+  logic [7:0] sum_534;
+  assign sum_534 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+  // hls/stages/agreement.hpp:581
+  logic [7:0] select_535;
+  assign select_535 = run_shift_q[5] ? x_q : sum_534;
+  logic less_536;
+  assign less_536 = {2'h0, last_q} < select_535;
+  // hls/stages/agreement.hpp:216
+  logic not_537;
+  assign not_537 = ~less_536;
   // hls/stages/agreement.hpp:141
-  logic and_531;
-  assign and_531 = equal_526 & not_530;
-  logic and_533;
-  assign and_533 = not_523 & ((~equal_524) & and_531);
+  logic and_538;
+  assign and_538 = equal_533 & not_537;
+  logic and_540;
+  assign and_540 = not_530 & ((~equal_531) & and_538);
   // hls/stages/census.hpp:41
-  logic [5:0] select_560;
-  assign select_560 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
+  logic [5:0] select_567;
+  assign select_567 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:263
   logic [5:0] row;
-  assign row = sample_pair_whole_q ? select_560 : 6'h0;
+  assign row = sample_pair_whole_q ? select_567 : 6'h0;
   // hls/stages/agreement.hpp:141
-  logic select_617;
-  assign select_617 = equal_524 ? not_530 : and_531;
+  logic select_624;
+  assign select_624 = equal_531 ? not_537 : and_538;
   // hls/stages/agreement.hpp:773
   logic [7:0] x;
   assign x = x_q + 8'hfd;
   // hls/stages/agreement.hpp:770
-  logic [6:0] sum_637;
-  assign sum_637 = {1'b0, last_q} + 7'h3;
+  logic [6:0] sum_644;
+  assign sum_644 = {1'b0, last_q} + 7'h3;
   // hls/stages/agreement.hpp:141
-  logic and_642;
-  assign and_642 = equal_524 & (age_q[2] & (ends_cell_q & (~({1'b0, sum_637} < select_528))));
-  logic select_643;
-  assign select_643 = or_522 ? not_530 : and_642;
+  logic and_649;
+  assign and_649 = equal_531 & (age_q[2] & (ends_cell_q & (~({1'b0, sum_644} < select_535))));
+  logic select_650;
+  assign select_650 = or_529 ? not_537 : and_649;
   // hls/stages/agreement.hpp:778
-  logic equal_646;
-  assign equal_646 = {run_shift_q[5], run_shift_q} == (7'h0 - {1'b0, least_q});
+  logic equal_653;
+  assign equal_653 = {run_shift_q[5], run_shift_q} == (7'h0 - {1'b0, least_q});
   // hls/stages/agreement.hpp:782
-  logic or_648;
-  assign or_648 = equal_646 | ($signed(6'h0) < $signed(run_shift_q));
+  logic or_655;
+  assign or_655 = equal_653 | ($signed(6'h0) < $signed(run_shift_q));
   // hls/stages/agreement.hpp:794
   logic [5:0] right;
-  assign right = sum_527[5:0] + 6'h3d;
+  assign right = sum_534[5:0] + 6'h3d;
   // hls/stages/agreement.hpp:182
-  logic and_1864;
-  assign and_1864 = right_q & (~marks_first_i);
+  logic and_1871;
+  assign and_1871 = right_q & (~marks_first_i);
   // hls/stages/agreement.hpp:263
-  logic [2:0] select_2029;
-  assign select_2029 = sample_pair_whole_q ? (sample_last_q ? (select_480 + 3'h1) : select_480) : raster_at_y_q;
-  logic [5:0] select_2031;
-  assign select_2031 = sample_pair_whole_q ? (select_467 + {5'h0, equal_497}) : raster_at_column_q;
-  logic [5:0] select_2034;
-  assign select_2034 = sample_pair_whole_q ? (sample_last_q ? (select_560 + {5'h0, equal_498}) : select_560) : raster_at_row_q;
-  logic select_2038;
-  assign select_2038 = sample_pair_whole_q ? (sample_last_q ? (or_472 & (~raster_final_row_q)) : or_472) : raster_at_live_q;
+  logic [2:0] select_2036;
+  assign select_2036 = sample_pair_whole_q ? (sample_last_q ? (select_487 + 3'h1) : select_487) : raster_at_y_q;
+  logic [5:0] select_2038;
+  assign select_2038 = sample_pair_whole_q ? (select_474 + {5'h0, equal_504}) : raster_at_column_q;
+  logic [5:0] select_2041;
+  assign select_2041 = sample_pair_whole_q ? (sample_last_q ? (select_567 + {5'h0, equal_505}) : select_567) : raster_at_row_q;
+  logic select_2045;
+  assign select_2045 = sample_pair_whole_q ? (sample_last_q ? (or_479 & (~raster_final_row_q)) : or_479) : raster_at_live_q;
   // hls/stages/census.hpp:49
-  logic [8:0] select_2040;
-  assign select_2040 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [8:0] select_2047;
+  assign select_2047 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:263
-  logic select_2044;
-  assign select_2044 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  logic select_2051;
+  assign select_2051 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:446
-  logic equal_2288;
-  assign equal_2288 = {last[7:6], column} == {2'h0, last[5:0]};
+  logic equal_2295;
+  assign equal_2295 = {last[7:6], column} == {2'h0, last[5:0]};
   // hls/stages/agreement.hpp:451
-  logic and_2289;
-  assign and_2289 = and_501 & equal_2288;
+  logic and_2296;
+  assign and_2296 = and_508 & equal_2295;
   // hls/stages/agreement.hpp:510
-  logic select_2292;
-  assign select_2292 = (and_2289 | (~ends_cell_q)) ? and_2289 : ends_q;
+  logic select_2299;
+  assign select_2299 = (and_2296 | (~ends_cell_q)) ? and_2296 : ends_q;
   // hls/stages/agreement.hpp:516
   logic [2:0] now;
-  assign now = select_2292 ? (and_2289 ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2299 ? (and_2296 ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:521
-  logic [5:0] select_2296;
-  assign select_2296 = select_2292 ? (and_2289 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2299;
-  assign select_2299 = select_2292 ? (following_last_shift_q & (~and_2289)) : run_last_shift_q;
+  logic [5:0] select_2303;
+  assign select_2303 = select_2299 ? (and_2296 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2306;
+  assign select_2306 = select_2299 ? (following_last_shift_q & (~and_2296)) : run_last_shift_q;
   // hls/stages/agreement.hpp:594
-  logic and_2302;
-  assign and_2302 = run_last_shift_q & equal_524;
+  logic and_2309;
+  assign and_2309 = run_last_shift_q & equal_531;
   // hls/stages/agreement.hpp:603
-  logic select_2304;
-  assign select_2304 = equal_524 ? (~run_last_shift_q) : equal_526;
+  logic select_2311;
+  assign select_2311 = equal_531 ? (~run_last_shift_q) : equal_533;
   // hls/stages/agreement.hpp:607
-  logic equal_2305;
-  assign equal_2305 = run_phase_q == 3'h1;
-  logic not_2308;
-  assign not_2308 = ~select_2304;
+  logic equal_2312;
+  assign equal_2312 = run_phase_q == 3'h1;
+  logic not_2315;
+  assign not_2315 = ~select_2311;
   // hls/stages/agreement.hpp:610
-  logic equal_2310;
-  assign equal_2310 = run_phase_q == 3'h4;
+  logic equal_2317;
+  assign equal_2317 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:594
-  logic and_2311;
-  assign and_2311 = final_row_q & so;
+  logic and_2318;
+  assign and_2318 = final_row_q & so;
   // hls/stages/agreement.hpp:607
-  logic [1:0] select_2312;
-  assign select_2312 = equal_2310 ? 2'h1 : {2{and_2311}};
-  logic [2:0] select_2314;
-  assign select_2314 = (and_2302 | (select_2304 | equal_2305)) ? (equal_2305 ? 3'h2 : {not_2308, {2{select_2304}}}) : (equal_521 ? 3'h6 : {select_2312[0], select_2312});
+  logic [1:0] select_2319;
+  assign select_2319 = equal_2317 ? 2'h1 : {2{and_2318}};
+  logic [2:0] select_2321;
+  assign select_2321 = (and_2309 | (select_2311 | equal_2312)) ? (equal_2312 ? 3'h2 : {not_2315, {2{select_2311}}}) : (equal_528 ? 3'h6 : {select_2319[0], select_2319});
   // hls/stages/agreement.hpp:594
-  logic and_2317;
-  assign and_2317 = select_2304 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
+  logic and_2324;
+  assign and_2324 = select_2311 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:617
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2320;
-  assign select_2320 = (plan_shift_q[5] & select_2304) ? value : 7'h0;
-  logic [1:0] or_2321;
-  assign or_2321 = {2{so}} | select_2320[5:4];
+  logic [6:0] select_2327;
+  assign select_2327 = (plan_shift_q[5] & select_2311) ? value : 7'h0;
+  logic [1:0] or_2328;
+  assign or_2328 = {2{so}} | select_2327[5:4];
   // hls/stages/agreement.hpp:620
-  logic [7:0] select_2322;
-  assign select_2322 = select_2304 ? plan_columns_q : 8'h0;
-  logic [6:0] or_2325;
-  assign or_2325 = select_2322[6:0] | ((equal_2305 | equal_2310) ? whole_q : 7'h0);
-  logic [1:0] or_2326;
-  assign or_2326 = {2{and_2302}} | or_2325[3:2];
+  logic [7:0] select_2329;
+  assign select_2329 = select_2311 ? plan_columns_q : 8'h0;
+  logic [6:0] or_2332;
+  assign or_2332 = select_2329[6:0] | ((equal_2312 | equal_2317) ? whole_q : 7'h0);
+  logic [1:0] or_2333;
+  assign or_2333 = {2{and_2309}} | or_2332[3:2];
   // hls/stages/agreement.hpp:621
-  logic [6:0] or_2328;
-  assign or_2328 = {or_2325[6:4], or_2326, or_2325[1:0]} | (equal_521 ? drawn_q : 7'h0);
-  logic [4:0] or_2329;
-  assign or_2329 = {5{so}} | {or_2328[6], or_2328[3:0]};
+  logic [6:0] or_2335;
+  assign or_2335 = {or_2332[6:4], or_2333, or_2332[1:0]} | (equal_528 ? drawn_q : 7'h0);
+  logic [4:0] or_2336;
+  assign or_2336 = {5{so}} | {or_2335[6], or_2335[3:0]};
   // hls/stages/agreement.hpp:627
-  logic not_2333;
-  assign not_2333 = ~run_shift_q[5];
-  logic [6:0] difference_2335;
-  assign difference_2335 = {1'b0, last_q} - {1'b0, least_q};
-  logic [7:0] select_2336;
-  assign select_2336 = equal_524 ? ({{7{not_2333}}, 1'b1} + run_span_q) : {difference_2335[6], difference_2335};
+  logic not_2340;
+  assign not_2340 = ~run_shift_q[5];
+  logic [6:0] difference_2342;
+  assign difference_2342 = {1'b0, last_q} - {1'b0, least_q};
+  logic [7:0] select_2343;
+  assign select_2343 = equal_531 ? ({{7{not_2340}}, 1'b1} + run_span_q) : {difference_2342[6], difference_2342};
   // hls/stages/agreement.hpp:510
-  logic [6:0] select_2340;
-  assign select_2340 = and_2289 ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2347;
+  assign select_2347 = and_2296 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:513
-  logic [7:0] select_2342;
-  assign select_2342 = select_2292 ? {select_2340[6], select_2340} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2345;
-  assign select_2345 = select_2292 ? (and_2289 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2349;
+  assign select_2349 = select_2299 ? {select_2347[6], select_2347} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2352;
+  assign select_2352 = select_2299 ? (and_2296 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:507
-  logic [5:0] select_2353;
-  assign select_2353 = and_501 ? (equal_2288 ? ((5'he < column[5:1]) ? 6'h1d : column) : least_q) : least_q;
-  logic [6:0] select_2356;
-  assign select_2356 = and_501 ? (equal_2288 ? ({1'b0, cfg_width_i[8:3]} + 7'hb) : whole_q) : whole_q;
-  logic [6:0] select_2359;
-  assign select_2359 = and_501 ? (equal_2288 ? ({1'b0, cfg_width_i[8:3]} + 7'h3) : drawn_q) : drawn_q;
+  logic [5:0] select_2360;
+  assign select_2360 = and_508 ? (equal_2295 ? ((5'he < column[5:1]) ? 6'h1d : column) : least_q) : least_q;
+  logic [6:0] select_2363;
+  assign select_2363 = and_508 ? (equal_2295 ? ({1'b0, cfg_width_i[8:3]} + 7'hb) : whole_q) : whole_q;
+  logic [6:0] select_2366;
+  assign select_2366 = and_508 ? (equal_2295 ? ({1'b0, cfg_width_i[8:3]} + 7'h3) : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:518
-  logic select_2373;
-  assign select_2373 = (ends_cell_q | select_2292) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_524 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:513
-  logic and_2377;
-  assign and_2377 = (~select_2292) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
-  // hls/stages/agreement.hpp:463
-  logic [6:0] sum_2378;
-  assign sum_2378 = {1'b0, row} + 7'h1;
-  // hls/stages/agreement.hpp:447
   logic select_2380;
-  assign select_2380 = equal_2288 ? ({sum_2378[6], cfg_height_i[8:3]} == {1'b0, sum_2378[5:0]}) : final_row_q;
-  // hls/stages/patches.hpp:352
-  logic or_2762;
-  assign or_2762 = select_467[0] | select_560[5];
-  logic [7:0] sum_2763;
-  assign sum_2763 = {1'b0, select_467[2:1], or_2762, select_560[4:1]} + 8'h1;
-  logic less_2764;
-  assign less_2764 = {sum_2763, select_560[0], select_480, 1'b0} < {4'h0, cfg_height_i};
+  assign select_2380 = (ends_cell_q | select_2299) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_531 | (slot_q == 3'h6));
+  // hls/stages/agreement.hpp:513
+  logic and_2384;
+  assign and_2384 = (~select_2299) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  // hls/stages/agreement.hpp:463
+  logic [6:0] sum_2385;
+  assign sum_2385 = {1'b0, row} + 7'h1;
+  // hls/stages/agreement.hpp:447
+  logic select_2387;
+  assign select_2387 = equal_2295 ? ({sum_2385[6], cfg_height_i[8:3]} == {1'b0, sum_2385[5:0]}) : final_row_q;
+  // hls/stages/patches.hpp:361
+  logic or_2769;
+  assign or_2769 = select_474[0] | select_567[5];
+  logic [7:0] sum_2770;
+  assign sum_2770 = {1'b0, select_474[2:1], or_2769, select_567[4:1]} + 8'h1;
+  logic less_2771;
+  assign less_2771 = {sum_2770, select_567[0], select_487, 1'b0} < {4'h0, cfg_height_i};
 
   // Memory fresh, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1294; read in stage 0, written in stage 4: 0 < 4 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -354,7 +354,7 @@ module horopter_agreement (
   logic [5:0] fresh_raddr;
   assign fresh_raddr = x_q[5:0];
   logic fresh_re;
-  assign fresh_re = s0_en & and_533;
+  assign fresh_re = s0_en & and_540;
   logic [28:0] fresh_rdata_q;
   always_ff @(posedge clk_i) begin
     if (fresh_re) fresh_rdata_q <= fresh_mem[fresh_raddr];
@@ -371,7 +371,7 @@ module horopter_agreement (
   logic [5:0] left_raddr;
   assign left_raddr = x_q[5:0];
   logic left_re;
-  assign left_re = s0_en & (or_522 ? not_530 : select_617);
+  assign left_re = s0_en & (or_529 ? not_537 : select_624);
   logic [76:0] left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (left_re) left_rdata_q <= left_mem[left_raddr];
@@ -386,9 +386,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) right_codes_mem[i] = 91'h0;
 `endif
   logic [5:0] right_codes_raddr;
-  assign right_codes_raddr = equal_524 ? sum_527[5:0] : x_q[5:0];
+  assign right_codes_raddr = equal_531 ? sum_534[5:0] : x_q[5:0];
   logic right_codes_re;
-  assign right_codes_re = s0_en & (not_523 & select_617);
+  assign right_codes_re = s0_en & (not_530 & select_624);
   logic [90:0] right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (right_codes_re) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
@@ -403,9 +403,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) best_left_mem[i] = 46'h0;
 `endif
   logic [5:0] best_left_raddr;
-  assign best_left_raddr = or_522 ? x_q[5:0] : x[5:0];
+  assign best_left_raddr = or_529 ? x_q[5:0] : x[5:0];
   logic best_left_re;
-  assign best_left_re = s0_en & select_643;
+  assign best_left_re = s0_en & select_650;
   logic [45:0] best_left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (best_left_re) best_left_rdata_q <= best_left_mem[best_left_raddr];
@@ -453,45 +453,45 @@ module horopter_agreement (
       ends_q <= 1'b0;
       final_row_q <= 1'b0;
     end else if (s0_en) begin
-      left_first_q <= and_1864 ? left_first_q : marks_first_i;
-      right_q <= (~and_1864) & (~marks_last_i);
+      left_first_q <= and_1871 ? left_first_q : marks_first_i;
+      right_q <= (~and_1871) & (~marks_last_i);
       sample_pair_first_q <= left_first_q;
-      sample_pair_whole_q <= and_1864;
+      sample_pair_whole_q <= and_1871;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_465 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_2029;
-      raster_at_column_q <= select_2031;
-      raster_at_row_q <= select_2034;
-      raster_at_live_q <= select_2038;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2040 : raster_rows_left_q;
+      raster_at_x_q <= sample_pair_whole_q ? (select_472 + 3'h1) : raster_at_x_q;
+      raster_at_y_q <= select_2036;
+      raster_at_column_q <= select_2038;
+      raster_at_row_q <= select_2041;
+      raster_at_live_q <= select_2045;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2047 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2044;
-      averager_place_q <= sample_pair_whole_q ? select_471 : averager_place_q;
+      raster_final_row_q <= select_2051;
+      averager_place_q <= sample_pair_whole_q ? select_478 : averager_place_q;
       run_phase_q <= now;
-      run_shift_q <= select_2296;
-      run_last_shift_q <= select_2299;
-      run_span_q <= select_2292 ? (and_2289 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2314;
-      following_shift_q <= select_2304 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2317;
+      run_shift_q <= select_2303;
+      run_last_shift_q <= select_2306;
+      run_span_q <= select_2299 ? (and_2296 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2321;
+      following_shift_q <= select_2311 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2324;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2320[6], or_2321, select_2320[3:0]};
-      following_columns_q <= {select_2322[7], or_2329[4], or_2328[5:4], or_2329[3:0]};
-      plan_shift_q <= equal_524 ? (run_shift_q + 6'h1) : (6'h0 - least_q);
-      plan_span_q <= select_2336;
+      following_lowest_q <= {select_2327[6], or_2328, select_2327[3:0]};
+      following_columns_q <= {select_2329[7], or_2336[4], or_2335[5:4], or_2336[3:0]};
+      plan_shift_q <= equal_531 ? (run_shift_q + 6'h1) : (6'h0 - least_q);
+      plan_span_q <= select_2343;
       plan_columns_q <= (plan_span_q < 8'h3) ? 8'h6 : (plan_span_q + 8'h3);
-      x_q <= select_2342;
-      columns_left_q <= select_2345;
-      last_q <= and_501 ? (equal_2288 ? column : last_q) : last_q;
-      least_q <= select_2353;
-      whole_q <= select_2356;
-      drawn_q <= select_2359;
-      age_q <= select_2292 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2292 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2373;
-      ends_q <= and_2377;
-      final_row_q <= and_501 ? select_2380 : final_row_q;
+      x_q <= select_2349;
+      columns_left_q <= select_2352;
+      last_q <= and_508 ? (equal_2295 ? column : last_q) : last_q;
+      least_q <= select_2360;
+      whole_q <= select_2363;
+      drawn_q <= select_2366;
+      age_q <= select_2299 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2299 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2380;
+      ends_q <= and_2384;
+      final_row_q <= and_508 ? select_2387 : final_row_q;
     end
   end
 
@@ -508,33 +508,33 @@ module horopter_agreement (
   logic [3:0] age_s1_q;
   logic [2:0] slot_s1_q;
   logic ends_cell_s1_q;
-  logic [2:0] select_465_s1_q;
-  logic [5:0] select_467_s1_q;
-  logic [7:0] select_471_s1_q;
-  logic and_475_s1_q;
-  logic equal_481_s1_q;
+  logic [2:0] select_472_s1_q;
+  logic [5:0] select_474_s1_q;
+  logic [7:0] select_478_s1_q;
+  logic and_482_s1_q;
+  logic equal_488_s1_q;
   logic [5:0] column_s1_q;
-  logic and_499_s1_q;
-  logic and_501_s1_q;
+  logic and_506_s1_q;
+  logic and_508_s1_q;
   logic so_s1_q;
-  logic equal_521_s1_q;
-  logic or_522_s1_q;
-  logic equal_524_s1_q;
-  logic less_529_s1_q;
-  logic not_530_s1_q;
-  logic and_533_s1_q;
+  logic equal_528_s1_q;
+  logic or_529_s1_q;
+  logic equal_531_s1_q;
+  logic less_536_s1_q;
+  logic not_537_s1_q;
+  logic and_540_s1_q;
   logic [5:0] row_s1_q;
   logic [6:0] x_s1_2_q;
-  logic select_643_s1_q;
   logic select_650_s1_q;
-  logic and_1452_s1_q;
+  logic select_657_s1_q;
+  logic and_1459_s1_q;
   logic [5:0] right_s1_q;
-  logic select_1461_s1_q;
-  logic equal_1470_s1_q;
-  logic equal_1589_s1_q;
-  logic equal_2288_s1_q;
-  logic and_2289_s1_q;
-  logic not_2765_s1_q;
+  logic select_1468_s1_q;
+  logic equal_1477_s1_q;
+  logic equal_1596_s1_q;
+  logic equal_2295_s1_q;
+  logic and_2296_s1_q;
+  logic not_2772_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -550,33 +550,33 @@ module horopter_agreement (
       age_s1_q <= {age_q[6], age_q[4:3], age_q[0]};
       slot_s1_q <= slot_q;
       ends_cell_s1_q <= ends_cell_q;
-      select_465_s1_q <= select_465;
-      select_467_s1_q <= select_467;
-      select_471_s1_q <= select_471;
-      and_475_s1_q <= and_475;
-      equal_481_s1_q <= select_480 == 3'h0;
+      select_472_s1_q <= select_472;
+      select_474_s1_q <= select_474;
+      select_478_s1_q <= select_478;
+      and_482_s1_q <= and_482;
+      equal_488_s1_q <= select_487 == 3'h0;
       column_s1_q <= column;
-      and_499_s1_q <= and_499;
-      and_501_s1_q <= and_501;
+      and_506_s1_q <= and_506;
+      and_508_s1_q <= and_508;
       so_s1_q <= so;
-      equal_521_s1_q <= equal_521;
-      or_522_s1_q <= or_522;
-      equal_524_s1_q <= equal_524;
-      less_529_s1_q <= less_529;
-      not_530_s1_q <= not_530;
-      and_533_s1_q <= and_533;
+      equal_528_s1_q <= equal_528;
+      or_529_s1_q <= or_529;
+      equal_531_s1_q <= equal_531;
+      less_536_s1_q <= less_536;
+      not_537_s1_q <= not_537;
+      and_540_s1_q <= and_540;
       row_s1_q <= row;
       x_s1_2_q <= x[6:0];
-      select_643_s1_q <= select_643;
-      select_650_s1_q <= or_648 ? equal_646 : (~age_q[3]);
-      and_1452_s1_q <= not_523 & and_642;
+      select_650_s1_q <= select_650;
+      select_657_s1_q <= or_655 ? equal_653 : (~age_q[3]);
+      and_1459_s1_q <= not_530 & and_649;
       right_s1_q <= right;
-      select_1461_s1_q <= or_648 ? equal_646 : ({x[7:6], last_q} == {2'h0, x[5:0]});
-      equal_1470_s1_q <= run_phase_q == 3'h7;
-      equal_1589_s1_q <= {or_472, select_480} == 4'hc;
-      equal_2288_s1_q <= equal_2288;
-      and_2289_s1_q <= and_2289;
-      not_2765_s1_q <= ~less_2764;
+      select_1468_s1_q <= or_655 ? equal_653 : ({x[7:6], last_q} == {2'h0, x[5:0]});
+      equal_1477_s1_q <= run_phase_q == 3'h7;
+      equal_1596_s1_q <= {or_479, select_487} == 4'hc;
+      equal_2295_s1_q <= equal_2295;
+      and_2296_s1_q <= and_2296;
+      not_2772_s1_q <= ~less_2771;
     end
   end
 
@@ -636,567 +636,567 @@ module horopter_agreement (
   logic [4:0] patches_column_q;
   logic patches_column_ends_q;
   // hls/stages/agreement.hpp:653
-  logic not_621;
-  assign not_621 = ~(row_q == 6'h0);
+  logic not_628;
+  assign not_628 = ~(row_q == 6'h0);
   // hls/stages/agreement.hpp:656
-  logic and_622;
-  assign and_622 = left_rdata_q[12] & not_621;
-  logic and_623;
-  assign and_623 = left_rdata_q[28] & not_621;
-  logic and_624;
-  assign and_624 = left_rdata_q[44] & not_621;
-  logic and_625;
-  assign and_625 = left_rdata_q[60] & not_621;
-  // hls/stages/agreement.hpp:657
   logic and_629;
-  assign and_629 = right_codes_rdata_q[12] & not_621;
+  assign and_629 = left_rdata_q[12] & not_628;
   logic and_630;
-  assign and_630 = right_codes_rdata_q[25] & not_621;
+  assign and_630 = left_rdata_q[28] & not_628;
   logic and_631;
-  assign and_631 = right_codes_rdata_q[38] & not_621;
+  assign and_631 = left_rdata_q[44] & not_628;
   logic and_632;
-  assign and_632 = right_codes_rdata_q[51] & not_621;
-  logic and_633;
-  assign and_633 = right_codes_rdata_q[64] & not_621;
-  logic and_634;
-  assign and_634 = right_codes_rdata_q[77] & not_621;
+  assign and_632 = left_rdata_q[60] & not_628;
+  // hls/stages/agreement.hpp:657
+  logic and_636;
+  assign and_636 = right_codes_rdata_q[12] & not_628;
+  logic and_637;
+  assign and_637 = right_codes_rdata_q[25] & not_628;
+  logic and_638;
+  assign and_638 = right_codes_rdata_q[38] & not_628;
+  logic and_639;
+  assign and_639 = right_codes_rdata_q[51] & not_628;
+  logic and_640;
+  assign and_640 = right_codes_rdata_q[64] & not_628;
+  logic and_641;
+  assign and_641 = right_codes_rdata_q[77] & not_628;
   // hls/stages/agreement.hpp:212
-  logic and_656;
-  assign and_656 = left_rdata_q[44] & not_530_s1_q;
-  logic and_657;
-  assign and_657 = right_codes_rdata_q[38] & not_530_s1_q;
-  logic [11:0] select_658;
-  assign select_658 = less_529_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
-  logic [11:0] select_659;
-  assign select_659 = less_529_s1_q ? 12'h0 : left_rdata_q[43:32];
+  logic and_663;
+  assign and_663 = left_rdata_q[44] & not_537_s1_q;
+  logic and_664;
+  assign and_664 = right_codes_rdata_q[38] & not_537_s1_q;
+  logic [11:0] select_665;
+  assign select_665 = less_536_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
+  logic [11:0] select_666;
+  assign select_666 = less_536_s1_q ? 12'h0 : left_rdata_q[43:32];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_663;
-  assign select_663 = and_656 ? (and_657 ? (~(select_658 ^ select_659)) : 12'h0) : 12'h0;
+  logic [11:0] select_670;
+  assign select_670 = and_663 ? (and_664 ? (~(select_665 ^ select_666)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_669;
-  assign parity_669 = ^select_663[5:3];
-  logic parity_672;
-  assign parity_672 = ^select_663[8:6];
-  logic parity_675;
-  assign parity_675 = ^select_663[11:3];
+  logic parity_676;
+  assign parity_676 = ^select_670[5:3];
+  logic parity_679;
+  assign parity_679 = ^select_670[8:6];
+  logic parity_682;
+  assign parity_682 = ^select_670[11:3];
   // hls/stages/agreement.hpp:212
-  logic and_679;
-  assign and_679 = left_rdata_q[60] & not_530_s1_q;
-  logic and_680;
-  assign and_680 = right_codes_rdata_q[51] & not_530_s1_q;
-  logic [11:0] select_681;
-  assign select_681 = less_529_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
-  logic [11:0] select_682;
-  assign select_682 = less_529_s1_q ? 12'h0 : left_rdata_q[59:48];
+  logic and_686;
+  assign and_686 = left_rdata_q[60] & not_537_s1_q;
+  logic and_687;
+  assign and_687 = right_codes_rdata_q[51] & not_537_s1_q;
+  logic [11:0] select_688;
+  assign select_688 = less_536_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
+  logic [11:0] select_689;
+  assign select_689 = less_536_s1_q ? 12'h0 : left_rdata_q[59:48];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_686;
-  assign select_686 = and_679 ? (and_680 ? (~(select_681 ^ select_682)) : 12'h0) : 12'h0;
+  logic [11:0] select_693;
+  assign select_693 = and_686 ? (and_687 ? (~(select_688 ^ select_689)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_689;
-  assign parity_689 = ^select_686[8:6];
-  logic parity_692;
-  assign parity_692 = ^select_686[11:9];
+  logic parity_696;
+  assign parity_696 = ^select_693[8:6];
+  logic parity_699;
+  assign parity_699 = ^select_693[11:9];
   // hls/stages/agreement.hpp:212
-  logic and_696;
-  assign and_696 = left_rdata_q[76] & not_530_s1_q;
-  logic and_697;
-  assign and_697 = right_codes_rdata_q[64] & not_530_s1_q;
-  logic [11:0] select_698;
-  assign select_698 = less_529_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
-  logic [11:0] select_699;
-  assign select_699 = less_529_s1_q ? 12'h0 : left_rdata_q[75:64];
+  logic and_703;
+  assign and_703 = left_rdata_q[76] & not_537_s1_q;
+  logic and_704;
+  assign and_704 = right_codes_rdata_q[64] & not_537_s1_q;
+  logic [11:0] select_705;
+  assign select_705 = less_536_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
+  logic [11:0] select_706;
+  assign select_706 = less_536_s1_q ? 12'h0 : left_rdata_q[75:64];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_703;
-  assign select_703 = and_696 ? (and_697 ? (~(select_698 ^ select_699)) : 12'h0) : 12'h0;
+  logic [11:0] select_710;
+  assign select_710 = and_703 ? (and_704 ? (~(select_705 ^ select_706)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_709;
-  assign parity_709 = ^select_703[2:0];
-  logic parity_712;
-  assign parity_712 = ^select_703[5:3];
-  logic parity_715;
-  assign parity_715 = ^select_703[8:0];
-  logic parity_721;
-  assign parity_721 = ^select_703[11:9];
-  logic parity_724;
-  assign parity_724 = ^select_686[2:0];
-  logic parity_727;
-  assign parity_727 = ^{select_703[11:9], select_686[5:0]};
-  logic parity_730;
-  assign parity_730 = ^{select_703, select_686, select_663[2:0]};
-  logic xor_731;
-  assign xor_731 = parity_675 ^ parity_730;
+  logic parity_716;
+  assign parity_716 = ^select_710[2:0];
+  logic parity_719;
+  assign parity_719 = ^select_710[5:3];
+  logic parity_722;
+  assign parity_722 = ^select_710[8:0];
+  logic parity_728;
+  assign parity_728 = ^select_710[11:9];
+  logic parity_731;
+  assign parity_731 = ^select_693[2:0];
+  logic parity_734;
+  assign parity_734 = ^{select_710[11:9], select_693[5:0]};
+  logic parity_737;
+  assign parity_737 = ^{select_710, select_693, select_670[2:0]};
+  logic xor_738;
+  assign xor_738 = parity_682 ^ parity_737;
   // hls/stages/count_bits.hpp:23
-  logic or_735;
-  assign or_735 = (select_663[1:0] == 2'h3) | (select_663[2] & (select_663[0] | select_663[1]));
+  logic or_742;
+  assign or_742 = (select_670[1:0] == 2'h3) | (select_670[2] & (select_670[0] | select_670[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_739;
-  assign or_739 = (select_686[7:6] == 2'h3) | (select_686[8] & (select_686[6] | select_686[7]));
-  logic or_743;
-  assign or_743 = (select_686[10:9] == 2'h3) | (select_686[11] & (select_686[9] | select_686[10]));
+  logic or_746;
+  assign or_746 = (select_693[7:6] == 2'h3) | (select_693[8] & (select_693[6] | select_693[7]));
+  logic or_750;
+  assign or_750 = (select_693[10:9] == 2'h3) | (select_693[11] & (select_693[9] | select_693[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_751;
-  assign or_751 = (select_703[7:6] == 2'h3) | (select_703[8] & (~(select_703[7:6] == 2'h0)));
+  logic or_758;
+  assign or_758 = (select_710[7:6] == 2'h3) | (select_710[8] & (~(select_710[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_755;
-  assign or_755 = (select_703[1:0] == 2'h3) | (select_703[2] & (select_703[0] | select_703[1]));
-  logic or_759;
-  assign or_759 = (select_703[4:3] == 2'h3) | (select_703[5] & (select_703[3] | select_703[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_762;
-  assign parity_762 = ^{or_759, or_755, or_751};
-  // hls/stages/count_bits.hpp:23
+  logic or_762;
+  assign or_762 = (select_710[1:0] == 2'h3) | (select_710[2] & (select_710[0] | select_710[1]));
   logic or_766;
-  assign or_766 = (select_686[4:3] == 2'h3) | (select_686[5] & (select_686[3] | select_686[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_770;
-  assign or_770 = (select_703[10:9] == 2'h3) | (select_703[11] & (select_703[9] | select_703[10]));
-  logic or_774;
-  assign or_774 = (select_686[1:0] == 2'h3) | (select_686[2] & (select_686[0] | select_686[1]));
+  assign or_766 = (select_710[4:3] == 2'h3) | (select_710[5] & (select_710[3] | select_710[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_777;
-  assign parity_777 = ^{or_774, or_770, or_766};
-  logic parity_780;
-  assign parity_780 = ^{or_774, or_770, or_766, or_759, or_755, or_751, or_743, or_739, or_735};
+  logic parity_769;
+  assign parity_769 = ^{or_766, or_762, or_758};
+  // hls/stages/count_bits.hpp:23
+  logic or_773;
+  assign or_773 = (select_693[4:3] == 2'h3) | (select_693[5] & (select_693[3] | select_693[4]));
   // hls/stages/count_bits.hpp:25
-  logic and_781;
-  assign and_781 = parity_675 & parity_730;
-  logic or_785;
-  assign or_785 = (parity_669 & parity_672) | ((^select_663[11:9]) & (parity_669 | parity_672));
+  logic or_777;
+  assign or_777 = (select_710[10:9] == 2'h3) | (select_710[11] & (select_710[9] | select_710[10]));
+  logic or_781;
+  assign or_781 = (select_693[1:0] == 2'h3) | (select_693[2] & (select_693[0] | select_693[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_784;
+  assign parity_784 = ^{or_781, or_777, or_773};
+  logic parity_787;
+  assign parity_787 = ^{or_781, or_777, or_773, or_766, or_762, or_758, or_750, or_746, or_742};
+  // hls/stages/count_bits.hpp:25
   logic and_788;
-  assign and_788 = (^{select_686[11:6], select_663[2:0]}) & (parity_715 | parity_727);
-  logic or_789;
-  assign or_789 = (parity_715 & parity_727) | and_788;
-  // hls/stages/count_bits.hpp:23
+  assign and_788 = parity_682 & parity_737;
+  logic or_792;
+  assign or_792 = (parity_676 & parity_679) | ((^select_670[11:9]) & (parity_676 | parity_679));
+  logic and_795;
+  assign and_795 = (^{select_693[11:6], select_670[2:0]}) & (parity_722 | parity_734);
   logic or_796;
-  assign or_796 = (select_663[10:9] == 2'h3) | (select_663[11] & (select_663[9] | select_663[10]));
+  assign or_796 = (parity_722 & parity_734) | and_795;
+  // hls/stages/count_bits.hpp:23
+  logic or_803;
+  assign or_803 = (select_670[10:9] == 2'h3) | (select_670[11] & (select_670[9] | select_670[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_800;
-  assign or_800 = (select_663[4:3] == 2'h3) | (select_663[5] & (select_663[3] | select_663[4]));
-  logic or_804;
-  assign or_804 = (select_663[7:6] == 2'h3) | (select_663[8] & (select_663[6] | select_663[7]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_807;
-  assign parity_807 = ^{or_804, or_800, or_796};
-  // hls/stages/count_bits.hpp:25
+  logic or_807;
+  assign or_807 = (select_670[4:3] == 2'h3) | (select_670[5] & (select_670[3] | select_670[4]));
   logic or_811;
-  assign or_811 = (parity_689 & parity_692) | ((^select_663[2:0]) & (parity_689 | parity_692));
-  logic or_815;
-  assign or_815 = (parity_709 & parity_712) | ((^select_703[8:6]) & (parity_709 | parity_712));
-  logic or_819;
-  assign or_819 = (parity_721 & parity_724) | ((^select_686[5:3]) & (parity_721 | parity_724));
+  assign or_811 = (select_670[7:6] == 2'h3) | (select_670[8] & (select_670[6] | select_670[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_822;
-  assign parity_822 = ^{or_819, or_815, or_811};
-  logic parity_825;
-  assign parity_825 = ^{or_819, or_815, or_811, or_804, or_800, or_796, or_789, or_785, and_781};
-  logic xor_826;
-  assign xor_826 = parity_780 ^ parity_825;
+  logic parity_814;
+  assign parity_814 = ^{or_811, or_807, or_803};
   // hls/stages/count_bits.hpp:25
-  logic and_827;
-  assign and_827 = parity_780 & parity_825;
-  logic or_831;
-  assign or_831 = (parity_762 & parity_777) | ((^{or_743, or_739, or_735}) & (parity_762 | parity_777));
-  logic or_835;
-  assign or_835 = (parity_807 & parity_822) | ((^{or_789, or_785, and_781}) & (parity_807 | parity_822));
+  logic or_818;
+  assign or_818 = (parity_696 & parity_699) | ((^select_670[2:0]) & (parity_696 | parity_699));
+  logic or_822;
+  assign or_822 = (parity_716 & parity_719) | ((^select_710[8:6]) & (parity_716 | parity_719));
+  logic or_826;
+  assign or_826 = (parity_728 & parity_731) | ((^select_693[5:3]) & (parity_728 | parity_731));
+  // hls/stages/count_bits.hpp:24
+  logic parity_829;
+  assign parity_829 = ^{or_826, or_822, or_818};
+  logic parity_832;
+  assign parity_832 = ^{or_826, or_822, or_818, or_811, or_807, or_803, or_796, or_792, and_788};
+  logic xor_833;
+  assign xor_833 = parity_787 ^ parity_832;
+  // hls/stages/count_bits.hpp:25
+  logic and_834;
+  assign and_834 = parity_787 & parity_832;
+  logic or_838;
+  assign or_838 = (parity_769 & parity_784) | ((^{or_750, or_746, or_742}) & (parity_769 | parity_784));
   logic or_842;
-  assign or_842 = (or_739 & or_743) | (or_735 & (or_739 | or_743));
-  logic or_846;
-  assign or_846 = (or_755 & or_759) | (or_751 & (or_755 | or_759));
-  logic or_850;
-  assign or_850 = (or_770 & or_774) | (or_766 & (or_770 | or_774));
-  // hls/stages/count_bits.hpp:24
-  logic parity_853;
-  assign parity_853 = ^{or_850, or_846, or_842};
-  // hls/stages/count_bits.hpp:25
+  assign or_842 = (parity_814 & parity_829) | ((^{or_796, or_792, and_788}) & (parity_814 | parity_829));
+  logic or_849;
+  assign or_849 = (or_746 & or_750) | (or_742 & (or_746 | or_750));
+  logic or_853;
+  assign or_853 = (or_762 & or_766) | (or_758 & (or_762 | or_766));
   logic or_857;
-  assign or_857 = (or_785 & or_789) | (and_781 & (or_785 | or_789));
-  logic or_861;
-  assign or_861 = (or_800 & or_804) | (or_796 & (or_800 | or_804));
-  logic or_865;
-  assign or_865 = (or_815 & or_819) | (or_811 & (or_815 | or_819));
+  assign or_857 = (or_777 & or_781) | (or_773 & (or_777 | or_781));
   // hls/stages/count_bits.hpp:24
-  logic parity_868;
-  assign parity_868 = ^{or_865, or_861, or_857};
-  logic parity_871;
-  assign parity_871 = ^{or_865, or_861, or_857, or_850, or_846, or_842, or_835, or_831, and_827};
+  logic parity_860;
+  assign parity_860 = ^{or_857, or_853, or_849};
   // hls/stages/count_bits.hpp:25
-  logic or_875;
-  assign or_875 = (parity_853 & parity_868) | ((^{or_835, or_831, and_827}) & (parity_853 | parity_868));
-  logic or_879;
-  assign or_879 = (or_831 & or_835) | (and_827 & (or_831 | or_835));
-  logic or_883;
-  assign or_883 = (or_846 & or_850) | (or_842 & (or_846 | or_850));
-  logic or_887;
-  assign or_887 = (or_861 & or_865) | (or_857 & (or_861 | or_865));
+  logic or_864;
+  assign or_864 = (or_792 & or_796) | (and_788 & (or_792 | or_796));
+  logic or_868;
+  assign or_868 = (or_807 & or_811) | (or_803 & (or_807 | or_811));
+  logic or_872;
+  assign or_872 = (or_822 & or_826) | (or_818 & (or_822 | or_826));
   // hls/stages/count_bits.hpp:24
-  logic parity_892;
-  assign parity_892 = ^{or_887, or_883, or_879, or_875};
+  logic parity_875;
+  assign parity_875 = ^{or_872, or_868, or_864};
+  logic parity_878;
+  assign parity_878 = ^{or_872, or_868, or_864, or_857, or_853, or_849, or_842, or_838, and_834};
   // hls/stages/count_bits.hpp:25
-  logic or_896;
-  assign or_896 = (or_883 & or_887) | (or_879 & (or_883 | or_887));
-  logic and_897;
-  assign and_897 = or_875 & (^{or_887, or_883, or_879});
+  logic or_882;
+  assign or_882 = (parity_860 & parity_875) | ((^{or_842, or_838, and_834}) & (parity_860 | parity_875));
+  logic or_886;
+  assign or_886 = (or_838 & or_842) | (and_834 & (or_838 | or_842));
+  logic or_890;
+  assign or_890 = (or_853 & or_857) | (or_849 & (or_853 | or_857));
+  logic or_894;
+  assign or_894 = (or_868 & or_872) | (or_864 & (or_868 | or_872));
   // hls/stages/count_bits.hpp:24
-  logic xor_898;
-  assign xor_898 = or_896 ^ and_897;
+  logic parity_899;
+  assign parity_899 = ^{or_894, or_890, or_886, or_882};
+  // hls/stages/count_bits.hpp:25
+  logic or_903;
+  assign or_903 = (or_890 & or_894) | (or_886 & (or_890 | or_894));
+  logic and_904;
+  assign and_904 = or_882 & (^{or_894, or_890, or_886});
+  // hls/stages/count_bits.hpp:24
+  logic xor_905;
+  assign xor_905 = or_903 ^ and_904;
   // hls/stages/count_bits.hpp:27
-  logic and_899;
-  assign and_899 = or_896 & and_897;
+  logic and_906;
+  assign and_906 = or_903 & and_904;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_900;
-  assign select_900 = equal_524_s1_q ? {and_899, xor_898, parity_892, parity_871, xor_826, xor_731} : 6'h0;
+  logic [5:0] select_907;
+  assign select_907 = equal_531_s1_q ? {and_906, xor_905, parity_899, parity_878, xor_833, xor_738} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_522_s1_q ? 6'h0 : select_900;
+  assign column_2 = or_529_s1_q ? 6'h0 : select_907;
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_911;
-  assign select_911 = (slot_s1_q[0] ? and_697 : and_680) ? (~(select_659 ^ (slot_s1_q[0] ? select_698 : select_681))) : 12'h0;
-  logic [11:0] select_912;
-  assign select_912 = and_656 ? select_911 : 12'h0;
+  logic [11:0] select_918;
+  assign select_918 = (slot_s1_q[0] ? and_704 : and_687) ? (~(select_666 ^ (slot_s1_q[0] ? select_705 : select_688))) : 12'h0;
+  logic [11:0] select_919;
+  assign select_919 = and_663 ? select_918 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_918;
-  assign parity_918 = ^select_912[5:3];
-  logic parity_921;
-  assign parity_921 = ^select_912[8:6];
-  logic parity_924;
-  assign parity_924 = ^select_912[11:3];
+  logic parity_925;
+  assign parity_925 = ^select_919[5:3];
+  logic parity_928;
+  assign parity_928 = ^select_919[8:6];
+  logic parity_931;
+  assign parity_931 = ^select_919[11:3];
   // hls/stages/agreement.hpp:212
-  logic and_928;
-  assign and_928 = right_codes_rdata_q[77] & not_530_s1_q;
-  logic [11:0] select_930;
-  assign select_930 = less_529_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
+  logic and_935;
+  assign and_935 = right_codes_rdata_q[77] & not_537_s1_q;
+  logic [11:0] select_937;
+  assign select_937 = less_536_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_934;
-  assign select_934 = (slot_s1_q[0] ? and_928 : and_697) ? (~(select_682 ^ (slot_s1_q[0] ? select_930 : select_698))) : 12'h0;
-  logic [11:0] select_935;
-  assign select_935 = and_679 ? select_934 : 12'h0;
+  logic [11:0] select_941;
+  assign select_941 = (slot_s1_q[0] ? and_935 : and_704) ? (~(select_689 ^ (slot_s1_q[0] ? select_937 : select_705))) : 12'h0;
+  logic [11:0] select_942;
+  assign select_942 = and_686 ? select_941 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_938;
-  assign parity_938 = ^select_935[8:6];
-  logic parity_941;
-  assign parity_941 = ^select_935[11:9];
+  logic parity_945;
+  assign parity_945 = ^select_942[8:6];
+  logic parity_948;
+  assign parity_948 = ^select_942[11:9];
   // hls/stages/agreement.hpp:718
-  logic select_946;
-  assign select_946 = slot_s1_q[0] ? (right_codes_rdata_q[90] & not_530_s1_q) : and_928;
-  logic [11:0] select_948;
-  assign select_948 = slot_s1_q[0] ? (less_529_s1_q ? 12'h0 : right_codes_rdata_q[89:78]) : select_930;
+  logic select_953;
+  assign select_953 = slot_s1_q[0] ? (right_codes_rdata_q[90] & not_537_s1_q) : and_935;
+  logic [11:0] select_955;
+  assign select_955 = slot_s1_q[0] ? (less_536_s1_q ? 12'h0 : right_codes_rdata_q[89:78]) : select_937;
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_952;
-  assign select_952 = and_696 ? (select_946 ? (~(select_699 ^ select_948)) : 12'h0) : 12'h0;
+  logic [11:0] select_959;
+  assign select_959 = and_703 ? (select_953 ? (~(select_706 ^ select_955)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_958;
-  assign parity_958 = ^select_952[2:0];
-  logic parity_961;
-  assign parity_961 = ^select_952[5:3];
-  logic parity_964;
-  assign parity_964 = ^select_952[8:0];
-  logic parity_970;
-  assign parity_970 = ^select_952[11:9];
-  logic parity_973;
-  assign parity_973 = ^select_935[2:0];
-  logic parity_976;
-  assign parity_976 = ^{select_952[11:9], select_935[5:0]};
-  logic parity_979;
-  assign parity_979 = ^{select_952, select_935, select_912[2:0]};
-  logic xor_980;
-  assign xor_980 = parity_924 ^ parity_979;
+  logic parity_965;
+  assign parity_965 = ^select_959[2:0];
+  logic parity_968;
+  assign parity_968 = ^select_959[5:3];
+  logic parity_971;
+  assign parity_971 = ^select_959[8:0];
+  logic parity_977;
+  assign parity_977 = ^select_959[11:9];
+  logic parity_980;
+  assign parity_980 = ^select_942[2:0];
+  logic parity_983;
+  assign parity_983 = ^{select_959[11:9], select_942[5:0]};
+  logic parity_986;
+  assign parity_986 = ^{select_959, select_942, select_919[2:0]};
+  logic xor_987;
+  assign xor_987 = parity_931 ^ parity_986;
   // hls/stages/count_bits.hpp:23
-  logic or_984;
-  assign or_984 = (select_912[1:0] == 2'h3) | (select_912[2] & (select_912[0] | select_912[1]));
+  logic or_991;
+  assign or_991 = (select_919[1:0] == 2'h3) | (select_919[2] & (select_919[0] | select_919[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_988;
-  assign or_988 = (select_935[7:6] == 2'h3) | (select_935[8] & (select_935[6] | select_935[7]));
-  logic or_992;
-  assign or_992 = (select_935[10:9] == 2'h3) | (select_935[11] & (select_935[9] | select_935[10]));
+  logic or_995;
+  assign or_995 = (select_942[7:6] == 2'h3) | (select_942[8] & (select_942[6] | select_942[7]));
+  logic or_999;
+  assign or_999 = (select_942[10:9] == 2'h3) | (select_942[11] & (select_942[9] | select_942[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1000;
-  assign or_1000 = (select_952[7:6] == 2'h3) | (select_952[8] & (~(select_952[7:6] == 2'h0)));
+  logic or_1007;
+  assign or_1007 = (select_959[7:6] == 2'h3) | (select_959[8] & (~(select_959[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1004;
-  assign or_1004 = (select_952[1:0] == 2'h3) | (select_952[2] & (select_952[0] | select_952[1]));
-  logic or_1008;
-  assign or_1008 = (select_952[4:3] == 2'h3) | (select_952[5] & (select_952[3] | select_952[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1011;
-  assign parity_1011 = ^{or_1008, or_1004, or_1000};
-  // hls/stages/count_bits.hpp:23
+  logic or_1011;
+  assign or_1011 = (select_959[1:0] == 2'h3) | (select_959[2] & (select_959[0] | select_959[1]));
   logic or_1015;
-  assign or_1015 = (select_935[4:3] == 2'h3) | (select_935[5] & (select_935[3] | select_935[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1019;
-  assign or_1019 = (select_952[10:9] == 2'h3) | (select_952[11] & (select_952[9] | select_952[10]));
-  logic or_1023;
-  assign or_1023 = (select_935[1:0] == 2'h3) | (select_935[2] & (select_935[0] | select_935[1]));
+  assign or_1015 = (select_959[4:3] == 2'h3) | (select_959[5] & (select_959[3] | select_959[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1026;
-  assign parity_1026 = ^{or_1023, or_1019, or_1015};
-  logic parity_1029;
-  assign parity_1029 = ^{or_1023, or_1019, or_1015, or_1008, or_1004, or_1000, or_992, or_988, or_984};
+  logic parity_1018;
+  assign parity_1018 = ^{or_1015, or_1011, or_1007};
+  // hls/stages/count_bits.hpp:23
+  logic or_1022;
+  assign or_1022 = (select_942[4:3] == 2'h3) | (select_942[5] & (select_942[3] | select_942[4]));
   // hls/stages/count_bits.hpp:25
-  logic and_1030;
-  assign and_1030 = parity_924 & parity_979;
-  logic or_1034;
-  assign or_1034 = (parity_918 & parity_921) | ((^select_912[11:9]) & (parity_918 | parity_921));
+  logic or_1026;
+  assign or_1026 = (select_959[10:9] == 2'h3) | (select_959[11] & (select_959[9] | select_959[10]));
+  logic or_1030;
+  assign or_1030 = (select_942[1:0] == 2'h3) | (select_942[2] & (select_942[0] | select_942[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1033;
+  assign parity_1033 = ^{or_1030, or_1026, or_1022};
+  logic parity_1036;
+  assign parity_1036 = ^{or_1030, or_1026, or_1022, or_1015, or_1011, or_1007, or_999, or_995, or_991};
+  // hls/stages/count_bits.hpp:25
   logic and_1037;
-  assign and_1037 = (^{select_935[11:6], select_912[2:0]}) & (parity_964 | parity_976);
-  logic or_1038;
-  assign or_1038 = (parity_964 & parity_976) | and_1037;
-  // hls/stages/count_bits.hpp:23
+  assign and_1037 = parity_931 & parity_986;
+  logic or_1041;
+  assign or_1041 = (parity_925 & parity_928) | ((^select_919[11:9]) & (parity_925 | parity_928));
+  logic and_1044;
+  assign and_1044 = (^{select_942[11:6], select_919[2:0]}) & (parity_971 | parity_983);
   logic or_1045;
-  assign or_1045 = (select_912[10:9] == 2'h3) | (select_912[11] & (select_912[9] | select_912[10]));
+  assign or_1045 = (parity_971 & parity_983) | and_1044;
+  // hls/stages/count_bits.hpp:23
+  logic or_1052;
+  assign or_1052 = (select_919[10:9] == 2'h3) | (select_919[11] & (select_919[9] | select_919[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1049;
-  assign or_1049 = (select_912[4:3] == 2'h3) | (select_912[5] & (select_912[3] | select_912[4]));
-  logic or_1053;
-  assign or_1053 = (select_912[7:6] == 2'h3) | (select_912[8] & (select_912[6] | select_912[7]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1056;
-  assign parity_1056 = ^{or_1053, or_1049, or_1045};
-  // hls/stages/count_bits.hpp:25
+  logic or_1056;
+  assign or_1056 = (select_919[4:3] == 2'h3) | (select_919[5] & (select_919[3] | select_919[4]));
   logic or_1060;
-  assign or_1060 = (parity_938 & parity_941) | ((^select_912[2:0]) & (parity_938 | parity_941));
-  logic or_1064;
-  assign or_1064 = (parity_958 & parity_961) | ((^select_952[8:6]) & (parity_958 | parity_961));
-  logic or_1068;
-  assign or_1068 = (parity_970 & parity_973) | ((^select_935[5:3]) & (parity_970 | parity_973));
+  assign or_1060 = (select_919[7:6] == 2'h3) | (select_919[8] & (select_919[6] | select_919[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1071;
-  assign parity_1071 = ^{or_1068, or_1064, or_1060};
-  logic parity_1074;
-  assign parity_1074 = ^{or_1068, or_1064, or_1060, or_1053, or_1049, or_1045, or_1038, or_1034, and_1030};
-  logic xor_1075;
-  assign xor_1075 = parity_1029 ^ parity_1074;
+  logic parity_1063;
+  assign parity_1063 = ^{or_1060, or_1056, or_1052};
   // hls/stages/count_bits.hpp:25
-  logic and_1076;
-  assign and_1076 = parity_1029 & parity_1074;
-  logic or_1080;
-  assign or_1080 = (parity_1011 & parity_1026) | ((^{or_992, or_988, or_984}) & (parity_1011 | parity_1026));
-  logic or_1084;
-  assign or_1084 = (parity_1056 & parity_1071) | ((^{or_1038, or_1034, and_1030}) & (parity_1056 | parity_1071));
+  logic or_1067;
+  assign or_1067 = (parity_945 & parity_948) | ((^select_919[2:0]) & (parity_945 | parity_948));
+  logic or_1071;
+  assign or_1071 = (parity_965 & parity_968) | ((^select_959[8:6]) & (parity_965 | parity_968));
+  logic or_1075;
+  assign or_1075 = (parity_977 & parity_980) | ((^select_942[5:3]) & (parity_977 | parity_980));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1078;
+  assign parity_1078 = ^{or_1075, or_1071, or_1067};
+  logic parity_1081;
+  assign parity_1081 = ^{or_1075, or_1071, or_1067, or_1060, or_1056, or_1052, or_1045, or_1041, and_1037};
+  logic xor_1082;
+  assign xor_1082 = parity_1036 ^ parity_1081;
+  // hls/stages/count_bits.hpp:25
+  logic and_1083;
+  assign and_1083 = parity_1036 & parity_1081;
+  logic or_1087;
+  assign or_1087 = (parity_1018 & parity_1033) | ((^{or_999, or_995, or_991}) & (parity_1018 | parity_1033));
   logic or_1091;
-  assign or_1091 = (or_988 & or_992) | (or_984 & (or_988 | or_992));
-  logic or_1095;
-  assign or_1095 = (or_1004 & or_1008) | (or_1000 & (or_1004 | or_1008));
-  logic or_1099;
-  assign or_1099 = (or_1019 & or_1023) | (or_1015 & (or_1019 | or_1023));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1102;
-  assign parity_1102 = ^{or_1099, or_1095, or_1091};
-  // hls/stages/count_bits.hpp:25
+  assign or_1091 = (parity_1063 & parity_1078) | ((^{or_1045, or_1041, and_1037}) & (parity_1063 | parity_1078));
+  logic or_1098;
+  assign or_1098 = (or_995 & or_999) | (or_991 & (or_995 | or_999));
+  logic or_1102;
+  assign or_1102 = (or_1011 & or_1015) | (or_1007 & (or_1011 | or_1015));
   logic or_1106;
-  assign or_1106 = (or_1034 & or_1038) | (and_1030 & (or_1034 | or_1038));
-  logic or_1110;
-  assign or_1110 = (or_1049 & or_1053) | (or_1045 & (or_1049 | or_1053));
-  logic or_1114;
-  assign or_1114 = (or_1064 & or_1068) | (or_1060 & (or_1064 | or_1068));
+  assign or_1106 = (or_1026 & or_1030) | (or_1022 & (or_1026 | or_1030));
   // hls/stages/count_bits.hpp:24
-  logic parity_1117;
-  assign parity_1117 = ^{or_1114, or_1110, or_1106};
-  logic parity_1120;
-  assign parity_1120 = ^{or_1114, or_1110, or_1106, or_1099, or_1095, or_1091, or_1084, or_1080, and_1076};
+  logic parity_1109;
+  assign parity_1109 = ^{or_1106, or_1102, or_1098};
   // hls/stages/count_bits.hpp:25
-  logic or_1124;
-  assign or_1124 = (parity_1102 & parity_1117) | ((^{or_1084, or_1080, and_1076}) & (parity_1102 | parity_1117));
-  logic or_1128;
-  assign or_1128 = (or_1080 & or_1084) | (and_1076 & (or_1080 | or_1084));
-  logic or_1132;
-  assign or_1132 = (or_1095 & or_1099) | (or_1091 & (or_1095 | or_1099));
-  logic or_1136;
-  assign or_1136 = (or_1110 & or_1114) | (or_1106 & (or_1110 | or_1114));
+  logic or_1113;
+  assign or_1113 = (or_1041 & or_1045) | (and_1037 & (or_1041 | or_1045));
+  logic or_1117;
+  assign or_1117 = (or_1056 & or_1060) | (or_1052 & (or_1056 | or_1060));
+  logic or_1121;
+  assign or_1121 = (or_1071 & or_1075) | (or_1067 & (or_1071 | or_1075));
   // hls/stages/count_bits.hpp:24
-  logic parity_1141;
-  assign parity_1141 = ^{or_1136, or_1132, or_1128, or_1124};
+  logic parity_1124;
+  assign parity_1124 = ^{or_1121, or_1117, or_1113};
+  logic parity_1127;
+  assign parity_1127 = ^{or_1121, or_1117, or_1113, or_1106, or_1102, or_1098, or_1091, or_1087, and_1083};
   // hls/stages/count_bits.hpp:25
-  logic or_1145;
-  assign or_1145 = (or_1132 & or_1136) | (or_1128 & (or_1132 | or_1136));
-  logic and_1146;
-  assign and_1146 = or_1124 & (^{or_1136, or_1132, or_1128});
+  logic or_1131;
+  assign or_1131 = (parity_1109 & parity_1124) | ((^{or_1091, or_1087, and_1083}) & (parity_1109 | parity_1124));
+  logic or_1135;
+  assign or_1135 = (or_1087 & or_1091) | (and_1083 & (or_1087 | or_1091));
+  logic or_1139;
+  assign or_1139 = (or_1102 & or_1106) | (or_1098 & (or_1102 | or_1106));
+  logic or_1143;
+  assign or_1143 = (or_1117 & or_1121) | (or_1113 & (or_1117 | or_1121));
   // hls/stages/count_bits.hpp:24
-  logic xor_1147;
-  assign xor_1147 = or_1145 ^ and_1146;
+  logic parity_1148;
+  assign parity_1148 = ^{or_1143, or_1139, or_1135, or_1131};
+  // hls/stages/count_bits.hpp:25
+  logic or_1152;
+  assign or_1152 = (or_1139 & or_1143) | (or_1135 & (or_1139 | or_1143));
+  logic and_1153;
+  assign and_1153 = or_1131 & (^{or_1143, or_1139, or_1135});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1154;
+  assign xor_1154 = or_1152 ^ and_1153;
   // hls/stages/count_bits.hpp:27
-  logic and_1148;
-  assign and_1148 = or_1145 & and_1146;
+  logic and_1155;
+  assign and_1155 = or_1152 & and_1153;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_1149;
-  assign select_1149 = equal_524_s1_q ? {and_1148, xor_1147, parity_1141, parity_1120, xor_1075, xor_980} : 6'h0;
+  logic [5:0] select_1156;
+  assign select_1156 = equal_531_s1_q ? {and_1155, xor_1154, parity_1148, parity_1127, xor_1082, xor_987} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_522_s1_q ? 6'h0 : select_1149;
+  assign column_3 = or_529_s1_q ? 6'h0 : select_1156;
   // hls/stages/agreement.hpp:212
-  logic and_1157;
-  assign and_1157 = right_codes_rdata_q[25] & not_530_s1_q;
+  logic and_1164;
+  assign and_1164 = right_codes_rdata_q[25] & not_537_s1_q;
   // hls/stages/agreement.hpp:718
-  logic select_1158;
-  assign select_1158 = slot_s1_q[0] ? (right_codes_rdata_q[12] & not_530_s1_q) : and_1157;
+  logic select_1165;
+  assign select_1165 = slot_s1_q[0] ? (right_codes_rdata_q[12] & not_537_s1_q) : and_1164;
   // hls/stages/agreement.hpp:212
-  logic [11:0] select_1160;
-  assign select_1160 = less_529_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
+  logic [11:0] select_1167;
+  assign select_1167 = less_536_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
   // hls/stages/agreement.hpp:718
-  logic [11:0] select_1161;
-  assign select_1161 = slot_s1_q[0] ? (less_529_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) : select_1160;
+  logic [11:0] select_1168;
+  assign select_1168 = slot_s1_q[0] ? (less_536_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) : select_1167;
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1165;
-  assign select_1165 = and_656 ? (select_1158 ? (~(select_659 ^ select_1161)) : 12'h0) : 12'h0;
+  logic [11:0] select_1172;
+  assign select_1172 = and_663 ? (select_1165 ? (~(select_666 ^ select_1168)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1171;
-  assign parity_1171 = ^select_1165[5:3];
-  logic parity_1174;
-  assign parity_1174 = ^select_1165[8:6];
-  logic parity_1177;
-  assign parity_1177 = ^select_1165[11:3];
+  logic parity_1178;
+  assign parity_1178 = ^select_1172[5:3];
+  logic parity_1181;
+  assign parity_1181 = ^select_1172[8:6];
+  logic parity_1184;
+  assign parity_1184 = ^select_1172[11:3];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1185;
-  assign select_1185 = (slot_s1_q[0] ? and_1157 : and_657) ? (~(select_682 ^ (slot_s1_q[0] ? select_1160 : select_658))) : 12'h0;
-  logic [11:0] select_1186;
-  assign select_1186 = and_679 ? select_1185 : 12'h0;
+  logic [11:0] select_1192;
+  assign select_1192 = (slot_s1_q[0] ? and_1164 : and_664) ? (~(select_689 ^ (slot_s1_q[0] ? select_1167 : select_665))) : 12'h0;
+  logic [11:0] select_1193;
+  assign select_1193 = and_686 ? select_1192 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1189;
-  assign parity_1189 = ^select_1186[8:6];
-  logic parity_1192;
-  assign parity_1192 = ^select_1186[11:9];
+  logic parity_1196;
+  assign parity_1196 = ^select_1193[8:6];
+  logic parity_1199;
+  assign parity_1199 = ^select_1193[11:9];
   // hls/stages/agreement.hpp:669
-  logic [11:0] select_1200;
-  assign select_1200 = (slot_s1_q[0] ? and_657 : and_680) ? (~(select_699 ^ (slot_s1_q[0] ? select_658 : select_681))) : 12'h0;
-  logic [11:0] select_1201;
-  assign select_1201 = and_696 ? select_1200 : 12'h0;
+  logic [11:0] select_1207;
+  assign select_1207 = (slot_s1_q[0] ? and_664 : and_687) ? (~(select_706 ^ (slot_s1_q[0] ? select_665 : select_688))) : 12'h0;
+  logic [11:0] select_1208;
+  assign select_1208 = and_703 ? select_1207 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1207;
-  assign parity_1207 = ^select_1201[2:0];
-  logic parity_1210;
-  assign parity_1210 = ^select_1201[5:3];
-  logic parity_1213;
-  assign parity_1213 = ^select_1201[8:0];
-  logic parity_1219;
-  assign parity_1219 = ^select_1201[11:9];
-  logic parity_1222;
-  assign parity_1222 = ^select_1186[2:0];
-  logic parity_1225;
-  assign parity_1225 = ^{select_1201[11:9], select_1186[5:0]};
-  logic parity_1228;
-  assign parity_1228 = ^{select_1201, select_1186, select_1165[2:0]};
-  logic xor_1229;
-  assign xor_1229 = parity_1177 ^ parity_1228;
+  logic parity_1214;
+  assign parity_1214 = ^select_1208[2:0];
+  logic parity_1217;
+  assign parity_1217 = ^select_1208[5:3];
+  logic parity_1220;
+  assign parity_1220 = ^select_1208[8:0];
+  logic parity_1226;
+  assign parity_1226 = ^select_1208[11:9];
+  logic parity_1229;
+  assign parity_1229 = ^select_1193[2:0];
+  logic parity_1232;
+  assign parity_1232 = ^{select_1208[11:9], select_1193[5:0]};
+  logic parity_1235;
+  assign parity_1235 = ^{select_1208, select_1193, select_1172[2:0]};
+  logic xor_1236;
+  assign xor_1236 = parity_1184 ^ parity_1235;
   // hls/stages/count_bits.hpp:23
-  logic or_1233;
-  assign or_1233 = (select_1165[1:0] == 2'h3) | (select_1165[2] & (select_1165[0] | select_1165[1]));
+  logic or_1240;
+  assign or_1240 = (select_1172[1:0] == 2'h3) | (select_1172[2] & (select_1172[0] | select_1172[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1237;
-  assign or_1237 = (select_1186[7:6] == 2'h3) | (select_1186[8] & (select_1186[6] | select_1186[7]));
-  logic or_1241;
-  assign or_1241 = (select_1186[10:9] == 2'h3) | (select_1186[11] & (select_1186[9] | select_1186[10]));
+  logic or_1244;
+  assign or_1244 = (select_1193[7:6] == 2'h3) | (select_1193[8] & (select_1193[6] | select_1193[7]));
+  logic or_1248;
+  assign or_1248 = (select_1193[10:9] == 2'h3) | (select_1193[11] & (select_1193[9] | select_1193[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1249;
-  assign or_1249 = (select_1201[7:6] == 2'h3) | (select_1201[8] & (~(select_1201[7:6] == 2'h0)));
+  logic or_1256;
+  assign or_1256 = (select_1208[7:6] == 2'h3) | (select_1208[8] & (~(select_1208[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1253;
-  assign or_1253 = (select_1201[1:0] == 2'h3) | (select_1201[2] & (select_1201[0] | select_1201[1]));
-  logic or_1257;
-  assign or_1257 = (select_1201[4:3] == 2'h3) | (select_1201[5] & (select_1201[3] | select_1201[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1260;
-  assign parity_1260 = ^{or_1257, or_1253, or_1249};
-  // hls/stages/count_bits.hpp:23
+  logic or_1260;
+  assign or_1260 = (select_1208[1:0] == 2'h3) | (select_1208[2] & (select_1208[0] | select_1208[1]));
   logic or_1264;
-  assign or_1264 = (select_1186[4:3] == 2'h3) | (select_1186[5] & (select_1186[3] | select_1186[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1268;
-  assign or_1268 = (select_1201[10:9] == 2'h3) | (select_1201[11] & (select_1201[9] | select_1201[10]));
-  logic or_1272;
-  assign or_1272 = (select_1186[1:0] == 2'h3) | (select_1186[2] & (select_1186[0] | select_1186[1]));
+  assign or_1264 = (select_1208[4:3] == 2'h3) | (select_1208[5] & (select_1208[3] | select_1208[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1275;
-  assign parity_1275 = ^{or_1272, or_1268, or_1264};
-  logic parity_1278;
-  assign parity_1278 = ^{or_1272, or_1268, or_1264, or_1257, or_1253, or_1249, or_1241, or_1237, or_1233};
-  // hls/stages/count_bits.hpp:25
-  logic and_1279;
-  assign and_1279 = parity_1177 & parity_1228;
-  logic or_1283;
-  assign or_1283 = (parity_1171 & parity_1174) | ((^select_1165[11:9]) & (parity_1171 | parity_1174));
-  logic and_1286;
-  assign and_1286 = (^{select_1186[11:6], select_1165[2:0]}) & (parity_1213 | parity_1225);
-  logic or_1287;
-  assign or_1287 = (parity_1213 & parity_1225) | and_1286;
+  logic parity_1267;
+  assign parity_1267 = ^{or_1264, or_1260, or_1256};
   // hls/stages/count_bits.hpp:23
+  logic or_1271;
+  assign or_1271 = (select_1193[4:3] == 2'h3) | (select_1193[5] & (select_1193[3] | select_1193[4]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1275;
+  assign or_1275 = (select_1208[10:9] == 2'h3) | (select_1208[11] & (select_1208[9] | select_1208[10]));
+  logic or_1279;
+  assign or_1279 = (select_1193[1:0] == 2'h3) | (select_1193[2] & (select_1193[0] | select_1193[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1282;
+  assign parity_1282 = ^{or_1279, or_1275, or_1271};
+  logic parity_1285;
+  assign parity_1285 = ^{or_1279, or_1275, or_1271, or_1264, or_1260, or_1256, or_1248, or_1244, or_1240};
+  // hls/stages/count_bits.hpp:25
+  logic and_1286;
+  assign and_1286 = parity_1184 & parity_1235;
+  logic or_1290;
+  assign or_1290 = (parity_1178 & parity_1181) | ((^select_1172[11:9]) & (parity_1178 | parity_1181));
+  logic and_1293;
+  assign and_1293 = (^{select_1193[11:6], select_1172[2:0]}) & (parity_1220 | parity_1232);
   logic or_1294;
-  assign or_1294 = (select_1165[10:9] == 2'h3) | (select_1165[11] & (select_1165[9] | select_1165[10]));
+  assign or_1294 = (parity_1220 & parity_1232) | and_1293;
+  // hls/stages/count_bits.hpp:23
+  logic or_1301;
+  assign or_1301 = (select_1172[10:9] == 2'h3) | (select_1172[11] & (select_1172[9] | select_1172[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1298;
-  assign or_1298 = (select_1165[4:3] == 2'h3) | (select_1165[5] & (select_1165[3] | select_1165[4]));
-  logic or_1302;
-  assign or_1302 = (select_1165[7:6] == 2'h3) | (select_1165[8] & (select_1165[6] | select_1165[7]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1305;
-  assign parity_1305 = ^{or_1302, or_1298, or_1294};
-  // hls/stages/count_bits.hpp:25
+  logic or_1305;
+  assign or_1305 = (select_1172[4:3] == 2'h3) | (select_1172[5] & (select_1172[3] | select_1172[4]));
   logic or_1309;
-  assign or_1309 = (parity_1189 & parity_1192) | ((^select_1165[2:0]) & (parity_1189 | parity_1192));
-  logic or_1313;
-  assign or_1313 = (parity_1207 & parity_1210) | ((^select_1201[8:6]) & (parity_1207 | parity_1210));
-  logic or_1317;
-  assign or_1317 = (parity_1219 & parity_1222) | ((^select_1186[5:3]) & (parity_1219 | parity_1222));
+  assign or_1309 = (select_1172[7:6] == 2'h3) | (select_1172[8] & (select_1172[6] | select_1172[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1320;
-  assign parity_1320 = ^{or_1317, or_1313, or_1309};
-  logic parity_1323;
-  assign parity_1323 = ^{or_1317, or_1313, or_1309, or_1302, or_1298, or_1294, or_1287, or_1283, and_1279};
-  logic xor_1324;
-  assign xor_1324 = parity_1278 ^ parity_1323;
+  logic parity_1312;
+  assign parity_1312 = ^{or_1309, or_1305, or_1301};
   // hls/stages/count_bits.hpp:25
-  logic and_1325;
-  assign and_1325 = parity_1278 & parity_1323;
-  logic or_1329;
-  assign or_1329 = (parity_1260 & parity_1275) | ((^{or_1241, or_1237, or_1233}) & (parity_1260 | parity_1275));
-  logic or_1333;
-  assign or_1333 = (parity_1305 & parity_1320) | ((^{or_1287, or_1283, and_1279}) & (parity_1305 | parity_1320));
+  logic or_1316;
+  assign or_1316 = (parity_1196 & parity_1199) | ((^select_1172[2:0]) & (parity_1196 | parity_1199));
+  logic or_1320;
+  assign or_1320 = (parity_1214 & parity_1217) | ((^select_1208[8:6]) & (parity_1214 | parity_1217));
+  logic or_1324;
+  assign or_1324 = (parity_1226 & parity_1229) | ((^select_1193[5:3]) & (parity_1226 | parity_1229));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1327;
+  assign parity_1327 = ^{or_1324, or_1320, or_1316};
+  logic parity_1330;
+  assign parity_1330 = ^{or_1324, or_1320, or_1316, or_1309, or_1305, or_1301, or_1294, or_1290, and_1286};
+  logic xor_1331;
+  assign xor_1331 = parity_1285 ^ parity_1330;
+  // hls/stages/count_bits.hpp:25
+  logic and_1332;
+  assign and_1332 = parity_1285 & parity_1330;
+  logic or_1336;
+  assign or_1336 = (parity_1267 & parity_1282) | ((^{or_1248, or_1244, or_1240}) & (parity_1267 | parity_1282));
   logic or_1340;
-  assign or_1340 = (or_1237 & or_1241) | (or_1233 & (or_1237 | or_1241));
-  logic or_1344;
-  assign or_1344 = (or_1253 & or_1257) | (or_1249 & (or_1253 | or_1257));
-  logic or_1348;
-  assign or_1348 = (or_1268 & or_1272) | (or_1264 & (or_1268 | or_1272));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1351;
-  assign parity_1351 = ^{or_1348, or_1344, or_1340};
-  // hls/stages/count_bits.hpp:25
+  assign or_1340 = (parity_1312 & parity_1327) | ((^{or_1294, or_1290, and_1286}) & (parity_1312 | parity_1327));
+  logic or_1347;
+  assign or_1347 = (or_1244 & or_1248) | (or_1240 & (or_1244 | or_1248));
+  logic or_1351;
+  assign or_1351 = (or_1260 & or_1264) | (or_1256 & (or_1260 | or_1264));
   logic or_1355;
-  assign or_1355 = (or_1283 & or_1287) | (and_1279 & (or_1283 | or_1287));
-  logic or_1359;
-  assign or_1359 = (or_1298 & or_1302) | (or_1294 & (or_1298 | or_1302));
-  logic or_1363;
-  assign or_1363 = (or_1313 & or_1317) | (or_1309 & (or_1313 | or_1317));
+  assign or_1355 = (or_1275 & or_1279) | (or_1271 & (or_1275 | or_1279));
   // hls/stages/count_bits.hpp:24
-  logic parity_1366;
-  assign parity_1366 = ^{or_1363, or_1359, or_1355};
-  logic parity_1369;
-  assign parity_1369 = ^{or_1363, or_1359, or_1355, or_1348, or_1344, or_1340, or_1333, or_1329, and_1325};
+  logic parity_1358;
+  assign parity_1358 = ^{or_1355, or_1351, or_1347};
   // hls/stages/count_bits.hpp:25
-  logic or_1373;
-  assign or_1373 = (parity_1351 & parity_1366) | ((^{or_1333, or_1329, and_1325}) & (parity_1351 | parity_1366));
-  logic or_1377;
-  assign or_1377 = (or_1329 & or_1333) | (and_1325 & (or_1329 | or_1333));
-  logic or_1381;
-  assign or_1381 = (or_1344 & or_1348) | (or_1340 & (or_1344 | or_1348));
-  logic or_1385;
-  assign or_1385 = (or_1359 & or_1363) | (or_1355 & (or_1359 | or_1363));
+  logic or_1362;
+  assign or_1362 = (or_1290 & or_1294) | (and_1286 & (or_1290 | or_1294));
+  logic or_1366;
+  assign or_1366 = (or_1305 & or_1309) | (or_1301 & (or_1305 | or_1309));
+  logic or_1370;
+  assign or_1370 = (or_1320 & or_1324) | (or_1316 & (or_1320 | or_1324));
   // hls/stages/count_bits.hpp:24
-  logic parity_1390;
-  assign parity_1390 = ^{or_1385, or_1381, or_1377, or_1373};
+  logic parity_1373;
+  assign parity_1373 = ^{or_1370, or_1366, or_1362};
+  logic parity_1376;
+  assign parity_1376 = ^{or_1370, or_1366, or_1362, or_1355, or_1351, or_1347, or_1340, or_1336, and_1332};
   // hls/stages/count_bits.hpp:25
-  logic or_1394;
-  assign or_1394 = (or_1381 & or_1385) | (or_1377 & (or_1381 | or_1385));
-  logic and_1395;
-  assign and_1395 = or_1373 & (^{or_1385, or_1381, or_1377});
+  logic or_1380;
+  assign or_1380 = (parity_1358 & parity_1373) | ((^{or_1340, or_1336, and_1332}) & (parity_1358 | parity_1373));
+  logic or_1384;
+  assign or_1384 = (or_1336 & or_1340) | (and_1332 & (or_1336 | or_1340));
+  logic or_1388;
+  assign or_1388 = (or_1351 & or_1355) | (or_1347 & (or_1351 | or_1355));
+  logic or_1392;
+  assign or_1392 = (or_1366 & or_1370) | (or_1362 & (or_1366 | or_1370));
   // hls/stages/count_bits.hpp:24
-  logic xor_1396;
-  assign xor_1396 = or_1394 ^ and_1395;
+  logic parity_1397;
+  assign parity_1397 = ^{or_1392, or_1388, or_1384, or_1380};
+  // hls/stages/count_bits.hpp:25
+  logic or_1401;
+  assign or_1401 = (or_1388 & or_1392) | (or_1384 & (or_1388 | or_1392));
+  logic and_1402;
+  assign and_1402 = or_1380 & (^{or_1392, or_1388, or_1384});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1403;
+  assign xor_1403 = or_1401 ^ and_1402;
   // hls/stages/count_bits.hpp:27
-  logic and_1397;
-  assign and_1397 = or_1394 & and_1395;
+  logic and_1404;
+  assign and_1404 = or_1401 & and_1402;
   // hls/stages/agreement.hpp:141
-  logic [5:0] select_1398;
-  assign select_1398 = equal_524_s1_q ? {and_1397, xor_1396, parity_1390, parity_1369, xor_1324, xor_1229} : 6'h0;
+  logic [5:0] select_1405;
+  assign select_1405 = equal_531_s1_q ? {and_1404, xor_1403, parity_1397, parity_1376, xor_1331, xor_1236} : 6'h0;
   logic [5:0] column_4;
-  assign column_4 = or_522_s1_q ? 6'h0 : select_1398;
+  assign column_4 = or_529_s1_q ? 6'h0 : select_1405;
   // hls/stages/agreement.hpp:927
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
@@ -1204,200 +1204,200 @@ module horopter_agreement (
   logic [7:0] found;
   assign found = x_s1_q + {{2{shift[5]}}, shift};
   // hls/stages/agreement.hpp:929
-  logic [5:0] select_1456;
-  assign select_1456 = ({2'h0, last_s1_q} < found) ? 6'h0 : found[5:0];
+  logic [5:0] select_1463;
+  assign select_1463 = ({2'h0, last_s1_q} < found) ? 6'h0 : found[5:0];
   // hls/stages/agreement.hpp:932
-  logic and_1476;
-  assign and_1476 = (or_522_s1_q & (left_rdata_q[61] & not_530_s1_q)) & (~(row_q[5:3] == 3'h0));
+  logic and_1483;
+  assign and_1483 = (or_529_s1_q & (left_rdata_q[61] & not_537_s1_q)) & (~(row_q[5:3] == 3'h0));
   // hls/stages/agreement.hpp:235
-  logic or_1498;
-  assign or_1498 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
-  // hls/stages/patches.hpp:321
-  logic [5:0] select_1509;
-  assign select_1509 = so_s1_q ? x_s1_q[5:0] : (or_522_s1_q ? (less_529_s1_q ? 6'h0 : select_1456) : 6'h0);
-  // hls/stages/patches.hpp:105
-  logic and_1583;
-  assign and_1583 = (select_465_s1_q == 3'h0) & (select_467_s1_q == 6'h0);
-  // hls/stages/patches.hpp:373
-  logic not_1584;
-  assign not_1584 = ~patches_begins_q;
+  logic or_1505;
+  assign or_1505 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  // hls/stages/patches.hpp:330
+  logic [5:0] select_1516;
+  assign select_1516 = so_s1_q ? x_s1_q[5:0] : (or_529_s1_q ? (less_536_s1_q ? 6'h0 : select_1463) : 6'h0);
+  // hls/stages/patches.hpp:114
+  logic and_1590;
+  assign and_1590 = (select_472_s1_q == 3'h0) & (select_474_s1_q == 6'h0);
+  // hls/stages/patches.hpp:382
+  logic not_1591;
+  assign not_1591 = ~patches_begins_q;
   // hls/stages/census.hpp:31
-  logic not_1587;
-  assign not_1587 = ~sample_pair_first_s1_q;
-  // hls/stages/patches.hpp:343
-  logic and_1588;
-  assign and_1588 = patches_capturing_q & not_1587;
-  // hls/stages/patches.hpp:293
-  logic equal_1591;
-  assign equal_1591 = patches_band_rows_rows_to_next_q == 4'h0;
-  // hls/stages/patches.hpp:108
-  logic and_1596;
-  assign and_1596 = (not_1584 & (patches_work_q == 3'h0)) & (~(and_1588 | ((~equal_1589_s1_q) | (~equal_1591))));
-  // hls/stages/patches.hpp:511
-  logic equal_1683;
-  assign equal_1683 = patches_work_q == 3'h4;
-  // hls/stages/patches.hpp:489
-  logic not_1684;
-  assign not_1684 = ~equal_1683;
-  // hls/stages/patches.hpp:482
-  logic equal_1685;
-  assign equal_1685 = patches_work_q == 3'h3;
-  // hls/stages/patches.hpp:435
-  logic not_1686;
-  assign not_1686 = ~equal_1685;
-  // hls/stages/patches.hpp:476
-  logic equal_1687;
-  assign equal_1687 = patches_work_q == 3'h2;
-  // hls/stages/patches.hpp:150
-  logic equal_1688;
-  assign equal_1688 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:511
-  logic or_1689;
-  assign or_1689 = equal_1687 | equal_1688;
-  // hls/stages/patches.hpp:437
-  logic not_1690;
-  assign not_1690 = ~patches_second_q;
-  // hls/stages/patches.hpp:354
-  logic [4:0] select_1712;
-  assign select_1712 = and_1596 ? 5'h0 : (patches_row_q + 5'h1);
-  // hls/stages/patches.hpp:109
-  logic [4:0] select_1713;
-  assign select_1713 = and_1583 ? select_1712 : patches_row_q;
-  // hls/stages/patches.hpp:108
-  logic and_1715;
-  assign and_1715 = and_1588 & (patches_row_q == 5'h1f);
-  // hls/stages/patches.hpp:109
-  logic select_1719;
-  assign select_1719 = and_1583 ? (and_1596 | (and_1588 & (~and_1715))) : patches_capturing_q;
-  // hls/stages/patches.hpp:167
-  logic and_1727;
-  assign and_1727 = not_1684 & (not_1686 & (or_1689 & (patches_second_q & equal_1688)));
-  // hls/stages/patches.hpp:150
-  logic not_1744;
-  assign not_1744 = ~equal_1688;
+  logic not_1594;
+  assign not_1594 = ~sample_pair_first_s1_q;
+  // hls/stages/patches.hpp:352
+  logic and_1595;
+  assign and_1595 = patches_capturing_q & not_1594;
+  // hls/stages/patches.hpp:302
+  logic equal_1598;
+  assign equal_1598 = patches_band_rows_rows_to_next_q == 4'h0;
+  // hls/stages/patches.hpp:117
+  logic and_1603;
+  assign and_1603 = (not_1591 & (patches_work_q == 3'h0)) & (~(and_1595 | ((~equal_1596_s1_q) | (~equal_1598))));
+  // hls/stages/patches.hpp:520
+  logic equal_1690;
+  assign equal_1690 = patches_work_q == 3'h4;
+  // hls/stages/patches.hpp:498
+  logic not_1691;
+  assign not_1691 = ~equal_1690;
+  // hls/stages/patches.hpp:491
+  logic equal_1692;
+  assign equal_1692 = patches_work_q == 3'h3;
+  // hls/stages/patches.hpp:444
+  logic not_1693;
+  assign not_1693 = ~equal_1692;
+  // hls/stages/patches.hpp:485
+  logic equal_1694;
+  assign equal_1694 = patches_work_q == 3'h2;
+  // hls/stages/patches.hpp:159
+  logic equal_1695;
+  assign equal_1695 = patches_work_q == 3'h1;
+  // hls/stages/patches.hpp:520
+  logic or_1696;
+  assign or_1696 = equal_1694 | equal_1695;
+  // hls/stages/patches.hpp:446
+  logic not_1697;
+  assign not_1697 = ~patches_second_q;
+  // hls/stages/patches.hpp:363
+  logic [4:0] select_1719;
+  assign select_1719 = and_1603 ? 5'h0 : (patches_row_q + 5'h1);
+  // hls/stages/patches.hpp:118
+  logic [4:0] select_1720;
+  assign select_1720 = and_1590 ? select_1719 : patches_row_q;
+  // hls/stages/patches.hpp:117
+  logic and_1722;
+  assign and_1722 = and_1595 & (patches_row_q == 5'h1f);
+  // hls/stages/patches.hpp:118
+  logic select_1726;
+  assign select_1726 = and_1590 ? (and_1603 | (and_1595 & (~and_1722))) : patches_capturing_q;
+  // hls/stages/patches.hpp:176
+  logic and_1734;
+  assign and_1734 = not_1691 & (not_1693 & (or_1696 & (patches_second_q & equal_1695)));
+  // hls/stages/patches.hpp:159
+  logic not_1751;
+  assign not_1751 = ~equal_1695;
   // hls/stages/agreement.hpp:263
-  logic [3:0] select_1760;
-  assign select_1760 = and_1583 ? {select_1712[4], select_1712[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
-  // hls/stages/patches.hpp:435
-  logic and_1770;
-  assign and_1770 = not_1684 & (or_1689 & not_1686);
+  logic [3:0] select_1767;
+  assign select_1767 = and_1590 ? {select_1719[4], select_1719[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  // hls/stages/patches.hpp:444
+  logic and_1777;
+  assign and_1777 = not_1691 & (or_1696 & not_1693);
   // hls/stages/agreement.hpp:447
-  logic select_2385;
-  assign select_2385 = equal_2288_s1_q ? (~({row_s1_q, 1'b0} < {sum_2382, cfg_height_i[3]})) : lower_half_q;
+  logic select_2392;
+  assign select_2392 = equal_2295_s1_q ? (~({row_s1_q, 1'b0} < {sum_2389, cfg_height_i[3]})) : lower_half_q;
   // hls/stages/agreement.hpp:507
-  logic and_2590;
-  assign and_2590 = and_501_s1_q & (equal_2288_s1_q & (row_s1_q[5:2] == 4'h0));
-  // hls/stages/patches.hpp:299
+  logic and_2597;
+  assign and_2597 = and_508_s1_q & (equal_2295_s1_q & (row_s1_q[5:2] == 4'h0));
+  // hls/stages/patches.hpp:308
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
-  // hls/stages/patches.hpp:109
-  logic [3:0] select_2700;
-  assign select_2700 = and_1583 ? (sample_pair_first_s1_q ? phase : patches_phase_q) : patches_phase_q;
-  // hls/stages/agreement.hpp:263
-  logic [3:0] select_2701;
-  assign select_2701 = sample_pair_whole_s1_q ? select_2700 : patches_phase_q;
-  // hls/stages/patches.hpp:354
-  logic and_2702;
-  assign and_2702 = not_1587 & equal_1589_s1_q;
-  logic [8:0] select_2703;
-  assign select_2703 = and_2702 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_2704;
-  assign select_2704 = and_2702 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_2705;
-  assign select_2705 = sample_pair_first_s1_q ? select_2703 : select_2704;
-  // hls/stages/agreement.hpp:263
+  // hls/stages/patches.hpp:118
   logic [3:0] select_2707;
-  assign select_2707 = sample_pair_whole_s1_q ? (and_1583 ? select_2705[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_2709;
-  assign select_2709 = sample_pair_whole_s1_q ? (and_1583 ? select_2705[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_2712;
-  assign select_2712 = sample_pair_whole_s1_q ? (equal_1591 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_2714;
-  assign select_2714 = sample_pair_whole_s1_q ? (patches_band_rows_number_q + {4'h0, equal_1591}) : patches_next_band_number_q;
-  // hls/stages/patches.hpp:312
-  logic equal_2715;
-  assign equal_2715 = phase[3:1] == 3'h0;
-  // hls/stages/patches.hpp:313
-  logic not_2716;
-  assign not_2716 = ~equal_2715;
+  assign select_2707 = and_1590 ? (sample_pair_first_s1_q ? phase : patches_phase_q) : patches_phase_q;
   // hls/stages/agreement.hpp:263
-  logic [3:0] select_2718;
-  assign select_2718 = sample_pair_whole_s1_q ? (phase + {not_2716, 1'b1, not_2716, equal_2715}) : patches_first_band_rows_to_next_q;
-  logic select_2719;
-  assign select_2719 = sample_pair_whole_s1_q ? equal_2715 : patches_first_band_number_q;
+  logic [3:0] select_2708;
+  assign select_2708 = sample_pair_whole_s1_q ? select_2707 : patches_phase_q;
+  // hls/stages/patches.hpp:363
+  logic and_2709;
+  assign and_2709 = not_1594 & equal_1596_s1_q;
+  logic [8:0] select_2710;
+  assign select_2710 = and_2709 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_2711;
+  assign select_2711 = and_2709 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_2712;
+  assign select_2712 = sample_pair_first_s1_q ? select_2710 : select_2711;
+  // hls/stages/agreement.hpp:263
+  logic [3:0] select_2714;
+  assign select_2714 = sample_pair_whole_s1_q ? (and_1590 ? select_2712[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_2716;
+  assign select_2716 = sample_pair_whole_s1_q ? (and_1590 ? select_2712[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_2719;
+  assign select_2719 = sample_pair_whole_s1_q ? (equal_1598 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_2721;
+  assign select_2721 = sample_pair_whole_s1_q ? (patches_band_rows_number_q + {4'h0, equal_1598}) : patches_next_band_number_q;
+  // hls/stages/patches.hpp:321
+  logic equal_2722;
+  assign equal_2722 = phase[3:1] == 3'h0;
+  // hls/stages/patches.hpp:322
+  logic not_2723;
+  assign not_2723 = ~equal_2722;
+  // hls/stages/agreement.hpp:263
+  logic [3:0] select_2725;
+  assign select_2725 = sample_pair_whole_s1_q ? (phase + {not_2723, 1'b1, not_2723, equal_2722}) : patches_first_band_rows_to_next_q;
+  logic select_2726;
+  assign select_2726 = sample_pair_whole_s1_q ? equal_2722 : patches_first_band_number_q;
   // hls/stages/agreement.hpp:457
-  logic equal_2720;
-  assign equal_2720 = row_s1_q == 6'h3;
-  // hls/stages/patches.hpp:70
-  logic [3:0] select_2724;
-  assign select_2724 = equal_2720 ? ((select_2701 == 4'h6) ? 4'h0 : (select_2701 + 4'h1)) : patches_choosing_rows_to_next_q;
-  logic equal_2725;
-  assign equal_2725 = select_2724 == 4'h0;
+  logic equal_2727;
+  assign equal_2727 = row_s1_q == 6'h3;
+  // hls/stages/patches.hpp:79
+  logic [3:0] select_2731;
+  assign select_2731 = equal_2727 ? ((select_2708 == 4'h6) ? 4'h0 : (select_2708 + 4'h1)) : patches_choosing_rows_to_next_q;
+  logic equal_2732;
+  assign equal_2732 = select_2731 == 4'h0;
   // hls/stages/agreement.hpp:447
-  logic [3:0] select_2728;
-  assign select_2728 = equal_2288_s1_q ? (equal_2725 ? 4'h6 : (select_2724 + 4'hf)) : patches_choosing_rows_to_next_q;
-  // hls/stages/patches.hpp:70
-  logic [4:0] select_2730;
-  assign select_2730 = equal_2720 ? 5'h0 : patches_choosing_number_q;
+  logic [3:0] select_2735;
+  assign select_2735 = equal_2295_s1_q ? (equal_2732 ? 4'h6 : (select_2731 + 4'hf)) : patches_choosing_rows_to_next_q;
+  // hls/stages/patches.hpp:79
+  logic [4:0] select_2737;
+  assign select_2737 = equal_2727 ? 5'h0 : patches_choosing_number_q;
   // hls/stages/agreement.hpp:447
-  logic [4:0] select_2732;
-  assign select_2732 = equal_2288_s1_q ? (select_2730 + {4'h0, equal_2725}) : patches_choosing_number_q;
-  logic select_2736;
-  assign select_2736 = equal_2288_s1_q ? ((6'h2 < row_s1_q) & equal_2725) : patches_chooses_q;
-  // hls/stages/agreement.hpp:507
   logic [4:0] select_2739;
-  assign select_2739 = and_501_s1_q ? (equal_2288_s1_q ? select_2730 : patches_choosing_band_q) : patches_choosing_band_q;
-  // hls/stages/patches.hpp:109
-  logic select_2767;
-  assign select_2767 = and_1583 ? (and_1596 ? not_2765_s1_q : patches_lower_q) : patches_lower_q;
-  // hls/stages/patches.hpp:374
-  logic or_2806;
-  assign or_2806 = patches_begins_q | patches_ends_q;
-  // hls/stages/patches.hpp:376
+  assign select_2739 = equal_2295_s1_q ? (select_2737 + {4'h0, equal_2732}) : patches_choosing_number_q;
+  logic select_2743;
+  assign select_2743 = equal_2295_s1_q ? ((6'h2 < row_s1_q) & equal_2732) : patches_chooses_q;
+  // hls/stages/agreement.hpp:507
+  logic [4:0] select_2746;
+  assign select_2746 = and_508_s1_q ? (equal_2295_s1_q ? select_2737 : patches_choosing_band_q) : patches_choosing_band_q;
+  // hls/stages/patches.hpp:118
+  logic select_2774;
+  assign select_2774 = and_1590 ? (and_1603 ? not_2772_s1_q : patches_lower_q) : patches_lower_q;
+  // hls/stages/patches.hpp:383
+  logic or_2813;
+  assign or_2813 = patches_begins_q | patches_ends_q;
+  // hls/stages/patches.hpp:385
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
-  // hls/stages/patches.hpp:170
-  logic and_2812;
-  assign and_2812 = equal_1683 & not_1690;
-  // hls/stages/patches.hpp:380
-  logic and_2813;
-  assign and_2813 = not_1744 & and_2812;
-  logic [1:0] select_2815;
-  assign select_2815 = equal_1685 ? 2'h0 : (equal_1687 ? 2'h3 : {equal_1688, and_2813});
-  // hls/stages/patches.hpp:261
-  logic equal_2817;
-  assign equal_2817 = patches_following_q == 3'h4;
-  // hls/stages/patches.hpp:259
-  logic not_2818;
-  assign not_2818 = ~equal_2817;
-  // hls/stages/patches.hpp:261
-  logic equal_2819;
-  assign equal_2819 = patches_following_q == 3'h3;
-  // hls/stages/patches.hpp:257
-  logic not_2820;
-  assign not_2820 = ~equal_2819;
-  // hls/stages/patches.hpp:265
-  logic not_2822;
-  assign not_2822 = ~(patches_following_q == 3'h2);
-  logic and_2825;
-  assign and_2825 = (~(patches_following_q == 3'h1)) & not_2822;
-  // hls/stages/patches.hpp:378
-  logic [1:0] select_2826;
-  assign select_2826 = equal_2819 ? 2'h2 : {and_2825, not_2822};
-  logic [3:0] select_2827;
-  assign select_2827 = equal_2817 ? 4'h2 : {select_2826, {2{not_2820}}};
-  // hls/stages/patches.hpp:386
-  logic not_2830;
-  assign not_2830 = ~or_2806;
-  // hls/stages/patches.hpp:375
+  // hls/stages/patches.hpp:179
+  logic and_2819;
+  assign and_2819 = equal_1690 & not_1697;
+  // hls/stages/patches.hpp:389
+  logic and_2820;
+  assign and_2820 = not_1751 & and_2819;
+  logic [1:0] select_2822;
+  assign select_2822 = equal_1692 ? 2'h0 : (equal_1694 ? 2'h3 : {equal_1695, and_2820});
+  // hls/stages/patches.hpp:270
+  logic equal_2824;
+  assign equal_2824 = patches_following_q == 3'h4;
+  // hls/stages/patches.hpp:268
+  logic not_2825;
+  assign not_2825 = ~equal_2824;
+  // hls/stages/patches.hpp:270
+  logic equal_2826;
+  assign equal_2826 = patches_following_q == 3'h3;
+  // hls/stages/patches.hpp:266
+  logic not_2827;
+  assign not_2827 = ~equal_2826;
+  // hls/stages/patches.hpp:274
+  logic not_2829;
+  assign not_2829 = ~(patches_following_q == 3'h2);
+  logic and_2832;
+  assign and_2832 = (~(patches_following_q == 3'h1)) & not_2829;
+  // hls/stages/patches.hpp:387
+  logic [1:0] select_2833;
+  assign select_2833 = equal_2826 ? 2'h2 : {and_2832, not_2829};
+  logic [3:0] select_2834;
+  assign select_2834 = equal_2824 ? 4'h2 : {select_2833, {2{not_2827}}};
+  // hls/stages/patches.hpp:395
+  logic not_2837;
+  assign not_2837 = ~or_2813;
+  // hls/stages/patches.hpp:384
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
-  // hls/stages/patches.hpp:387
-  logic [11:0] select_2835;
-  assign select_2835 = or_2806 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
-  // hls/stages/patches.hpp:170
-  logic [4:0] select_2837;
-  assign select_2837 = or_2806 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  // hls/stages/patches.hpp:396
+  logic [11:0] select_2842;
+  assign select_2842 = or_2813 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  // hls/stages/patches.hpp:179
+  logic [4:0] select_2844;
+  assign select_2844 = or_2813 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
   // Memory best_right, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1298; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1408,15 +1408,15 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) best_right_mem[i] = 29'h0;
 `endif
   logic [5:0] best_right_raddr;
-  assign best_right_raddr = or_522_s1_q ? select_1456 : right_s1_q;
+  assign best_right_raddr = or_529_s1_q ? select_1463 : right_s1_q;
   logic best_right_re;
-  assign best_right_re = s1_en & select_643_s1_q;
+  assign best_right_re = s1_en & select_650_s1_q;
   logic [28:0] best_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (best_right_re) best_right_rdata_q <= best_right_mem[best_right_raddr];
   end
 
-  // Memory patches_right_0, 1024 x 8, DISTANCE 12, hls/stages/patches.hpp:740; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory patches_right_0, 1024 x 8, DISTANCE 12, hls/stages/patches.hpp:757; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_right_0_mem [0:1023];
@@ -1426,13 +1426,13 @@ module horopter_agreement (
   logic [9:0] patches_right_0_raddr;
   assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
   logic patches_right_0_re;
-  assign patches_right_0_re = s1_en & (not_1684 & (not_1686 & (or_1689 & (equal_1688 & not_1690))));
+  assign patches_right_0_re = s1_en & (not_1691 & (not_1693 & (or_1696 & (equal_1695 & not_1697))));
   logic [7:0] patches_right_0_rdata_q;
   always_ff @(posedge clk_i) begin
     if (patches_right_0_re) patches_right_0_rdata_q <= patches_right_0_mem[patches_right_0_raddr];
   end
 
-  // Memory patches_right_1, 1024 x 8, DISTANCE 12, hls/stages/patches.hpp:740; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory patches_right_1, 1024 x 8, DISTANCE 12, hls/stages/patches.hpp:757; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_right_1_mem [0:1023];
@@ -1442,13 +1442,13 @@ module horopter_agreement (
   logic [9:0] patches_right_1_raddr;
   assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
   logic patches_right_1_re;
-  assign patches_right_1_re = s1_en & and_1727;
+  assign patches_right_1_re = s1_en & and_1734;
   logic [7:0] patches_right_1_rdata_q;
   always_ff @(posedge clk_i) begin
     if (patches_right_1_re) patches_right_1_rdata_q <= patches_right_1_mem[patches_right_1_raddr];
   end
 
-  // Memory patches_left, 512 x 8, DISTANCE 12, hls/stages/patches.hpp:741; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
+  // Memory patches_left, 512 x 8, DISTANCE 12, hls/stages/patches.hpp:758; read in stage 1, written in stage 4: 1 < 4 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_left_mem [0:511];
@@ -1458,13 +1458,13 @@ module horopter_agreement (
   logic [8:0] patches_left_raddr;
   assign patches_left_raddr = {patches_second_q, patches_code_row_q[3:0], patches_column_q[3:0]};
   logic patches_left_re;
-  assign patches_left_re = s1_en & (not_1684 & (not_1686 & (not_1744 & or_1689)));
+  assign patches_left_re = s1_en & (not_1691 & (not_1693 & (not_1751 & or_1696)));
   logic [7:0] patches_left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (patches_left_re) patches_left_rdata_q <= patches_left_mem[patches_left_raddr];
   end
 
-  // Memory patches_columns_above, 32 x 32, DISTANCE 12, hls/stages/patches.hpp:752; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory patches_columns_above, 32 x 32, DISTANCE 12, hls/stages/patches.hpp:769; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1475,7 +1475,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_raddr;
   assign patches_columns_above_raddr = patches_column_q;
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s1_en & and_1770;
+  assign patches_columns_above_re = s1_en & and_1777;
   logic [31:0] patches_columns_above_rdata_q;
   always_ff @(posedge clk_i) begin
     if (patches_columns_above_re) patches_columns_above_rdata_q <= patches_columns_above_mem[patches_columns_above_raddr];
@@ -1485,9 +1485,9 @@ module horopter_agreement (
   logic [5:0] left_waddr;
   assign left_waddr = x_s1_q[5:0];
   logic left_we;
-  assign left_we = s1_en & and_533_s1_q;
+  assign left_we = s1_en & and_540_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_we) left_mem[left_waddr] <= {and_625, left_rdata_q[59:45], and_624, left_rdata_q[43:29], and_623, left_rdata_q[27:13], and_622, left_rdata_q[11:0], fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+    if (left_we) left_mem[left_waddr] <= {and_632, left_rdata_q[59:45], and_631, left_rdata_q[43:29], and_630, left_rdata_q[27:13], and_629, left_rdata_q[11:0], fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -1505,9 +1505,9 @@ module horopter_agreement (
   logic [5:0] right_codes_waddr;
   assign right_codes_waddr = x_s1_q[5:0];
   logic right_codes_we;
-  assign right_codes_we = s1_en & and_533_s1_q;
+  assign right_codes_we = s1_en & and_540_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_634, right_codes_rdata_q[76:65], and_633, right_codes_rdata_q[63:52], and_632, right_codes_rdata_q[50:39], and_631, right_codes_rdata_q[37:26], and_630, right_codes_rdata_q[24:13], and_629, right_codes_rdata_q[11:0], fresh_rdata_q[25], fresh_rdata_q[23:12]};
+    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_641, right_codes_rdata_q[76:65], and_640, right_codes_rdata_q[63:52], and_639, right_codes_rdata_q[50:39], and_638, right_codes_rdata_q[37:26], and_637, right_codes_rdata_q[24:13], and_636, right_codes_rdata_q[11:0], fresh_rdata_q[25], fresh_rdata_q[23:12]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -1550,32 +1550,32 @@ module horopter_agreement (
       patches_column_q <= 5'h0;
       patches_column_ends_q <= 1'b0;
     end else if (s1_en) begin
-      row_q <= and_501_s1_q ? (equal_2288_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_501_s1_q ? select_2385 : lower_half_q;
-      patches_phase_q <= select_2701;
-      patches_band_rows_rows_to_next_q <= select_2707;
-      patches_band_rows_number_q <= select_2709;
-      patches_next_band_rows_to_next_q <= select_2712;
-      patches_next_band_number_q <= select_2714;
-      patches_first_band_rows_to_next_q <= select_2718;
-      patches_first_band_number_q <= select_2719;
-      patches_choosing_rows_to_next_q <= and_501_s1_q ? select_2728 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_501_s1_q ? select_2732 : patches_choosing_number_q;
-      patches_chooses_q <= and_501_s1_q ? select_2736 : patches_chooses_q;
-      patches_choosing_band_q <= select_2739;
-      patches_capturing_q <= sample_pair_whole_s1_q ? select_1719 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_s1_q ? select_2767 : patches_lower_q;
-      patches_row_q <= sample_pair_whole_s1_q ? select_1713 : patches_row_q;
-      patches_work_q <= or_2806 ? following : patches_work_q;
-      patches_second_q <= not_1584 & (patches_second_q | (patches_ends_q & equal_1683));
-      patches_following_q <= equal_1683 ? {2'h0, and_2812} : {equal_1685, select_2815};
-      patches_following_beats_q <= {select_2827, not_2818};
-      patches_begins_q <= sample_pair_whole_s1_q & (and_1583 & and_1715);
-      patches_ends_q <= not_2830 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_2835;
-      patches_code_row_q <= select_2837;
-      patches_column_q <= or_2806 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_2830 & (patches_column_q == 5'h1e);
+      row_q <= and_508_s1_q ? (equal_2295_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_508_s1_q ? select_2392 : lower_half_q;
+      patches_phase_q <= select_2708;
+      patches_band_rows_rows_to_next_q <= select_2714;
+      patches_band_rows_number_q <= select_2716;
+      patches_next_band_rows_to_next_q <= select_2719;
+      patches_next_band_number_q <= select_2721;
+      patches_first_band_rows_to_next_q <= select_2725;
+      patches_first_band_number_q <= select_2726;
+      patches_choosing_rows_to_next_q <= and_508_s1_q ? select_2735 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_508_s1_q ? select_2739 : patches_choosing_number_q;
+      patches_chooses_q <= and_508_s1_q ? select_2743 : patches_chooses_q;
+      patches_choosing_band_q <= select_2746;
+      patches_capturing_q <= sample_pair_whole_s1_q ? select_1726 : patches_capturing_q;
+      patches_lower_q <= sample_pair_whole_s1_q ? select_2774 : patches_lower_q;
+      patches_row_q <= sample_pair_whole_s1_q ? select_1720 : patches_row_q;
+      patches_work_q <= or_2813 ? following : patches_work_q;
+      patches_second_q <= not_1591 & (patches_second_q | (patches_ends_q & equal_1690));
+      patches_following_q <= equal_1690 ? {2'h0, and_2819} : {equal_1692, select_2822};
+      patches_following_beats_q <= {select_2834, not_2825};
+      patches_begins_q <= sample_pair_whole_s1_q & (and_1590 & and_1722);
+      patches_ends_q <= not_2837 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_2842;
+      patches_code_row_q <= select_2844;
+      patches_column_q <= or_2813 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_2837 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -1667,61 +1667,61 @@ module horopter_agreement (
   logic patches_second_s2_q;
   logic [4:0] patches_code_row_s2_q;
   logic [4:0] patches_column_s2_q;
-  logic [2:0] select_465_s2_q;
-  logic [5:0] select_467_s2_q;
-  logic [7:0] select_471_s2_q;
-  logic and_475_s2_q;
-  logic equal_481_s2_q;
+  logic [2:0] select_472_s2_q;
+  logic [5:0] select_474_s2_q;
+  logic [7:0] select_478_s2_q;
+  logic and_482_s2_q;
+  logic equal_488_s2_q;
   logic [5:0] column_s2_q;
-  logic and_499_s2_q;
-  logic and_501_s2_q;
+  logic and_506_s2_q;
+  logic and_508_s2_q;
   logic so_s2_q;
-  logic equal_521_s2_q;
-  logic or_522_s2_q;
-  logic less_529_s2_q;
-  logic not_530_s2_q;
-  logic equal_562_s2_q;
+  logic equal_528_s2_q;
+  logic or_529_s2_q;
+  logic less_536_s2_q;
+  logic not_537_s2_q;
+  logic equal_569_s2_q;
   logic [6:0] x_s2_2_q;
   logic [45:0] best_left_rdata_s2_q;
-  logic select_650_s2_q;
+  logic select_657_s2_q;
   logic [5:0] column_2_s2_q;
-  logic [5:0] select_1151_s2_q;
-  logic [5:0] select_1400_s2_q;
-  logic and_1452_s2_q;
+  logic [5:0] select_1158_s2_q;
+  logic [5:0] select_1407_s2_q;
+  logic and_1459_s2_q;
   logic [5:0] right_s2_q;
-  logic select_1461_s2_q;
-  logic equal_1470_s2_q;
-  logic and_1477_s2_q;
-  logic and_1480_s2_q;
+  logic select_1468_s2_q;
+  logic equal_1477_s2_q;
   logic and_1484_s2_q;
-  logic or_1498_s2_q;
-  logic [5:0] select_1509_s2_q;
-  logic and_1583_s2_q;
-  logic and_1596_s2_q;
-  logic less_1610_s2_q;
-  logic equal_1683_s2_q;
-  logic not_1684_s2_q;
-  logic equal_1685_s2_q;
-  logic not_1686_s2_q;
-  logic equal_1687_s2_q;
-  logic equal_1688_s2_q;
-  logic or_1689_s2_q;
-  logic [4:0] select_1713_s2_q;
-  logic select_1719_s2_q;
-  logic [3:0] select_1760_s2_q;
-  logic and_1770_s2_q;
-  logic and_1864_s2_q;
-  logic select_1866_s2_q;
-  logic and_1869_s2_q;
-  logic and_2018_s2_q;
-  logic equal_2164_s2_q;
-  logic equal_2288_s2_q;
-  logic and_2591_s2_q;
-  logic and_2593_s2_q;
-  logic or_2806_s2_q;
-  logic not_2830_s2_q;
-  logic less_3592_s2_q;
-  logic equal_3797_s2_q;
+  logic and_1487_s2_q;
+  logic and_1491_s2_q;
+  logic or_1505_s2_q;
+  logic [5:0] select_1516_s2_q;
+  logic and_1590_s2_q;
+  logic and_1603_s2_q;
+  logic less_1617_s2_q;
+  logic equal_1690_s2_q;
+  logic not_1691_s2_q;
+  logic equal_1692_s2_q;
+  logic not_1693_s2_q;
+  logic equal_1694_s2_q;
+  logic equal_1695_s2_q;
+  logic or_1696_s2_q;
+  logic [4:0] select_1720_s2_q;
+  logic select_1726_s2_q;
+  logic [3:0] select_1767_s2_q;
+  logic and_1777_s2_q;
+  logic and_1871_s2_q;
+  logic select_1873_s2_q;
+  logic and_1876_s2_q;
+  logic and_2025_s2_q;
+  logic equal_2171_s2_q;
+  logic equal_2295_s2_q;
+  logic and_2598_s2_q;
+  logic and_2600_s2_q;
+  logic or_2813_s2_q;
+  logic not_2837_s2_q;
+  logic less_3619_s2_q;
+  logic equal_3824_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -1746,61 +1746,61 @@ module horopter_agreement (
       patches_second_s2_q <= patches_second_q;
       patches_code_row_s2_q <= patches_code_row_q;
       patches_column_s2_q <= patches_column_q;
-      select_465_s2_q <= select_465_s1_q;
-      select_467_s2_q <= select_467_s1_q;
-      select_471_s2_q <= select_471_s1_q;
-      and_475_s2_q <= and_475_s1_q;
-      equal_481_s2_q <= equal_481_s1_q;
+      select_472_s2_q <= select_472_s1_q;
+      select_474_s2_q <= select_474_s1_q;
+      select_478_s2_q <= select_478_s1_q;
+      and_482_s2_q <= and_482_s1_q;
+      equal_488_s2_q <= equal_488_s1_q;
       column_s2_q <= column_s1_q;
-      and_499_s2_q <= and_499_s1_q;
-      and_501_s2_q <= and_501_s1_q;
+      and_506_s2_q <= and_506_s1_q;
+      and_508_s2_q <= and_508_s1_q;
       so_s2_q <= so_s1_q;
-      equal_521_s2_q <= equal_521_s1_q;
-      or_522_s2_q <= or_522_s1_q;
-      less_529_s2_q <= less_529_s1_q;
-      not_530_s2_q <= not_530_s1_q;
-      equal_562_s2_q <= row_s1_q == 6'h0;
+      equal_528_s2_q <= equal_528_s1_q;
+      or_529_s2_q <= or_529_s1_q;
+      less_536_s2_q <= less_536_s1_q;
+      not_537_s2_q <= not_537_s1_q;
+      equal_569_s2_q <= row_s1_q == 6'h0;
       x_s2_2_q <= x_s1_2_q;
       best_left_rdata_s2_q <= best_left_rdata_q;
-      select_650_s2_q <= select_650_s1_q;
+      select_657_s2_q <= select_657_s1_q;
       column_2_s2_q <= column_2;
-      select_1151_s2_q <= age_s1_q[3] ? sums_0_columns_values_13_q : 6'h0;
-      select_1400_s2_q <= age_s1_q[3] ? sums_1_columns_values_13_q : 6'h0;
-      and_1452_s2_q <= and_1452_s1_q;
+      select_1158_s2_q <= age_s1_q[3] ? sums_0_columns_values_13_q : 6'h0;
+      select_1407_s2_q <= age_s1_q[3] ? sums_1_columns_values_13_q : 6'h0;
+      and_1459_s2_q <= and_1459_s1_q;
       right_s2_q <= right_s1_q;
-      select_1461_s2_q <= select_1461_s1_q;
-      equal_1470_s2_q <= equal_1470_s1_q;
-      and_1477_s2_q <= not_530_s1_q & and_1476;
-      and_1480_s2_q <= (or_522_s1_q & (left_rdata_q[62] & not_530_s1_q)) & and_1476;
-      and_1484_s2_q <= not_530_s1_q & (or_522_s1_q & (left_rdata_q[63] & not_530_s1_q));
-      or_1498_s2_q <= or_1498;
-      select_1509_s2_q <= select_1509;
-      and_1583_s2_q <= and_1583;
-      and_1596_s2_q <= and_1596;
-      less_1610_s2_q <= 5'h4 < row_q[5:1];
-      equal_1683_s2_q <= equal_1683;
-      not_1684_s2_q <= not_1684;
-      equal_1685_s2_q <= equal_1685;
-      not_1686_s2_q <= not_1686;
-      equal_1687_s2_q <= equal_1687;
-      equal_1688_s2_q <= equal_1688;
-      or_1689_s2_q <= or_1689;
-      select_1713_s2_q <= select_1713;
-      select_1719_s2_q <= select_1719;
-      select_1760_s2_q <= select_1760;
-      and_1770_s2_q <= and_1770;
-      and_1864_s2_q <= sample_pair_whole_q;
-      select_1866_s2_q <= left_first_q;
-      and_1869_s2_q <= right_q;
-      and_2018_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
-      equal_2164_s2_q <= (column_s1_q | row_s1_q) == 6'h0;
-      equal_2288_s2_q <= equal_2288_s1_q;
-      and_2591_s2_q <= and_2289_s1_q & and_2590;
-      and_2593_s2_q <= and_2289_s1_q & (~and_2590);
-      or_2806_s2_q <= or_2806;
-      not_2830_s2_q <= not_2830;
-      less_3592_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_3797_s2_q <= row_s1_q[5:3] == 3'h0;
+      select_1468_s2_q <= select_1468_s1_q;
+      equal_1477_s2_q <= equal_1477_s1_q;
+      and_1484_s2_q <= not_537_s1_q & and_1483;
+      and_1487_s2_q <= (or_529_s1_q & (left_rdata_q[62] & not_537_s1_q)) & and_1483;
+      and_1491_s2_q <= not_537_s1_q & (or_529_s1_q & (left_rdata_q[63] & not_537_s1_q));
+      or_1505_s2_q <= or_1505;
+      select_1516_s2_q <= select_1516;
+      and_1590_s2_q <= and_1590;
+      and_1603_s2_q <= and_1603;
+      less_1617_s2_q <= 5'h4 < row_q[5:1];
+      equal_1690_s2_q <= equal_1690;
+      not_1691_s2_q <= not_1691;
+      equal_1692_s2_q <= equal_1692;
+      not_1693_s2_q <= not_1693;
+      equal_1694_s2_q <= equal_1694;
+      equal_1695_s2_q <= equal_1695;
+      or_1696_s2_q <= or_1696;
+      select_1720_s2_q <= select_1720;
+      select_1726_s2_q <= select_1726;
+      select_1767_s2_q <= select_1767;
+      and_1777_s2_q <= and_1777;
+      and_1871_s2_q <= sample_pair_whole_q;
+      select_1873_s2_q <= left_first_q;
+      and_1876_s2_q <= right_q;
+      and_2025_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
+      equal_2171_s2_q <= (column_s1_q | row_s1_q) == 6'h0;
+      equal_2295_s2_q <= equal_2295_s1_q;
+      and_2598_s2_q <= and_2296_s1_q & and_2597;
+      and_2600_s2_q <= and_2296_s1_q & (~and_2597);
+      or_2813_s2_q <= or_2813;
+      not_2837_s2_q <= not_2837;
+      less_3619_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_3824_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
@@ -1851,453 +1851,453 @@ module horopter_agreement (
   logic [7:0] columns_begin_rest_q;
   logic [6:0] columns_begin_back_q;
   // hls/stages/census.hpp:119
-  logic and_476;
-  assign and_476 = sample_pair_whole_s2_q & and_475_s2_q;
+  logic and_483;
+  assign and_483 = sample_pair_whole_s2_q & and_482_s2_q;
   // hls/stages/agreement.hpp:772
-  logic not_652;
-  assign not_652 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_653;
-  assign less_653 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  logic not_659;
+  assign not_659 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_660;
+  assign less_660 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
   // hls/stages/agreement.hpp:231
-  logic and_655;
-  assign and_655 = not_652 & (~less_653);
+  logic and_662;
+  assign and_662 = not_659 & (~less_660);
   // hls/stages/agreement.hpp:762
-  logic [5:0] select_902;
-  assign select_902 = age_s2_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  logic [6:0] difference_903;
-  assign difference_903 = {1'b0, column_2_s2_q} - {1'b0, select_902};
-  logic [7:0] sum_905;
-  assign sum_905 = {difference_903[6], difference_903} + (age_s2_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_909;
+  assign select_909 = age_s2_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [6:0] difference_910;
+  assign difference_910 = {1'b0, column_2_s2_q} - {1'b0, select_909};
+  logic [7:0] sum_912;
+  assign sum_912 = {difference_910[6], difference_910} + (age_s2_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:739
-  logic [7:0] select_906;
-  assign select_906 = slot_s2_q[0] ? chosen_score_q : sum_905;
+  logic [7:0] select_913;
+  assign select_913 = slot_s2_q[0] ? chosen_score_q : sum_912;
   // hls/stages/agreement.hpp:762
-  logic [6:0] difference_1152;
-  assign difference_1152 = {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1151_s2_q};
+  logic [6:0] difference_1159;
+  assign difference_1159 = {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1158_s2_q};
   // hls/stages/agreement.hpp:733
-  logic equal_1153;
-  assign equal_1153 = {age_s2_q[0], slot_s2_q[0]} == 2'h0;
+  logic equal_1160;
+  assign equal_1160 = {age_s2_q[0], slot_s2_q[0]} == 2'h0;
   // hls/stages/agreement.hpp:762
-  logic [7:0] sum_1155;
-  assign sum_1155 = {difference_1152[6], difference_1152} + (equal_1153 ? 8'h0 : sums_0_sum_sums_values_1_q);
-  logic [6:0] difference_1401;
-  assign difference_1401 = {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1400_s2_q};
-  logic [7:0] sum_1403;
-  assign sum_1403 = {difference_1401[6], difference_1401} + (equal_1153 ? 8'h0 : sums_1_sum_sums_values_1_q);
+  logic [7:0] sum_1162;
+  assign sum_1162 = {difference_1159[6], difference_1159} + (equal_1160 ? 8'h0 : sums_0_sum_sums_values_1_q);
+  logic [6:0] difference_1408;
+  assign difference_1408 = {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1407_s2_q};
+  logic [7:0] sum_1410;
+  assign sum_1410 = {difference_1408[6], difference_1408} + (equal_1160 ? 8'h0 : sums_1_sum_sums_values_1_q);
   // hls/stages/agreement.hpp:735
-  logic less_1404;
-  assign less_1404 = sum_1155 < sum_1403;
-  logic [7:0] select_1405;
-  assign select_1405 = less_1404 ? sum_1403 : sum_1155;
-  logic less_1406;
-  assign less_1406 = select_906 < select_1405;
+  logic less_1411;
+  assign less_1411 = sum_1162 < sum_1410;
+  logic [7:0] select_1412;
+  assign select_1412 = less_1411 ? sum_1410 : sum_1162;
+  logic less_1413;
+  assign less_1413 = select_913 < select_1412;
   // hls/stages/agreement.hpp:776
   logic [7:0] of_best;
-  assign of_best = and_655 ? (less_1406 ? select_1405 : select_906) : 8'h0;
+  assign of_best = and_662 ? (less_1413 ? select_1412 : select_913) : 8'h0;
   // hls/stages/agreement.hpp:783
-  logic or_1410;
-  assign or_1410 = select_650_s2_q | (best_left_rdata_s2_q[16:9] < of_best);
+  logic or_1417;
+  assign or_1417 = select_657_s2_q | (best_left_rdata_s2_q[16:9] < of_best);
   // hls/stages/agreement.hpp:788
-  logic [5:0] select_1411;
-  assign select_1411 = or_1410 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
+  logic [5:0] select_1418;
+  assign select_1418 = or_1417 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
   // hls/stages/agreement.hpp:704
-  logic not_1412;
-  assign not_1412 = ~slot_s2_q[0];
+  logic not_1419;
+  assign not_1419 = ~slot_s2_q[0];
   // hls/stages/agreement.hpp:736
-  logic [1:0] select_1413;
-  assign select_1413 = less_1404 ? {slot_s2_q[0], not_1412} : 2'h0;
-  logic [2:0] select_1415;
-  assign select_1415 = less_1406 ? {select_1413, not_1412} : (slot_s2_q[0] ? chosen_place_q : 3'h2);
+  logic [1:0] select_1420;
+  assign select_1420 = less_1411 ? {slot_s2_q[0], not_1419} : 2'h0;
+  logic [2:0] select_1422;
+  assign select_1422 = less_1413 ? {select_1420, not_1419} : (slot_s2_q[0] ? chosen_place_q : 3'h2);
   // hls/stages/agreement.hpp:788
-  logic [2:0] select_1416;
-  assign select_1416 = or_1410 ? select_1415 : best_left_rdata_s2_q[8:6];
-  logic [7:0] select_1417;
-  assign select_1417 = or_1410 ? of_best : best_left_rdata_s2_q[16:9];
-  // hls/stages/agreement.hpp:785
-  logic equal_1418;
-  assign equal_1418 = select_1415 == 3'h1;
-  logic equal_1419;
-  assign equal_1419 = select_1415 == 3'h2;
-  logic not_1420;
-  assign not_1420 = ~equal_1419;
-  logic [2:0] select_1421;
-  assign select_1421 = equal_1418 ? 3'h2 : {not_1420, {2{equal_1419}}};
-  // hls/stages/agreement.hpp:227
+  logic [2:0] select_1423;
+  assign select_1423 = or_1417 ? select_1422 : best_left_rdata_s2_q[8:6];
   logic [7:0] select_1424;
-  assign select_1424 = slot_s2_q[0] ? 8'h0 : sum_905;
+  assign select_1424 = or_1417 ? of_best : best_left_rdata_s2_q[16:9];
   // hls/stages/agreement.hpp:785
-  logic [7:0] select_1426;
-  assign select_1426 = select_1421[1] ? (select_1421[0] ? before_1_q : sum_1155) : (select_1421[0] ? sum_1155 : select_1424);
-  logic [7:0] select_1427;
-  assign select_1427 = select_1421[2] ? (select_1421[0] ? before_2_q : before_0_q) : select_1426;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_1428;
-  assign select_1428 = or_1410 ? select_1427 : best_left_rdata_s2_q[24:17];
-  // hls/stages/agreement.hpp:786
-  logic [1:0] select_1429;
-  assign select_1429 = equal_1418 ? 2'h0 : {not_1420, equal_1419};
+  logic equal_1425;
+  assign equal_1425 = select_1422 == 3'h1;
+  logic equal_1426;
+  assign equal_1426 = select_1422 == 3'h2;
+  logic not_1427;
+  assign not_1427 = ~equal_1426;
+  logic [2:0] select_1428;
+  assign select_1428 = equal_1425 ? 3'h2 : {not_1427, {2{equal_1426}}};
+  // hls/stages/agreement.hpp:227
   logic [7:0] select_1431;
-  assign select_1431 = select_1429[1] ? sum_1403 : (select_1429[0] ? before_2_q : before_0_q);
+  assign select_1431 = slot_s2_q[0] ? 8'h0 : sum_912;
+  // hls/stages/agreement.hpp:785
+  logic [7:0] select_1433;
+  assign select_1433 = select_1428[1] ? (select_1428[0] ? before_1_q : sum_1162) : (select_1428[0] ? sum_1162 : select_1431);
+  logic [7:0] select_1434;
+  assign select_1434 = select_1428[2] ? (select_1428[0] ? before_2_q : before_0_q) : select_1433;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_1432;
-  assign select_1432 = or_1410 ? select_1431 : best_left_rdata_s2_q[32:25];
+  logic [7:0] select_1435;
+  assign select_1435 = or_1417 ? select_1434 : best_left_rdata_s2_q[24:17];
+  // hls/stages/agreement.hpp:786
+  logic [1:0] select_1436;
+  assign select_1436 = equal_1425 ? 2'h0 : {not_1427, equal_1426};
+  logic [7:0] select_1438;
+  assign select_1438 = select_1436[1] ? sum_1410 : (select_1436[0] ? before_2_q : before_0_q);
+  // hls/stages/agreement.hpp:788
+  logic [7:0] select_1439;
+  assign select_1439 = or_1417 ? select_1438 : best_left_rdata_s2_q[32:25];
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v;
   assign before_v = age_s2_q[1] ? middle_sum_columns_values_3_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1434;
-  assign sum_1434 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
-  logic [6:0] sum_1435;
-  assign sum_1435 = {1'b0, before_v} + sum_1434;
+  logic [6:0] sum_1441;
+  assign sum_1441 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
+  logic [6:0] sum_1442;
+  assign sum_1442 = {1'b0, before_v} + sum_1441;
   // hls/stages/agreement.hpp:739
-  logic [6:0] select_1436;
-  assign select_1436 = slot_s2_q[0] ? chosen_near_q : sum_1435;
+  logic [6:0] select_1443;
+  assign select_1443 = slot_s2_q[0] ? chosen_near_q : sum_1442;
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[1] ? sums_0_columns_values_8_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1438;
-  assign sum_1438 = {1'b0, sums_0_columns_values_4_q} + {1'b0, sums_0_columns_values_6_q};
-  logic [6:0] sum_1439;
-  assign sum_1439 = {1'b0, before_v_2} + sum_1438;
+  logic [6:0] sum_1445;
+  assign sum_1445 = {1'b0, sums_0_columns_values_4_q} + {1'b0, sums_0_columns_values_6_q};
+  logic [6:0] sum_1446;
+  assign sum_1446 = {1'b0, before_v_2} + sum_1445;
   // hls/stages/agreement.hpp:763
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[1] ? sums_1_columns_values_8_q : 6'h0;
   // hls/stages/agreement.hpp:764
-  logic [6:0] sum_1441;
-  assign sum_1441 = {1'b0, sums_1_columns_values_4_q} + {1'b0, sums_1_columns_values_6_q};
-  logic [6:0] sum_1442;
-  assign sum_1442 = {1'b0, before_v_3} + sum_1441;
+  logic [6:0] sum_1448;
+  assign sum_1448 = {1'b0, sums_1_columns_values_4_q} + {1'b0, sums_1_columns_values_6_q};
+  logic [6:0] sum_1449;
+  assign sum_1449 = {1'b0, before_v_3} + sum_1448;
   // hls/stages/agreement.hpp:735
-  logic [6:0] select_1444;
-  assign select_1444 = (sum_1439 < sum_1442) ? sum_1442 : sum_1439;
+  logic [6:0] select_1451;
+  assign select_1451 = (sum_1446 < sum_1449) ? sum_1449 : sum_1446;
   // hls/stages/agreement.hpp:777
   logic [6:0] of_near;
-  assign of_near = and_655 ? ((select_1436 < select_1444) ? select_1444 : select_1436) : 7'h0;
+  assign of_near = and_662 ? ((select_1443 < select_1451) ? select_1451 : select_1443) : 7'h0;
   // hls/stages/agreement.hpp:788
-  logic or_1449;
-  assign or_1449 = select_650_s2_q | (best_left_rdata_s2_q[39:33] < of_near);
+  logic or_1456;
+  assign or_1456 = select_657_s2_q | (best_left_rdata_s2_q[39:33] < of_near);
   // hls/stages/agreement.hpp:792
-  logic [6:0] select_1450;
-  assign select_1450 = or_1449 ? of_near : best_left_rdata_s2_q[39:33];
-  logic [5:0] select_1451;
-  assign select_1451 = or_1449 ? run_shift_s2_q : best_left_rdata_s2_q[45:40];
+  logic [6:0] select_1457;
+  assign select_1457 = or_1456 ? of_near : best_left_rdata_s2_q[39:33];
+  logic [5:0] select_1458;
+  assign select_1458 = or_1456 ? run_shift_s2_q : best_left_rdata_s2_q[45:40];
   // hls/stages/agreement.hpp:797
-  logic or_1463;
-  assign or_1463 = select_1461_s2_q | (best_right_rdata_q[7:0] < of_best);
+  logic or_1470;
+  assign or_1470 = select_1468_s2_q | (best_right_rdata_q[7:0] < of_best);
   // hls/stages/agreement.hpp:801
-  logic [7:0] select_1464;
-  assign select_1464 = or_1463 ? of_best : best_right_rdata_q[7:0];
-  logic [6:0] select_1465;
-  assign select_1465 = or_1463 ? x_s2_2_q : best_right_rdata_q[14:8];
-  logic or_1467;
-  assign or_1467 = select_1461_s2_q | (best_right_rdata_q[21:15] < of_near);
+  logic [7:0] select_1471;
+  assign select_1471 = or_1470 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_1472;
+  assign select_1472 = or_1470 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_1474;
+  assign or_1474 = select_1468_s2_q | (best_right_rdata_q[21:15] < of_near);
   // hls/stages/agreement.hpp:805
-  logic [6:0] select_1468;
-  assign select_1468 = or_1467 ? of_near : best_right_rdata_q[21:15];
-  logic [6:0] select_1469;
-  assign select_1469 = or_1467 ? x_s2_2_q : best_right_rdata_q[28:22];
+  logic [6:0] select_1475;
+  assign select_1475 = or_1474 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_1476;
+  assign select_1476 = or_1474 ? x_s2_2_q : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:955
-  logic not_1471;
-  assign not_1471 = ~equal_1470_s2_q;
+  logic not_1478;
+  assign not_1478 = ~equal_1477_s2_q;
   // hls/stages/agreement.hpp:235
-  logic and_1481;
-  assign and_1481 = not_530_s2_q & and_1480_s2_q;
+  logic and_1488;
+  assign and_1488 = not_537_s2_q & and_1487_s2_q;
   // hls/stages/agreement.hpp:935
-  logic select_1487;
-  assign select_1487 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  logic select_1494;
+  assign select_1494 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
   // hls/stages/agreement.hpp:936
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:942
-  logic [8:0] difference_1490;
-  assign difference_1490 = {2'h0, chosen} - {1'b0, x_s2_q};
+  logic [8:0] difference_1497;
+  assign difference_1497 = {2'h0, chosen} - {1'b0, x_s2_q};
   // hls/stages/agreement.hpp:943
-  logic [9:0] sum_1491;
-  assign sum_1491 = {difference_1490[8], difference_1490} + 10'h1;
+  logic [9:0] sum_1498;
+  assign sum_1498 = {difference_1497[8], difference_1497} + 10'h1;
   // hls/stages/agreement.hpp:235
-  logic and_1493;
-  assign and_1493 = (and_1480_s2_q & select_1487) & ({{22{sum_1491[9]}}, sum_1491} < 32'h3);
-  logic and_1494;
-  assign and_1494 = not_530_s2_q & and_1493;
   logic and_1500;
-  assign and_1500 = not_530_s2_q & (and_1493 & or_1498_s2_q);
+  assign and_1500 = (and_1487_s2_q & select_1494) & ({{22{sum_1498[9]}}, sum_1498} < 32'h3);
+  logic and_1501;
+  assign and_1501 = not_537_s2_q & and_1500;
+  logic and_1507;
+  assign and_1507 = not_537_s2_q & (and_1500 & or_1505_s2_q);
   // hls/stages/agreement.hpp:141
-  logic [8:0] select_1501;
-  assign select_1501 = less_529_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
+  logic [8:0] select_1508;
+  assign select_1508 = less_536_s2_q ? 9'h0 : best_left_rdata_s2_q[8:0];
   logic [14:0] shift_2;
-  assign shift_2 = or_522_s2_q ? {select_1501, and_1500, and_1494, and_1484_s2_q, and_1481, and_1477_s2_q, not_530_s2_q} : 15'h0;
-  // hls/stages/patches.hpp:321
-  logic and_1503;
-  assign and_1503 = ends_cell_s2_q & shift_2[0];
-  logic and_1505;
-  assign and_1505 = not_1471 & (so_s2_q & and_1503);
+  assign shift_2 = or_529_s2_q ? {select_1508, and_1507, and_1501, and_1491_s2_q, and_1488, and_1484_s2_q, not_537_s2_q} : 15'h0;
+  // hls/stages/patches.hpp:330
+  logic and_1510;
+  assign and_1510 = ends_cell_s2_q & shift_2[0];
+  logic and_1512;
+  assign and_1512 = not_1478 & (so_s2_q & and_1510);
   // hls/stages/registration.hpp:218
-  logic [16:0] select_1613;
-  assign select_1613 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_1620;
+  assign select_1620 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
-  assign change = ($signed(10'h0) < $signed(select_1613[16:7])) ? 8'h7f : select_1613[7:0];
-  // hls/stages/patches.hpp:155
+  assign change = ($signed(10'h0) < $signed(select_1620[16:7])) ? 8'h7f : select_1620[7:0];
+  // hls/stages/patches.hpp:164
   logic [7:0] pixel;
-  assign pixel = equal_1688_s2_q ? (patches_second_s2_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
+  assign pixel = equal_1695_s2_q ? (patches_second_s2_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
-  assign pixel_2 = equal_1688_s2_q ? (patches_second_s2_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
-  // hls/stages/patches.hpp:477
-  logic less_1776;
-  assign less_1776 = 5'he < patches_along_q;
-  // hls/stages/patches.hpp:478
-  logic or_1777;
-  assign or_1777 = equal_1687_s2_q | less_1776;
-  // hls/stages/patches.hpp:481
+  assign pixel_2 = equal_1695_s2_q ? (patches_second_s2_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
+  // hls/stages/patches.hpp:486
+  logic less_1783;
+  assign less_1783 = 5'he < patches_along_q;
+  // hls/stages/patches.hpp:487
+  logic or_1784;
+  assign or_1784 = equal_1694_s2_q | less_1783;
+  // hls/stages/patches.hpp:490
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
-  logic select_1782;
-  assign select_1782 = equal_1687_s2_q ? patches_column_s2_q[0] : (or_1777 ? (patches_along_q == 5'h10) : (~new_row));
-  logic not_1783;
-  assign not_1783 = ~or_1777;
-  // hls/stages/patches.hpp:478
-  logic [4:0] sum_1784;
-  assign sum_1784 = patches_down_by_q + {1'b0, patches_match_row_q};
-  // hls/stages/patches.hpp:480
-  logic [4:0] select_1787;
-  assign select_1787 = or_1777 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_1784) + 5'h1) : sum_1784;
-  // hls/stages/patches.hpp:482
-  logic [4:0] select_1788;
-  assign select_1788 = equal_1687_s2_q ? 5'h0 : select_1787;
-  logic or_1789;
-  assign or_1789 = equal_1687_s2_q | equal_1685_s2_q;
-  // hls/stages/patches.hpp:458
-  logic equal_1791;
-  assign equal_1791 = patches_column_s2_q == 5'h1f;
+  logic select_1789;
+  assign select_1789 = equal_1694_s2_q ? patches_column_s2_q[0] : (or_1784 ? (patches_along_q == 5'h10) : (~new_row));
+  logic not_1790;
+  assign not_1790 = ~or_1784;
+  // hls/stages/patches.hpp:487
+  logic [4:0] sum_1791;
+  assign sum_1791 = patches_down_by_q + {1'b0, patches_match_row_q};
+  // hls/stages/patches.hpp:489
+  logic [4:0] select_1794;
+  assign select_1794 = or_1784 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_1791) + 5'h1) : sum_1791;
+  // hls/stages/patches.hpp:491
+  logic [4:0] select_1795;
+  assign select_1795 = equal_1694_s2_q ? 5'h0 : select_1794;
+  logic or_1796;
+  assign or_1796 = equal_1694_s2_q | equal_1692_s2_q;
+  // hls/stages/patches.hpp:467
+  logic equal_1798;
+  assign equal_1798 = patches_column_s2_q == 5'h1f;
   logic of_row;
   assign of_row = patches_column_s2_q == 5'h11;
-  logic equal_1793;
-  assign equal_1793 = patches_column_s2_q == 5'h18;
-  // hls/stages/patches.hpp:460
-  logic and_1795;
-  assign and_1795 = of_row & (~equal_1793);
+  logic equal_1800;
+  assign equal_1800 = patches_column_s2_q == 5'h18;
+  // hls/stages/patches.hpp:469
+  logic and_1802;
+  assign and_1802 = of_row & (~equal_1800);
   logic [1:0] of_row_2;
-  assign of_row_2 = equal_1791 ? 2'h3 : {equal_1793, and_1795};
-  // hls/stages/patches.hpp:446
-  logic [8:0] sum_1798;
-  assign sum_1798 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
-  logic [8:0] sum_1799;
-  assign sum_1799 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
+  assign of_row_2 = equal_1798 ? 2'h3 : {equal_1800, and_1802};
+  // hls/stages/patches.hpp:455
+  logic [8:0] sum_1805;
+  assign sum_1805 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
+  logic [8:0] sum_1806;
+  assign sum_1806 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
   logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_1798, pixel_2[0]} - {1'b0, sum_1799, patches_columns_above_rdata_q[24]};
-  // hls/stages/patches.hpp:448
-  logic [11:0] sum_1801;
-  assign sum_1801 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_1802;
-  assign sum_1802 = {{4{down_2[10]}}, down_2[10:2]} + {sum_1801[11], sum_1801};
-  logic [13:0] sum_1803;
-  assign sum_1803 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_1802, down_2[1]};
-  logic [12:0] sum_1804;
-  assign sum_1804 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1803[13:1];
-  logic [14:0] sum_1805;
-  assign sum_1805 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_1804, sum_1803[0], down_2[0]};
-  // hls/stages/patches.hpp:444
-  logic [8:0] sum_1808;
-  assign sum_1808 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
-  logic [9:0] sum_1809;
-  assign sum_1809 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_1808};
-  logic [10:0] sum_1810;
-  assign sum_1810 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_1809, patches_columns_above_rdata_q[25]};
-  logic [9:0] sum_1811;
-  assign sum_1811 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_1810[10:1];
-  // hls/stages/patches.hpp:445
-  logic [11:0] smooth;
-  assign smooth = {sum_1811, sum_1810[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
-  // hls/stages/patches.hpp:447
-  logic [12:0] sum_1813;
-  assign sum_1813 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
-  logic [12:0] sum_1814;
-  assign sum_1814 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_1815;
-  assign difference_1815 = {1'b0, sum_1813, smooth[0]} - {1'b0, sum_1814, patches_smooth_values_3_q[0]};
-  // hls/stages/patches.hpp:459
-  logic or_1821;
-  assign or_1821 = (((patches_column_s2_q == 5'ha) | of_row) | equal_1793) | equal_1791;
+  assign down_2 = {1'b0, sum_1805, pixel_2[0]} - {1'b0, sum_1806, patches_columns_above_rdata_q[24]};
+  // hls/stages/patches.hpp:457
+  logic [11:0] sum_1808;
+  assign sum_1808 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_1809;
+  assign sum_1809 = {{4{down_2[10]}}, down_2[10:2]} + {sum_1808[11], sum_1808};
+  logic [13:0] sum_1810;
+  assign sum_1810 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_1809, down_2[1]};
+  logic [12:0] sum_1811;
+  assign sum_1811 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1810[13:1];
+  logic [14:0] sum_1812;
+  assign sum_1812 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_1811, sum_1810[0], down_2[0]};
+  // hls/stages/patches.hpp:453
+  logic [8:0] sum_1815;
+  assign sum_1815 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
+  logic [9:0] sum_1816;
+  assign sum_1816 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_1815};
+  logic [10:0] sum_1817;
+  assign sum_1817 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_1816, patches_columns_above_rdata_q[25]};
+  logic [9:0] sum_1818;
+  assign sum_1818 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_1817[10:1];
   // hls/stages/patches.hpp:454
-  logic and_1826;
-  assign and_1826 = (~(patches_code_row_s2_q[4:2] == 3'h0)) & (~(patches_column_s2_q[4:2] == 3'h0));
-  // hls/stages/patches.hpp:167
-  logic and_1830;
-  assign and_1830 = not_1686_s2_q & (or_1689_s2_q & (or_1821 & (equal_1688_s2_q & and_1826)));
-  // hls/stages/patches.hpp:155
-  logic and_1840;
-  assign and_1840 = (~(equal_1688_s2_q | (~and_1826))) & (~patches_column_s2_q[4]);
-  // hls/stages/patches.hpp:167
-  logic and_1844;
-  assign and_1844 = not_1686_s2_q & (or_1689_s2_q & (and_1840 & (patches_column_s2_q == 5'hf)));
-  // hls/stages/patches.hpp:523
-  logic less_1846;
-  assign less_1846 = patches_step_q[4:0] < 5'h11;
-  logic equal_1847;
-  assign equal_1847 = patches_step_q[6:5] == 2'h0;
-  logic not_1848;
-  assign not_1848 = ~equal_1847;
-  logic equal_1849;
-  assign equal_1849 = patches_step_q[6:5] == 2'h3;
-  logic not_1850;
-  assign not_1850 = ~equal_1849;
-  // hls/stages/patches.hpp:537
-  logic select_1853;
-  assign select_1853 = equal_1849 ? (less_1846 & (less_1846 & not_1850)) : less_1846;
-  // hls/stages/patches.hpp:167
-  logic and_1856;
-  assign and_1856 = equal_1683_s2_q & (less_1846 ? (not_1848 & select_1853) : select_1853);
+  logic [11:0] smooth;
+  assign smooth = {sum_1818, sum_1817[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  // hls/stages/patches.hpp:456
+  logic [12:0] sum_1820;
+  assign sum_1820 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
+  logic [12:0] sum_1821;
+  assign sum_1821 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_1822;
+  assign difference_1822 = {1'b0, sum_1820, smooth[0]} - {1'b0, sum_1821, patches_smooth_values_3_q[0]};
+  // hls/stages/patches.hpp:468
+  logic or_1828;
+  assign or_1828 = (((patches_column_s2_q == 5'ha) | of_row) | equal_1800) | equal_1798;
+  // hls/stages/patches.hpp:463
+  logic and_1833;
+  assign and_1833 = (~(patches_code_row_s2_q[4:2] == 3'h0)) & (~(patches_column_s2_q[4:2] == 3'h0));
+  // hls/stages/patches.hpp:176
+  logic and_1837;
+  assign and_1837 = not_1693_s2_q & (or_1696_s2_q & (or_1828 & (equal_1695_s2_q & and_1833)));
+  // hls/stages/patches.hpp:164
+  logic and_1847;
+  assign and_1847 = (~(equal_1695_s2_q | (~and_1833))) & (~patches_column_s2_q[4]);
+  // hls/stages/patches.hpp:176
+  logic and_1851;
+  assign and_1851 = not_1693_s2_q & (or_1696_s2_q & (and_1847 & (patches_column_s2_q == 5'hf)));
+  // hls/stages/patches.hpp:532
+  logic less_1853;
+  assign less_1853 = patches_step_q[4:0] < 5'h11;
+  logic equal_1854;
+  assign equal_1854 = patches_step_q[6:5] == 2'h0;
+  logic not_1855;
+  assign not_1855 = ~equal_1854;
+  logic equal_1856;
+  assign equal_1856 = patches_step_q[6:5] == 2'h3;
+  logic not_1857;
+  assign not_1857 = ~equal_1856;
+  // hls/stages/patches.hpp:546
+  logic select_1860;
+  assign select_1860 = equal_1856 ? (less_1853 & (less_1853 & not_1857)) : less_1853;
+  // hls/stages/patches.hpp:176
+  logic and_1863;
+  assign and_1863 = equal_1690_s2_q & (less_1853 ? (not_1855 & select_1860) : select_1860);
   // hls/stages/division.hpp:34
-  logic [5:0] sum_1885;
-  assign sum_1885 = region_across_rest_q[8:3] + 6'h1;
+  logic [5:0] sum_1892;
+  assign sum_1892 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:250
   logic textured;
   assign textured = shift_2[0] & shift_2[2];
   // hls/stages/agreement.hpp:227
-  logic [5:0] select_2388;
-  assign select_2388 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_2389;
-  assign select_2389 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
-  logic [5:0] select_2390;
-  assign select_2390 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
-  logic [5:0] select_2391;
-  assign select_2391 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
-  logic [5:0] select_2392;
-  assign select_2392 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
-  logic [5:0] select_2393;
-  assign select_2393 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  logic [5:0] select_2395;
+  assign select_2395 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
+  logic [5:0] select_2396;
+  assign select_2396 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
+  logic [5:0] select_2397;
+  assign select_2397 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  logic [5:0] select_2398;
+  assign select_2398 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_2399;
+  assign select_2399 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_2400;
+  assign select_2400 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
   // hls/stages/agreement.hpp:735
-  logic less_2397;
-  assign less_2397 = select_1424 < select_1405;
+  logic less_2404;
+  assign less_2404 = select_1431 < select_1412;
   // hls/stages/agreement.hpp:227
-  logic [6:0] select_2399;
-  assign select_2399 = slot_s2_q[0] ? 7'h0 : sum_1435;
+  logic [6:0] select_2406;
+  assign select_2406 = slot_s2_q[0] ? 7'h0 : sum_1442;
   // hls/stages/registration.hpp:76
-  logic less_2488;
-  assign less_2488 = slot_s2_q < 3'h3;
+  logic less_2495;
+  assign less_2495 = slot_s2_q < 3'h3;
   // hls/stages/agreement.hpp:141
-  logic [7:0] select_2490;
-  assign select_2490 = or_522_s2_q ? (less_529_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
-  logic [7:0] select_2492;
-  assign select_2492 = or_522_s2_q ? (less_529_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
-  logic [7:0] select_2494;
-  assign select_2494 = or_522_s2_q ? (less_529_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  logic [7:0] select_2497;
+  assign select_2497 = or_529_s2_q ? (less_536_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_2499;
+  assign select_2499 = or_529_s2_q ? (less_536_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_2501;
+  assign select_2501 = or_529_s2_q ? (less_536_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise;
-  assign rise = {1'b0, select_2492} - {1'b0, select_2494};
+  assign rise = {1'b0, select_2499} - {1'b0, select_2501};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_2496;
-  assign select_2496 = rise[8] ? select_2492 : select_2494;
-  logic [8:0] difference_2497;
-  assign difference_2497 = {1'b0, select_2490} - {1'b0, select_2496};
+  logic [7:0] select_2503;
+  assign select_2503 = rise[8] ? select_2499 : select_2501;
+  logic [8:0] difference_2504;
+  assign difference_2504 = {1'b0, select_2497} - {1'b0, select_2503};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
-  assign wide = difference_2497[8] ? 8'h0 : difference_2497[7:0];
+  assign wide = difference_2504[8] ? 8'h0 : difference_2504[7:0];
   // hls/stages/registration.hpp:37
-  logic not_2499;
-  assign not_2499 = ~registration_displacement_over_q[9];
+  logic not_2506;
+  assign not_2506 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2488 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2499};
+  assign left = less_2495 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2506};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_2501;
-  assign xor_2501 = rise[7:0] ^ {8{rise[8]}};
+  logic [7:0] xor_2508;
+  assign xor_2508 = rise[7:0] ^ {8{rise[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise[8]} + {1'b0, xor_2501};
+  assign size_3 = {8'h0, rise[8]} + {1'b0, xor_2508};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_2507;
-  assign select_2507 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_2514;
+  assign select_2514 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_2488 ? {taken, 1'b1} : {not_2499, select_2507, not_2499};
+  assign taken_2 = less_2495 ? {taken, 1'b1} : {not_2506, select_2514, not_2506};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2509;
-  assign sum_2509 = {left, 1'b1} + {taken_2, less_2488};
+  logic [10:0] sum_2516;
+  assign sum_2516 = {left, 1'b1} + {taken_2, less_2495};
   // hls/stages/agreement.hpp:245
-  logic [4:0] select_2511;
-  assign select_2511 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  logic [4:0] select_2518;
+  assign select_2518 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
   // hls/stages/registration.hpp:129
-  logic [15:0] select_2594;
-  assign select_2594 = and_2593_s2_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_2601;
+  assign select_2601 = and_2600_s2_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_2596;
-  assign select_2596 = and_2591_s2_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2594[15]}}, select_2594});
+  logic [23:0] select_2603;
+  assign select_2603 = and_2598_s2_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2601[15]}}, select_2601});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_2597;
-  assign select_2597 = and_2593_s2_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_2604;
+  assign select_2604 = and_2600_s2_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2597[15]}}, select_2597};
+  assign both = registration_slope_change_q + {{12{select_2604[15]}}, select_2604};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_2599;
-  assign select_2599 = and_2591_s2_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2606;
+  assign select_2606 = and_2598_s2_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:141
-  logic and_2600;
-  assign and_2600 = ends_cell_s2_q & so_s2_q;
+  logic and_2607;
+  assign and_2607 = ends_cell_s2_q & so_s2_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_6;
-  assign column_6 = registration_slope_q + (and_2600 ? registration_slope_change_q : 28'h0);
-  // hls/stages/patches.hpp:170
-  logic select_2845;
-  assign select_2845 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
-  // hls/stages/patches.hpp:167
-  logic [11:0] select_2848;
-  assign select_2848 = equal_1685_s2_q ? patches_smooth_values_0_q : (or_1689_s2_q ? smooth : patches_smooth_values_0_q);
-  logic [11:0] select_2850;
-  assign select_2850 = or_1689_s2_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
-  logic [11:0] select_2852;
-  assign select_2852 = equal_1683_s2_q ? patches_smooth_values_1_q : (equal_1685_s2_q ? patches_smooth_values_1_q : select_2850);
-  logic [11:0] select_2853;
-  assign select_2853 = or_1689_s2_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  assign column_6 = registration_slope_q + (and_2607 ? registration_slope_change_q : 28'h0);
+  // hls/stages/patches.hpp:179
+  logic select_2852;
+  assign select_2852 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  // hls/stages/patches.hpp:176
   logic [11:0] select_2855;
-  assign select_2855 = equal_1683_s2_q ? patches_smooth_values_2_q : (equal_1685_s2_q ? patches_smooth_values_2_q : select_2853);
-  logic [11:0] select_2856;
-  assign select_2856 = or_1689_s2_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
-  logic [11:0] select_2858;
-  assign select_2858 = equal_1683_s2_q ? patches_smooth_values_3_q : (equal_1685_s2_q ? patches_smooth_values_3_q : select_2856);
-  logic [10:0] select_2860;
-  assign select_2860 = equal_1685_s2_q ? patches_down_values_0_q : (or_1689_s2_q ? down_2 : patches_down_values_0_q);
-  logic [10:0] select_2863;
-  assign select_2863 = equal_1685_s2_q ? patches_down_values_1_q : (or_1689_s2_q ? patches_down_values_0_q : patches_down_values_1_q);
-  logic [10:0] select_2866;
-  assign select_2866 = equal_1685_s2_q ? patches_down_values_2_q : (or_1689_s2_q ? patches_down_values_1_q : patches_down_values_2_q);
-  logic [10:0] select_2869;
-  assign select_2869 = equal_1685_s2_q ? patches_down_values_3_q : (or_1689_s2_q ? patches_down_values_2_q : patches_down_values_3_q);
-  // hls/stages/patches.hpp:158
-  logic and_2906;
-  assign and_2906 = patches_along_ends_q & patches_match_row_ends_q;
-  // hls/stages/patches.hpp:394
-  logic [4:0] select_2911;
-  assign select_2911 = or_2806_s2_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
-  // hls/stages/patches.hpp:396
-  logic [3:0] select_2913;
-  assign select_2913 = and_2906 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  assign select_2855 = equal_1692_s2_q ? patches_smooth_values_0_q : (or_1696_s2_q ? smooth : patches_smooth_values_0_q);
+  logic [11:0] select_2857;
+  assign select_2857 = or_1696_s2_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_2859;
+  assign select_2859 = equal_1690_s2_q ? patches_smooth_values_1_q : (equal_1692_s2_q ? patches_smooth_values_1_q : select_2857);
+  logic [11:0] select_2860;
+  assign select_2860 = or_1696_s2_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_2862;
+  assign select_2862 = equal_1690_s2_q ? patches_smooth_values_2_q : (equal_1692_s2_q ? patches_smooth_values_2_q : select_2860);
+  logic [11:0] select_2863;
+  assign select_2863 = or_1696_s2_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_2865;
+  assign select_2865 = equal_1690_s2_q ? patches_smooth_values_3_q : (equal_1692_s2_q ? patches_smooth_values_3_q : select_2863);
+  logic [10:0] select_2867;
+  assign select_2867 = equal_1692_s2_q ? patches_down_values_0_q : (or_1696_s2_q ? down_2 : patches_down_values_0_q);
+  logic [10:0] select_2870;
+  assign select_2870 = equal_1692_s2_q ? patches_down_values_1_q : (or_1696_s2_q ? patches_down_values_0_q : patches_down_values_1_q);
+  logic [10:0] select_2873;
+  assign select_2873 = equal_1692_s2_q ? patches_down_values_2_q : (or_1696_s2_q ? patches_down_values_1_q : patches_down_values_2_q);
+  logic [10:0] select_2876;
+  assign select_2876 = equal_1692_s2_q ? patches_down_values_3_q : (or_1696_s2_q ? patches_down_values_2_q : patches_down_values_3_q);
   // hls/stages/patches.hpp:167
-  logic [4:0] select_3269;
-  assign select_3269 = equal_1683_s2_q ? patches_summed_down_by_q : (equal_1685_s2_q ? patches_down_by_q : patches_summed_down_by_q);
-  // hls/stages/patches.hpp:533
-  logic and_3302;
-  assign and_3302 = less_1846 & (patches_step_q[6:5] == 2'h1);
-  // hls/stages/patches.hpp:537
-  logic select_3305;
-  assign select_3305 = equal_1849 ? (less_1846 ? (not_1850 & and_3302) : and_3302) : and_3302;
-  // hls/stages/patches.hpp:167
-  logic select_3308;
-  assign select_3308 = equal_1683_s2_q ? (less_1846 ? (not_1848 & select_3305) : select_3305) : patches_read_searches_q;
+  logic and_2913;
+  assign and_2913 = patches_along_ends_q & patches_match_row_ends_q;
+  // hls/stages/patches.hpp:403
+  logic [4:0] select_2918;
+  assign select_2918 = or_2813_s2_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  // hls/stages/patches.hpp:405
+  logic [3:0] select_2920;
+  assign select_2920 = and_2913 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  // hls/stages/patches.hpp:176
+  logic [4:0] select_3276;
+  assign select_3276 = equal_1690_s2_q ? patches_summed_down_by_q : (equal_1692_s2_q ? patches_down_by_q : patches_summed_down_by_q);
+  // hls/stages/patches.hpp:542
+  logic and_3309;
+  assign and_3309 = less_1853 & (patches_step_q[6:5] == 2'h1);
+  // hls/stages/patches.hpp:546
+  logic select_3312;
+  assign select_3312 = equal_1856 ? (less_1853 ? (not_1857 & and_3309) : and_3309) : and_3309;
+  // hls/stages/patches.hpp:176
+  logic select_3315;
+  assign select_3315 = equal_1690_s2_q ? (less_1853 ? (not_1855 & select_3312) : select_3312) : patches_read_searches_q;
   // hls/stages/agreement.hpp:197
-  logic [8:0] select_3604;
-  assign select_3604 = so_s2_q ? (and_2600 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
+  logic [8:0] select_3631;
+  assign select_3631 = so_s2_q ? (and_2607 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3606;
-  assign sum_3606 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
+  logic [8:0] sum_3633;
+  assign sum_3633 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3607;
-  assign select_3607 = sum_1885[5] ? {1'b1, sum_1885[4:0], region_across_rest_q[2:0]} : sum_3606;
+  logic [8:0] select_3634;
+  assign select_3634 = sum_1892[5] ? {1'b1, sum_1892[4:0], region_across_rest_q[2:0]} : sum_3633;
   // hls/stages/agreement.hpp:447
-  logic [7:0] select_3609;
-  assign select_3609 = equal_2288_s2_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
-  logic [6:0] select_3612;
-  assign select_3612 = equal_2288_s2_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
+  logic [7:0] select_3636;
+  assign select_3636 = equal_2295_s2_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
+  logic [6:0] select_3639;
+  assign select_3639 = equal_2295_s2_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
 
   // Memory averager_memory, 189 x 26, DISTANCE 16, hls/stages/census.hpp:226; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -2307,9 +2307,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 189; i++) averager_memory_mem[i] = 26'h0;
 `endif
   logic [7:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_471_s2_q;
+  assign averager_memory_raddr = select_478_s2_q;
   logic averager_memory_re;
-  assign averager_memory_re = s2_en & and_476;
+  assign averager_memory_re = s2_en & and_483;
   logic [25:0] averager_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (averager_memory_re) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
@@ -2326,7 +2326,7 @@ module horopter_agreement (
   logic [5:0] census_memory_raddr;
   assign census_memory_raddr = column_s2_q;
   logic census_memory_re;
-  assign census_memory_re = s2_en & and_501_s2_q;
+  assign census_memory_re = s2_en & and_508_s2_q;
   logic [77:0] census_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (census_memory_re) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
@@ -2343,13 +2343,13 @@ module horopter_agreement (
   logic [5:0] shown_right_raddr;
   assign shown_right_raddr = x_s2_q[5:0];
   logic shown_right_re;
-  assign shown_right_re = s2_en & and_1505;
+  assign shown_right_re = s2_en & and_1512;
   logic [1:0] shown_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (shown_right_re) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory patches_right_codes, 112 x 28, DISTANCE 12, hls/stages/patches.hpp:757; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory patches_right_codes, 112 x 28, DISTANCE 12, hls/stages/patches.hpp:774; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [27:0] patches_right_codes_mem [0:111];
@@ -2357,15 +2357,15 @@ module horopter_agreement (
   initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 28'h0;
 `endif
   logic [6:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = {select_1788, not_1783, select_1782};
+  assign patches_right_codes_raddr = {select_1795, not_1790, select_1789};
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s2_en & or_1789;
+  assign patches_right_codes_re = s2_en & or_1796;
   logic [27:0] patches_right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (patches_right_codes_re) patches_right_codes_rdata_q <= patches_right_codes_mem[patches_right_codes_raddr];
   end
 
-  // Memory patches_left_codes, 12 x 48, DISTANCE 12, hls/stages/patches.hpp:758; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory patches_left_codes, 12 x 48, DISTANCE 12, hls/stages/patches.hpp:775; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2376,13 +2376,13 @@ module horopter_agreement (
   logic [3:0] patches_left_codes_raddr;
   assign patches_left_codes_raddr = patches_match_row_q;
   logic patches_left_codes_re;
-  assign patches_left_codes_re = s2_en & (not_1684_s2_q & (new_row & equal_1685_s2_q));
+  assign patches_left_codes_re = s2_en & (not_1691_s2_q & (new_row & equal_1692_s2_q));
   logic [47:0] patches_left_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (patches_left_codes_re) patches_left_codes_rdata_q <= patches_left_codes_mem[patches_left_codes_raddr];
   end
 
-  // Memory patches_rows, 17 x 15, DISTANCE 12, hls/stages/patches.hpp:772; read in stage 2, written in stage 4: 2 < 4 < 2 + DISTANCE.
+  // Memory patches_rows, 17 x 15, DISTANCE 12, hls/stages/patches.hpp:789; read in stage 2, written in stage 4: 2 < 4 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2393,7 +2393,7 @@ module horopter_agreement (
   logic [4:0] patches_rows_raddr;
   assign patches_rows_raddr = patches_step_q[4:0];
   logic patches_rows_re;
-  assign patches_rows_re = s2_en & and_1856;
+  assign patches_rows_re = s2_en & and_1863;
   logic [14:0] patches_rows_rdata_q;
   always_ff @(posedge clk_i) begin
     if (patches_rows_re) patches_rows_rdata_q <= patches_rows_mem[patches_rows_raddr];
@@ -2410,7 +2410,7 @@ module horopter_agreement (
   logic [5:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s2_q[5:0];
   logic seen_columns_re;
-  assign seen_columns_re = s2_en & and_1505;
+  assign seen_columns_re = s2_en & and_1512;
   logic [17:0] seen_columns_rdata_q;
   always_ff @(posedge clk_i) begin
     if (seen_columns_re) seen_columns_rdata_q <= seen_columns_mem[seen_columns_raddr];
@@ -2420,9 +2420,9 @@ module horopter_agreement (
   logic [5:0] best_left_waddr;
   assign best_left_waddr = x_s2_2_q[5:0];
   logic best_left_we;
-  assign best_left_we = s2_en & and_1452_s2_q;
+  assign best_left_we = s2_en & and_1459_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1451, select_1450, select_1432, select_1428, select_1417, select_1416, select_1411};
+    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1458, select_1457, select_1439, select_1435, select_1424, select_1423, select_1418};
   end
 `ifndef SYNTHESIS
   logic [5:0] best_left_raddr_s1_sim;
@@ -2453,9 +2453,9 @@ module horopter_agreement (
   logic [5:0] best_right_waddr;
   assign best_right_waddr = right_s2_q;
   logic best_right_we;
-  assign best_right_we = s2_en & and_1452_s2_q;
+  assign best_right_we = s2_en & and_1459_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1469, select_1468, select_1465, select_1464};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1476, select_1475, select_1472, select_1471};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2473,7 +2473,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_waddr;
   assign patches_columns_above_waddr = patches_column_s2_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s2_en & and_1770_s2_q;
+  assign patches_columns_above_we = s2_en & and_1777_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_columns_above_we) patches_columns_above_mem[patches_columns_above_waddr] <= {patches_columns_above_rdata_q[23:0], pixel_2};
   end
@@ -2523,39 +2523,39 @@ module horopter_agreement (
       columns_begin_rest_q <= 8'h0;
       columns_begin_back_q <= 7'h0;
     end else if (s2_en) begin
-      chosen_score_q <= less_2397 ? select_1405 : select_1424;
-      chosen_near_q <= (select_2399 < select_1444) ? select_1444 : select_2399;
-      chosen_place_q <= less_2397 ? {select_1413, not_1412} : 3'h2;
-      before_0_q <= select_1424;
-      before_1_q <= sum_1155;
-      before_2_q <= sum_1403;
-      registration_displacement_over_q <= so_s2_q ? sum_2509[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2511;
-      registration_slope_row_q <= select_2596;
-      registration_slope_change_q <= select_2599;
+      chosen_score_q <= less_2404 ? select_1412 : select_1431;
+      chosen_near_q <= (select_2406 < select_1451) ? select_1451 : select_2406;
+      chosen_place_q <= less_2404 ? {select_1420, not_1419} : 3'h2;
+      before_0_q <= select_1431;
+      before_1_q <= sum_1162;
+      before_2_q <= sum_1410;
+      registration_displacement_over_q <= so_s2_q ? sum_2516[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2518;
+      registration_slope_row_q <= select_2603;
+      registration_slope_change_q <= select_2606;
       registration_slope_q <= so_s2_q ? column_6 : {registration_slope_row_q, 4'h0};
-      patches_along_ends_q <= not_2830_s2_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_2830_s2_q & select_2845;
-      patches_smooth_values_0_q <= equal_1683_s2_q ? patches_smooth_values_0_q : select_2848;
-      patches_smooth_values_1_q <= select_2852;
-      patches_smooth_values_2_q <= select_2855;
-      patches_smooth_values_3_q <= select_2858;
-      patches_down_values_0_q <= equal_1683_s2_q ? patches_down_values_0_q : select_2860;
-      patches_down_values_1_q <= equal_1683_s2_q ? patches_down_values_1_q : select_2863;
-      patches_down_values_2_q <= equal_1683_s2_q ? patches_down_values_2_q : select_2866;
-      patches_down_values_3_q <= equal_1683_s2_q ? patches_down_values_3_q : select_2869;
-      patches_down_by_q <= or_2806_s2_q ? 5'h0 : (patches_down_by_q + {4'h0, and_2906});
-      patches_along_q <= select_2911;
-      patches_match_row_q <= or_2806_s2_q ? 4'h0 : select_2913;
-      patches_summed_last_q <= not_1684_s2_q & (equal_1685_s2_q & and_2906);
-      patches_summed_down_by_q <= select_3269;
-      patches_step_q <= or_2806_s2_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3308;
-      region_across_rest_q <= select_3604;
+      patches_along_ends_q <= not_2837_s2_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_2837_s2_q & select_2852;
+      patches_smooth_values_0_q <= equal_1690_s2_q ? patches_smooth_values_0_q : select_2855;
+      patches_smooth_values_1_q <= select_2859;
+      patches_smooth_values_2_q <= select_2862;
+      patches_smooth_values_3_q <= select_2865;
+      patches_down_values_0_q <= equal_1690_s2_q ? patches_down_values_0_q : select_2867;
+      patches_down_values_1_q <= equal_1690_s2_q ? patches_down_values_1_q : select_2870;
+      patches_down_values_2_q <= equal_1690_s2_q ? patches_down_values_2_q : select_2873;
+      patches_down_values_3_q <= equal_1690_s2_q ? patches_down_values_3_q : select_2876;
+      patches_down_by_q <= or_2813_s2_q ? 5'h0 : (patches_down_by_q + {4'h0, and_2913});
+      patches_along_q <= select_2918;
+      patches_match_row_q <= or_2813_s2_q ? 4'h0 : select_2920;
+      patches_summed_last_q <= not_1691_s2_q & (equal_1692_s2_q & and_2913);
+      patches_summed_down_by_q <= select_3276;
+      patches_step_q <= or_2813_s2_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3315;
+      region_across_rest_q <= select_3631;
       region_across_back_q <= so_s2_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3607;
-      columns_begin_rest_q <= and_501_s2_q ? select_3609 : columns_begin_rest_q;
-      columns_begin_back_q <= and_501_s2_q ? select_3612 : columns_begin_back_q;
+      region_across_next_q <= select_3634;
+      columns_begin_rest_q <= and_508_s2_q ? select_3636 : columns_begin_rest_q;
+      columns_begin_back_q <= and_508_s2_q ? select_3639 : columns_begin_back_q;
     end
   end
 
@@ -2579,17 +2579,17 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
       middle_sum_columns_values_0_q <= slot_s2_q[0] ? middle_sum_columns_values_0_q : column_2_s2_q;
-      middle_sum_columns_values_1_q <= select_2388;
-      middle_sum_columns_values_2_q <= select_2389;
-      middle_sum_columns_values_3_q <= select_2390;
-      middle_sum_columns_values_4_q <= select_2391;
-      middle_sum_columns_values_5_q <= select_2392;
-      middle_sum_columns_values_6_q <= select_2393;
-      middle_sum_sum_sums_values_0_q <= slot_s2_q[0] ? middle_sum_sum_sums_values_0_q : sum_905;
-      sums_0_sum_sums_values_0_q <= sum_1155;
-      sums_0_sum_sums_values_1_q <= equal_1153 ? 8'h0 : sums_0_sum_sums_values_0_q;
-      sums_1_sum_sums_values_0_q <= sum_1403;
-      sums_1_sum_sums_values_1_q <= equal_1153 ? 8'h0 : sums_1_sum_sums_values_0_q;
+      middle_sum_columns_values_1_q <= select_2395;
+      middle_sum_columns_values_2_q <= select_2396;
+      middle_sum_columns_values_3_q <= select_2397;
+      middle_sum_columns_values_4_q <= select_2398;
+      middle_sum_columns_values_5_q <= select_2399;
+      middle_sum_columns_values_6_q <= select_2400;
+      middle_sum_sum_sums_values_0_q <= slot_s2_q[0] ? middle_sum_sum_sums_values_0_q : sum_912;
+      sums_0_sum_sums_values_0_q <= sum_1162;
+      sums_0_sum_sums_values_1_q <= equal_1160 ? 8'h0 : sums_0_sum_sums_values_0_q;
+      sums_1_sum_sums_values_0_q <= sum_1410;
+      sums_1_sum_sums_values_1_q <= equal_1160 ? 8'h0 : sums_1_sum_sums_values_0_q;
     end
   end
 
@@ -2619,64 +2619,64 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s3_q;
   logic [4:0] patches_step_s3_q;
   logic patches_read_searches_s3_q;
-  logic [2:0] select_465_s3_q;
-  logic [5:0] select_467_s3_q;
-  logic [7:0] select_471_s3_q;
-  logic and_475_s3_q;
-  logic and_476_s3_q;
-  logic equal_481_s3_q;
+  logic [2:0] select_472_s3_q;
+  logic [5:0] select_474_s3_q;
+  logic [7:0] select_478_s3_q;
+  logic and_482_s3_q;
+  logic and_483_s3_q;
+  logic equal_488_s3_q;
   logic [5:0] column_s3_q;
-  logic and_499_s3_q;
-  logic and_501_s3_q;
+  logic and_506_s3_q;
+  logic and_508_s3_q;
   logic so_s3_q;
-  logic equal_562_s3_q;
-  logic equal_1470_s3_q;
-  logic not_1471_s3_q;
+  logic equal_569_s3_q;
+  logic equal_1477_s3_q;
+  logic not_1478_s3_q;
   logic [13:0] shift_2_s3_q;
-  logic and_1505_s3_q;
-  logic [5:0] select_1509_s3_q;
-  logic and_1514_s3_q;
-  logic and_1583_s3_q;
-  logic and_1596_s3_q;
-  logic less_1610_s3_q;
+  logic and_1512_s3_q;
+  logic [5:0] select_1516_s3_q;
+  logic and_1521_s3_q;
+  logic and_1590_s3_q;
+  logic and_1603_s3_q;
+  logic less_1617_s3_q;
   logic [7:0] change_s3_q;
-  logic equal_1683_s3_q;
-  logic equal_1685_s3_q;
-  logic equal_1688_s3_q;
-  logic or_1689_s3_q;
-  logic [4:0] select_1713_s3_q;
-  logic select_1719_s3_q;
-  logic [3:0] select_1760_s3_q;
-  logic less_1776_s3_q;
+  logic equal_1690_s3_q;
+  logic equal_1692_s3_q;
+  logic equal_1695_s3_q;
+  logic or_1696_s3_q;
+  logic [4:0] select_1720_s3_q;
+  logic select_1726_s3_q;
+  logic [3:0] select_1767_s3_q;
+  logic less_1783_s3_q;
   logic new_row_s3_q;
-  logic or_1789_s3_q;
+  logic or_1796_s3_q;
   logic [1:0] of_row_2_s3_q;
-  logic less_1806_s3_q;
-  logic less_1807_s3_q;
-  logic less_1816_s3_q;
-  logic less_1817_s3_q;
-  logic and_1831_s3_q;
-  logic and_1840_s3_q;
-  logic and_1845_s3_q;
-  logic less_1846_s3_q;
-  logic equal_1847_s3_q;
-  logic not_1848_s3_q;
-  logic equal_1849_s3_q;
-  logic not_1850_s3_q;
-  logic and_1864_s3_q;
-  logic select_1866_s3_q;
-  logic and_1869_s3_q;
-  logic sum_1885_s3_q;
+  logic less_1813_s3_q;
+  logic less_1814_s3_q;
+  logic less_1823_s3_q;
+  logic less_1824_s3_q;
+  logic and_1838_s3_q;
+  logic and_1847_s3_q;
+  logic and_1852_s3_q;
+  logic less_1853_s3_q;
+  logic equal_1854_s3_q;
+  logic not_1855_s3_q;
+  logic equal_1856_s3_q;
+  logic not_1857_s3_q;
+  logic and_1871_s3_q;
+  logic select_1873_s3_q;
+  logic and_1876_s3_q;
+  logic sum_1892_s3_q;
   logic textured_s3_q;
-  logic and_2018_s3_q;
-  logic equal_2164_s3_q;
-  logic equal_2288_s3_q;
-  logic less_2525_s3_q;
-  logic less_2882_s3_q;
-  logic equal_3225_s3_q;
-  logic equal_3309_s3_q;
-  logic less_3592_s3_q;
-  logic equal_3797_s3_q;
+  logic and_2025_s3_q;
+  logic equal_2171_s3_q;
+  logic equal_2295_s3_q;
+  logic less_2532_s3_q;
+  logic less_2889_s3_q;
+  logic equal_3232_s3_q;
+  logic equal_3316_s3_q;
+  logic less_3619_s3_q;
+  logic equal_3824_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       pixel_0_s3_q <= pixel_0_s2_q;
@@ -2705,64 +2705,64 @@ module horopter_agreement (
       patches_summed_down_by_s3_q <= patches_summed_down_by_q;
       patches_step_s3_q <= patches_step_q[4:0];
       patches_read_searches_s3_q <= patches_read_searches_q;
-      select_465_s3_q <= select_465_s2_q;
-      select_467_s3_q <= select_467_s2_q;
-      select_471_s3_q <= select_471_s2_q;
-      and_475_s3_q <= and_475_s2_q;
-      and_476_s3_q <= and_476;
-      equal_481_s3_q <= equal_481_s2_q;
+      select_472_s3_q <= select_472_s2_q;
+      select_474_s3_q <= select_474_s2_q;
+      select_478_s3_q <= select_478_s2_q;
+      and_482_s3_q <= and_482_s2_q;
+      and_483_s3_q <= and_483;
+      equal_488_s3_q <= equal_488_s2_q;
       column_s3_q <= column_s2_q;
-      and_499_s3_q <= and_499_s2_q;
-      and_501_s3_q <= and_501_s2_q;
+      and_506_s3_q <= and_506_s2_q;
+      and_508_s3_q <= and_508_s2_q;
       so_s3_q <= so_s2_q;
-      equal_562_s3_q <= equal_562_s2_q;
-      equal_1470_s3_q <= equal_1470_s2_q;
-      not_1471_s3_q <= not_1471;
+      equal_569_s3_q <= equal_569_s2_q;
+      equal_1477_s3_q <= equal_1477_s2_q;
+      not_1478_s3_q <= not_1478;
       shift_2_s3_q <= {shift_2[14:3], shift_2[1:0]};
-      and_1505_s3_q <= and_1505;
-      select_1509_s3_q <= select_1509_s2_q;
-      and_1514_s3_q <= not_1471 & (so_s2_q ? and_1503 : (equal_521_s2_q & shift_2[4]));
-      and_1583_s3_q <= and_1583_s2_q;
-      and_1596_s3_q <= and_1596_s2_q;
-      less_1610_s3_q <= less_1610_s2_q;
+      and_1512_s3_q <= and_1512;
+      select_1516_s3_q <= select_1516_s2_q;
+      and_1521_s3_q <= not_1478 & (so_s2_q ? and_1510 : (equal_528_s2_q & shift_2[4]));
+      and_1590_s3_q <= and_1590_s2_q;
+      and_1603_s3_q <= and_1603_s2_q;
+      less_1617_s3_q <= less_1617_s2_q;
       change_s3_q <= change;
-      equal_1683_s3_q <= equal_1683_s2_q;
-      equal_1685_s3_q <= equal_1685_s2_q;
-      equal_1688_s3_q <= equal_1688_s2_q;
-      or_1689_s3_q <= or_1689_s2_q;
-      select_1713_s3_q <= select_1713_s2_q;
-      select_1719_s3_q <= select_1719_s2_q;
-      select_1760_s3_q <= select_1760_s2_q;
-      less_1776_s3_q <= less_1776;
+      equal_1690_s3_q <= equal_1690_s2_q;
+      equal_1692_s3_q <= equal_1692_s2_q;
+      equal_1695_s3_q <= equal_1695_s2_q;
+      or_1696_s3_q <= or_1696_s2_q;
+      select_1720_s3_q <= select_1720_s2_q;
+      select_1726_s3_q <= select_1726_s2_q;
+      select_1767_s3_q <= select_1767_s2_q;
+      less_1783_s3_q <= less_1783;
       new_row_s3_q <= new_row;
-      or_1789_s3_q <= or_1789;
+      or_1796_s3_q <= or_1796;
       of_row_2_s3_q <= of_row_2;
-      less_1806_s3_q <= $signed(15'h100) < $signed(sum_1805);
-      less_1807_s3_q <= $signed(sum_1805[14:8]) < $signed(7'h7f);
-      less_1816_s3_q <= $signed(15'h100) < $signed(difference_1815);
-      less_1817_s3_q <= $signed(difference_1815[14:8]) < $signed(7'h7f);
-      and_1831_s3_q <= not_1684_s2_q & and_1830;
-      and_1840_s3_q <= and_1840;
-      and_1845_s3_q <= not_1684_s2_q & and_1844;
-      less_1846_s3_q <= less_1846;
-      equal_1847_s3_q <= equal_1847;
-      not_1848_s3_q <= not_1848;
-      equal_1849_s3_q <= equal_1849;
-      not_1850_s3_q <= not_1850;
-      and_1864_s3_q <= and_1864_s2_q;
-      select_1866_s3_q <= select_1866_s2_q;
-      and_1869_s3_q <= and_1869_s2_q;
-      sum_1885_s3_q <= sum_1885[5];
+      less_1813_s3_q <= $signed(15'h100) < $signed(sum_1812);
+      less_1814_s3_q <= $signed(sum_1812[14:8]) < $signed(7'h7f);
+      less_1823_s3_q <= $signed(15'h100) < $signed(difference_1822);
+      less_1824_s3_q <= $signed(difference_1822[14:8]) < $signed(7'h7f);
+      and_1838_s3_q <= not_1691_s2_q & and_1837;
+      and_1847_s3_q <= and_1847;
+      and_1852_s3_q <= not_1691_s2_q & and_1851;
+      less_1853_s3_q <= less_1853;
+      equal_1854_s3_q <= equal_1854;
+      not_1855_s3_q <= not_1855;
+      equal_1856_s3_q <= equal_1856;
+      not_1857_s3_q <= not_1857;
+      and_1871_s3_q <= and_1871_s2_q;
+      select_1873_s3_q <= select_1873_s2_q;
+      and_1876_s3_q <= and_1876_s2_q;
+      sum_1892_s3_q <= sum_1892[5];
       textured_s3_q <= textured;
-      and_2018_s3_q <= and_2018_s2_q;
-      equal_2164_s3_q <= equal_2164_s2_q;
-      equal_2288_s3_q <= equal_2288_s2_q;
-      less_2525_s3_q <= select_2492 < select_2494;
-      less_2882_s3_q <= 4'he < patches_column_s2_q[4:1];
-      equal_3225_s3_q <= patches_match_row_q == 4'h0;
-      equal_3309_s3_q <= patches_step_q[6:5] == 2'h2;
-      less_3592_s3_q <= less_3592_s2_q;
-      equal_3797_s3_q <= equal_3797_s2_q;
+      and_2025_s3_q <= and_2025_s2_q;
+      equal_2171_s3_q <= equal_2171_s2_q;
+      equal_2295_s3_q <= equal_2295_s2_q;
+      less_2532_s3_q <= select_2499 < select_2501;
+      less_2889_s3_q <= 4'he < patches_column_s2_q[4:1];
+      equal_3232_s3_q <= patches_match_row_q == 4'h0;
+      equal_3316_s3_q <= patches_step_q[6:5] == 2'h2;
+      less_3619_s3_q <= less_3619_s2_q;
+      equal_3824_s3_q <= equal_3824_s2_q;
     end
   end
 
@@ -2930,140 +2930,140 @@ module horopter_agreement (
   logic was_next_row_q;
   logic [10:0] seen_base_q;
   // hls/stages/census.hpp:112
-  logic [11:0] select_479;
-  assign select_479 = select_465_s3_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  logic [11:0] select_486;
+  assign select_486 = select_472_s3_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
   // hls/stages/census.hpp:121
-  logic [11:0] sum_483;
-  assign sum_483 = select_479 + (equal_481_s3_q ? 12'h0 : averager_memory_rdata_q[11:0]);
+  logic [11:0] sum_490;
+  assign sum_490 = select_486 + (equal_488_s3_q ? 12'h0 : averager_memory_rdata_q[11:0]);
   // hls/stages/census.hpp:112
-  logic [11:0] sum_485;
-  assign sum_485 = {4'h0, sample_pair_pixel_1_q} + (select_465_s3_q[0] ? averager_running_1_q : 12'h0);
+  logic [11:0] sum_492;
+  assign sum_492 = {4'h0, sample_pair_pixel_1_q} + (select_472_s3_q[0] ? averager_running_1_q : 12'h0);
   // hls/stages/census.hpp:121
-  logic [11:0] sum_487;
-  assign sum_487 = sum_485 + (equal_481_s3_q ? 12'h0 : averager_memory_rdata_q[23:12]);
+  logic [11:0] sum_494;
+  assign sum_494 = sum_492 + (equal_488_s3_q ? 12'h0 : averager_memory_rdata_q[23:12]);
   // hls/stages/agreement.hpp:404
   logic whole;
-  assign whole = select_465_s3_q[0] ? (sample_present_s3_q & averager_running_mask_q) : sample_present_s3_q;
+  assign whole = select_472_s3_q[0] ? (sample_present_s3_q & averager_running_mask_q) : sample_present_s3_q;
   // hls/stages/census.hpp:122
-  logic and_491;
-  assign and_491 = whole & (averager_memory_rdata_q[24] | equal_481_s3_q);
+  logic and_498;
+  assign and_498 = whole & (averager_memory_rdata_q[24] | equal_488_s3_q);
   // hls/stages/agreement.hpp:404
   logic all_of_skin;
-  assign all_of_skin = select_465_s3_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  assign all_of_skin = select_472_s3_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
   // hls/stages/census.hpp:123
-  logic and_495;
-  assign and_495 = all_of_skin & (averager_memory_rdata_q[25] | equal_481_s3_q);
+  logic and_502;
+  assign and_502 = all_of_skin & (averager_memory_rdata_q[25] | equal_488_s3_q);
   // hls/stages/census.hpp:206
   logic [8:0] grey;
-  assign grey = and_475_s3_q ? sum_483[11:3] : 9'h0;
+  assign grey = and_482_s3_q ? sum_490[11:3] : 9'h0;
   // hls/stages/census.hpp:126
-  logic equal_504;
-  assign equal_504 = select_465_s3_q == 3'h1;
+  logic equal_511;
+  assign equal_511 = select_472_s3_q == 3'h1;
   // hls/stages/census.hpp:207
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_504 ? 11'h0 : averager_total_0_q);
+  assign total = {2'h0, grey} + (equal_511 ? 11'h0 : averager_total_0_q);
   // hls/stages/agreement.hpp:263
-  logic [8:0] select_507;
-  assign select_507 = sample_pair_whole_s3_q ? total[10:2] : 9'h0;
+  logic [8:0] select_514;
+  assign select_514 = sample_pair_whole_s3_q ? total[10:2] : 9'h0;
   // hls/stages/census.hpp:206
   logic [8:0] grey_2;
-  assign grey_2 = and_475_s3_q ? sum_487[11:3] : 9'h0;
+  assign grey_2 = and_482_s3_q ? sum_494[11:3] : 9'h0;
   // hls/stages/census.hpp:207
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_504 ? 11'h0 : averager_total_1_q);
+  assign total_2 = {2'h0, grey_2} + (equal_511 ? 11'h0 : averager_total_1_q);
   // hls/stages/agreement.hpp:263
-  logic [8:0] select_511;
-  assign select_511 = sample_pair_whole_s3_q ? total_2[10:2] : 9'h0;
+  logic [8:0] select_518;
+  assign select_518 = sample_pair_whole_s3_q ? total_2[10:2] : 9'h0;
   // hls/stages/census.hpp:206
-  logic and_512;
-  assign and_512 = and_475_s3_q & and_491;
+  logic and_519;
+  assign and_519 = and_482_s3_q & and_498;
   // hls/stages/census.hpp:126
-  logic select_514;
-  assign select_514 = equal_504 ? and_512 : (averager_mask_q & and_512);
+  logic select_521;
+  assign select_521 = equal_511 ? and_519 : (averager_mask_q & and_519);
   // hls/stages/agreement.hpp:263
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s3_q & select_514;
+  assign whole_2 = sample_pair_whole_s3_q & select_521;
   // hls/stages/census.hpp:206
-  logic and_516;
-  assign and_516 = and_475_s3_q & and_495;
+  logic and_523;
+  assign and_523 = and_482_s3_q & and_502;
   // hls/stages/census.hpp:126
-  logic select_518;
-  assign select_518 = equal_504 ? and_516 : (averager_of_skin_q & and_516);
+  logic select_525;
+  assign select_525 = equal_511 ? and_523 : (averager_of_skin_q & and_523);
   // hls/stages/agreement.hpp:263
-  logic and_519;
-  assign and_519 = sample_pair_whole_s3_q & select_518;
+  logic and_526;
+  assign and_526 = sample_pair_whole_s3_q & select_525;
   // hls/stages/census.hpp:294
-  logic less_535;
-  assign less_535 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_536;
-  assign less_536 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
-  logic less_537;
-  assign less_537 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_538;
-  assign less_538 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_539;
-  assign less_539 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_540;
-  assign less_540 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_541;
-  assign less_541 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_542;
-  assign less_542 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_542 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_543;
-  assign less_543 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_543 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_544;
-  assign less_544 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_544 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_545;
-  assign less_545 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_545 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_546;
-  assign less_546 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:295
+  assign less_546 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_547;
-  assign less_547 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_547 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_548;
-  assign less_548 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_548 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_549;
-  assign less_549 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_549 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_550;
-  assign less_550 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_550 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_551;
-  assign less_551 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_551 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_552;
-  assign less_552 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_552 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_553;
-  assign less_553 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_553 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:295
   logic less_554;
-  assign less_554 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_554 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_555;
-  assign less_555 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_555 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_556;
-  assign less_556 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_556 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_557;
-  assign less_557 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_557 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_558;
-  assign less_558 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_558 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_559;
+  assign less_559 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_560;
+  assign less_560 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_561;
+  assign less_561 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_562;
+  assign less_562 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_563;
+  assign less_563 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_564;
+  assign less_564 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_565;
+  assign less_565 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   // hls/stages/agreement.hpp:442
-  logic equal_559;
-  assign equal_559 = column_s3_q == 6'h0;
-  logic [3:0] select_563;
-  assign select_563 = equal_562_s3_q ? 4'h0 : rows_passed_above_q[3:0];
+  logic equal_566;
+  assign equal_566 = column_s3_q == 6'h0;
+  logic [3:0] select_570;
+  assign select_570 = equal_569_s3_q ? 4'h0 : rows_passed_above_q[3:0];
   // hls/stages/agreement.hpp:443
-  logic [4:0] select_564;
-  assign select_564 = equal_559 ? {select_563, 1'b1} : rows_passed_above_q;
+  logic [4:0] select_571;
+  assign select_571 = equal_566 ? {select_570, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:276
-  logic [3:0] select_565;
-  assign select_565 = equal_559 ? 4'h0 : census_filled_q;
+  logic [3:0] select_572;
+  assign select_572 = equal_566 ? 4'h0 : census_filled_q;
   // hls/stages/census.hpp:299
-  logic and_566;
-  assign and_566 = select_564[4] & select_565[3];
+  logic and_573;
+  assign and_573 = select_571[4] & select_572[3];
   // hls/stages/census.hpp:286
-  logic and_568;
-  assign and_568 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
-  logic and_570;
-  assign and_570 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_568);
+  logic and_575;
+  assign and_575 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
+  logic and_577;
+  assign and_577 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_575);
   // hls/stages/agreement.hpp:443
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_570;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_577;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_q & whole_3;
   logic whole_5;
@@ -3103,45 +3103,45 @@ module horopter_agreement (
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
   // hls/stages/census.hpp:270
-  logic [9:0] difference_593;
-  assign difference_593 = {1'b0, select_507} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [8:0] xor_594;
-  assign xor_594 = difference_593[8:0] ^ {9{difference_593[9]}};
-  logic [9:0] sum_595;
-  assign sum_595 = {9'h0, difference_593[9]} + {1'b0, xor_594};
-  logic [9:0] difference_596;
-  assign difference_596 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [8:0] xor_597;
-  assign xor_597 = difference_596[8:0] ^ {9{difference_596[9]}};
-  logic [9:0] sum_598;
-  assign sum_598 = {9'h0, difference_596[9]} + {1'b0, xor_597};
   logic [9:0] difference_600;
-  assign difference_600 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  assign difference_600 = {1'b0, select_514} - {1'b0, census_columns_values_0_cell_0_left_q};
   logic [8:0] xor_601;
   assign xor_601 = difference_600[8:0] ^ {9{difference_600[9]}};
   logic [9:0] sum_602;
   assign sum_602 = {9'h0, difference_600[9]} + {1'b0, xor_601};
-  logic [10:0] sum_603;
-  assign sum_603 = ({1'b0, sum_595} + {1'b0, sum_598}) + {1'b0, sum_602};
-  logic [9:0] difference_604;
-  assign difference_604 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [8:0] xor_605;
-  assign xor_605 = difference_604[8:0] ^ {9{difference_604[9]}};
-  logic [9:0] sum_606;
-  assign sum_606 = {9'h0, difference_604[9]} + {1'b0, xor_605};
-  logic [9:0] difference_608;
-  assign difference_608 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  logic [8:0] xor_609;
-  assign xor_609 = difference_608[8:0] ^ {9{difference_608[9]}};
+  logic [9:0] difference_603;
+  assign difference_603 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [8:0] xor_604;
+  assign xor_604 = difference_603[8:0] ^ {9{difference_603[9]}};
+  logic [9:0] sum_605;
+  assign sum_605 = {9'h0, difference_603[9]} + {1'b0, xor_604};
+  logic [9:0] difference_607;
+  assign difference_607 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [8:0] xor_608;
+  assign xor_608 = difference_607[8:0] ^ {9{difference_607[9]}};
+  logic [9:0] sum_609;
+  assign sum_609 = {9'h0, difference_607[9]} + {1'b0, xor_608};
+  logic [10:0] sum_610;
+  assign sum_610 = ({1'b0, sum_602} + {1'b0, sum_605}) + {1'b0, sum_609};
+  logic [9:0] difference_611;
+  assign difference_611 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [8:0] xor_612;
+  assign xor_612 = difference_611[8:0] ^ {9{difference_611[9]}};
+  logic [9:0] sum_613;
+  assign sum_613 = {9'h0, difference_611[9]} + {1'b0, xor_612};
+  logic [9:0] difference_615;
+  assign difference_615 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [8:0] xor_616;
+  assign xor_616 = difference_615[8:0] ^ {9{difference_615[9]}};
   // hls/stages/agreement.hpp:193
-  logic not_1510;
-  assign not_1510 = ~so_s3_q;
-  // hls/stages/patches.hpp:321
-  logic and_1511;
-  assign and_1511 = not_1510 & shift_2_s3_q[4];
+  logic not_1517;
+  assign not_1517 = ~so_s3_q;
+  // hls/stages/patches.hpp:330
+  logic and_1518;
+  assign and_1518 = not_1517 & shift_2_s3_q[4];
   // hls/stages/agreement.hpp:1070
-  logic equal_1515;
-  assign equal_1515 = x_s3_q[6:4] == 3'h7;
+  logic equal_1522;
+  assign equal_1522 = x_s3_q[6:4] == 3'h7;
   // hls/stages/agreement.hpp:1116
   logic [1:0] quarter;
   assign quarter = x_s3_q[1:0] + 2'h1;
@@ -3149,1285 +3149,1285 @@ module horopter_agreement (
   logic all;
   assign all = x_s3_q[5:3] == 3'h4;
   // hls/stages/agreement.hpp:1071
-  logic [1:0] select_1518;
-  assign select_1518 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
+  logic [1:0] select_1525;
+  assign select_1525 = x_s3_q[4] ? {x_s3_q[3], x_s3_q[0]} : {x_s3_q[0], x_s3_q[3]};
   // hls/stages/agreement.hpp:1084
-  logic [3:0] select_1520;
-  assign select_1520 = equal_1515 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1518});
+  logic [3:0] select_1527;
+  assign select_1527 = equal_1522 ? {2'h0, quarter} : (all ? {1'b0, x_s3_q[2:0]} : {x_s3_q[2:1], select_1525});
   // hls/stages/registration.hpp:107
-  logic [1:0] sum_1521;
-  assign sum_1521 = slot_s3_q[1:0] + 2'h3;
-  // hls/stages/patches.hpp:321
-  logic [3:0] select_1522;
-  assign select_1522 = equal_1470_s3_q ? select_1520 : {sum_1521, lower_half_s3_q, registration_of_right_q};
-  // hls/stages/patches.hpp:192
-  logic equal_1523;
-  assign equal_1523 = x_s3_q[5:0] == 6'h3f;
-  logic equal_1525;
-  assign equal_1525 = x_s3_q[5:0] == 6'h3e;
-  logic equal_1527;
-  assign equal_1527 = x_s3_q[5:0] == 6'h3d;
-  logic equal_1529;
-  assign equal_1529 = x_s3_q[5:0] == 6'h3c;
-  logic equal_1531;
-  assign equal_1531 = x_s3_q[5:0] == 6'h3b;
-  logic equal_1533;
-  assign equal_1533 = x_s3_q[5:0] == 6'h36;
-  logic equal_1535;
-  assign equal_1535 = x_s3_q[5:0] == 6'h35;
-  logic equal_1537;
-  assign equal_1537 = x_s3_q[5:0] == 6'h34;
+  logic [1:0] sum_1528;
+  assign sum_1528 = slot_s3_q[1:0] + 2'h3;
+  // hls/stages/patches.hpp:330
+  logic [3:0] select_1529;
+  assign select_1529 = equal_1477_s3_q ? select_1527 : {sum_1528, lower_half_s3_q, registration_of_right_q};
+  // hls/stages/patches.hpp:201
+  logic equal_1530;
+  assign equal_1530 = x_s3_q[5:0] == 6'h3f;
+  logic equal_1532;
+  assign equal_1532 = x_s3_q[5:0] == 6'h3e;
+  logic equal_1534;
+  assign equal_1534 = x_s3_q[5:0] == 6'h3d;
+  logic equal_1536;
+  assign equal_1536 = x_s3_q[5:0] == 6'h3c;
+  logic equal_1538;
+  assign equal_1538 = x_s3_q[5:0] == 6'h3b;
+  logic equal_1540;
+  assign equal_1540 = x_s3_q[5:0] == 6'h36;
+  logic equal_1542;
+  assign equal_1542 = x_s3_q[5:0] == 6'h35;
+  logic equal_1544;
+  assign equal_1544 = x_s3_q[5:0] == 6'h34;
   // hls/stages/agreement.hpp:1116
-  logic and_1541;
-  assign and_1541 = (~equal_1531) & ((~equal_1533) & ((~equal_1535) & (~equal_1537)));
-  logic and_1545;
-  assign and_1545 = (~equal_1523) & ((~equal_1525) & ((~equal_1527) & ((~equal_1529) & and_1541)));
+  logic and_1548;
+  assign and_1548 = (~equal_1538) & ((~equal_1540) & ((~equal_1542) & (~equal_1544)));
+  logic and_1552;
+  assign and_1552 = (~equal_1530) & ((~equal_1532) & ((~equal_1534) & ((~equal_1536) & and_1548)));
   // hls/stages/agreement.hpp:1071
-  logic less_1546;
-  assign less_1546 = x_s3_q[5:0] < 6'h29;
+  logic less_1553;
+  assign less_1553 = x_s3_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
   logic [1:0] kind;
   assign kind = all ? {1'b0, x_s3_q[2]} : x_s3_q[2:1];
   // hls/stages/registration.hpp:160
-  logic or_1550;
-  assign or_1550 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
+  logic or_1557;
+  assign or_1557 = (kind == 2'h3) | (x_s3_q[5:3] == 3'h5);
   // hls/stages/agreement.hpp:955
-  logic [4:0] sum_1555;
-  assign sum_1555 = {1'b0, last_s3_q[5:2]} + 5'h1;
+  logic [4:0] sum_1562;
+  assign sum_1562 = {1'b0, last_s3_q[5:2]} + 5'h1;
   // hls/stages/agreement.hpp:250
   logic right_2;
-  assign right_2 = shift_2_s3_q[0] & ({2'h0, sum_1555, last_s3_q[1]} < x_s3_q);
+  assign right_2 = shift_2_s3_q[0] & ({2'h0, sum_1562, last_s3_q[1]} < x_s3_q);
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = shift_2_s3_q[0] ? (right_2 & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:107
-  logic [4:0] sum_1561;
-  assign sum_1561 = {2'h0, slot_s3_q} + 5'h1f;
-  logic and_1563;
-  assign and_1563 = half_ends & ({{3{sum_1561[4]}}, sum_1561} < 8'h3);
-  // hls/stages/patches.hpp:321
-  logic and_1564;
-  assign and_1564 = so_s3_q & and_1563;
-  logic select_1565;
-  assign select_1565 = equal_1470_s3_q ? (x_s3_q[6] & (equal_1515 ? and_1545 : (less_1546 & (~or_1550)))) : and_1564;
+  logic [4:0] sum_1568;
+  assign sum_1568 = {2'h0, slot_s3_q} + 5'h1f;
+  logic and_1570;
+  assign and_1570 = half_ends & ({{3{sum_1568[4]}}, sum_1568} < 8'h3);
+  // hls/stages/patches.hpp:330
+  logic and_1571;
+  assign and_1571 = so_s3_q & and_1570;
+  logic select_1572;
+  assign select_1572 = equal_1477_s3_q ? (x_s3_q[6] & (equal_1522 ? and_1552 : (less_1553 & (~or_1557)))) : and_1571;
   // hls/stages/registration.hpp:258
-  logic not_1567;
-  assign not_1567 = ~lower_half_s3_q;
-  logic [3:0] select_1568;
-  assign select_1568 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_1567, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_1567};
-  // hls/stages/patches.hpp:354
-  logic [1:0] select_1597;
-  assign select_1597 = and_1596_s3_q ? 2'h1 : patches_fetch_q;
-  logic [4:0] select_1598;
-  assign select_1598 = and_1596_s3_q ? patches_band_rows_number_s3_q : patches_band_q;
+  logic not_1574;
+  assign not_1574 = ~lower_half_s3_q;
+  logic [3:0] select_1575;
+  assign select_1575 = registration_of_right_q ? {lower_half_s3_q, 1'b0, not_1574, 1'b0} : {1'b0, lower_half_s3_q, 1'b0, not_1574};
+  // hls/stages/patches.hpp:363
+  logic [1:0] select_1604;
+  assign select_1604 = and_1603_s3_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_1605;
+  assign select_1605 = and_1603_s3_q ? patches_band_rows_number_s3_q : patches_band_q;
   // hls/stages/agreement.hpp:263
-  logic [5:0] select_1599;
-  assign select_1599 = and_1583_s3_q ? {select_1598, select_1597[1]} : {patches_band_q, patches_fetch_q[1]};
-  // hls/stages/patches.hpp:109
-  logic [1:0] select_1600;
-  assign select_1600 = and_1583_s3_q ? select_1597 : patches_fetch_q;
-  logic equal_1601;
-  assign equal_1601 = select_1600 == 2'h0;
-  // hls/stages/patches.hpp:86
+  logic [5:0] select_1606;
+  assign select_1606 = and_1590_s3_q ? {select_1605, select_1604[1]} : {patches_band_q, patches_fetch_q[1]};
+  // hls/stages/patches.hpp:118
+  logic [1:0] select_1607;
+  assign select_1607 = and_1590_s3_q ? select_1604 : patches_fetch_q;
+  logic equal_1608;
+  assign equal_1608 = select_1607 == 2'h0;
+  // hls/stages/patches.hpp:95
   logic right_3;
   assign right_3 = {3'h0, last_s3_q[5:1]} < x_s3_q;
-  // hls/stages/patches.hpp:321
-  logic and_1609;
-  assign and_1609 = not_1471_s3_q & (so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & right_3)));
+  // hls/stages/patches.hpp:330
+  logic and_1616;
+  assign and_1616 = not_1478_s3_q & (so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & right_3)));
   // hls/stages/registration.hpp:83
-  logic equal_1611;
-  assign equal_1611 = slot_s3_q == 3'h7;
+  logic equal_1618;
+  assign equal_1618 = slot_s3_q == 3'h7;
   // hls/stages/registration.hpp:89
   logic [7:0] a;
-  assign a = equal_1611 ? registration_slope_here_q : change_s3_q;
+  assign a = equal_1618 ? registration_slope_here_q : change_s3_q;
   // hls/stages/registration.hpp:211
-  logic [6:0] select_1617;
-  assign select_1617 = shift_2_s3_q[5] ? a[7:1] : 7'h0;
-  logic [7:0] select_1618;
-  assign select_1618 = shift_2_s3_q[6] ? a : 8'h0;
-  logic [8:0] sum_1619;
-  assign sum_1619 = {{2{select_1617[6]}}, select_1617} + {select_1618[7], select_1618};
-  // hls/stages/registration.hpp:212
-  logic [7:0] select_1620;
-  assign select_1620 = shift_2_s3_q[7] ? a : 8'h0;
-  logic [7:0] select_1621;
-  assign select_1621 = shift_2_s3_q[8] ? a : 8'h0;
-  logic [8:0] sum_1622;
-  assign sum_1622 = {{2{select_1620[7]}}, select_1620[7:1]} + {select_1621[7], select_1621};
-  // hls/stages/registration.hpp:214
-  logic [10:0] sum_1623;
-  assign sum_1623 = {{3{sum_1619[8]}}, sum_1619[8:1]} + {sum_1622[8], sum_1622, select_1620[0]};
-  // hls/stages/registration.hpp:213
-  logic [7:0] select_1624;
-  assign select_1624 = shift_2_s3_q[9] ? a : 8'h0;
+  logic [6:0] select_1624;
+  assign select_1624 = shift_2_s3_q[5] ? a[7:1] : 7'h0;
   logic [7:0] select_1625;
-  assign select_1625 = shift_2_s3_q[10] ? a : 8'h0;
-  logic [8:0] difference_1626;
-  assign difference_1626 = {{2{select_1624[7]}}, select_1624[7:1]} - {select_1625[7], select_1625};
+  assign select_1625 = shift_2_s3_q[6] ? a : 8'h0;
+  logic [8:0] sum_1626;
+  assign sum_1626 = {{2{select_1624[6]}}, select_1624} + {select_1625[7], select_1625};
+  // hls/stages/registration.hpp:212
+  logic [7:0] select_1627;
+  assign select_1627 = shift_2_s3_q[7] ? a : 8'h0;
+  logic [7:0] select_1628;
+  assign select_1628 = shift_2_s3_q[8] ? a : 8'h0;
+  logic [8:0] sum_1629;
+  assign sum_1629 = {{2{select_1627[7]}}, select_1627[7:1]} + {select_1628[7], select_1628};
   // hls/stages/registration.hpp:214
-  logic [9:0] sum_1627;
-  assign sum_1627 = {difference_1626, select_1624[0]} + {sum_1623[10], sum_1623[10:2]};
+  logic [10:0] sum_1630;
+  assign sum_1630 = {{3{sum_1626[8]}}, sum_1626[8:1]} + {sum_1629[8], sum_1629, select_1627[0]};
+  // hls/stages/registration.hpp:213
+  logic [7:0] select_1631;
+  assign select_1631 = shift_2_s3_q[9] ? a : 8'h0;
+  logic [7:0] select_1632;
+  assign select_1632 = shift_2_s3_q[10] ? a : 8'h0;
+  logic [8:0] difference_1633;
+  assign difference_1633 = {{2{select_1631[7]}}, select_1631[7:1]} - {select_1632[7], select_1632};
+  // hls/stages/registration.hpp:214
+  logic [9:0] sum_1634;
+  assign sum_1634 = {difference_1633, select_1631[0]} + {sum_1630[10], sum_1630[10:2]};
   // hls/stages/registration.hpp:107
   logic [10:0] expected;
-  assign expected = equal_1611 ? {sum_1627, sum_1623[1]} : registration_expected_q;
-  // hls/stages/patches.hpp:81
-  logic [9:0] sum_1629;
-  assign sum_1629 = {expected[10], expected[10:2]} + 10'h5;
+  assign expected = equal_1618 ? {sum_1634, sum_1630[1]} : registration_expected_q;
+  // hls/stages/patches.hpp:90
+  logic [9:0] sum_1636;
+  assign sum_1636 = {expected[10], expected[10:2]} + 10'h5;
   // hls/stages/agreement.hpp:964
-  logic and_1631;
-  assign and_1631 = shift_2_s3_q[3] & ({{4{sum_1629[9]}}, sum_1629, expected[1:0]} < 16'h29);
-  // hls/stages/patches.hpp:87
-  logic and_1636;
-  assign and_1636 = ({4'h0, last_s3_q[5:1]} < ({1'b0, x_s3_q} + 9'h1)) & (~right_3);
-  // hls/stages/patches.hpp:89
-  logic equal_1637;
-  assign equal_1637 = x_s3_q == 8'h0;
-  // hls/stages/patches.hpp:85
-  logic [9:0] sum_1643;
-  assign sum_1643 = {2'h0, x_s3_q} + {{4{shift_2_s3_q[10]}}, shift_2_s3_q[10:5]};
-  // hls/stages/patches.hpp:89
-  logic [9:0] sum_1645;
-  assign sum_1645 = {sum_1643[9], sum_1643[9:1]} + 10'h1;
+  logic and_1638;
+  assign and_1638 = shift_2_s3_q[3] & ({{4{sum_1636[9]}}, sum_1636, expected[1:0]} < 16'h29);
+  // hls/stages/patches.hpp:96
+  logic and_1643;
+  assign and_1643 = ({4'h0, last_s3_q[5:1]} < ({1'b0, x_s3_q} + 9'h1)) & (~right_3);
+  // hls/stages/patches.hpp:98
+  logic equal_1644;
+  assign equal_1644 = x_s3_q == 8'h0;
+  // hls/stages/patches.hpp:94
+  logic [9:0] sum_1650;
+  assign sum_1650 = {2'h0, x_s3_q} + {{4{shift_2_s3_q[10]}}, shift_2_s3_q[10:5]};
+  // hls/stages/patches.hpp:98
+  logic [9:0] sum_1652;
+  assign sum_1652 = {sum_1650[9], sum_1650[9:1]} + 10'h1;
   // hls/stages/agreement.hpp:964
-  logic and_1648;
-  assign and_1648 = ($signed(9'h0) < $signed(sum_1643[9:1])) & (~($signed({5'h0, last_s3_q}) < $signed({sum_1645, sum_1643[0]})));
-  logic and_1649;
-  assign and_1649 = (~(and_1636 | (equal_1637 | (~(x_s3_q < {2'h0, last_s3_q}))))) & and_1648;
-  // hls/stages/patches.hpp:321
-  logic and_1652;
-  assign and_1652 = ends_cell_s3_q & (shift_2_s3_q[0] & ((less_1610_s3_q & and_1631) & and_1649));
-  logic and_1654;
-  assign and_1654 = not_1471_s3_q & (so_s3_q & and_1652);
-  // hls/stages/patches.hpp:139
+  logic and_1655;
+  assign and_1655 = ($signed(9'h0) < $signed(sum_1650[9:1])) & (~($signed({5'h0, last_s3_q}) < $signed({sum_1652, sum_1650[0]})));
   logic and_1656;
-  assign and_1656 = and_1654 & (~patches_fixed_q);
-  // hls/stages/patches.hpp:321
-  logic [6:0] select_1659;
-  assign select_1659 = so_s3_q ? (ends_cell_s3_q ? (shift_2_s3_q[0] ? x_s3_q[6:0] : 7'h0) : 7'h0) : 7'h0;
-  logic [6:0] select_1660;
-  assign select_1660 = equal_1470_s3_q ? 7'h0 : select_1659;
-  logic [5:0] select_1662;
-  assign select_1662 = ends_cell_s3_q ? (shift_2_s3_q[0] ? shift_2_s3_q[10:5] : 6'h0) : 6'h0;
-  logic [5:0] select_1664;
-  assign select_1664 = equal_1470_s3_q ? 6'h0 : (so_s3_q ? select_1662 : 6'h0);
+  assign and_1656 = (~(and_1643 | (equal_1644 | (~(x_s3_q < {2'h0, last_s3_q}))))) & and_1655;
+  // hls/stages/patches.hpp:330
+  logic and_1659;
+  assign and_1659 = ends_cell_s3_q & (shift_2_s3_q[0] & ((less_1617_s3_q & and_1638) & and_1656));
+  logic and_1661;
+  assign and_1661 = not_1478_s3_q & (so_s3_q & and_1659);
+  // hls/stages/patches.hpp:148
+  logic and_1663;
+  assign and_1663 = and_1661 & (~patches_fixed_q);
+  // hls/stages/patches.hpp:330
+  logic [6:0] select_1666;
+  assign select_1666 = so_s3_q ? (ends_cell_s3_q ? (shift_2_s3_q[0] ? x_s3_q[6:0] : 7'h0) : 7'h0) : 7'h0;
+  logic [6:0] select_1667;
+  assign select_1667 = equal_1477_s3_q ? 7'h0 : select_1666;
+  logic [5:0] select_1669;
+  assign select_1669 = ends_cell_s3_q ? (shift_2_s3_q[0] ? shift_2_s3_q[10:5] : 6'h0) : 6'h0;
+  logic [5:0] select_1671;
+  assign select_1671 = equal_1477_s3_q ? 6'h0 : (so_s3_q ? select_1669 : 6'h0);
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_1665;
-  assign sum_1665 = {registration_slope_s3_q[11], registration_slope_s3_q} + {{5{sum_1627[9]}}, sum_1627[9:2]};
+  logic [12:0] sum_1672;
+  assign sum_1672 = {registration_slope_s3_q[11], registration_slope_s3_q} + {{5{sum_1634[9]}}, sum_1634[9:2]};
   // hls/stages/registration.hpp:218
-  logic [7:0] select_1668;
-  assign select_1668 = ($signed(sum_1665[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1665[7:0];
+  logic [7:0] select_1675;
+  assign select_1675 = ($signed(sum_1672[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1672[7:0];
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
-  assign slope = equal_1611 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_1665[12:7])) ? 8'h7f : select_1668);
-  // hls/stages/patches.hpp:321
-  logic [7:0] select_1673;
-  assign select_1673 = so_s3_q ? (ends_cell_s3_q ? (shift_2_s3_q[0] ? slope : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_1674;
-  assign select_1674 = equal_1470_s3_q ? 8'h0 : select_1673;
-  // hls/stages/patches.hpp:324
-  logic [21:0] select_1675;
-  assign select_1675 = and_1656 ? {select_1674, select_1664, select_1660, and_1654} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
-  // hls/stages/patches.hpp:96
-  logic equal_1676;
-  assign equal_1676 = x_s3_q == {2'h0, last_s3_q};
-  // hls/stages/patches.hpp:321
-  logic and_1680;
-  assign and_1680 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & (and_1636 | equal_1676)));
-  logic and_1681;
-  assign and_1681 = not_1471_s3_q & and_1680;
-  // hls/stages/patches.hpp:325
-  logic and_1682;
-  assign and_1682 = patches_chooses_s3_q & and_1681;
-  // hls/stages/patches.hpp:109
-  logic [4:0] select_1696;
-  assign select_1696 = and_1583_s3_q ? select_1598 : patches_band_q;
+  assign slope = equal_1618 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_1672[12:7])) ? 8'h7f : select_1675);
+  // hls/stages/patches.hpp:330
+  logic [7:0] select_1680;
+  assign select_1680 = so_s3_q ? (ends_cell_s3_q ? (shift_2_s3_q[0] ? slope : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_1681;
+  assign select_1681 = equal_1477_s3_q ? 8'h0 : select_1680;
+  // hls/stages/patches.hpp:333
+  logic [21:0] select_1682;
+  assign select_1682 = and_1663 ? {select_1681, select_1671, select_1667, and_1661} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
+  // hls/stages/patches.hpp:105
+  logic equal_1683;
+  assign equal_1683 = x_s3_q == {2'h0, last_s3_q};
+  // hls/stages/patches.hpp:330
+  logic and_1687;
+  assign and_1687 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & (and_1643 | equal_1683)));
+  logic and_1688;
+  assign and_1688 = not_1478_s3_q & and_1687;
   // hls/stages/patches.hpp:334
-  logic equal_1697;
-  assign equal_1697 = {patches_choosing_band_s3_q, and_1609} == {select_1696, select_1600[1]};
-  // hls/stages/patches.hpp:463
-  logic [2:0] sum_1797;
-  assign sum_1797 = patches_code_row_s3_q[4:2] + 3'h7;
-  // hls/stages/patches.hpp:467
-  logic [1:0] sum_1835;
-  assign sum_1835 = patches_code_row_s3_q[3:2] + 2'h3;
+  logic and_1689;
+  assign and_1689 = patches_chooses_s3_q & and_1688;
+  // hls/stages/patches.hpp:118
+  logic [4:0] select_1703;
+  assign select_1703 = and_1590_s3_q ? select_1605 : patches_band_q;
+  // hls/stages/patches.hpp:343
+  logic equal_1704;
+  assign equal_1704 = {patches_choosing_band_s3_q, and_1616} == {select_1703, select_1607[1]};
+  // hls/stages/patches.hpp:472
+  logic [2:0] sum_1804;
+  assign sum_1804 = patches_code_row_s3_q[4:2] + 3'h7;
+  // hls/stages/patches.hpp:476
+  logic [1:0] sum_1842;
+  assign sum_1842 = patches_code_row_s3_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:197
-  logic [7:0] select_1872;
-  assign select_1872 = so_s3_q ? region_columns_q : 8'h1;
+  logic [7:0] select_1879;
+  assign select_1879 = so_s3_q ? region_columns_q : 8'h1;
   // hls/stages/agreement.hpp:992
-  logic or_1875;
-  assign or_1875 = select_1872[7] | (~({select_1872[5], select_1872[3], select_1872[1]} == 3'h0));
+  logic or_1882;
+  assign or_1882 = select_1879[7] | (~({select_1879[5], select_1879[3], select_1879[1]} == 3'h0));
   // hls/stages/agreement.hpp:991
-  logic or_1878;
-  assign or_1878 = select_1872[7] | (~({select_1872[6], select_1872[3:2]} == 3'h0));
+  logic or_1885;
+  assign or_1885 = select_1879[7] | (~({select_1879[6], select_1879[3:2]} == 3'h0));
   // hls/stages/agreement.hpp:990
-  logic or_1881;
-  assign or_1881 = select_1872[7] | (~(select_1872[6:4] == 3'h0));
-  // hls/stages/patches.hpp:321
-  logic [5:0] select_1882;
-  assign select_1882 = equal_1470_s3_q ? x_s3_q[5:0] : {region_row_q, or_1881, or_1878, or_1875};
+  logic or_1888;
+  assign or_1888 = select_1879[7] | (~(select_1879[6:4] == 3'h0));
+  // hls/stages/patches.hpp:330
+  logic [5:0] select_1889;
+  assign select_1889 = equal_1477_s3_q ? x_s3_q[5:0] : {region_row_q, or_1888, or_1885, or_1882};
   // hls/stages/agreement.hpp:1070
-  logic not_1883;
-  assign not_1883 = ~equal_1515;
+  logic not_1890;
+  assign not_1890 = ~equal_1522;
   // hls/stages/agreement.hpp:1000
-  logic or_1887;
-  assign or_1887 = (~sum_1885_s3_q) | equal_1676;
-  // hls/stages/patches.hpp:321
-  logic and_1890;
-  assign and_1890 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & or_1887));
+  logic or_1894;
+  assign or_1894 = (~sum_1892_s3_q) | equal_1683;
+  // hls/stages/patches.hpp:330
+  logic and_1897;
+  assign and_1897 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & or_1894));
   // hls/stages/agreement.hpp:250
   logic explained;
   assign explained = shift_2_s3_q[0] & shift_2_s3_q[3];
-  logic and_1911;
-  assign and_1911 = shift_2_s3_q[0] & shift_2_s3_q[2];
+  logic and_1918;
+  assign and_1918 = shift_2_s3_q[0] & shift_2_s3_q[2];
   // hls/stages/agreement.hpp:960
-  logic select_1912;
-  assign select_1912 = slot_s3_q[2] ? shown_shown_q : shift_2_s3_q[3];
+  logic select_1919;
+  assign select_1919 = slot_s3_q[2] ? shown_shown_q : shift_2_s3_q[3];
   // hls/stages/agreement.hpp:250
   logic shown;
-  assign shown = shift_2_s3_q[0] & (shown_right_rdata_q[0] | select_1912);
+  assign shown = shift_2_s3_q[0] & (shown_right_rdata_q[0] | select_1919);
   // hls/stages/agreement.hpp:960
-  logic select_1915;
-  assign select_1915 = slot_s3_q[2] ? shown_nearer_q : shift_2_s3_q[4];
+  logic select_1922;
+  assign select_1922 = slot_s3_q[2] ? shown_nearer_q : shift_2_s3_q[4];
   // hls/stages/agreement.hpp:250
   logic near;
-  assign near = shift_2_s3_q[0] & (select_1912 ? select_1915 : shown_right_rdata_q[1]);
+  assign near = shift_2_s3_q[0] & (select_1919 ? select_1922 : shown_right_rdata_q[1]);
   // hls/stages/agreement.hpp:1198
-  logic select_1918;
-  assign select_1918 = done_q ? write_half_q : read_half_q;
+  logic select_1925;
+  assign select_1925 = done_q ? write_half_q : read_half_q;
   // hls/stages/agreement.hpp:1202
-  logic select_1919;
-  assign select_1919 = left_first_s3_q ? select_1918 : read_half_q;
-  logic or_1920;
-  assign or_1920 = left_first_s3_q | line_ended_q;
+  logic select_1926;
+  assign select_1926 = left_first_s3_q ? select_1925 : read_half_q;
+  logic or_1927;
+  assign or_1927 = left_first_s3_q | line_ended_q;
   // hls/stages/agreement.hpp:1203
-  logic [8:0] select_1921;
-  assign select_1921 = or_1920 ? 9'h0 : columns_passed_q;
+  logic [8:0] select_1928;
+  assign select_1928 = or_1927 ? 9'h0 : columns_passed_q;
   // hls/stages/agreement.hpp:1204
-  logic [9:0] select_1923;
-  assign select_1923 = left_first_s3_q ? 10'h1 : (or_1920 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
+  logic [9:0] select_1930;
+  assign select_1930 = left_first_s3_q ? 10'h1 : (or_1927 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
   // hls/stages/agreement.hpp:1207
-  logic and_1924;
-  assign and_1924 = select_1921[8] & select_1923[9];
+  logic and_1931;
+  assign and_1931 = select_1928[8] & select_1930[9];
   // hls/stages/agreement.hpp:422
   logic next_row;
-  assign next_row = and_1924 & (began_q & at_cell_end_q);
+  assign next_row = and_1931 & (began_q & at_cell_end_q);
   // hls/stages/agreement.hpp:1218
-  logic [5:0] select_1927;
-  assign select_1927 = next_row ? cfg_width_i[8:3] : 6'h0;
-  logic [10:0] select_1929;
-  assign select_1929 = left_first_s3_q ? 11'h0 : (seen_base_q + {5'h0, select_1927});
+  logic [5:0] select_1934;
+  assign select_1934 = next_row ? cfg_width_i[8:3] : 6'h0;
+  logic [10:0] select_1936;
+  assign select_1936 = left_first_s3_q ? 11'h0 : (seen_base_q + {5'h0, select_1934});
   // hls/stages/agreement.hpp:1228
-  logic equal_1930;
-  assign equal_1930 = seen_x_q == 3'h7;
-  logic [7:0] select_1932;
-  assign select_1932 = and_1924 ? 8'h0 : (seen_column_q + {7'h0, equal_1930});
+  logic equal_1937;
+  assign equal_1937 = seen_x_q == 3'h7;
+  logic [7:0] select_1939;
+  assign select_1939 = and_1931 ? 8'h0 : (seen_column_q + {7'h0, equal_1937});
   // hls/stages/agreement.hpp:1235
   logic [10:0] index;
-  assign index = select_1929 + {3'h0, select_1932};
+  assign index = select_1936 + {3'h0, select_1939};
   // hls/stages/agreement.hpp:1188
-  logic [11:0] sum_1934;
-  assign sum_1934 = {1'b0, {2{select_1919}}, 2'h0, {2{select_1919}}, 1'b0, {2{select_1919}}, 1'b0, select_1919} + {1'b0, index};
+  logic [11:0] sum_1941;
+  assign sum_1941 = {1'b0, {2{select_1926}}, 2'h0, {2{select_1926}}, 1'b0, {2{select_1926}}, 1'b0, select_1926} + {1'b0, index};
   // hls/stages/agreement.hpp:1201
-  logic not_1935;
-  assign not_1935 = ~left_first_s3_q;
+  logic not_1942;
+  assign not_1942 = ~left_first_s3_q;
   // hls/stages/agreement.hpp:422
-  logic and_1937;
-  assign and_1937 = not_1935 & (began_q | and_1924);
-  // hls/stages/agreement.hpp:1229
-  logic [2:0] select_1939;
-  assign select_1939 = and_1924 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:1234
-  logic and_1941;
-  assign and_1941 = and_1937 & (select_1939 == 3'h0);
-  logic less_1942;
-  assign less_1942 = select_1932 < {2'h0, cfg_width_i[8:3]};
-  // hls/stages/agreement.hpp:424
-  logic and_1943;
-  assign and_1943 = and_1941 & less_1942;
   logic and_1944;
-  assign and_1944 = and_1864_s3_q & and_1943;
-  // hls/stages/agreement.hpp:265
-  logic select_1946;
-  assign select_1946 = and_1864_s3_q ? (left_first_s3_q ? and_1943 : and_1944) : and_1944;
-  // hls/stages/agreement.hpp:1053
-  logic [7:0] sum_1948;
-  assign sum_1948 = {2'h0, x_s3_q[7:2]} + 8'hff;
-  logic [10:0] index_2;
-  assign index_2 = {sum_1948[7], sum_1948, x_s3_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1188
-  logic [11:0] sum_1950;
-  assign sum_1950 = {1'b0, {2{write_half_q}}, 2'h0, {2{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2};
-  // hls/stages/agreement.hpp:976
+  assign and_1944 = not_1942 & (began_q | and_1931);
+  // hls/stages/agreement.hpp:1229
+  logic [2:0] select_1946;
+  assign select_1946 = and_1931 ? 3'h0 : (seen_x_q + 3'h1);
+  // hls/stages/agreement.hpp:1234
+  logic and_1948;
+  assign and_1948 = and_1944 & (select_1946 == 3'h0);
+  logic less_1949;
+  assign less_1949 = select_1939 < {2'h0, cfg_width_i[8:3]};
+  // hls/stages/agreement.hpp:424
+  logic and_1950;
+  assign and_1950 = and_1948 & less_1949;
   logic and_1951;
-  assign and_1951 = seen_columns_rdata_q[14] & shift_2_s3_q[0];
-  logic and_1952;
-  assign and_1952 = seen_columns_rdata_q[10] & shift_2_s3_q[0];
-  logic and_1953;
-  assign and_1953 = seen_columns_rdata_q[5] & shift_2_s3_q[0];
-  logic and_1954;
-  assign and_1954 = seen_columns_rdata_q[0] & shift_2_s3_q[0];
+  assign and_1951 = and_1871_s3_q & and_1950;
+  // hls/stages/agreement.hpp:265
+  logic select_1953;
+  assign select_1953 = and_1871_s3_q ? (left_first_s3_q ? and_1950 : and_1951) : and_1951;
+  // hls/stages/agreement.hpp:1053
+  logic [7:0] sum_1955;
+  assign sum_1955 = {2'h0, x_s3_q[7:2]} + 8'hff;
+  logic [10:0] index_2;
+  assign index_2 = {sum_1955[7], sum_1955, x_s3_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:1188
+  logic [11:0] sum_1957;
+  assign sum_1957 = {1'b0, {2{write_half_q}}, 2'h0, {2{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2};
+  // hls/stages/agreement.hpp:976
+  logic and_1958;
+  assign and_1958 = seen_columns_rdata_q[14] & shift_2_s3_q[0];
+  logic and_1959;
+  assign and_1959 = seen_columns_rdata_q[10] & shift_2_s3_q[0];
+  logic and_1960;
+  assign and_1960 = seen_columns_rdata_q[5] & shift_2_s3_q[0];
+  logic and_1961;
+  assign and_1961 = seen_columns_rdata_q[0] & shift_2_s3_q[0];
   // hls/stages/agreement.hpp:1029
-  logic [1:0] sum_1956;
-  assign sum_1956 = {1'b0, and_1953} + ({1'b0, textured_s3_q} + {1'b0, and_1954});
+  logic [1:0] sum_1963;
+  assign sum_1963 = {1'b0, and_1960} + ({1'b0, textured_s3_q} + {1'b0, and_1961});
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_1951} + ({2'h0, and_1952} + {1'b0, sum_1956});
+  assign textured_2 = {2'h0, and_1958} + ({2'h0, and_1959} + {1'b0, sum_1963});
   // hls/stages/agreement.hpp:1036
-  logic [2:0] select_1959;
-  assign select_1959 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_1960;
-  assign difference_1960 = {1'b0, textured_2} - {1'b0, select_1959};
+  logic [2:0] select_1966;
+  assign select_1966 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_1967;
+  assign difference_1967 = {1'b0, textured_2} - {1'b0, select_1966};
   logic [4:0] t;
-  assign t = {difference_1960[3], difference_1960} + (equal_1637 ? 5'h0 : box_textured_sum_sums_values_0_q);
+  assign t = {difference_1967[3], difference_1967} + (equal_1644 ? 5'h0 : box_textured_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:976
-  logic [7:0] select_1965;
-  assign select_1965 = shift_2_s3_q[0] ? (sum_1885_s3_q ? select_1872 : {select_1872[6:0], 1'b0}) : select_1872;
+  logic [7:0] select_1972;
+  assign select_1972 = shift_2_s3_q[0] ? (sum_1892_s3_q ? select_1879 : {select_1879[6:0], 1'b0}) : select_1879;
   // hls/stages/agreement.hpp:992
-  logic or_1968;
-  assign or_1968 = select_1965[7] | (~({select_1965[5], select_1965[3], select_1965[1]} == 3'h0));
+  logic or_1975;
+  assign or_1975 = select_1972[7] | (~({select_1972[5], select_1972[3], select_1972[1]} == 3'h0));
   // hls/stages/agreement.hpp:976
-  logic and_1985;
-  assign and_1985 = seen_columns_rdata_q[16] & shift_2_s3_q[0];
-  logic and_1986;
-  assign and_1986 = seen_columns_rdata_q[12] & shift_2_s3_q[0];
-  logic and_1987;
-  assign and_1987 = seen_columns_rdata_q[8] & shift_2_s3_q[0];
-  logic and_1988;
-  assign and_1988 = seen_columns_rdata_q[3] & shift_2_s3_q[0];
+  logic and_1992;
+  assign and_1992 = seen_columns_rdata_q[16] & shift_2_s3_q[0];
+  logic and_1993;
+  assign and_1993 = seen_columns_rdata_q[12] & shift_2_s3_q[0];
+  logic and_1994;
+  assign and_1994 = seen_columns_rdata_q[8] & shift_2_s3_q[0];
+  logic and_1995;
+  assign and_1995 = seen_columns_rdata_q[3] & shift_2_s3_q[0];
   // hls/stages/agreement.hpp:1031
-  logic [1:0] sum_1990;
-  assign sum_1990 = {1'b0, and_1987} + ({1'b0, shown} + {1'b0, and_1988});
+  logic [1:0] sum_1997;
+  assign sum_1997 = {1'b0, and_1994} + ({1'b0, shown} + {1'b0, and_1995});
   logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_1985} + ({2'h0, and_1986} + {1'b0, sum_1990});
+  assign shown_2 = {2'h0, and_1992} + ({2'h0, and_1993} + {1'b0, sum_1997});
   // hls/stages/agreement.hpp:1038
-  logic [2:0] select_1993;
-  assign select_1993 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_1994;
-  assign difference_1994 = {1'b0, shown_2} - {1'b0, select_1993};
+  logic [2:0] select_2000;
+  assign select_2000 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2001;
+  assign difference_2001 = {1'b0, shown_2} - {1'b0, select_2000};
   logic [4:0] around;
-  assign around = {difference_1994[3], difference_1994} + (equal_1637 ? 5'h0 : box_shown_sum_sums_values_0_q);
+  assign around = {difference_2001[3], difference_2001} + (equal_1644 ? 5'h0 : box_shown_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1045
-  logic [5:0] sum_1997;
-  assign sum_1997 = {1'b0, around} + {2'h0, around[4:1]};
+  logic [5:0] sum_2004;
+  assign sum_2004 = {1'b0, around} + {2'h0, around[4:1]};
   // hls/stages/agreement.hpp:976
-  logic and_2001;
-  assign and_2001 = seen_columns_rdata_q[17] & shift_2_s3_q[0];
-  logic and_2002;
-  assign and_2002 = seen_columns_rdata_q[13] & shift_2_s3_q[0];
-  logic and_2003;
-  assign and_2003 = seen_columns_rdata_q[9] & shift_2_s3_q[0];
-  logic and_2004;
-  assign and_2004 = seen_columns_rdata_q[4] & shift_2_s3_q[0];
+  logic and_2008;
+  assign and_2008 = seen_columns_rdata_q[17] & shift_2_s3_q[0];
+  logic and_2009;
+  assign and_2009 = seen_columns_rdata_q[13] & shift_2_s3_q[0];
+  logic and_2010;
+  assign and_2010 = seen_columns_rdata_q[9] & shift_2_s3_q[0];
+  logic and_2011;
+  assign and_2011 = seen_columns_rdata_q[4] & shift_2_s3_q[0];
   // hls/stages/agreement.hpp:1032
-  logic [1:0] sum_2006;
-  assign sum_2006 = {1'b0, and_2003} + ({1'b0, near} + {1'b0, and_2004});
+  logic [1:0] sum_2013;
+  assign sum_2013 = {1'b0, and_2010} + ({1'b0, near} + {1'b0, and_2011});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2001} + ({2'h0, and_2002} + {1'b0, sum_2006});
+  assign near_2 = {2'h0, and_2008} + ({2'h0, and_2009} + {1'b0, sum_2013});
   // hls/stages/agreement.hpp:1039
-  logic [2:0] select_2009;
-  assign select_2009 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2010;
-  assign difference_2010 = {1'b0, near_2} - {1'b0, select_2009};
+  logic [2:0] select_2016;
+  assign select_2016 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2017;
+  assign difference_2017 = {1'b0, near_2} - {1'b0, select_2016};
   logic [4:0] n;
-  assign n = {difference_2010[3], difference_2010} + (equal_1637 ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/patches.hpp:321
-  logic and_2022;
-  assign and_2022 = ends_cell_s3_q & (and_2018_s3_q & (~({1'b0, sum_1555, last_s3_q[1:0]} < x_s3_q)));
-  logic and_2024;
-  assign and_2024 = not_1471_s3_q & (so_s3_q & and_2022);
+  assign n = {difference_2017[3], difference_2017} + (equal_1644 ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  // hls/stages/patches.hpp:330
+  logic and_2029;
+  assign and_2029 = ends_cell_s3_q & (and_2025_s3_q & (~({1'b0, sum_1562, last_s3_q[1:0]} < x_s3_q)));
+  logic and_2031;
+  assign and_2031 = not_1478_s3_q & (so_s3_q & and_2029);
   // hls/stages/agreement.hpp:263
-  logic [10:0] select_2056;
-  assign select_2056 = sample_pair_whole_s3_q ? (and_499_s3_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2058;
-  assign select_2058 = sample_pair_whole_s3_q ? (and_499_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2077;
-  assign select_2077 = sample_pair_whole_s3_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_2079;
-  assign select_2079 = sample_pair_whole_s3_q ? (and_499_s3_q ? select_514 : averager_mask_q) : averager_mask_q;
-  logic select_2081;
-  assign select_2081 = sample_pair_whole_s3_q ? (and_499_s3_q ? select_518 : averager_of_skin_q) : averager_of_skin_q;
+  logic [10:0] select_2063;
+  assign select_2063 = sample_pair_whole_s3_q ? (and_506_s3_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2065;
+  assign select_2065 = sample_pair_whole_s3_q ? (and_506_s3_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2084;
+  assign select_2084 = sample_pair_whole_s3_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2086;
+  assign select_2086 = sample_pair_whole_s3_q ? (and_506_s3_q ? select_521 : averager_mask_q) : averager_mask_q;
+  logic select_2088;
+  assign select_2088 = sample_pair_whole_s3_q ? (and_506_s3_q ? select_525 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/agreement.hpp:507
-  logic [8:0] select_2082;
-  assign select_2082 = and_501_s3_q ? select_507 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2083;
-  assign select_2083 = and_501_s3_q ? select_511 : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2085;
-  assign select_2085 = and_501_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2086;
-  assign select_2086 = and_501_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2087;
-  assign select_2087 = and_501_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_2088;
-  assign select_2088 = and_501_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
   logic [8:0] select_2089;
-  assign select_2089 = and_501_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2090;
-  assign select_2090 = and_501_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2091;
-  assign select_2091 = and_501_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  assign select_2089 = and_508_s3_q ? select_514 : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2090;
+  assign select_2090 = and_508_s3_q ? select_518 : census_columns_values_0_cell_0_right_q;
   logic [8:0] select_2092;
-  assign select_2092 = and_501_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
+  assign select_2092 = and_508_s3_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_2093;
-  assign select_2093 = and_501_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  assign select_2093 = and_508_s3_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
   logic select_2094;
-  assign select_2094 = and_501_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  assign select_2094 = and_508_s3_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
   logic [8:0] select_2095;
-  assign select_2095 = and_501_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  assign select_2095 = and_508_s3_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
   logic [8:0] select_2096;
-  assign select_2096 = and_501_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  assign select_2096 = and_508_s3_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
   logic select_2097;
-  assign select_2097 = and_501_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_2098;
-  assign select_2098 = and_501_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  assign select_2097 = and_508_s3_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2098;
+  assign select_2098 = and_508_s3_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
   logic [8:0] select_2099;
-  assign select_2099 = and_501_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_2100;
-  assign select_2100 = and_501_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic [8:0] select_2101;
-  assign select_2101 = and_501_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  assign select_2099 = and_508_s3_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_2100;
+  assign select_2100 = and_508_s3_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2101;
+  assign select_2101 = and_508_s3_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
   logic [8:0] select_2102;
-  assign select_2102 = and_501_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_2103;
-  assign select_2103 = and_501_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
-  logic [8:0] select_2104;
-  assign select_2104 = and_501_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  assign select_2102 = and_508_s3_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2103;
+  assign select_2103 = and_508_s3_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2104;
+  assign select_2104 = and_508_s3_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
   logic [8:0] select_2105;
-  assign select_2105 = and_501_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2106;
-  assign select_2106 = and_501_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  assign select_2105 = and_508_s3_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2106;
+  assign select_2106 = and_508_s3_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
   logic select_2107;
-  assign select_2107 = and_501_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  assign select_2107 = and_508_s3_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
   logic [8:0] select_2108;
-  assign select_2108 = and_501_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  assign select_2108 = and_508_s3_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
   logic [8:0] select_2109;
-  assign select_2109 = and_501_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  assign select_2109 = and_508_s3_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
   logic select_2110;
-  assign select_2110 = and_501_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  assign select_2110 = and_508_s3_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
   logic [8:0] select_2111;
-  assign select_2111 = and_501_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  assign select_2111 = and_508_s3_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
   logic [8:0] select_2112;
-  assign select_2112 = and_501_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  assign select_2112 = and_508_s3_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
   logic select_2113;
-  assign select_2113 = and_501_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
-  logic [8:0] select_2114;
-  assign select_2114 = and_501_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  assign select_2113 = and_508_s3_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2114;
+  assign select_2114 = and_508_s3_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
   logic [8:0] select_2115;
-  assign select_2115 = and_501_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_2116;
-  assign select_2116 = and_501_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic [8:0] select_2117;
-  assign select_2117 = and_501_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  assign select_2115 = and_508_s3_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_2116;
+  assign select_2116 = and_508_s3_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2117;
+  assign select_2117 = and_508_s3_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
   logic [8:0] select_2118;
-  assign select_2118 = and_501_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_2119;
-  assign select_2119 = and_501_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  logic [8:0] select_2120;
-  assign select_2120 = and_501_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  assign select_2118 = and_508_s3_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2119;
+  assign select_2119 = and_508_s3_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2120;
+  assign select_2120 = and_508_s3_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
   logic [8:0] select_2121;
-  assign select_2121 = and_501_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_2122;
-  assign select_2122 = and_501_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic [8:0] select_2123;
-  assign select_2123 = and_501_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  assign select_2121 = and_508_s3_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2122;
+  assign select_2122 = and_508_s3_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2123;
+  assign select_2123 = and_508_s3_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
   logic [8:0] select_2124;
-  assign select_2124 = and_501_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_2125;
-  assign select_2125 = and_501_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
-  logic [8:0] select_2126;
-  assign select_2126 = and_501_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  assign select_2124 = and_508_s3_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2125;
+  assign select_2125 = and_508_s3_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2126;
+  assign select_2126 = and_508_s3_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
   logic [8:0] select_2127;
-  assign select_2127 = and_501_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic select_2128;
-  assign select_2128 = and_501_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  assign select_2127 = and_508_s3_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2128;
+  assign select_2128 = and_508_s3_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
   logic select_2129;
-  assign select_2129 = and_501_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  assign select_2129 = and_508_s3_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
   logic [8:0] select_2130;
-  assign select_2130 = and_501_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  assign select_2130 = and_508_s3_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
   logic [8:0] select_2131;
-  assign select_2131 = and_501_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  assign select_2131 = and_508_s3_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
   logic select_2132;
-  assign select_2132 = and_501_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2133;
-  assign select_2133 = and_501_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  assign select_2132 = and_508_s3_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_2133;
+  assign select_2133 = and_508_s3_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
   logic [8:0] select_2134;
-  assign select_2134 = and_501_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2135;
-  assign select_2135 = and_501_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  assign select_2134 = and_508_s3_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_2135;
+  assign select_2135 = and_508_s3_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
   logic select_2136;
-  assign select_2136 = and_501_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_2137;
-  assign select_2137 = and_501_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  assign select_2136 = and_508_s3_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2137;
+  assign select_2137 = and_508_s3_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2138;
+  assign select_2138 = and_508_s3_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2139;
+  assign select_2139 = and_508_s3_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2140;
+  assign select_2140 = and_508_s3_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2141;
+  assign select_2141 = and_508_s3_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2142;
+  assign select_2142 = and_508_s3_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2143;
+  assign select_2143 = and_508_s3_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2144;
+  assign select_2144 = and_508_s3_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:272
-  logic [9:0] difference_2139;
-  assign difference_2139 = {1'b0, select_511} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2140;
-  assign xor_2140 = difference_2139[8:0] ^ {9{difference_2139[9]}};
-  logic [9:0] sum_2141;
-  assign sum_2141 = {9'h0, difference_2139[9]} + {1'b0, xor_2140};
-  logic [9:0] difference_2142;
-  assign difference_2142 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2143;
-  assign xor_2143 = difference_2142[8:0] ^ {9{difference_2142[9]}};
-  logic [9:0] sum_2144;
-  assign sum_2144 = {9'h0, difference_2142[9]} + {1'b0, xor_2143};
   logic [9:0] difference_2146;
-  assign difference_2146 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  assign difference_2146 = {1'b0, select_518} - {1'b0, census_columns_values_0_cell_0_right_q};
   logic [8:0] xor_2147;
   assign xor_2147 = difference_2146[8:0] ^ {9{difference_2146[9]}};
   logic [9:0] sum_2148;
   assign sum_2148 = {9'h0, difference_2146[9]} + {1'b0, xor_2147};
-  logic [10:0] sum_2149;
-  assign sum_2149 = ({1'b0, sum_2141} + {1'b0, sum_2144}) + {1'b0, sum_2148};
-  logic [9:0] difference_2150;
-  assign difference_2150 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2151;
-  assign xor_2151 = difference_2150[8:0] ^ {9{difference_2150[9]}};
-  logic [9:0] sum_2152;
-  assign sum_2152 = {9'h0, difference_2150[9]} + {1'b0, xor_2151};
-  logic [9:0] difference_2154;
-  assign difference_2154 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2155;
-  assign xor_2155 = difference_2154[8:0] ^ {9{difference_2154[9]}};
+  logic [9:0] difference_2149;
+  assign difference_2149 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2150;
+  assign xor_2150 = difference_2149[8:0] ^ {9{difference_2149[9]}};
+  logic [9:0] sum_2151;
+  assign sum_2151 = {9'h0, difference_2149[9]} + {1'b0, xor_2150};
+  logic [9:0] difference_2153;
+  assign difference_2153 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2154;
+  assign xor_2154 = difference_2153[8:0] ^ {9{difference_2153[9]}};
+  logic [9:0] sum_2155;
+  assign sum_2155 = {9'h0, difference_2153[9]} + {1'b0, xor_2154};
+  logic [10:0] sum_2156;
+  assign sum_2156 = ({1'b0, sum_2148} + {1'b0, sum_2151}) + {1'b0, sum_2155};
+  logic [9:0] difference_2157;
+  assign difference_2157 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2158;
+  assign xor_2158 = difference_2157[8:0] ^ {9{difference_2157[9]}};
+  logic [9:0] sum_2159;
+  assign sum_2159 = {9'h0, difference_2157[9]} + {1'b0, xor_2158};
+  logic [9:0] difference_2161;
+  assign difference_2161 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2162;
+  assign xor_2162 = difference_2161[8:0] ^ {9{difference_2161[9]}};
   // hls/stages/census.hpp:353
-  logic [9:0] difference_2185;
-  assign difference_2185 = {1'b0, select_507} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2192;
+  assign difference_2192 = {1'b0, select_514} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2185[9]} + (difference_2185[8:0] ^ {9{difference_2185[9]}});
-  logic [9:0] difference_2197;
-  assign difference_2197 = {1'b0, select_511} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_2192[9]} + (difference_2192[8:0] ^ {9{difference_2192[9]}});
+  logic [9:0] difference_2204;
+  assign difference_2204 = {1'b0, select_518} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2197[9]} + (difference_2197[8:0] ^ {9{difference_2197[9]}});
+  assign contrast_2 = {8'h0, difference_2204[9]} + (difference_2204[8:0] ^ {9{difference_2204[9]}});
   // hls/stages/agreement.hpp:507
-  logic and_2404;
-  assign and_2404 = and_501_s3_q & (equal_562_s3_q & equal_2288_s3_q);
-  // hls/stages/patches.hpp:321
-  logic and_2408;
-  assign and_2408 = not_1471_s3_q & (so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & shift_2_s3_q[1])));
+  logic and_2411;
+  assign and_2411 = and_508_s3_q & (equal_569_s3_q & equal_2295_s3_q);
+  // hls/stages/patches.hpp:330
+  logic and_2415;
+  assign and_2415 = not_1478_s3_q & (so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & shift_2_s3_q[1])));
   // hls/stages/agreement.hpp:976
-  logic and_2428;
-  assign and_2428 = seen_columns_rdata_q[15] & shift_2_s3_q[0];
-  logic and_2429;
-  assign and_2429 = seen_columns_rdata_q[11] & shift_2_s3_q[0];
-  logic and_2430;
-  assign and_2430 = seen_columns_rdata_q[7] & shift_2_s3_q[0];
-  logic and_2431;
-  assign and_2431 = seen_columns_rdata_q[2] & shift_2_s3_q[0];
+  logic and_2435;
+  assign and_2435 = seen_columns_rdata_q[15] & shift_2_s3_q[0];
+  logic and_2436;
+  assign and_2436 = seen_columns_rdata_q[11] & shift_2_s3_q[0];
+  logic and_2437;
+  assign and_2437 = seen_columns_rdata_q[7] & shift_2_s3_q[0];
+  logic and_2438;
+  assign and_2438 = seen_columns_rdata_q[2] & shift_2_s3_q[0];
   // hls/stages/agreement.hpp:1030
-  logic [1:0] sum_2433;
-  assign sum_2433 = {1'b0, and_2430} + ({1'b0, explained} + {1'b0, and_2431});
+  logic [1:0] sum_2440;
+  assign sum_2440 = {1'b0, and_2437} + ({1'b0, explained} + {1'b0, and_2438});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2428} + ({2'h0, and_2429} + {1'b0, sum_2433});
+  assign explained_2 = {2'h0, and_2435} + ({2'h0, and_2436} + {1'b0, sum_2440});
   // hls/stages/agreement.hpp:1037
-  logic [2:0] select_2436;
-  assign select_2436 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2437;
-  assign difference_2437 = {1'b0, explained_2} - {1'b0, select_2436};
+  logic [2:0] select_2443;
+  assign select_2443 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2444;
+  assign difference_2444 = {1'b0, explained_2} - {1'b0, select_2443};
   logic [4:0] e;
-  assign e = {difference_2437[3], difference_2437} + (equal_1637 ? 5'h0 : box_explained_sum_sums_values_0_q);
+  assign e = {difference_2444[3], difference_2444} + (equal_1644 ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1044
-  logic [5:0] sum_2440;
-  assign sum_2440 = {1'b0, e} + {2'h0, e[4:1]};
-  // hls/stages/patches.hpp:321
-  logic and_2469;
-  assign and_2469 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & (shift_2_s3_q[2:1] == 2'h3)));
-  logic [7:0] select_2513;
-  assign select_2513 = equal_1470_s3_q ? registration_slope_here_q : (so_s3_q ? slope : registration_slope_here_q);
-  logic [10:0] select_2515;
-  assign select_2515 = equal_1470_s3_q ? registration_expected_q : (so_s3_q ? expected : registration_expected_q);
+  logic [5:0] sum_2447;
+  assign sum_2447 = {1'b0, e} + {2'h0, e[4:1]};
+  // hls/stages/patches.hpp:330
+  logic and_2476;
+  assign and_2476 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & (shift_2_s3_q[2:1] == 2'h3)));
+  logic [7:0] select_2520;
+  assign select_2520 = equal_1477_s3_q ? registration_slope_here_q : (so_s3_q ? slope : registration_slope_here_q);
+  logic [10:0] select_2522;
+  assign select_2522 = equal_1477_s3_q ? registration_expected_q : (so_s3_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_2516;
-  assign equal_2516 = slot_s3_q == 3'h4;
+  logic equal_2523;
+  assign equal_2523 = slot_s3_q == 3'h4;
   // hls/stages/agreement.hpp:250
-  logic and_2520;
-  assign and_2520 = shift_2_s3_q[3] & less_1610_s3_q;
+  logic and_2527;
+  assign and_2527 = shift_2_s3_q[3] & less_1617_s3_q;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_2524;
-  assign sum_2524 = shift_2_s3_q[13:12] + 2'h3;
+  logic [1:0] sum_2531;
+  assign sum_2531 = shift_2_s3_q[13:12] + 2'h3;
   // hls/stages/registration.hpp:47
-  logic [7:0] difference_2526;
-  assign difference_2526 = {sum_2524, shift_2_s3_q[11], 5'h0} - {3'h0, registration_displacement_fraction_q};
+  logic [7:0] difference_2533;
+  assign difference_2533 = {sum_2531, shift_2_s3_q[11], 5'h0} - {3'h0, registration_displacement_fraction_q};
   // hls/stages/registration.hpp:102
-  logic [7:0] select_2527;
-  assign select_2527 = less_2525_s3_q ? difference_2526 : {sum_2524, shift_2_s3_q[11], registration_displacement_fraction_q};
-  logic [7:0] select_2528;
-  assign select_2528 = ((shift_2_s3_q[13:11] == 3'h0) | (shift_2_s3_q[13:11] == 3'h4)) ? {sum_2524, shift_2_s3_q[11], 5'h0} : select_2527;
+  logic [7:0] select_2534;
+  assign select_2534 = less_2532_s3_q ? difference_2533 : {sum_2531, shift_2_s3_q[11], registration_displacement_fraction_q};
+  logic [7:0] select_2535;
+  assign select_2535 = ((shift_2_s3_q[13:11] == 3'h0) | (shift_2_s3_q[13:11] == 3'h4)) ? {sum_2531, shift_2_s3_q[11], 5'h0} : select_2534;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2528[7]}}, select_2528} - {sum_1627[9], sum_1627, sum_1623[1]};
+  assign value_2 = {{4{select_2535[7]}}, select_2535} - {sum_1634[9], sum_1634, sum_1630[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_2531;
-  assign select_2531 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_2538;
+  assign select_2538 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2531[11:7])) ? 12'h7f : select_2531;
+  assign residual = ($signed(5'h0) < $signed(select_2538[11:7])) ? 12'h7f : select_2538;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_2552;
-  assign difference_2552 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_2559;
+  assign difference_2559 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_2554;
-  assign and_2554 = and_2520 & ($signed(difference_2552) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_2561;
+  assign and_2561 = and_2527 & ($signed(difference_2559) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_2567;
-  assign less_2567 = $signed(difference_2552) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/patches.hpp:321
-  logic select_2575;
-  assign select_2575 = so_s3_q ? (equal_2516 ? right_2 : registration_of_right_q) : registration_of_right_q;
-  logic select_2578;
-  assign select_2578 = so_s3_q ? (equal_1611 ? shift_2_s3_q[0] : registration_was_inside_q) : registration_was_inside_q;
+  logic less_2574;
+  assign less_2574 = $signed(difference_2559) < $signed({7'h0, cfg_moved_half_limit_i});
+  // hls/stages/patches.hpp:330
+  logic select_2582;
+  assign select_2582 = so_s3_q ? (equal_2523 ? right_2 : registration_of_right_q) : registration_of_right_q;
+  logic select_2585;
+  assign select_2585 = so_s3_q ? (equal_1618 ? shift_2_s3_q[0] : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_2583;
-  assign select_2583 = (sum_1521 == 2'h2) ? (registration_fresh_q & (~select_1568)) : registration_fresh_q;
-  // hls/stages/patches.hpp:321
-  logic [3:0] select_2585;
-  assign select_2585 = so_s3_q ? (and_1563 ? select_2583 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_2590;
+  assign select_2590 = (sum_1528 == 2'h2) ? (registration_fresh_q & (~select_1575)) : registration_fresh_q;
+  // hls/stages/patches.hpp:330
+  logic [3:0] select_2592;
+  assign select_2592 = so_s3_q ? (and_1570 ? select_2590 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_2587;
-  assign select_2587 = and_2404 ? 4'hf : (equal_1470_s3_q ? registration_fresh_q : select_2585);
+  logic [3:0] select_2594;
+  assign select_2594 = and_2411 ? 4'hf : (equal_1477_s3_q ? registration_fresh_q : select_2592);
   // hls/stages/agreement.hpp:1071
   logic [1:0] quarter_2;
-  assign quarter_2 = all ? x_s3_q[1:0] : select_1518;
+  assign quarter_2 = all ? x_s3_q[1:0] : select_1525;
   // hls/stages/registration.hpp:258
-  logic not_2608;
-  assign not_2608 = ~quarter_2[1];
-  logic [3:0] select_2609;
-  assign select_2609 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2608, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2608};
-  // hls/stages/patches.hpp:74
-  logic parity_2743;
-  assign parity_2743 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  logic not_2615;
+  assign not_2615 = ~quarter_2[1];
+  logic [3:0] select_2616;
+  assign select_2616 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2615, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2615};
+  // hls/stages/patches.hpp:83
+  logic parity_2750;
+  assign parity_2750 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
   // hls/stages/agreement.hpp:447
-  logic [15:0] select_2744;
-  assign select_2744 = equal_2288_s3_q ? {patches_chance_q[14:0], parity_2743} : patches_chance_q;
-  // hls/stages/patches.hpp:326
-  logic not_2746;
-  assign not_2746 = ~and_1681;
-  // hls/stages/patches.hpp:91
+  logic [15:0] select_2751;
+  assign select_2751 = equal_2295_s3_q ? {patches_chance_q[14:0], parity_2750} : patches_chance_q;
+  // hls/stages/patches.hpp:335
+  logic not_2753;
+  assign not_2753 = ~and_1688;
+  // hls/stages/patches.hpp:100
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
-  // hls/stages/patches.hpp:93
-  logic [4:0] select_2748;
-  assign select_2748 = right_3 ? last_s3_q[5:1] : 5'h0;
+  // hls/stages/patches.hpp:102
+  logic [4:0] select_2755;
+  assign select_2755 = right_3 ? last_s3_q[5:1] : 5'h0;
   logic [5:0] from;
-  assign from = {1'b0, of_32} + {1'b0, select_2748};
-  // hls/stages/patches.hpp:321
-  logic and_2754;
-  assign and_2754 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & (~(x_s3_q < {2'h0, from}))));
-  // hls/stages/patches.hpp:139
-  logic and_2758;
-  assign and_2758 = not_2746 & (patches_fixed_q | ((not_1471_s3_q & and_2754) & and_1656));
-  // hls/stages/patches.hpp:335
-  logic not_2771;
-  assign not_2771 = ~select_1600[1];
+  assign from = {1'b0, of_32} + {1'b0, select_2755};
+  // hls/stages/patches.hpp:330
+  logic and_2761;
+  assign and_2761 = so_s3_q & (ends_cell_s3_q & (shift_2_s3_q[0] & (~(x_s3_q < {2'h0, from}))));
+  // hls/stages/patches.hpp:148
+  logic and_2765;
+  assign and_2765 = not_2753 & (patches_fixed_q | ((not_1478_s3_q & and_2761) & and_1663));
+  // hls/stages/patches.hpp:344
+  logic not_2778;
+  assign not_2778 = ~select_1607[1];
   // hls/stages/agreement.hpp:263
-  logic [1:0] select_2773;
-  assign select_2773 = sample_pair_whole_s3_q ? (equal_1601 ? select_1600 : {not_2771, 1'b0}) : patches_fetch_q;
-  // hls/stages/patches.hpp:499
+  logic [1:0] select_2780;
+  assign select_2780 = sample_pair_whole_s3_q ? (equal_1608 ? select_1607 : {not_2778, 1'b0}) : patches_fetch_q;
+  // hls/stages/patches.hpp:508
   logic [55:0] other;
   assign other = new_row_s3_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
-  // hls/stages/patches.hpp:167
-  logic [51:0] select_2872;
-  assign select_2872 = or_1689_s3_q ? {less_1817_s3_q, less_1816_s3_q, less_1807_s3_q, less_1806_s3_q, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_2874;
-  assign select_2874 = equal_1683_s3_q ? patches_codes_at_q : (equal_1685_s3_q ? other[55:4] : select_2872);
-  // hls/stages/patches.hpp:482
+  // hls/stages/patches.hpp:176
+  logic [51:0] select_2879;
+  assign select_2879 = or_1696_s3_q ? {less_1824_s3_q, less_1823_s3_q, less_1814_s3_q, less_1813_s3_q, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_2881;
+  assign select_2881 = equal_1690_s3_q ? patches_codes_at_q : (equal_1692_s3_q ? other[55:4] : select_2879);
+  // hls/stages/patches.hpp:491
   logic [27:0] word;
-  assign word = or_1789_s3_q ? patches_right_codes_rdata_q : 28'h0;
-  // hls/stages/patches.hpp:498
-  logic [27:0] select_2877;
-  assign select_2877 = (patches_along_s3_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
-  // hls/stages/patches.hpp:167
-  logic [27:0] select_2879;
-  assign select_2879 = equal_1685_s3_q ? (new_row_s3_q ? word : select_2877) : patches_codes_further_q;
-  // hls/stages/patches.hpp:500
-  logic [55:0] select_2881;
-  assign select_2881 = less_1776_s3_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:470
-  logic [55:0] select_2883;
-  assign select_2883 = less_2882_s3_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:167
-  logic [55:0] select_2885;
-  assign select_2885 = or_1689_s3_q ? (equal_1688_s3_q ? patches_next_codes_q : select_2883) : patches_next_codes_q;
-  logic [55:0] select_2887;
-  assign select_2887 = equal_1683_s3_q ? patches_next_codes_q : (equal_1685_s3_q ? select_2881 : select_2885);
+  assign word = or_1796_s3_q ? patches_right_codes_rdata_q : 28'h0;
+  // hls/stages/patches.hpp:507
+  logic [27:0] select_2884;
+  assign select_2884 = (patches_along_s3_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
+  // hls/stages/patches.hpp:176
+  logic [27:0] select_2886;
+  assign select_2886 = equal_1692_s3_q ? (new_row_s3_q ? word : select_2884) : patches_codes_further_q;
+  // hls/stages/patches.hpp:509
+  logic [55:0] select_2888;
+  assign select_2888 = less_1783_s3_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:479
+  logic [55:0] select_2890;
+  assign select_2890 = less_2889_s3_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:176
+  logic [55:0] select_2892;
+  assign select_2892 = or_1696_s3_q ? (equal_1695_s3_q ? patches_next_codes_q : select_2890) : patches_next_codes_q;
+  logic [55:0] select_2894;
+  assign select_2894 = equal_1690_s3_q ? patches_next_codes_q : (equal_1692_s3_q ? select_2888 : select_2892);
   // hls/stages/count_bits.hpp:24
-  logic parity_2892;
-  assign parity_2892 = ^{less_1817_s3_q, less_1816_s3_q, less_1807_s3_q, less_1806_s3_q};
+  logic parity_2899;
+  assign parity_2899 = ^{less_1824_s3_q, less_1823_s3_q, less_1814_s3_q, less_1813_s3_q};
   // hls/stages/count_bits.hpp:25
-  logic or_2896;
-  assign or_2896 = ({less_1807_s3_q, less_1806_s3_q} == 2'h3) | (less_1816_s3_q & (less_1807_s3_q | less_1806_s3_q));
-  logic and_2897;
-  assign and_2897 = less_1817_s3_q & (^{less_1816_s3_q, less_1807_s3_q, less_1806_s3_q});
+  logic or_2903;
+  assign or_2903 = ({less_1814_s3_q, less_1813_s3_q} == 2'h3) | (less_1823_s3_q & (less_1814_s3_q | less_1813_s3_q));
+  logic and_2904;
+  assign and_2904 = less_1824_s3_q & (^{less_1823_s3_q, less_1814_s3_q, less_1813_s3_q});
   // hls/stages/count_bits.hpp:24
-  logic xor_2898;
-  assign xor_2898 = or_2896 ^ and_2897;
+  logic xor_2905;
+  assign xor_2905 = or_2903 ^ and_2904;
   // hls/stages/count_bits.hpp:27
-  logic and_2899;
-  assign and_2899 = or_2896 & and_2897;
-  // hls/stages/patches.hpp:167
-  logic [2:0] select_2901;
-  assign select_2901 = or_1689_s3_q ? (and_1840_s3_q ? {and_2899, xor_2898, parity_2892} : 3'h0) : 3'h0;
-  // hls/stages/patches.hpp:150
-  logic [9:0] sum_2905;
-  assign sum_2905 = {7'h0, patches_set_q} + (equal_1688_s3_q ? 10'h0 : patches_size_q);
-  // hls/stages/patches.hpp:499
-  logic [47:0] select_2915;
-  assign select_2915 = new_row_s3_q ? patches_left_codes_rdata_q : patches_left_row_q;
-  // hls/stages/patches.hpp:167
-  logic [47:0] select_2917;
-  assign select_2917 = equal_1683_s3_q ? patches_left_row_q : (equal_1685_s3_q ? select_2915 : patches_left_row_q);
-  // hls/stages/patches.hpp:501
+  logic and_2906;
+  assign and_2906 = or_2903 & and_2904;
+  // hls/stages/patches.hpp:176
+  logic [2:0] select_2908;
+  assign select_2908 = or_1696_s3_q ? (and_1847_s3_q ? {and_2906, xor_2905, parity_2899} : 3'h0) : 3'h0;
+  // hls/stages/patches.hpp:159
+  logic [9:0] sum_2912;
+  assign sum_2912 = {7'h0, patches_set_q} + (equal_1695_s3_q ? 10'h0 : patches_size_q);
+  // hls/stages/patches.hpp:508
+  logic [47:0] select_2922;
+  assign select_2922 = new_row_s3_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  // hls/stages/patches.hpp:176
+  logic [47:0] select_2924;
+  assign select_2924 = equal_1690_s3_q ? patches_left_row_q : (equal_1692_s3_q ? select_2922 : patches_left_row_q);
+  // hls/stages/patches.hpp:510
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_2915;
+  assign bits = other[47:0] ^ select_2922;
   // hls/stages/count_bits.hpp:24
-  logic xor_2921;
-  assign xor_2921 = bits[17] ^ (^{select_2915[16:15], other[16:15]});
-  logic xor_2924;
-  assign xor_2924 = bits[11] ^ (^{select_2915[10:9], other[10:9]});
-  logic xor_2927;
-  assign xor_2927 = bits[14] ^ (^{select_2915[13:12], other[13:12]});
-  logic xor_2930;
-  assign xor_2930 = xor_2921 ^ (^{select_2915[14:9], other[14:9]});
-  logic xor_2933;
-  assign xor_2933 = bits[47] ^ (^{select_2915[46:45], other[46:45]});
-  logic xor_2936;
-  assign xor_2936 = bits[8] ^ (^{select_2915[7:6], other[7:6]});
-  logic xor_2939;
-  assign xor_2939 = bits[2] ^ (^{select_2915[1:0], other[1:0]});
-  logic xor_2942;
-  assign xor_2942 = bits[5] ^ (^{select_2915[4:3], other[4:3]});
-  logic xor_2945;
-  assign xor_2945 = xor_2936 ^ (^{select_2915[5:0], other[5:0]});
-  logic parity_2947;
-  assign parity_2947 = ^{select_2915[47:45], select_2915[8:0], other[47:45], other[8:0]};
-  logic xor_2948;
-  assign xor_2948 = xor_2930 ^ parity_2947;
-  logic xor_2951;
-  assign xor_2951 = bits[44] ^ (^{select_2915[43:42], other[43:42]});
-  logic xor_2954;
-  assign xor_2954 = bits[38] ^ (^{select_2915[37:36], other[37:36]});
-  logic xor_2957;
-  assign xor_2957 = bits[41] ^ (^{select_2915[40:39], other[40:39]});
-  logic xor_2963;
-  assign xor_2963 = bits[26] ^ (^{select_2915[25:24], other[25:24]});
-  logic xor_2966;
-  assign xor_2966 = bits[20] ^ (^{select_2915[19:18], other[19:18]});
-  logic xor_2969;
-  assign xor_2969 = bits[23] ^ (^{select_2915[22:21], other[22:21]});
-  logic xor_2972;
-  assign xor_2972 = xor_2963 ^ (^{select_2915[23:18], other[23:18]});
-  logic xor_2975;
-  assign xor_2975 = bits[35] ^ (^{select_2915[34:33], other[34:33]});
-  logic xor_2978;
-  assign xor_2978 = bits[29] ^ (^{select_2915[28:27], other[28:27]});
-  logic xor_2981;
-  assign xor_2981 = bits[32] ^ (^{select_2915[31:30], other[31:30]});
-  logic xor_2984;
-  assign xor_2984 = xor_2975 ^ (^{select_2915[32:27], other[32:27]});
+  logic xor_2928;
+  assign xor_2928 = bits[17] ^ (^{select_2922[16:15], other[16:15]});
+  logic xor_2931;
+  assign xor_2931 = bits[11] ^ (^{select_2922[10:9], other[10:9]});
+  logic xor_2934;
+  assign xor_2934 = bits[14] ^ (^{select_2922[13:12], other[13:12]});
+  logic xor_2937;
+  assign xor_2937 = xor_2928 ^ (^{select_2922[14:9], other[14:9]});
+  logic xor_2940;
+  assign xor_2940 = bits[47] ^ (^{select_2922[46:45], other[46:45]});
+  logic xor_2943;
+  assign xor_2943 = bits[8] ^ (^{select_2922[7:6], other[7:6]});
+  logic xor_2946;
+  assign xor_2946 = bits[2] ^ (^{select_2922[1:0], other[1:0]});
+  logic xor_2949;
+  assign xor_2949 = bits[5] ^ (^{select_2922[4:3], other[4:3]});
+  logic xor_2952;
+  assign xor_2952 = xor_2943 ^ (^{select_2922[5:0], other[5:0]});
+  logic parity_2954;
+  assign parity_2954 = ^{select_2922[47:45], select_2922[8:0], other[47:45], other[8:0]};
+  logic xor_2955;
+  assign xor_2955 = xor_2937 ^ parity_2954;
+  logic xor_2958;
+  assign xor_2958 = bits[44] ^ (^{select_2922[43:42], other[43:42]});
+  logic xor_2961;
+  assign xor_2961 = bits[38] ^ (^{select_2922[37:36], other[37:36]});
+  logic xor_2964;
+  assign xor_2964 = bits[41] ^ (^{select_2922[40:39], other[40:39]});
+  logic xor_2970;
+  assign xor_2970 = bits[26] ^ (^{select_2922[25:24], other[25:24]});
+  logic xor_2973;
+  assign xor_2973 = bits[20] ^ (^{select_2922[19:18], other[19:18]});
+  logic xor_2976;
+  assign xor_2976 = bits[23] ^ (^{select_2922[22:21], other[22:21]});
+  logic xor_2979;
+  assign xor_2979 = xor_2970 ^ (^{select_2922[23:18], other[23:18]});
+  logic xor_2982;
+  assign xor_2982 = bits[35] ^ (^{select_2922[34:33], other[34:33]});
   logic xor_2985;
-  assign xor_2985 = xor_2972 ^ xor_2984;
+  assign xor_2985 = bits[29] ^ (^{select_2922[28:27], other[28:27]});
+  logic xor_2988;
+  assign xor_2988 = bits[32] ^ (^{select_2922[31:30], other[31:30]});
+  logic xor_2991;
+  assign xor_2991 = xor_2982 ^ (^{select_2922[32:27], other[32:27]});
+  logic xor_2992;
+  assign xor_2992 = xor_2979 ^ xor_2991;
   // hls/stages/count_bits.hpp:25
-  logic or_2993;
-  assign or_2993 = (xor_2924 & xor_2927) | (xor_2921 & (xor_2924 | xor_2927));
-  logic or_2997;
-  assign or_2997 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3001;
-  assign or_3001 = (xor_2939 & xor_2942) | (xor_2936 & (xor_2939 | xor_2942));
-  // hls/stages/count_bits.hpp:23
+  logic or_3000;
+  assign or_3000 = (xor_2931 & xor_2934) | (xor_2928 & (xor_2931 | xor_2934));
+  logic or_3004;
+  assign or_3004 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
   logic or_3008;
-  assign or_3008 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
-  // hls/stages/count_bits.hpp:25
-  logic or_3012;
-  assign or_3012 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-  logic or_3016;
-  assign or_3016 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3019;
-  assign parity_3019 = ^{or_3016, or_3012, or_3008};
+  assign or_3008 = (xor_2946 & xor_2949) | (xor_2943 & (xor_2946 | xor_2949));
   // hls/stages/count_bits.hpp:23
+  logic or_3015;
+  assign or_3015 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  // hls/stages/count_bits.hpp:25
+  logic or_3019;
+  assign or_3019 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
   logic or_3023;
-  assign or_3023 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
-  // hls/stages/count_bits.hpp:25
-  logic or_3027;
-  assign or_3027 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-  logic or_3031;
-  assign or_3031 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+  assign or_3023 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3034;
-  assign parity_3034 = ^{or_3031, or_3027, or_3023};
-  logic parity_3037;
-  assign parity_3037 = ^{or_3031, or_3027, or_3023, or_3016, or_3012, or_3008, or_3001, or_2997, or_2993};
+  logic parity_3026;
+  assign parity_3026 = ^{or_3023, or_3019, or_3015};
   // hls/stages/count_bits.hpp:23
-  logic or_3041;
-  assign or_3041 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  logic or_3030;
+  assign or_3030 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
   // hls/stages/count_bits.hpp:25
-  logic or_3045;
-  assign or_3045 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3049;
-  assign or_3049 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
-  // hls/stages/count_bits.hpp:23
-  logic or_3057;
-  assign or_3057 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_3061;
-  assign or_3061 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-  logic or_3065;
-  assign or_3065 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+  logic or_3034;
+  assign or_3034 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3038;
+  assign or_3038 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3068;
-  assign parity_3068 = ^{or_3065, or_3061, or_3057};
+  logic parity_3041;
+  assign parity_3041 = ^{or_3038, or_3034, or_3030};
+  logic parity_3044;
+  assign parity_3044 = ^{or_3038, or_3034, or_3030, or_3023, or_3019, or_3015, or_3008, or_3004, or_3000};
   // hls/stages/count_bits.hpp:23
+  logic or_3048;
+  assign or_3048 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  // hls/stages/count_bits.hpp:25
+  logic or_3052;
+  assign or_3052 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3056;
+  assign or_3056 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+  // hls/stages/count_bits.hpp:23
+  logic or_3064;
+  assign or_3064 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
+  logic or_3068;
+  assign or_3068 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
   logic or_3072;
-  assign or_3072 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
-  // hls/stages/count_bits.hpp:25
-  logic or_3076;
-  assign or_3076 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-  logic or_3080;
-  assign or_3080 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  assign or_3072 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3083;
-  assign parity_3083 = ^{or_3080, or_3076, or_3072};
-  logic parity_3086;
-  assign parity_3086 = ^{or_3080, or_3076, or_3072, or_3065, or_3061, or_3057, or_3049, or_3045, or_3041};
+  logic parity_3075;
+  assign parity_3075 = ^{or_3072, or_3068, or_3064};
+  // hls/stages/count_bits.hpp:23
+  logic or_3079;
+  assign or_3079 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
   // hls/stages/count_bits.hpp:25
-  logic or_3090;
-  assign or_3090 = (xor_2954 & xor_2957) | (xor_2951 & (xor_2954 | xor_2957));
-  logic or_3094;
-  assign or_3094 = (xor_2966 & xor_2969) | (xor_2963 & (xor_2966 | xor_2969));
-  logic or_3098;
-  assign or_3098 = (xor_2978 & xor_2981) | (xor_2975 & (xor_2978 | xor_2981));
+  logic or_3083;
+  assign or_3083 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3087;
+  assign or_3087 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3101;
-  assign parity_3101 = ^{or_3098, or_3094, or_3090};
+  logic parity_3090;
+  assign parity_3090 = ^{or_3087, or_3083, or_3079};
+  logic parity_3093;
+  assign parity_3093 = ^{or_3087, or_3083, or_3079, or_3072, or_3068, or_3064, or_3056, or_3052, or_3048};
   // hls/stages/count_bits.hpp:25
-  logic and_3102;
-  assign and_3102 = xor_2948 & (^{xor_2985, select_2915[44:36], other[44:36]});
-  logic or_3106;
-  assign or_3106 = (xor_2933 & xor_2945) | (xor_2930 & (xor_2933 | xor_2945));
+  logic or_3097;
+  assign or_3097 = (xor_2961 & xor_2964) | (xor_2958 & (xor_2961 | xor_2964));
+  logic or_3101;
+  assign or_3101 = (xor_2973 & xor_2976) | (xor_2970 & (xor_2973 | xor_2976));
+  logic or_3105;
+  assign or_3105 = (xor_2985 & xor_2988) | (xor_2982 & (xor_2985 | xor_2988));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3108;
+  assign parity_3108 = ^{or_3105, or_3101, or_3097};
+  // hls/stages/count_bits.hpp:25
   logic and_3109;
-  assign and_3109 = (xor_2951 ^ (^{select_2915[41:36], other[41:36]})) & (xor_2972 | xor_2984);
-  logic or_3110;
-  assign or_3110 = (xor_2972 & xor_2984) | and_3109;
+  assign and_3109 = xor_2955 & (^{xor_2992, select_2922[44:36], other[44:36]});
+  logic or_3113;
+  assign or_3113 = (xor_2940 & xor_2952) | (xor_2937 & (xor_2940 | xor_2952));
+  logic and_3116;
+  assign and_3116 = (xor_2958 ^ (^{select_2922[41:36], other[41:36]})) & (xor_2979 | xor_2991);
+  logic or_3117;
+  assign or_3117 = (xor_2979 & xor_2991) | and_3116;
   // hls/stages/count_bits.hpp:24
-  logic parity_3113;
-  assign parity_3113 = ^{or_3110, or_3106, and_3102};
-  logic parity_3116;
-  assign parity_3116 = ^{or_3110, or_3106, and_3102, or_3098, or_3094, or_3090, or_3080, or_3076, or_3072, or_3065, or_3061, or_3057, or_3049, or_3045, or_3041};
-  logic parity_3118;
-  assign parity_3118 = ^{or_3110, or_3106, and_3102, or_3098, or_3094, or_3090, or_3080, or_3076, or_3072, or_3065, or_3061, or_3057, or_3049, or_3045, or_3041, or_3031, or_3027, or_3023, or_3016, or_3012, or_3008, or_3001, or_2997, or_2993};
+  logic parity_3120;
+  assign parity_3120 = ^{or_3117, or_3113, and_3109};
+  logic parity_3123;
+  assign parity_3123 = ^{or_3117, or_3113, and_3109, or_3105, or_3101, or_3097, or_3087, or_3083, or_3079, or_3072, or_3068, or_3064, or_3056, or_3052, or_3048};
+  logic parity_3125;
+  assign parity_3125 = ^{or_3117, or_3113, and_3109, or_3105, or_3101, or_3097, or_3087, or_3083, or_3079, or_3072, or_3068, or_3064, or_3056, or_3052, or_3048, or_3038, or_3034, or_3030, or_3023, or_3019, or_3015, or_3008, or_3004, or_3000};
   // hls/stages/count_bits.hpp:25
-  logic and_3119;
-  assign and_3119 = parity_3037 & parity_3116;
-  logic or_3123;
-  assign or_3123 = (parity_3019 & parity_3034) | ((^{or_3001, or_2997, or_2993}) & (parity_3019 | parity_3034));
-  logic or_3127;
-  assign or_3127 = (parity_3101 & parity_3113) | (parity_3086 & (parity_3101 | parity_3113));
+  logic and_3126;
+  assign and_3126 = parity_3044 & parity_3123;
+  logic or_3130;
+  assign or_3130 = (parity_3026 & parity_3041) | ((^{or_3008, or_3004, or_3000}) & (parity_3026 | parity_3041));
   logic or_3134;
-  assign or_3134 = (parity_3068 & parity_3083) | ((^{or_3049, or_3045, or_3041}) & (parity_3068 | parity_3083));
-  logic or_3138;
-  assign or_3138 = (or_3094 & or_3098) | (or_3090 & (or_3094 | or_3098));
-  logic or_3142;
-  assign or_3142 = (or_3106 & or_3110) | (and_3102 & (or_3106 | or_3110));
-  // hls/stages/count_bits.hpp:23
+  assign or_3134 = (parity_3108 & parity_3120) | (parity_3093 & (parity_3108 | parity_3120));
+  logic or_3141;
+  assign or_3141 = (parity_3075 & parity_3090) | ((^{or_3056, or_3052, or_3048}) & (parity_3075 | parity_3090));
+  logic or_3145;
+  assign or_3145 = (or_3101 & or_3105) | (or_3097 & (or_3101 | or_3105));
   logic or_3149;
-  assign or_3149 = (or_3045 & or_3049) | (or_3041 & (or_3045 | or_3049));
-  // hls/stages/count_bits.hpp:25
-  logic or_3153;
-  assign or_3153 = (or_3061 & or_3065) | (or_3057 & (or_3061 | or_3065));
-  logic or_3157;
-  assign or_3157 = (or_3076 & or_3080) | (or_3072 & (or_3076 | or_3080));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3160;
-  assign parity_3160 = ^{or_3157, or_3153, or_3149};
+  assign or_3149 = (or_3113 & or_3117) | (and_3109 & (or_3113 | or_3117));
   // hls/stages/count_bits.hpp:23
+  logic or_3156;
+  assign or_3156 = (or_3052 & or_3056) | (or_3048 & (or_3052 | or_3056));
+  // hls/stages/count_bits.hpp:25
+  logic or_3160;
+  assign or_3160 = (or_3068 & or_3072) | (or_3064 & (or_3068 | or_3072));
   logic or_3164;
-  assign or_3164 = (or_2997 & or_3001) | (or_2993 & (or_2997 | or_3001));
-  // hls/stages/count_bits.hpp:25
-  logic or_3168;
-  assign or_3168 = (or_3012 & or_3016) | (or_3008 & (or_3012 | or_3016));
-  logic or_3172;
-  assign or_3172 = (or_3027 & or_3031) | (or_3023 & (or_3027 | or_3031));
+  assign or_3164 = (or_3083 & or_3087) | (or_3079 & (or_3083 | or_3087));
   // hls/stages/count_bits.hpp:24
-  logic parity_3175;
-  assign parity_3175 = ^{or_3172, or_3168, or_3164};
-  logic parity_3178;
-  assign parity_3178 = ^{or_3172, or_3168, or_3164, or_3157, or_3153, or_3149, or_3142, or_3138, or_3134};
-  logic parity_3180;
-  assign parity_3180 = ^{or_3172, or_3168, or_3164, or_3157, or_3153, or_3149, or_3142, or_3138, or_3134, or_3127, or_3123, and_3119};
+  logic parity_3167;
+  assign parity_3167 = ^{or_3164, or_3160, or_3156};
+  // hls/stages/count_bits.hpp:23
+  logic or_3171;
+  assign or_3171 = (or_3004 & or_3008) | (or_3000 & (or_3004 | or_3008));
   // hls/stages/count_bits.hpp:25
-  logic or_3184;
-  assign or_3184 = (or_3138 & or_3142) | (or_3134 & (or_3138 | or_3142));
-  logic or_3188;
-  assign or_3188 = (or_3153 & or_3157) | (or_3149 & (or_3153 | or_3157));
-  logic or_3192;
-  assign or_3192 = (or_3168 & or_3172) | (or_3164 & (or_3168 | or_3172));
+  logic or_3175;
+  assign or_3175 = (or_3019 & or_3023) | (or_3015 & (or_3019 | or_3023));
+  logic or_3179;
+  assign or_3179 = (or_3034 & or_3038) | (or_3030 & (or_3034 | or_3038));
   // hls/stages/count_bits.hpp:24
-  logic parity_3195;
-  assign parity_3195 = ^{or_3192, or_3188, or_3184};
+  logic parity_3182;
+  assign parity_3182 = ^{or_3179, or_3175, or_3171};
+  logic parity_3185;
+  assign parity_3185 = ^{or_3179, or_3175, or_3171, or_3164, or_3160, or_3156, or_3149, or_3145, or_3141};
+  logic parity_3187;
+  assign parity_3187 = ^{or_3179, or_3175, or_3171, or_3164, or_3160, or_3156, or_3149, or_3145, or_3141, or_3134, or_3130, and_3126};
   // hls/stages/count_bits.hpp:25
-  logic and_3196;
-  assign and_3196 = (^{or_3127, or_3123, and_3119}) & parity_3178;
-  logic or_3200;
-  assign or_3200 = (or_3123 & or_3127) | (and_3119 & (or_3123 | or_3127));
-  logic or_3204;
-  assign or_3204 = (parity_3160 & parity_3175) | ((^{or_3142, or_3138, or_3134}) & (parity_3160 | parity_3175));
+  logic or_3191;
+  assign or_3191 = (or_3145 & or_3149) | (or_3141 & (or_3145 | or_3149));
+  logic or_3195;
+  assign or_3195 = (or_3160 & or_3164) | (or_3156 & (or_3160 | or_3164));
+  logic or_3199;
+  assign or_3199 = (or_3175 & or_3179) | (or_3171 & (or_3175 | or_3179));
   // hls/stages/count_bits.hpp:24
-  logic parity_3207;
-  assign parity_3207 = ^{or_3204, or_3200, and_3196};
+  logic parity_3202;
+  assign parity_3202 = ^{or_3199, or_3195, or_3191};
   // hls/stages/count_bits.hpp:25
-  logic and_3209;
-  assign and_3209 = parity_3195 & parity_3207;
-  logic or_3213;
-  assign or_3213 = (or_3188 & or_3192) | (or_3184 & (or_3188 | or_3192));
-  logic or_3217;
-  assign or_3217 = (or_3200 & or_3204) | (and_3196 & (or_3200 | or_3204));
-  // hls/stages/patches.hpp:167
-  logic [4:0] select_3262;
-  assign select_3262 = equal_1685_s3_q ? patches_along_s3_q : patches_summed_row_column_q;
-  logic select_3265;
-  assign select_3265 = equal_1683_s3_q ? patches_summed_first_q : (equal_1685_s3_q ? new_row_s3_q : patches_summed_first_q);
-  // hls/stages/patches.hpp:533
-  logic [9:0] select_3272;
-  assign select_3272 = less_1846_s3_q ? patches_rows_rdata_q[9:0] : 10'h0;
-  // hls/stages/patches.hpp:537
-  logic [9:0] select_3275;
-  assign select_3275 = equal_1849_s3_q ? (less_1846_s3_q ? (equal_1849_s3_q ? 10'h0 : select_3272) : 10'h0) : select_3272;
-  logic [9:0] select_3277;
-  assign select_3277 = less_1846_s3_q ? (equal_1847_s3_q ? 10'h0 : select_3275) : select_3275;
-  // hls/stages/patches.hpp:533
-  logic [4:0] select_3279;
-  assign select_3279 = less_1846_s3_q ? patches_rows_rdata_q[14:10] : 5'h0;
-  // hls/stages/patches.hpp:537
-  logic [4:0] select_3282;
-  assign select_3282 = equal_1849_s3_q ? (less_1846_s3_q ? (equal_1849_s3_q ? 5'h0 : select_3279) : 5'h0) : select_3279;
-  logic [4:0] select_3284;
-  assign select_3284 = less_1846_s3_q ? (equal_1847_s3_q ? 5'h0 : select_3282) : select_3282;
-  // hls/stages/patches.hpp:533
+  logic and_3203;
+  assign and_3203 = (^{or_3134, or_3130, and_3126}) & parity_3185;
+  logic or_3207;
+  assign or_3207 = (or_3130 & or_3134) | (and_3126 & (or_3130 | or_3134));
+  logic or_3211;
+  assign or_3211 = (parity_3167 & parity_3182) | ((^{or_3149, or_3145, or_3141}) & (parity_3167 | parity_3182));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3214;
+  assign parity_3214 = ^{or_3211, or_3207, and_3203};
+  // hls/stages/count_bits.hpp:25
+  logic and_3216;
+  assign and_3216 = parity_3202 & parity_3214;
+  logic or_3220;
+  assign or_3220 = (or_3195 & or_3199) | (or_3191 & (or_3195 | or_3199));
+  logic or_3224;
+  assign or_3224 = (or_3207 & or_3211) | (and_3203 & (or_3207 | or_3211));
+  // hls/stages/patches.hpp:176
+  logic [4:0] select_3269;
+  assign select_3269 = equal_1692_s3_q ? patches_along_s3_q : patches_summed_row_column_q;
+  logic select_3272;
+  assign select_3272 = equal_1690_s3_q ? patches_summed_first_q : (equal_1692_s3_q ? new_row_s3_q : patches_summed_first_q);
+  // hls/stages/patches.hpp:542
+  logic [9:0] select_3279;
+  assign select_3279 = less_1853_s3_q ? patches_rows_rdata_q[9:0] : 10'h0;
+  // hls/stages/patches.hpp:546
+  logic [9:0] select_3282;
+  assign select_3282 = equal_1856_s3_q ? (less_1853_s3_q ? (equal_1856_s3_q ? 10'h0 : select_3279) : 10'h0) : select_3279;
+  logic [9:0] select_3284;
+  assign select_3284 = less_1853_s3_q ? (equal_1854_s3_q ? 10'h0 : select_3282) : select_3282;
+  // hls/stages/patches.hpp:542
   logic [4:0] select_3286;
-  assign select_3286 = less_1846_s3_q ? patches_step_s3_q : 5'h0;
-  // hls/stages/patches.hpp:537
+  assign select_3286 = less_1853_s3_q ? patches_rows_rdata_q[14:10] : 5'h0;
+  // hls/stages/patches.hpp:546
   logic [4:0] select_3289;
-  assign select_3289 = equal_1849_s3_q ? (less_1846_s3_q ? (equal_1849_s3_q ? 5'h0 : select_3286) : 5'h0) : select_3286;
+  assign select_3289 = equal_1856_s3_q ? (less_1853_s3_q ? (equal_1856_s3_q ? 5'h0 : select_3286) : 5'h0) : select_3286;
   logic [4:0] select_3291;
-  assign select_3291 = less_1846_s3_q ? (equal_1847_s3_q ? 5'h0 : select_3289) : select_3289;
+  assign select_3291 = less_1853_s3_q ? (equal_1854_s3_q ? 5'h0 : select_3289) : select_3289;
+  // hls/stages/patches.hpp:542
+  logic [4:0] select_3293;
+  assign select_3293 = less_1853_s3_q ? patches_step_s3_q : 5'h0;
+  // hls/stages/patches.hpp:546
+  logic [4:0] select_3296;
+  assign select_3296 = equal_1856_s3_q ? (less_1853_s3_q ? (equal_1856_s3_q ? 5'h0 : select_3293) : 5'h0) : select_3293;
+  logic [4:0] select_3298;
+  assign select_3298 = less_1853_s3_q ? (equal_1854_s3_q ? 5'h0 : select_3296) : select_3296;
+  // hls/stages/patches.hpp:542
+  logic and_3301;
+  assign and_3301 = less_1853_s3_q & (patches_step_s3_q == 5'h0);
+  // hls/stages/patches.hpp:546
+  logic select_3304;
+  assign select_3304 = equal_1856_s3_q ? (less_1853_s3_q ? (not_1857_s3_q & and_3301) : and_3301) : and_3301;
+  // hls/stages/patches.hpp:176
+  logic select_3307;
+  assign select_3307 = equal_1690_s3_q ? (less_1853_s3_q ? (not_1855_s3_q & select_3304) : select_3304) : patches_read_first_q;
+  // hls/stages/patches.hpp:170
+  logic or_3318;
+  assign or_3318 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3319;
+  assign and_3319 = patches_read_searches_s3_q & or_3318;
+  // hls/stages/patches.hpp:526
+  logic [4:0] select_3320;
+  assign select_3320 = and_3319 ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:533
-  logic and_3294;
-  assign and_3294 = less_1846_s3_q & (patches_step_s3_q == 5'h0);
-  // hls/stages/patches.hpp:537
-  logic select_3297;
-  assign select_3297 = equal_1849_s3_q ? (less_1846_s3_q ? (not_1850_s3_q & and_3294) : and_3294) : and_3294;
-  // hls/stages/patches.hpp:167
-  logic select_3300;
-  assign select_3300 = equal_1683_s3_q ? (less_1846_s3_q ? (not_1848_s3_q & select_3297) : select_3297) : patches_read_first_q;
-  // hls/stages/patches.hpp:161
-  logic or_3311;
-  assign or_3311 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3312;
-  assign and_3312 = patches_read_searches_s3_q & or_3311;
-  // hls/stages/patches.hpp:517
-  logic [4:0] select_3313;
-  assign select_3313 = and_3312 ? patches_read_at_q : patches_peak_row_q;
-  // hls/stages/patches.hpp:524
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s3_q} - {1'b0, select_3313};
-  // hls/stages/patches.hpp:533
-  logic and_3317;
-  assign and_3317 = less_1846_s3_q & (equal_3309_s3_q & (away == 6'h3f));
-  // hls/stages/patches.hpp:537
-  logic select_3320;
-  assign select_3320 = equal_1849_s3_q ? (less_1846_s3_q ? (not_1850_s3_q & and_3317) : and_3317) : and_3317;
-  // hls/stages/patches.hpp:167
-  logic select_3323;
-  assign select_3323 = equal_1683_s3_q ? (less_1846_s3_q ? (not_1848_s3_q & select_3320) : select_3320) : patches_read_above_q;
-  // hls/stages/patches.hpp:533
-  logic and_3326;
-  assign and_3326 = less_1846_s3_q & (equal_3309_s3_q & (away == 6'h1));
-  // hls/stages/patches.hpp:537
-  logic select_3329;
-  assign select_3329 = equal_1849_s3_q ? (less_1846_s3_q ? (not_1850_s3_q & and_3326) : and_3326) : and_3326;
-  // hls/stages/patches.hpp:167
-  logic select_3332;
-  assign select_3332 = equal_1683_s3_q ? (less_1846_s3_q ? (not_1848_s3_q & select_3329) : select_3329) : patches_read_below_q;
-  // hls/stages/patches.hpp:530
-  logic [6:0] sum_3333;
-  assign sum_3333 = {away[5], away} + 7'h7d;
-  // hls/stages/patches.hpp:531
-  logic [9:0] select_3336;
-  assign select_3336 = (equal_3309_s3_q & ({sum_3333[6], sum_3333} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
-  // hls/stages/patches.hpp:533
-  logic [9:0] select_3337;
-  assign select_3337 = less_1846_s3_q ? select_3336 : 10'h3ff;
-  // hls/stages/patches.hpp:534
-  logic [9:0] select_3339;
-  assign select_3339 = less_1846_s3_q ? (equal_1849_s3_q ? 10'h3ff : select_3337) : 10'h3ff;
-  // hls/stages/patches.hpp:537
-  logic [9:0] select_3340;
-  assign select_3340 = equal_1849_s3_q ? select_3339 : select_3337;
-  logic [9:0] select_3342;
-  assign select_3342 = less_1846_s3_q ? (equal_1847_s3_q ? 10'h3ff : select_3340) : select_3340;
-  // hls/stages/patches.hpp:516
-  logic [14:0] select_3344;
-  assign select_3344 = and_3312 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
-  // hls/stages/patches.hpp:167
-  logic [9:0] select_3345;
-  assign select_3345 = equal_1683_s3_q ? select_3344[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3346;
-  assign select_3346 = equal_1683_s3_q ? select_3344[14:10] : patches_peak_best_column_q;
-  // hls/stages/patches.hpp:518
-  logic [9:0] select_3348;
-  assign select_3348 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
-  // hls/stages/patches.hpp:519
-  logic [9:0] select_3350;
-  assign select_3350 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
-  // hls/stages/patches.hpp:520
-  logic [9:0] select_3353;
-  assign select_3353 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
-  logic [9:0] select_3354;
-  assign select_3354 = patches_read_first_q ? patches_read_far_q : select_3353;
+  assign away = {1'b0, patches_step_s3_q} - {1'b0, select_3320};
+  // hls/stages/patches.hpp:542
+  logic and_3324;
+  assign and_3324 = less_1853_s3_q & (equal_3316_s3_q & (away == 6'h3f));
+  // hls/stages/patches.hpp:546
+  logic select_3327;
+  assign select_3327 = equal_1856_s3_q ? (less_1853_s3_q ? (not_1857_s3_q & and_3324) : and_3324) : and_3324;
+  // hls/stages/patches.hpp:176
+  logic select_3330;
+  assign select_3330 = equal_1690_s3_q ? (less_1853_s3_q ? (not_1855_s3_q & select_3327) : select_3327) : patches_read_above_q;
+  // hls/stages/patches.hpp:542
+  logic and_3333;
+  assign and_3333 = less_1853_s3_q & (equal_3316_s3_q & (away == 6'h1));
+  // hls/stages/patches.hpp:546
+  logic select_3336;
+  assign select_3336 = equal_1856_s3_q ? (less_1853_s3_q ? (not_1857_s3_q & and_3333) : and_3333) : and_3333;
+  // hls/stages/patches.hpp:176
+  logic select_3339;
+  assign select_3339 = equal_1690_s3_q ? (less_1853_s3_q ? (not_1855_s3_q & select_3336) : select_3336) : patches_read_below_q;
+  // hls/stages/patches.hpp:539
+  logic [6:0] sum_3340;
+  assign sum_3340 = {away[5], away} + 7'h7d;
+  // hls/stages/patches.hpp:540
+  logic [9:0] select_3343;
+  assign select_3343 = (equal_3316_s3_q & ({sum_3340[6], sum_3340} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  // hls/stages/patches.hpp:542
+  logic [9:0] select_3344;
+  assign select_3344 = less_1853_s3_q ? select_3343 : 10'h3ff;
+  // hls/stages/patches.hpp:543
+  logic [9:0] select_3346;
+  assign select_3346 = less_1853_s3_q ? (equal_1856_s3_q ? 10'h3ff : select_3344) : 10'h3ff;
+  // hls/stages/patches.hpp:546
+  logic [9:0] select_3347;
+  assign select_3347 = equal_1856_s3_q ? select_3346 : select_3344;
+  logic [9:0] select_3349;
+  assign select_3349 = less_1853_s3_q ? (equal_1854_s3_q ? 10'h3ff : select_3347) : select_3347;
+  // hls/stages/patches.hpp:525
+  logic [14:0] select_3351;
+  assign select_3351 = and_3319 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  // hls/stages/patches.hpp:176
+  logic [9:0] select_3352;
+  assign select_3352 = equal_1690_s3_q ? select_3351[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3353;
+  assign select_3353 = equal_1690_s3_q ? select_3351[14:10] : patches_peak_best_column_q;
+  // hls/stages/patches.hpp:527
+  logic [9:0] select_3355;
+  assign select_3355 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
+  // hls/stages/patches.hpp:528
+  logic [9:0] select_3357;
+  assign select_3357 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  // hls/stages/patches.hpp:529
+  logic [9:0] select_3360;
+  assign select_3360 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
+  logic [9:0] select_3361;
+  assign select_3361 = patches_read_first_q ? patches_read_far_q : select_3360;
+  // hls/stages/patches.hpp:580
+  logic [9:0] difference_3364;
+  assign difference_3364 = select_3361 - select_3351[9:0];
+  // hls/stages/patches.hpp:565
+  logic less_3394;
+  assign less_3394 = select_3355 < select_3357;
   // hls/stages/patches.hpp:571
-  logic [9:0] difference_3357;
-  assign difference_3357 = select_3354 - select_3344[9:0];
-  // hls/stages/patches.hpp:556
-  logic less_3387;
-  assign less_3387 = select_3348 < select_3350;
-  // hls/stages/patches.hpp:562
-  logic [1:0] sum_3388;
-  assign sum_3388 = select_3313[4:3] + 2'h3;
-  // hls/stages/patches.hpp:557
+  logic [1:0] sum_3395;
+  assign sum_3395 = select_3320[4:3] + 2'h3;
+  // hls/stages/patches.hpp:566
   logic [9:0] high;
-  assign high = less_3387 ? select_3350 : select_3348;
+  assign high = less_3394 ? select_3357 : select_3355;
   logic [9:0] low;
-  assign low = (select_3350 < select_3348) ? select_3350 : select_3348;
-  // hls/stages/patches.hpp:558
+  assign low = (select_3357 < select_3355) ? select_3357 : select_3355;
+  // hls/stages/patches.hpp:567
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall;
-  assign fall = high - select_3344[9:0];
-  // hls/stages/patches.hpp:560
-  logic not_3395;
-  assign not_3395 = ~({eight, 3'h0} < {3'h0, fall});
-  logic [10:0] sum_3396;
-  assign sum_3396 = {1'b0, fall} + {2'h0, fall[9:1]};
-  logic not_3398;
-  assign not_3398 = ~({eight, 3'h0} < {1'b0, sum_3396, fall[0]});
-  logic [1:0] sum_3399;
-  assign sum_3399 = {1'b0, not_3395} + {1'b0, not_3398};
-  // hls/stages/patches.hpp:561
-  logic [10:0] sum_3400;
-  assign sum_3400 = {1'b0, fall} + {3'h0, fall[9:2]};
+  assign fall = high - select_3351[9:0];
+  // hls/stages/patches.hpp:569
   logic not_3402;
-  assign not_3402 = ~({eight, 3'h0} < {sum_3400, fall[1:0]});
+  assign not_3402 = ~({eight, 3'h0} < {3'h0, fall});
+  logic [10:0] sum_3403;
+  assign sum_3403 = {1'b0, fall} + {2'h0, fall[9:1]};
   logic not_3405;
-  assign not_3405 = ~({eight, 3'h0} < ({fall, 3'h0} - {3'h0, fall}));
+  assign not_3405 = ~({eight, 3'h0} < {1'b0, sum_3403, fall[0]});
   logic [1:0] sum_3406;
   assign sum_3406 = {1'b0, not_3402} + {1'b0, not_3405};
-  // hls/stages/patches.hpp:560
+  // hls/stages/patches.hpp:570
+  logic [10:0] sum_3407;
+  assign sum_3407 = {1'b0, fall} + {3'h0, fall[9:2]};
+  logic not_3409;
+  assign not_3409 = ~({eight, 3'h0} < {sum_3407, fall[1:0]});
+  logic not_3412;
+  assign not_3412 = ~({eight, 3'h0} < ({fall, 3'h0} - {3'h0, fall}));
+  logic [1:0] sum_3413;
+  assign sum_3413 = {1'b0, not_3409} + {1'b0, not_3412};
+  // hls/stages/patches.hpp:569
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3399} + {1'b0, sum_3406};
-  // hls/stages/patches.hpp:563
-  logic [7:0] select_3409;
-  assign select_3409 = less_3387 ? ({sum_3388, select_3313[2:0], 3'h0} - {5'h0, fraction}) : {sum_3388, select_3313[2:0], fraction};
+  assign fraction = {1'b0, sum_3406} + {1'b0, sum_3413};
+  // hls/stages/patches.hpp:572
+  logic [7:0] select_3416;
+  assign select_3416 = less_3394 ? ({sum_3395, select_3320[2:0], 3'h0} - {5'h0, fraction}) : {sum_3395, select_3320[2:0], fraction};
   // hls/stages/agreement.hpp:1086
-  logic equal_3568;
-  assign equal_3568 = x_s3_q[6:0] == 7'h7f;
-  // hls/stages/patches.hpp:321
-  logic select_3589;
-  assign select_3589 = equal_1470_s3_q ? shown_shown_q : (so_s3_q ? select_1912 : shown_shown_q);
-  logic select_3591;
-  assign select_3591 = equal_1470_s3_q ? shown_nearer_q : (so_s3_q ? select_1915 : shown_nearer_q);
+  logic equal_3579;
+  assign equal_3579 = x_s3_q[6:0] == 7'h7f;
+  // hls/stages/patches.hpp:330
+  logic select_3616;
+  assign select_3616 = equal_1477_s3_q ? shown_shown_q : (so_s3_q ? select_1919 : shown_shown_q);
+  logic select_3618;
+  assign select_3618 = equal_1477_s3_q ? shown_nearer_q : (so_s3_q ? select_1922 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_3593;
-  assign sum_3593 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_3620;
+  assign sum_3620 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:447
-  logic [2:0] select_3595;
-  assign select_3595 = less_3592_s3_q ? (sum_3593[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_3597;
-  assign select_3597 = equal_2288_s3_q ? (equal_562_s3_q ? 3'h0 : select_3595) : region_row_q;
-  // hls/stages/patches.hpp:321
-  logic [7:0] select_3602;
-  assign select_3602 = equal_1470_s3_q ? select_1872 : (so_s3_q ? (ends_cell_s3_q ? select_1965 : select_1872) : 8'h1);
+  logic [2:0] select_3622;
+  assign select_3622 = less_3619_s3_q ? (sum_3620[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_3624;
+  assign select_3624 = equal_2295_s3_q ? (equal_569_s3_q ? 3'h0 : select_3622) : region_row_q;
+  // hls/stages/patches.hpp:330
+  logic [7:0] select_3629;
+  assign select_3629 = equal_1477_s3_q ? select_1879 : (so_s3_q ? (ends_cell_s3_q ? select_1972 : select_1879) : 8'h1);
   // hls/stages/agreement.hpp:447
-  logic [8:0] select_3616;
-  assign select_3616 = equal_562_s3_q ? {{2{difference_3614[6]}}, difference_3614} : (less_3592_s3_q ? region_down_next_q : region_down_rest_q);
+  logic [8:0] select_3643;
+  assign select_3643 = equal_569_s3_q ? {{2{difference_3641[6]}}, difference_3641} : (less_3619_s3_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:507
-  logic [8:0] select_3618;
-  assign select_3618 = and_501_s3_q ? (equal_2288_s3_q ? select_3616 : region_down_rest_q) : region_down_rest_q;
+  logic [8:0] select_3645;
+  assign select_3645 = and_508_s3_q ? (equal_2295_s3_q ? select_3643 : region_down_rest_q) : region_down_rest_q;
   // hls/stages/agreement.hpp:447
-  logic [6:0] select_3620;
-  assign select_3620 = equal_562_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  logic [6:0] select_3647;
+  assign select_3647 = equal_569_s3_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
   // hls/stages/agreement.hpp:507
-  logic [6:0] select_3622;
-  assign select_3622 = and_501_s3_q ? (equal_2288_s3_q ? select_3620 : region_down_back_q) : region_down_back_q;
+  logic [6:0] select_3649;
+  assign select_3649 = and_508_s3_q ? (equal_2295_s3_q ? select_3647 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3623;
-  assign sum_3623 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_3650;
+  assign sum_3650 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3624;
-  assign select_3624 = sum_3593[7] ? {1'b1, sum_3593[6:0], region_down_rest_q[0]} : sum_3623;
+  logic [8:0] select_3651;
+  assign select_3651 = sum_3620[7] ? {1'b1, sum_3620[6:0], region_down_rest_q[0]} : sum_3650;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3593[7];
+  assign next = ~sum_3620[7];
   // hls/stages/agreement.hpp:447
-  logic select_3628;
-  assign select_3628 = equal_2288_s3_q ? (equal_562_s3_q | (less_3592_s3_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_3655;
+  assign select_3655 = equal_2295_s3_q ? (equal_569_s3_q | (less_3619_s3_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:197
-  logic or_3633;
-  assign or_3633 = segment_starts_q | not_1510;
+  logic or_3660;
+  assign or_3660 = segment_starts_q | not_1517;
   // hls/stages/agreement.hpp:976
-  logic select_3636;
-  assign select_3636 = shift_2_s3_q[0] ? (sum_1885_s3_q ? (equal_1676 & or_1887) : or_1887) : or_3633;
-  // hls/stages/patches.hpp:321
-  logic select_3639;
-  assign select_3639 = equal_1470_s3_q ? or_3633 : (so_s3_q ? (ends_cell_s3_q ? select_3636 : or_3633) : or_3633);
-  logic [2:0] select_3713;
-  assign select_3713 = so_s3_q ? (ends_cell_s3_q ? textured_2 : box_textured_columns_values_0_q) : box_textured_columns_values_0_q;
-  logic [2:0] select_3715;
-  assign select_3715 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_3717;
-  assign select_3717 = equal_1470_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_3715 : box_textured_columns_values_1_q);
-  logic [2:0] select_3718;
-  assign select_3718 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [2:0] select_3720;
-  assign select_3720 = equal_1470_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_3718 : box_textured_columns_values_2_q);
-  logic [2:0] select_3721;
-  assign select_3721 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_3723;
-  assign select_3723 = equal_1470_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_3721 : box_textured_columns_values_3_q);
-  logic [2:0] select_3724;
-  assign select_3724 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_3726;
-  assign select_3726 = equal_1470_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_3724 : box_textured_columns_values_4_q);
-  logic [4:0] select_3728;
-  assign select_3728 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_3731;
-  assign select_3731 = so_s3_q ? (ends_cell_s3_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
-  logic [2:0] select_3733;
-  assign select_3733 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [2:0] select_3735;
-  assign select_3735 = equal_1470_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_3733 : box_explained_columns_values_1_q);
-  logic [2:0] select_3736;
-  assign select_3736 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
-  logic [2:0] select_3738;
-  assign select_3738 = equal_1470_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_3736 : box_explained_columns_values_2_q);
-  logic [2:0] select_3739;
-  assign select_3739 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [2:0] select_3741;
-  assign select_3741 = equal_1470_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_3739 : box_explained_columns_values_3_q);
+  logic select_3663;
+  assign select_3663 = shift_2_s3_q[0] ? (sum_1892_s3_q ? (equal_1683 & or_1894) : or_1894) : or_3660;
+  // hls/stages/patches.hpp:330
+  logic select_3666;
+  assign select_3666 = equal_1477_s3_q ? or_3660 : (so_s3_q ? (ends_cell_s3_q ? select_3663 : or_3660) : or_3660);
+  logic [2:0] select_3740;
+  assign select_3740 = so_s3_q ? (ends_cell_s3_q ? textured_2 : box_textured_columns_values_0_q) : box_textured_columns_values_0_q;
   logic [2:0] select_3742;
-  assign select_3742 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  assign select_3742 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
   logic [2:0] select_3744;
-  assign select_3744 = equal_1470_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_3742 : box_explained_columns_values_4_q);
-  logic [4:0] select_3746;
-  assign select_3746 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_3747;
-  assign select_3747 = equal_1470_s3_q ? box_explained_sum_sums_values_0_q : select_3746;
-  logic [2:0] select_3749;
-  assign select_3749 = so_s3_q ? (ends_cell_s3_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  assign select_3744 = equal_1477_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_3742 : box_textured_columns_values_1_q);
+  logic [2:0] select_3745;
+  assign select_3745 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_3747;
+  assign select_3747 = equal_1477_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_3745 : box_textured_columns_values_2_q);
+  logic [2:0] select_3748;
+  assign select_3748 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_3750;
+  assign select_3750 = equal_1477_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_3748 : box_textured_columns_values_3_q);
   logic [2:0] select_3751;
-  assign select_3751 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_3751 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
   logic [2:0] select_3753;
-  assign select_3753 = equal_1470_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_3751 : box_shown_columns_values_1_q);
-  logic [2:0] select_3754;
-  assign select_3754 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
-  logic [2:0] select_3756;
-  assign select_3756 = equal_1470_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_3754 : box_shown_columns_values_2_q);
-  logic [2:0] select_3757;
-  assign select_3757 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [2:0] select_3759;
-  assign select_3759 = equal_1470_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_3757 : box_shown_columns_values_3_q);
+  assign select_3753 = equal_1477_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_3751 : box_textured_columns_values_4_q);
+  logic [4:0] select_3755;
+  assign select_3755 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [2:0] select_3758;
+  assign select_3758 = so_s3_q ? (ends_cell_s3_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
   logic [2:0] select_3760;
-  assign select_3760 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  assign select_3760 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
   logic [2:0] select_3762;
-  assign select_3762 = equal_1470_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_3760 : box_shown_columns_values_4_q);
-  logic [4:0] select_3764;
-  assign select_3764 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_3767;
-  assign select_3767 = so_s3_q ? (ends_cell_s3_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  assign select_3762 = equal_1477_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_3760 : box_explained_columns_values_1_q);
+  logic [2:0] select_3763;
+  assign select_3763 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_3765;
+  assign select_3765 = equal_1477_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_3763 : box_explained_columns_values_2_q);
+  logic [2:0] select_3766;
+  assign select_3766 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_3768;
+  assign select_3768 = equal_1477_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_3766 : box_explained_columns_values_3_q);
   logic [2:0] select_3769;
-  assign select_3769 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_3769 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
   logic [2:0] select_3771;
-  assign select_3771 = equal_1470_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_3769 : box_nearer_columns_values_1_q);
-  logic [2:0] select_3772;
-  assign select_3772 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [2:0] select_3774;
-  assign select_3774 = equal_1470_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_3772 : box_nearer_columns_values_2_q);
-  logic [2:0] select_3775;
-  assign select_3775 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [2:0] select_3777;
-  assign select_3777 = equal_1470_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_3775 : box_nearer_columns_values_3_q);
+  assign select_3771 = equal_1477_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_3769 : box_explained_columns_values_4_q);
+  logic [4:0] select_3773;
+  assign select_3773 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_3774;
+  assign select_3774 = equal_1477_s3_q ? box_explained_sum_sums_values_0_q : select_3773;
+  logic [2:0] select_3776;
+  assign select_3776 = so_s3_q ? (ends_cell_s3_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
   logic [2:0] select_3778;
-  assign select_3778 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  assign select_3778 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
   logic [2:0] select_3780;
-  assign select_3780 = equal_1470_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_3778 : box_nearer_columns_values_4_q);
-  logic [4:0] select_3782;
-  assign select_3782 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  logic select_3785;
-  assign select_3785 = so_s3_q ? (ends_cell_s3_q ? and_1953 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_3788;
-  assign select_3788 = ends_cell_s3_q ? (seen_columns_rdata_q[6] & shift_2_s3_q[0]) : centres_values_0_of_skin_q;
-  logic select_3790;
-  assign select_3790 = equal_1470_s3_q ? centres_values_0_of_skin_q : (so_s3_q ? select_3788 : centres_values_0_of_skin_q);
-  logic select_3791;
-  assign select_3791 = ends_cell_s3_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_3793;
-  assign select_3793 = equal_1470_s3_q ? centres_values_1_textured_q : (so_s3_q ? select_3791 : centres_values_1_textured_q);
-  logic select_3794;
-  assign select_3794 = ends_cell_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_3796;
-  assign select_3796 = equal_1470_s3_q ? centres_values_1_of_skin_q : (so_s3_q ? select_3794 : centres_values_1_of_skin_q);
+  assign select_3780 = equal_1477_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_3778 : box_shown_columns_values_1_q);
+  logic [2:0] select_3781;
+  assign select_3781 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_3783;
+  assign select_3783 = equal_1477_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_3781 : box_shown_columns_values_2_q);
+  logic [2:0] select_3784;
+  assign select_3784 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_3786;
+  assign select_3786 = equal_1477_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_3784 : box_shown_columns_values_3_q);
+  logic [2:0] select_3787;
+  assign select_3787 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_3789;
+  assign select_3789 = equal_1477_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_3787 : box_shown_columns_values_4_q);
+  logic [4:0] select_3791;
+  assign select_3791 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [2:0] select_3794;
+  assign select_3794 = so_s3_q ? (ends_cell_s3_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_3796;
+  assign select_3796 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_3798;
+  assign select_3798 = equal_1477_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_3796 : box_nearer_columns_values_1_q);
+  logic [2:0] select_3799;
+  assign select_3799 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_3801;
+  assign select_3801 = equal_1477_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_3799 : box_nearer_columns_values_2_q);
+  logic [2:0] select_3802;
+  assign select_3802 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_3804;
+  assign select_3804 = equal_1477_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_3802 : box_nearer_columns_values_3_q);
+  logic [2:0] select_3805;
+  assign select_3805 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_3807;
+  assign select_3807 = equal_1477_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_3805 : box_nearer_columns_values_4_q);
+  logic [4:0] select_3809;
+  assign select_3809 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  logic select_3812;
+  assign select_3812 = so_s3_q ? (ends_cell_s3_q ? and_1960 : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_3815;
+  assign select_3815 = ends_cell_s3_q ? (seen_columns_rdata_q[6] & shift_2_s3_q[0]) : centres_values_0_of_skin_q;
+  logic select_3817;
+  assign select_3817 = equal_1477_s3_q ? centres_values_0_of_skin_q : (so_s3_q ? select_3815 : centres_values_0_of_skin_q);
+  logic select_3818;
+  assign select_3818 = ends_cell_s3_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_3820;
+  assign select_3820 = equal_1477_s3_q ? centres_values_1_textured_q : (so_s3_q ? select_3818 : centres_values_1_textured_q);
+  logic select_3821;
+  assign select_3821 = ends_cell_s3_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_3823;
+  assign select_3823 = equal_1477_s3_q ? centres_values_1_of_skin_q : (so_s3_q ? select_3821 : centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:447
-  logic [10:0] select_3800;
-  assign select_3800 = equal_2288_s3_q ? (equal_3797_s3_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
+  logic [10:0] select_3827;
+  assign select_3827 = equal_2295_s3_q ? (equal_3824_s3_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:507
-  logic [5:0] select_3803;
-  assign select_3803 = and_501_s3_q ? (equal_2288_s3_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
+  logic [5:0] select_3830;
+  assign select_3830 = and_508_s3_q ? (equal_2295_s3_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
   // hls/stages/agreement.hpp:1198
-  logic xor_3804;
-  assign xor_3804 = write_half_q ^ done_q;
+  logic xor_3831;
+  assign xor_3831 = write_half_q ^ done_q;
   // hls/stages/agreement.hpp:424
-  logic select_3806;
-  assign select_3806 = and_1864_s3_q ? (left_first_s3_q ? xor_3804 : write_half_q) : write_half_q;
+  logic select_3833;
+  assign select_3833 = and_1871_s3_q ? (left_first_s3_q ? xor_3831 : write_half_q) : write_half_q;
   // hls/stages/agreement.hpp:265
-  logic select_3808;
-  assign select_3808 = and_1864_s3_q ? (left_first_s3_q ? xor_3804 : select_3806) : write_half_q;
-  logic select_3810;
-  assign select_3810 = left_first_s3_q ? select_1918 : (and_1864_s3_q ? select_1919 : read_half_q);
-  logic and_3814;
-  assign and_3814 = (~drew_q) & (done_q | said_q);
-  logic [9:0] select_3823;
-  assign select_3823 = left_first_s3_q ? 10'h1 : (and_1864_s3_q ? select_1923 : rows_passed_q);
-  logic [8:0] select_3826;
-  assign select_3826 = left_first_s3_q ? {select_1921[7:0], or_1920} : (and_1864_s3_q ? {select_1921[7:0], or_1920} : columns_passed_q);
-  logic select_3829;
-  assign select_3829 = left_first_s3_q ? marks_last_s3_q : (and_1864_s3_q ? marks_last_s3_q : line_ended_q);
-  logic select_3832;
-  assign select_3832 = left_first_s3_q ? and_1937 : (and_1864_s3_q ? and_1937 : began_q);
-  logic [2:0] select_3835;
-  assign select_3835 = left_first_s3_q ? select_1939 : (and_1864_s3_q ? select_1939 : seen_x_q);
+  logic select_3835;
+  assign select_3835 = and_1871_s3_q ? (left_first_s3_q ? xor_3831 : select_3833) : write_half_q;
+  logic select_3837;
+  assign select_3837 = left_first_s3_q ? select_1925 : (and_1871_s3_q ? select_1926 : read_half_q);
+  logic and_3841;
+  assign and_3841 = (~drew_q) & (done_q | said_q);
+  logic [9:0] select_3850;
+  assign select_3850 = left_first_s3_q ? 10'h1 : (and_1871_s3_q ? select_1930 : rows_passed_q);
+  logic [8:0] select_3853;
+  assign select_3853 = left_first_s3_q ? {select_1928[7:0], or_1927} : (and_1871_s3_q ? {select_1928[7:0], or_1927} : columns_passed_q);
+  logic select_3856;
+  assign select_3856 = left_first_s3_q ? marks_last_s3_q : (and_1871_s3_q ? marks_last_s3_q : line_ended_q);
+  logic select_3859;
+  assign select_3859 = left_first_s3_q ? and_1944 : (and_1871_s3_q ? and_1944 : began_q);
+  logic [2:0] select_3862;
+  assign select_3862 = left_first_s3_q ? select_1946 : (and_1871_s3_q ? select_1946 : seen_x_q);
   // hls/stages/agreement.hpp:1227
-  logic [2:0] select_3840;
-  assign select_3840 = left_first_s3_q ? 3'h0 : (and_1924 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
+  logic [2:0] select_3867;
+  assign select_3867 = left_first_s3_q ? 3'h0 : (and_1931 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
   // hls/stages/agreement.hpp:265
-  logic [2:0] select_3842;
-  assign select_3842 = left_first_s3_q ? 3'h0 : (and_1864_s3_q ? select_3840 : seen_y_q);
-  logic [7:0] select_3845;
-  assign select_3845 = left_first_s3_q ? select_1932 : (and_1864_s3_q ? select_1932 : seen_column_q);
+  logic [2:0] select_3869;
+  assign select_3869 = left_first_s3_q ? 3'h0 : (and_1871_s3_q ? select_3867 : seen_y_q);
+  logic [7:0] select_3872;
+  assign select_3872 = left_first_s3_q ? select_1939 : (and_1871_s3_q ? select_1939 : seen_column_q);
   // hls/stages/agreement.hpp:422
-  logic [7:0] select_3851;
-  assign select_3851 = left_first_s3_q ? select_3849 : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic [7:0] select_3878;
+  assign select_3878 = left_first_s3_q ? select_3876 : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/agreement.hpp:265
-  logic [7:0] select_3853;
-  assign select_3853 = left_first_s3_q ? select_3849 : (and_1864_s3_q ? select_3851 : seen_rows_left_q);
+  logic [7:0] select_3880;
+  assign select_3880 = left_first_s3_q ? select_3876 : (and_1871_s3_q ? select_3878 : seen_rows_left_q);
   // hls/stages/agreement.hpp:422
-  logic and_3858;
-  assign and_3858 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
+  logic and_3885;
+  assign and_3885 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
   // hls/stages/agreement.hpp:265
-  logic select_3860;
-  assign select_3860 = left_first_s3_q ? and_3858 : (and_1864_s3_q ? and_3858 : at_cell_end_q);
-  logic select_3863;
-  assign select_3863 = left_first_s3_q ? next_row : (and_1864_s3_q ? next_row : was_next_row_q);
-  logic [10:0] select_3866;
-  assign select_3866 = left_first_s3_q ? 11'h0 : (and_1864_s3_q ? select_1929 : seen_base_q);
+  logic select_3887;
+  assign select_3887 = left_first_s3_q ? and_3885 : (and_1871_s3_q ? and_3885 : at_cell_end_q);
+  logic select_3890;
+  assign select_3890 = left_first_s3_q ? next_row : (and_1871_s3_q ? next_row : was_next_row_q);
+  logic [10:0] select_3893;
+  assign select_3893 = left_first_s3_q ? 11'h0 : (and_1871_s3_q ? select_1936 : seen_base_q);
   // hls/stages/registration.hpp:258
-  logic not_3933;
-  assign not_3933 = ~quarter[1];
-  logic [3:0] select_3934;
-  assign select_3934 = quarter[0] ? {quarter[1], 1'b0, not_3933, 1'b0} : {1'b0, quarter[1], 1'b0, not_3933};
+  logic not_3959;
+  assign not_3959 = ~quarter[1];
+  logic [3:0] select_3960;
+  assign select_3960 = quarter[0] ? {quarter[1], 1'b0, not_3959, 1'b0} : {1'b0, quarter[1], 1'b0, not_3959};
 
   // Memory registration_sums, 12 x 32, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4438,15 +4438,15 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1522;
+  assign registration_sums_raddr = select_1529;
   logic registration_sums_re;
-  assign registration_sums_re = s3_en & select_1565;
+  assign registration_sums_re = s3_en & select_1572;
   logic [31:0] registration_sums_rdata_q;
   always_ff @(posedge clk_i) begin
     if (registration_sums_re) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
   end
 
-  // Memory patches_choices, 64 x 22, DISTANCE 12, hls/stages/patches.hpp:728; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
+  // Memory patches_choices, 64 x 22, DISTANCE 12, hls/stages/patches.hpp:745; read in stage 3, written in stage 4: 3 < 4 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4455,9 +4455,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 22'h0;
 `endif
   logic [5:0] patches_choices_raddr;
-  assign patches_choices_raddr = select_1599;
+  assign patches_choices_raddr = select_1606;
   logic patches_choices_re;
-  assign patches_choices_re = s3_en & (sample_pair_whole_s3_q & (~equal_1601));
+  assign patches_choices_re = s3_en & (sample_pair_whole_s3_q & (~equal_1608));
   logic [21:0] patches_choices_rdata_q;
   always_ff @(posedge clk_i) begin
     if (patches_choices_re) patches_choices_rdata_q <= patches_choices_mem[patches_choices_raddr];
@@ -4472,9 +4472,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 30'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1882;
+  assign regions_raddr = select_1889;
   logic regions_re;
-  assign regions_re = s3_en & (equal_1470_s3_q ? (x_s3_q[6] & not_1883) : and_1890);
+  assign regions_re = s3_en & (equal_1477_s3_q ? (x_s3_q[6] & not_1890) : and_1897);
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_rdata_q <= regions_mem[regions_raddr];
@@ -4488,9 +4488,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 3290; i++) map_mem[i] = 2'h0;
 `endif
   logic [11:0] map_raddr;
-  assign map_raddr = sum_1934;
+  assign map_raddr = sum_1941;
   logic map_re;
-  assign map_re = s3_en & select_1946;
+  assign map_re = s3_en & select_1953;
   logic [1:0] map_rdata_q;
   always_ff @(posedge clk_i) begin
     if (map_re) map_rdata_q <= map_mem[map_raddr];
@@ -4498,11 +4498,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [7:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_471_s3_q;
+  assign averager_memory_waddr = select_478_s3_q;
   logic averager_memory_we;
-  assign averager_memory_we = s3_en & and_476_s3_q;
+  assign averager_memory_we = s3_en & and_483_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_495, and_491, sum_487, sum_483};
+    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_502, and_498, sum_494, sum_490};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4520,9 +4520,9 @@ module horopter_agreement (
   logic [5:0] census_memory_waddr;
   assign census_memory_waddr = column_s3_q;
   logic census_memory_we;
-  assign census_memory_we = s3_en & and_501_s3_q;
+  assign census_memory_we = s3_en & and_508_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_519, whole_2, select_511, select_507};
+    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_526, whole_2, select_518, select_514};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4538,11 +4538,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [5:0] shown_right_waddr;
-  assign shown_right_waddr = select_1509_s3_q;
+  assign shown_right_waddr = select_1516_s3_q;
   logic shown_right_we;
-  assign shown_right_we = s3_en & and_1514_s3_q;
+  assign shown_right_we = s3_en & and_1521_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1511, not_1510};
+    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1518, not_1517};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4558,11 +4558,11 @@ module horopter_agreement (
 
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_1797, patches_code_row_s3_q[1:0], of_row_2_s3_q};
+  assign patches_right_codes_waddr = {sum_1804, patches_code_row_s3_q[1:0], of_row_2_s3_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s3_en & and_1831_s3_q;
+  assign patches_right_codes_we = s3_en & and_1838_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {less_1817_s3_q, less_1816_s3_q, less_1807_s3_q, less_1806_s3_q, patches_codes_at_q[51:28]};
+    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {less_1824_s3_q, less_1823_s3_q, less_1814_s3_q, less_1813_s3_q, patches_codes_at_q[51:28]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4578,11 +4578,11 @@ module horopter_agreement (
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_1835, patches_code_row_s3_q[1:0]};
+  assign patches_left_codes_waddr = {sum_1842, patches_code_row_s3_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s3_en & and_1845_s3_q;
+  assign patches_left_codes_we = s3_en & and_1852_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {less_1817_s3_q, less_1816_s3_q, less_1807_s3_q, less_1806_s3_q, patches_codes_at_q[51:8]};
+    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {less_1824_s3_q, less_1823_s3_q, less_1814_s3_q, less_1813_s3_q, patches_codes_at_q[51:8]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4600,9 +4600,9 @@ module horopter_agreement (
   logic [5:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s3_q[5:0];
   logic seen_columns_we;
-  assign seen_columns_we = s3_en & and_1505_s3_q;
+  assign seen_columns_we = s3_en & and_1512_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_1911, textured_s3_q};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_1918, textured_s3_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4698,77 +4698,77 @@ module horopter_agreement (
       sample_pair_pixel_1_q <= pixel_0_s3_q;
       sample_of_skin_q <= mask_s3_q;
       averager_running_mask_q <= sample_pair_whole_s3_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2077;
-      averager_mask_q <= select_2079;
-      averager_of_skin_q <= select_2081;
-      census_filled_q <= and_501_s3_q ? {select_565[2:0], 1'b1} : census_filled_q;
-      rows_passed_above_q <= and_501_s3_q ? select_564 : rows_passed_above_q;
-      registration_slope_here_q <= select_2513;
-      registration_expected_q <= select_2515;
-      registration_of_right_q <= equal_1470_s3_q ? registration_of_right_q : select_2575;
-      registration_was_inside_q <= equal_1470_s3_q ? registration_was_inside_q : select_2578;
-      registration_fresh_q <= select_2587;
-      patches_chance_q <= and_501_s3_q ? select_2744 : patches_chance_q;
-      patches_fixed_q <= and_2758;
-      patches_choice_valid_q <= and_1681 ? (select_1675[0] & not_2746) : select_1675[0];
-      patches_choice_column_q <= select_1675[7:1];
-      patches_choice_shift_q <= select_1675[13:8];
-      patches_choice_slope_q <= select_1675[21:14];
-      patches_band_q <= sample_pair_whole_s3_q ? select_1696 : patches_band_q;
-      patches_fetch_q <= select_2773;
-      patches_codes_at_q <= select_2874;
-      patches_codes_further_q <= equal_1683_s3_q ? patches_codes_further_q : select_2879;
-      patches_next_codes_q <= select_2887;
-      patches_set_q <= equal_1683_s3_q ? 3'h0 : (equal_1685_s3_q ? 3'h0 : select_2901);
-      patches_size_q <= sum_2905;
-      patches_left_row_q <= select_2917;
-      patches_summed_row_column_q <= equal_1683_s3_q ? patches_summed_row_column_q : select_3262;
-      patches_summed_first_q <= select_3265;
-      patches_read_row_differing_q <= equal_1683_s3_q ? select_3277 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_1683_s3_q ? select_3284 : patches_read_row_column_q;
-      patches_read_at_q <= equal_1683_s3_q ? select_3291 : patches_read_at_q;
-      patches_read_first_q <= select_3300;
-      patches_read_above_q <= select_3323;
-      patches_read_below_q <= select_3332;
-      patches_read_far_q <= equal_1683_s3_q ? select_3342 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_3345;
-      patches_peak_best_column_q <= select_3346;
-      patches_peak_row_q <= equal_1683_s3_q ? select_3313 : patches_peak_row_q;
-      patches_peak_above_q <= equal_1683_s3_q ? select_3348 : patches_peak_above_q;
-      patches_peak_below_q <= equal_1683_s3_q ? select_3350 : patches_peak_below_q;
-      patches_peak_far_q <= equal_1683_s3_q ? select_3354 : patches_peak_far_q;
-      shown_shown_q <= select_3589;
-      shown_nearer_q <= select_3591;
-      region_row_q <= and_501_s3_q ? select_3597 : region_row_q;
+      averager_running_of_skin_q <= select_2084;
+      averager_mask_q <= select_2086;
+      averager_of_skin_q <= select_2088;
+      census_filled_q <= and_508_s3_q ? {select_572[2:0], 1'b1} : census_filled_q;
+      rows_passed_above_q <= and_508_s3_q ? select_571 : rows_passed_above_q;
+      registration_slope_here_q <= select_2520;
+      registration_expected_q <= select_2522;
+      registration_of_right_q <= equal_1477_s3_q ? registration_of_right_q : select_2582;
+      registration_was_inside_q <= equal_1477_s3_q ? registration_was_inside_q : select_2585;
+      registration_fresh_q <= select_2594;
+      patches_chance_q <= and_508_s3_q ? select_2751 : patches_chance_q;
+      patches_fixed_q <= and_2765;
+      patches_choice_valid_q <= and_1688 ? (select_1682[0] & not_2753) : select_1682[0];
+      patches_choice_column_q <= select_1682[7:1];
+      patches_choice_shift_q <= select_1682[13:8];
+      patches_choice_slope_q <= select_1682[21:14];
+      patches_band_q <= sample_pair_whole_s3_q ? select_1703 : patches_band_q;
+      patches_fetch_q <= select_2780;
+      patches_codes_at_q <= select_2881;
+      patches_codes_further_q <= equal_1690_s3_q ? patches_codes_further_q : select_2886;
+      patches_next_codes_q <= select_2894;
+      patches_set_q <= equal_1690_s3_q ? 3'h0 : (equal_1692_s3_q ? 3'h0 : select_2908);
+      patches_size_q <= sum_2912;
+      patches_left_row_q <= select_2924;
+      patches_summed_row_column_q <= equal_1690_s3_q ? patches_summed_row_column_q : select_3269;
+      patches_summed_first_q <= select_3272;
+      patches_read_row_differing_q <= equal_1690_s3_q ? select_3284 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_1690_s3_q ? select_3291 : patches_read_row_column_q;
+      patches_read_at_q <= equal_1690_s3_q ? select_3298 : patches_read_at_q;
+      patches_read_first_q <= select_3307;
+      patches_read_above_q <= select_3330;
+      patches_read_below_q <= select_3339;
+      patches_read_far_q <= equal_1690_s3_q ? select_3349 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_3352;
+      patches_peak_best_column_q <= select_3353;
+      patches_peak_row_q <= equal_1690_s3_q ? select_3320 : patches_peak_row_q;
+      patches_peak_above_q <= equal_1690_s3_q ? select_3355 : patches_peak_above_q;
+      patches_peak_below_q <= equal_1690_s3_q ? select_3357 : patches_peak_below_q;
+      patches_peak_far_q <= equal_1690_s3_q ? select_3361 : patches_peak_far_q;
+      shown_shown_q <= select_3616;
+      shown_nearer_q <= select_3618;
+      region_row_q <= and_508_s3_q ? select_3624 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_3602;
-      region_down_rest_q <= select_3618;
-      region_down_back_q <= select_3622;
-      region_down_next_q <= select_3624;
-      region_fresh_q <= and_501_s3_q ? select_3628 : region_fresh_q;
-      segment_starts_q <= select_3639;
-      centres_values_0_textured_q <= equal_1470_s3_q ? centres_values_0_textured_q : select_3785;
-      centres_values_0_of_skin_q <= select_3790;
-      centres_values_1_textured_q <= select_3793;
-      centres_values_1_of_skin_q <= select_3796;
-      map_row_q <= and_501_s3_q ? select_3800 : map_row_q;
-      map_width_q <= select_3803;
-      write_half_q <= select_3808;
-      read_half_q <= and_1864_s3_q ? select_3810 : read_half_q;
-      done_q <= and_1864_s3_q ? (not_1935 & and_3814) : and_3814;
+      region_columns_q <= select_3629;
+      region_down_rest_q <= select_3645;
+      region_down_back_q <= select_3649;
+      region_down_next_q <= select_3651;
+      region_fresh_q <= and_508_s3_q ? select_3655 : region_fresh_q;
+      segment_starts_q <= select_3666;
+      centres_values_0_textured_q <= equal_1477_s3_q ? centres_values_0_textured_q : select_3812;
+      centres_values_0_of_skin_q <= select_3817;
+      centres_values_1_textured_q <= select_3820;
+      centres_values_1_of_skin_q <= select_3823;
+      map_row_q <= and_508_s3_q ? select_3827 : map_row_q;
+      map_width_q <= select_3830;
+      write_half_q <= select_3835;
+      read_half_q <= and_1871_s3_q ? select_3837 : read_half_q;
+      done_q <= and_1871_s3_q ? (not_1942 & and_3841) : and_3841;
       drew_q <= so_s3_q;
-      said_q <= equal_1470_s3_q & equal_3568;
-      rows_passed_q <= and_1864_s3_q ? select_3823 : rows_passed_q;
-      columns_passed_q <= and_1864_s3_q ? select_3826 : columns_passed_q;
-      line_ended_q <= and_1864_s3_q ? select_3829 : line_ended_q;
-      began_q <= and_1864_s3_q ? select_3832 : began_q;
-      seen_x_q <= and_1864_s3_q ? select_3835 : seen_x_q;
-      seen_y_q <= and_1864_s3_q ? select_3842 : seen_y_q;
-      seen_column_q <= and_1864_s3_q ? select_3845 : seen_column_q;
-      seen_rows_left_q <= and_1864_s3_q ? select_3853 : seen_rows_left_q;
-      at_cell_end_q <= and_1864_s3_q ? select_3860 : at_cell_end_q;
-      was_next_row_q <= and_1864_s3_q ? select_3863 : was_next_row_q;
-      seen_base_q <= and_1864_s3_q ? select_3866 : seen_base_q;
+      said_q <= equal_1477_s3_q & equal_3579;
+      rows_passed_q <= and_1871_s3_q ? select_3850 : rows_passed_q;
+      columns_passed_q <= and_1871_s3_q ? select_3853 : columns_passed_q;
+      line_ended_q <= and_1871_s3_q ? select_3856 : line_ended_q;
+      began_q <= and_1871_s3_q ? select_3859 : began_q;
+      seen_x_q <= and_1871_s3_q ? select_3862 : seen_x_q;
+      seen_y_q <= and_1871_s3_q ? select_3869 : seen_y_q;
+      seen_column_q <= and_1871_s3_q ? select_3872 : seen_column_q;
+      seen_rows_left_q <= and_1871_s3_q ? select_3880 : seen_rows_left_q;
+      at_cell_end_q <= and_1871_s3_q ? select_3887 : at_cell_end_q;
+      was_next_row_q <= and_1871_s3_q ? select_3890 : was_next_row_q;
+      seen_base_q <= and_1871_s3_q ? select_3893 : seen_base_q;
     end
   end
 
@@ -4866,93 +4866,93 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
-      left_pixel_q <= and_1864_s3_q ? left_pixel_q : pixel_0_s3_q;
-      averager_running_0_q <= sample_pair_whole_s3_q ? select_479 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s3_q ? sum_485 : averager_running_1_q;
-      averager_total_0_q <= select_2056;
-      averager_total_1_q <= select_2058;
-      census_columns_values_0_cell_0_left_q <= select_2082;
-      census_columns_values_0_cell_0_right_q <= select_2083;
-      census_columns_values_0_cell_0_mask_q <= and_501_s3_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2085;
-      census_columns_values_0_cell_1_right_q <= select_2086;
-      census_columns_values_0_cell_1_mask_q <= select_2087;
-      census_columns_values_0_cell_2_left_q <= select_2088;
-      census_columns_values_0_cell_2_right_q <= select_2089;
-      census_columns_values_0_cell_2_mask_q <= select_2090;
-      census_columns_values_0_cell_2_of_skin_q <= select_2091;
-      census_columns_values_0_cell_3_left_q <= select_2092;
-      census_columns_values_0_cell_3_right_q <= select_2093;
-      census_columns_values_0_cell_3_mask_q <= select_2094;
-      census_columns_values_0_cell_4_left_q <= select_2095;
-      census_columns_values_0_cell_4_right_q <= select_2096;
-      census_columns_values_0_cell_4_mask_q <= select_2097;
-      census_columns_values_1_cell_0_left_q <= select_2098;
-      census_columns_values_1_cell_0_right_q <= select_2099;
-      census_columns_values_1_cell_0_mask_q <= select_2100;
-      census_columns_values_1_cell_1_left_q <= select_2101;
-      census_columns_values_1_cell_1_right_q <= select_2102;
-      census_columns_values_1_cell_1_mask_q <= select_2103;
-      census_columns_values_1_cell_2_left_q <= select_2104;
-      census_columns_values_1_cell_2_right_q <= select_2105;
-      census_columns_values_1_cell_2_mask_q <= select_2106;
-      census_columns_values_1_cell_2_of_skin_q <= select_2107;
-      census_columns_values_1_cell_3_left_q <= select_2108;
-      census_columns_values_1_cell_3_right_q <= select_2109;
-      census_columns_values_1_cell_3_mask_q <= select_2110;
-      census_columns_values_1_cell_4_left_q <= select_2111;
-      census_columns_values_1_cell_4_right_q <= select_2112;
-      census_columns_values_1_cell_4_mask_q <= select_2113;
-      census_columns_values_2_cell_0_left_q <= select_2114;
-      census_columns_values_2_cell_0_right_q <= select_2115;
-      census_columns_values_2_cell_0_mask_q <= select_2116;
-      census_columns_values_2_cell_1_left_q <= select_2117;
-      census_columns_values_2_cell_1_right_q <= select_2118;
-      census_columns_values_2_cell_1_mask_q <= select_2119;
-      census_columns_values_2_cell_2_left_q <= select_2120;
-      census_columns_values_2_cell_2_right_q <= select_2121;
-      census_columns_values_2_cell_2_mask_q <= select_2122;
-      census_columns_values_2_cell_3_left_q <= select_2123;
-      census_columns_values_2_cell_3_right_q <= select_2124;
-      census_columns_values_2_cell_3_mask_q <= select_2125;
-      census_columns_values_2_cell_4_left_q <= select_2126;
-      census_columns_values_2_cell_4_right_q <= select_2127;
-      census_columns_values_2_cell_4_mask_q <= select_2128;
-      census_columns_values_3_cell_0_mask_q <= select_2129;
-      census_columns_values_3_cell_1_left_q <= select_2130;
-      census_columns_values_3_cell_1_right_q <= select_2131;
-      census_columns_values_3_cell_1_mask_q <= select_2132;
-      census_columns_values_3_cell_2_mask_q <= select_2133;
-      census_columns_values_3_cell_3_left_q <= select_2134;
-      census_columns_values_3_cell_3_right_q <= select_2135;
-      census_columns_values_3_cell_3_mask_q <= select_2136;
-      census_columns_values_3_cell_4_mask_q <= select_2137;
-      sharpness_last_mean_0_q <= and_501_s3_q ? select_507 : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_501_s3_q ? select_511 : sharpness_last_mean_1_q;
-      box_textured_columns_values_0_q <= equal_1470_s3_q ? box_textured_columns_values_0_q : select_3713;
-      box_textured_columns_values_1_q <= select_3717;
-      box_textured_columns_values_2_q <= select_3720;
-      box_textured_columns_values_3_q <= select_3723;
-      box_textured_columns_values_4_q <= select_3726;
-      box_textured_sum_sums_values_0_q <= equal_1470_s3_q ? box_textured_sum_sums_values_0_q : select_3728;
-      box_explained_columns_values_0_q <= equal_1470_s3_q ? box_explained_columns_values_0_q : select_3731;
-      box_explained_columns_values_1_q <= select_3735;
-      box_explained_columns_values_2_q <= select_3738;
-      box_explained_columns_values_3_q <= select_3741;
-      box_explained_columns_values_4_q <= select_3744;
-      box_explained_sum_sums_values_0_q <= select_3747;
-      box_shown_columns_values_0_q <= equal_1470_s3_q ? box_shown_columns_values_0_q : select_3749;
-      box_shown_columns_values_1_q <= select_3753;
-      box_shown_columns_values_2_q <= select_3756;
-      box_shown_columns_values_3_q <= select_3759;
-      box_shown_columns_values_4_q <= select_3762;
-      box_shown_sum_sums_values_0_q <= equal_1470_s3_q ? box_shown_sum_sums_values_0_q : select_3764;
-      box_nearer_columns_values_0_q <= equal_1470_s3_q ? box_nearer_columns_values_0_q : select_3767;
-      box_nearer_columns_values_1_q <= select_3771;
-      box_nearer_columns_values_2_q <= select_3774;
-      box_nearer_columns_values_3_q <= select_3777;
-      box_nearer_columns_values_4_q <= select_3780;
-      box_nearer_sum_sums_values_0_q <= equal_1470_s3_q ? box_nearer_sum_sums_values_0_q : select_3782;
+      left_pixel_q <= and_1871_s3_q ? left_pixel_q : pixel_0_s3_q;
+      averager_running_0_q <= sample_pair_whole_s3_q ? select_486 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s3_q ? sum_492 : averager_running_1_q;
+      averager_total_0_q <= select_2063;
+      averager_total_1_q <= select_2065;
+      census_columns_values_0_cell_0_left_q <= select_2089;
+      census_columns_values_0_cell_0_right_q <= select_2090;
+      census_columns_values_0_cell_0_mask_q <= and_508_s3_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
+      census_columns_values_0_cell_1_left_q <= select_2092;
+      census_columns_values_0_cell_1_right_q <= select_2093;
+      census_columns_values_0_cell_1_mask_q <= select_2094;
+      census_columns_values_0_cell_2_left_q <= select_2095;
+      census_columns_values_0_cell_2_right_q <= select_2096;
+      census_columns_values_0_cell_2_mask_q <= select_2097;
+      census_columns_values_0_cell_2_of_skin_q <= select_2098;
+      census_columns_values_0_cell_3_left_q <= select_2099;
+      census_columns_values_0_cell_3_right_q <= select_2100;
+      census_columns_values_0_cell_3_mask_q <= select_2101;
+      census_columns_values_0_cell_4_left_q <= select_2102;
+      census_columns_values_0_cell_4_right_q <= select_2103;
+      census_columns_values_0_cell_4_mask_q <= select_2104;
+      census_columns_values_1_cell_0_left_q <= select_2105;
+      census_columns_values_1_cell_0_right_q <= select_2106;
+      census_columns_values_1_cell_0_mask_q <= select_2107;
+      census_columns_values_1_cell_1_left_q <= select_2108;
+      census_columns_values_1_cell_1_right_q <= select_2109;
+      census_columns_values_1_cell_1_mask_q <= select_2110;
+      census_columns_values_1_cell_2_left_q <= select_2111;
+      census_columns_values_1_cell_2_right_q <= select_2112;
+      census_columns_values_1_cell_2_mask_q <= select_2113;
+      census_columns_values_1_cell_2_of_skin_q <= select_2114;
+      census_columns_values_1_cell_3_left_q <= select_2115;
+      census_columns_values_1_cell_3_right_q <= select_2116;
+      census_columns_values_1_cell_3_mask_q <= select_2117;
+      census_columns_values_1_cell_4_left_q <= select_2118;
+      census_columns_values_1_cell_4_right_q <= select_2119;
+      census_columns_values_1_cell_4_mask_q <= select_2120;
+      census_columns_values_2_cell_0_left_q <= select_2121;
+      census_columns_values_2_cell_0_right_q <= select_2122;
+      census_columns_values_2_cell_0_mask_q <= select_2123;
+      census_columns_values_2_cell_1_left_q <= select_2124;
+      census_columns_values_2_cell_1_right_q <= select_2125;
+      census_columns_values_2_cell_1_mask_q <= select_2126;
+      census_columns_values_2_cell_2_left_q <= select_2127;
+      census_columns_values_2_cell_2_right_q <= select_2128;
+      census_columns_values_2_cell_2_mask_q <= select_2129;
+      census_columns_values_2_cell_3_left_q <= select_2130;
+      census_columns_values_2_cell_3_right_q <= select_2131;
+      census_columns_values_2_cell_3_mask_q <= select_2132;
+      census_columns_values_2_cell_4_left_q <= select_2133;
+      census_columns_values_2_cell_4_right_q <= select_2134;
+      census_columns_values_2_cell_4_mask_q <= select_2135;
+      census_columns_values_3_cell_0_mask_q <= select_2136;
+      census_columns_values_3_cell_1_left_q <= select_2137;
+      census_columns_values_3_cell_1_right_q <= select_2138;
+      census_columns_values_3_cell_1_mask_q <= select_2139;
+      census_columns_values_3_cell_2_mask_q <= select_2140;
+      census_columns_values_3_cell_3_left_q <= select_2141;
+      census_columns_values_3_cell_3_right_q <= select_2142;
+      census_columns_values_3_cell_3_mask_q <= select_2143;
+      census_columns_values_3_cell_4_mask_q <= select_2144;
+      sharpness_last_mean_0_q <= and_508_s3_q ? select_514 : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_508_s3_q ? select_518 : sharpness_last_mean_1_q;
+      box_textured_columns_values_0_q <= equal_1477_s3_q ? box_textured_columns_values_0_q : select_3740;
+      box_textured_columns_values_1_q <= select_3744;
+      box_textured_columns_values_2_q <= select_3747;
+      box_textured_columns_values_3_q <= select_3750;
+      box_textured_columns_values_4_q <= select_3753;
+      box_textured_sum_sums_values_0_q <= equal_1477_s3_q ? box_textured_sum_sums_values_0_q : select_3755;
+      box_explained_columns_values_0_q <= equal_1477_s3_q ? box_explained_columns_values_0_q : select_3758;
+      box_explained_columns_values_1_q <= select_3762;
+      box_explained_columns_values_2_q <= select_3765;
+      box_explained_columns_values_3_q <= select_3768;
+      box_explained_columns_values_4_q <= select_3771;
+      box_explained_sum_sums_values_0_q <= select_3774;
+      box_shown_columns_values_0_q <= equal_1477_s3_q ? box_shown_columns_values_0_q : select_3776;
+      box_shown_columns_values_1_q <= select_3780;
+      box_shown_columns_values_2_q <= select_3783;
+      box_shown_columns_values_3_q <= select_3786;
+      box_shown_columns_values_4_q <= select_3789;
+      box_shown_sum_sums_values_0_q <= equal_1477_s3_q ? box_shown_sum_sums_values_0_q : select_3791;
+      box_nearer_columns_values_0_q <= equal_1477_s3_q ? box_nearer_columns_values_0_q : select_3794;
+      box_nearer_columns_values_1_q <= select_3798;
+      box_nearer_columns_values_2_q <= select_3801;
+      box_nearer_columns_values_3_q <= select_3804;
+      box_nearer_columns_values_4_q <= select_3807;
+      box_nearer_sum_sums_values_0_q <= equal_1477_s3_q ? box_nearer_sum_sums_values_0_q : select_3809;
     end
   end
 
@@ -4982,22 +4982,15 @@ module horopter_agreement (
   logic centres_values_1_textured_s4_q;
   logic centres_values_1_of_skin_s4_q;
   logic done_s4_q;
-  logic [2:0] select_465_s4_q;
-  logic [5:0] select_467_s4_q;
+  logic [2:0] select_472_s4_q;
+  logic [5:0] select_474_s4_q;
   logic [5:0] column_s4_q;
-  logic and_499_s4_q;
-  logic and_501_s4_q;
+  logic and_506_s4_q;
+  logic and_508_s4_q;
   logic [8:0] grey_s4_q;
-  logic equal_504_s4_q;
+  logic equal_511_s4_q;
   logic [8:0] grey_2_s4_q;
   logic whole_2_s4_q;
-  logic less_535_s4_q;
-  logic less_536_s4_q;
-  logic less_537_s4_q;
-  logic less_538_s4_q;
-  logic less_539_s4_q;
-  logic less_540_s4_q;
-  logic less_541_s4_q;
   logic less_542_s4_q;
   logic less_543_s4_q;
   logic less_544_s4_q;
@@ -5015,97 +5008,104 @@ module horopter_agreement (
   logic less_556_s4_q;
   logic less_557_s4_q;
   logic less_558_s4_q;
-  logic and_566_s4_q;
-  logic and_591_s4_q;
-  logic and_592_s4_q;
-  logic [11:0] sum_607_s4_q;
-  logic [9:0] sum_610_s4_q;
-  logic equal_1470_s4_q;
-  logic not_1471_s4_q;
-  logic equal_1515_s4_q;
+  logic less_559_s4_q;
+  logic less_560_s4_q;
+  logic less_561_s4_q;
+  logic less_562_s4_q;
+  logic less_563_s4_q;
+  logic less_564_s4_q;
+  logic less_565_s4_q;
+  logic and_573_s4_q;
+  logic and_598_s4_q;
+  logic and_599_s4_q;
+  logic [11:0] sum_614_s4_q;
+  logic [9:0] sum_617_s4_q;
+  logic equal_1477_s4_q;
+  logic not_1478_s4_q;
+  logic equal_1522_s4_q;
   logic all_s4_q;
-  logic [1:0] sum_1521_s4_q;
-  logic equal_1523_s4_q;
-  logic equal_1525_s4_q;
-  logic equal_1527_s4_q;
-  logic equal_1529_s4_q;
-  logic equal_1531_s4_q;
-  logic equal_1533_s4_q;
-  logic equal_1535_s4_q;
-  logic equal_1537_s4_q;
-  logic less_1546_s4_q;
-  logic or_1550_s4_q;
-  logic equal_1570_s4_q;
-  logic and_1580_s4_q;
-  logic and_1583_s4_q;
-  logic select_1600_s4_q;
-  logic equal_1601_s4_q;
-  logic and_1609_s4_q;
-  logic equal_1611_s4_q;
-  logic select_1675_s4_q;
-  logic and_1682_s4_q;
-  logic equal_1683_s4_q;
-  logic equal_1685_s4_q;
-  logic and_1698_s4_q;
-  logic [4:0] select_1713_s4_q;
-  logic select_1719_s4_q;
-  logic [3:0] select_1760_s4_q;
-  logic less_1846_s4_q;
-  logic equal_1847_s4_q;
-  logic not_1848_s4_q;
-  logic equal_1849_s4_q;
-  logic and_1864_s4_q;
-  logic select_1866_s4_q;
-  logic and_1869_s4_q;
-  logic or_1875_s4_q;
-  logic or_1878_s4_q;
-  logic or_1881_s4_q;
-  logic not_1883_s4_q;
+  logic [1:0] sum_1528_s4_q;
+  logic equal_1530_s4_q;
+  logic equal_1532_s4_q;
+  logic equal_1534_s4_q;
+  logic equal_1536_s4_q;
+  logic equal_1538_s4_q;
+  logic equal_1540_s4_q;
+  logic equal_1542_s4_q;
+  logic equal_1544_s4_q;
+  logic less_1553_s4_q;
+  logic or_1557_s4_q;
+  logic equal_1577_s4_q;
+  logic and_1587_s4_q;
+  logic and_1590_s4_q;
+  logic select_1607_s4_q;
+  logic equal_1608_s4_q;
+  logic and_1616_s4_q;
+  logic equal_1618_s4_q;
+  logic select_1682_s4_q;
+  logic and_1689_s4_q;
+  logic equal_1690_s4_q;
+  logic equal_1692_s4_q;
+  logic and_1705_s4_q;
+  logic [4:0] select_1720_s4_q;
+  logic select_1726_s4_q;
+  logic [3:0] select_1767_s4_q;
+  logic less_1853_s4_q;
+  logic equal_1854_s4_q;
+  logic not_1855_s4_q;
+  logic equal_1856_s4_q;
+  logic and_1871_s4_q;
+  logic select_1873_s4_q;
+  logic and_1876_s4_q;
+  logic or_1882_s4_q;
+  logic or_1885_s4_q;
+  logic or_1888_s4_q;
+  logic not_1890_s4_q;
   logic textured_s4_q;
   logic explained_s4_q;
-  logic and_1904_s4_q;
-  logic and_1909_s4_q;
-  logic and_1941_s4_q;
-  logic less_1942_s4_q;
-  logic [11:0] sum_1950_s4_q;
-  logic equal_1963_s4_q;
-  logic or_1968_s4_q;
-  logic or_1971_s4_q;
-  logic or_1974_s4_q;
-  logic not_1999_s4_q;
-  logic less_2013_s4_q;
-  logic and_2024_s4_q;
-  logic [11:0] sum_2153_s4_q;
-  logic [9:0] sum_2156_s4_q;
-  logic equal_2164_s4_q;
+  logic and_1911_s4_q;
+  logic and_1916_s4_q;
+  logic and_1948_s4_q;
+  logic less_1949_s4_q;
+  logic [11:0] sum_1957_s4_q;
+  logic equal_1970_s4_q;
+  logic or_1975_s4_q;
+  logic or_1978_s4_q;
+  logic or_1981_s4_q;
+  logic not_2006_s4_q;
+  logic less_2020_s4_q;
+  logic and_2031_s4_q;
+  logic [11:0] sum_2160_s4_q;
+  logic [9:0] sum_2163_s4_q;
+  logic equal_2171_s4_q;
   logic [8:0] contrast_s4_q;
   logic [8:0] contrast_2_s4_q;
-  logic and_2404_s4_q;
-  logic and_2408_s4_q;
-  logic not_2442_s4_q;
-  logic and_2470_s4_q;
-  logic and_2519_s4_q;
-  logic and_2520_s4_q;
+  logic and_2411_s4_q;
+  logic and_2415_s4_q;
+  logic not_2449_s4_q;
+  logic and_2477_s4_q;
+  logic and_2526_s4_q;
+  logic and_2527_s4_q;
   logic [7:0] residual_s4_q;
-  logic and_2554_s4_q;
-  logic and_2568_s4_q;
-  logic equal_2611_s4_q;
-  logic parity_2989_s4_q;
-  logic parity_3118_s4_q;
-  logic parity_3180_s4_q;
-  logic xor_3208_s4_q;
-  logic parity_3220_s4_q;
-  logic or_3224_s4_q;
-  logic equal_3225_s4_q;
-  logic [4:0] select_3344_s4_q;
-  logic equal_3356_s4_q;
-  logic less_3358_s4_q;
-  logic less_3359_s4_q;
-  logic or_3364_s4_q;
-  logic [7:0] select_3409_s4_q;
-  logic equal_3568_s4_q;
-  logic and_3869_s4_q;
-  logic equal_3936_s4_q;
+  logic and_2561_s4_q;
+  logic and_2575_s4_q;
+  logic equal_2618_s4_q;
+  logic parity_2996_s4_q;
+  logic parity_3125_s4_q;
+  logic parity_3187_s4_q;
+  logic xor_3215_s4_q;
+  logic parity_3227_s4_q;
+  logic or_3231_s4_q;
+  logic equal_3232_s4_q;
+  logic [4:0] select_3351_s4_q;
+  logic equal_3363_s4_q;
+  logic less_3365_s4_q;
+  logic less_3366_s4_q;
+  logic or_3371_s4_q;
+  logic [7:0] select_3416_s4_q;
+  logic equal_3579_s4_q;
+  logic and_3896_s4_q;
+  logic equal_3962_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       saturated_s4_q <= saturated_s3_q;
@@ -5134,22 +5134,15 @@ module horopter_agreement (
       centres_values_1_textured_s4_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s4_q <= centres_values_1_of_skin_q;
       done_s4_q <= done_q;
-      select_465_s4_q <= select_465_s3_q;
-      select_467_s4_q <= select_467_s3_q;
+      select_472_s4_q <= select_472_s3_q;
+      select_474_s4_q <= select_474_s3_q;
       column_s4_q <= column_s3_q;
-      and_499_s4_q <= and_499_s3_q;
-      and_501_s4_q <= and_501_s3_q;
+      and_506_s4_q <= and_506_s3_q;
+      and_508_s4_q <= and_508_s3_q;
       grey_s4_q <= grey;
-      equal_504_s4_q <= equal_504;
+      equal_511_s4_q <= equal_511;
       grey_2_s4_q <= grey_2;
       whole_2_s4_q <= whole_2;
-      less_535_s4_q <= less_535;
-      less_536_s4_q <= less_536;
-      less_537_s4_q <= less_537;
-      less_538_s4_q <= less_538;
-      less_539_s4_q <= less_539;
-      less_540_s4_q <= less_540;
-      less_541_s4_q <= less_541;
       less_542_s4_q <= less_542;
       less_543_s4_q <= less_543;
       less_544_s4_q <= less_544;
@@ -5167,97 +5160,104 @@ module horopter_agreement (
       less_556_s4_q <= less_556;
       less_557_s4_q <= less_557;
       less_558_s4_q <= less_558;
-      and_566_s4_q <= and_566;
-      and_591_s4_q <= whole_22 & and_566;
-      and_592_s4_q <= census_columns_values_1_cell_2_mask_q & and_566;
-      sum_607_s4_q <= {1'b0, sum_603} + {2'h0, sum_606};
-      sum_610_s4_q <= {9'h0, difference_608[9]} + {1'b0, xor_609};
-      equal_1470_s4_q <= equal_1470_s3_q;
-      not_1471_s4_q <= not_1471_s3_q;
-      equal_1515_s4_q <= equal_1515;
+      less_559_s4_q <= less_559;
+      less_560_s4_q <= less_560;
+      less_561_s4_q <= less_561;
+      less_562_s4_q <= less_562;
+      less_563_s4_q <= less_563;
+      less_564_s4_q <= less_564;
+      less_565_s4_q <= less_565;
+      and_573_s4_q <= and_573;
+      and_598_s4_q <= whole_22 & and_573;
+      and_599_s4_q <= census_columns_values_1_cell_2_mask_q & and_573;
+      sum_614_s4_q <= {1'b0, sum_610} + {2'h0, sum_613};
+      sum_617_s4_q <= {9'h0, difference_615[9]} + {1'b0, xor_616};
+      equal_1477_s4_q <= equal_1477_s3_q;
+      not_1478_s4_q <= not_1478_s3_q;
+      equal_1522_s4_q <= equal_1522;
       all_s4_q <= all;
-      sum_1521_s4_q <= sum_1521;
-      equal_1523_s4_q <= equal_1523;
-      equal_1525_s4_q <= equal_1525;
-      equal_1527_s4_q <= equal_1527;
-      equal_1529_s4_q <= equal_1529;
-      equal_1531_s4_q <= equal_1531;
-      equal_1533_s4_q <= equal_1533;
-      equal_1535_s4_q <= equal_1535;
-      equal_1537_s4_q <= equal_1537;
-      less_1546_s4_q <= less_1546;
-      or_1550_s4_q <= or_1550;
-      equal_1570_s4_q <= (registration_fresh_q & select_1568) == 4'h0;
-      and_1580_s4_q <= not_1471_s3_q & and_1564;
-      and_1583_s4_q <= and_1583_s3_q;
-      select_1600_s4_q <= select_1600[1];
-      equal_1601_s4_q <= equal_1601;
-      and_1609_s4_q <= and_1609;
-      equal_1611_s4_q <= equal_1611;
-      select_1675_s4_q <= select_1675[0];
-      and_1682_s4_q <= and_1682;
-      equal_1683_s4_q <= equal_1683_s3_q;
-      equal_1685_s4_q <= equal_1685_s3_q;
-      and_1698_s4_q <= and_1682 & equal_1697;
-      select_1713_s4_q <= select_1713_s3_q;
-      select_1719_s4_q <= select_1719_s3_q;
-      select_1760_s4_q <= select_1760_s3_q;
-      less_1846_s4_q <= less_1846_s3_q;
-      equal_1847_s4_q <= equal_1847_s3_q;
-      not_1848_s4_q <= not_1848_s3_q;
-      equal_1849_s4_q <= equal_1849_s3_q;
-      and_1864_s4_q <= and_1864_s3_q;
-      select_1866_s4_q <= select_1866_s3_q;
-      and_1869_s4_q <= and_1869_s3_q;
-      or_1875_s4_q <= or_1875;
-      or_1878_s4_q <= or_1878;
-      or_1881_s4_q <= or_1881;
-      not_1883_s4_q <= not_1883;
+      sum_1528_s4_q <= sum_1528;
+      equal_1530_s4_q <= equal_1530;
+      equal_1532_s4_q <= equal_1532;
+      equal_1534_s4_q <= equal_1534;
+      equal_1536_s4_q <= equal_1536;
+      equal_1538_s4_q <= equal_1538;
+      equal_1540_s4_q <= equal_1540;
+      equal_1542_s4_q <= equal_1542;
+      equal_1544_s4_q <= equal_1544;
+      less_1553_s4_q <= less_1553;
+      or_1557_s4_q <= or_1557;
+      equal_1577_s4_q <= (registration_fresh_q & select_1575) == 4'h0;
+      and_1587_s4_q <= not_1478_s3_q & and_1571;
+      and_1590_s4_q <= and_1590_s3_q;
+      select_1607_s4_q <= select_1607[1];
+      equal_1608_s4_q <= equal_1608;
+      and_1616_s4_q <= and_1616;
+      equal_1618_s4_q <= equal_1618;
+      select_1682_s4_q <= select_1682[0];
+      and_1689_s4_q <= and_1689;
+      equal_1690_s4_q <= equal_1690_s3_q;
+      equal_1692_s4_q <= equal_1692_s3_q;
+      and_1705_s4_q <= and_1689 & equal_1704;
+      select_1720_s4_q <= select_1720_s3_q;
+      select_1726_s4_q <= select_1726_s3_q;
+      select_1767_s4_q <= select_1767_s3_q;
+      less_1853_s4_q <= less_1853_s3_q;
+      equal_1854_s4_q <= equal_1854_s3_q;
+      not_1855_s4_q <= not_1855_s3_q;
+      equal_1856_s4_q <= equal_1856_s3_q;
+      and_1871_s4_q <= and_1871_s3_q;
+      select_1873_s4_q <= select_1873_s3_q;
+      and_1876_s4_q <= and_1876_s3_q;
+      or_1882_s4_q <= or_1882;
+      or_1885_s4_q <= or_1885;
+      or_1888_s4_q <= or_1888;
+      not_1890_s4_q <= not_1890;
       textured_s4_q <= textured_s3_q;
       explained_s4_q <= explained;
-      and_1904_s4_q <= shift_2_s3_q[0] & ({shift_2_s3_q[4], shift_2_s3_q[2]} == 2'h3);
-      and_1909_s4_q <= not_1471_s3_q & and_1890;
-      and_1941_s4_q <= and_1941;
-      less_1942_s4_q <= less_1942;
-      sum_1950_s4_q <= sum_1950;
-      equal_1963_s4_q <= t[4:1] == 4'h0;
-      or_1968_s4_q <= or_1968;
-      or_1971_s4_q <= select_1965[7] | (~({select_1965[6], select_1965[3:2]} == 3'h0));
-      or_1974_s4_q <= select_1965[7] | (~(select_1965[6:4] == 3'h0));
-      not_1999_s4_q <= ~({sum_1997, around[0]} < {2'h0, t});
-      less_2013_s4_q <= {1'b0, around[4:1]} < n;
-      and_2024_s4_q <= and_2024;
-      sum_2153_s4_q <= {1'b0, sum_2149} + {2'h0, sum_2152};
-      sum_2156_s4_q <= {9'h0, difference_2154[9]} + {1'b0, xor_2155};
-      equal_2164_s4_q <= equal_2164_s3_q;
+      and_1911_s4_q <= shift_2_s3_q[0] & ({shift_2_s3_q[4], shift_2_s3_q[2]} == 2'h3);
+      and_1916_s4_q <= not_1478_s3_q & and_1897;
+      and_1948_s4_q <= and_1948;
+      less_1949_s4_q <= less_1949;
+      sum_1957_s4_q <= sum_1957;
+      equal_1970_s4_q <= t[4:1] == 4'h0;
+      or_1975_s4_q <= or_1975;
+      or_1978_s4_q <= select_1972[7] | (~({select_1972[6], select_1972[3:2]} == 3'h0));
+      or_1981_s4_q <= select_1972[7] | (~(select_1972[6:4] == 3'h0));
+      not_2006_s4_q <= ~({sum_2004, around[0]} < {2'h0, t});
+      less_2020_s4_q <= {1'b0, around[4:1]} < n;
+      and_2031_s4_q <= and_2031;
+      sum_2160_s4_q <= {1'b0, sum_2156} + {2'h0, sum_2159};
+      sum_2163_s4_q <= {9'h0, difference_2161[9]} + {1'b0, xor_2162};
+      equal_2171_s4_q <= equal_2171_s3_q;
       contrast_s4_q <= contrast;
       contrast_2_s4_q <= contrast_2;
-      and_2404_s4_q <= and_2404;
-      and_2408_s4_q <= and_2408;
-      not_2442_s4_q <= ~({sum_2440, e[0]} < {2'h0, t});
-      and_2470_s4_q <= not_1471_s3_q & and_2469;
-      and_2519_s4_q <= not_1471_s3_q & (so_s3_q & (half_ends & equal_2516));
-      and_2520_s4_q <= and_2520;
+      and_2411_s4_q <= and_2411;
+      and_2415_s4_q <= and_2415;
+      not_2449_s4_q <= ~({sum_2447, e[0]} < {2'h0, t});
+      and_2477_s4_q <= not_1478_s3_q & and_2476;
+      and_2526_s4_q <= not_1478_s3_q & (so_s3_q & (half_ends & equal_2523));
+      and_2527_s4_q <= and_2527;
       residual_s4_q <= residual[7:0];
-      and_2554_s4_q <= and_2554;
-      and_2568_s4_q <= and_2520 & less_2567;
-      equal_2611_s4_q <= (registration_fresh_q & select_2609) == 4'h0;
-      parity_2989_s4_q <= ^{xor_2985, xor_2948, select_2915[44:36], other[44:36]};
-      parity_3118_s4_q <= parity_3118;
-      parity_3180_s4_q <= parity_3180;
-      xor_3208_s4_q <= parity_3195 ^ parity_3207;
-      parity_3220_s4_q <= ^{or_3217, or_3213, and_3209};
-      or_3224_s4_q <= (or_3213 & or_3217) | (and_3209 & (or_3213 | or_3217));
-      equal_3225_s4_q <= equal_3225_s3_q;
-      select_3344_s4_q <= select_3344[14:10];
-      equal_3356_s4_q <= select_3313[3:0] == 4'h0;
-      less_3358_s4_q <= {difference_3357, 3'h0} < {3'h0, sum_2905};
-      less_3359_s4_q <= select_3354 < select_3344[9:0];
-      or_3364_s4_q <= (sum_2905 < 10'h39) | ({1'b0, sum_2905[9:1]} < select_3344[9:0]);
-      select_3409_s4_q <= select_3409;
-      equal_3568_s4_q <= equal_3568;
-      and_3869_s4_q <= and_2024 & (sum_1950 == sum_1934);
-      equal_3936_s4_q <= (registration_fresh_q & select_3934) == 4'h0;
+      and_2561_s4_q <= and_2561;
+      and_2575_s4_q <= and_2527 & less_2574;
+      equal_2618_s4_q <= (registration_fresh_q & select_2616) == 4'h0;
+      parity_2996_s4_q <= ^{xor_2992, xor_2955, select_2922[44:36], other[44:36]};
+      parity_3125_s4_q <= parity_3125;
+      parity_3187_s4_q <= parity_3187;
+      xor_3215_s4_q <= parity_3202 ^ parity_3214;
+      parity_3227_s4_q <= ^{or_3224, or_3220, and_3216};
+      or_3231_s4_q <= (or_3220 & or_3224) | (and_3216 & (or_3220 | or_3224));
+      equal_3232_s4_q <= equal_3232_s3_q;
+      select_3351_s4_q <= select_3351[14:10];
+      equal_3363_s4_q <= select_3320[3:0] == 4'h0;
+      less_3365_s4_q <= {difference_3364, 3'h0} < {3'h0, sum_2912};
+      less_3366_s4_q <= select_3361 < select_3351[9:0];
+      or_3371_s4_q <= (sum_2912 < 10'h39) | ({1'b0, sum_2912[9:1]} < select_3351[9:0]);
+      select_3416_s4_q <= select_3416;
+      equal_3579_s4_q <= equal_3579;
+      and_3896_s4_q <= and_2031 & (sum_1957 == sum_1941);
+      equal_3962_s4_q <= (registration_fresh_q & select_3960) == 4'h0;
     end
   end
 
@@ -5374,15 +5374,22 @@ module horopter_agreement (
   logic [7:0] patches_places_q;
   logic patches_enough_q;
   logic patches_mostly_q;
+  logic patches_partly_q;
+  logic [6:0] patches_clear_limit_q;
   logic patches_complete_q;
+  logic patches_frame_ended_q;
   logic patches_round_ends_q;
   logic [2:0] patches_found_q;
+  logic patches_doubted_q;
+  logic patches_doubted_before_q;
   logic [7:0] patches_round_places_q;
   logic [11:0] patches_round_across_q;
   logic [2:0] patches_round_moved_q;
   logic patches_suspected_q;
   logic patches_moved_q;
-  logic patches_settled_q;
+  logic patches_twice_q;
+  logic patches_clear_q;
+  logic [9:0] patches_age_q;
   logic [5:0] segment_textured_q;
   logic [5:0] segment_explained_q;
   logic [5:0] segment_nearer_q;
@@ -5400,1092 +5407,1111 @@ module horopter_agreement (
   logic nearer_q;
   // hls/stages/census.hpp:270
   logic [11:0] texture;
-  assign texture = sum_607_s4_q + {2'h0, sum_610_s4_q};
+  assign texture = sum_614_s4_q + {2'h0, sum_617_s4_q};
   // hls/stages/census.hpp:281
-  logic [12:0] sum_612;
-  assign sum_612 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-  logic [13:0] sum_614;
-  assign sum_614 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_612});
+  logic [12:0] sum_619;
+  assign sum_619 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+  logic [13:0] sum_621;
+  assign sum_621 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_619});
   // hls/stages/census.hpp:303
-  logic less_615;
-  assign less_615 = 9'h4 < sum_614[13:5];
-  logic and_616;
-  assign and_616 = and_566_s4_q & less_615;
+  logic less_622;
+  assign less_622 = 9'h4 < sum_621[13:5];
+  logic and_623;
+  assign and_623 = and_573_s4_q & less_622;
   // hls/stages/registration.hpp:265
-  logic equal_1572;
-  assign equal_1572 = sum_1521_s4_q == 2'h0;
+  logic equal_1579;
+  assign equal_1579 = sum_1528_s4_q == 2'h0;
   // hls/stages/registration.hpp:263
   logic [6:0] down;
-  assign down = sum_1521_s4_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_1528_s4_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:265
-  logic [13:0] select_1574;
-  assign select_1574 = equal_1572 ? registration_half_across_q : {{7{down[6]}}, down};
-  logic [19:0] sum_1575;
-  assign sum_1575 = (equal_1570_s4_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1574[13]}}, select_1574};
+  logic [13:0] select_1581;
+  assign select_1581 = equal_1579 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_1582;
+  assign sum_1582 = (equal_1577_s4_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1581[13]}}, select_1581};
   // hls/stages/registration.hpp:264
   logic [6:0] up;
-  assign up = sum_1521_s4_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_1528_s4_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:266
-  logic [6:0] select_1578;
-  assign select_1578 = equal_1572 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_1579;
-  assign sum_1579 = (equal_1570_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1578[6]}}, select_1578};
-  // hls/stages/patches.hpp:334
-  logic [21:0] select_1699;
-  assign select_1699 = and_1698_s4_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1675_s4_q} : patches_choices_rdata_q;
-  // hls/stages/patches.hpp:110
-  logic select_1701;
-  assign select_1701 = equal_1601_s4_q ? patches_place_0_valid_q : (select_1600_s4_q ? patches_place_0_valid_q : select_1699[0]);
-  // hls/stages/patches.hpp:335
-  logic [20:0] select_1702;
-  assign select_1702 = select_1600_s4_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1699[21:1];
-  // hls/stages/patches.hpp:110
-  logic [6:0] select_1703;
-  assign select_1703 = equal_1601_s4_q ? patches_place_0_column_q : select_1702[6:0];
-  logic [5:0] select_1704;
-  assign select_1704 = equal_1601_s4_q ? patches_place_0_shift_q : select_1702[12:7];
-  // hls/stages/patches.hpp:305
-  logic [6:0] sum_1705;
-  assign sum_1705 = select_1703 + {select_1704[5], select_1704};
-  // hls/stages/patches.hpp:306
-  logic [5:0] sum_1706;
-  assign sum_1706 = sum_1705[6:1] + 6'h3f;
-  // hls/stages/patches.hpp:114
-  logic equal_1707;
-  assign equal_1707 = {sum_1706[5], select_467_s4_q, select_465_s4_q} == {1'b0, sum_1706[4:0], sum_1705[0], 3'h4};
-  // hls/stages/patches.hpp:116
-  logic or_1709;
-  assign or_1709 = and_1583_s4_q | (select_1701 & equal_1707);
+  logic [6:0] select_1585;
+  assign select_1585 = equal_1579 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_1586;
+  assign sum_1586 = (equal_1577_s4_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1585[6]}}, select_1585};
+  // hls/stages/patches.hpp:343
+  logic [21:0] select_1706;
+  assign select_1706 = and_1705_s4_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1682_s4_q} : patches_choices_rdata_q;
+  // hls/stages/patches.hpp:119
+  logic select_1708;
+  assign select_1708 = equal_1608_s4_q ? patches_place_0_valid_q : (select_1607_s4_q ? patches_place_0_valid_q : select_1706[0]);
+  // hls/stages/patches.hpp:344
+  logic [20:0] select_1709;
+  assign select_1709 = select_1607_s4_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1706[21:1];
+  // hls/stages/patches.hpp:119
+  logic [6:0] select_1710;
+  assign select_1710 = equal_1608_s4_q ? patches_place_0_column_q : select_1709[6:0];
+  logic [5:0] select_1711;
+  assign select_1711 = equal_1608_s4_q ? patches_place_0_shift_q : select_1709[12:7];
+  // hls/stages/patches.hpp:314
+  logic [6:0] sum_1712;
+  assign sum_1712 = select_1710 + {select_1711[5], select_1711};
+  // hls/stages/patches.hpp:315
+  logic [5:0] sum_1713;
+  assign sum_1713 = sum_1712[6:1] + 6'h3f;
+  // hls/stages/patches.hpp:123
+  logic equal_1714;
+  assign equal_1714 = {sum_1713[5], select_474_s4_q, select_472_s4_q} == {1'b0, sum_1713[4:0], sum_1712[0], 3'h4};
+  // hls/stages/patches.hpp:125
+  logic or_1716;
+  assign or_1716 = and_1590_s4_q | (select_1708 & equal_1714);
   // hls/stages/agreement.hpp:263
-  logic [4:0] select_1710;
-  assign select_1710 = or_1709 ? 5'h0 : patches_right_next_0_q[4:0];
-  // hls/stages/patches.hpp:116
-  logic [5:0] select_1720;
-  assign select_1720 = or_1709 ? {and_1583_s4_q, 5'h0} : patches_right_next_0_q;
-  // hls/stages/patches.hpp:120
-  logic and_1722;
-  assign and_1722 = select_1719_s4_q & (~select_1720[5]);
-  // hls/stages/patches.hpp:110
-  logic select_1730;
-  assign select_1730 = equal_1601_s4_q ? patches_place_1_valid_q : (select_1600_s4_q ? select_1699[0] : patches_place_1_valid_q);
-  // hls/stages/patches.hpp:335
-  logic [20:0] select_1731;
-  assign select_1731 = select_1600_s4_q ? select_1699[21:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
-  // hls/stages/patches.hpp:110
-  logic [6:0] select_1732;
-  assign select_1732 = equal_1601_s4_q ? patches_place_1_column_q : select_1731[6:0];
-  logic [5:0] select_1733;
-  assign select_1733 = equal_1601_s4_q ? patches_place_1_shift_q : select_1731[12:7];
-  // hls/stages/patches.hpp:305
-  logic [6:0] sum_1734;
-  assign sum_1734 = select_1732 + {select_1733[5], select_1733};
-  // hls/stages/patches.hpp:306
-  logic [5:0] sum_1735;
-  assign sum_1735 = sum_1734[6:1] + 6'h3f;
-  // hls/stages/patches.hpp:114
-  logic equal_1736;
-  assign equal_1736 = {sum_1735[5], select_467_s4_q, select_465_s4_q} == {1'b0, sum_1735[4:0], sum_1734[0], 3'h4};
-  // hls/stages/patches.hpp:116
-  logic or_1738;
-  assign or_1738 = and_1583_s4_q | (select_1730 & equal_1736);
-  // hls/stages/agreement.hpp:263
-  logic [4:0] select_1739;
-  assign select_1739 = or_1738 ? 5'h0 : patches_right_next_1_q[4:0];
-  // hls/stages/patches.hpp:116
+  logic [4:0] select_1717;
+  assign select_1717 = or_1716 ? 5'h0 : patches_right_next_0_q[4:0];
+  // hls/stages/patches.hpp:125
+  logic [5:0] select_1727;
+  assign select_1727 = or_1716 ? {and_1590_s4_q, 5'h0} : patches_right_next_0_q;
+  // hls/stages/patches.hpp:129
+  logic and_1729;
+  assign and_1729 = select_1726_s4_q & (~select_1727[5]);
+  // hls/stages/patches.hpp:119
+  logic select_1737;
+  assign select_1737 = equal_1608_s4_q ? patches_place_1_valid_q : (select_1607_s4_q ? select_1706[0] : patches_place_1_valid_q);
+  // hls/stages/patches.hpp:344
+  logic [20:0] select_1738;
+  assign select_1738 = select_1607_s4_q ? select_1706[21:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  // hls/stages/patches.hpp:119
+  logic [6:0] select_1739;
+  assign select_1739 = equal_1608_s4_q ? patches_place_1_column_q : select_1738[6:0];
   logic [5:0] select_1740;
-  assign select_1740 = or_1738 ? {and_1583_s4_q, 5'h0} : patches_right_next_1_q;
-  // hls/stages/patches.hpp:120
-  logic and_1742;
-  assign and_1742 = select_1719_s4_q & (~select_1740[5]);
-  // hls/stages/patches.hpp:301
-  logic [6:0] sum_1749;
-  assign sum_1749 = select_1703 + 7'h7f;
-  // hls/stages/patches.hpp:115
-  logic equal_1750;
-  assign equal_1750 = {sum_1749[6], select_467_s4_q, select_465_s4_q} == {1'b0, sum_1749[5:0], 3'h4};
-  // hls/stages/patches.hpp:117
-  logic or_1752;
-  assign or_1752 = and_1583_s4_q | (select_1701 & equal_1750);
-  logic [4:0] select_1753;
-  assign select_1753 = or_1752 ? {and_1583_s4_q, 4'h0} : patches_left_next_0_q;
-  // hls/stages/patches.hpp:301
-  logic [6:0] sum_1754;
-  assign sum_1754 = select_1732 + 7'h7f;
-  // hls/stages/patches.hpp:115
-  logic equal_1755;
-  assign equal_1755 = {sum_1754[6], select_467_s4_q, select_465_s4_q} == {1'b0, sum_1754[5:0], 3'h4};
-  // hls/stages/patches.hpp:117
-  logic [4:0] select_1758;
-  assign select_1758 = (and_1583_s4_q | (select_1730 & equal_1755)) ? {and_1583_s4_q, 4'h0} : patches_left_next_1_q;
+  assign select_1740 = equal_1608_s4_q ? patches_place_1_shift_q : select_1738[12:7];
+  // hls/stages/patches.hpp:314
+  logic [6:0] sum_1741;
+  assign sum_1741 = select_1739 + {select_1740[5], select_1740};
+  // hls/stages/patches.hpp:315
+  logic [5:0] sum_1742;
+  assign sum_1742 = sum_1741[6:1] + 6'h3f;
+  // hls/stages/patches.hpp:123
+  logic equal_1743;
+  assign equal_1743 = {sum_1742[5], select_474_s4_q, select_472_s4_q} == {1'b0, sum_1742[4:0], sum_1741[0], 3'h4};
   // hls/stages/patches.hpp:125
-  logic [3:0] column_5;
-  assign column_5 = select_1753[4] ? select_1758[3:0] : select_1753[3:0];
+  logic or_1745;
+  assign or_1745 = and_1590_s4_q | (select_1737 & equal_1743);
   // hls/stages/agreement.hpp:263
-  logic select_1761;
-  assign select_1761 = or_1752 ? and_1583_s4_q : patches_left_next_0_q[4];
+  logic [4:0] select_1746;
+  assign select_1746 = or_1745 ? 5'h0 : patches_right_next_1_q[4:0];
   // hls/stages/patches.hpp:125
-  logic and_1767;
-  assign and_1767 = (select_1719_s4_q & (select_1713_s4_q[3] ^ select_1713_s4_q[4])) & ((~select_1753[4]) | (~select_1758[4]));
-  // hls/stages/patches.hpp:167
-  logic less_1858;
-  assign less_1858 = patches_sums_values_0_q < patches_best_differing_q;
-  // hls/stages/patches.hpp:168
-  logic not_1859;
-  assign not_1859 = ~less_1858;
-  logic [1:0] select_1860;
-  assign select_1860 = patches_summed_first_s4_q ? 2'h2 : {less_1858, not_1859};
-  logic [12:0] select_1862;
-  assign select_1862 = select_1860[0] ? {4'h0, patches_summed_first_s4_q, 3'h0, patches_summed_row_column_s4_q} : {patches_summed_row_column_s4_q, patches_sums_values_0_q[7:0]};
-  logic [14:0] select_1870;
-  assign select_1870 = select_1860[0] ? {patches_best_column_q, patches_best_differing_q} : {4'h0, and_1869_s4_q, 1'b0, select_1866_s4_q, left_pixel_q};
-  logic [14:0] select_1871;
-  assign select_1871 = (select_1860 == 2'h2) ? {select_1862[12:8], patches_sums_values_0_q[9:8], select_1862[7:0]} : select_1870;
+  logic [5:0] select_1747;
+  assign select_1747 = or_1745 ? {and_1590_s4_q, 5'h0} : patches_right_next_1_q;
+  // hls/stages/patches.hpp:129
+  logic and_1749;
+  assign and_1749 = select_1726_s4_q & (~select_1747[5]);
+  // hls/stages/patches.hpp:310
+  logic [6:0] sum_1756;
+  assign sum_1756 = select_1710 + 7'h7f;
+  // hls/stages/patches.hpp:124
+  logic equal_1757;
+  assign equal_1757 = {sum_1756[6], select_474_s4_q, select_472_s4_q} == {1'b0, sum_1756[5:0], 3'h4};
+  // hls/stages/patches.hpp:126
+  logic or_1759;
+  assign or_1759 = and_1590_s4_q | (select_1708 & equal_1757);
+  logic [4:0] select_1760;
+  assign select_1760 = or_1759 ? {and_1590_s4_q, 4'h0} : patches_left_next_0_q;
+  // hls/stages/patches.hpp:310
+  logic [6:0] sum_1761;
+  assign sum_1761 = select_1739 + 7'h7f;
+  // hls/stages/patches.hpp:124
+  logic equal_1762;
+  assign equal_1762 = {sum_1761[6], select_474_s4_q, select_472_s4_q} == {1'b0, sum_1761[5:0], 3'h4};
+  // hls/stages/patches.hpp:126
+  logic [4:0] select_1765;
+  assign select_1765 = (and_1590_s4_q | (select_1737 & equal_1762)) ? {and_1590_s4_q, 4'h0} : patches_left_next_1_q;
+  // hls/stages/patches.hpp:134
+  logic [3:0] column_5;
+  assign column_5 = select_1760[4] ? select_1765[3:0] : select_1760[3:0];
+  // hls/stages/agreement.hpp:263
+  logic select_1768;
+  assign select_1768 = or_1759 ? and_1590_s4_q : patches_left_next_0_q[4];
+  // hls/stages/patches.hpp:134
+  logic and_1774;
+  assign and_1774 = (select_1726_s4_q & (select_1720_s4_q[3] ^ select_1720_s4_q[4])) & ((~select_1760[4]) | (~select_1765[4]));
+  // hls/stages/patches.hpp:176
+  logic less_1865;
+  assign less_1865 = patches_sums_values_0_q < patches_best_differing_q;
+  // hls/stages/patches.hpp:177
+  logic not_1866;
+  assign not_1866 = ~less_1865;
+  logic [1:0] select_1867;
+  assign select_1867 = patches_summed_first_s4_q ? 2'h2 : {less_1865, not_1866};
+  logic [12:0] select_1869;
+  assign select_1869 = select_1867[0] ? {4'h0, patches_summed_first_s4_q, 3'h0, patches_summed_row_column_s4_q} : {patches_summed_row_column_s4_q, patches_sums_values_0_q[7:0]};
+  logic [14:0] select_1877;
+  assign select_1877 = select_1867[0] ? {patches_best_column_q, patches_best_differing_q} : {4'h0, and_1876_s4_q, 1'b0, select_1873_s4_q, left_pixel_q};
+  logic [14:0] select_1878;
+  assign select_1878 = (select_1867 == 2'h2) ? {select_1869[12:8], patches_sums_values_0_q[9:8], select_1869[7:0]} : select_1877;
   // hls/stages/agreement.hpp:866
-  logic [5:0] select_1894;
-  assign select_1894 = segment_started_q ? segment_textured_q : 6'h0;
+  logic [5:0] select_1901;
+  assign select_1901 = segment_started_q ? segment_textured_q : 6'h0;
   // hls/stages/agreement.hpp:867
-  logic [5:0] sum_1895;
-  assign sum_1895 = {5'h0, textured_s4_q} + select_1894;
+  logic [5:0] sum_1902;
+  assign sum_1902 = {5'h0, textured_s4_q} + select_1901;
   // hls/stages/agreement.hpp:1003
-  logic [9:0] sum_1897;
-  assign sum_1897 = {4'h0, sum_1895} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
+  logic [9:0] sum_1904;
+  assign sum_1904 = {4'h0, sum_1902} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[9:0]);
   // hls/stages/agreement.hpp:866
-  logic [5:0] select_1899;
-  assign select_1899 = segment_started_q ? segment_explained_q : 6'h0;
+  logic [5:0] select_1906;
+  assign select_1906 = segment_started_q ? segment_explained_q : 6'h0;
   // hls/stages/agreement.hpp:867
-  logic [5:0] sum_1900;
-  assign sum_1900 = {5'h0, explained_s4_q} + select_1899;
+  logic [5:0] sum_1907;
+  assign sum_1907 = {5'h0, explained_s4_q} + select_1906;
   // hls/stages/agreement.hpp:1004
-  logic [9:0] sum_1902;
-  assign sum_1902 = {4'h0, sum_1900} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
+  logic [9:0] sum_1909;
+  assign sum_1909 = {4'h0, sum_1907} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[19:10]);
   // hls/stages/agreement.hpp:866
-  logic [5:0] select_1905;
-  assign select_1905 = segment_started_q ? segment_nearer_q : 6'h0;
+  logic [5:0] select_1912;
+  assign select_1912 = segment_started_q ? segment_nearer_q : 6'h0;
   // hls/stages/agreement.hpp:868
-  logic [5:0] sum_1906;
-  assign sum_1906 = {5'h0, and_1904_s4_q} + select_1905;
+  logic [5:0] sum_1913;
+  assign sum_1913 = {5'h0, and_1911_s4_q} + select_1912;
   // hls/stages/agreement.hpp:1005
-  logic [9:0] sum_1908;
-  assign sum_1908 = {4'h0, sum_1906} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
+  logic [9:0] sum_1915;
+  assign sum_1915 = {4'h0, sum_1913} + (region_fresh_s4_q ? 10'h0 : regions_rdata_q[29:20]);
   // hls/stages/agreement.hpp:1043
-  logic not_1975;
-  assign not_1975 = ~region_row_s4_q[2];
-  logic [2:0] select_1976;
-  assign select_1976 = region_row_s4_q[1] ? {1'b0, not_1975, 1'b0} : {region_row_s4_q[2], 1'b0, not_1975};
-  logic [5:0] select_1977;
-  assign select_1977 = region_row_s4_q[0] ? {select_1976[2], 1'b0, select_1976[1], 1'b0, select_1976[0], 1'b0} : {1'b0, select_1976[2], 1'b0, select_1976[1], 1'b0, select_1976[0]};
-  logic [11:0] select_1978;
-  assign select_1978 = or_1974_s4_q ? {select_1977[5], 1'b0, select_1977[4], 1'b0, select_1977[3], 1'b0, select_1977[2], 1'b0, select_1977[1], 1'b0, select_1977[0], 1'b0} : {1'b0, select_1977[5], 1'b0, select_1977[4], 1'b0, select_1977[3], 1'b0, select_1977[2], 1'b0, select_1977[1], 1'b0, select_1977[0]};
-  logic [23:0] select_1979;
-  assign select_1979 = or_1971_s4_q ? {select_1978[11], 1'b0, select_1978[10], 1'b0, select_1978[9], 1'b0, select_1978[8], 1'b0, select_1978[7], 1'b0, select_1978[6], 1'b0, select_1978[5], 1'b0, select_1978[4], 1'b0, select_1978[3], 1'b0, select_1978[2], 1'b0, select_1978[1], 1'b0, select_1978[0], 1'b0} : {1'b0, select_1978[11], 1'b0, select_1978[10], 1'b0, select_1978[9], 1'b0, select_1978[8], 1'b0, select_1978[7], 1'b0, select_1978[6], 1'b0, select_1978[5], 1'b0, select_1978[4], 1'b0, select_1978[3], 1'b0, select_1978[2], 1'b0, select_1978[1], 1'b0, select_1978[0]};
-  logic [47:0] select_1980;
-  assign select_1980 = or_1968_s4_q ? {select_1979[23], 1'b0, select_1979[22], 1'b0, select_1979[21], 1'b0, select_1979[20], 1'b0, select_1979[19], 1'b0, select_1979[18], 1'b0, select_1979[17], 1'b0, select_1979[16], 1'b0, select_1979[15], 1'b0, select_1979[14], 1'b0, select_1979[13], 1'b0, select_1979[12], 1'b0, select_1979[11], 1'b0, select_1979[10], 1'b0, select_1979[9], 1'b0, select_1979[8], 1'b0, select_1979[7], 1'b0, select_1979[6], 1'b0, select_1979[5], 1'b0, select_1979[4], 1'b0, select_1979[3], 1'b0, select_1979[2], 1'b0, select_1979[1], 1'b0, select_1979[0], 1'b0} : {1'b0, select_1979[23], 1'b0, select_1979[22], 1'b0, select_1979[21], 1'b0, select_1979[20], 1'b0, select_1979[19], 1'b0, select_1979[18], 1'b0, select_1979[17], 1'b0, select_1979[16], 1'b0, select_1979[15], 1'b0, select_1979[14], 1'b0, select_1979[13], 1'b0, select_1979[12], 1'b0, select_1979[11], 1'b0, select_1979[10], 1'b0, select_1979[9], 1'b0, select_1979[8], 1'b0, select_1979[7], 1'b0, select_1979[6], 1'b0, select_1979[5], 1'b0, select_1979[4], 1'b0, select_1979[3], 1'b0, select_1979[2], 1'b0, select_1979[1], 1'b0, select_1979[0]};
+  logic not_1982;
+  assign not_1982 = ~region_row_s4_q[2];
+  logic [2:0] select_1983;
+  assign select_1983 = region_row_s4_q[1] ? {1'b0, not_1982, 1'b0} : {region_row_s4_q[2], 1'b0, not_1982};
+  logic [5:0] select_1984;
+  assign select_1984 = region_row_s4_q[0] ? {select_1983[2], 1'b0, select_1983[1], 1'b0, select_1983[0], 1'b0} : {1'b0, select_1983[2], 1'b0, select_1983[1], 1'b0, select_1983[0]};
+  logic [11:0] select_1985;
+  assign select_1985 = or_1981_s4_q ? {select_1984[5], 1'b0, select_1984[4], 1'b0, select_1984[3], 1'b0, select_1984[2], 1'b0, select_1984[1], 1'b0, select_1984[0], 1'b0} : {1'b0, select_1984[5], 1'b0, select_1984[4], 1'b0, select_1984[3], 1'b0, select_1984[2], 1'b0, select_1984[1], 1'b0, select_1984[0]};
+  logic [23:0] select_1986;
+  assign select_1986 = or_1978_s4_q ? {select_1985[11], 1'b0, select_1985[10], 1'b0, select_1985[9], 1'b0, select_1985[8], 1'b0, select_1985[7], 1'b0, select_1985[6], 1'b0, select_1985[5], 1'b0, select_1985[4], 1'b0, select_1985[3], 1'b0, select_1985[2], 1'b0, select_1985[1], 1'b0, select_1985[0], 1'b0} : {1'b0, select_1985[11], 1'b0, select_1985[10], 1'b0, select_1985[9], 1'b0, select_1985[8], 1'b0, select_1985[7], 1'b0, select_1985[6], 1'b0, select_1985[5], 1'b0, select_1985[4], 1'b0, select_1985[3], 1'b0, select_1985[2], 1'b0, select_1985[1], 1'b0, select_1985[0]};
+  logic [47:0] select_1987;
+  assign select_1987 = or_1975_s4_q ? {select_1986[23], 1'b0, select_1986[22], 1'b0, select_1986[21], 1'b0, select_1986[20], 1'b0, select_1986[19], 1'b0, select_1986[18], 1'b0, select_1986[17], 1'b0, select_1986[16], 1'b0, select_1986[15], 1'b0, select_1986[14], 1'b0, select_1986[13], 1'b0, select_1986[12], 1'b0, select_1986[11], 1'b0, select_1986[10], 1'b0, select_1986[9], 1'b0, select_1986[8], 1'b0, select_1986[7], 1'b0, select_1986[6], 1'b0, select_1986[5], 1'b0, select_1986[4], 1'b0, select_1986[3], 1'b0, select_1986[2], 1'b0, select_1986[1], 1'b0, select_1986[0], 1'b0} : {1'b0, select_1986[23], 1'b0, select_1986[22], 1'b0, select_1986[21], 1'b0, select_1986[20], 1'b0, select_1986[19], 1'b0, select_1986[18], 1'b0, select_1986[17], 1'b0, select_1986[16], 1'b0, select_1986[15], 1'b0, select_1986[14], 1'b0, select_1986[13], 1'b0, select_1986[12], 1'b0, select_1986[11], 1'b0, select_1986[10], 1'b0, select_1986[9], 1'b0, select_1986[8], 1'b0, select_1986[7], 1'b0, select_1986[6], 1'b0, select_1986[5], 1'b0, select_1986[4], 1'b0, select_1986[3], 1'b0, select_1986[2], 1'b0, select_1986[1], 1'b0, select_1986[0]};
   // hls/stages/agreement.hpp:976
-  logic and_1984;
-  assign and_1984 = good_known_q & (~((good_q & select_1980) == 48'h0));
+  logic and_1991;
+  assign and_1991 = good_known_q & (~((good_q & select_1987) == 48'h0));
   // hls/stages/agreement.hpp:1045
   logic is_seen;
-  assign is_seen = equal_1963_s4_q ? and_1984 : not_1999_s4_q;
+  assign is_seen = equal_1970_s4_q ? and_1991 : not_2006_s4_q;
   // hls/stages/agreement.hpp:1054
-  logic and_2014;
-  assign and_2014 = is_seen & less_2013_s4_q;
+  logic and_2021;
+  assign and_2021 = is_seen & less_2020_s4_q;
   // hls/stages/agreement.hpp:263
-  logic [8:0] select_2048;
-  assign select_2048 = sample_pair_whole_s4_q ? (and_499_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2050;
-  assign select_2050 = sample_pair_whole_s4_q ? (and_499_s4_q ? grey_2_s4_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2052;
-  assign select_2052 = sample_pair_whole_s4_q ? (and_499_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2054;
-  assign select_2054 = sample_pair_whole_s4_q ? (and_499_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  logic [8:0] select_2055;
+  assign select_2055 = sample_pair_whole_s4_q ? (and_506_s4_q ? grey_s4_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2057;
+  assign select_2057 = sample_pair_whole_s4_q ? (and_506_s4_q ? grey_2_s4_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2059;
+  assign select_2059 = sample_pair_whole_s4_q ? (and_506_s4_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2061;
+  assign select_2061 = sample_pair_whole_s4_q ? (and_506_s4_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:208
-  logic [9:0] sum_2059;
-  assign sum_2059 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
-  logic [9:0] difference_2060;
-  assign difference_2060 = {1'b0, sum_2059[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_2066;
+  assign sum_2066 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s4_q};
+  logic [9:0] difference_2067;
+  assign difference_2067 = {1'b0, sum_2066[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:209
-  logic [9:0] xor_2061;
-  assign xor_2061 = {difference_2060[8:0], sum_2059[0]} ^ {10{difference_2060[9]}};
+  logic [9:0] xor_2068;
+  assign xor_2068 = {difference_2067[8:0], sum_2066[0]} ^ {10{difference_2067[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2060[9]} + {1'b0, xor_2061};
+  assign size = {10'h0, difference_2067[9]} + {1'b0, xor_2068};
   // hls/stages/census.hpp:210
   logic [13:0] detail;
-  assign detail = {3'h0, size} + (equal_504_s4_q ? 14'h0 : averager_detail_0_q);
+  assign detail = {3'h0, size} + (equal_511_s4_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:263
-  logic [13:0] select_2066;
-  assign select_2066 = sample_pair_whole_s4_q ? (and_499_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2073;
+  assign select_2073 = sample_pair_whole_s4_q ? (and_506_s4_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:208
-  logic [9:0] sum_2067;
-  assign sum_2067 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
-  logic [9:0] difference_2068;
-  assign difference_2068 = {1'b0, sum_2067[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_2074;
+  assign sum_2074 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s4_q};
+  logic [9:0] difference_2075;
+  assign difference_2075 = {1'b0, sum_2074[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:209
-  logic [9:0] xor_2069;
-  assign xor_2069 = {difference_2068[8:0], sum_2067[0]} ^ {10{difference_2068[9]}};
+  logic [9:0] xor_2076;
+  assign xor_2076 = {difference_2075[8:0], sum_2074[0]} ^ {10{difference_2075[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2068[9]} + {1'b0, xor_2069};
+  assign size_2 = {10'h0, difference_2075[9]} + {1'b0, xor_2076};
   // hls/stages/census.hpp:210
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2} + (equal_504_s4_q ? 14'h0 : averager_detail_1_q);
+  assign detail_2 = {3'h0, size_2} + (equal_511_s4_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:263
-  logic [13:0] select_2074;
-  assign select_2074 = sample_pair_whole_s4_q ? (and_499_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2081;
+  assign select_2081 = sample_pair_whole_s4_q ? (and_506_s4_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/census.hpp:272
-  logic [11:0] sum_2157;
-  assign sum_2157 = sum_2153_s4_q + {2'h0, sum_2156_s4_q};
+  logic [11:0] sum_2164;
+  assign sum_2164 = sum_2160_s4_q + {2'h0, sum_2163_s4_q};
   // hls/stages/agreement.hpp:507
-  logic [11:0] select_2159;
-  assign select_2159 = and_501_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2160;
-  assign select_2160 = and_501_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [11:0] select_2161;
-  assign select_2161 = and_501_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_2162;
-  assign select_2162 = and_501_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  logic [11:0] select_2166;
+  assign select_2166 = and_508_s4_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2167;
+  assign select_2167 = and_508_s4_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2168;
+  assign select_2168 = and_508_s4_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2169;
+  assign select_2169 = and_508_s4_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:282
-  logic [12:0] sum_2165;
-  assign sum_2165 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2157};
-  logic [13:0] sum_2167;
-  assign sum_2167 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2165});
+  logic [12:0] sum_2172;
+  assign sum_2172 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2164};
+  logic [13:0] sum_2174;
+  assign sum_2174 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2172});
   // hls/stages/census.hpp:305
-  logic and_2169;
-  assign and_2169 = and_591_s4_q & (9'h4 < sum_2167[13:5]);
+  logic and_2176;
+  assign and_2176 = and_598_s4_q & (9'h4 < sum_2174[13:5]);
   // hls/stages/census.hpp:306
-  logic and_2170;
-  assign and_2170 = and_591_s4_q & less_615;
+  logic and_2177;
+  assign and_2177 = and_598_s4_q & less_622;
   // hls/stages/census.hpp:307
-  logic [19:0] sum_2171;
-  assign sum_2171 = census_left_misses_q + {{17{and_2170}}, and_2169, 1'b0, and_2169};
+  logic [19:0] sum_2178;
+  assign sum_2178 = census_left_misses_q + {{17{and_2177}}, and_2176, 1'b0, and_2176};
   // hls/stages/agreement.hpp:507
-  logic [19:0] select_2173;
-  assign select_2173 = and_501_s4_q ? (equal_2164_s4_q ? 20'h0 : sum_2171) : census_left_misses_q;
+  logic [19:0] select_2180;
+  assign select_2180 = and_508_s4_q ? (equal_2171_s4_q ? 20'h0 : sum_2178) : census_left_misses_q;
   // hls/stages/agreement.hpp:263
-  logic [27:0] select_2178;
-  assign select_2178 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
+  logic [27:0] select_2185;
+  assign select_2185 = sample_pair_whole_s4_q ? {detail_2, detail} : 28'h0;
   // hls/stages/agreement.hpp:507
-  logic select_2181;
-  assign select_2181 = and_501_s4_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic select_2188;
+  assign select_2188 = and_508_s4_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:355
-  logic and_2184;
-  assign and_2184 = whole_2_s4_q & (~(column_s4_q[5:1] == 5'h0));
-  // hls/stages/agreement.hpp:444
-  logic and_2190;
-  assign and_2190 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
   logic and_2191;
-  assign and_2191 = and_2184 & and_2190;
+  assign and_2191 = whole_2_s4_q & (~(column_s4_q[5:1] == 5'h0));
+  // hls/stages/agreement.hpp:444
+  logic and_2197;
+  assign and_2197 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s4_q[8:2]));
+  logic and_2198;
+  assign and_2198 = and_2191 & and_2197;
   // hls/stages/census.hpp:354
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2178[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2185[13:0]};
   // hls/stages/census.hpp:356
-  logic [12:0] select_2193;
-  assign select_2193 = and_2191 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2200;
+  assign select_2200 = and_2198 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:357
-  logic [23:0] select_2195;
-  assign select_2195 = equal_2164_s4_q ? {11'h0, select_2193} : (sharpness_sums_detail_0_q + {11'h0, select_2193});
+  logic [23:0] select_2202;
+  assign select_2202 = equal_2171_s4_q ? {11'h0, select_2200} : (sharpness_sums_detail_0_q + {11'h0, select_2200});
   // hls/stages/agreement.hpp:444
-  logic and_2202;
-  assign and_2202 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
-  logic and_2203;
-  assign and_2203 = and_2184 & and_2202;
+  logic and_2209;
+  assign and_2209 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s4_q[8:2]));
+  logic and_2210;
+  assign and_2210 = and_2191 & and_2209;
   // hls/stages/census.hpp:354
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2178[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2185[27:14]};
   // hls/stages/census.hpp:356
-  logic [12:0] select_2205;
-  assign select_2205 = and_2203 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2212;
+  assign select_2212 = and_2210 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:357
-  logic [23:0] select_2207;
-  assign select_2207 = equal_2164_s4_q ? {11'h0, select_2205} : (sharpness_sums_detail_1_q + {11'h0, select_2205});
-  logic [8:0] select_2210;
-  assign select_2210 = and_2191 ? contrast_s4_q : 9'h0;
-  logic [23:0] sum_2211;
-  assign sum_2211 = (equal_2164_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2210};
-  logic [8:0] select_2214;
-  assign select_2214 = and_2203 ? contrast_2_s4_q : 9'h0;
-  logic [23:0] sum_2215;
-  assign sum_2215 = (equal_2164_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2214};
+  logic [23:0] select_2214;
+  assign select_2214 = equal_2171_s4_q ? {11'h0, select_2212} : (sharpness_sums_detail_1_q + {11'h0, select_2212});
+  logic [8:0] select_2217;
+  assign select_2217 = and_2198 ? contrast_s4_q : 9'h0;
+  logic [23:0] sum_2218;
+  assign sum_2218 = (equal_2171_s4_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2217};
+  logic [8:0] select_2221;
+  assign select_2221 = and_2210 ? contrast_2_s4_q : 9'h0;
+  logic [23:0] sum_2222;
+  assign sum_2222 = (equal_2171_s4_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2221};
   // hls/stages/agreement.hpp:203
-  logic equal_2217;
-  assign equal_2217 = x_s4_q[7:3] == 5'h0;
+  logic equal_2224;
+  assign equal_2224 = x_s4_q[7:3] == 5'h0;
   // hls/stages/census.hpp:370
-  logic less_2218;
-  assign less_2218 = 7'h2 < {x_s4_q[4:0], slot_s4_q[2:1]};
+  logic less_2225;
+  assign less_2225 = 7'h2 < {x_s4_q[4:0], slot_s4_q[2:1]};
   // hls/stages/census.hpp:409
-  logic less_2219;
-  assign less_2219 = x_s4_q[4:0] < 5'h3;
-  logic not_2220;
-  assign not_2220 = ~x_s4_q[1];
-  logic [2:0] select_2221;
-  assign select_2221 = x_s4_q[0] ? {1'b0, not_2220, 1'b0} : {x_s4_q[1], 1'b0, not_2220};
-  logic [5:0] select_2222;
-  assign select_2222 = slot_s4_q[2] ? {select_2221[2], 1'b0, select_2221[1], 1'b0, select_2221[0], 1'b0} : {1'b0, select_2221[2], 1'b0, select_2221[1], 1'b0, select_2221[0]};
-  logic [11:0] select_2223;
-  assign select_2223 = slot_s4_q[1] ? {select_2222[5], 1'b0, select_2222[4], 1'b0, select_2222[3], 1'b0, select_2222[2], 1'b0, select_2222[1], 1'b0, select_2222[0], 1'b0} : {1'b0, select_2222[5], 1'b0, select_2222[4], 1'b0, select_2222[3], 1'b0, select_2222[2], 1'b0, select_2222[1], 1'b0, select_2222[0]};
-  logic [23:0] select_2224;
-  assign select_2224 = slot_s4_q[0] ? {select_2223[11], 1'b0, select_2223[10], 1'b0, select_2223[9], 1'b0, select_2223[8], 1'b0, select_2223[7], 1'b0, select_2223[6], 1'b0, select_2223[5], 1'b0, select_2223[4], 1'b0, select_2223[3], 1'b0, select_2223[2], 1'b0, select_2223[1], 1'b0, select_2223[0], 1'b0} : {1'b0, select_2223[11], 1'b0, select_2223[10], 1'b0, select_2223[9], 1'b0, select_2223[8], 1'b0, select_2223[7], 1'b0, select_2223[6], 1'b0, select_2223[5], 1'b0, select_2223[4], 1'b0, select_2223[3], 1'b0, select_2223[2], 1'b0, select_2223[1], 1'b0, select_2223[0]};
+  logic less_2226;
+  assign less_2226 = x_s4_q[4:0] < 5'h3;
+  logic not_2227;
+  assign not_2227 = ~x_s4_q[1];
+  logic [2:0] select_2228;
+  assign select_2228 = x_s4_q[0] ? {1'b0, not_2227, 1'b0} : {x_s4_q[1], 1'b0, not_2227};
+  logic [5:0] select_2229;
+  assign select_2229 = slot_s4_q[2] ? {select_2228[2], 1'b0, select_2228[1], 1'b0, select_2228[0], 1'b0} : {1'b0, select_2228[2], 1'b0, select_2228[1], 1'b0, select_2228[0]};
+  logic [11:0] select_2230;
+  assign select_2230 = slot_s4_q[1] ? {select_2229[5], 1'b0, select_2229[4], 1'b0, select_2229[3], 1'b0, select_2229[2], 1'b0, select_2229[1], 1'b0, select_2229[0], 1'b0} : {1'b0, select_2229[5], 1'b0, select_2229[4], 1'b0, select_2229[3], 1'b0, select_2229[2], 1'b0, select_2229[1], 1'b0, select_2229[0]};
+  logic [23:0] select_2231;
+  assign select_2231 = slot_s4_q[0] ? {select_2230[11], 1'b0, select_2230[10], 1'b0, select_2230[9], 1'b0, select_2230[8], 1'b0, select_2230[7], 1'b0, select_2230[6], 1'b0, select_2230[5], 1'b0, select_2230[4], 1'b0, select_2230[3], 1'b0, select_2230[2], 1'b0, select_2230[1], 1'b0, select_2230[0], 1'b0} : {1'b0, select_2230[11], 1'b0, select_2230[10], 1'b0, select_2230[9], 1'b0, select_2230[8], 1'b0, select_2230[7], 1'b0, select_2230[6], 1'b0, select_2230[5], 1'b0, select_2230[4], 1'b0, select_2230[3], 1'b0, select_2230[2], 1'b0, select_2230[1], 1'b0, select_2230[0]};
   // hls/stages/census.hpp:372
-  logic and_2228;
-  assign and_2228 = less_2219 & (~((sharpness_sums_contrast_1_q & select_2224) == 24'h0));
+  logic and_2235;
+  assign and_2235 = less_2226 & (~((sharpness_sums_contrast_1_q & select_2231) == 24'h0));
   // hls/stages/census.hpp:377
-  logic [17:0] select_2230;
-  assign select_2230 = (less_2218 & and_2228) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2237;
+  assign select_2237 = (less_2225 & and_2235) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2230};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2237};
   // hls/stages/agreement.hpp:207
-  logic [17:0] select_2233;
-  assign select_2233 = equal_2217 ? (less_2218 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  // hls/stages/census.hpp:372
-  logic and_2238;
-  assign and_2238 = less_2219 & (~((sharpness_sums_contrast_0_q & select_2224) == 24'h0));
-  // hls/stages/census.hpp:377
   logic [17:0] select_2240;
-  assign select_2240 = (less_2218 & and_2238) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  assign select_2240 = equal_2224 ? (less_2225 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  // hls/stages/census.hpp:372
+  logic and_2245;
+  assign and_2245 = less_2226 & (~((sharpness_sums_contrast_0_q & select_2231) == 24'h0));
+  // hls/stages/census.hpp:377
+  logic [17:0] select_2247;
+  assign select_2247 = (less_2225 & and_2245) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2240};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2247};
   // hls/stages/agreement.hpp:207
-  logic [17:0] select_2243;
-  assign select_2243 = equal_2217 ? (less_2218 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2245;
-  assign select_2245 = equal_2217 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2247;
-  assign select_2247 = equal_2217 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2249;
-  assign select_2249 = equal_2217 ? {sharpness_comparing_contrast_0_q[0], and_2238} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2251;
-  assign select_2251 = equal_2217 ? {sharpness_comparing_contrast_1_q[0], and_2228} : sharpness_comparing_contrast_1_q;
+  logic [17:0] select_2250;
+  assign select_2250 = equal_2224 ? (less_2225 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2252;
+  assign select_2252 = equal_2224 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2254;
+  assign select_2254 = equal_2224 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2256;
+  assign select_2256 = equal_2224 ? {sharpness_comparing_contrast_0_q[0], and_2245} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2258;
+  assign select_2258 = equal_2224 ? {sharpness_comparing_contrast_1_q[0], and_2235} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:383
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:207
-  logic select_2256;
-  assign select_2256 = drew_q ? (equal_2217 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2263;
+  assign select_2263 = drew_q ? (equal_2224 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:383
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:207
-  logic select_2260;
-  assign select_2260 = drew_q ? (equal_2217 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
-  // hls/stages/census.hpp:369
-  logic equal_2261;
-  assign equal_2261 = {x_s4_q[4:0], slot_s4_q} == 8'h0;
-  // hls/stages/census.hpp:385
-  logic xor_2262;
-  assign xor_2262 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2265;
-  assign select_2265 = (equal_2261 | xor_2262) ? (five_times[0] & xor_2262) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:207
   logic select_2267;
-  assign select_2267 = drew_q ? (equal_2217 ? select_2265 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  assign select_2267 = drew_q ? (equal_2224 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  // hls/stages/census.hpp:369
+  logic equal_2268;
+  assign equal_2268 = {x_s4_q[4:0], slot_s4_q} == 8'h0;
   // hls/stages/census.hpp:385
-  logic xor_2268;
-  assign xor_2268 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2271;
-  assign select_2271 = (equal_2261 | xor_2268) ? (five_times_2[0] & xor_2268) : sharpness_comparing_less_detail_1_q;
+  logic xor_2269;
+  assign xor_2269 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic select_2272;
+  assign select_2272 = (equal_2268 | xor_2269) ? (five_times[0] & xor_2269) : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:207
-  logic select_2273;
-  assign select_2273 = drew_q ? (equal_2217 ? select_2271 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  logic select_2274;
+  assign select_2274 = drew_q ? (equal_2224 ? select_2272 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:385
+  logic xor_2275;
+  assign xor_2275 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2278;
+  assign select_2278 = (equal_2268 | xor_2275) ? (five_times_2[0] & xor_2275) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/agreement.hpp:207
+  logic select_2280;
+  assign select_2280 = drew_q ? (equal_2224 ? select_2278 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
   // hls/stages/census.hpp:386
-  logic xor_2274;
-  assign xor_2274 = sharpness_comparing_contrast_0_q[1] ^ and_2228;
-  logic select_2277;
-  assign select_2277 = (equal_2261 | xor_2274) ? (and_2228 & xor_2274) : sharpness_comparing_less_contrast_0_q;
+  logic xor_2281;
+  assign xor_2281 = sharpness_comparing_contrast_0_q[1] ^ and_2235;
+  logic select_2284;
+  assign select_2284 = (equal_2268 | xor_2281) ? (and_2235 & xor_2281) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:207
-  logic select_2279;
-  assign select_2279 = drew_q ? (equal_2217 ? select_2277 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  logic select_2286;
+  assign select_2286 = drew_q ? (equal_2224 ? select_2284 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/census.hpp:386
-  logic xor_2280;
-  assign xor_2280 = sharpness_comparing_contrast_1_q[1] ^ and_2238;
-  logic select_2283;
-  assign select_2283 = (equal_2261 | xor_2280) ? (and_2238 & xor_2280) : sharpness_comparing_less_contrast_1_q;
+  logic xor_2287;
+  assign xor_2287 = sharpness_comparing_contrast_1_q[1] ^ and_2245;
+  logic select_2290;
+  assign select_2290 = (equal_2268 | xor_2287) ? (and_2245 & xor_2287) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:207
-  logic select_2285;
-  assign select_2285 = drew_q ? (equal_2217 ? select_2283 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  logic select_2292;
+  assign select_2292 = drew_q ? (equal_2224 ? select_2290 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2410;
-  assign select_2410 = and_2404_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2408_s4_q});
-  // hls/stages/patches.hpp:321
-  logic and_2413;
-  assign and_2413 = not_1471_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
-  logic and_2418;
-  assign and_2418 = not_1471_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
-  logic and_2423;
-  assign and_2423 = not_1471_s4_q & (drew_q & (ends_cell_s4_q & and_1904_s4_q));
+  logic [13:0] select_2417;
+  assign select_2417 = and_2411_s4_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2415_s4_q});
+  // hls/stages/patches.hpp:330
+  logic and_2420;
+  assign and_2420 = not_1478_s4_q & (drew_q & (ends_cell_s4_q & textured_s4_q));
+  logic and_2425;
+  assign and_2425 = not_1478_s4_q & (drew_q & (ends_cell_s4_q & explained_s4_q));
+  logic and_2430;
+  assign and_2430 = not_1478_s4_q & (drew_q & (ends_cell_s4_q & and_1911_s4_q));
   // hls/stages/agreement.hpp:1047
-  logic not_2427;
-  assign not_2427 = ~(x_s4_q[7:1] == 7'h0);
+  logic not_2434;
+  assign not_2434 = ~(x_s4_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:1048
-  logic not_2444;
-  assign not_2444 = ~(equal_1963_s4_q ? and_1984 : not_2442_s4_q);
-  // hls/stages/patches.hpp:321
-  logic and_2447;
-  assign and_2447 = ends_cell_s4_q & (not_2427 & (centres_values_1_textured_s4_q & not_2444));
-  logic and_2449;
-  assign and_2449 = not_1471_s4_q & (drew_q & and_2447);
+  logic not_2451;
+  assign not_2451 = ~(equal_1970_s4_q ? and_1991 : not_2449_s4_q);
+  // hls/stages/patches.hpp:330
+  logic and_2454;
+  assign and_2454 = ends_cell_s4_q & (not_2434 & (centres_values_1_textured_s4_q & not_2451));
+  logic and_2456;
+  assign and_2456 = not_1478_s4_q & (drew_q & and_2454);
   // hls/stages/agreement.hpp:1074
-  logic less_2452;
-  assign less_2452 = region_row_s4_q < x_s4_q[5:3];
-  logic [9:0] select_2453;
-  assign select_2453 = less_2452 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_2456;
-  assign select_2456 = less_2452 ? 10'h0 : regions_rdata_q[19:10];
-  // hls/stages/agreement.hpp:1075
-  logic [10:0] sum_2457;
-  assign sum_2457 = {1'b0, select_2456} + {3'h0, select_2456[9:2]};
-  logic and_2459;
-  assign and_2459 = (~(select_2453[9:4] == 6'h0)) & ({sum_2457, select_2456[1:0]} < {3'h0, select_2453});
-  // hls/stages/agreement.hpp:1084
-  logic [9:0] select_2462;
-  assign select_2462 = x_s4_q[6] ? (equal_1515_s4_q ? 10'h0 : (and_2459 ? select_2453 : 10'h0)) : 10'h0;
-  // hls/stages/patches.hpp:321
+  logic less_2459;
+  assign less_2459 = region_row_s4_q < x_s4_q[5:3];
+  logic [9:0] select_2460;
+  assign select_2460 = less_2459 ? 10'h0 : regions_rdata_q[9:0];
   logic [9:0] select_2463;
-  assign select_2463 = equal_1470_s4_q ? select_2462 : 10'h0;
+  assign select_2463 = less_2459 ? 10'h0 : regions_rdata_q[19:10];
+  // hls/stages/agreement.hpp:1075
+  logic [10:0] sum_2464;
+  assign sum_2464 = {1'b0, select_2463} + {3'h0, select_2463[9:2]};
+  logic and_2466;
+  assign and_2466 = (~(select_2460[9:4] == 6'h0)) & ({sum_2464, select_2463[1:0]} < {3'h0, select_2460});
+  // hls/stages/agreement.hpp:1084
+  logic [9:0] select_2469;
+  assign select_2469 = x_s4_q[6] ? (equal_1522_s4_q ? 10'h0 : (and_2466 ? select_2460 : 10'h0)) : 10'h0;
+  // hls/stages/patches.hpp:330
+  logic [9:0] select_2470;
+  assign select_2470 = equal_1477_s4_q ? select_2469 : 10'h0;
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2465;
-  assign select_2465 = and_2404_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2463});
   logic [13:0] select_2472;
-  assign select_2472 = and_2404_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2470_s4_q});
-  // hls/stages/agreement.hpp:1052
-  logic and_2474;
-  assign and_2474 = not_2427 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
-  // hls/stages/patches.hpp:321
-  logic and_2477;
-  assign and_2477 = not_1471_s4_q & (drew_q & (ends_cell_s4_q & and_2474));
-  // hls/stages/agreement.hpp:889
+  assign select_2472 = and_2411_s4_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2470});
   logic [13:0] select_2479;
-  assign select_2479 = and_2404_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2477});
+  assign select_2479 = and_2411_s4_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2477_s4_q});
   // hls/stages/agreement.hpp:1052
   logic and_2481;
-  assign and_2481 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2444);
-  // hls/stages/patches.hpp:321
-  logic and_2485;
-  assign and_2485 = not_1471_s4_q & (drew_q & (ends_cell_s4_q & (not_2427 & and_2481)));
+  assign and_2481 = not_2434 & (centres_values_1_textured_s4_q & centres_values_1_of_skin_s4_q);
+  // hls/stages/patches.hpp:330
+  logic and_2484;
+  assign and_2484 = not_1478_s4_q & (drew_q & (ends_cell_s4_q & and_2481));
   // hls/stages/agreement.hpp:889
-  logic [13:0] select_2487;
-  assign select_2487 = and_2404_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2485});
-  // hls/stages/patches.hpp:321
-  logic [7:0] select_2536;
-  assign select_2536 = drew_q ? (equal_1611_s4_q ? (and_2520_s4_q ? residual_s4_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2537;
-  assign select_2537 = equal_1470_s4_q ? 8'h0 : select_2536;
+  logic [13:0] select_2486;
+  assign select_2486 = and_2411_s4_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2484});
+  // hls/stages/agreement.hpp:1052
+  logic and_2488;
+  assign and_2488 = centres_values_1_textured_s4_q & (centres_values_1_of_skin_s4_q & not_2451);
+  // hls/stages/patches.hpp:330
+  logic and_2492;
+  assign and_2492 = not_1478_s4_q & (drew_q & (ends_cell_s4_q & (not_2434 & and_2488)));
+  // hls/stages/agreement.hpp:889
+  logic [13:0] select_2494;
+  assign select_2494 = and_2411_s4_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2492});
+  // hls/stages/patches.hpp:330
+  logic [7:0] select_2543;
+  assign select_2543 = drew_q ? (equal_1618_s4_q ? (and_2527_s4_q ? residual_s4_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_2544;
+  assign select_2544 = equal_1477_s4_q ? 8'h0 : select_2543;
   // hls/stages/registration.hpp:134
-  logic [13:0] select_2539;
-  assign select_2539 = and_2519_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2537[7]}}, select_2537});
-  // hls/stages/patches.hpp:321
-  logic and_2542;
-  assign and_2542 = not_1471_s4_q & (drew_q & (and_2520_s4_q & equal_1611_s4_q));
+  logic [13:0] select_2546;
+  assign select_2546 = and_2526_s4_q ? 14'h0 : (registration_half_across_q + {{6{select_2544[7]}}, select_2544});
+  // hls/stages/patches.hpp:330
+  logic and_2549;
+  assign and_2549 = not_1478_s4_q & (drew_q & (and_2527_s4_q & equal_1618_s4_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_2544;
-  assign select_2544 = and_2519_s4_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2542});
+  logic [5:0] select_2551;
+  assign select_2551 = and_2526_s4_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2549});
   // hls/stages/registration.hpp:107
-  logic and_2546;
-  assign and_2546 = and_2520_s4_q & ($signed(residual_s4_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/patches.hpp:321
-  logic [1:0] select_2548;
-  assign select_2548 = drew_q ? (equal_1611_s4_q ? {and_2546, and_2520_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2549;
-  assign select_2549 = equal_1470_s4_q ? 2'h0 : select_2548;
-  // hls/stages/registration.hpp:184
-  logic [6:0] sum_2550;
-  assign sum_2550 = registration_half_votes_down_q + {{5{select_2549[1]}}, select_2549};
-  // hls/stages/patches.hpp:321
+  logic and_2553;
+  assign and_2553 = and_2527_s4_q & ($signed(residual_s4_q) < $signed({2'h0, cfg_moved_limit_i}));
+  // hls/stages/patches.hpp:330
+  logic [1:0] select_2555;
+  assign select_2555 = drew_q ? (equal_1618_s4_q ? {and_2553, and_2527_s4_q} : 2'h0) : 2'h0;
   logic [1:0] select_2556;
-  assign select_2556 = drew_q ? (equal_1611_s4_q ? {and_2554_s4_q, and_2520_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2557;
-  assign select_2557 = equal_1470_s4_q ? 2'h0 : select_2556;
-  // hls/stages/registration.hpp:185
-  logic [6:0] sum_2558;
-  assign sum_2558 = registration_half_votes_up_q + {{5{select_2557[1]}}, select_2557};
-  // hls/stages/registration.hpp:107
-  logic and_2561;
-  assign and_2561 = and_2520_s4_q & ($signed(residual_s4_q) < $signed({2'h0, cfg_moved_half_limit_i}));
-  // hls/stages/patches.hpp:321
-  logic [1:0] select_2563;
-  assign select_2563 = drew_q ? (equal_1611_s4_q ? {and_2561, and_2520_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2564;
-  assign select_2564 = equal_1470_s4_q ? 2'h0 : select_2563;
+  assign select_2556 = equal_1477_s4_q ? 2'h0 : select_2555;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2565;
-  assign sum_2565 = registration_half_half_votes_down_q + {{5{select_2564[1]}}, select_2564};
-  // hls/stages/patches.hpp:321
-  logic [1:0] select_2570;
-  assign select_2570 = drew_q ? (equal_1611_s4_q ? {and_2568_s4_q, and_2520_s4_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2571;
-  assign select_2571 = equal_1470_s4_q ? 2'h0 : select_2570;
+  logic [6:0] sum_2557;
+  assign sum_2557 = registration_half_votes_down_q + {{5{select_2556[1]}}, select_2556};
+  // hls/stages/patches.hpp:330
+  logic [1:0] select_2563;
+  assign select_2563 = drew_q ? (equal_1618_s4_q ? {and_2561_s4_q, and_2527_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2564;
+  assign select_2564 = equal_1477_s4_q ? 2'h0 : select_2563;
   // hls/stages/registration.hpp:185
+  logic [6:0] sum_2565;
+  assign sum_2565 = registration_half_votes_up_q + {{5{select_2564[1]}}, select_2564};
+  // hls/stages/registration.hpp:107
+  logic and_2568;
+  assign and_2568 = and_2527_s4_q & ($signed(residual_s4_q) < $signed({2'h0, cfg_moved_half_limit_i}));
+  // hls/stages/patches.hpp:330
+  logic [1:0] select_2570;
+  assign select_2570 = drew_q ? (equal_1618_s4_q ? {and_2568, and_2527_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2571;
+  assign select_2571 = equal_1477_s4_q ? 2'h0 : select_2570;
+  // hls/stages/registration.hpp:184
   logic [6:0] sum_2572;
-  assign sum_2572 = registration_half_half_votes_up_q + {{5{select_2571[1]}}, select_2571};
-  // hls/stages/patches.hpp:321
-  logic and_2606;
-  assign and_2606 = equal_1470_s4_q & (x_s4_q[6] & (not_1883_s4_q & less_1546_s4_q));
+  assign sum_2572 = registration_half_half_votes_down_q + {{5{select_2571[1]}}, select_2571};
+  // hls/stages/patches.hpp:330
+  logic [1:0] select_2577;
+  assign select_2577 = drew_q ? (equal_1618_s4_q ? {and_2575_s4_q, and_2527_s4_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2578;
+  assign select_2578 = equal_1477_s4_q ? 2'h0 : select_2577;
+  // hls/stages/registration.hpp:185
+  logic [6:0] sum_2579;
+  assign sum_2579 = registration_half_half_votes_up_q + {{5{select_2578[1]}}, select_2578};
+  // hls/stages/patches.hpp:330
+  logic and_2613;
+  assign and_2613 = equal_1477_s4_q & (x_s4_q[6] & (not_1890_s4_q & less_1553_s4_q));
   // hls/stages/agreement.hpp:1072
-  logic [11:0] select_2613;
-  assign select_2613 = or_1550_s4_q ? 12'h0 : (equal_2611_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  logic [11:0] select_2620;
+  assign select_2620 = or_1557_s4_q ? 12'h0 : (equal_2618_s4_q ? registration_sums_rdata_q[11:0] : 12'h0);
   // hls/stages/agreement.hpp:1084
-  logic [11:0] select_2616;
-  assign select_2616 = x_s4_q[6] ? (equal_1515_s4_q ? 12'h0 : (less_1546_s4_q ? select_2613 : 12'h0)) : 12'h0;
-  // hls/stages/patches.hpp:321
-  logic [11:0] select_2617;
-  assign select_2617 = equal_1470_s4_q ? select_2616 : 12'h0;
+  logic [11:0] select_2623;
+  assign select_2623 = x_s4_q[6] ? (equal_1522_s4_q ? 12'h0 : (less_1553_s4_q ? select_2620 : 12'h0)) : 12'h0;
+  // hls/stages/patches.hpp:330
+  logic [11:0] select_2624;
+  assign select_2624 = equal_1477_s4_q ? select_2623 : 12'h0;
   // hls/stages/registration.hpp:153
-  logic and_2618;
-  assign and_2618 = x_s4_q[1] & all_s4_q;
+  logic and_2625;
+  assign and_2625 = x_s4_q[1] & all_s4_q;
   // hls/stages/agreement.hpp:1084
-  logic and_2621;
-  assign and_2621 = not_1883_s4_q & (less_1546_s4_q & ({and_2618, x_s4_q[0]} == 2'h0));
-  // hls/stages/patches.hpp:321
-  logic and_2623;
-  assign and_2623 = equal_1470_s4_q & (x_s4_q[6] & and_2621);
+  logic and_2628;
+  assign and_2628 = not_1890_s4_q & (less_1553_s4_q & ({and_2625, x_s4_q[0]} == 2'h0));
+  // hls/stages/patches.hpp:330
+  logic and_2630;
+  assign and_2630 = equal_1477_s4_q & (x_s4_q[6] & and_2628);
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_2625;
-  assign sum_2625 = {{2{select_2617[11]}}, select_2617} + (and_2623 ? 14'h0 : registration_down_q);
+  logic [13:0] sum_2632;
+  assign sum_2632 = {{2{select_2624[11]}}, select_2624} + (and_2630 ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:1072
-  logic [11:0] select_2628;
-  assign select_2628 = or_1550_s4_q ? 12'h0 : (equal_2611_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  logic [11:0] select_2635;
+  assign select_2635 = or_1557_s4_q ? 12'h0 : (equal_2618_s4_q ? registration_sums_rdata_q[31:20] : 12'h0);
   // hls/stages/agreement.hpp:1084
-  logic [11:0] select_2631;
-  assign select_2631 = x_s4_q[6] ? (equal_1515_s4_q ? 12'h0 : (less_1546_s4_q ? select_2628 : 12'h0)) : 12'h0;
-  // hls/stages/patches.hpp:321
-  logic [11:0] select_2632;
-  assign select_2632 = equal_1470_s4_q ? select_2631 : 12'h0;
+  logic [11:0] select_2638;
+  assign select_2638 = x_s4_q[6] ? (equal_1522_s4_q ? 12'h0 : (less_1553_s4_q ? select_2635 : 12'h0)) : 12'h0;
+  // hls/stages/patches.hpp:330
+  logic [11:0] select_2639;
+  assign select_2639 = equal_1477_s4_q ? select_2638 : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_2634;
-  assign sum_2634 = {{2{select_2632[11]}}, select_2632} + (and_2623 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2641;
+  assign sum_2641 = {{2{select_2639[11]}}, select_2639} + (and_2630 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:150
-  logic not_2636;
-  assign not_2636 = ~all_s4_q;
+  logic not_2643;
+  assign not_2643 = ~all_s4_q;
   // hls/stages/agreement.hpp:1084
-  logic and_2639;
-  assign and_2639 = not_1883_s4_q & (less_1546_s4_q & (x_s4_q[2:0] == {all_s4_q, not_2636, 1'b0}));
-  // hls/stages/patches.hpp:321
-  logic and_2645;
-  assign and_2645 = equal_1470_s4_q & (x_s4_q[6] & (not_1883_s4_q & (less_1546_s4_q & all_s4_q)));
-  // hls/stages/registration.hpp:246
-  logic not_2646;
-  assign not_2646 = ~and_2645;
-  logic less_2647;
-  assign less_2647 = $signed({9'h1, {2{not_2646}}, and_2645}) < $signed(registration_up_q[13:2]);
-  logic select_2648;
-  assign select_2648 = (equal_1470_s4_q & (x_s4_q[6] & and_2639)) ? less_2647 : registration_enough_q;
-  // hls/stages/agreement.hpp:1084
+  logic and_2646;
+  assign and_2646 = not_1890_s4_q & (less_1553_s4_q & (x_s4_q[2:0] == {all_s4_q, not_2643, 1'b0}));
+  // hls/stages/patches.hpp:330
   logic and_2652;
-  assign and_2652 = x_s4_q[6] & (not_1883_s4_q & (less_1546_s4_q & (x_s4_q[2:0] == 3'h4)));
-  // hls/stages/patches.hpp:321
-  logic and_2653;
-  assign and_2653 = equal_1470_s4_q & and_2652;
-  // hls/stages/registration.hpp:242
+  assign and_2652 = equal_1477_s4_q & (x_s4_q[6] & (not_1890_s4_q & (less_1553_s4_q & all_s4_q)));
+  // hls/stages/registration.hpp:246
+  logic not_2653;
+  assign not_2653 = ~and_2652;
   logic less_2654;
-  assign less_2654 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_2656;
-  assign less_2656 = $signed(14'h0) < $signed(registration_up_q);
+  assign less_2654 = $signed({9'h1, {2{not_2653}}, and_2652}) < $signed(registration_up_q[13:2]);
+  logic select_2655;
+  assign select_2655 = (equal_1477_s4_q & (x_s4_q[6] & and_2646)) ? less_2654 : registration_enough_q;
   // hls/stages/agreement.hpp:1084
-  logic and_2661;
-  assign and_2661 = x_s4_q[6] & (not_1883_s4_q & (less_1546_s4_q & (x_s4_q[2:0] == 3'h7)));
-  // hls/stages/patches.hpp:321
-  logic and_2662;
-  assign and_2662 = equal_1470_s4_q & and_2661;
-  // hls/stages/agreement.hpp:1084
+  logic and_2659;
+  assign and_2659 = x_s4_q[6] & (not_1890_s4_q & (less_1553_s4_q & (x_s4_q[2:0] == 3'h4)));
+  // hls/stages/patches.hpp:330
+  logic and_2660;
+  assign and_2660 = equal_1477_s4_q & and_2659;
+  // hls/stages/registration.hpp:242
+  logic less_2661;
+  assign less_2661 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2663;
+  assign less_2663 = $signed(14'h0) < $signed(registration_up_q);
+  // hls/stages/registration.hpp:159
+  logic equal_2665;
+  assign equal_2665 = x_s4_q[2:0] == 3'h7;
+  // hls/stages/patches.hpp:330
   logic and_2669;
-  assign and_2669 = x_s4_q[6] & (not_1883_s4_q & (less_1546_s4_q & (x_s4_q[5:0] == 6'h0)));
+  assign and_2669 = equal_1477_s4_q & (x_s4_q[6] & (not_1890_s4_q & (less_1553_s4_q & equal_2665)));
+  // hls/stages/agreement.hpp:1084
+  logic and_2676;
+  assign and_2676 = x_s4_q[6] & (not_1890_s4_q & (less_1553_s4_q & (x_s4_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
-  logic equal_2672;
-  assign equal_2672 = x_s4_q[2:0] == 3'h6;
+  logic equal_2679;
+  assign equal_2679 = x_s4_q[2:0] == 3'h6;
   // hls/stages/agreement.hpp:1084
-  logic and_2675;
-  assign and_2675 = not_1883_s4_q & (less_1546_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_2672));
+  logic and_2682;
+  assign and_2682 = not_1890_s4_q & (less_1553_s4_q & (x_s4_q[5] ? x_s4_q[3] : equal_2679));
   // hls/stages/registration.hpp:244
-  logic and_2679;
-  assign and_2679 = (equal_1470_s4_q & (x_s4_q[6] & and_2675)) & (less_2656 | less_2654);
+  logic and_2686;
+  assign and_2686 = (equal_1477_s4_q & (x_s4_q[6] & and_2682)) & (less_2663 | less_2661);
   // hls/stages/agreement.hpp:1084
-  logic and_2684;
-  assign and_2684 = not_1883_s4_q & (less_1546_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_2672)));
-  // hls/stages/registration.hpp:244
-  logic and_2687;
-  assign and_2687 = registration_votes_up_q & registration_other_down_q;
-  logic select_2689;
-  assign select_2689 = registration_votes_down_q ? (registration_other_up_q | and_2687) : and_2687;
-  // hls/stages/registration.hpp:138
   logic and_2691;
-  assign and_2691 = (equal_1470_s4_q & (x_s4_q[6] & and_2684)) & (registration_other_enough_q & select_2689);
+  assign and_2691 = not_1890_s4_q & (less_1553_s4_q & ((~x_s4_q[5]) & (x_s4_q[3] & equal_2679)));
+  // hls/stages/registration.hpp:244
+  logic and_2694;
+  assign and_2694 = registration_votes_up_q & registration_other_down_q;
+  logic select_2696;
+  assign select_2696 = registration_votes_down_q ? (registration_other_up_q | and_2694) : and_2694;
+  // hls/stages/registration.hpp:138
+  logic and_2698;
+  assign and_2698 = (equal_1477_s4_q & (x_s4_q[6] & and_2691)) & (registration_other_enough_q & select_2696);
   // hls/stages/registration.hpp:245
-  logic or_2694;
-  assign or_2694 = registration_moved_q | (registration_enough_q & (and_2679 | and_2691));
+  logic or_2701;
+  assign or_2701 = registration_moved_q | (registration_enough_q & (and_2686 | and_2698));
   // hls/stages/agreement.hpp:263
-  logic [7:0] select_2778;
-  assign select_2778 = sample_pair_whole_s4_q ? (equal_1601_s4_q ? patches_place_0_slope_q : select_1702[20:13]) : patches_place_0_slope_q;
-  logic [7:0] select_2783;
-  assign select_2783 = sample_pair_whole_s4_q ? (equal_1601_s4_q ? patches_place_1_slope_q : select_1731[20:13]) : patches_place_1_slope_q;
-  // hls/stages/patches.hpp:110
-  logic select_2785;
-  assign select_2785 = equal_1601_s4_q ? patches_valid_0_q : (select_1600_s4_q ? patches_valid_0_q : select_1699[0]);
+  logic [7:0] select_2785;
+  assign select_2785 = sample_pair_whole_s4_q ? (equal_1608_s4_q ? patches_place_0_slope_q : select_1709[20:13]) : patches_place_0_slope_q;
+  logic [7:0] select_2790;
+  assign select_2790 = sample_pair_whole_s4_q ? (equal_1608_s4_q ? patches_place_1_slope_q : select_1738[20:13]) : patches_place_1_slope_q;
+  // hls/stages/patches.hpp:119
+  logic select_2792;
+  assign select_2792 = equal_1608_s4_q ? patches_valid_0_q : (select_1607_s4_q ? patches_valid_0_q : select_1706[0]);
   // hls/stages/agreement.hpp:263
-  logic select_2788;
-  assign select_2788 = sample_pair_whole_s4_q ? (and_1722 ? (sample_present_s4_q & select_2785) : select_2785) : patches_valid_0_q;
-  // hls/stages/patches.hpp:110
-  logic select_2790;
-  assign select_2790 = equal_1601_s4_q ? patches_valid_1_q : (select_1600_s4_q ? select_1699[0] : patches_valid_1_q);
+  logic select_2795;
+  assign select_2795 = sample_pair_whole_s4_q ? (and_1729 ? (sample_present_s4_q & select_2792) : select_2792) : patches_valid_0_q;
+  // hls/stages/patches.hpp:119
+  logic select_2797;
+  assign select_2797 = equal_1608_s4_q ? patches_valid_1_q : (select_1607_s4_q ? select_1706[0] : patches_valid_1_q);
   // hls/stages/agreement.hpp:263
-  logic select_2793;
-  assign select_2793 = sample_pair_whole_s4_q ? (and_1742 ? (sample_present_s4_q & select_2790) : select_2790) : patches_valid_1_q;
-  logic [5:0] select_2796;
-  assign select_2796 = sample_pair_whole_s4_q ? (select_1720[5] ? {1'b1, select_1720[4:0]} : (select_1720 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_2799;
-  assign select_2799 = sample_pair_whole_s4_q ? (select_1740[5] ? {1'b1, select_1740[4:0]} : (select_1740 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_2802;
-  assign select_2802 = sample_pair_whole_s4_q ? (select_1753[4] ? {1'b1, select_1753[3:0]} : (select_1753 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_2805;
-  assign select_2805 = sample_pair_whole_s4_q ? (select_1758[4] ? {1'b1, select_1758[3:0]} : (select_1758 + 5'h1)) : patches_left_next_1_q;
-  // hls/stages/patches.hpp:502
+  logic select_2800;
+  assign select_2800 = sample_pair_whole_s4_q ? (and_1749 ? (sample_present_s4_q & select_2797) : select_2797) : patches_valid_1_q;
+  logic [5:0] select_2803;
+  assign select_2803 = sample_pair_whole_s4_q ? (select_1727[5] ? {1'b1, select_1727[4:0]} : (select_1727 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_2806;
+  assign select_2806 = sample_pair_whole_s4_q ? (select_1747[5] ? {1'b1, select_1747[4:0]} : (select_1747 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_2809;
+  assign select_2809 = sample_pair_whole_s4_q ? (select_1760[4] ? {1'b1, select_1760[3:0]} : (select_1760 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_2812;
+  assign select_2812 = sample_pair_whole_s4_q ? (select_1765[4] ? {1'b1, select_1765[3:0]} : (select_1765 + 5'h1)) : patches_left_next_1_q;
+  // hls/stages/patches.hpp:511
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3224_s4_q, parity_3220_s4_q, xor_3208_s4_q, parity_3180_s4_q, parity_3118_s4_q, parity_2989_s4_q} + (equal_3225_s4_q ? 10'h0 : patches_sums_values_16_q);
-  // hls/stages/patches.hpp:167
-  logic [9:0] select_3229;
-  assign select_3229 = equal_1683_s4_q ? patches_sums_values_0_q : (equal_1685_s4_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3230;
-  assign select_3230 = equal_1685_s4_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3232;
-  assign select_3232 = equal_1685_s4_q ? patches_sums_values_1_q : patches_sums_values_2_q;
-  logic [9:0] select_3234;
-  assign select_3234 = equal_1685_s4_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  assign sum_3 = {4'h0, or_3231_s4_q, parity_3227_s4_q, xor_3215_s4_q, parity_3187_s4_q, parity_3125_s4_q, parity_2996_s4_q} + (equal_3232_s4_q ? 10'h0 : patches_sums_values_16_q);
+  // hls/stages/patches.hpp:176
   logic [9:0] select_3236;
-  assign select_3236 = equal_1685_s4_q ? patches_sums_values_3_q : patches_sums_values_4_q;
-  logic [9:0] select_3238;
-  assign select_3238 = equal_1685_s4_q ? patches_sums_values_4_q : patches_sums_values_5_q;
-  logic [9:0] select_3240;
-  assign select_3240 = equal_1685_s4_q ? patches_sums_values_5_q : patches_sums_values_6_q;
-  logic [9:0] select_3242;
-  assign select_3242 = equal_1685_s4_q ? patches_sums_values_6_q : patches_sums_values_7_q;
-  logic [9:0] select_3244;
-  assign select_3244 = equal_1685_s4_q ? patches_sums_values_7_q : patches_sums_values_8_q;
-  logic [9:0] select_3246;
-  assign select_3246 = equal_1685_s4_q ? patches_sums_values_8_q : patches_sums_values_9_q;
-  logic [9:0] select_3248;
-  assign select_3248 = equal_1685_s4_q ? patches_sums_values_9_q : patches_sums_values_10_q;
-  logic [9:0] select_3250;
-  assign select_3250 = equal_1685_s4_q ? patches_sums_values_10_q : patches_sums_values_11_q;
-  logic [9:0] select_3252;
-  assign select_3252 = equal_1685_s4_q ? patches_sums_values_11_q : patches_sums_values_12_q;
-  logic [9:0] select_3254;
-  assign select_3254 = equal_1685_s4_q ? patches_sums_values_12_q : patches_sums_values_13_q;
-  logic [9:0] select_3256;
-  assign select_3256 = equal_1685_s4_q ? patches_sums_values_13_q : patches_sums_values_14_q;
-  logic [9:0] select_3258;
-  assign select_3258 = equal_1685_s4_q ? patches_sums_values_14_q : patches_sums_values_15_q;
-  logic [9:0] select_3260;
-  assign select_3260 = equal_1685_s4_q ? patches_sums_values_15_q : patches_sums_values_16_q;
-  // hls/stages/patches.hpp:576
-  logic or_3365;
-  assign or_3365 = (~(patches_second_s4_q ? patches_valid_1_q : patches_valid_0_q)) | or_3364_s4_q;
-  logic or_3368;
-  assign or_3368 = equal_3356_s4_q | (less_3358_s4_q | (less_3359_s4_q | or_3365));
-  // hls/stages/patches.hpp:556
-  logic not_3369;
-  assign not_3369 = ~or_3368;
-  // hls/stages/patches.hpp:537
-  logic and_3370;
-  assign and_3370 = equal_1849_s4_q & not_3369;
-  // hls/stages/patches.hpp:167
-  logic and_3373;
-  assign and_3373 = equal_1683_s4_q & (less_1846_s4_q ? (not_1848_s4_q & and_3370) : and_3370);
-  // hls/stages/patches.hpp:619
-  logic not_3374;
-  assign not_3374 = ~patches_lower_s4_q;
-  // hls/stages/patches.hpp:537
-  logic and_3376;
-  assign and_3376 = equal_1849_s4_q & (patches_second_s4_q & not_3369);
-  // hls/stages/patches.hpp:167
-  logic and_3379;
-  assign and_3379 = equal_1683_s4_q & (less_1846_s4_q ? (not_1848_s4_q & and_3376) : and_3376);
-  // hls/stages/patches.hpp:619
-  logic not_3380;
-  assign not_3380 = ~and_3379;
-  // hls/stages/patches.hpp:171
-  logic and_3382;
-  assign and_3382 = and_3373 & (not_3374 & not_3380);
-  // hls/stages/patches.hpp:621
-  logic [7:0] sum_3384;
-  assign sum_3384 = {7'h0, and_3382} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
-  // hls/stages/patches.hpp:574
-  logic [7:0] select_3410;
-  assign select_3410 = patches_second_s4_q ? patches_place_1_slope_q : patches_place_0_slope_q;
-  // hls/stages/patches.hpp:573
-  logic [5:0] select_3411;
-  assign select_3411 = patches_second_s4_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_3412;
-  assign sum_3412 = {2'h0, select_3344_s4_q[4:3]} + 4'hf;
-  logic [6:0] sum_3413;
-  assign sum_3413 = {select_3411[5], select_3411} + {{3{sum_3412[3]}}, sum_3412};
-  // hls/stages/patches.hpp:574
-  logic [17:0] product_3414;
-  assign product_3414 = $signed({{10{select_3410[7]}}, select_3410}) * $signed({{8{sum_3413[6]}}, sum_3413, select_3344_s4_q[2:0]});
-  // hls/stages/patches.hpp:575
-  logic [13:0] difference_3415;
-  assign difference_3415 = {{6{select_3409_s4_q[7]}}, select_3409_s4_q} - {product_3414[17], product_3414[17:5]};
-  // hls/stages/patches.hpp:581
-  logic less_3416;
-  assign less_3416 = $signed({{7{difference_3386[6]}}, difference_3386}) < $signed(difference_3415);
-  // hls/stages/patches.hpp:537
-  logic and_3419;
-  assign and_3419 = equal_1849_s4_q & (not_3369 & (~less_3416));
-  // hls/stages/patches.hpp:167
-  logic and_3422;
-  assign and_3422 = equal_1683_s4_q & (less_1846_s4_q ? (not_1848_s4_q & and_3419) : and_3419);
-  // hls/stages/patches.hpp:622
-  logic and_3423;
-  assign and_3423 = and_3422 & and_3382;
-  logic [7:0] sum_3424;
-  assign sum_3424 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3423};
-  // hls/stages/patches.hpp:537
-  logic and_3428;
-  assign and_3428 = not_3369 & (~($signed(difference_3415) < $signed({8'h0, cfg_patch_limit_i})));
+  assign select_3236 = equal_1690_s4_q ? patches_sums_values_0_q : (equal_1692_s4_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3237;
+  assign select_3237 = equal_1692_s4_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3239;
+  assign select_3239 = equal_1692_s4_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3241;
+  assign select_3241 = equal_1692_s4_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  logic [9:0] select_3243;
+  assign select_3243 = equal_1692_s4_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  logic [9:0] select_3245;
+  assign select_3245 = equal_1692_s4_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  logic [9:0] select_3247;
+  assign select_3247 = equal_1692_s4_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  logic [9:0] select_3249;
+  assign select_3249 = equal_1692_s4_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  logic [9:0] select_3251;
+  assign select_3251 = equal_1692_s4_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  logic [9:0] select_3253;
+  assign select_3253 = equal_1692_s4_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  logic [9:0] select_3255;
+  assign select_3255 = equal_1692_s4_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3257;
+  assign select_3257 = equal_1692_s4_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3259;
+  assign select_3259 = equal_1692_s4_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3261;
+  assign select_3261 = equal_1692_s4_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3263;
+  assign select_3263 = equal_1692_s4_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3265;
+  assign select_3265 = equal_1692_s4_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3267;
+  assign select_3267 = equal_1692_s4_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  // hls/stages/patches.hpp:585
+  logic or_3372;
+  assign or_3372 = (~(patches_second_s4_q ? patches_valid_1_q : patches_valid_0_q)) | or_3371_s4_q;
+  logic or_3375;
+  assign or_3375 = equal_3363_s4_q | (less_3365_s4_q | (less_3366_s4_q | or_3372));
+  // hls/stages/patches.hpp:565
+  logic not_3376;
+  assign not_3376 = ~or_3375;
+  // hls/stages/patches.hpp:546
+  logic and_3377;
+  assign and_3377 = equal_1856_s4_q & not_3376;
+  // hls/stages/patches.hpp:176
+  logic and_3380;
+  assign and_3380 = equal_1690_s4_q & (less_1853_s4_q ? (not_1855_s4_q & and_3377) : and_3377);
+  // hls/stages/patches.hpp:636
+  logic not_3381;
+  assign not_3381 = ~patches_lower_s4_q;
+  // hls/stages/patches.hpp:546
+  logic and_3383;
+  assign and_3383 = equal_1856_s4_q & (patches_second_s4_q & not_3376);
+  // hls/stages/patches.hpp:176
+  logic and_3386;
+  assign and_3386 = equal_1690_s4_q & (less_1853_s4_q ? (not_1855_s4_q & and_3383) : and_3383);
+  // hls/stages/patches.hpp:636
+  logic not_3387;
+  assign not_3387 = ~and_3386;
+  // hls/stages/patches.hpp:180
+  logic and_3389;
+  assign and_3389 = and_3380 & (not_3381 & not_3387);
+  // hls/stages/patches.hpp:638
+  logic [7:0] sum_3391;
+  assign sum_3391 = {7'h0, and_3389} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  // hls/stages/patches.hpp:583
+  logic [7:0] select_3417;
+  assign select_3417 = patches_second_s4_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  // hls/stages/patches.hpp:582
+  logic [5:0] select_3418;
+  assign select_3418 = patches_second_s4_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_3419;
+  assign sum_3419 = {2'h0, select_3351_s4_q[4:3]} + 4'hf;
+  logic [6:0] sum_3420;
+  assign sum_3420 = {select_3418[5], select_3418} + {{3{sum_3419[3]}}, sum_3419};
+  // hls/stages/patches.hpp:583
+  logic [17:0] product_3421;
+  assign product_3421 = $signed({{10{select_3417[7]}}, select_3417}) * $signed({{8{sum_3420[6]}}, sum_3420, select_3351_s4_q[2:0]});
+  // hls/stages/patches.hpp:584
+  logic [13:0] difference_3422;
+  assign difference_3422 = {{6{select_3416_s4_q[7]}}, select_3416_s4_q} - {product_3421[17], product_3421[17:5]};
+  // hls/stages/patches.hpp:590
+  logic less_3423;
+  assign less_3423 = $signed({{7{difference_3393[6]}}, difference_3393}) < $signed(difference_3422);
+  // hls/stages/patches.hpp:546
+  logic and_3426;
+  assign and_3426 = equal_1856_s4_q & (not_3376 & (~less_3423));
+  // hls/stages/patches.hpp:176
   logic and_3429;
-  assign and_3429 = equal_1849_s4_q & and_3428;
-  // hls/stages/patches.hpp:167
-  logic and_3432;
-  assign and_3432 = equal_1683_s4_q & (less_1846_s4_q ? (not_1848_s4_q & and_3429) : and_3429);
-  // hls/stages/patches.hpp:623
-  logic and_3433;
-  assign and_3433 = and_3432 & and_3382;
-  logic [7:0] sum_3434;
-  assign sum_3434 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3433};
-  // hls/stages/patches.hpp:171
+  assign and_3429 = equal_1690_s4_q & (less_1853_s4_q ? (not_1855_s4_q & and_3426) : and_3426);
+  // hls/stages/patches.hpp:639
+  logic and_3430;
+  assign and_3430 = and_3429 & and_3389;
+  logic [7:0] sum_3431;
+  assign sum_3431 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3430};
+  // hls/stages/patches.hpp:546
+  logic and_3435;
+  assign and_3435 = not_3376 & (~($signed(difference_3422) < $signed({8'h0, cfg_patch_limit_i})));
   logic and_3436;
-  assign and_3436 = and_3373 & (and_3379 & not_3374);
-  // hls/stages/patches.hpp:621
-  logic [7:0] sum_3438;
-  assign sum_3438 = {7'h0, and_3436} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:622
+  assign and_3436 = equal_1856_s4_q & and_3435;
+  // hls/stages/patches.hpp:176
+  logic and_3439;
+  assign and_3439 = equal_1690_s4_q & (less_1853_s4_q ? (not_1855_s4_q & and_3436) : and_3436);
+  // hls/stages/patches.hpp:640
   logic and_3440;
-  assign and_3440 = and_3422 & and_3436;
+  assign and_3440 = and_3439 & and_3389;
   logic [7:0] sum_3441;
-  assign sum_3441 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3440};
-  // hls/stages/patches.hpp:623
+  assign sum_3441 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3440};
+  // hls/stages/patches.hpp:180
   logic and_3443;
-  assign and_3443 = and_3432 & and_3436;
-  logic [7:0] sum_3444;
-  assign sum_3444 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3443};
-  // hls/stages/patches.hpp:171
-  logic and_3446;
-  assign and_3446 = and_3373 & (patches_lower_s4_q & not_3380);
-  // hls/stages/patches.hpp:621
+  assign and_3443 = and_3380 & (and_3386 & not_3381);
+  // hls/stages/patches.hpp:638
+  logic [7:0] sum_3445;
+  assign sum_3445 = {7'h0, and_3443} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:639
+  logic and_3447;
+  assign and_3447 = and_3429 & and_3443;
   logic [7:0] sum_3448;
-  assign sum_3448 = {7'h0, and_3446} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:622
+  assign sum_3448 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3447};
+  // hls/stages/patches.hpp:640
   logic and_3450;
-  assign and_3450 = and_3422 & and_3446;
+  assign and_3450 = and_3439 & and_3443;
   logic [7:0] sum_3451;
-  assign sum_3451 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3450};
-  // hls/stages/patches.hpp:623
+  assign sum_3451 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3450};
+  // hls/stages/patches.hpp:180
   logic and_3453;
-  assign and_3453 = and_3432 & and_3446;
-  logic [7:0] sum_3454;
-  assign sum_3454 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3453};
-  // hls/stages/patches.hpp:171
-  logic and_3456;
-  assign and_3456 = and_3373 & (patches_lower_s4_q & and_3379);
-  // hls/stages/patches.hpp:621
+  assign and_3453 = and_3380 & (patches_lower_s4_q & not_3387);
+  // hls/stages/patches.hpp:638
+  logic [7:0] sum_3455;
+  assign sum_3455 = {7'h0, and_3453} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:639
+  logic and_3457;
+  assign and_3457 = and_3429 & and_3453;
   logic [7:0] sum_3458;
-  assign sum_3458 = {7'h0, and_3456} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
-  // hls/stages/patches.hpp:622
+  assign sum_3458 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3457};
+  // hls/stages/patches.hpp:640
   logic and_3460;
-  assign and_3460 = and_3422 & and_3456;
+  assign and_3460 = and_3439 & and_3453;
   logic [7:0] sum_3461;
-  assign sum_3461 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3460};
-  // hls/stages/patches.hpp:623
+  assign sum_3461 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3460};
+  // hls/stages/patches.hpp:180
   logic and_3463;
-  assign and_3463 = and_3432 & and_3456;
-  logic [7:0] sum_3464;
-  assign sum_3464 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3463};
-  // hls/stages/agreement.hpp:1154
-  logic equal_3465;
-  assign equal_3465 = x_s4_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1072
-  logic less_3466;
-  assign less_3466 = x_s4_q[5:3] < 3'h3;
-  // hls/stages/patches.hpp:321
+  assign and_3463 = and_3380 & (patches_lower_s4_q & and_3386);
+  // hls/stages/patches.hpp:638
+  logic [7:0] sum_3465;
+  assign sum_3465 = {7'h0, and_3463} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:639
+  logic and_3467;
+  assign and_3467 = and_3429 & and_3463;
+  logic [7:0] sum_3468;
+  assign sum_3468 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3467};
+  // hls/stages/patches.hpp:640
   logic and_3470;
-  assign and_3470 = equal_1470_s4_q & (x_s4_q[6] & (not_1883_s4_q & (equal_3465 & less_3466)));
-  // hls/stages/agreement.hpp:1084
-  logic and_3475;
-  assign and_3475 = x_s4_q[6] & (not_1883_s4_q & (less_3466 & (x_s4_q[2:0] == 3'h1)));
-  // hls/stages/patches.hpp:321
-  logic and_3476;
-  assign and_3476 = equal_1470_s4_q & and_3475;
-  // hls/stages/patches.hpp:598
-  logic [7:0] or_3478;
-  assign or_3478 = (and_3470 ? patches_quarters_0_places_q : 8'h0) | (and_3476 ? patches_quarters_1_places_q : 8'h0);
+  assign and_3470 = and_3439 & and_3463;
+  logic [7:0] sum_3471;
+  assign sum_3471 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3470};
+  // hls/stages/agreement.hpp:1154
+  logic equal_3472;
+  assign equal_3472 = x_s4_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:1072
+  logic less_3473;
+  assign less_3473 = x_s4_q[5:3] < 3'h3;
+  // hls/stages/patches.hpp:330
+  logic and_3477;
+  assign and_3477 = equal_1477_s4_q & (x_s4_q[6] & (not_1890_s4_q & (equal_3472 & less_3473)));
   // hls/stages/agreement.hpp:1084
   logic and_3482;
-  assign and_3482 = x_s4_q[6] & (not_1883_s4_q & (less_3466 & (x_s4_q[2:0] == 3'h2)));
-  // hls/stages/patches.hpp:321
+  assign and_3482 = x_s4_q[6] & (not_1890_s4_q & (less_3473 & (x_s4_q[2:0] == 3'h1)));
+  // hls/stages/patches.hpp:330
   logic and_3483;
-  assign and_3483 = equal_1470_s4_q & and_3482;
+  assign and_3483 = equal_1477_s4_q & and_3482;
+  // hls/stages/patches.hpp:607
+  logic [7:0] or_3485;
+  assign or_3485 = (and_3477 ? patches_quarters_0_places_q : 8'h0) | (and_3483 ? patches_quarters_1_places_q : 8'h0);
   // hls/stages/agreement.hpp:1084
   logic and_3489;
-  assign and_3489 = x_s4_q[6] & (not_1883_s4_q & (less_3466 & (x_s4_q[2:0] == 3'h3)));
-  // hls/stages/patches.hpp:321
+  assign and_3489 = x_s4_q[6] & (not_1890_s4_q & (less_3473 & (x_s4_q[2:0] == 3'h2)));
+  // hls/stages/patches.hpp:330
   logic and_3490;
-  assign and_3490 = equal_1470_s4_q & and_3489;
-  // hls/stages/patches.hpp:598
-  logic [7:0] or_3492;
-  assign or_3492 = (or_3478 | (and_3483 ? patches_quarters_2_places_q : 8'h0)) | (and_3490 ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/patches.hpp:182
-  logic select_3496;
-  assign select_3496 = (x_s4_q[5:3] == 3'h2) ? x_s4_q[1] : (x_s4_q[0] & (x_s4_q[5:3] == 3'h1));
-  // hls/stages/patches.hpp:321
-  logic and_3500;
-  assign and_3500 = equal_1470_s4_q & (x_s4_q[6] & (not_1883_s4_q & (less_3466 & select_3496)));
-  // hls/stages/patches.hpp:599
-  logic [7:0] select_3502;
-  assign select_3502 = and_3470 ? (and_3500 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
-  logic [7:0] select_3504;
-  assign select_3504 = and_3476 ? (and_3500 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_3507;
-  assign select_3507 = and_3483 ? (and_3500 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_3510;
-  assign select_3510 = and_3490 ? (and_3500 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
-  // hls/stages/patches.hpp:600
-  logic [7:0] select_3513;
-  assign select_3513 = and_3470 ? (and_3500 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
-  logic [7:0] select_3515;
-  assign select_3515 = and_3476 ? (and_3500 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_3518;
-  assign select_3518 = and_3483 ? (and_3500 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_3521;
-  assign select_3521 = and_3490 ? (and_3500 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
-  // hls/stages/patches.hpp:185
-  logic [4:0] sum_3523;
-  assign sum_3523 = {2'h0, x_s4_q[2:0]} + 5'h1f;
+  assign and_3490 = equal_1477_s4_q & and_3489;
   // hls/stages/agreement.hpp:1084
-  logic and_3527;
-  assign and_3527 = x_s4_q[6] & (not_1883_s4_q & (less_3466 & (sum_3523[4:2] == 3'h0)));
-  // hls/stages/patches.hpp:321
-  logic and_3528;
-  assign and_3528 = equal_1470_s4_q & and_3527;
-  // hls/stages/patches.hpp:595
-  logic [7:0] select_3531;
-  assign select_3531 = and_3528 ? (patches_word_places_q + (and_3476 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_3534;
-  assign select_3534 = and_3528 ? (patches_word_up_q + (and_3476 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] select_3537;
-  assign select_3537 = and_3528 ? (patches_word_down_q + (and_3476 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
-  // hls/stages/patches.hpp:582
-  logic [5:0] select_3541;
-  assign select_3541 = ($signed(difference_3415[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3415[5:0];
-  logic [5:0] select_3542;
-  assign select_3542 = ($signed(14'h10) < $signed(difference_3415)) ? 6'h10 : select_3541;
-  // hls/stages/patches.hpp:537
-  logic [5:0] select_3544;
-  assign select_3544 = equal_1849_s4_q ? (or_3368 ? 6'h0 : select_3542) : 6'h0;
-  logic [5:0] select_3546;
-  assign select_3546 = less_1846_s4_q ? (equal_1847_s4_q ? 6'h0 : select_3544) : select_3544;
-  // hls/stages/patches.hpp:625
-  logic [5:0] select_3548;
-  assign select_3548 = and_3373 ? (equal_1683_s4_q ? select_3546 : 6'h0) : 6'h0;
-  logic [11:0] sum_3549;
-  assign sum_3549 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3548[5]}}, select_3548};
-  // hls/stages/patches.hpp:321
-  logic and_3553;
-  assign and_3553 = equal_1470_s4_q & (x_s4_q[6] & (not_1883_s4_q & (equal_2672 & less_3466)));
-  // hls/stages/agreement.hpp:1084
-  logic and_3557;
-  assign and_3557 = x_s4_q[6] & (not_1883_s4_q & (less_3466 & (x_s4_q[5:3] == 3'h0)));
-  // hls/stages/patches.hpp:321
-  logic and_3558;
-  assign and_3558 = equal_1470_s4_q & and_3557;
-  // hls/stages/patches.hpp:614
-  logic [7:0] select_3560;
-  assign select_3560 = and_3553 ? (and_3558 ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:616
-  logic or_3564;
-  assign or_3564 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:613
-  logic select_3566;
-  assign select_3566 = and_3553 ? (and_3558 ? patches_enough_q : patches_complete_q) : patches_complete_q;
-  // hls/stages/patches.hpp:171
-  logic and_3572;
-  assign and_3572 = patches_complete_q & (equal_1470_s4_q & ((x_s4_q[6:0] == 7'h70) & (~equal_3568_s4_q)));
-  logic and_3573;
-  assign and_3573 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:613
-  logic [2:0] select_3575;
-  assign select_3575 = and_3558 ? {and_3573, patches_found_q[2:1]} : (and_3553 ? {and_3573, patches_found_q[2:1]} : patches_found_q);
+  logic and_3496;
+  assign and_3496 = x_s4_q[6] & (not_1890_s4_q & (less_3473 & (x_s4_q[2:0] == 3'h3)));
+  // hls/stages/patches.hpp:330
+  logic and_3497;
+  assign and_3497 = equal_1477_s4_q & and_3496;
   // hls/stages/patches.hpp:607
-  logic equal_3580;
-  assign equal_3580 = patches_found_q == 3'h0;
-  logic now_2;
-  assign now_2 = ~equal_3580;
-  // hls/stages/patches.hpp:612
-  logic select_3584;
-  assign select_3584 = patches_round_ends_q ? (patches_suspected_q & now_2) : patches_moved_q;
-  logic select_3587;
-  assign select_3587 = patches_round_ends_q ? (patches_suspected_q | (patches_settled_q | equal_3580)) : patches_settled_q;
+  logic [7:0] or_3499;
+  assign or_3499 = (or_3485 | (and_3490 ? patches_quarters_2_places_q : 8'h0)) | (and_3497 ? patches_quarters_3_places_q : 8'h0);
+  // hls/stages/patches.hpp:191
+  logic select_3503;
+  assign select_3503 = (x_s4_q[5:3] == 3'h2) ? x_s4_q[1] : (x_s4_q[0] & (x_s4_q[5:3] == 3'h1));
+  // hls/stages/patches.hpp:330
+  logic and_3507;
+  assign and_3507 = equal_1477_s4_q & (x_s4_q[6] & (not_1890_s4_q & (less_3473 & select_3503)));
+  // hls/stages/patches.hpp:608
+  logic [7:0] select_3509;
+  assign select_3509 = and_3477 ? (and_3507 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_3511;
+  assign select_3511 = and_3483 ? (and_3507 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_3514;
+  assign select_3514 = and_3490 ? (and_3507 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_3517;
+  assign select_3517 = and_3497 ? (and_3507 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  // hls/stages/patches.hpp:609
+  logic [7:0] select_3520;
+  assign select_3520 = and_3477 ? (and_3507 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_3522;
+  assign select_3522 = and_3483 ? (and_3507 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_3525;
+  assign select_3525 = and_3490 ? (and_3507 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_3528;
+  assign select_3528 = and_3497 ? (and_3507 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  // hls/stages/patches.hpp:194
+  logic [4:0] sum_3530;
+  assign sum_3530 = {2'h0, x_s4_q[2:0]} + 5'h1f;
+  // hls/stages/agreement.hpp:1084
+  logic and_3534;
+  assign and_3534 = x_s4_q[6] & (not_1890_s4_q & (less_3473 & (sum_3530[4:2] == 3'h0)));
+  // hls/stages/patches.hpp:330
+  logic and_3535;
+  assign and_3535 = equal_1477_s4_q & and_3534;
+  // hls/stages/patches.hpp:604
+  logic [7:0] select_3538;
+  assign select_3538 = and_3535 ? (patches_word_places_q + (and_3483 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_3541;
+  assign select_3541 = and_3535 ? (patches_word_up_q + (and_3483 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] select_3544;
+  assign select_3544 = and_3535 ? (patches_word_down_q + (and_3483 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  // hls/stages/patches.hpp:591
+  logic [5:0] select_3548;
+  assign select_3548 = ($signed(difference_3422[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3422[5:0];
+  logic [5:0] select_3549;
+  assign select_3549 = ($signed(14'h10) < $signed(difference_3422)) ? 6'h10 : select_3548;
+  // hls/stages/patches.hpp:546
+  logic [5:0] select_3551;
+  assign select_3551 = equal_1856_s4_q ? (or_3375 ? 6'h0 : select_3549) : 6'h0;
+  logic [5:0] select_3553;
+  assign select_3553 = less_1853_s4_q ? (equal_1854_s4_q ? 6'h0 : select_3551) : select_3551;
+  // hls/stages/patches.hpp:642
+  logic [5:0] select_3555;
+  assign select_3555 = and_3380 ? (equal_1690_s4_q ? select_3553 : 6'h0) : 6'h0;
+  logic [11:0] sum_3556;
+  assign sum_3556 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3555[5]}}, select_3555};
+  // hls/stages/patches.hpp:330
+  logic and_3560;
+  assign and_3560 = equal_1477_s4_q & (x_s4_q[6] & (not_1890_s4_q & (equal_2665 & less_3473)));
+  // hls/stages/agreement.hpp:1084
+  logic and_3564;
+  assign and_3564 = x_s4_q[6] & (not_1890_s4_q & (less_3473 & (x_s4_q[5:3] == 3'h0)));
+  // hls/stages/patches.hpp:330
+  logic and_3565;
+  assign and_3565 = equal_1477_s4_q & and_3564;
+  // hls/stages/patches.hpp:629
+  logic [7:0] select_3567;
+  assign select_3567 = and_3560 ? (and_3565 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  // hls/stages/patches.hpp:631
+  logic or_3571;
+  assign or_3571 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  // hls/stages/patches.hpp:632
+  logic or_3574;
+  assign or_3574 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  // hls/stages/patches.hpp:633
+  logic [8:0] sum_3575;
+  assign sum_3575 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  // hls/stages/patches.hpp:628
+  logic select_3577;
+  assign select_3577 = and_3560 ? (and_3565 ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  // hls/stages/patches.hpp:330
+  logic and_3582;
+  assign and_3582 = equal_1477_s4_q & ((x_s4_q[6:0] == 7'h70) & (~equal_3579_s4_q));
+  // hls/stages/patches.hpp:180
+  logic and_3584;
+  assign and_3584 = patches_enough_q & patches_mostly_q;
+  // hls/stages/patches.hpp:628
+  logic [2:0] select_3586;
+  assign select_3586 = and_3565 ? {and_3584, patches_found_q[2:1]} : (and_3560 ? {and_3584, patches_found_q[2:1]} : patches_found_q);
+  // hls/stages/patches.hpp:627
+  logic or_3590;
+  assign or_3590 = patches_partly_q | (patches_doubted_q & (~and_3565));
+  // hls/stages/patches.hpp:628
+  logic select_3593;
+  assign select_3593 = and_3560 ? (and_3565 ? or_3590 : (and_3560 ? or_3590 : patches_doubted_q)) : patches_doubted_q;
+  // hls/stages/patches.hpp:626
+  logic select_3594;
+  assign select_3594 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  // hls/stages/patches.hpp:617
+  logic found_2;
+  assign found_2 = ~(patches_found_q == 3'h0);
+  // hls/stages/patches.hpp:618
+  logic select_3604;
+  assign select_3604 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  // hls/stages/patches.hpp:619
+  logic and_3610;
+  assign and_3610 = patches_frame_ended_q & (~patches_age_q[9]);
+  logic [9:0] sum_3611;
+  assign sum_3611 = patches_age_q + {9'h0, and_3610};
+  logic [9:0] select_3614;
+  assign select_3614 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3611)) : sum_3611;
   // hls/stages/agreement.hpp:1126
-  logic or_3644;
-  assign or_3644 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  logic or_3671;
+  assign or_3671 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1148
-  logic equal_3646;
-  assign equal_3646 = x_s4_q[6:3] == 4'h7;
+  logic equal_3673;
+  assign equal_3673 = x_s4_q[6:3] == 4'h7;
   // hls/stages/agreement.hpp:1157
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
   // hls/stages/agreement.hpp:1158
-  logic select_3652;
-  assign select_3652 = (equal_3646 & equal_3465) ? too_little : disagree_q;
+  logic select_3679;
+  assign select_3679 = (equal_3673 & equal_3472) ? too_little : disagree_q;
   // hls/stages/agreement.hpp:1077
-  logic [10:0] sum_3655;
-  assign sum_3655 = {1'b0, select_2456} + {2'h0, select_2456[9:1]};
-  logic select_3658;
-  assign select_3658 = (select_2453[9:3] == 7'h0) ? ((~or_3644) & (~select_3652)) : (~({sum_3655, select_2456[0]} < {2'h0, select_2453}));
+  logic [10:0] sum_3682;
+  assign sum_3682 = {1'b0, select_2463} + {2'h0, select_2463[9:1]};
+  logic select_3685;
+  assign select_3685 = (select_2460[9:3] == 7'h0) ? ((~or_3671) & (~select_3679)) : (~({sum_3682, select_2463[0]} < {2'h0, select_2460}));
   // hls/stages/agreement.hpp:1084
-  logic [47:0] select_3660;
-  assign select_3660 = x_s4_q[6] ? (equal_1515_s4_q ? good_q : {select_3658, good_q[47:1]}) : good_q;
-  // hls/stages/patches.hpp:321
-  logic select_3664;
-  assign select_3664 = equal_1470_s4_q ? ((x_s4_q[6] & good_known_q) | equal_3568_s4_q) : good_known_q;
+  logic [47:0] select_3687;
+  assign select_3687 = x_s4_q[6] ? (equal_1522_s4_q ? good_q : {select_3685, good_q[47:1]}) : good_q;
+  // hls/stages/patches.hpp:330
+  logic select_3691;
+  assign select_3691 = equal_1477_s4_q ? ((x_s4_q[6] & good_known_q) | equal_3579_s4_q) : good_known_q;
   // hls/stages/agreement.hpp:1148
-  logic equal_3665;
-  assign equal_3665 = x_s4_q[6:3] == 4'ha;
-  logic equal_3667;
-  assign equal_3667 = x_s4_q[6:3] == 4'h9;
-  logic equal_3668;
-  assign equal_3668 = x_s4_q[6:3] == 4'h8;
+  logic equal_3692;
+  assign equal_3692 = x_s4_q[6:3] == 4'ha;
+  logic equal_3694;
+  assign equal_3694 = x_s4_q[6:3] == 4'h9;
+  logic equal_3695;
+  assign equal_3695 = x_s4_q[6:3] == 4'h8;
   // hls/stages/agreement.hpp:1067
-  logic [13:0] select_3670;
-  assign select_3670 = equal_3667 ? counts_skin_unproven_q : (equal_3668 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_3697;
+  assign select_3697 = equal_3694 ? counts_skin_unproven_q : (equal_3695 ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_3665 ? counts_nearer_q : select_3670;
+  assign before_v_4 = equal_3692 ? counts_nearer_q : select_3697;
   // hls/stages/agreement.hpp:1153
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_4};
   // hls/stages/agreement.hpp:1161
-  logic select_3673;
-  assign select_3673 = (equal_3665 & equal_3465) ? over[14] : hides_q;
+  logic select_3700;
+  assign select_3700 = (equal_3692 & equal_3472) ? over[14] : hides_q;
   // hls/stages/agreement.hpp:1086
-  logic not_3674;
-  assign not_3674 = ~hidden_for_q[7];
-  logic [7:0] select_3676;
-  assign select_3676 = select_3673 ? (hidden_for_q + {7'h0, not_3674}) : 8'h0;
-  // hls/stages/patches.hpp:321
-  logic [7:0] select_3678;
-  assign select_3678 = equal_1470_s4_q ? (equal_3568_s4_q ? select_3676 : hidden_for_q) : hidden_for_q;
+  logic not_3701;
+  assign not_3701 = ~hidden_for_q[7];
+  logic [7:0] select_3703;
+  assign select_3703 = select_3700 ? (hidden_for_q + {7'h0, not_3701}) : 8'h0;
+  // hls/stages/patches.hpp:330
+  logic [7:0] select_3705;
+  assign select_3705 = equal_1477_s4_q ? (equal_3579_s4_q ? select_3703 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1161
-  logic [13:0] select_3679;
-  assign select_3679 = equal_3465 ? 14'h0 : product_q;
+  logic [13:0] select_3706;
+  assign select_3706 = equal_3472 ? 14'h0 : product_q;
   // hls/stages/agreement.hpp:1067
-  logic [7:0] select_3681;
-  assign select_3681 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_3683;
-  assign select_3683 = equal_3668 ? cfg_unproven_skin_limit_i : (equal_3646 ? cfg_unproven_limit_i : select_3681);
+  logic [7:0] select_3708;
+  assign select_3708 = (x_s4_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_3710;
+  assign select_3710 = equal_3695 ? cfg_unproven_skin_limit_i : (equal_3673 ? cfg_unproven_limit_i : select_3708);
   logic [7:0] limit;
-  assign limit = equal_3665 ? cfg_regions_limit_i : (equal_3667 ? cfg_hidden_limit_i : select_3683);
+  assign limit = equal_3692 ? cfg_regions_limit_i : (equal_3694 ? cfg_hidden_limit_i : select_3710);
   // hls/stages/agreement.hpp:1161
-  logic not_3686;
-  assign not_3686 = ~x_s4_q[2];
-  logic [3:0] select_3687;
-  assign select_3687 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_3686, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_3686};
-  logic [7:0] select_3688;
-  assign select_3688 = x_s4_q[0] ? {select_3687[3], 1'b0, select_3687[2], 1'b0, select_3687[1], 1'b0, select_3687[0], 1'b0} : {1'b0, select_3687[3], 1'b0, select_3687[2], 1'b0, select_3687[1], 1'b0, select_3687[0]};
+  logic not_3713;
+  assign not_3713 = ~x_s4_q[2];
+  logic [3:0] select_3714;
+  assign select_3714 = x_s4_q[1] ? {x_s4_q[2], 1'b0, not_3713, 1'b0} : {1'b0, x_s4_q[2], 1'b0, not_3713};
+  logic [7:0] select_3715;
+  assign select_3715 = x_s4_q[0] ? {select_3714[3], 1'b0, select_3714[2], 1'b0, select_3714[1], 1'b0, select_3714[0], 1'b0} : {1'b0, select_3714[3], 1'b0, select_3714[2], 1'b0, select_3714[1], 1'b0, select_3714[0]};
   // hls/stages/agreement.hpp:1067
-  logic [13:0] select_3692;
-  assign select_3692 = equal_3667 ? counts_skin_supervised_q : (equal_3668 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_3719;
+  assign select_3719 = equal_3694 ? counts_skin_supervised_q : (equal_3695 ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] of;
-  assign of = equal_3665 ? counts_textured_q : select_3692;
+  assign of = equal_3692 ? counts_textured_q : select_3719;
   // hls/stages/agreement.hpp:1161
-  logic [13:0] select_3694;
-  assign select_3694 = ((limit & select_3688) == 8'h0) ? 14'h0 : of;
+  logic [13:0] select_3721;
+  assign select_3721 = ((limit & select_3715) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_3679} + {1'b0, select_3694};
-  // hls/stages/patches.hpp:321
-  logic select_3699;
-  assign select_3699 = equal_1470_s4_q ? (equal_3465 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
+  assign sum_4 = {1'b0, select_3706} + {1'b0, select_3721};
+  // hls/stages/patches.hpp:330
+  logic select_3726;
+  assign select_3726 = equal_1477_s4_q ? (equal_3472 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
   // hls/stages/agreement.hpp:1159
-  logic and_3704;
-  assign and_3704 = too_much_q & (~(equal_3668 & equal_3465));
+  logic and_3731;
+  assign and_3731 = too_much_q & (~(equal_3695 & equal_3472));
   // hls/stages/agreement.hpp:1160
-  logic select_3709;
-  assign select_3709 = (over[14] & equal_3465) ? (and_3704 | ((equal_3668 | equal_3667) | (x_s4_q[6:3] == 4'hf))) : and_3704;
+  logic select_3736;
+  assign select_3736 = (over[14] & equal_3472) ? (and_3731 | ((equal_3695 | equal_3694) | (x_s4_q[6:3] == 4'hf))) : and_3731;
   // hls/stages/agreement.hpp:1202
-  logic select_3817;
-  assign select_3817 = left_first_s4_q ? done_s4_q : proven_q;
+  logic select_3844;
+  assign select_3844 = left_first_s4_q ? done_s4_q : proven_q;
   // hls/stages/agreement.hpp:265
-  logic select_3819;
-  assign select_3819 = left_first_s4_q ? done_s4_q : (and_1864_s4_q ? select_3817 : proven_q);
+  logic select_3846;
+  assign select_3846 = left_first_s4_q ? done_s4_q : (and_1871_s4_q ? select_3844 : proven_q);
   // hls/stages/agreement.hpp:1235
-  logic [1:0] select_3870;
-  assign select_3870 = and_3869_s4_q ? {and_2014, is_seen} : map_rdata_q;
+  logic [1:0] select_3897;
+  assign select_3897 = and_3896_s4_q ? {and_2021, is_seen} : map_rdata_q;
   // hls/stages/agreement.hpp:1236
-  logic and_3871;
-  assign and_3871 = select_3817 & less_3847;
+  logic and_3898;
+  assign and_3898 = select_3844 & less_3874;
   // hls/stages/agreement.hpp:424
-  logic select_3874;
-  assign select_3874 = and_1941_s4_q ? (less_1942_s4_q ? (select_3870[0] & and_3871) : seen_q) : seen_q;
+  logic select_3901;
+  assign select_3901 = and_1948_s4_q ? (less_1949_s4_q ? (select_3897[0] & and_3898) : seen_q) : seen_q;
   // hls/stages/agreement.hpp:265
-  logic select_3876;
-  assign select_3876 = left_first_s4_q ? select_3874 : (and_1864_s4_q ? select_3874 : seen_q);
-  logic select_3877;
-  assign select_3877 = and_1864_s4_q ? select_3876 : seen_q;
+  logic select_3903;
+  assign select_3903 = left_first_s4_q ? select_3901 : (and_1871_s4_q ? select_3901 : seen_q);
+  logic select_3904;
+  assign select_3904 = and_1871_s4_q ? select_3903 : seen_q;
   // hls/stages/agreement.hpp:424
-  logic select_3880;
-  assign select_3880 = and_1941_s4_q ? (less_1942_s4_q ? (select_3870[1] & and_3871) : nearer_q) : nearer_q;
+  logic select_3907;
+  assign select_3907 = and_1948_s4_q ? (less_1949_s4_q ? (select_3897[1] & and_3898) : nearer_q) : nearer_q;
   // hls/stages/agreement.hpp:265
-  logic select_3882;
-  assign select_3882 = left_first_s4_q ? select_3880 : (and_1864_s4_q ? select_3880 : nearer_q);
-  logic select_3883;
-  assign select_3883 = and_1864_s4_q ? select_3882 : nearer_q;
+  logic select_3909;
+  assign select_3909 = left_first_s4_q ? select_3907 : (and_1871_s4_q ? select_3907 : nearer_q);
+  logic select_3910;
+  assign select_3910 = and_1871_s4_q ? select_3909 : nearer_q;
   // hls/stages/agreement.hpp:1169
-  logic or_3892;
-  assign or_3892 = ((~(cfg_patch_limit_i == 6'h3f)) & (~patches_settled_q)) | (~proven_q);
+  logic or_3918;
+  assign or_3918 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | (~proven_q);
   // hls/stages/agreement.hpp:1171
-  logic not_3900;
-  assign not_3900 = ~(or_3644 | not_3884);
-  // hls/stages/patches.hpp:321
-  logic and_3904;
-  assign and_3904 = equal_1470_s4_q & (equal_3568_s4_q & (not_3900 & (select_3652 | select_3709)));
-  logic and_3907;
-  assign and_3907 = equal_3568_s4_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
-  // hls/stages/agreement.hpp:1088
-  logic or_3911;
-  assign or_3911 = select_2267 | (select_2279 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/patches.hpp:321
-  logic and_3918;
-  assign and_3918 = equal_1470_s4_q & (equal_3568_s4_q & (not_3900 & (select_2273 | select_2285)));
-  // hls/stages/agreement.hpp:1088
-  logic and_3923;
-  assign and_3923 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3676 < cfg_hidden_frames_i));
-  // hls/stages/patches.hpp:321
+  logic not_3926;
+  assign not_3926 = ~(or_3671 | not_3911);
+  // hls/stages/patches.hpp:330
   logic and_3930;
-  assign and_3930 = equal_1470_s4_q & (x_s4_q[6] & (not_1883_s4_q | (4'hc < x_s4_q[5:2])));
+  assign and_3930 = equal_1477_s4_q & (equal_3579_s4_q & (not_3926 & (select_3679 | select_3736)));
+  logic and_3933;
+  assign and_3933 = equal_3579_s4_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  // hls/stages/agreement.hpp:1088
+  logic or_3937;
+  assign or_3937 = select_2274 | (select_2286 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  // hls/stages/patches.hpp:330
+  logic and_3944;
+  assign and_3944 = equal_1477_s4_q & (equal_3579_s4_q & (not_3926 & (select_2280 | select_2292)));
+  // hls/stages/agreement.hpp:1088
+  logic and_3949;
+  assign and_3949 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3703 < cfg_hidden_frames_i));
+  // hls/stages/patches.hpp:330
+  logic and_3956;
+  assign and_3956 = equal_1477_s4_q & (x_s4_q[6] & (not_1890_s4_q | (4'hc < x_s4_q[5:2])));
   // hls/stages/agreement.hpp:1082
-  logic [31:0] select_3938;
-  assign select_3938 = equal_1537_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_3936_s4_q ? registration_sums_rdata_q : 32'h0);
-  logic [31:0] select_3939;
-  assign select_3939 = equal_1535_s4_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_3938;
-  logic [31:0] select_3940;
-  assign select_3940 = equal_1533_s4_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_3939;
-  logic [31:0] select_3941;
-  assign select_3941 = equal_1531_s4_q ? {8'h0, sharpness_sums_detail_0_q} : select_3940;
-  logic [31:0] select_3942;
-  assign select_3942 = equal_1529_s4_q ? {8'h0, sharpness_sums_detail_1_q} : select_3941;
-  logic [31:0] select_3943;
-  assign select_3943 = equal_1527_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_3942;
-  logic [31:0] select_3944;
-  assign select_3944 = equal_1525_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_3943;
-  logic [31:0] select_3945;
-  assign select_3945 = equal_1523_s4_q ? {9'h0, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_3944;
+  logic [31:0] select_3964;
+  assign select_3964 = equal_1544_s4_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_3962_s4_q ? registration_sums_rdata_q : 32'h0);
+  logic [31:0] select_3965;
+  assign select_3965 = equal_1542_s4_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_3964;
+  logic [31:0] select_3966;
+  assign select_3966 = equal_1540_s4_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_3965;
+  logic [31:0] select_3967;
+  assign select_3967 = equal_1538_s4_q ? {8'h0, sharpness_sums_detail_0_q} : select_3966;
+  logic [31:0] select_3968;
+  assign select_3968 = equal_1536_s4_q ? {8'h0, sharpness_sums_detail_1_q} : select_3967;
+  logic [31:0] select_3969;
+  assign select_3969 = equal_1534_s4_q ? {8'h0, sharpness_sums_contrast_0_q} : select_3968;
+  logic [31:0] select_3970;
+  assign select_3970 = equal_1532_s4_q ? {8'h0, sharpness_sums_contrast_1_q} : select_3969;
+  logic [31:0] select_3971;
+  assign select_3971 = equal_1530_s4_q ? {9'h0, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_3970;
   // hls/stages/agreement.hpp:1080
-  logic [9:0] select_3946;
-  assign select_3946 = less_2452 ? 10'h0 : regions_rdata_q[29:20];
+  logic [9:0] select_3972;
+  assign select_3972 = less_2459 ? 10'h0 : regions_rdata_q[29:20];
   // hls/stages/agreement.hpp:1084
-  logic [31:0] select_3947;
-  assign select_3947 = equal_1515_s4_q ? select_3945 : {2'h0, select_3946, select_2456, select_2453};
+  logic [31:0] select_3973;
+  assign select_3973 = equal_1522_s4_q ? select_3971 : {2'h0, select_3972, select_2463, select_2460};
 
   // Memory fresh, write
   logic [5:0] fresh_waddr;
   assign fresh_waddr = column_s4_q;
   logic fresh_we;
-  assign fresh_we = s4_en & and_501_s4_q;
+  assign fresh_we = s4_en & and_508_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s4_q, and_616, and_592_s4_q, and_591_s4_q, and_566_s4_q, less_558_s4_q, less_557_s4_q, less_556_s4_q, less_555_s4_q, less_554_s4_q, less_553_s4_q, less_552_s4_q, less_551_s4_q, less_550_s4_q, less_549_s4_q, less_548_s4_q, less_547_s4_q, less_546_s4_q, less_545_s4_q, less_544_s4_q, less_543_s4_q, less_542_s4_q, less_541_s4_q, less_540_s4_q, less_539_s4_q, less_538_s4_q, less_537_s4_q, less_536_s4_q, less_535_s4_q};
+    if (fresh_we) fresh_mem[fresh_waddr] <= {census_columns_values_1_cell_2_of_skin_s4_q, and_623, and_599_s4_q, and_598_s4_q, and_573_s4_q, less_565_s4_q, less_564_s4_q, less_563_s4_q, less_562_s4_q, less_561_s4_q, less_560_s4_q, less_559_s4_q, less_558_s4_q, less_557_s4_q, less_556_s4_q, less_555_s4_q, less_554_s4_q, less_553_s4_q, less_552_s4_q, less_551_s4_q, less_550_s4_q, less_549_s4_q, less_548_s4_q, less_547_s4_q, less_546_s4_q, less_545_s4_q, less_544_s4_q, less_543_s4_q, less_542_s4_q};
   end
 `ifndef SYNTHESIS
   logic [5:0] fresh_raddr_s1_sim;
@@ -6530,11 +6556,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1521_s4_q, lower_half_s4_q, registration_of_right_s4_q};
+  assign registration_sums_waddr = {sum_1528_s4_q, lower_half_s4_q, registration_of_right_s4_q};
   logic registration_sums_we;
-  assign registration_sums_we = s4_en & and_1580_s4_q;
+  assign registration_sums_we = s4_en & and_1587_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1579, sum_1575};
+    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1586, sum_1582};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -6550,11 +6576,11 @@ module horopter_agreement (
 
   // Memory patches_choices, write
   logic [5:0] patches_choices_waddr;
-  assign patches_choices_waddr = {patches_choosing_band_s4_q, and_1609_s4_q};
+  assign patches_choices_waddr = {patches_choosing_band_s4_q, and_1616_s4_q};
   logic patches_choices_we;
-  assign patches_choices_we = s4_en & and_1682_s4_q;
+  assign patches_choices_we = s4_en & and_1689_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1675_s4_q};
+    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1682_s4_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -6568,9 +6594,9 @@ module horopter_agreement (
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
-  assign patches_right_0_waddr = {select_1713_s4_q, select_1710};
+  assign patches_right_0_waddr = {select_1720_s4_q, select_1717};
   logic patches_right_0_we;
-  assign patches_right_0_we = s4_en & (sample_pair_whole_s4_q & and_1722);
+  assign patches_right_0_we = s4_en & (sample_pair_whole_s4_q & and_1729);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_0_we) patches_right_0_mem[patches_right_0_waddr] <= sample_pair_pixel_1_s4_q;
   end
@@ -6607,9 +6633,9 @@ module horopter_agreement (
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_1713_s4_q, select_1739};
+  assign patches_right_1_waddr = {select_1720_s4_q, select_1746};
   logic patches_right_1_we;
-  assign patches_right_1_we = s4_en & (sample_pair_whole_s4_q & and_1742);
+  assign patches_right_1_we = s4_en & (sample_pair_whole_s4_q & and_1749);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_1_we) patches_right_1_mem[patches_right_1_waddr] <= sample_pair_pixel_1_s4_q;
   end
@@ -6646,9 +6672,9 @@ module horopter_agreement (
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_1761, select_1760_s4_q, column_5};
+  assign patches_left_waddr = {select_1768, select_1767_s4_q, column_5};
   logic patches_left_we;
-  assign patches_left_we = s4_en & (sample_pair_whole_s4_q & and_1767);
+  assign patches_left_we = s4_en & (sample_pair_whole_s4_q & and_1774);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_left_we) patches_left_mem[patches_left_waddr] <= sample_pair_pixel_0_s4_q;
   end
@@ -6689,7 +6715,7 @@ module horopter_agreement (
   logic patches_rows_we;
   assign patches_rows_we = s4_en & patches_summed_last_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= select_1871;
+    if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= select_1878;
   end
 `ifndef SYNTHESIS
   logic [4:0] patches_rows_raddr_s3_sim;
@@ -6718,11 +6744,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s4_q, or_1881_s4_q, or_1878_s4_q, or_1875_s4_q};
+  assign regions_waddr = {region_row_s4_q, or_1888_s4_q, or_1885_s4_q, or_1882_s4_q};
   logic regions_we;
-  assign regions_we = s4_en & and_1909_s4_q;
+  assign regions_we = s4_en & and_1916_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_1908, sum_1902, sum_1897};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_1915, sum_1909, sum_1904};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -6736,11 +6762,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [11:0] map_waddr;
-  assign map_waddr = sum_1950_s4_q;
+  assign map_waddr = sum_1957_s4_q;
   logic map_we;
-  assign map_we = s4_en & and_2024_s4_q;
+  assign map_we = s4_en & and_2031_s4_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_2014, is_seen};
+    if (map_we) map_mem[map_waddr] <= {and_2021, is_seen};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -6853,15 +6879,22 @@ module horopter_agreement (
       patches_places_q <= 8'h0;
       patches_enough_q <= 1'b0;
       patches_mostly_q <= 1'b0;
+      patches_partly_q <= 1'b0;
+      patches_clear_limit_q <= 7'h0;
       patches_complete_q <= 1'b0;
+      patches_frame_ended_q <= 1'b0;
       patches_round_ends_q <= 1'b0;
       patches_found_q <= 3'h0;
+      patches_doubted_q <= 1'b0;
+      patches_doubted_before_q <= 1'b0;
       patches_round_places_q <= 8'h0;
       patches_round_across_q <= 12'h0;
       patches_round_moved_q <= 3'h0;
       patches_suspected_q <= 1'b0;
       patches_moved_q <= 1'b0;
-      patches_settled_q <= 1'b0;
+      patches_twice_q <= 1'b0;
+      patches_clear_q <= 1'b0;
+      patches_age_q <= 10'h200;
       segment_textured_q <= 6'h0;
       segment_explained_q <= 6'h0;
       segment_nearer_q <= 6'h0;
@@ -6878,127 +6911,134 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s4_en) begin
-      census_left_misses_q <= select_2173;
-      sharpness_before_last_mask_q <= select_2181;
-      sharpness_sums_detail_0_q <= and_501_s4_q ? select_2195 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_501_s4_q ? select_2207 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_501_s4_q ? sum_2211 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_501_s4_q ? sum_2215 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2233 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2243 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2245 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2247 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2249 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2251 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2256;
-      sharpness_comparing_carry_1_q <= select_2260;
-      sharpness_comparing_less_detail_0_q <= select_2267;
-      sharpness_comparing_less_detail_1_q <= select_2273;
-      sharpness_comparing_less_contrast_0_q <= select_2279;
-      sharpness_comparing_less_contrast_1_q <= select_2285;
-      counts_supervised_q <= select_2410;
-      counts_textured_q <= and_2404_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_2413});
-      counts_explained_q <= and_2404_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_2418});
-      counts_nearer_q <= and_2404_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2423});
-      counts_unproven_q <= and_2404_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2449});
-      counts_regions_bad_q <= select_2465;
-      counts_skin_supervised_q <= select_2472;
-      counts_skin_textured_q <= select_2479;
-      counts_skin_unproven_q <= select_2487;
-      registration_half_across_q <= select_2539;
-      registration_half_measured_q <= select_2544;
-      registration_half_votes_down_q <= and_2519_s4_q ? 7'h0 : sum_2550;
-      registration_half_votes_up_q <= and_2519_s4_q ? 7'h0 : sum_2558;
-      registration_half_half_votes_down_q <= and_2519_s4_q ? 7'h0 : sum_2565;
-      registration_half_half_votes_up_q <= and_2519_s4_q ? 7'h0 : sum_2572;
-      registration_down_q <= and_2606 ? sum_2625 : registration_down_q;
-      registration_up_q <= and_2606 ? sum_2634 : registration_up_q;
-      registration_enough_q <= select_2648;
-      registration_votes_down_q <= and_2653 ? less_2654 : registration_votes_down_q;
-      registration_votes_up_q <= and_2653 ? less_2656 : registration_votes_up_q;
-      registration_other_enough_q <= and_2662 ? select_2648 : registration_other_enough_q;
-      registration_other_down_q <= and_2662 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2662 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_1470_s4_q & and_2669)) & or_2694;
-      patches_place_0_valid_q <= sample_pair_whole_s4_q ? select_1701 : patches_place_0_valid_q;
-      patches_place_0_column_q <= sample_pair_whole_s4_q ? select_1703 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s4_q ? select_1704 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_2778;
-      patches_place_1_valid_q <= sample_pair_whole_s4_q ? select_1730 : patches_place_1_valid_q;
-      patches_place_1_column_q <= sample_pair_whole_s4_q ? select_1732 : patches_place_1_column_q;
-      patches_place_1_shift_q <= sample_pair_whole_s4_q ? select_1733 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_2783;
-      patches_valid_0_q <= select_2788;
-      patches_valid_1_q <= select_2793;
-      patches_right_next_0_q <= select_2796;
-      patches_right_next_1_q <= select_2799;
-      patches_left_next_0_q <= select_2802;
-      patches_left_next_1_q <= select_2805;
-      patches_sums_values_0_q <= select_3229;
-      patches_sums_values_1_q <= equal_1683_s4_q ? patches_sums_values_1_q : select_3230;
-      patches_sums_values_2_q <= equal_1683_s4_q ? patches_sums_values_2_q : select_3232;
-      patches_sums_values_3_q <= equal_1683_s4_q ? patches_sums_values_3_q : select_3234;
-      patches_sums_values_4_q <= equal_1683_s4_q ? patches_sums_values_4_q : select_3236;
-      patches_sums_values_5_q <= equal_1683_s4_q ? patches_sums_values_5_q : select_3238;
-      patches_sums_values_6_q <= equal_1683_s4_q ? patches_sums_values_6_q : select_3240;
-      patches_sums_values_7_q <= equal_1683_s4_q ? patches_sums_values_7_q : select_3242;
-      patches_sums_values_8_q <= equal_1683_s4_q ? patches_sums_values_8_q : select_3244;
-      patches_sums_values_9_q <= equal_1683_s4_q ? patches_sums_values_9_q : select_3246;
-      patches_sums_values_10_q <= equal_1683_s4_q ? patches_sums_values_10_q : select_3248;
-      patches_sums_values_11_q <= equal_1683_s4_q ? patches_sums_values_11_q : select_3250;
-      patches_sums_values_12_q <= equal_1683_s4_q ? patches_sums_values_12_q : select_3252;
-      patches_sums_values_13_q <= equal_1683_s4_q ? patches_sums_values_13_q : select_3254;
-      patches_sums_values_14_q <= equal_1683_s4_q ? patches_sums_values_14_q : select_3256;
-      patches_sums_values_15_q <= equal_1683_s4_q ? patches_sums_values_15_q : select_3258;
-      patches_sums_values_16_q <= equal_1683_s4_q ? patches_sums_values_16_q : select_3260;
-      patches_best_differing_q <= select_1871[9:0];
-      patches_best_column_q <= select_1871[14:10];
-      patches_quarters_0_places_q <= sum_3384;
-      patches_quarters_0_up_q <= sum_3424;
-      patches_quarters_0_down_q <= sum_3434;
-      patches_quarters_1_places_q <= sum_3438;
-      patches_quarters_1_up_q <= sum_3441;
-      patches_quarters_1_down_q <= sum_3444;
-      patches_quarters_2_places_q <= sum_3448;
-      patches_quarters_2_up_q <= sum_3451;
-      patches_quarters_2_down_q <= sum_3454;
-      patches_quarters_3_places_q <= sum_3458;
-      patches_quarters_3_up_q <= sum_3461;
-      patches_quarters_3_down_q <= sum_3464;
-      patches_word_places_q <= or_3492;
-      patches_word_up_q <= ((select_3502 | select_3504) | select_3507) | select_3510;
-      patches_word_down_q <= ((select_3513 | select_3515) | select_3518) | select_3521;
-      patches_sum_places_q <= select_3531;
-      patches_sum_up_q <= select_3534;
-      patches_sum_down_q <= select_3537;
-      patches_across_q <= sum_3549;
-      patches_places_q <= select_3560;
+      census_left_misses_q <= select_2180;
+      sharpness_before_last_mask_q <= select_2188;
+      sharpness_sums_detail_0_q <= and_508_s4_q ? select_2202 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_508_s4_q ? select_2214 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_508_s4_q ? sum_2218 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_508_s4_q ? sum_2222 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2240 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2250 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2252 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2254 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2256 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2258 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2263;
+      sharpness_comparing_carry_1_q <= select_2267;
+      sharpness_comparing_less_detail_0_q <= select_2274;
+      sharpness_comparing_less_detail_1_q <= select_2280;
+      sharpness_comparing_less_contrast_0_q <= select_2286;
+      sharpness_comparing_less_contrast_1_q <= select_2292;
+      counts_supervised_q <= select_2417;
+      counts_textured_q <= and_2411_s4_q ? 14'h0 : (counts_textured_q + {13'h0, and_2420});
+      counts_explained_q <= and_2411_s4_q ? 14'h0 : (counts_explained_q + {13'h0, and_2425});
+      counts_nearer_q <= and_2411_s4_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2430});
+      counts_unproven_q <= and_2411_s4_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2456});
+      counts_regions_bad_q <= select_2472;
+      counts_skin_supervised_q <= select_2479;
+      counts_skin_textured_q <= select_2486;
+      counts_skin_unproven_q <= select_2494;
+      registration_half_across_q <= select_2546;
+      registration_half_measured_q <= select_2551;
+      registration_half_votes_down_q <= and_2526_s4_q ? 7'h0 : sum_2557;
+      registration_half_votes_up_q <= and_2526_s4_q ? 7'h0 : sum_2565;
+      registration_half_half_votes_down_q <= and_2526_s4_q ? 7'h0 : sum_2572;
+      registration_half_half_votes_up_q <= and_2526_s4_q ? 7'h0 : sum_2579;
+      registration_down_q <= and_2613 ? sum_2632 : registration_down_q;
+      registration_up_q <= and_2613 ? sum_2641 : registration_up_q;
+      registration_enough_q <= select_2655;
+      registration_votes_down_q <= and_2660 ? less_2661 : registration_votes_down_q;
+      registration_votes_up_q <= and_2660 ? less_2663 : registration_votes_up_q;
+      registration_other_enough_q <= and_2669 ? select_2655 : registration_other_enough_q;
+      registration_other_down_q <= and_2669 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2669 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_1477_s4_q & and_2676)) & or_2701;
+      patches_place_0_valid_q <= sample_pair_whole_s4_q ? select_1708 : patches_place_0_valid_q;
+      patches_place_0_column_q <= sample_pair_whole_s4_q ? select_1710 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s4_q ? select_1711 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_2785;
+      patches_place_1_valid_q <= sample_pair_whole_s4_q ? select_1737 : patches_place_1_valid_q;
+      patches_place_1_column_q <= sample_pair_whole_s4_q ? select_1739 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s4_q ? select_1740 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_2790;
+      patches_valid_0_q <= select_2795;
+      patches_valid_1_q <= select_2800;
+      patches_right_next_0_q <= select_2803;
+      patches_right_next_1_q <= select_2806;
+      patches_left_next_0_q <= select_2809;
+      patches_left_next_1_q <= select_2812;
+      patches_sums_values_0_q <= select_3236;
+      patches_sums_values_1_q <= equal_1690_s4_q ? patches_sums_values_1_q : select_3237;
+      patches_sums_values_2_q <= equal_1690_s4_q ? patches_sums_values_2_q : select_3239;
+      patches_sums_values_3_q <= equal_1690_s4_q ? patches_sums_values_3_q : select_3241;
+      patches_sums_values_4_q <= equal_1690_s4_q ? patches_sums_values_4_q : select_3243;
+      patches_sums_values_5_q <= equal_1690_s4_q ? patches_sums_values_5_q : select_3245;
+      patches_sums_values_6_q <= equal_1690_s4_q ? patches_sums_values_6_q : select_3247;
+      patches_sums_values_7_q <= equal_1690_s4_q ? patches_sums_values_7_q : select_3249;
+      patches_sums_values_8_q <= equal_1690_s4_q ? patches_sums_values_8_q : select_3251;
+      patches_sums_values_9_q <= equal_1690_s4_q ? patches_sums_values_9_q : select_3253;
+      patches_sums_values_10_q <= equal_1690_s4_q ? patches_sums_values_10_q : select_3255;
+      patches_sums_values_11_q <= equal_1690_s4_q ? patches_sums_values_11_q : select_3257;
+      patches_sums_values_12_q <= equal_1690_s4_q ? patches_sums_values_12_q : select_3259;
+      patches_sums_values_13_q <= equal_1690_s4_q ? patches_sums_values_13_q : select_3261;
+      patches_sums_values_14_q <= equal_1690_s4_q ? patches_sums_values_14_q : select_3263;
+      patches_sums_values_15_q <= equal_1690_s4_q ? patches_sums_values_15_q : select_3265;
+      patches_sums_values_16_q <= equal_1690_s4_q ? patches_sums_values_16_q : select_3267;
+      patches_best_differing_q <= select_1878[9:0];
+      patches_best_column_q <= select_1878[14:10];
+      patches_quarters_0_places_q <= sum_3391;
+      patches_quarters_0_up_q <= sum_3431;
+      patches_quarters_0_down_q <= sum_3441;
+      patches_quarters_1_places_q <= sum_3445;
+      patches_quarters_1_up_q <= sum_3448;
+      patches_quarters_1_down_q <= sum_3451;
+      patches_quarters_2_places_q <= sum_3455;
+      patches_quarters_2_up_q <= sum_3458;
+      patches_quarters_2_down_q <= sum_3461;
+      patches_quarters_3_places_q <= sum_3465;
+      patches_quarters_3_up_q <= sum_3468;
+      patches_quarters_3_down_q <= sum_3471;
+      patches_word_places_q <= or_3499;
+      patches_word_up_q <= ((select_3509 | select_3511) | select_3514) | select_3517;
+      patches_word_down_q <= ((select_3520 | select_3522) | select_3525) | select_3528;
+      patches_sum_places_q <= select_3538;
+      patches_sum_up_q <= select_3541;
+      patches_sum_down_q <= select_3544;
+      patches_across_q <= sum_3556;
+      patches_places_q <= select_3567;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_3564;
-      patches_complete_q <= select_3566;
-      patches_round_ends_q <= and_3572;
-      patches_found_q <= and_3553 ? select_3575 : patches_found_q;
+      patches_mostly_q <= or_3571;
+      patches_partly_q <= or_3574;
+      patches_clear_limit_q <= sum_3575[8:2];
+      patches_complete_q <= select_3577;
+      patches_frame_ended_q <= and_3582;
+      patches_round_ends_q <= patches_complete_q & and_3582;
+      patches_found_q <= and_3560 ? select_3586 : patches_found_q;
+      patches_doubted_q <= select_3593;
+      patches_doubted_before_q <= select_3594;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_suspected_q <= patches_round_ends_q ? now_2 : patches_suspected_q;
-      patches_moved_q <= select_3584;
-      patches_settled_q <= select_3587;
-      segment_textured_q <= select_1894 + {5'h0, and_2413};
-      segment_explained_q <= select_1899 + {5'h0, and_2418};
-      segment_nearer_q <= select_1905 + {5'h0, and_2423};
+      patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
+      patches_moved_q <= select_3604;
+      patches_twice_q <= patches_suspected_q & found_2;
+      patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
+      patches_age_q <= select_3614;
+      segment_textured_q <= select_1901 + {5'h0, and_2420};
+      segment_explained_q <= select_1906 + {5'h0, and_2425};
+      segment_nearer_q <= select_1912 + {5'h0, and_2430};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_1470_s4_q ? select_3660 : good_q;
-      good_known_q <= select_3664;
-      hidden_for_q <= select_3678;
-      product_q <= equal_1470_s4_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_3699;
-      disagree_q <= equal_1470_s4_q ? select_3652 : disagree_q;
-      too_much_q <= equal_1470_s4_q ? select_3709 : too_much_q;
-      hides_q <= equal_1470_s4_q ? select_3673 : hides_q;
-      proven_q <= and_1864_s4_q ? select_3819 : proven_q;
-      seen_q <= select_3877;
-      nearer_q <= select_3883;
+      good_q <= equal_1477_s4_q ? select_3687 : good_q;
+      good_known_q <= select_3691;
+      hidden_for_q <= select_3705;
+      product_q <= equal_1477_s4_q ? sum_4[14:1] : product_q;
+      product_rest_q <= select_3726;
+      disagree_q <= equal_1477_s4_q ? select_3679 : disagree_q;
+      too_much_q <= equal_1477_s4_q ? select_3736 : too_much_q;
+      hides_q <= equal_1477_s4_q ? select_3700 : hides_q;
+      proven_q <= and_1871_s4_q ? select_3846 : proven_q;
+      seen_q <= select_3904;
+      nearer_q <= select_3910;
     end
   end
 
@@ -7024,21 +7064,21 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s4_en) begin
-      averager_quarter_1_0_q <= select_2048;
-      averager_quarter_1_1_q <= select_2050;
-      averager_quarter_2_0_q <= select_2052;
-      averager_quarter_2_1_q <= select_2054;
-      averager_detail_0_q <= select_2066;
-      averager_detail_1_q <= select_2074;
-      census_changes_values_0_left_q <= and_501_s4_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_501_s4_q ? sum_2157 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2159;
-      census_changes_values_1_right_q <= select_2160;
-      census_changes_values_2_left_q <= select_2161;
-      census_changes_values_2_right_q <= select_2162;
-      sharpness_last_mask_q <= and_501_s4_q ? whole_2_s4_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_501_s4_q ? select_2178[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_501_s4_q ? select_2178[27:14] : sharpness_last_detail_1_q;
+      averager_quarter_1_0_q <= select_2055;
+      averager_quarter_1_1_q <= select_2057;
+      averager_quarter_2_0_q <= select_2059;
+      averager_quarter_2_1_q <= select_2061;
+      averager_detail_0_q <= select_2073;
+      averager_detail_1_q <= select_2081;
+      census_changes_values_0_left_q <= and_508_s4_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_508_s4_q ? sum_2164 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2166;
+      census_changes_values_1_right_q <= select_2167;
+      census_changes_values_2_left_q <= select_2168;
+      census_changes_values_2_right_q <= select_2169;
+      sharpness_last_mask_q <= and_508_s4_q ? whole_2_s4_q : sharpness_last_mask_q;
+      sharpness_last_detail_0_q <= and_508_s4_q ? select_2185[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_508_s4_q ? select_2185[27:14] : sharpness_last_detail_1_q;
     end
   end
 
@@ -7047,19 +7087,19 @@ module horopter_agreement (
   logic mask_s5_q;
   logic marks_first_s5_q;
   logic marks_last_s5_q;
-  logic and_3821_s5_q;
-  logic or_3885_s5_q;
-  logic and_3886_s5_q;
-  logic and_3895_s5_q;
-  logic and_3898_s5_q;
-  logic and_3904_s5_q;
-  logic and_3908_s5_q;
-  logic and_3914_s5_q;
-  logic and_3918_s5_q;
-  logic and_3926_s5_q;
+  logic and_3848_s5_q;
+  logic or_3912_s5_q;
+  logic and_3913_s5_q;
+  logic and_3921_s5_q;
+  logic and_3924_s5_q;
   logic and_3930_s5_q;
-  logic [5:0] select_3932_s5_q;
-  logic [31:0] select_3949_s5_q;
+  logic and_3934_s5_q;
+  logic and_3940_s5_q;
+  logic and_3944_s5_q;
+  logic and_3952_s5_q;
+  logic and_3956_s5_q;
+  logic [5:0] select_3958_s5_q;
+  logic [31:0] select_3975_s5_q;
   always_ff @(posedge clk_i) begin
     if (s4_en) begin
       pixel_0_s5_q <= sample_pair_pixel_1_q;
@@ -7067,19 +7107,19 @@ module horopter_agreement (
       mask_s5_q <= sample_of_skin_q;
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
-      and_3821_s5_q <= said_q;
-      or_3885_s5_q <= not_3884 | select_3877;
-      and_3886_s5_q <= cfg_prove_i & select_3883;
-      and_3895_s5_q <= equal_1470_s4_q & (equal_3568_s4_q & (cfg_prove_i & or_3892));
-      and_3898_s5_q <= equal_1470_s4_q & (equal_3568_s4_q & (cfg_prove_i & or_3644));
-      and_3904_s5_q <= and_3904;
-      and_3908_s5_q <= equal_1470_s4_q & and_3907;
-      and_3914_s5_q <= equal_1470_s4_q & (equal_3568_s4_q & (not_3900 & or_3911));
-      and_3918_s5_q <= and_3918;
-      and_3926_s5_q <= equal_1470_s4_q & (equal_3568_s4_q & (cfg_prove_i & and_3923));
+      and_3848_s5_q <= said_q;
+      or_3912_s5_q <= not_3911 | select_3904;
+      and_3913_s5_q <= cfg_prove_i & select_3910;
+      and_3921_s5_q <= equal_1477_s4_q & (equal_3579_s4_q & (cfg_prove_i & or_3918));
+      and_3924_s5_q <= equal_1477_s4_q & (equal_3579_s4_q & (cfg_prove_i & or_3671));
       and_3930_s5_q <= and_3930;
-      select_3932_s5_q <= equal_1470_s4_q ? (x_s4_q[6] ? x_s4_q[5:0] : 6'h0) : 6'h0;
-      select_3949_s5_q <= equal_1470_s4_q ? (x_s4_q[6] ? select_3947 : 32'h0) : 32'h0;
+      and_3934_s5_q <= equal_1477_s4_q & and_3933;
+      and_3940_s5_q <= equal_1477_s4_q & (equal_3579_s4_q & (not_3926 & or_3937));
+      and_3944_s5_q <= and_3944;
+      and_3952_s5_q <= equal_1477_s4_q & (equal_3579_s4_q & (cfg_prove_i & and_3949));
+      and_3956_s5_q <= and_3956;
+      select_3958_s5_q <= equal_1477_s4_q ? (x_s4_q[6] ? x_s4_q[5:0] : 6'h0) : 6'h0;
+      select_3975_s5_q <= equal_1477_s4_q ? (x_s4_q[6] ? select_3973 : 32'h0) : 32'h0;
     end
   end
 
@@ -7089,19 +7129,19 @@ module horopter_agreement (
   assign mask_o = mask_s5_q;
   assign marks_first_o = marks_first_s5_q;
   assign marks_last_o = marks_last_s5_q;
-  assign marks_seen_o = or_3885_s5_q;
-  assign marks_nearer_o = and_3886_s5_q;
-  assign verdict_valid_o = and_3821_s5_q;
-  assign verdict_unproven_yet_o = and_3895_s5_q;
-  assign verdict_untextured_o = and_3898_s5_q;
-  assign verdict_disagree_o = and_3904_s5_q;
-  assign verdict_moved_o = and_3908_s5_q;
-  assign verdict_unsharp_left_o = and_3914_s5_q;
-  assign verdict_unsharp_right_o = and_3918_s5_q;
-  assign verdict_hidden_o = and_3926_s5_q;
-  assign frame_valid_o = and_3930_s5_q;
-  assign frame_index_o = select_3932_s5_q;
-  assign frame_word_o = select_3949_s5_q;
+  assign marks_seen_o = or_3912_s5_q;
+  assign marks_nearer_o = and_3913_s5_q;
+  assign verdict_valid_o = and_3848_s5_q;
+  assign verdict_unproven_yet_o = and_3921_s5_q;
+  assign verdict_untextured_o = and_3924_s5_q;
+  assign verdict_disagree_o = and_3930_s5_q;
+  assign verdict_moved_o = and_3934_s5_q;
+  assign verdict_unsharp_left_o = and_3940_s5_q;
+  assign verdict_unsharp_right_o = and_3944_s5_q;
+  assign verdict_hidden_o = and_3952_s5_q;
+  assign frame_valid_o = and_3956_s5_q;
+  assign frame_index_o = select_3958_s5_q;
+  assign frame_word_o = select_3975_s5_q;
   assign valid_o = valid_s5_q;
 
   always_ff @(posedge clk_i) begin
@@ -7122,6 +7162,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], sum_3523[1:0], product_3414[4:0], sum_2509[0], detail_4[1:0], detail_3[1:0], sum_2167[4:0], sum_1623[0], sum_1619[0], sum_614[4:0], cfg_compete_i, cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], sum_3575[1:0], sum_3530[1:0], product_3421[4:0], sum_2516[0], detail_4[1:0], detail_3[1:0], sum_2174[4:0], sum_1630[0], sum_1626[0], sum_621[4:0], cfg_compete_i, cfg_width_i[2:0]};
 
 endmodule

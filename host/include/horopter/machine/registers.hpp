@@ -559,8 +559,8 @@ inline constexpr Field kOneCamera{10, 1};
 /// Both cameras do not see the same world: too little of what is textured is explained by any depth, in all or by
 /// region (AGREEMENT_LIMITS).
 inline constexpr Field kDisagree{11, 1};
-/// The first frame after enable: nothing has been shown before it that could earn clear. Until a first round of places
-/// is complete, too (REGISTRATION.patches).
+/// The first frame after enable: nothing has been shown before it that could earn clear. Also until rounds of places
+/// say whether a camera was moved, and when they have not for 512 frames (REGISTRATION.patches).
 inline constexpr Field kUnproven{12, 1};
 /// The right image is displaced across the rows against the rig (REGISTRATION): a camera was knocked, turned or its
 /// lens changed.
@@ -776,8 +776,8 @@ inline constexpr Field kOneCamera{10, 1};
 /// Both cameras do not see the same world: too little of what is textured is explained by any depth, in all or by
 /// region (AGREEMENT_LIMITS).
 inline constexpr Field kDisagree{11, 1};
-/// The first frame after enable: nothing has been shown before it that could earn clear. Until a first round of places
-/// is complete, too (REGISTRATION.patches).
+/// The first frame after enable: nothing has been shown before it that could earn clear. Also until rounds of places
+/// say whether a camera was moved, and when they have not for 512 frames (REGISTRATION.patches).
 inline constexpr Field kUnproven{12, 1};
 /// The right image is displaced across the rows against the rig (REGISTRATION): a camera was knocked, turned or its
 /// lens changed.
@@ -850,7 +850,7 @@ inline constexpr Field kMoved{0, 6};
 /// In one half of the image a median of this or more is.
 inline constexpr Field kMovedHalf{6, 6};
 /// 1/8 px: the same at full resolution, of most places of two rounds (hls/stages/patches.hpp); nothing is safe before
-/// the first round is complete; 63 = never, and not waited for.
+/// rounds have few such places; 63 = never, and not waited for.
 inline constexpr Field kPatches{12, 6};
 }  // namespace registration
 

@@ -63,7 +63,7 @@ constexpr auto kRows = std::to_array<Row>({
     {"one_camera", false, "", kOneCamera},
     {"disagree", false, "",
      "Look for covers before a lens, exchanged cables and cameras that were turned; then calibrate anew."},
-    {"unproven", false, "Too little has been compared in both images since the start.",
+    {"unproven", false, "Too little has been compared in both images to know that no camera was moved.",
      "Wait for some images. If it stays, give what stands in view more texture."},
     {"moved", false, "", "Look whether a camera was knocked or its lens turned; fix it, and calibrate anew."},
     {"hidden", false, "For long, something nearer to the cameras has stood before too much of the skin.",
