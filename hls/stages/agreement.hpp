@@ -50,7 +50,7 @@ namespace horopter::stages {
 /// What a frame showed; once a frame, behind its words.
 struct Verdict {
   bool valid = false;
-  bool unproven_yet = false;  // no frame before this one, or no round of places at full resolution
+  bool unproven_yet = false;  // no frame before this one, or no rounds of places say whether a camera moved
   bool untextured = false;    // too little to tell
   bool disagree = false;
   bool moved = false;

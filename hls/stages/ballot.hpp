@@ -2,6 +2,8 @@
 // ballot: along the column, the votes of pixels whose left grey level is like the pixel's own.
 //
 // sum = Σ vote over the pixels up to R rows above and below whose grey level differs by at most `similar` · 4 levels.
+// Config dim: half the light (dim.hpp) makes half of the votes, and camera noise more of them wrong: clear takes half as
+//       much again.
 // Out   skin: sum ≥ `quorum`. clear: −sum ≥ 8 · `clear_quorum`, or sum < 0 and the pixel is firm: that nothing is
 //       there takes more than a doubt. Neither where (nearly) nobody votes. exists: there is a pixel.
 // Offset: R rows. Memory: per column 2R rows of 15 bits and R bits.
@@ -27,6 +29,7 @@ class ColumnBallot {
     u<4> similar;       // 4 grey levels
     u<8> quorum;        // votes; at least 1
     u<8> clear_quorum;  // 8 votes; at least 1
+    u<1> dim;
   };
   struct Out {
     Bit skin = false;
@@ -74,9 +77,10 @@ class ColumnBallot {
     if (running_) memory_.write(at.column, column);
 #endif
 
+    const u<9> clear_quorum(config.clear_quorum + (config.dim != 0 ? shr<1>(config.clear_quorum) : u<7>(0)));
     Out out;
     out.skin = votes[0] >= config.quorum;
-    out.clear = -votes[0] >= shl<3>(config.clear_quorum) || (votes[0] < lit<0>() && firm);
+    out.clear = -votes[0] >= shl<3>(clear_quorum) || (votes[0] < lit<0>() && firm);
     out.exists = centre.exists;
     out.marks = in.marks;
     return out;

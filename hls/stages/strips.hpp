@@ -209,15 +209,16 @@ class Strips {
 
   static constexpr auto order = stages::chain::order<RULE>();
   static constexpr bool in_lanes(Stage stage) { return stages::chain::place_of(stage) == stages::Place::lanes; }
-  static constexpr std::size_t first = 3;
+  static constexpr std::size_t first = 4;
   static constexpr std::size_t count = std::count_if(order.begin(), order.end(), in_lanes);
   /// The first of those that take votes.
   static constexpr std::size_t votes =
       compete ? std::find(order.begin(), order.end(), Stage::spread) - order.begin() - first : count;
   static constexpr std::size_t planes =
       compete ? std::find(order.begin(), order.end(), Stage::plane_sums) - order.begin() - first : count;
-  static_assert(order[0] == Stage::interpolate && order[1] == Stage::subsample && order[2] == Stage::agreement,
-                "the engine makes rows of these three by itself");
+  static_assert(order[0] == Stage::interpolate && order[1] == Stage::subsample && order[2] == Stage::agreement &&
+                    order[3] == Stage::dim,
+                "the engine makes rows of these four by itself");
   static_assert(std::all_of(order.begin() + first, order.begin() + first + count, in_lanes),
                 "the stages in lanes follow each other");
   using Indices = std::make_index_sequence<count>;
@@ -270,6 +271,7 @@ class Strips {
     beats_ = lead + strip_ + delay;
     vote_beats_ = vote_lead + strip_ + vote_delay;
     votes_.fill(0);
+    dim_ = settings.dim != 0;
     stages::chain::configure(configs_, settings);
   }
 
@@ -305,7 +307,10 @@ class Strips {
     const std::size_t begin = PairRow<P>::before - lead;
     const std::size_t end = begin + (lanes - 1) * strip_ + beats_;
     for (std::size_t x = begin; x < end; ++x) {
-      pixels_[x] = static_cast<std::uint16_t>(pairs.left[x].value() | pairs.right[x].value() << 8);
+      const auto [left, right] =
+          dim_ ? std::pair{stages::Dim<P>::dimmed(pairs.left[x]), stages::Dim<P>::dimmed(pairs.right[x])}
+               : std::pair{pairs.left[x], pairs.right[x]};
+      pixels_[x] = static_cast<std::uint16_t>(left.value() | right.value() << 8);
       bits_[x] = static_cast<std::uint16_t>((pairs.saturated[x] ? 1 : 0) | (pairs.mask[x] ? 2 : 0));
     }
     grey_pixels_.cut(pixels_.data() + begin, strip_, beats_);
@@ -404,6 +409,7 @@ class Strips {
     }
   }
 
+  bool dim_ = false;
   std::size_t width_ = 0;
   std::size_t strip_ = 0;  // columns of a strip
   std::size_t beats_ = 0;  // and beats: lead and delay more

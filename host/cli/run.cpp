@@ -386,6 +386,12 @@ void add_run(CLI::App& app, Outcome& outcome) {
       ->check(at_least_one())
       ->type_name("N");
   command
+      ->add_flag_callback(
+          "--less-light", [options] { options->settings.blind.dim = true; },
+          "Learn for less light, too: every second image is looked at as half of the light would show it. Less light then "
+          "raises fewer false alarms, but fewer plain bodies are found (`study walk --less-light`)")
+      ->needs("--teach");
+  command
       ->add_option("--frame-rate", options->results_per_s,
                    "Results a second, frames or fields of profile field: objects then have a velocity by the second, "
                    "else by the frame")

@@ -138,6 +138,10 @@ void add_teach(CLI::App& app, Outcome& outcome) {
           "of it")
       ->check(CLI::Range(0, 255))
       ->capture_default_str();
+  command->add_flag_callback(
+      "--less-light", [options] { options->blind.dim = true; },
+      "Learn for less light, too: every second image is looked at as half of the light would show it. Less light then "
+      "raises fewer false alarms, but fewer plain bodies are found (`study walk --less-light`)");
   command->add_flag("--off", options->off, "Do not watch for what goes blind")->excludes("--frames");
   command->add_flag("--json", options->json, "Print the answer as JSON on standard output, and nothing else");
   command->footer(

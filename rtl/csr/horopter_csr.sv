@@ -134,7 +134,7 @@ module horopter_csr #(
     input  logic [23:0] frame_object_pixels_i,
     input  logic [23:0] frame_object_columns_i,
     input  logic [23:0] frame_object_rows_i,
-    output logic [ 9:0] blocks_o,
+    output logic [10:0] blocks_o,
     input  logic [23:0] frame_blind_pixels_i,
     input  logic [15:0] taught_frames_i,
     input  logic [31:0] frame_object_area_of_1024_i,
@@ -322,7 +322,8 @@ module horopter_csr #(
   logic        blocks_watch_q;
   logic        blocks_teach_q;
   logic [ 7:0] blocks_margin_q;
-  assign blocks_o = {blocks_margin_q, blocks_teach_q, blocks_watch_q};
+  logic        blocks_dim_q;
+  assign blocks_o = {blocks_dim_q, blocks_margin_q, blocks_teach_q, blocks_watch_q};
   // OBJECT_AREA_LIMIT: And so is an object that covers this much of the skin, by the table's areas. A pixel of a table without areas covers 1023.999 mm².
   logic [31:0] object_area_limit_of_1024_q;
   assign object_area_limit_of_1024_o = object_area_limit_of_1024_q;
@@ -392,6 +393,7 @@ module horopter_csr #(
       blocks_watch_q <= 1'd0;
       blocks_teach_q <= 1'd0;
       blocks_margin_q <= BLIND ? 8'd8 : 8'd0;
+      blocks_dim_q <= 1'd0;
       object_area_limit_of_1024_q <= 32'd4294967295;
     end else begin
       if (write_q && write_group_q[0] && write_word_q[0]) begin  // CONTROL
@@ -594,7 +596,10 @@ module horopter_csr #(
           blocks_teach_q <= write_data_i[1];
           blocks_margin_q[5:0] <= write_data_i[7:2];
         end
-        if (write_strb_i[1]) blocks_margin_q[7:6] <= write_data_i[9:8];
+        if (write_strb_i[1]) begin
+          blocks_margin_q[7:6] <= write_data_i[9:8];
+          blocks_dim_q <= write_data_i[10];
+        end
       end
       if (write_q && write_group_q[10] && write_word_q[0]) begin  // OBJECT_AREA_LIMIT
         if (write_strb_i[0]) object_area_limit_of_1024_q[7:0] <= write_data_i[7:0];
@@ -957,11 +962,11 @@ module horopter_csr #(
       .error_o(guard_error[37])
   );
   horopter_guard #(
-      .WIDTH(10)
+      .WIDTH(11)
   ) u_blocks_guard (
       .clk_i(clk_i),
       .written_i(written_q[38]),
-      .value_i({blocks_margin_q, blocks_teach_q, blocks_watch_q}),
+      .value_i({blocks_dim_q, blocks_margin_q, blocks_teach_q, blocks_watch_q}),
       .error_o(guard_error[38])
   );
   horopter_guard #(
@@ -1159,7 +1164,7 @@ module horopter_csr #(
         3'h1: group_0D_q <= {8'd0, frame_object_pixels_i};
         3'h2: group_0D_q <= {4'd0, frame_object_columns_i[23:12], 4'd0, frame_object_columns_i[11:0]};
         3'h3: group_0D_q <= {4'd0, frame_object_rows_i[23:12], 4'd0, frame_object_rows_i[11:0]};
-        3'h4: group_0D_q <= {22'd0, blocks_margin_q, blocks_teach_q, blocks_watch_q};
+        3'h4: group_0D_q <= {21'd0, blocks_dim_q, blocks_margin_q, blocks_teach_q, blocks_watch_q};
         3'h5: group_0D_q <= {8'd0, frame_blind_pixels_i};
         3'h6: group_0D_q <= {16'd0, taught_frames_i};
         default: group_0D_q <= frame_object_area_of_1024_i;

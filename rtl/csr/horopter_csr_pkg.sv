@@ -209,6 +209,7 @@ package horopter_csr_pkg;
   } frame_object_rows_t;
 
   typedef struct packed {  // from the highest bit
+    logic dim;
     logic [ 7:0] margin;
     logic teach;
     logic watch;

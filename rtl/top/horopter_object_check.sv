@@ -78,6 +78,8 @@ module horopter_object_check #(
         .done_o(blind_done),
         .taught_o(taught)
     );
+    logic unused_dim;  // what is dimmed comes before
+    assign unused_dim = blocks_i.dim;
   end else begin : g_no_blind
     assign {blind_valid, there, pixel_state, blind, pixel_first, pixel_last, blind_done, taught} = '0;
     logic unused_blind;

@@ -56,6 +56,7 @@ module horopter_settings #(
     output logic [COUNT_BITS-1:0]      object_limit_o,
     output logic [31:0]                object_area_limit_o,
     output horopter_csr_pkg::blocks_t  blocks_o,
+    output logic                       dim_o,  // it teaches, as half of the light would show it
     output horopter_csr_pkg::agreement_t agreement_o,
     output horopter_csr_pkg::agreement_limits_t agreement_limits_o,
     output logic [7:0]                 hidden_frames_o,
@@ -77,6 +78,8 @@ module horopter_settings #(
   logic [23:0] expected;
   assign expected = decision_compete_o ? unsupervised_i[47:24] : unsupervised_i[23:0];
   always_ff @(posedge clk_i) begin
+    if (!rst_ni) dim_o <= 1'b0;
+    else if (begin_i) dim_o <= blocks_i.teach && blocks_i.dim && !dim_o;
     if (open_i) begin
       black_level_o <= black_level_i;
       white_level_o <= white_level_i;
@@ -103,7 +106,7 @@ module horopter_settings #(
       result_width_o <= WIDTH_BITS'(32'(width_i) / horopter_profile_pkg::SUBSAMPLE);
       result_height_o <= height_i;
     end
-    undecidable_limit_o <= 32'(undecidable_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(undecidable_limit_i);
+    undecidable_limit_o <= dim_o || 32'(undecidable_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(undecidable_limit_i);
     expected_q <= 32'(expected) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(expected);
     unsupervised_limit_o <= expected_q < unsupervised_set ? expected_q : unsupervised_set;
   end
@@ -113,7 +116,7 @@ module horopter_settings #(
   localparam int unsigned BEGIN_BITS = 2 * SUM_BITS + TEXTURE_BITS + 3 * COUNT_BITS + $bits(agreement_o)
       + $bits(agreement_limits_o) + $bits(blocks_o) + 8 + $bits(registration_o)
       + $bits(epipolar_o) + $bits(epipolar_change_o) + WIDTH_BITS + HEIGHT_BITS
-      + 1 + $bits(compete_o) + 32;
+      + 1 + $bits(compete_o) + 32 + 1;
   localparam int unsigned OPEN_WORDS = (OPEN_BITS + 31) / 32;
   localparam int unsigned BEGIN_WORDS = (BEGIN_BITS + 31) / 32;
   logic [32*OPEN_WORDS-1:0] opened;
@@ -125,8 +128,8 @@ module horopter_settings #(
       black_level_o, white_level_o, constant_limit_o, frozen_limit_o, black_limit_o, white_limit_o});
   assign begun = (32 * BEGIN_WORDS)'({
       sum_limit_o, self_limit_o, texture_limit_o, alarm_limit_o, object_limit_o, object_area_limit_o, blocks_o, unsupervised_set, agreement_o,
-      agreement_limits_o,      hidden_frames_o, registration_o, epipolar_o, epipolar_change_o, result_width_o, result_height_o, decision_compete_o,
-      compete_o});
+      agreement_limits_o, hidden_frames_o, registration_o, epipolar_o, epipolar_change_o, result_width_o, result_height_o, decision_compete_o,
+      compete_o, dim_o});
   for (genvar w = 0; w < OPEN_WORDS; w++) begin : g_opened
     horopter_guard #(
         .WIDTH(32)

@@ -204,6 +204,7 @@ module horopter_top #(
   logic [23:0] frame_object, frame_blind;
   logic [31:0] object_area_limit, sampled_object_area_limit, frame_object_area;
   horopter_csr_pkg::blocks_t blocks, sampled_blocks;
+  logic dim;  // the frame is looked at as half of the light would show it
   logic [15:0] taught_frames;
   horopter_csr_pkg::frame_object_columns_t frame_object_columns;
   horopter_csr_pkg::frame_object_rows_t frame_object_rows;
@@ -432,6 +433,7 @@ module horopter_top #(
       .object_limit_o(sampled_object_limit),
       .object_area_limit_o(sampled_object_area_limit),
       .blocks_o(sampled_blocks),
+      .dim_o(dim),
       .undecidable_limit_o(sampled_undecidable_limit),
       .unsupervised_limit_o(sampled_unsupervised_limit),
       .agreement_o(sampled_agreement),
@@ -988,6 +990,7 @@ module horopter_top #(
       .present_i(quad_present && left_mask),
       .marks_first_i(quad_first),
       .marks_last_i(quad_last),
+      .cfg_dim_i(dim),
       .cfg_texture_limit_i(sampled_texture_limit),
       .cfg_sum_limit_i(sampled_sum_limit),
       .cfg_self_limit_i(sampled_self_limit),

@@ -241,6 +241,7 @@ class Machine : public Endpoint {
   /// Registers from settings() and the geometry; enables the machine.
   void configure() {
     write(reg::control::kAddress, 0);
+    dim_before_ = false;
     write(reg::mode::kAddress, options_.live ? reg::mode::kLive.put(1) : 0);
     write(reg::interlock::kAddress, options_.interlock);
     write(reg::width::kAddress, options_.width);
@@ -344,7 +345,15 @@ class Machine : public Endpoint {
       return native::ImageView{image.pixels.data(), static_cast<int>(image.width), static_cast<int>(image.height),
                                static_cast<std::ptrdiff_t>(image.width)};
     };
-    return engine_->process(view(pair.left), view(pair.right), native::TableView(table), settings_);
+    return engine_->process(view(pair.left), view(pair.right), native::TableView(table), frame_settings());
+  }
+  /// Every second frame that teaches is dim, if `dim` is set.
+  native::Settings frame_settings() const {
+    native::Settings settings = settings_;
+    settings.dim = settings_.dim != 0 && settings_.teach != 0 && !dim_before_ ? 1 : 0;
+    if (settings.dim != 0)
+      settings.undecidable_limit = static_cast<int>(options_.width * options_.height) / profile().subsample;
+    return settings;
   }
 
   static std::array<std::uint32_t, 4> object_words(const native::Object& object) {
@@ -363,6 +372,7 @@ class Machine : public Endpoint {
   }
   void check_frame(const Published& p, const FramePair& pair, const std::vector<std::uint32_t>& table) {
     const native::FrameResult e = expected(pair, table);
+    dim_before_ = frame_settings().dim != 0;
     settings_.forget = settings_.teach != 0 && (e.alarm || e.object_overflow) ? 1 : 0;
     std::set<std::string> faults;
     if (e.object_overflow) faults.insert("objects");
@@ -474,6 +484,7 @@ class Machine : public Endpoint {
   AxilMaster<std::uint16_t> host_;
   std::unique_ptr<native::Engine> engine_;
   native::Settings settings_;
+  bool dim_before_ = false;
   unsigned frames_done_ = 0, frames_taken_ = 0;
   bool last_good_ = false, safe_was_low_ = false, both_equal_ = false;
 };

@@ -747,7 +747,7 @@ void went_blind(const std::string& profile, bool compete, unsigned width, unsign
   auto& settings = machine.settings();
   settings.compete = compete ? 1 : 0;
   settings.object_limit = 400;
-  unsigned blind = 0, seeing = 0, teaching = 0, forgotten = 0, frames_taught = 0;
+  unsigned blind = 0, seeing = 0, teaching = 0, dim = 0, forgotten = 0, frames_taught = 0;
   bool taught_before = false, forgets = false;
   for (unsigned frame = 0; frame < 24; ++frame) {
     CAPTURE(frame);
@@ -755,6 +755,8 @@ void went_blind(const std::string& profile, bool compete, unsigned width, unsign
     settings.object_limit = rng.chance(3) ? 400 : 100'000;
     settings.watch = frame < 6 || !rng.chance(3) ? 1 : 0;
     settings.blind_margin = static_cast<int>(rng.below(24));
+    settings.dim = rng.chance(3) ? 0 : 1;
+    dim += machine.frame_settings().dim != 0 ? 1 : 0;
     machine.write_limits();
     const FramePair pair = random_pair(width, height, -6, rng);
     machine.send(pair);
@@ -774,6 +776,7 @@ void went_blind(const std::string& profile, bool compete, unsigned width, unsign
   }
   CHECK(blind >= 3);
   CHECK(teaching >= 3);
+  CHECK(dim >= 2);
   CHECK(forgotten >= 1);
   // Before anything was taught, everything could be decided.
   machine.configure();

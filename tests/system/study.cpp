@@ -281,8 +281,8 @@ TEST_CASE("study walk: which bodies are found, what fails first, and the same fo
   }
   CHECK(textured > 0);
   CHECK(others > 0);
-  // Four machines, seven disturbances, one photograph.
-  REQUIRE(found["disturbances"].size() == 4 * 7);
+  // Four machines, eight disturbances, one photograph.
+  REQUIRE(found["disturbances"].size() == 4 * 8);
   for (const json& line : found["disturbances"]) CHECK(line["frames"] == 3);
   // What fails comes first.
   const std::size_t failures = found["failures"].size();
@@ -298,6 +298,18 @@ TEST_CASE("study walk: which bodies are found, what fails first, and the same fo
   for (const char* file : {"summary.json", "crossings.csv", "disturbances.csv", "walk_table.def"}) {
     CHECK(box.read(std::string("walk/") + file) == box.read(std::string("again/") + file));
   }
+  // Of a hand's bodies alone: the machines that were taught, one limit, no disturbances, no table.
+  REQUIRE(box.run(walk + std::vector<std::string>{"--hands", "--less-light", "--out", "hands"}).status == 0);
+  const json hands = summary(box, "hands");
+  CHECK(hands["crossings"] == 2 * 4);
+  CHECK(hands["conditions"]["taught_for_less_light"] == true);
+  REQUIRE(hands["found"].size() == 2 * 4);
+  for (const json& line : hands["found"]) {
+    CHECK(line["taught"] == true);
+    CHECK(line["object"] == "40 mm");
+    CHECK(line["body"] == "rod of 40 mm");
+  }
+  CHECK(!fs::exists(box / "hands/walk_table.def"));
   CHECK(box.run({"study", "walk", "--crossings", "0", "--out", "none"}).status == 2);
   CHECK(box.run({"study", "walk", "--quick", "--data", "nowhere", "--out", "none"}).status == 3);
 }

@@ -96,6 +96,7 @@ std::vector<Frame> frames_of(const hls::Profile& profile, std::mt19937& random) 
         if (small && n == 0) frame.settings = frame.settings.without_proof();
         if (small) {
           frame.settings.teach = n == 0 ? 1 : 0;
+          frame.settings.dim = n == 1 ? 1 : 0;
           frame.settings.watch = 1;
         }
         frames.push_back(std::move(frame));
@@ -232,6 +233,39 @@ TEST_CASE("engine: objects are those of one step a pixel") {
     objects += found.size();
   }
   CHECK(objects > 100);
+}
+
+TEST_CASE(
+    "engine: a dim frame is that of both images with half of the contrast, and clear takes half as many votes again") {
+  constexpr int width = 320, height = 160;
+  const std::string profile = GENERATE("field", "vga", "hd");
+  const auto engine = native::make_engine(profile);
+  std::mt19937 random(29);
+  Pair images = scene(width, height, 7, random);
+  for (Picture* one : {&images.left, &images.right}) {
+    for (std::uint8_t& pixel : one->pixels) pixel = std::clamp<std::uint8_t>(pixel, 1, 254);  // saturated stays so
+  }
+  Pair half = images;
+  for (Picture* one : {&half.left, &half.right}) {
+    for (std::uint8_t& pixel : one->pixels) pixel = static_cast<std::uint8_t>(64 + pixel / 2);
+  }
+  // Whole columns, so that interpolation rounds nothing.
+  const auto table =
+      hls::table::write({width, height, 3, 3}, {.subsample = engine->profile().subsample},
+                        [](int column, int row) { return hls::table::encode_control(column * 8 - 3, row * 8); });
+  for (const bool compete : {false, true}) {
+    if (compete && !engine->profile().has_compete()) continue;
+    auto settings = native::Settings::defaults(engine->profile(), width, height).without_proof();
+    settings.compete = compete ? 1 : 0;
+    const auto plain = engine->process(images.left.view(), images.right.view(), native::TableView(table), settings);
+    settings.dim = 1;
+    const auto dim = engine->process(images.left.view(), images.right.view(), native::TableView(table), settings);
+    settings.dim = 0;
+    settings.clear_quorum += settings.clear_quorum / 2;
+    const auto expected = engine->process(half.left.view(), half.right.view(), native::TableView(table), settings);
+    if (engine->profile().subsample == 1) CHECK(dim.states == expected.states);  // a mean of two rounds otherwise
+    CHECK(dim.undecidable_pixels > plain.undecidable_pixels + 100);
+  }
 }
 
 TEST_CASE("engine: instructions are chosen by name, and those that are not there are refused") {

@@ -129,7 +129,7 @@ TEST_CASE("The smallest body: its cap in the skin is as many pixels as an object
 
 TEST_CASE("The table of study walk is whole: every coat and light, both rules, taught and not, the same limits") {
   CHECK(walked_rods().size() == 2 * 2 * 2 * 4);
-  CHECK(walked_lights().size() == 2 * 2 * 2 * 6);
+  CHECK(walked_lights().size() == 2 * 2 * 2 * 7);
   CHECK(walk_setup().rod_mm == 40);
   for (const auto rows : {walked_rods(), walked_lights()}) {
     for (const Walked& row : rows) {

@@ -70,7 +70,7 @@ TEST_CASE("all that a cell can say") {
       "limits: {tolerance_px: 1.5, object: 40mm, alarm_percent: 2, undecidable_percent: 70, unsupervised_percent: 60, "
       "frozen_frames: 3, hidden_frames: 10, still_scene: true, unproven: true, object_speed_m_s: 2, decision_ms: 45, "
       "texture: 16}\n"
-      "teach: {needed: true, frames: 20, margin: 4}\nrestart: by_itself\nrestart_after: 5\n"
+      "teach: {needed: true, frames: 20, margin: 4, less_light: true}\nrestart: by_itself\nrestart_after: 5\n"
       "outputs: {modbus: {address: 0.0.0.0, port: 1502}}\n"
       "log: {directory: events, size_mb: 50}\n"
       "web: {listen: '0.0.0.0:80', users_file: empty, tls: {certificate_file: empty, key_file: empty}, restart: true}\n");
@@ -87,6 +87,7 @@ TEST_CASE("all that a cell can say") {
   CHECK_FALSE(cell.settings.proof.needed);
   CHECK(cell.settings.blind.watch);
   CHECK(cell.settings.blind.margin == 4);
+  CHECK(cell.settings.blind.dim);
   CHECK(cell.settings.interlock.by_itself);
   CHECK_FALSE(cell.settings.interlock.by_register);
   CHECK(cell.settings.interlock.frames == 5);

@@ -153,7 +153,8 @@ double smallest_object_px(const MachineProfile& profile) {
 
 RegisterWord blocks_word(const BlindSettings& blind) {
   return {reg::blocks::kAddress, reg::blocks::kWatch.put(blind.watch) | reg::blocks::kTeach.put(blind.teach) |
-                                     reg::blocks::kMargin.put(static_cast<std::uint32_t>(blind.margin))};
+                                     reg::blocks::kMargin.put(static_cast<std::uint32_t>(blind.margin)) |
+                                     reg::blocks::kDim.put(blind.dim)};
 }
 
 std::vector<RegisterWord> configuration(Device& device, const MachineProfile& profile, const Settings& settings,

@@ -323,7 +323,7 @@ void NativeDevice::reset_stream() {
   pending_.clear();
   frame_ = {};
   hold();
-  taught_ = taught_before_ = forget_ = false;
+  taught_ = taught_before_ = forget_ = dim_ = false;
   taught_frames_ = 0;
   active_slot_ = kNoTable;
   frame_faults_pending_ = {};
@@ -407,13 +407,19 @@ native::Settings NativeDevice::settings() const {
   static_cast<hls::StageSettings&>(s) = stage_settings(word);
   s.lookahead = static_cast<int>(word(reg::lookahead::kAddress));
   s.forget = forget_ ? 1 : 0;
+  s.dim = s.dim != 0 && s.teach != 0 && !dim_ ? 1 : 0;
   // Without a table nothing is undecidable.
   s.undecidable_limit = 0;
-  if (active_slot_ == kNoTable) return s;
-  const Table& table = *tables_.at(static_cast<std::size_t>(active_slot_));
-  s.undecidable_limit = table.undecidable_limit;
-  s.unsupervised_limit =
-      std::min(s.unsupervised_limit, static_cast<int>(hls::table::unsupervised_pixels(table.words, s.compete != 0)));
+  if (active_slot_ != kNoTable) {
+    const Table& table = *tables_.at(static_cast<std::size_t>(active_slot_));
+    s.undecidable_limit = table.undecidable_limit;
+    s.unsupervised_limit =
+        std::min(s.unsupervised_limit, static_cast<int>(hls::table::unsupervised_pixels(table.words, s.compete != 0)));
+  }
+  if (s.dim != 0) {
+    s.undecidable_limit =
+        static_cast<int>(word(reg::width::kAddress) / profile_.subsample * word(reg::height::kAddress));
+  }
   return s;
 }
 
@@ -452,8 +458,10 @@ FrameStreams NativeDevice::receive() {
   const Table* table = active_slot_ != kNoTable ? &*tables_.at(static_cast<std::size_t>(active_slot_)) : nullptr;
   const std::vector<std::uint32_t> none =
       table == nullptr ? empty_table(left.width, left.height) : std::vector<std::uint32_t>();
+  const native::Settings settings = this->settings();
+  dim_ = settings.dim != 0;
   const auto result =
-      engine_->process(view(left), view(right), native::TableView(table != nullptr ? table->words : none), settings());
+      engine_->process(view(left), view(right), native::TableView(table != nullptr ? table->words : none), settings);
 
   Faults faults = std::exchange(frame_faults_pending_, {});
   const auto add = [&](bool condition, Fault fault) {

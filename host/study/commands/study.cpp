@@ -106,6 +106,11 @@ void add_walk_options(CLI::App& command, StudyScope& scope) {
       ->capture_default_str()
       ->check(CLI::Range(1, 100'000))
       ->type_name("N");
+  command.add_flag("--less-light", scope.less_light, "Machines are taught for less light, too (run --less-light)");
+  command.add_flag(
+      "--hands", scope.hands,
+      "Only rods of 40 mm at up to 1.6 m/s, before machines that were taught, with a limit of 40 mm, and no "
+      "disturbances: for many crossings");
   command.add_option("--frames", scope.frames, "Without a body, of each disturbance and photograph")
       ->capture_default_str()
       ->check(CLI::Range(1, 1'000'000))

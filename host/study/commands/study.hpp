@@ -29,8 +29,10 @@ struct StudyScope {
   std::string synthesised;                  ///< what scripts/synth wrote of the stages; empty: none
   std::string generated = "rtl/generated";  ///< what hlsc made of the stages
   ThicknessOption thickness;
-  int frames = 2;     ///< of each pair, or disturbance
-  int crossings = 1;  ///< of each body, surface and speed
+  int frames = 2;           ///< of each pair, or disturbance
+  int crossings = 1;        ///< of each body, surface and speed
+  bool less_light = false;  ///< taught machines are taught for less light, too
+  bool hands = false;       ///< only bodies of 40 mm, before machines that were taught
   std::string engine = "native";
 };
 

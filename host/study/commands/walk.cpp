@@ -39,6 +39,7 @@ using study::Coat;
 constexpr double kSkin_mm = 800;  ///< distance of the skin, a plane across the axis of symmetry
 constexpr double kImages_per_s = 60;
 constexpr double kNoise_grey = 1.5;
+constexpr double kExposure = 0.8;  ///< of the photographs: white is not at the limit, and may become brighter
 constexpr int kTeaching = 12;      ///< pairs
 constexpr int kSoon = 3;           ///< frames within which a body is to be found
 constexpr double kEnough = 0.999;  ///< share of the bodies that is to be found so
@@ -60,18 +61,21 @@ struct BodyKind {
   double depth_mm;  ///< of the surface that the cameras see
 };
 
-std::vector<BodyKind> body_kinds(bool quick) {
+std::vector<BodyKind> body_kinds(const StudyScope& scope) {
   std::vector<BodyKind> kinds;
   for (const double mm : {20.0, 30.0, kHand_mm, 70.0}) {
-    if (quick && mm != kHand_mm) continue;
+    if ((scope.quick || scope.hands) && mm != kHand_mm) continue;
     kinds.push_back({fmt::format("rod of {:g} mm", mm), study::rod_segments(mm, kRod_mm), mm / 2});
   }
-  kinds.push_back({"hand", study::hand_segments(), 13});
+  if (!scope.hands) kinds.push_back({"hand", study::hand_segments(), 13});
   return kinds;
 }
 
-std::vector<double> speeds_m_s(bool quick) {
-  return quick ? std::vector<double>{0.4, kFastest_m_s} : std::vector<double>{0.1, 0.4, 1.0, kFastest_m_s, 2.0};
+std::vector<double> speeds_m_s(const StudyScope& scope) {
+  if (scope.quick) return {0.4, kFastest_m_s};
+  std::vector<double> speeds{0.1, 0.4, 1.0, kFastest_m_s};
+  if (!scope.hands) speeds.push_back(2.0);
+  return speeds;
 }
 
 /// One machine of those that see the same images.
@@ -100,6 +104,9 @@ struct Walk {
   double thickness_mm;  ///< largest of both rules, D50
   std::vector<ObjectLimit> limits;
   std::vector<std::pair<std::string, Image>> photographs;
+  bool hands = false;  ///< only what a hand's rods need
+
+  bool judges(std::size_t variant) const { return !hands || kVariants.at(variant).taught; }
 };
 
 Walk prepare(const StudyScope& scope) {
@@ -108,13 +115,14 @@ Walk prepare(const StudyScope& scope) {
   const MachineProfile& profile = find_profile("vga");
   const ScanGeometry geometry = scans_of(profile, kRig.width_px, kRig.height_px).front();
   const SurfacePtr surface = make_plane({0, 0, kSkin_mm}, {0, 0, -1});
-  Walk walk{cameras, profile, geometry, {}, {}, 0, {}, {}};
+  Walk walk{cameras, profile, geometry, {}, {}, 0, {}, {}, scope.hands};
   for (std::size_t v = 0; v < kVariants.size(); ++v) {
     Settings& settings = walk.settings[v];
     settings.decision = kVariants[v].decision;
     settings.interlock.by_itself = true;
     settings.still_limit = 0;  // the wall stands still
     settings.blind.watch = kVariants[v].taught;
+    settings.blind.dim = scope.less_light;
     const RigSkin skin(cameras, surface, "plane");
     constexpr double kOwn_px = 1.5;  // at most, as D50, by the rules' own settings (tolerance.hpp)
     const auto chosen = set_thickness(scope.thickness, skin, profile, geometry, settings);
@@ -128,13 +136,17 @@ Walk prepare(const StudyScope& scope) {
     walk.maps[v] = compile_maps(file, profile, kRig.width_px, kRig.height_px, view_limits(profile, settings.decision));
   }
   Settings sized = walk.settings[0];
-  walk.limits.push_back({fmt::format("{:g} px", sized.object_px), object_limit(sized, profile)});
+  if (!scope.hands) {
+    walk.limits.push_back({fmt::format("{:g} px", sized.object_px), object_limit(sized, profile)});
+  }
   const double axis_mm = (Vector3d(0, 0, kSkin_mm) - cameras.left().world_to_camera.centre()).norm();
   sized.object_px = kRig.f_px() * kHand_mm / axis_mm;
   walk.limits.push_back({fmt::format("{:g} mm", kHand_mm), object_limit(sized, profile)});
   for (const char* name : kPhotographs) {
     if (scope.quick && walk.photographs.size() == 1) break;
-    walk.photographs.emplace_back(name, load_image(std::filesystem::path(scope.data) / name));
+    Image photograph = load_image(std::filesystem::path(scope.data) / name);
+    for (auto& pixel : photograph.pixels) pixel = static_cast<std::uint8_t>(std::lround(kExposure * pixel));
+    walk.photographs.emplace_back(name, std::move(photograph));
   }
   return walk;
 }
@@ -168,7 +180,7 @@ struct Alarms {
 class Bench {
  public:
   Bench(const Walk& walk, const StudyScope& scope, std::size_t photograph, std::uint64_t number)
-      : seed_(scope.seed), number_(number << 24U) {
+      : walk_(walk), seed_(scope.seed), number_(number << 24U) {
     calib::Random random(scope.seed, 0xBA5E + photograph);
     const double distance_mm = 1000 + 300 * random.uniform();
     const Vector3d normal(0.3 * (random.uniform() - 0.5), 0.3 * (random.uniform() - 0.5), -1);
@@ -195,7 +207,7 @@ class Bench {
     const Image right = study::expose(views[1], noise_grey, seed_, 2 * number_ + 1);
     ++number_;
     for (std::size_t v = 0; v < kVariants.size(); ++v) {
-      if (!over[v]) seen(v, machines_[v]->process(left, right).front());
+      if (!over[v] && walk_.judges(v)) seen(v, machines_[v]->process(left, right).front());
     }
   }
 
@@ -203,6 +215,7 @@ class Bench {
   int taught(std::size_t variant) const { return taught_[variant]; }
 
  private:
+  const Walk& walk_;
   std::uint64_t seed_, number_;
   std::unique_ptr<study::WallScene> scene_;
   std::vector<std::unique_ptr<Supervisor>> machines_;
@@ -234,6 +247,7 @@ void cross(const Walk& walk, Bench& bench, Crossing& crossing, std::uint64_t see
   // Of the front along the way; the first of the front half is in the skin at 0.
   const double phase = random.uniform();
   std::array<bool, kVariants.size()> over{};
+  for (std::size_t v = 0; v < over.size(); ++v) over[v] = !walk.judges(v);
   for (int i = -1;; ++i) {
     const double in_mm = (i + phase) * step_mm * way.z();
     const double front_mm = -half_mm - depth_mm + in_mm;
@@ -249,7 +263,9 @@ void cross(const Walk& walk, Bench& bench, Crossing& crossing, std::uint64_t see
           for (std::size_t k = 0; k < walk.limits.size(); ++k) {
             if (!outcome.found[k] && is_alarm(walk, frame, walk.limits[k], walk.settings[v])) outcome.found[k] = i + 1;
           }
-          over[v] = std::ranges::all_of(outcome.found, [](const auto& found) { return found.has_value(); });
+          over[v] = std::all_of(outcome.found.begin(),
+                                outcome.found.begin() + static_cast<std::ptrdiff_t>(walk.limits.size()),
+                                [](const auto& found) { return found.has_value(); });
         },
         over);
     if (std::ranges::all_of(over, [](bool one) { return one; })) break;
@@ -271,7 +287,7 @@ std::vector<Disturbance> light_disturbances() {
   return {
       {"none", true, kNoise_grey, [=](int, int) { return even(1); }},
       {"noise of 4 grey levels", true, 4, [=](int, int) { return even(1); }},
-      {"flicker of 100 Hz, 15 %", true, kNoise_grey,
+      {"flicker of 100 Hz by 15 %", true, kNoise_grey,
        [=](int i, int) { return even(1 + 0.15 * std::cos(2 * std::numbers::pi * 100 * i / kImages_per_s + 0.5)); }},
       {"shadow that moves", true, kNoise_grey,
        [](int i, int frames) -> study::Light {
@@ -283,6 +299,7 @@ std::vector<Disturbance> light_disturbances() {
          if (i < frames / 3 || i >= 2 * frames / 3) return even(1);
          return [](double u, double) { return 0.6 + 0.0004 * u; };
        }},
+      {"light 1.5 times as strong", true, kNoise_grey, [=](int i, int) { return even(i % 12 >= 6 ? 1.5 : 1); }},
       {"light halved over all frames", true, kNoise_grey,
        [=](int i, int frames) { return even(1 - 0.5 * i / frames); }},
       {"flash of 1 to 3 frames", false, kNoise_grey,
@@ -349,7 +366,7 @@ struct Found {
 std::vector<Crossing> plan_crossings(const Walk& walk, const std::vector<BodyKind>& bodies, const StudyScope& scope) {
   std::vector<Crossing> all;
   for (int n = 0; n < scope.crossings; ++n) {
-    for (const double speed : speeds_m_s(scope.quick)) {
+    for (const double speed : speeds_m_s(scope)) {
       for (const BodyKind& body : bodies) {
         for (const Coat coat : study::kCoats) {
           Crossing& crossing = all.emplace_back();
@@ -443,6 +460,7 @@ void report_failures(StudyReport& report, const Results& results) {
   };
   for (std::size_t k = 0; k < results.walk.limits.size(); ++k) {
     for (std::size_t v = 0; v < kVariants.size(); ++v) {
+      if (!results.walk.judges(v)) continue;
       for (const Coat coat : study::kCoats) {
         const Found found = results.of_hands(v, k, coat);
         if (found.share() >= kEnough) continue;
@@ -464,6 +482,7 @@ void report_found(StudyReport& report, const Results& results) {
   auto lines = nlohmann::json::array();
   for (std::size_t k = 0; k < results.walk.limits.size(); ++k) {
     for (std::size_t v = 0; v < kVariants.size(); ++v) {
+      if (!results.walk.judges(v)) continue;
       report.finding("{}, object {}: bodies found within {} frames, at up to {:g} m/s; and at all", kVariants[v].name(),
                      results.walk.limits[k].name, kSoon, kFastest_m_s);
       for (const BodyKind& body : results.bodies) {
@@ -501,6 +520,7 @@ void report_alarms(StudyReport& report, const Results& results) {
   Csv csv({"decision,taught,disturbance,frames,false_alarms_first_object,false_alarms_second_object,stops_by_a_fault"});
   auto lines = nlohmann::json::array();
   for (std::size_t v = 0; v < kVariants.size(); ++v) {
+    if (!results.walk.judges(v)) continue;
     report.finding("{}: without a body", kVariants[v].name());
     for (std::size_t d = 0; d < results.lights.size(); ++d) {
       const Alarms& alarms = results.alarms[d][v];
@@ -536,6 +556,7 @@ void table_crossings(StudyReport& report, const Results& results) {
       {"number,photograph,body,coat,speed_m_s,frames_inside,decision,taught,largest_object_px,first_found,second_found,fault_frames"});
   for (const Crossing& one : results.crossings) {
     for (std::size_t v = 0; v < kVariants.size(); ++v) {
+      if (!results.walk.judges(v)) continue;
       const Outcomes& outcome = one.outcomes[v];
       const auto frame = [&](std::size_t k) { return outcome.found[k] ? fmt::format("{}", *outcome.found[k]) : ""; };
       csv.row(static_cast<double>(one.number), results.walk.photographs[one.photograph].first, one.body->name,
@@ -551,6 +572,7 @@ void plot_speeds(StudyReport& report, const Results& results) {
   const std::string rod = fmt::format("rod of {:g} mm", kHand_mm);
   for (std::size_t k = 0; k < results.walk.limits.size(); ++k) {
     for (std::size_t v = 0; v < kVariants.size(); ++v) {
+      if (!results.walk.judges(v)) continue;
       Panel& panel =
           panels.emplace_back(Panel{fmt::format("{}, object {}", kVariants[v].name(), results.walk.limits[k].name),
                                     "speed, m/s",
@@ -582,6 +604,7 @@ void write_table(StudyReport& report, const Results& results, const StudyScope& 
       scope.crossings, scope.frames, scope.seed, kHand_mm, rod_px, kFastest_m_s, kImages_per_s,
       results.walk.thickness_mm, kSoon);
   for (std::size_t v = 0; v < kVariants.size(); ++v) {
+    if (!results.walk.judges(v)) continue;
     const std::string machine = fmt::format("{}, {}", name_of(kVariants[v].decision), kVariants[v].taught);
     for (std::size_t k = 0; k < results.walk.limits.size(); ++k) {
       for (const Coat coat : study::kCoats) {
@@ -630,6 +653,7 @@ nlohmann::json conditions(const Walk& walk, const StudyScope& scope) {
           {"images_per_s", kImages_per_s},
           {"noise_grey", kNoise_grey},
           {"teaching_pairs", kTeaching},
+          {"taught_for_less_light", scope.less_light},
           {"rod_length_mm", kRod_mm},
           {"objects_px_of_the_result", limits},
           {"photographs", walk.photographs.size()},
@@ -642,7 +666,7 @@ nlohmann::json conditions(const Walk& walk, const StudyScope& scope) {
 
 void study_walk(StudyReport& report, const StudyScope& scope) {
   const Walk walk = prepare(scope);
-  const std::vector<BodyKind> bodies = body_kinds(scope.quick);
+  const std::vector<BodyKind> bodies = body_kinds(scope);
   std::vector<Crossing> crossings = plan_crossings(walk, bodies, scope);
   std::vector<Job> jobs = jobs_of(walk, crossings);
   const std::vector<Disturbance> lights = light_disturbances();
@@ -658,7 +682,7 @@ void study_walk(StudyReport& report, const StudyScope& scope) {
           if (kVariants[v].taught && bench.taught(v) < kTeaching) ++forgotten;
         }
         for (Crossing* crossing : jobs[i].crossings) cross(walk, bench, *crossing, scope.seed);
-        if (!jobs[i].disturbances) return;
+        if (!jobs[i].disturbances || scope.hands) return;
         for (std::size_t d = 0; d < lights.size(); ++d) disturb(walk, bench, lights[d], scope.frames, alarms[i][d]);
       },
       [&](std::size_t done) { progress.show(done, jobs.size()); });
@@ -689,10 +713,10 @@ void study_walk(StudyReport& report, const StudyScope& scope) {
       "{} crossings of {} each; [95 % limits]; the skin is {:.1f} mm thick (D50), at {:g} mm, {:g} images a second",
       crossings.size(), scope.crossings, walk.thickness_mm, kSkin_mm, kImages_per_s);
   report_found(report, results);
-  report_alarms(report, results);
+  if (!scope.hands) report_alarms(report, results);
   table_crossings(report, results);
   plot_speeds(report, results);
-  write_table(report, results, scope);
+  if (!scope.hands && !scope.less_light) write_table(report, results, scope);
   draw_examples(report, walk, scope);
 }
 

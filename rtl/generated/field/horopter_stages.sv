@@ -43,6 +43,7 @@ module horopter_stages #(
   input  logic signed [15:0] cfg_epipolar_column_i,
   input  logic signed [15:0] cfg_epipolar_row_i,
   input  logic signed [15:0] cfg_epipolar_both_i,
+  input  logic cfg_dim_i,
   input  logic [11:0] cfg_texture_limit_i,
   input  logic [10:0] cfg_sum_limit_i,
   input  logic [10:0] cfg_self_limit_i,
@@ -216,6 +217,37 @@ module horopter_stages #(
     .frame_word_o(agreement_frame_word_o)
   );
 
+  logic dim_valid_o;
+  logic [7:0] dim_pixel_0_o;
+  logic dim_saturated_o;
+  logic dim_mask_o;
+  logic dim_marks_first_o;
+  logic dim_marks_last_o;
+  logic dim_marks_seen_o;
+  logic dim_marks_nearer_o;
+  horopter_dim u_dim (
+    .clk_i(clk_i),
+    .rst_ni(rst_ni),
+    .en_i(1'b1),
+    .valid_i(agreement_valid_o),
+    .pixel_0_i(agreement_pixel_0_o),
+    .saturated_i(agreement_saturated_o),
+    .mask_i(agreement_mask_o),
+    .marks_first_i(agreement_marks_first_o),
+    .marks_last_i(agreement_marks_last_o),
+    .marks_seen_i(agreement_marks_seen_o),
+    .marks_nearer_i(agreement_marks_nearer_o),
+    .cfg_dim_i(cfg_dim_i),
+    .valid_o(dim_valid_o),
+    .pixel_0_o(dim_pixel_0_o),
+    .saturated_o(dim_saturated_o),
+    .mask_o(dim_mask_o),
+    .marks_first_o(dim_marks_first_o),
+    .marks_last_o(dim_marks_last_o),
+    .marks_seen_o(dim_marks_seen_o),
+    .marks_nearer_o(dim_marks_nearer_o)
+  );
+
   logic lowpass_valid_o;
   logic [7:0] lowpass_pixel_0_o;
   logic lowpass_saturated_o;
@@ -228,14 +260,14 @@ module horopter_stages #(
     .clk_i(clk_i),
     .rst_ni(rst_ni),
     .en_i(1'b1),
-    .valid_i(agreement_valid_o),
-    .pixel_0_i(agreement_pixel_0_o),
-    .saturated_i(agreement_saturated_o),
-    .mask_i(agreement_mask_o),
-    .marks_first_i(agreement_marks_first_o),
-    .marks_last_i(agreement_marks_last_o),
-    .marks_seen_i(agreement_marks_seen_o),
-    .marks_nearer_i(agreement_marks_nearer_o),
+    .valid_i(dim_valid_o),
+    .pixel_0_i(dim_pixel_0_o),
+    .saturated_i(dim_saturated_o),
+    .mask_i(dim_mask_o),
+    .marks_first_i(dim_marks_first_o),
+    .marks_last_i(dim_marks_last_o),
+    .marks_seen_i(dim_marks_seen_o),
+    .marks_nearer_i(dim_marks_nearer_o),
     .valid_o(lowpass_valid_o),
     .pixel_0_o(lowpass_pixel_0_o),
     .saturated_o(lowpass_saturated_o),

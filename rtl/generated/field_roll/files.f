@@ -6,6 +6,7 @@ rtl/generated/field/horopter_blind.sv
 rtl/generated/field/horopter_cells.sv
 rtl/generated/field/horopter_coarse.sv
 rtl/generated/field/horopter_difference.sv
+rtl/generated/field/horopter_dim.sv
 rtl/generated/field/horopter_direction.sv
 rtl/generated/field/horopter_dsad.sv
 rtl/generated/field/horopter_health.sv

@@ -10,6 +10,7 @@ rtl/generated/hd/horopter_consensus.sv
 rtl/generated/hd/horopter_contest.sv
 rtl/generated/hd/horopter_contrast.sv
 rtl/generated/hd/horopter_difference.sv
+rtl/generated/hd/horopter_dim.sv
 rtl/generated/hd/horopter_direction.sv
 rtl/generated/hd/horopter_dsad.sv
 rtl/generated/hd/horopter_health.sv

@@ -43,6 +43,7 @@ module horopter_stages #(
   input  logic signed [15:0] cfg_epipolar_column_i,
   input  logic signed [15:0] cfg_epipolar_row_i,
   input  logic signed [15:0] cfg_epipolar_both_i,
+  input  logic cfg_dim_i,
   input  logic [11:0] cfg_texture_limit_i,
   input  logic [10:0] cfg_sum_limit_i,
   input  logic [10:0] cfg_self_limit_i,
@@ -221,6 +222,40 @@ module horopter_stages #(
     .frame_word_o(agreement_frame_word_o)
   );
 
+  logic dim_valid_o;
+  logic [7:0] dim_pixel_0_o;
+  logic [7:0] dim_pixel_1_o;
+  logic dim_saturated_o;
+  logic dim_mask_o;
+  logic dim_marks_first_o;
+  logic dim_marks_last_o;
+  logic dim_marks_seen_o;
+  logic dim_marks_nearer_o;
+  horopter_dim u_dim (
+    .clk_i(clk_i),
+    .rst_ni(rst_ni),
+    .en_i(1'b1),
+    .valid_i(agreement_valid_o),
+    .pixel_0_i(agreement_pixel_0_o),
+    .pixel_1_i(agreement_pixel_1_o),
+    .saturated_i(agreement_saturated_o),
+    .mask_i(agreement_mask_o),
+    .marks_first_i(agreement_marks_first_o),
+    .marks_last_i(agreement_marks_last_o),
+    .marks_seen_i(agreement_marks_seen_o),
+    .marks_nearer_i(agreement_marks_nearer_o),
+    .cfg_dim_i(cfg_dim_i),
+    .valid_o(dim_valid_o),
+    .pixel_0_o(dim_pixel_0_o),
+    .pixel_1_o(dim_pixel_1_o),
+    .saturated_o(dim_saturated_o),
+    .mask_o(dim_mask_o),
+    .marks_first_o(dim_marks_first_o),
+    .marks_last_o(dim_marks_last_o),
+    .marks_seen_o(dim_marks_seen_o),
+    .marks_nearer_o(dim_marks_nearer_o)
+  );
+
   // The rule of the frame that passes, taken with its first beat before the last stage that both rules share; the
   // clocks between two frames are more than that stage's latency. The other rule's stages wait for a frame of theirs.
   logic thesis_runs, compete_runs, thesis_clk, compete_clk;
@@ -228,7 +263,7 @@ module horopter_stages #(
     logic compete_q;
     always_ff @(posedge clk_i) begin
       if (!rst_ni) compete_q <= 1'b0;
-      else if (subsample_valid_o && subsample_marks_first_o) compete_q <= cfg_compete_i;
+      else if (agreement_valid_o && agreement_marks_first_o) compete_q <= cfg_compete_i;
     end
     assign {thesis_runs, compete_runs} = {!compete_q, compete_q};
     horopter_clock_gate u_thesis (.clk_i(clk_i), .en_i(thesis_runs || !rst_ni), .clk_o(thesis_clk));
@@ -251,15 +286,15 @@ module horopter_stages #(
       .clk_i(thesis_clk),
       .rst_ni(rst_ni),
       .en_i(thesis_runs),
-      .valid_i(agreement_valid_o),
-      .pixel_0_i(agreement_pixel_0_o),
-      .pixel_1_i(agreement_pixel_1_o),
-      .saturated_i(agreement_saturated_o),
-      .mask_i(agreement_mask_o),
-      .marks_first_i(agreement_marks_first_o),
-      .marks_last_i(agreement_marks_last_o),
-      .marks_seen_i(agreement_marks_seen_o),
-      .marks_nearer_i(agreement_marks_nearer_o),
+      .valid_i(dim_valid_o),
+      .pixel_0_i(dim_pixel_0_o),
+      .pixel_1_i(dim_pixel_1_o),
+      .saturated_i(dim_saturated_o),
+      .mask_i(dim_mask_o),
+      .marks_first_i(dim_marks_first_o),
+      .marks_last_i(dim_marks_last_o),
+      .marks_seen_i(dim_marks_seen_o),
+      .marks_nearer_i(dim_marks_nearer_o),
       .valid_o(lowpass_valid_o),
       .pixel_0_o(lowpass_pixel_0_o),
       .pixel_1_o(lowpass_pixel_1_o),
@@ -272,7 +307,7 @@ module horopter_stages #(
     );
   end else begin : g_no_lowpass
     logic unused;
-    assign unused = ^{thesis_clk, thesis_runs, agreement_valid_o, agreement_pixel_0_o, agreement_pixel_1_o, agreement_saturated_o, agreement_mask_o, agreement_marks_first_o, agreement_marks_last_o, agreement_marks_seen_o, agreement_marks_nearer_o};
+    assign unused = ^{thesis_clk, thesis_runs, dim_valid_o, dim_pixel_0_o, dim_pixel_1_o, dim_saturated_o, dim_mask_o, dim_marks_first_o, dim_marks_last_o, dim_marks_seen_o, dim_marks_nearer_o};
     assign lowpass_valid_o = '0;
     assign lowpass_pixel_0_o = '0;
     assign lowpass_pixel_1_o = '0;
@@ -636,15 +671,15 @@ module horopter_stages #(
       .clk_i(compete_clk),
       .rst_ni(rst_ni),
       .en_i(compete_runs),
-      .valid_i(agreement_valid_o),
-      .pixel_0_i(agreement_pixel_0_o),
-      .pixel_1_i(agreement_pixel_1_o),
-      .saturated_i(agreement_saturated_o),
-      .mask_i(agreement_mask_o),
-      .marks_first_i(agreement_marks_first_o),
-      .marks_last_i(agreement_marks_last_o),
-      .marks_seen_i(agreement_marks_seen_o),
-      .marks_nearer_i(agreement_marks_nearer_o),
+      .valid_i(dim_valid_o),
+      .pixel_0_i(dim_pixel_0_o),
+      .pixel_1_i(dim_pixel_1_o),
+      .saturated_i(dim_saturated_o),
+      .mask_i(dim_mask_o),
+      .marks_first_i(dim_marks_first_o),
+      .marks_last_i(dim_marks_last_o),
+      .marks_seen_i(dim_marks_seen_o),
+      .marks_nearer_i(dim_marks_nearer_o),
       .valid_o(slopes_valid_o),
       .gx_0_o(slopes_gx_0_o),
       .gx_1_o(slopes_gx_1_o),
@@ -660,7 +695,7 @@ module horopter_stages #(
     );
   end else begin : g_no_slopes
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, agreement_valid_o, agreement_pixel_0_o, agreement_pixel_1_o, agreement_saturated_o, agreement_mask_o, agreement_marks_first_o, agreement_marks_last_o, agreement_marks_seen_o, agreement_marks_nearer_o};
+    assign unused = ^{compete_clk, compete_runs, dim_valid_o, dim_pixel_0_o, dim_pixel_1_o, dim_saturated_o, dim_mask_o, dim_marks_first_o, dim_marks_last_o, dim_marks_seen_o, dim_marks_nearer_o};
     assign slopes_valid_o = '0;
     assign slopes_gx_0_o = '0;
     assign slopes_gx_1_o = '0;
@@ -1113,6 +1148,7 @@ module horopter_stages #(
       .cfg_similar_i(compete_settings_i[10:7]),
       .cfg_quorum_i(compete_settings_i[18:11]),
       .cfg_clear_quorum_i(compete_settings_i[26:19]),
+      .cfg_dim_i(cfg_dim_i),
       .valid_o(ballot_valid_o),
       .skin_o(ballot_skin_o),
       .clear_o(ballot_clear_o),
@@ -1124,7 +1160,7 @@ module horopter_stages #(
     );
   end else begin : g_no_ballot
     logic unused;
-    assign unused = ^{compete_clk, compete_runs, spread_valid_o, spread_vote_o, spread_firm_o, spread_grey_o, spread_exists_o, spread_marks_first_o, spread_marks_last_o, spread_marks_seen_o, spread_marks_nearer_o, compete_settings_i[10:7], compete_settings_i[18:11], compete_settings_i[26:19]};
+    assign unused = ^{compete_clk, compete_runs, spread_valid_o, spread_vote_o, spread_firm_o, spread_grey_o, spread_exists_o, spread_marks_first_o, spread_marks_last_o, spread_marks_seen_o, spread_marks_nearer_o, compete_settings_i[10:7], compete_settings_i[18:11], compete_settings_i[26:19], cfg_dim_i};
     assign ballot_valid_o = '0;
     assign ballot_skin_o = '0;
     assign ballot_clear_o = '0;

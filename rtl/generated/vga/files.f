@@ -10,6 +10,7 @@ rtl/generated/vga/horopter_consensus.sv
 rtl/generated/vga/horopter_contest.sv
 rtl/generated/vga/horopter_contrast.sv
 rtl/generated/vga/horopter_difference.sv
+rtl/generated/vga/horopter_dim.sv
 rtl/generated/vga/horopter_direction.sv
 rtl/generated/vga/horopter_dsad.sv
 rtl/generated/vga/horopter_health.sv

@@ -20,6 +20,7 @@ module horopter_ballot (
   input  logic [3:0] cfg_similar_i,
   input  logic [7:0] cfg_quorum_i,
   input  logic [7:0] cfg_clear_quorum_i,
+  input  logic cfg_dim_i,
   output logic parity_error_o,
   output logic valid_o,
   output logic skin_o,
@@ -38,18 +39,24 @@ module horopter_ballot (
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
 
+  // Of the configuration alone: not pipelined.
+  logic [6:0] select_274;
+  assign select_274 = cfg_dim_i ? cfg_clear_quorum_i[7:1] : 7'h0;
+  logic [8:0] sum_275;
+  assign sum_275 = {1'b0, cfg_clear_quorum_i} + {2'h0, select_274};
+
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [9:0] raster_column_q;
   logic raster_row_ended_q;
   logic running_q;
-  // hls/stages/ballot.hpp:40
-  logic [9:0] select_18;
-  assign select_18 = marks_first_i ? 10'h0 : (raster_row_ended_q ? 10'h0 : (raster_column_q + 10'h1));
-  // hls/stages/ballot.hpp:44
-  logic or_20;
-  assign or_20 = marks_first_i | running_q;
+  // hls/stages/ballot.hpp:43
+  logic [9:0] select_19;
+  assign select_19 = marks_first_i ? 10'h0 : (raster_row_ended_q ? 10'h0 : (raster_column_q + 10'h1));
+  // hls/stages/ballot.hpp:47
+  logic or_21;
+  assign or_21 = marks_first_i | running_q;
 
-  // Memory memory, 640 x 270 and parity, DISTANCE 16, hls/stages/ballot.hpp:98; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 270 and parity, DISTANCE 16, hls/stages/ballot.hpp:102; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [270:0] memory_mem [0:639];
@@ -57,9 +64,9 @@ module horopter_ballot (
   initial for (int i = 0; i < 640; i++) memory_mem[i] = 271'h0;
 `endif
   logic [9:0] memory_raddr;
-  assign memory_raddr = running_q ? select_18 : 10'h0;
+  assign memory_raddr = running_q ? select_19 : 10'h0;
   logic memory_re;
-  assign memory_re = s0_en & or_20;
+  assign memory_re = s0_en & or_21;
   logic [270:0] memory_word_q;
   always_ff @(posedge clk_i) begin
     if (memory_re) memory_word_q <= memory_mem[memory_raddr];
@@ -76,9 +83,9 @@ module horopter_ballot (
       raster_row_ended_q <= 1'b1;
       running_q <= 1'b0;
     end else if (s0_en) begin
-      raster_column_q <= select_18;
+      raster_column_q <= select_19;
       raster_row_ended_q <= marks_last_i;
-      running_q <= running_q ? or_20 : (marks_first_i & or_20);
+      running_q <= running_q ? or_21 : (marks_first_i & or_21);
     end
   end
 
@@ -105,498 +112,498 @@ module horopter_ballot (
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic raster_rows_q;
-  // hls/stages/ballot.hpp:40
-  logic and_23;
-  assign and_23 = raster_rows_q & (~marks_first_s1_q);
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_25;
-  assign select_25 = running_s1_q ? memory_rdata_q[7:0] : (marks_first_s1_q ? memory_rdata_q[7:0] : 8'h0);
+  // hls/stages/ballot.hpp:43
+  logic and_24;
+  assign and_24 = raster_rows_q & (~marks_first_s1_q);
   // hls/stages/ballot.hpp:52
   logic [7:0] select_26;
-  assign select_26 = and_23 ? select_25 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_28;
-  assign select_28 = running_s1_q ? memory_rdata_q[13:8] : (marks_first_s1_q ? memory_rdata_q[13:8] : 6'h0);
+  assign select_26 = running_s1_q ? memory_rdata_q[7:0] : (marks_first_s1_q ? memory_rdata_q[7:0] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_27;
+  assign select_27 = and_24 ? select_26 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_29;
-  assign select_29 = and_23 ? select_28 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic select_31;
-  assign select_31 = running_s1_q ? memory_rdata_q[14] : (marks_first_s1_q & memory_rdata_q[14]);
+  assign select_29 = running_s1_q ? memory_rdata_q[13:8] : (marks_first_s1_q ? memory_rdata_q[13:8] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_30;
+  assign select_30 = and_24 ? select_29 : 6'h0;
   // hls/stages/ballot.hpp:52
-  logic and_32;
-  assign and_32 = and_23 & select_31;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_34;
-  assign select_34 = running_s1_q ? memory_rdata_q[22:15] : (marks_first_s1_q ? memory_rdata_q[22:15] : 8'h0);
+  logic select_32;
+  assign select_32 = running_s1_q ? memory_rdata_q[14] : (marks_first_s1_q & memory_rdata_q[14]);
+  // hls/stages/ballot.hpp:55
+  logic and_33;
+  assign and_33 = and_24 & select_32;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_35;
-  assign select_35 = and_23 ? select_34 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_37;
-  assign select_37 = running_s1_q ? memory_rdata_q[28:23] : (marks_first_s1_q ? memory_rdata_q[28:23] : 6'h0);
+  assign select_35 = running_s1_q ? memory_rdata_q[22:15] : (marks_first_s1_q ? memory_rdata_q[22:15] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_36;
+  assign select_36 = and_24 ? select_35 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_38;
-  assign select_38 = and_23 ? select_37 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic select_40;
-  assign select_40 = running_s1_q ? memory_rdata_q[29] : (marks_first_s1_q & memory_rdata_q[29]);
+  assign select_38 = running_s1_q ? memory_rdata_q[28:23] : (marks_first_s1_q ? memory_rdata_q[28:23] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_39;
+  assign select_39 = and_24 ? select_38 : 6'h0;
   // hls/stages/ballot.hpp:52
-  logic and_41;
-  assign and_41 = and_23 & select_40;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_43;
-  assign select_43 = running_s1_q ? memory_rdata_q[37:30] : (marks_first_s1_q ? memory_rdata_q[37:30] : 8'h0);
+  logic select_41;
+  assign select_41 = running_s1_q ? memory_rdata_q[29] : (marks_first_s1_q & memory_rdata_q[29]);
+  // hls/stages/ballot.hpp:55
+  logic and_42;
+  assign and_42 = and_24 & select_41;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_44;
-  assign select_44 = and_23 ? select_43 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_46;
-  assign select_46 = running_s1_q ? memory_rdata_q[43:38] : (marks_first_s1_q ? memory_rdata_q[43:38] : 6'h0);
+  assign select_44 = running_s1_q ? memory_rdata_q[37:30] : (marks_first_s1_q ? memory_rdata_q[37:30] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_45;
+  assign select_45 = and_24 ? select_44 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_47;
-  assign select_47 = and_23 ? select_46 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic select_49;
-  assign select_49 = running_s1_q ? memory_rdata_q[44] : (marks_first_s1_q & memory_rdata_q[44]);
+  assign select_47 = running_s1_q ? memory_rdata_q[43:38] : (marks_first_s1_q ? memory_rdata_q[43:38] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_48;
+  assign select_48 = and_24 ? select_47 : 6'h0;
   // hls/stages/ballot.hpp:52
-  logic and_50;
-  assign and_50 = and_23 & select_49;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_52;
-  assign select_52 = running_s1_q ? memory_rdata_q[52:45] : (marks_first_s1_q ? memory_rdata_q[52:45] : 8'h0);
+  logic select_50;
+  assign select_50 = running_s1_q ? memory_rdata_q[44] : (marks_first_s1_q & memory_rdata_q[44]);
+  // hls/stages/ballot.hpp:55
+  logic and_51;
+  assign and_51 = and_24 & select_50;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_53;
-  assign select_53 = and_23 ? select_52 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_55;
-  assign select_55 = running_s1_q ? memory_rdata_q[58:53] : (marks_first_s1_q ? memory_rdata_q[58:53] : 6'h0);
+  assign select_53 = running_s1_q ? memory_rdata_q[52:45] : (marks_first_s1_q ? memory_rdata_q[52:45] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_54;
+  assign select_54 = and_24 ? select_53 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_56;
-  assign select_56 = and_23 ? select_55 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic select_58;
-  assign select_58 = running_s1_q ? memory_rdata_q[59] : (marks_first_s1_q & memory_rdata_q[59]);
+  assign select_56 = running_s1_q ? memory_rdata_q[58:53] : (marks_first_s1_q ? memory_rdata_q[58:53] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_57;
+  assign select_57 = and_24 ? select_56 : 6'h0;
   // hls/stages/ballot.hpp:52
-  logic and_59;
-  assign and_59 = and_23 & select_58;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_61;
-  assign select_61 = running_s1_q ? memory_rdata_q[67:60] : (marks_first_s1_q ? memory_rdata_q[67:60] : 8'h0);
+  logic select_59;
+  assign select_59 = running_s1_q ? memory_rdata_q[59] : (marks_first_s1_q & memory_rdata_q[59]);
+  // hls/stages/ballot.hpp:55
+  logic and_60;
+  assign and_60 = and_24 & select_59;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_62;
-  assign select_62 = and_23 ? select_61 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_64;
-  assign select_64 = running_s1_q ? memory_rdata_q[73:68] : (marks_first_s1_q ? memory_rdata_q[73:68] : 6'h0);
+  assign select_62 = running_s1_q ? memory_rdata_q[67:60] : (marks_first_s1_q ? memory_rdata_q[67:60] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_63;
+  assign select_63 = and_24 ? select_62 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_65;
-  assign select_65 = and_23 ? select_64 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic select_67;
-  assign select_67 = running_s1_q ? memory_rdata_q[74] : (marks_first_s1_q & memory_rdata_q[74]);
+  assign select_65 = running_s1_q ? memory_rdata_q[73:68] : (marks_first_s1_q ? memory_rdata_q[73:68] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_66;
+  assign select_66 = and_24 ? select_65 : 6'h0;
   // hls/stages/ballot.hpp:52
-  logic and_68;
-  assign and_68 = and_23 & select_67;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_70;
-  assign select_70 = running_s1_q ? memory_rdata_q[82:75] : (marks_first_s1_q ? memory_rdata_q[82:75] : 8'h0);
+  logic select_68;
+  assign select_68 = running_s1_q ? memory_rdata_q[74] : (marks_first_s1_q & memory_rdata_q[74]);
+  // hls/stages/ballot.hpp:55
+  logic and_69;
+  assign and_69 = and_24 & select_68;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_71;
-  assign select_71 = and_23 ? select_70 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_73;
-  assign select_73 = running_s1_q ? memory_rdata_q[88:83] : (marks_first_s1_q ? memory_rdata_q[88:83] : 6'h0);
+  assign select_71 = running_s1_q ? memory_rdata_q[82:75] : (marks_first_s1_q ? memory_rdata_q[82:75] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_72;
+  assign select_72 = and_24 ? select_71 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_74;
-  assign select_74 = and_23 ? select_73 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic select_76;
-  assign select_76 = running_s1_q ? memory_rdata_q[89] : (marks_first_s1_q & memory_rdata_q[89]);
+  assign select_74 = running_s1_q ? memory_rdata_q[88:83] : (marks_first_s1_q ? memory_rdata_q[88:83] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_75;
+  assign select_75 = and_24 ? select_74 : 6'h0;
   // hls/stages/ballot.hpp:52
-  logic and_77;
-  assign and_77 = and_23 & select_76;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_79;
-  assign select_79 = running_s1_q ? memory_rdata_q[97:90] : (marks_first_s1_q ? memory_rdata_q[97:90] : 8'h0);
+  logic select_77;
+  assign select_77 = running_s1_q ? memory_rdata_q[89] : (marks_first_s1_q & memory_rdata_q[89]);
+  // hls/stages/ballot.hpp:55
+  logic and_78;
+  assign and_78 = and_24 & select_77;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_80;
-  assign select_80 = and_23 ? select_79 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_82;
-  assign select_82 = running_s1_q ? memory_rdata_q[103:98] : (marks_first_s1_q ? memory_rdata_q[103:98] : 6'h0);
+  assign select_80 = running_s1_q ? memory_rdata_q[97:90] : (marks_first_s1_q ? memory_rdata_q[97:90] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_81;
+  assign select_81 = and_24 ? select_80 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_83;
-  assign select_83 = and_23 ? select_82 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic select_85;
-  assign select_85 = running_s1_q ? memory_rdata_q[104] : (marks_first_s1_q & memory_rdata_q[104]);
+  assign select_83 = running_s1_q ? memory_rdata_q[103:98] : (marks_first_s1_q ? memory_rdata_q[103:98] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_84;
+  assign select_84 = and_24 ? select_83 : 6'h0;
   // hls/stages/ballot.hpp:52
-  logic and_86;
-  assign and_86 = and_23 & select_85;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_88;
-  assign select_88 = running_s1_q ? memory_rdata_q[112:105] : (marks_first_s1_q ? memory_rdata_q[112:105] : 8'h0);
+  logic select_86;
+  assign select_86 = running_s1_q ? memory_rdata_q[104] : (marks_first_s1_q & memory_rdata_q[104]);
+  // hls/stages/ballot.hpp:55
+  logic and_87;
+  assign and_87 = and_24 & select_86;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_89;
-  assign select_89 = and_23 ? select_88 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_91;
-  assign select_91 = running_s1_q ? memory_rdata_q[118:113] : (marks_first_s1_q ? memory_rdata_q[118:113] : 6'h0);
+  assign select_89 = running_s1_q ? memory_rdata_q[112:105] : (marks_first_s1_q ? memory_rdata_q[112:105] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_90;
+  assign select_90 = and_24 ? select_89 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_92;
-  assign select_92 = and_23 ? select_91 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic select_94;
-  assign select_94 = running_s1_q ? memory_rdata_q[119] : (marks_first_s1_q & memory_rdata_q[119]);
+  assign select_92 = running_s1_q ? memory_rdata_q[118:113] : (marks_first_s1_q ? memory_rdata_q[118:113] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_93;
+  assign select_93 = and_24 ? select_92 : 6'h0;
   // hls/stages/ballot.hpp:52
-  logic and_95;
-  assign and_95 = and_23 & select_94;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_97;
-  assign select_97 = running_s1_q ? memory_rdata_q[127:120] : (marks_first_s1_q ? memory_rdata_q[127:120] : 8'h0);
+  logic select_95;
+  assign select_95 = running_s1_q ? memory_rdata_q[119] : (marks_first_s1_q & memory_rdata_q[119]);
+  // hls/stages/ballot.hpp:55
+  logic and_96;
+  assign and_96 = and_24 & select_95;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_98;
-  assign select_98 = and_23 ? select_97 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_100;
-  assign select_100 = running_s1_q ? memory_rdata_q[133:128] : (marks_first_s1_q ? memory_rdata_q[133:128] : 6'h0);
+  assign select_98 = running_s1_q ? memory_rdata_q[127:120] : (marks_first_s1_q ? memory_rdata_q[127:120] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_99;
+  assign select_99 = and_24 ? select_98 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_101;
-  assign select_101 = and_23 ? select_100 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_103;
-  assign select_103 = running_s1_q ? memory_rdata_q[142:135] : (marks_first_s1_q ? memory_rdata_q[142:135] : 8'h0);
+  assign select_101 = running_s1_q ? memory_rdata_q[133:128] : (marks_first_s1_q ? memory_rdata_q[133:128] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_102;
+  assign select_102 = and_24 ? select_101 : 6'h0;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_104;
-  assign select_104 = and_23 ? select_103 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_106;
-  assign select_106 = running_s1_q ? memory_rdata_q[148:143] : (marks_first_s1_q ? memory_rdata_q[148:143] : 6'h0);
+  assign select_104 = running_s1_q ? memory_rdata_q[142:135] : (marks_first_s1_q ? memory_rdata_q[142:135] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_105;
+  assign select_105 = and_24 ? select_104 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_107;
-  assign select_107 = and_23 ? select_106 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_109;
-  assign select_109 = running_s1_q ? memory_rdata_q[156:149] : (marks_first_s1_q ? memory_rdata_q[156:149] : 8'h0);
+  assign select_107 = running_s1_q ? memory_rdata_q[148:143] : (marks_first_s1_q ? memory_rdata_q[148:143] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_108;
+  assign select_108 = and_24 ? select_107 : 6'h0;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_110;
-  assign select_110 = and_23 ? select_109 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_112;
-  assign select_112 = running_s1_q ? memory_rdata_q[162:157] : (marks_first_s1_q ? memory_rdata_q[162:157] : 6'h0);
+  assign select_110 = running_s1_q ? memory_rdata_q[156:149] : (marks_first_s1_q ? memory_rdata_q[156:149] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_111;
+  assign select_111 = and_24 ? select_110 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_113;
-  assign select_113 = and_23 ? select_112 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_115;
-  assign select_115 = running_s1_q ? memory_rdata_q[170:163] : (marks_first_s1_q ? memory_rdata_q[170:163] : 8'h0);
+  assign select_113 = running_s1_q ? memory_rdata_q[162:157] : (marks_first_s1_q ? memory_rdata_q[162:157] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_114;
+  assign select_114 = and_24 ? select_113 : 6'h0;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_116;
-  assign select_116 = and_23 ? select_115 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_118;
-  assign select_118 = running_s1_q ? memory_rdata_q[176:171] : (marks_first_s1_q ? memory_rdata_q[176:171] : 6'h0);
+  assign select_116 = running_s1_q ? memory_rdata_q[170:163] : (marks_first_s1_q ? memory_rdata_q[170:163] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_117;
+  assign select_117 = and_24 ? select_116 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_119;
-  assign select_119 = and_23 ? select_118 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_121;
-  assign select_121 = running_s1_q ? memory_rdata_q[184:177] : (marks_first_s1_q ? memory_rdata_q[184:177] : 8'h0);
+  assign select_119 = running_s1_q ? memory_rdata_q[176:171] : (marks_first_s1_q ? memory_rdata_q[176:171] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_120;
+  assign select_120 = and_24 ? select_119 : 6'h0;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_122;
-  assign select_122 = and_23 ? select_121 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_124;
-  assign select_124 = running_s1_q ? memory_rdata_q[190:185] : (marks_first_s1_q ? memory_rdata_q[190:185] : 6'h0);
+  assign select_122 = running_s1_q ? memory_rdata_q[184:177] : (marks_first_s1_q ? memory_rdata_q[184:177] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_123;
+  assign select_123 = and_24 ? select_122 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_125;
-  assign select_125 = and_23 ? select_124 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_127;
-  assign select_127 = running_s1_q ? memory_rdata_q[198:191] : (marks_first_s1_q ? memory_rdata_q[198:191] : 8'h0);
+  assign select_125 = running_s1_q ? memory_rdata_q[190:185] : (marks_first_s1_q ? memory_rdata_q[190:185] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_126;
+  assign select_126 = and_24 ? select_125 : 6'h0;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_128;
-  assign select_128 = and_23 ? select_127 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_130;
-  assign select_130 = running_s1_q ? memory_rdata_q[204:199] : (marks_first_s1_q ? memory_rdata_q[204:199] : 6'h0);
+  assign select_128 = running_s1_q ? memory_rdata_q[198:191] : (marks_first_s1_q ? memory_rdata_q[198:191] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_129;
+  assign select_129 = and_24 ? select_128 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_131;
-  assign select_131 = and_23 ? select_130 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_133;
-  assign select_133 = running_s1_q ? memory_rdata_q[212:205] : (marks_first_s1_q ? memory_rdata_q[212:205] : 8'h0);
+  assign select_131 = running_s1_q ? memory_rdata_q[204:199] : (marks_first_s1_q ? memory_rdata_q[204:199] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_132;
+  assign select_132 = and_24 ? select_131 : 6'h0;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_134;
-  assign select_134 = and_23 ? select_133 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_136;
-  assign select_136 = running_s1_q ? memory_rdata_q[218:213] : (marks_first_s1_q ? memory_rdata_q[218:213] : 6'h0);
+  assign select_134 = running_s1_q ? memory_rdata_q[212:205] : (marks_first_s1_q ? memory_rdata_q[212:205] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_135;
+  assign select_135 = and_24 ? select_134 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_137;
-  assign select_137 = and_23 ? select_136 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_139;
-  assign select_139 = running_s1_q ? memory_rdata_q[226:219] : (marks_first_s1_q ? memory_rdata_q[226:219] : 8'h0);
+  assign select_137 = running_s1_q ? memory_rdata_q[218:213] : (marks_first_s1_q ? memory_rdata_q[218:213] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_138;
+  assign select_138 = and_24 ? select_137 : 6'h0;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_140;
-  assign select_140 = and_23 ? select_139 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_142;
-  assign select_142 = running_s1_q ? memory_rdata_q[232:227] : (marks_first_s1_q ? memory_rdata_q[232:227] : 6'h0);
+  assign select_140 = running_s1_q ? memory_rdata_q[226:219] : (marks_first_s1_q ? memory_rdata_q[226:219] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_141;
+  assign select_141 = and_24 ? select_140 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_143;
-  assign select_143 = and_23 ? select_142 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_145;
-  assign select_145 = running_s1_q ? memory_rdata_q[240:233] : (marks_first_s1_q ? memory_rdata_q[240:233] : 8'h0);
+  assign select_143 = running_s1_q ? memory_rdata_q[232:227] : (marks_first_s1_q ? memory_rdata_q[232:227] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_144;
+  assign select_144 = and_24 ? select_143 : 6'h0;
   // hls/stages/ballot.hpp:52
   logic [7:0] select_146;
-  assign select_146 = and_23 ? select_145 : 8'h0;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_148;
-  assign select_148 = running_s1_q ? memory_rdata_q[246:241] : (marks_first_s1_q ? memory_rdata_q[246:241] : 6'h0);
+  assign select_146 = running_s1_q ? memory_rdata_q[240:233] : (marks_first_s1_q ? memory_rdata_q[240:233] : 8'h0);
+  // hls/stages/ballot.hpp:55
+  logic [7:0] select_147;
+  assign select_147 = and_24 ? select_146 : 8'h0;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_149;
-  assign select_149 = and_23 ? select_148 : 6'h0;
-  // hls/stages/ballot.hpp:49
-  logic [8:0] select_151;
-  assign select_151 = running_s1_q ? memory_rdata_q[269:261] : (marks_first_s1_q ? memory_rdata_q[269:261] : 9'h0);
+  assign select_149 = running_s1_q ? memory_rdata_q[246:241] : (marks_first_s1_q ? memory_rdata_q[246:241] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_150;
+  assign select_150 = and_24 ? select_149 : 6'h0;
   // hls/stages/ballot.hpp:52
   logic [8:0] select_152;
-  assign select_152 = and_23 ? select_151 : 9'h0;
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_156;
-  assign difference_156 = {1'b0, select_38} - {1'b0, select_101};
-  logic [5:0] xor_157;
-  assign xor_157 = difference_156[5:0] ^ {6{difference_156[6]}};
+  assign select_152 = running_s1_q ? memory_rdata_q[269:261] : (marks_first_s1_q ? memory_rdata_q[269:261] : 9'h0);
+  // hls/stages/ballot.hpp:55
+  logic [8:0] select_153;
+  assign select_153 = and_24 ? select_152 : 9'h0;
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_157;
+  assign difference_157 = {1'b0, select_39} - {1'b0, select_102};
+  logic [5:0] xor_158;
+  assign xor_158 = difference_157[5:0] ^ {6{difference_157[6]}};
   logic [6:0] difference;
-  assign difference = {6'h0, difference_156[6]} + {1'b0, xor_157};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_160;
-  assign select_160 = ({3'h0, cfg_similar_i} < difference) ? 8'h0 : select_35;
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_161;
-  assign difference_161 = {1'b0, select_29} - {1'b0, select_101};
-  logic [5:0] xor_162;
-  assign xor_162 = difference_161[5:0] ^ {6{difference_161[6]}};
+  assign difference = {6'h0, difference_157[6]} + {1'b0, xor_158};
+  // hls/stages/ballot.hpp:61
+  logic [7:0] select_161;
+  assign select_161 = ({3'h0, cfg_similar_i} < difference) ? 8'h0 : select_36;
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_162;
+  assign difference_162 = {1'b0, select_30} - {1'b0, select_102};
+  logic [5:0] xor_163;
+  assign xor_163 = difference_162[5:0] ^ {6{difference_162[6]}};
   logic [6:0] difference_2;
-  assign difference_2 = {6'h0, difference_161[6]} + {1'b0, xor_162};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_165;
-  assign select_165 = ({3'h0, cfg_similar_i} < difference_2) ? 8'h0 : select_26;
+  assign difference_2 = {6'h0, difference_162[6]} + {1'b0, xor_163};
   // hls/stages/ballot.hpp:61
-  logic [8:0] sum_166;
-  assign sum_166 = {select_160[7], select_160} + {select_165[7], select_165};
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_167;
-  assign difference_167 = {1'b0, select_56} - {1'b0, select_101};
-  logic [5:0] xor_168;
-  assign xor_168 = difference_167[5:0] ^ {6{difference_167[6]}};
+  logic [7:0] select_166;
+  assign select_166 = ({3'h0, cfg_similar_i} < difference_2) ? 8'h0 : select_27;
+  // hls/stages/ballot.hpp:64
+  logic [8:0] sum_167;
+  assign sum_167 = {select_161[7], select_161} + {select_166[7], select_166};
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_168;
+  assign difference_168 = {1'b0, select_57} - {1'b0, select_102};
+  logic [5:0] xor_169;
+  assign xor_169 = difference_168[5:0] ^ {6{difference_168[6]}};
   logic [6:0] difference_3;
-  assign difference_3 = {6'h0, difference_167[6]} + {1'b0, xor_168};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_171;
-  assign select_171 = ({3'h0, cfg_similar_i} < difference_3) ? 8'h0 : select_53;
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_172;
-  assign difference_172 = {1'b0, select_47} - {1'b0, select_101};
-  logic [5:0] xor_173;
-  assign xor_173 = difference_172[5:0] ^ {6{difference_172[6]}};
+  assign difference_3 = {6'h0, difference_168[6]} + {1'b0, xor_169};
+  // hls/stages/ballot.hpp:61
+  logic [7:0] select_172;
+  assign select_172 = ({3'h0, cfg_similar_i} < difference_3) ? 8'h0 : select_54;
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_173;
+  assign difference_173 = {1'b0, select_48} - {1'b0, select_102};
+  logic [5:0] xor_174;
+  assign xor_174 = difference_173[5:0] ^ {6{difference_173[6]}};
   logic [6:0] difference_4;
-  assign difference_4 = {6'h0, difference_172[6]} + {1'b0, xor_173};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_176;
-  assign select_176 = ({3'h0, cfg_similar_i} < difference_4) ? 8'h0 : select_44;
+  assign difference_4 = {6'h0, difference_173[6]} + {1'b0, xor_174};
   // hls/stages/ballot.hpp:61
-  logic [8:0] sum_177;
-  assign sum_177 = {select_171[7], select_171} + {select_176[7], select_176};
-  logic [9:0] sum_178;
-  assign sum_178 = {sum_166[8], sum_166} + {sum_177[8], sum_177};
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_179;
-  assign difference_179 = {1'b0, select_74} - {1'b0, select_101};
-  logic [5:0] xor_180;
-  assign xor_180 = difference_179[5:0] ^ {6{difference_179[6]}};
+  logic [7:0] select_177;
+  assign select_177 = ({3'h0, cfg_similar_i} < difference_4) ? 8'h0 : select_45;
+  // hls/stages/ballot.hpp:64
+  logic [8:0] sum_178;
+  assign sum_178 = {select_172[7], select_172} + {select_177[7], select_177};
+  logic [9:0] sum_179;
+  assign sum_179 = {sum_167[8], sum_167} + {sum_178[8], sum_178};
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_180;
+  assign difference_180 = {1'b0, select_75} - {1'b0, select_102};
+  logic [5:0] xor_181;
+  assign xor_181 = difference_180[5:0] ^ {6{difference_180[6]}};
   logic [6:0] difference_5;
-  assign difference_5 = {6'h0, difference_179[6]} + {1'b0, xor_180};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_183;
-  assign select_183 = ({3'h0, cfg_similar_i} < difference_5) ? 8'h0 : select_71;
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_184;
-  assign difference_184 = {1'b0, select_65} - {1'b0, select_101};
-  logic [5:0] xor_185;
-  assign xor_185 = difference_184[5:0] ^ {6{difference_184[6]}};
+  assign difference_5 = {6'h0, difference_180[6]} + {1'b0, xor_181};
+  // hls/stages/ballot.hpp:61
+  logic [7:0] select_184;
+  assign select_184 = ({3'h0, cfg_similar_i} < difference_5) ? 8'h0 : select_72;
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_185;
+  assign difference_185 = {1'b0, select_66} - {1'b0, select_102};
+  logic [5:0] xor_186;
+  assign xor_186 = difference_185[5:0] ^ {6{difference_185[6]}};
   logic [6:0] difference_6;
-  assign difference_6 = {6'h0, difference_184[6]} + {1'b0, xor_185};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_188;
-  assign select_188 = ({3'h0, cfg_similar_i} < difference_6) ? 8'h0 : select_62;
+  assign difference_6 = {6'h0, difference_185[6]} + {1'b0, xor_186};
   // hls/stages/ballot.hpp:61
-  logic [8:0] sum_189;
-  assign sum_189 = {select_183[7], select_183} + {select_188[7], select_188};
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_190;
-  assign difference_190 = {1'b0, select_92} - {1'b0, select_101};
-  logic [5:0] xor_191;
-  assign xor_191 = difference_190[5:0] ^ {6{difference_190[6]}};
+  logic [7:0] select_189;
+  assign select_189 = ({3'h0, cfg_similar_i} < difference_6) ? 8'h0 : select_63;
+  // hls/stages/ballot.hpp:64
+  logic [8:0] sum_190;
+  assign sum_190 = {select_184[7], select_184} + {select_189[7], select_189};
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_191;
+  assign difference_191 = {1'b0, select_93} - {1'b0, select_102};
+  logic [5:0] xor_192;
+  assign xor_192 = difference_191[5:0] ^ {6{difference_191[6]}};
   logic [6:0] difference_7;
-  assign difference_7 = {6'h0, difference_190[6]} + {1'b0, xor_191};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_194;
-  assign select_194 = ({3'h0, cfg_similar_i} < difference_7) ? 8'h0 : select_89;
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_195;
-  assign difference_195 = {1'b0, select_83} - {1'b0, select_101};
-  logic [5:0] xor_196;
-  assign xor_196 = difference_195[5:0] ^ {6{difference_195[6]}};
+  assign difference_7 = {6'h0, difference_191[6]} + {1'b0, xor_192};
+  // hls/stages/ballot.hpp:61
+  logic [7:0] select_195;
+  assign select_195 = ({3'h0, cfg_similar_i} < difference_7) ? 8'h0 : select_90;
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_196;
+  assign difference_196 = {1'b0, select_84} - {1'b0, select_102};
+  logic [5:0] xor_197;
+  assign xor_197 = difference_196[5:0] ^ {6{difference_196[6]}};
   logic [6:0] difference_8;
-  assign difference_8 = {6'h0, difference_195[6]} + {1'b0, xor_196};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_199;
-  assign select_199 = ({3'h0, cfg_similar_i} < difference_8) ? 8'h0 : select_80;
+  assign difference_8 = {6'h0, difference_196[6]} + {1'b0, xor_197};
   // hls/stages/ballot.hpp:61
-  logic [8:0] sum_200;
-  assign sum_200 = {select_194[7], select_194} + {select_199[7], select_199};
-  logic [9:0] sum_201;
-  assign sum_201 = {sum_189[8], sum_189} + {sum_200[8], sum_200};
-  logic [10:0] sum_202;
-  assign sum_202 = {sum_178[9], sum_178} + {sum_201[9], sum_201};
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_203;
-  assign difference_203 = {1'b0, select_107} - {1'b0, select_101};
-  logic [5:0] xor_204;
-  assign xor_204 = difference_203[5:0] ^ {6{difference_203[6]}};
+  logic [7:0] select_200;
+  assign select_200 = ({3'h0, cfg_similar_i} < difference_8) ? 8'h0 : select_81;
+  // hls/stages/ballot.hpp:64
+  logic [8:0] sum_201;
+  assign sum_201 = {select_195[7], select_195} + {select_200[7], select_200};
+  logic [9:0] sum_202;
+  assign sum_202 = {sum_190[8], sum_190} + {sum_201[8], sum_201};
+  logic [10:0] sum_203;
+  assign sum_203 = {sum_179[9], sum_179} + {sum_202[9], sum_202};
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_204;
+  assign difference_204 = {1'b0, select_108} - {1'b0, select_102};
+  logic [5:0] xor_205;
+  assign xor_205 = difference_204[5:0] ^ {6{difference_204[6]}};
   logic [6:0] difference_9;
-  assign difference_9 = {6'h0, difference_203[6]} + {1'b0, xor_204};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_207;
-  assign select_207 = ({3'h0, cfg_similar_i} < difference_9) ? 8'h0 : select_104;
+  assign difference_9 = {6'h0, difference_204[6]} + {1'b0, xor_205};
   // hls/stages/ballot.hpp:61
-  logic [8:0] sum_208;
-  assign sum_208 = {select_98[7], select_98} + {select_207[7], select_207};
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_209;
-  assign difference_209 = {1'b0, select_119} - {1'b0, select_101};
-  logic [5:0] xor_210;
-  assign xor_210 = difference_209[5:0] ^ {6{difference_209[6]}};
+  logic [7:0] select_208;
+  assign select_208 = ({3'h0, cfg_similar_i} < difference_9) ? 8'h0 : select_105;
+  // hls/stages/ballot.hpp:64
+  logic [8:0] sum_209;
+  assign sum_209 = {select_99[7], select_99} + {select_208[7], select_208};
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_210;
+  assign difference_210 = {1'b0, select_120} - {1'b0, select_102};
+  logic [5:0] xor_211;
+  assign xor_211 = difference_210[5:0] ^ {6{difference_210[6]}};
   logic [6:0] difference_10;
-  assign difference_10 = {6'h0, difference_209[6]} + {1'b0, xor_210};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_213;
-  assign select_213 = ({3'h0, cfg_similar_i} < difference_10) ? 8'h0 : select_116;
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_214;
-  assign difference_214 = {1'b0, select_113} - {1'b0, select_101};
-  logic [5:0] xor_215;
-  assign xor_215 = difference_214[5:0] ^ {6{difference_214[6]}};
+  assign difference_10 = {6'h0, difference_210[6]} + {1'b0, xor_211};
+  // hls/stages/ballot.hpp:61
+  logic [7:0] select_214;
+  assign select_214 = ({3'h0, cfg_similar_i} < difference_10) ? 8'h0 : select_117;
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_215;
+  assign difference_215 = {1'b0, select_114} - {1'b0, select_102};
+  logic [5:0] xor_216;
+  assign xor_216 = difference_215[5:0] ^ {6{difference_215[6]}};
   logic [6:0] difference_11;
-  assign difference_11 = {6'h0, difference_214[6]} + {1'b0, xor_215};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_218;
-  assign select_218 = ({3'h0, cfg_similar_i} < difference_11) ? 8'h0 : select_110;
+  assign difference_11 = {6'h0, difference_215[6]} + {1'b0, xor_216};
   // hls/stages/ballot.hpp:61
-  logic [8:0] sum_219;
-  assign sum_219 = {select_213[7], select_213} + {select_218[7], select_218};
-  logic [9:0] sum_220;
-  assign sum_220 = {sum_208[8], sum_208} + {sum_219[8], sum_219};
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_221;
-  assign difference_221 = {1'b0, select_131} - {1'b0, select_101};
-  logic [5:0] xor_222;
-  assign xor_222 = difference_221[5:0] ^ {6{difference_221[6]}};
+  logic [7:0] select_219;
+  assign select_219 = ({3'h0, cfg_similar_i} < difference_11) ? 8'h0 : select_111;
+  // hls/stages/ballot.hpp:64
+  logic [8:0] sum_220;
+  assign sum_220 = {select_214[7], select_214} + {select_219[7], select_219};
+  logic [9:0] sum_221;
+  assign sum_221 = {sum_209[8], sum_209} + {sum_220[8], sum_220};
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_222;
+  assign difference_222 = {1'b0, select_132} - {1'b0, select_102};
+  logic [5:0] xor_223;
+  assign xor_223 = difference_222[5:0] ^ {6{difference_222[6]}};
   logic [6:0] difference_12;
-  assign difference_12 = {6'h0, difference_221[6]} + {1'b0, xor_222};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_225;
-  assign select_225 = ({3'h0, cfg_similar_i} < difference_12) ? 8'h0 : select_128;
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_226;
-  assign difference_226 = {1'b0, select_125} - {1'b0, select_101};
-  logic [5:0] xor_227;
-  assign xor_227 = difference_226[5:0] ^ {6{difference_226[6]}};
+  assign difference_12 = {6'h0, difference_222[6]} + {1'b0, xor_223};
+  // hls/stages/ballot.hpp:61
+  logic [7:0] select_226;
+  assign select_226 = ({3'h0, cfg_similar_i} < difference_12) ? 8'h0 : select_129;
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_227;
+  assign difference_227 = {1'b0, select_126} - {1'b0, select_102};
+  logic [5:0] xor_228;
+  assign xor_228 = difference_227[5:0] ^ {6{difference_227[6]}};
   logic [6:0] difference_13;
-  assign difference_13 = {6'h0, difference_226[6]} + {1'b0, xor_227};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_230;
-  assign select_230 = ({3'h0, cfg_similar_i} < difference_13) ? 8'h0 : select_122;
+  assign difference_13 = {6'h0, difference_227[6]} + {1'b0, xor_228};
   // hls/stages/ballot.hpp:61
-  logic [8:0] sum_231;
-  assign sum_231 = {select_225[7], select_225} + {select_230[7], select_230};
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_232;
-  assign difference_232 = {1'b0, select_143} - {1'b0, select_101};
-  logic [5:0] xor_233;
-  assign xor_233 = difference_232[5:0] ^ {6{difference_232[6]}};
+  logic [7:0] select_231;
+  assign select_231 = ({3'h0, cfg_similar_i} < difference_13) ? 8'h0 : select_123;
+  // hls/stages/ballot.hpp:64
+  logic [8:0] sum_232;
+  assign sum_232 = {select_226[7], select_226} + {select_231[7], select_231};
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_233;
+  assign difference_233 = {1'b0, select_144} - {1'b0, select_102};
+  logic [5:0] xor_234;
+  assign xor_234 = difference_233[5:0] ^ {6{difference_233[6]}};
   logic [6:0] difference_14;
-  assign difference_14 = {6'h0, difference_232[6]} + {1'b0, xor_233};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_236;
-  assign select_236 = ({3'h0, cfg_similar_i} < difference_14) ? 8'h0 : select_140;
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_237;
-  assign difference_237 = {1'b0, select_137} - {1'b0, select_101};
-  logic [5:0] xor_238;
-  assign xor_238 = difference_237[5:0] ^ {6{difference_237[6]}};
-  logic [6:0] difference_15;
-  assign difference_15 = {6'h0, difference_237[6]} + {1'b0, xor_238};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_241;
-  assign select_241 = ({3'h0, cfg_similar_i} < difference_15) ? 8'h0 : select_134;
+  assign difference_14 = {6'h0, difference_233[6]} + {1'b0, xor_234};
   // hls/stages/ballot.hpp:61
-  logic [8:0] sum_242;
-  assign sum_242 = {select_236[7], select_236} + {select_241[7], select_241};
-  logic [9:0] sum_243;
-  assign sum_243 = {sum_231[8], sum_231} + {sum_242[8], sum_242};
-  logic [10:0] sum_244;
-  assign sum_244 = {sum_220[9], sum_220} + {sum_243[9], sum_243};
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_246;
-  assign difference_246 = {1'b0, grey_s1_q} - {1'b0, select_101};
-  logic [5:0] xor_247;
-  assign xor_247 = difference_246[5:0] ^ {6{difference_246[6]}};
+  logic [7:0] select_237;
+  assign select_237 = ({3'h0, cfg_similar_i} < difference_14) ? 8'h0 : select_141;
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_238;
+  assign difference_238 = {1'b0, select_138} - {1'b0, select_102};
+  logic [5:0] xor_239;
+  assign xor_239 = difference_238[5:0] ^ {6{difference_238[6]}};
+  logic [6:0] difference_15;
+  assign difference_15 = {6'h0, difference_238[6]} + {1'b0, xor_239};
+  // hls/stages/ballot.hpp:61
+  logic [7:0] select_242;
+  assign select_242 = ({3'h0, cfg_similar_i} < difference_15) ? 8'h0 : select_135;
+  // hls/stages/ballot.hpp:64
+  logic [8:0] sum_243;
+  assign sum_243 = {select_237[7], select_237} + {select_242[7], select_242};
+  logic [9:0] sum_244;
+  assign sum_244 = {sum_232[8], sum_232} + {sum_243[8], sum_243};
+  logic [10:0] sum_245;
+  assign sum_245 = {sum_221[9], sum_221} + {sum_244[9], sum_244};
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_247;
+  assign difference_247 = {1'b0, grey_s1_q} - {1'b0, select_102};
+  logic [5:0] xor_248;
+  assign xor_248 = difference_247[5:0] ^ {6{difference_247[6]}};
   logic [6:0] difference_16;
-  assign difference_16 = {6'h0, difference_246[6]} + {1'b0, xor_247};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_250;
-  assign select_250 = ({3'h0, cfg_similar_i} < difference_16) ? 8'h0 : vote_s1_q;
-  // hls/stages/ballot.hpp:49
-  logic [5:0] select_252;
-  assign select_252 = running_s1_q ? memory_rdata_q[260:255] : (marks_first_s1_q ? memory_rdata_q[260:255] : 6'h0);
+  assign difference_16 = {6'h0, difference_247[6]} + {1'b0, xor_248};
+  // hls/stages/ballot.hpp:61
+  logic [7:0] select_251;
+  assign select_251 = ({3'h0, cfg_similar_i} < difference_16) ? 8'h0 : vote_s1_q;
   // hls/stages/ballot.hpp:52
   logic [5:0] select_253;
-  assign select_253 = and_23 ? select_252 : 6'h0;
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_254;
-  assign difference_254 = {1'b0, select_253} - {1'b0, select_101};
-  logic [5:0] xor_255;
-  assign xor_255 = difference_254[5:0] ^ {6{difference_254[6]}};
+  assign select_253 = running_s1_q ? memory_rdata_q[260:255] : (marks_first_s1_q ? memory_rdata_q[260:255] : 6'h0);
+  // hls/stages/ballot.hpp:55
+  logic [5:0] select_254;
+  assign select_254 = and_24 ? select_253 : 6'h0;
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_255;
+  assign difference_255 = {1'b0, select_254} - {1'b0, select_102};
+  logic [5:0] xor_256;
+  assign xor_256 = difference_255[5:0] ^ {6{difference_255[6]}};
   logic [6:0] difference_17;
-  assign difference_17 = {6'h0, difference_254[6]} + {1'b0, xor_255};
-  // hls/stages/ballot.hpp:49
-  logic [7:0] select_259;
-  assign select_259 = running_s1_q ? memory_rdata_q[254:247] : (marks_first_s1_q ? memory_rdata_q[254:247] : 8'h0);
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_261;
-  assign select_261 = ({3'h0, cfg_similar_i} < difference_17) ? 8'h0 : (and_23 ? select_259 : 8'h0);
-  // hls/stages/ballot.hpp:57
-  logic [6:0] difference_262;
-  assign difference_262 = {1'b0, select_149} - {1'b0, select_101};
-  logic [5:0] xor_263;
-  assign xor_263 = difference_262[5:0] ^ {6{difference_262[6]}};
-  logic [6:0] difference_18;
-  assign difference_18 = {6'h0, difference_262[6]} + {1'b0, xor_263};
-  // hls/stages/ballot.hpp:58
-  logic [7:0] select_266;
-  assign select_266 = ({3'h0, cfg_similar_i} < difference_18) ? 8'h0 : select_146;
+  assign difference_17 = {6'h0, difference_255[6]} + {1'b0, xor_256};
+  // hls/stages/ballot.hpp:52
+  logic [7:0] select_260;
+  assign select_260 = running_s1_q ? memory_rdata_q[254:247] : (marks_first_s1_q ? memory_rdata_q[254:247] : 8'h0);
   // hls/stages/ballot.hpp:61
-  logic [8:0] sum_267;
-  assign sum_267 = {select_261[7], select_261} + {select_266[7], select_266};
-  // hls/stages/ballot.hpp:49
-  logic select_278;
-  assign select_278 = running_s1_q ? memory_rdata_q[134] : (marks_first_s1_q & memory_rdata_q[134]);
+  logic [7:0] select_262;
+  assign select_262 = ({3'h0, cfg_similar_i} < difference_17) ? 8'h0 : (and_24 ? select_260 : 8'h0);
+  // hls/stages/ballot.hpp:60
+  logic [6:0] difference_263;
+  assign difference_263 = {1'b0, select_150} - {1'b0, select_102};
+  logic [5:0] xor_264;
+  assign xor_264 = difference_263[5:0] ^ {6{difference_263[6]}};
+  logic [6:0] difference_18;
+  assign difference_18 = {6'h0, difference_263[6]} + {1'b0, xor_264};
+  // hls/stages/ballot.hpp:61
+  logic [7:0] select_267;
+  assign select_267 = ({3'h0, cfg_similar_i} < difference_18) ? 8'h0 : select_147;
+  // hls/stages/ballot.hpp:64
+  logic [8:0] sum_268;
+  assign sum_268 = {select_262[7], select_262} + {select_267[7], select_267};
+  // hls/stages/ballot.hpp:52
+  logic select_281;
+  assign select_281 = running_s1_q ? memory_rdata_q[134] : (marks_first_s1_q & memory_rdata_q[134]);
 
   // Memory memory, write
   logic [9:0] memory_waddr;
@@ -604,7 +611,7 @@ module horopter_ballot (
   logic memory_we;
   assign memory_we = s1_en & running_q;
   logic [269:0] memory_wdata;
-  assign memory_wdata = {select_152[7:0], firm_s1_q, select_149, select_146, select_143, select_140, select_137, select_134, select_131, select_128, select_125, select_122, select_119, select_116, select_113, select_110, select_107, select_104, select_101, select_98, and_95, select_92, select_89, and_86, select_83, select_80, and_77, select_74, select_71, and_68, select_65, select_62, and_59, select_56, select_53, and_50, select_47, select_44, and_41, select_38, select_35, and_32, select_29, select_26, exists_s1_q, grey_s1_q, vote_s1_q};
+  assign memory_wdata = {select_153[7:0], firm_s1_q, select_150, select_147, select_144, select_141, select_138, select_135, select_132, select_129, select_126, select_123, select_120, select_117, select_114, select_111, select_108, select_105, select_102, select_99, and_96, select_93, select_90, and_87, select_84, select_81, and_78, select_75, select_72, and_69, select_66, select_63, and_60, select_57, select_54, and_51, select_48, select_45, and_42, select_39, select_36, and_33, select_30, select_27, exists_s1_q, grey_s1_q, vote_s1_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (memory_we) memory_mem[memory_waddr] <= {^memory_wdata, memory_wdata};
   end
@@ -624,7 +631,7 @@ module horopter_ballot (
     if (!rst_ni) begin
       raster_rows_q <= 1'b0;
     end else if (s1_en) begin
-      raster_rows_q <= raster_row_ended_q | and_23;
+      raster_rows_q <= raster_row_ended_q | and_24;
     end
   end
 
@@ -632,49 +639,49 @@ module horopter_ballot (
   logic marks_last_s2_q;
   logic marks_seen_s2_q;
   logic marks_nearer_s2_q;
-  logic select_152_s2_q;
-  logic [11:0] sum_245_s2_q;
-  logic [9:0] sum_268_s2_q;
-  logic and_279_s2_q;
+  logic select_153_s2_q;
+  logic [11:0] sum_246_s2_q;
+  logic [9:0] sum_269_s2_q;
+  logic and_282_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
       marks_seen_s2_q <= marks_seen_s1_q;
       marks_nearer_s2_q <= marks_nearer_s1_q;
-      select_152_s2_q <= select_152[8];
-      sum_245_s2_q <= {sum_202[10], sum_202} + {sum_244[10], sum_244};
-      sum_268_s2_q <= {{2{select_250[7]}}, select_250} + {sum_267[8], sum_267};
-      and_279_s2_q <= and_23 & select_278;
+      select_153_s2_q <= select_153[8];
+      sum_246_s2_q <= {sum_203[10], sum_203} + {sum_245[10], sum_245};
+      sum_269_s2_q <= {{2{select_251[7]}}, select_251} + {sum_268[8], sum_268};
+      and_282_s2_q <= and_24 & select_281;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:61
-  logic [12:0] sum_269;
-  assign sum_269 = {sum_245_s2_q[11], sum_245_s2_q} + {{3{sum_268_s2_q[9]}}, sum_268_s2_q};
-  // hls/stages/ballot.hpp:79
-  logic [13:0] difference_272;
-  assign difference_272 = 14'h0 - {sum_269[12], sum_269};
-  logic less_273;
-  assign less_273 = $signed(difference_272[13:3]) < $signed({3'h0, cfg_clear_quorum_i});
+  // hls/stages/ballot.hpp:64
+  logic [12:0] sum_270;
+  assign sum_270 = {sum_246_s2_q[11], sum_246_s2_q} + {{3{sum_269_s2_q[9]}}, sum_269_s2_q};
+  // hls/stages/ballot.hpp:83
+  logic [13:0] difference_273;
+  assign difference_273 = 14'h0 - {sum_270[12], sum_270};
+  logic or_279;
+  assign or_279 = (~($signed(difference_273[13:3]) < $signed({2'h0, sum_275}))) | (select_153_s2_q & sum_270[12]);
 
   logic marks_first_s3_q;
   logic marks_last_s3_q;
   logic marks_seen_s3_q;
   logic marks_nearer_s3_q;
-  logic not_271_s3_q;
-  logic or_276_s3_q;
-  logic and_279_s3_q;
+  logic not_272_s3_q;
+  logic or_279_s3_q;
+  logic and_282_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;
       marks_seen_s3_q <= marks_seen_s2_q;
       marks_nearer_s3_q <= marks_nearer_s2_q;
-      not_271_s3_q <= ~($signed(sum_269) < $signed({5'h0, cfg_quorum_i}));
-      or_276_s3_q <= (~less_273) | (select_152_s2_q & sum_269[12]);
-      and_279_s3_q <= and_279_s2_q;
+      not_272_s3_q <= ~($signed(sum_270) < $signed({5'h0, cfg_quorum_i}));
+      or_279_s3_q <= or_279;
+      and_282_s3_q <= and_282_s2_q;
     end
   end
 
@@ -682,9 +689,9 @@ module horopter_ballot (
   always_ff @(posedge clk_i) parity_error_o <= rst_ni & (memory_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign skin_o = not_271_s3_q;
-  assign clear_o = or_276_s3_q;
-  assign exists_o = and_279_s3_q;
+  assign skin_o = not_272_s3_q;
+  assign clear_o = or_279_s3_q;
+  assign exists_o = and_282_s3_q;
   assign marks_first_o = marks_first_s3_q;
   assign marks_last_o = marks_last_s3_q;
   assign marks_seen_o = marks_seen_s3_q;
@@ -705,6 +712,6 @@ module horopter_ballot (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^difference_272[2:0];
+  assign unused_bits = ^difference_273[2:0];
 
 endmodule

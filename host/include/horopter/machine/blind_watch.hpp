@@ -15,6 +15,7 @@ struct BlindSettings {
   bool watch = false;  ///< undecidable pixels of blind blocks count as pixels of an object
   bool teach = false;  ///< learn what cannot be decided; every frame has the fault `teaching`
   int margin = 8;      ///< 1/64 of a block's pixels, 0 to 255
+  bool dim = false;    ///< half of the frames that teach are looked at as half of the light would show them
 };
 
 class BlindWatch {

@@ -106,6 +106,7 @@ class NativeDevice : public Device {
   bool taught_before_ = false;
   unsigned taught_frames_ = 0;  // register TAUGHT
   bool forget_ = false;         // the last frame taught, but not what is true
+  bool dim_ = false;            // it was looked at as half of the light would show it
   // The interlock, as rtl/store/horopter_interlock.sv; without a pin.
   bool restarted_ = false;
   unsigned good_frames_ = 0;

@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 246> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 247> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -262,6 +262,7 @@ inline constexpr std::array<RegisterField, 246> kRegisterFields = {{
     {0x1B0, "watch", {0, 1}, "1 = a block is blind that has more undecidable pixels than were taught, and a margin; they count as pixels of an object. Before anything was taught since enable: than the margin."},
     {0x1B0, "teach", {1, 1}, "1 = the largest number is kept of each block, and every frame has the fault `teaching`. The first frame forgets what was taught before, and so does a frame with another fault or an alarm."},
     {0x1B0, "margin", {2, 8}, "1/64 of a block's pixels."},
+    {0x1B0, "dim", {10, 1}, "1 = every second frame that teaches, from the first on, is looked at as half of the light would show it (hls/stages/dim.hpp): what could not be decided then is taught, too. Such a frame is never `too_undecidable`."},
     {0x1B4, "pixels", {0, 24}, "Pixels of the result."},
     {0x1B8, "frames", {0, 16}, "Frames that have taught, before the one that is output, since it was begun or forgotten; at most 65535."},
     {0x1BC, "of_1024", {0, 32}, "1/1024 mm², at most 4,194,303.999 mm²."},

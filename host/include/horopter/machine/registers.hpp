@@ -1120,6 +1120,9 @@ inline constexpr Field kWatch{0, 1};
 inline constexpr Field kTeach{1, 1};
 /// 1/64 of a block's pixels.
 inline constexpr Field kMargin{2, 8};
+/// 1 = every second frame that teaches, from the first on, is looked at as half of the light would show it
+/// (hls/stages/dim.hpp): what could not be decided then is taught, too. Such a frame is never `too_undecidable`.
+inline constexpr Field kDim{10, 1};
 }  // namespace blocks
 
 /// Undecidable pixels of blind blocks; changes some clocks before the others.

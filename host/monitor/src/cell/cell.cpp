@@ -127,6 +127,7 @@ void read_teach(Keys keys, TeachCell& teach) {
   teach.needed = keys.flag("needed", false);
   if (keys.has("frames")) teach.frames = keys.whole("frames", 1, 65'535, "frames");
   if (keys.has("margin")) teach.margin = keys.whole("margin", 0, 255, "");
+  teach.less_light = keys.flag("less_light", false);
   keys.finish();
 }
 
@@ -269,7 +270,8 @@ Cell load_cell(const std::filesystem::path& path) {
     keys.fail("limits", "threshold_percent with the rule compete", "tolerance_px or thickness_mm");
   }
   if (keys.has("teach")) read_teach(keys.map("teach"), cell.teach);
-  cell.settings.blind = {.watch = cell.teach.needed, .teach = false, .margin = cell.teach.margin};
+  cell.settings.blind = {
+      .watch = cell.teach.needed, .teach = false, .margin = cell.teach.margin, .dim = cell.teach.less_light};
   cell.settings.live = true;
   const bool by_itself = keys.word("restart", "register", {"register", "by_itself"}) == "by_itself";
   cell.settings.interlock.by_itself = by_itself;

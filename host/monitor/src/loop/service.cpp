@@ -319,16 +319,23 @@ void Service::begin_request(MonitorFaults own) {
   } else if (teach) {
     teacher_ = teach->actor;
     to_teach_ = teach->frames;
-    monitor.set_blind({.watch = true, .teach = true, .margin = cell_.teach.margin});
+    learn(true);
     note(teacher_, fmt::format("teaching: the zone must be empty for {} pairs", to_teach_));
   }
 }
 
+/// Taught from the page it watches, also where the cell does not need it.
+void Service::learn(bool on) {
+  BlindSettings blind = cell_.settings.blind;
+  blind.watch = true;
+  blind.teach = on;
+  machine_->supervisor->monitor().set_blind(blind);
+}
+
 void Service::count_taught() {
   if (--to_teach_ != 0) return;
-  horopter::Monitor& monitor = machine_->supervisor->monitor();
-  monitor.set_blind({.watch = true, .teach = false, .margin = cell_.teach.margin});
-  const int taught = monitor.blind_watch().taught();
+  learn(false);
+  const int taught = machine_->supervisor->monitor().blind_watch().taught();
   note(teacher_, taught != 0 ? fmt::format("taught by {} frames", taught)
                              : "taught nothing: the last frame had a fault or an alarm; everything that cannot be "
                                "decided counts as an object now");
