@@ -593,6 +593,10 @@ TEST_CASE("skin.yaml is read strictly") {
   CHECK_THAT(error("surface:\n  type: ellipsoid\n  centre_mm: [76, 0, 0]\n  half_axes_mm: [9, 9, 9]\n"),
              Catch::Contains("a camera stands inside"));
   CHECK_THAT(error("surface:\n  type: mesh\n  file: none.stl\n"), Catch::Contains("none.stl"));
+  for (const char* none : {"\"\"", "!tag"}) {
+    CHECK_THAT(error(std::string("surface:\n  type: mesh\n  file: ") + none + "\n"),
+               Catch::Contains("the name of a PLY"));
+  }
   CHECK_THROWS_AS(load_skin(directory.write("skin.yaml", plane), {320, 240}), UsageError);
 }
 

@@ -174,7 +174,7 @@ std::vector<Capsule> read_capsules(Keys& keys) {
 
 SurfacePtr read_mesh_surface(Keys& keys) {
   const YAML::Node name = keys.get("file", "a PLY, STL or OBJ file");
-  if (!name.IsScalar()) keys.fail("file", "", "the name of a PLY, STL or OBJ file");
+  if (!name.IsScalar() || name.Scalar().empty()) keys.fail("file", "", "the name of a PLY, STL or OBJ file");
   const calib::Pose pose = keys.pose(keys.vector("position_mm", Vector3d::Zero()));
   const double unit_mm = keys.positive("unit_mm", 1);
   const bool open = keys.flag("open");
