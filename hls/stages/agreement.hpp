@@ -228,7 +228,7 @@ class Agreement {
     Looked looked;
     switch (run_.phase) {
       case Phase::compare:
-        if constexpr (!at_once) choose(config);
+        if constexpr (!at_once) choose();
         break;
       case Phase::match:
       case Phase::conclude:
@@ -259,6 +259,7 @@ class Agreement {
       case Phase::settle:
         break;
     }
+    if constexpr (!at_once) look_at_shift(config);
     patches_.work(config);
     take_sample(config);
     advance(following, config);
@@ -764,19 +765,28 @@ class Agreement {
     near = NearScore((sums.column(half_window - 1) + sums.column(half_window)) + before);
   }
 
+  /// Of the run's shift, a beat late, as a shift lasts longer: the way to choose() is short.
+  struct OfShift {
+    bool allowed = false, first = false, not_right = false;
+  };
+  void look_at_shift(const Config& config) {
+    shift_.allowed = run_.shift >= config.shift_lowest && run_.shift <= config.shift_highest;
+    shift_.first = s<9>(run_.shift) == -s<9>(least_);
+    shift_.not_right = run_.shift.negative() || run_.shift == 0;
+  }
+
   /// The best of five scores joins the best of the left cell, and of the right one; the same of the small windows.
-  void choose(const Config& config) {
+  void choose() {
     const bool centred =
         after<half_window>() && ends_cell_ && (run_.shift.negative() ? x_ : partner()) <= last_ + lit<half_window>();
     if (!centred) return;
-    const bool allowed = run_.shift >= config.shift_lowest && run_.shift <= config.shift_highest;
     const Index x(x_ - lit<half_window>());
     const Choice& best = best_;
     const Scores& all = scores_;
-    const Score of_best = allowed ? best.score : Score(0);
-    const NearScore of_near = allowed ? best.near : NearScore(0);
-    const bool all_new = s<9>(run_.shift) == -s<9>(least_);
-    const bool not_right = run_.shift.negative() || run_.shift == 0;
+    const Score of_best = shift_.allowed ? best.score : Score(0);
+    const NearScore of_near = shift_.allowed ? best.near : NearScore(0);
+    const bool all_new = shift_.first;
+    const bool not_right = shift_.not_right;
 
     BestLeft of_left = best_left_.read(x);
     const bool left_new = all_new || (not_right && !after<half_window + 1>());
@@ -1290,6 +1300,7 @@ class Agreement {
   Choice chosen_;                      // in the first turn
   std::array<Score, units> before_{};  // of that
   Choice best_;                        // of this beat
+  OfShift shift_;
   Scores scores_{};
   RAM<CellCodes, column_count, gap> fresh_;
   RAM<LeftColumn, column_count, gap> left_;

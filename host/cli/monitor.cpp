@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "alarm_frames.hpp"
 #include "commands.hpp"
 #include "horopter/base/ending.hpp"
 #include "horopter/base/error.hpp"
@@ -99,6 +100,7 @@ monitor::Machine make_machine(const monitor::Cell& cell, const std::optional<cal
   object.px = cell.object_px.value_or(object.px);
   object.mm = cell.object_mm;
   set_object(object, skin, rig, *profile, width, height, settings);
+  check_alarm_frames(skin, rig, *profile, width, height, cell.frames_per_s * profile->fields_per_image(), settings);
   auto compiled =
       std::make_shared<const MapSet>(load_or_compile_maps(skin, rig, *profile, width, height, settings.decision));
   const MapSet& maps = *compiled;

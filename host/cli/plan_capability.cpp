@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "alarm_frames.hpp"
 #include "commands.hpp"
 #include "horopter/base/interval.hpp"
 #include "horopter/base/json_text.hpp"
@@ -94,7 +95,9 @@ PlannedCapability plan(const CapabilityOptions& options) {
   set_object(options.object, options.skin, rig, profile, left.width_px, left.height_px, settings);
   if (settings.object_px <= 0) throw UsageError("--object 0: no body is an alarm by itself; expected a size");
   const double tolerance_px = d95_px(settings);
-  const Timing timing = options.timing.timing(profile, settings.decision, geometry.height);
+  Timing timing = options.timing.timing(profile, settings.decision, geometry.height);
+  timing.alarm_frames = settings.alarm_frames.of;
+  check_alarm_frames(options.skin, rig, profile, left.width_px, left.height_px, timing.images_per_s, settings);
   ThicknessPlan thickness;
   try {
     thickness = plan_thickness(skin->cameras(), *skin->surface(), profile, geometry, tolerance_px, view);
@@ -105,7 +108,7 @@ PlannedCapability plan(const CapabilityOptions& options) {
                           .body = options.body,
                           .object_limit_px = static_cast<double>(object_limit(settings, profile)),
                           .step_mm = options.speed_mm_s / timing.images_per_s,
-                          .images = 1,
+                          .images = settings.alarm_frames.needed,
                           .object_limit_mm2 = half_disc_mm2(settings)};
   CapabilityPlan capability = plan_capability(thickness, profile, crossing);
   return {profile,
@@ -335,6 +338,7 @@ void add_plan_capability(CLI::App& plan, Outcome& outcome) {
       ->type_name("P");
   add_decision(*command, options->settings.decision);
   add_object(*command, options->object);
+  add_alarm_frames(*command, options->settings.alarm_frames);
   add_thickness(*command, options->thickness);
   only(command->add_option_function<std::string>(
            "--body", [options](const std::string& name) { options->body = name == "rod" ? Body::rod : Body::ball; },
@@ -355,7 +359,7 @@ void add_plan_capability(CLI::App& plan, Outcome& outcome) {
       ->type_name("FILE");
   command->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");
   command->footer(
-      "A body is found when one image of its crossing is certain to show enough of it: the part of its surface that is in\n"
+      "A body is found when one image of its crossing (N with --alarm-frames) is certain to show enough of it: the part of its surface that is in\n"
       "the skin, in pixels, times the share of a disc of that width which windows and majority leave (measured, least of\n"
       "many: host/src/plan/disc_table.def, made by test-discs), must reach the limit of --object. Cameras see the front of a\n"
       "body only; its back does not count. Thickness is that for D95 of the rule's setting. A px is as many mm as in its\n"

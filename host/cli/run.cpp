@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "alarm_frames.hpp"
 #include "commands.hpp"
 #include "horopter/base/ending.hpp"
 #include "horopter/base/json_text.hpp"
@@ -74,6 +75,7 @@ struct Session {
     settings.blind.watch = options.teach != 0;
     thickness = set_thickness(options.thickness, options.skin, rig, *profile, width, height, settings);
     set_object(options.object, options.skin, rig, *profile, width, height, settings);
+    check_alarm_frames(options.skin, rig, *profile, width, height, options.results_per_s, settings);
     if (is_moving_skin(options.skin)) {
       begin_moving(options, rig, width, height);
       return;
@@ -150,6 +152,7 @@ void print_frame(int frame, const FrameResult& result) {
       100 * static_cast<double>(decided_pixels(result) - result.skin_pixels) / pixels,
       100 * static_cast<double>(result.undecidable_pixels) / pixels,
       100 * static_cast<double>(result.unsupervised_pixels) / pixels);
+  if (result.seen && !result.alarm) line += "  seen, in too few frames for an alarm";
   for (const std::string& fault : result.faults.names()) line += "  " + fault;
   std::puts(line.c_str());
   std::fflush(stdout);  // a frame that was seen is said, whatever comes
@@ -371,6 +374,7 @@ void add_run(CLI::App& app, Outcome& outcome) {
   add_engine(*command, options->engine)->capture_default_str();
   add_decision(*command, options->settings.decision);
   add_object(*command, options->object);
+  add_alarm_frames(*command, options->settings.alarm_frames);
   add_thickness(*command, options->thickness);
   add_settings(*command, options->settings);
   command->get_option("--threshold")->excludes("--tolerance")->excludes("--thickness");

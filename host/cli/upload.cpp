@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "alarm_frames.hpp"
 #include "commands.hpp"
 #include "horopter/base/json_text.hpp"
 #include "horopter/machine/engines.hpp"
@@ -30,6 +31,7 @@ struct UploadOptions {
   std::string profile;
   Settings settings;
   ObjectOption object;
+  std::optional<double> results_per_s;
   bool stop_first = false;
   bool json = false;
 
@@ -133,6 +135,8 @@ ExitStatus upload(const UploadOptions& options) {
   const MapSet maps = maps_for(options, wanted, build);
   Settings settings = options.settings;
   set_object(options.object, options.file(), wanted.rig, *build.profile, maps.image_width, maps.image_height, settings);
+  check_alarm_frames(options.file(), wanted.rig, *build.profile, maps.image_width, maps.image_height,
+                     options.results_per_s, settings);
   std::vector<const MapTable*> tables;
   for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
   check_object_limit(options.object, options.file(), tables, *build.profile, settings);
@@ -160,6 +164,12 @@ void add_upload(CLI::App& app, Outcome& outcome) {
   add_decision(*command, options->settings.decision);
   add_settings(*command, options->settings);
   add_object(*command, options->object);
+  add_alarm_frames(*command, options->settings.alarm_frames);
+  command
+      ->add_option("--frame-rate", options->results_per_s,
+                   "Results a second, frames or fields of profile field; for --alarm-frames")
+      ->check(within(0.1, 10'000, "a second"))
+      ->type_name("HZ");
   command
       ->add_option_function<std::string>(
           "--restart",

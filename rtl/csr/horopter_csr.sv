@@ -76,6 +76,7 @@ module horopter_csr #(
     output logic [15:0] self_limit_value_o,
     output logic [15:0] texture_limit_sum_o,
     output logic [23:0] alarm_limit_pixels_o,
+    output logic [ 5:0] alarm_frames_o,
     output logic [23:0] unsupervised_limit_pixels_o,
     output logic [ 7:0] black_level_grey_o,
     output logic [23:0] black_limit_pixels_o,
@@ -106,7 +107,7 @@ module horopter_csr #(
     input  logic [15:0] map_extent_base_word64_i,
     input  logic [15:0] map_extent_end_word64_i,
     input  logic [31:0] frame_sequence_value_i,
-    input  logic [ 5:0] frame_status_i,
+    input  logic [ 6:0] frame_status_i,
     input  logic [25:0] frame_faults_cameras_i,
     input  logic [31:0] frame_table_crc_value_i,
     input  logic [23:0] frame_skin_pixels_i,
@@ -164,7 +165,7 @@ module horopter_csr #(
       12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0DC, 12'h0E0, 12'h0E4, 12'h134,
       12'h138, 12'h13C, 12'h140, 12'h144, 12'h180, 12'h184, 12'h188, 12'h18C, 12'h198, 12'h1A0, 12'h1B0, 12'h1C0:
       write_error_o <= 1'b0;
-      12'h044, 12'h04C, 12'h050, 12'h054, 12'h068, 12'h070, 12'h130: write_error_o <= locked_i;
+      12'h044, 12'h04C, 12'h050, 12'h054, 12'h068, 12'h070, 12'h090, 12'h130: write_error_o <= locked_i;
       12'h06C, 12'h0C8, 12'h0CC: write_error_o <= write_strb_i != 4'hF;
       default: write_error_o <= 1'b1;
     endcase
@@ -229,6 +230,10 @@ module horopter_csr #(
   // ALARM_LIMIT: More skin pixels than this in a frame are an alarm.
   logic [23:0] alarm_limit_pixels_q;
   assign alarm_limit_pixels_o = alarm_limit_pixels_q;
+  // ALARM_FRAMES: In how many frames an alarm must be seen until it is one (rtl/store/horopter_alarm_filter.sv).
+  logic [ 2:0] alarm_frames_needed_q;
+  logic [ 2:0] alarm_frames_of_q;
+  assign alarm_frames_o = {alarm_frames_of_q, alarm_frames_needed_q};
   // UNSUPERVISED_LIMIT: More unsupervised pixels than this in a frame are a fault.
   logic [23:0] unsupervised_limit_pixels_q;
   assign unsupervised_limit_pixels_o = unsupervised_limit_pixels_q;
@@ -349,6 +354,8 @@ module horopter_csr #(
       self_limit_value_q <= SELF_LIMIT_VALUE_RESET;
       texture_limit_sum_q <= 16'd288;
       alarm_limit_pixels_q <= ALARM_LIMIT_PIXELS_RESET;
+      alarm_frames_needed_q <= 3'd1;
+      alarm_frames_of_q <= 3'd1;
       unsupervised_limit_pixels_q <= UNSUPERVISED_LIMIT_PIXELS_RESET;
       black_level_grey_q <= 8'd4;
       black_limit_pixels_q <= BLACK_LIMIT_PIXELS_RESET;
@@ -462,6 +469,12 @@ module horopter_csr #(
         if (write_strb_i[0]) alarm_limit_pixels_q[7:0] <= write_data_i[7:0];
         if (write_strb_i[1]) alarm_limit_pixels_q[15:8] <= write_data_i[15:8];
         if (write_strb_i[2]) alarm_limit_pixels_q[23:16] <= write_data_i[23:16];
+      end
+      if (write_q && write_group_q[2] && write_word_q[4]) begin  // ALARM_FRAMES
+        if (write_strb_i[0]) begin
+          alarm_frames_needed_q[2:0] <= write_data_i[2:0];
+          alarm_frames_of_q[2:0] <= write_data_i[5:3];
+        end
       end
       if (write_q && write_group_q[2] && write_word_q[5]) begin  // UNSUPERVISED_LIMIT
         if (write_strb_i[0]) unsupervised_limit_pixels_q[7:0] <= write_data_i[7:0];
@@ -611,7 +624,7 @@ module horopter_csr #(
   end
 
   // Each of these registers is guarded from the clock on in which it has its new value.
-  logic [39:0] written_q, guard_error;
+  logic [40:0] written_q, guard_error;
   always_ff @(posedge clk_i) begin
     written_q <= '0;
     if (!rst_ni) written_q <= '1;
@@ -629,32 +642,33 @@ module horopter_csr #(
     if (write_q && write_group_q[2] && write_word_q[1]) written_q[11] <= 1'b1;
     if (write_q && write_group_q[2] && write_word_q[2]) written_q[12] <= 1'b1;
     if (write_q && write_group_q[2] && write_word_q[3]) written_q[13] <= 1'b1;
-    if (write_q && write_group_q[2] && write_word_q[5]) written_q[14] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[0]) written_q[15] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[1]) written_q[16] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[2]) written_q[17] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[3]) written_q[18] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[4]) written_q[19] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[5]) written_q[20] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[6]) written_q[21] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[7]) written_q[22] <= 1'b1;
-    if (write_q && write_group_q[4] && write_word_q[0]) written_q[23] <= 1'b1;
-    if (write_q && write_group_q[4] && write_word_q[1]) written_q[24] <= 1'b1;
-    if (write_q && write_group_q[4] && write_word_q[7]) written_q[25] <= 1'b1;
-    if (write_q && write_group_q[6] && write_word_q[4]) written_q[26] <= 1'b1;
-    if (write_q && write_group_q[6] && write_word_q[5]) written_q[27] <= 1'b1;
-    if (write_q && write_group_q[6] && write_word_q[6]) written_q[28] <= 1'b1;
-    if (write_q && write_group_q[6] && write_word_q[7]) written_q[29] <= 1'b1;
-    if (write_q && write_group_q[7] && write_word_q[0]) written_q[30] <= 1'b1;
-    if (write_q && write_group_q[7] && write_word_q[1]) written_q[31] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[0]) written_q[32] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[1]) written_q[33] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[2]) written_q[34] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[3]) written_q[35] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[6]) written_q[36] <= 1'b1;
-    if (write_q && write_group_q[9] && write_word_q[0]) written_q[37] <= 1'b1;
-    if (write_q && write_group_q[9] && write_word_q[4]) written_q[38] <= 1'b1;
-    if (write_q && write_group_q[10] && write_word_q[0]) written_q[39] <= 1'b1;
+    if (write_q && write_group_q[2] && write_word_q[4]) written_q[14] <= 1'b1;
+    if (write_q && write_group_q[2] && write_word_q[5]) written_q[15] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[0]) written_q[16] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[1]) written_q[17] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[2]) written_q[18] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[3]) written_q[19] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[4]) written_q[20] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[5]) written_q[21] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[6]) written_q[22] <= 1'b1;
+    if (write_q && write_group_q[3] && write_word_q[7]) written_q[23] <= 1'b1;
+    if (write_q && write_group_q[4] && write_word_q[0]) written_q[24] <= 1'b1;
+    if (write_q && write_group_q[4] && write_word_q[1]) written_q[25] <= 1'b1;
+    if (write_q && write_group_q[4] && write_word_q[7]) written_q[26] <= 1'b1;
+    if (write_q && write_group_q[6] && write_word_q[4]) written_q[27] <= 1'b1;
+    if (write_q && write_group_q[6] && write_word_q[5]) written_q[28] <= 1'b1;
+    if (write_q && write_group_q[6] && write_word_q[6]) written_q[29] <= 1'b1;
+    if (write_q && write_group_q[6] && write_word_q[7]) written_q[30] <= 1'b1;
+    if (write_q && write_group_q[7] && write_word_q[0]) written_q[31] <= 1'b1;
+    if (write_q && write_group_q[7] && write_word_q[1]) written_q[32] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[0]) written_q[33] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[1]) written_q[34] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[2]) written_q[35] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[3]) written_q[36] <= 1'b1;
+    if (write_q && write_group_q[8] && write_word_q[6]) written_q[37] <= 1'b1;
+    if (write_q && write_group_q[9] && write_word_q[0]) written_q[38] <= 1'b1;
+    if (write_q && write_group_q[9] && write_word_q[4]) written_q[39] <= 1'b1;
+    if (write_q && write_group_q[10] && write_word_q[0]) written_q[40] <= 1'b1;
     changed_o <= guard_error != '0;
   end
   horopter_guard #(
@@ -770,212 +784,220 @@ module horopter_csr #(
       .error_o(guard_error[13])
   );
   horopter_guard #(
+      .WIDTH(6)
+  ) u_alarm_frames_guard (
+      .clk_i(clk_i),
+      .written_i(written_q[14]),
+      .value_i({alarm_frames_of_q, alarm_frames_needed_q}),
+      .error_o(guard_error[14])
+  );
+  horopter_guard #(
       .WIDTH(24)
   ) u_unsupervised_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[14]),
+      .written_i(written_q[15]),
       .value_i({unsupervised_limit_pixels_q}),
-      .error_o(guard_error[14])
+      .error_o(guard_error[15])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_black_level_guard (
       .clk_i(clk_i),
-      .written_i(written_q[15]),
+      .written_i(written_q[16]),
       .value_i({black_level_grey_q}),
-      .error_o(guard_error[15])
+      .error_o(guard_error[16])
   );
   horopter_guard #(
       .WIDTH(24)
   ) u_black_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[16]),
+      .written_i(written_q[17]),
       .value_i({black_limit_pixels_q}),
-      .error_o(guard_error[16])
+      .error_o(guard_error[17])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_white_level_guard (
       .clk_i(clk_i),
-      .written_i(written_q[17]),
+      .written_i(written_q[18]),
       .value_i({white_level_grey_q}),
-      .error_o(guard_error[17])
+      .error_o(guard_error[18])
   );
   horopter_guard #(
       .WIDTH(24)
   ) u_white_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[18]),
+      .written_i(written_q[19]),
       .value_i({white_limit_pixels_q}),
-      .error_o(guard_error[18])
+      .error_o(guard_error[19])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_constant_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[19]),
+      .written_i(written_q[20]),
       .value_i({constant_limit_grey_q}),
-      .error_o(guard_error[19])
+      .error_o(guard_error[20])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_frozen_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[20]),
+      .written_i(written_q[21]),
       .value_i({frozen_limit_frames_q}),
-      .error_o(guard_error[20])
+      .error_o(guard_error[21])
   );
   horopter_guard #(
       .WIDTH(1)
   ) u_decision_guard (
       .clk_i(clk_i),
-      .written_i(written_q[21]),
+      .written_i(written_q[22]),
       .value_i({decision_compete_q}),
-      .error_o(guard_error[21])
+      .error_o(guard_error[22])
   );
   horopter_guard #(
       .WIDTH(31)
   ) u_compete_guard (
       .clk_i(clk_i),
-      .written_i(written_q[22]),
+      .written_i(written_q[23]),
       .value_i({compete_boundary_q, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q}),
-      .error_o(guard_error[22])
+      .error_o(guard_error[23])
   );
   horopter_guard #(
       .WIDTH(4)
   ) u_map_slot_guard (
       .clk_i(clk_i),
-      .written_i(written_q[23]),
+      .written_i(written_q[24]),
       .value_i({map_slot_slot_q}),
-      .error_o(guard_error[23])
+      .error_o(guard_error[24])
   );
   horopter_guard #(
       .WIDTH(16)
   ) u_map_base_guard (
       .clk_i(clk_i),
-      .written_i(written_q[24]),
+      .written_i(written_q[25]),
       .value_i({map_base_word64_q}),
-      .error_o(guard_error[24])
+      .error_o(guard_error[25])
   );
   horopter_guard #(
       .WIDTH(24)
   ) u_map_undecidable_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[25]),
+      .written_i(written_q[26]),
       .value_i({map_undecidable_limit_pixels_q}),
-      .error_o(guard_error[25])
+      .error_o(guard_error[26])
   );
   horopter_guard #(
       .WIDTH(23)
   ) u_agreement_guard (
       .clk_i(clk_i),
-      .written_i(written_q[26]),
+      .written_i(written_q[27]),
       .value_i({agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q}),
-      .error_o(guard_error[26])
+      .error_o(guard_error[27])
   );
   horopter_guard #(
       .WIDTH(32)
   ) u_agreement_limits_guard (
       .clk_i(clk_i),
-      .written_i(written_q[27]),
+      .written_i(written_q[28]),
       .value_i({agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q}),
-      .error_o(guard_error[27])
+      .error_o(guard_error[28])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_hidden_guard (
       .clk_i(clk_i),
-      .written_i(written_q[28]),
+      .written_i(written_q[29]),
       .value_i({hidden_frames_q}),
-      .error_o(guard_error[28])
+      .error_o(guard_error[29])
   );
   horopter_guard #(
       .WIDTH(18)
   ) u_registration_guard (
       .clk_i(clk_i),
-      .written_i(written_q[29]),
+      .written_i(written_q[30]),
       .value_i({registration_patches_q, registration_moved_half_q, registration_moved_q}),
-      .error_o(guard_error[29])
+      .error_o(guard_error[30])
   );
   horopter_guard #(
       .WIDTH(32)
   ) u_epipolar_guard (
       .clk_i(clk_i),
-      .written_i(written_q[30]),
+      .written_i(written_q[31]),
       .value_i({epipolar_column_q, epipolar_slope_q}),
-      .error_o(guard_error[30])
+      .error_o(guard_error[31])
   );
   horopter_guard #(
       .WIDTH(32)
   ) u_epipolar_change_guard (
       .clk_i(clk_i),
-      .written_i(written_q[31]),
+      .written_i(written_q[32]),
       .value_i({epipolar_change_both_q, epipolar_change_row_q}),
-      .error_o(guard_error[31])
+      .error_o(guard_error[32])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_one_camera_guard (
       .clk_i(clk_i),
-      .written_i(written_q[32]),
+      .written_i(written_q[33]),
       .value_i({one_camera_segments_q}),
-      .error_o(guard_error[32])
+      .error_o(guard_error[33])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_blind_step_guard (
       .clk_i(clk_i),
-      .written_i(written_q[33]),
+      .written_i(written_q[34]),
       .value_i({blind_step_grey_q}),
-      .error_o(guard_error[33])
+      .error_o(guard_error[34])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_blind_share_guard (
       .clk_i(clk_i),
-      .written_i(written_q[34]),
+      .written_i(written_q[35]),
       .value_i({blind_share_of_256_q}),
-      .error_o(guard_error[34])
+      .error_o(guard_error[35])
   );
   horopter_guard #(
       .WIDTH(8)
   ) u_still_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[35]),
+      .written_i(written_q[36]),
       .value_i({still_limit_frames_q}),
-      .error_o(guard_error[35])
+      .error_o(guard_error[36])
   );
   horopter_guard #(
       .WIDTH(6)
   ) u_region_select_guard (
       .clk_i(clk_i),
-      .written_i(written_q[36]),
+      .written_i(written_q[37]),
       .value_i({region_select_region_q}),
-      .error_o(guard_error[36])
+      .error_o(guard_error[37])
   );
   horopter_guard #(
       .WIDTH(24)
   ) u_object_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[37]),
+      .written_i(written_q[38]),
       .value_i({object_limit_pixels_q}),
-      .error_o(guard_error[37])
+      .error_o(guard_error[38])
   );
   horopter_guard #(
       .WIDTH(11)
   ) u_blocks_guard (
       .clk_i(clk_i),
-      .written_i(written_q[38]),
+      .written_i(written_q[39]),
       .value_i({blocks_dim_q, blocks_margin_q, blocks_teach_q, blocks_watch_q}),
-      .error_o(guard_error[38])
+      .error_o(guard_error[39])
   );
   horopter_guard #(
       .WIDTH(32)
   ) u_object_area_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[39]),
+      .written_i(written_q[40]),
       .value_i({object_area_limit_of_1024_q}),
-      .error_o(guard_error[39])
+      .error_o(guard_error[40])
   );
 
   // IRQ_STATUS: Events since they were last cleared.
@@ -1033,7 +1055,7 @@ module horopter_csr #(
       12'h000, 12'h004, 12'h008, 12'h00C, 12'h010, 12'h014, 12'h018: wanted_q[0] <= 1'b1;
       12'h040, 12'h044, 12'h048, 12'h04C, 12'h050, 12'h054, 12'h058, 12'h05C: wanted_q[1] <= 1'b1;
       12'h060, 12'h064, 12'h068, 12'h070: wanted_q[2] <= 1'b1;
-      12'h080, 12'h084, 12'h088, 12'h08C, 12'h094: wanted_q[3] <= 1'b1;
+      12'h080, 12'h084, 12'h088, 12'h08C, 12'h090, 12'h094: wanted_q[3] <= 1'b1;
       12'h0A0, 12'h0A4, 12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC: wanted_q[4] <= 1'b1;
       12'h0C0, 12'h0C4, 12'h0D0, 12'h0D4, 12'h0D8, 12'h0DC: wanted_q[5] <= 1'b1;
       12'h0E0, 12'h0E4, 12'h0E8: wanted_q[6] <= 1'b1;
@@ -1051,7 +1073,7 @@ module horopter_csr #(
     if (wanted_q[0])
       case (word_q)
         3'h0: group_00_q <= 32'h484F524F;
-        3'h1: group_00_q <= {16'h2, 16'h5};
+        3'h1: group_00_q <= {16'h2, 16'h6};
         3'h2: group_00_q <= {build_size_height_i, build_size_width_i};
         3'h3: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
         3'h4: group_00_q <= {1'd0, build_window_blind_i, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
@@ -1085,6 +1107,7 @@ module horopter_csr #(
         3'h1: group_04_q <= {16'd0, self_limit_value_q};
         3'h2: group_04_q <= {16'd0, texture_limit_sum_q};
         3'h3: group_04_q <= {8'd0, alarm_limit_pixels_q};
+        3'h4: group_04_q <= {26'd0, alarm_frames_of_q, alarm_frames_needed_q};
         default: group_04_q <= {8'd0, unsupervised_limit_pixels_q};
       endcase
     group_05_q <= 32'd0;
@@ -1120,7 +1143,7 @@ module horopter_csr #(
     if (wanted_q[7])
       case (word_q)
         3'h0: group_08_q <= frame_sequence_value_i;
-        3'h1: group_08_q <= {26'd0, frame_status_i};
+        3'h1: group_08_q <= {25'd0, frame_status_i};
         3'h2: group_08_q <= {3'd0, frame_faults_cameras_i[25:13], 3'd0, frame_faults_cameras_i[12:0]};
         3'h3: group_08_q <= frame_table_crc_value_i;
         3'h4: group_08_q <= {8'd0, frame_skin_pixels_i};

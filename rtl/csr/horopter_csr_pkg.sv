@@ -105,6 +105,11 @@ package horopter_csr_pkg;
   } interlock_t;
 
   typedef struct packed {  // from the highest bit
+    logic [ 2:0] of;
+    logic [ 2:0] needed;
+  } alarm_frames_t;
+
+  typedef struct packed {  // from the highest bit
     logic [ 3:0] boundary;
     logic [ 7:0] clear_quorum;
     logic [ 7:0] quorum;
@@ -114,6 +119,7 @@ package horopter_csr_pkg;
   } compete_t;
 
   typedef struct packed {  // from the highest bit
+    logic seen;
     logic [ 3:0] slot;
     logic safe;
     logic alarm;

@@ -37,6 +37,7 @@ module formal_safe (
     input logic        internal,
     input logic        settings,
     input horopter_csr_pkg::interlock_t interlock,
+    input horopter_csr_pkg::alarm_frames_t alarm_frames,
     input logic        restart,
     input logic        restart_written,
     input logic        miss,
@@ -56,7 +57,7 @@ module formal_safe (
     input logic        verdict_valid,
     input horopter_csr_pkg::verdict_t verdict
 );
-  logic publish, frame_alarm, frame_safe, frame_done, late, heartbeat, safe, unsafe;
+  logic publish, frame_seen, frame_alarm, frame_safe, frame_done, late, heartbeat, safe, unsafe;
   horopter_csr_pkg::faults_t frame_faults, fault_set;
   logic [31:0] sequence_number;
   horopter_frame_control dut (
@@ -96,6 +97,7 @@ module formal_safe (
       .internal_i(internal),
       .settings_i(settings),
       .interlock_i(interlock),
+      .alarm_frames_i(alarm_frames),
       .restart_i(restart),
       .restart_written_i(restart_written),
       .miss_i(miss),
@@ -120,6 +122,7 @@ module formal_safe (
       .publish_o(publish),
       .forget_o(),
       .frame_sequence_o(sequence_number),
+      .frame_seen_o(frame_seen),
       .frame_alarm_o(frame_alarm),
       .frame_safe_o(frame_safe),
       .frame_slot_o(),
@@ -170,7 +173,7 @@ module formal_safe (
   // Faults of a health result without valid, or of an alarm without counts, mean nothing.
   assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, settings, contactors_bad, miss} != '0 || identical
       || (health_valid[0] && left_health != '0) || (health_valid[1] && right_health != '0)
-      || object_alarm || (objects_ended && objects_overflow) || (begun[4] && teaching)
+      || (object_alarm && alarm_frames.needed <= 3'd1) || (objects_ended && objects_overflow) || (begun[4] && teaching)
       || (counts_valid && (too_undecidable || too_unsupervised)) || (verdict_valid && verdict != '0);
   always @(posedge clk_i) begin
     past_valid <= 1'b1;
@@ -186,6 +189,7 @@ module formal_safe (
   // The interlock's settings are locked while the machine runs. Of restarts: one was asked for since the last time that
   // something was wrong, after so many good frames, and not by a press during which something was wrong.
   horopter_csr_pkg::interlock_t past_interlock;
+  horopter_csr_pkg::alarm_frames_t past_alarm_frames;
   logic [2:0] past_restart = 3'b000;  // restart_i comes from another clock, through two registers
   logic asked = 1'b0, asks;
   logic [3:0] good_frames = 4'd0;
@@ -196,6 +200,7 @@ module formal_safe (
       || (interlock.by_pin && past_restart[2] && !past_restart[1] && !spoiled);
   always @(posedge clk_i) begin
     past_interlock <= interlock;
+    past_alarm_frames <= alarm_frames;
     past_restart <= {past_restart[1:0], restart};
     if (!past_restart[1]) pressed_for <= 3'd0;
     else if (pressed_for != 3'd7) pressed_for <= pressed_for + 3'd1;
@@ -211,7 +216,7 @@ module formal_safe (
 
   always @(*) begin
     if (!past_valid) assume (!rst_ni);
-    if (past_valid && !past_reset) assume (interlock == past_interlock);
+    if (past_valid && !past_reset) assume (interlock == past_interlock && alarm_frames == past_alarm_frames);
     assume ((health_valid & ~ended) == 2'b00);
     assert (safe != unsafe);
     if (past_valid) begin
@@ -228,6 +233,8 @@ module formal_safe (
       if (fault_age[2]) assert (!safe);
       // A published frame with a fault or an alarm.
       if (frame_done && (frame_faults != '0 || frame_alarm)) assert (!safe && !frame_safe);
+      // In how many frames it must be seen: formal_alarm_filter. Unless told otherwise, in one.
+      if (frame_done && frame_seen && (frame_faults != '0 || alarm_frames.needed <= 3'd1)) assert (frame_alarm);
       cover (safe && sequence_number == 32'd2);
       cover (past_safe && !safe && late);
     end

@@ -11,7 +11,7 @@
 // safe_o rises only then, and only if this frame and the one before had no fault and no alarm, nothing was wrong in
 // between, and nothing speaks against the next one: what hides the alarm of a single frame does not make safe. And only
 // if a restart was given since something was wrong, or none is needed (horopter_interlock). It falls
-// with any fault, with an object that is an alarm, with the watchdog, and while safe_allowed_i is 0. unsafe_o is decided and stored on its own. frame_safe_o
+// with any fault, with an object that is an alarm (and with horopter_alarm_filter is one of enough), with the watchdog, and while safe_allowed_i is 0. unsafe_o is decided and stored on its own. frame_safe_o
 // is of the one frame. Reset: not safe.
 module horopter_frame_control (
     input  logic              clk_i,
@@ -52,6 +52,7 @@ module horopter_frame_control (
     input  logic              internal_i,
     input  logic              settings_i,
     input  horopter_csr_pkg::interlock_t interlock_i,
+    input  horopter_csr_pkg::alarm_frames_t alarm_frames_i,
     input  logic              restart_i,  // of any clock
     input  logic              restart_written_i,
     input  logic              miss_i,  // a pixel that missed its source row
@@ -77,6 +78,7 @@ module horopter_frame_control (
     output logic              forget_o,  // the last published frame taught, but not what is true
     // the last published frame
     output logic [      31:0] frame_sequence_o,
+    output logic              frame_seen_o,  // what would be an alarm without alarm_frames_i
     output logic              frame_alarm_o,
     output logic              frame_safe_o,
     output logic [       3:0] frame_slot_o,
@@ -249,8 +251,9 @@ module horopter_frame_control (
   assign arrived_time = read_slot_i ? arrived_time1_q : arrived_time0_q;
   logic state_first_q, first_seen_q, alarm_q, object_alarm_q;
   logic [23:0] skin_q, undecidable_q, unsupervised_q, misses_q;
-  logic good;
-  assign good = total_q == '0 && !alarm_q && !object_alarm_q && table_ok_i;
+  logic good, seen, counts, passes;  // a frame that shows an alarm may be one of too few
+  assign seen = alarm_q || object_alarm_q;
+  assign good = total_q == '0 && !(seen && counts) && table_ok_i;
   always_ff @(posedge clk_i) begin
     publish_q <= 1'b0;
     publish_o <= 1'b0;
@@ -274,6 +277,7 @@ module horopter_frame_control (
       object_alarm_q <= 1'b1;
       misses_q <= 24'd0;
       frame_sequence_o <= 32'd0;
+      frame_seen_o <= 1'b0;
       frame_alarm_o <= 1'b0;
       frame_safe_o <= 1'b0;
       frame_slot_o <= horopter_csr_pkg::NO_SLOT;
@@ -324,7 +328,8 @@ module horopter_frame_control (
         frame_done_o <= 1'b1;
         heartbeat_o <= !heartbeat_o;
         frame_sequence_o <= frame_sequence_o + 32'd1;
-        frame_alarm_o <= alarm_q || object_alarm_q;
+        frame_seen_o <= seen;
+        frame_alarm_o <= seen && !good;
         frame_safe_o <= good;
         frame_slot_o <= table_ok_i ? table_slot_i : horopter_csr_pkg::NO_SLOT;
         frame_faults_o <= total_q;
@@ -347,7 +352,7 @@ module horopter_frame_control (
   end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) forget_o <= 1'b0;
-    else if (publish_q) forget_o <= teaching_i && (beside_teaching != '0 || alarm_q || object_alarm_q);
+    else if (publish_q) forget_o <= teaching_i && (beside_teaching != '0 || seen);
   end
 
   always_ff @(posedge clk_i) begin
@@ -372,13 +377,13 @@ module horopter_frame_control (
   logic safe_q = 1'b0, unsafe_q = 1'b1;  // before the first clock, too
   // As a fault: an object is known before its frame has ended.
   logic [2:0] object_now_q;
-  always_ff @(posedge clk_i) object_now_q <= rst_ni ? {object_now_q[1:0], object_alarm_i} : 3'b000;
+  always_ff @(posedge clk_i) object_now_q <= rst_ni ? {object_now_q[1:0], object_alarm_i && counts} : 3'b000;
   logic bad_now;
   assign bad_now = found_q || object_now_q[2:1] != 2'b00 || fault_set_o != '0 || (late_o && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
   logic good_before_q, bad_before_q;  // the frame published before, and all since
   logic good_frame, bad_frame;
   assign good_frame = good && !others_bad_q && event_q == '0;
-  assign bad_frame = total_q != '0 || alarm_q || object_alarm_q || !table_ok_i || others_bad_q || event_q != '0;
+  assign bad_frame = total_q != '0 || ((alarm_q || object_alarm_q) && !passes) || !table_ok_i || others_bad_q || event_q != '0;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || bad_now) begin
       safe_q <= 1'b0;
@@ -411,6 +416,19 @@ module horopter_frame_control (
       .held_o(held),
       .waiting_o(waiting_o),
       .stuck_o(stuck)
+  );
+  horopter_alarm_filter u_alarm_filter (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .settings_i(alarm_frames_i),
+      .gap_i(late_o || silent_i != 2'b00),
+      .published_i(publish_o),
+      .seen_i(frame_seen_o),
+      .faulty_i(frame_faults_o != '0),
+      .decide_i(begin_q[4]),
+      .raw_i(teaching_i),
+      .counts_o(counts),
+      .passes_o(passes)
   );
   assign safe_o = safe_q;
   assign unsafe_o = unsafe_q;

@@ -24,6 +24,7 @@ module horopter_object_check #(
     input  logic [    $clog2(COLUMNS + 1)-1:0]    width_i,
     input  logic [       $clog2(ROWS + 1)-1:0]    height_i,
     input  horopter_csr_pkg::blocks_t             blocks_i,
+    input  logic                                  begin_i,  // a frame; of the one before it nothing is an alarm any more
     input  logic                                  forget_i,  // what was taught; before a frame begins
     output logic                                  pixel_valid_o,
     output logic                                  pixel_first_o,
@@ -166,7 +167,7 @@ module horopter_object_check #(
   always_ff @(posedge clk_i) begin
     ended_o <= rst_ni && valid && done && waits_q && !ended_o;
     if (valid) overflow_o <= overflow;
-    alarm_o <= rst_ni && (valid ? alarm : alarm_o);
+    alarm_o <= rst_ni && (valid ? alarm : alarm_o && !begin_i);
     if (!rst_ni) idle_q <= 1'b0;
     else idle_q <= (looks ? blind_valid && blind_done && blind_idle_q && !idle_q : state_valid_i && state_end_i) || (idle_q && !(valid && done));
     if (!rst_ni || ended_o) waits_q <= 1'b0;

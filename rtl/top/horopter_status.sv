@@ -28,6 +28,7 @@ module horopter_status #(
     input  logic                             open_i,  // open_slot_i has just been opened
     input  logic                             open_slot_i,
     input  horopter_csr_pkg::interlock_t     interlock_i,
+    input  horopter_csr_pkg::alarm_frames_t  alarm_frames_i,
     input  logic                             restart_i,  // of any clock
     input  logic                             feedback_i,  // the same
     input  logic [31:0]                      feedback_clocks_i,
@@ -209,6 +210,7 @@ module horopter_status #(
       .internal_i(internal),
       .settings_i(changed_i != 2'b00),
       .interlock_i(interlock_i),
+      .alarm_frames_i(alarm_frames_i),
       .restart_i(restart_i),
       .contactors_bad_i(contactors_bad),
       .contactors_ready_i(contactors_ready),
@@ -233,6 +235,7 @@ module horopter_status #(
       .verdict_i(verdict_i),
       .publish_o(publish_o),
       .frame_sequence_o(frame_sequence_o),
+      .frame_seen_o(frame_status_o.seen),
       .frame_alarm_o(frame_status_o.alarm),
       .frame_safe_o(frame_status_o.safe),
       .frame_slot_o(frame_status_o.slot),

@@ -216,6 +216,7 @@ module horopter_top #(
   logic map_control_valid, map_control_ready, map_start, map_data_valid, map_data_ready;
   logic [31:0] map_data, map_crc, map_extent;
   horopter_csr_pkg::interlock_t interlock;
+  horopter_csr_pkg::alarm_frames_t alarm_frames;
   logic restart_valid;
   logic [31:0] restart_key, feedback_clocks;
   logic map_busy;
@@ -290,6 +291,7 @@ module horopter_top #(
       .irq_status_set_i(irq_set),
       .irq_status_o(irq_status),
       .interlock_o(interlock),
+      .alarm_frames_o(alarm_frames),
       .feedback_clocks_o(feedback_clocks),
       .restart_valid_o(restart_valid),
       .restart_ready_i(1'b1),
@@ -1115,6 +1117,7 @@ module horopter_top #(
       .clk_i(clk_i),
       .rst_ni(core_rst_n),
       .bus_rst_ni(rst_ni),
+      .begin_i(frame_begin),
       .object_limit_i(sampled_object_limit),
       .object_area_limit_i(sampled_object_area_limit),
       .width_i(result_width),
@@ -1215,6 +1218,7 @@ module horopter_top #(
       .open_i(frame_open),
       .open_slot_i(open_slot),
       .interlock_i(interlock),
+      .alarm_frames_i(alarm_frames),
       .restart_i(restart_i),
       .feedback_i(feedback_i),
       .feedback_clocks_i(feedback_clocks),

@@ -235,6 +235,7 @@ class Machine : public Endpoint {
   auto& runs() { return runs_; }
   auto& objects() { return objects_; }
   native::Settings& settings() { return settings_; }
+  std::uint32_t alarm_frames = reg::alarm_frames::kReset;  ///< for configure()
   const hls::Profile& profile() const { return engine_->profile(); }
   const MachineOptions& options() const { return options_; }
 
@@ -244,6 +245,7 @@ class Machine : public Endpoint {
     dim_before_ = false;
     write(reg::mode::kAddress, options_.live ? reg::mode::kLive.put(1) : 0);
     write(reg::interlock::kAddress, options_.interlock);
+    write(reg::alarm_frames::kAddress, alarm_frames);
     write(reg::width::kAddress, options_.width);
     write(reg::height::kAddress, options_.height);
     write(reg::lookahead::kAddress, options_.lookahead);

@@ -78,6 +78,38 @@ TEST_CASE("good frames alone do not make safe, neither at start nor after an ala
   CHECK_FALSE(guarded.machine.pins_ever_equal());
 }
 
+TEST_CASE("an object that two of three frames must show stops the machine within the second, and not before",
+          "[interlock]") {
+  Guarded guarded(reg::interlock::kByItself.put(1));
+  auto& machine = guarded.machine;
+  machine.alarm_frames = reg::alarm_frames::kNeeded.put(2) | reg::alarm_frames::kOf.put(3);
+  machine.configure();
+  machine.select(0);
+  CHECK(guarded.frames(4));
+  const int never = machine.settings().object_limit;
+  const auto show = [&](bool object) {
+    machine.settings().object_limit = object ? 50 : never;
+    machine.write_limits();
+  };
+  show(true);
+  CHECK(guarded.frames(1));
+  CHECK_FALSE(guarded.last.alarm());
+  CHECK(reg::frame_status::kSeen.get(guarded.last.status) == 1);
+  machine.settle(2000);  // what the last frame showed does not count twice
+  CHECK(machine.model().safe_o == 1);
+  show(false);
+  CHECK(guarded.frames(1));
+  show(true);
+  const unsigned done = machine.frames_done();
+  machine.send(random_pair(kWidth, kHeight, kShift, guarded.rng));
+  machine.simulation().run_until([&] { return machine.model().safe_o == 0; }, 40'000, "not safe");
+  CHECK(machine.frames_done() == done);
+  CHECK(machine.receive().alarm());
+  show(false);
+  CHECK(guarded.frames(5));
+  CHECK_FALSE(machine.pins_ever_equal());
+}
+
 TEST_CASE("a restart that comes too early is forgotten", "[interlock]") {
   Guarded guarded(kByPin);
   SECTION("before as many good frames") {

@@ -185,6 +185,58 @@ TEST_CASE("Objects have a place and size in mm with a rig, and are followed from
   CHECK(in_px["id"] == 1);
 }
 
+TEST_CASE("An alarm by two of three frames: where a hand is seen so often, and with what the frames show") {
+  Sandbox box;
+  const std::string shown = "0000101101000";
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const cv::Mat left = textured(200, 120, i + 1);
+    const std::string number = (i < 10 ? "0" : "") + std::to_string(i);
+    save((box / ("left" + number + ".png")).string(), left);
+    save((box / ("right" + number + ".png")).string(),
+         shown[i] == '1' ? right_of(left, kBlock, -10, 0) : textured(200, 120, 4711 + i));
+  }
+  box.write("rig.yaml", rig_text());
+  box.write("wall.yaml", "surface: {type: plane, point_mm: [0, 0, 1000], normal: [0, 0, -1]}\n");
+  const std::vector<std::string> run{"run",    "--left",     "left*.png", "--right",  "right*.png",
+                                     "--skin", "wall.yaml",  "--rig",     "rig.yaml", "--object",
+                                     "40px",   "--unproven", "--out",     "out",      "--json"};
+  const auto asked = [&](const std::string& frames, const std::string& rate) {
+    return std::vector<std::string>{"--alarm-frames", frames, "--frame-rate", rate};
+  };
+  const auto result = box.run(run + asked("2/3", "25"));
+  CAPTURE(result.err);
+  REQUIRE((result.status == 0 || result.status == 4));
+  const auto summary = nlohmann::json::parse(result.out);
+  std::string seen, alarms;
+  for (const auto& frame : summary["frames"]) {
+    CAPTURE(frame.dump());
+    CHECK(frame["faults"].empty());
+    seen += frame["alarm_seen"] == true ? '1' : '0';
+    alarms += frame["alarm"] == true ? '1' : '0';
+    CHECK(frame["objects"].size() == (frame["alarm_seen"] == true ? 1 : 0));
+  }
+  CHECK(seen == shown);
+  CHECK(alarms == "0000001101000");
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& message) {
+    const auto wrong = box.run(run + more);
+    CAPTURE(more, wrong.err);
+    CHECK((wrong.status == 2 || wrong.status == 3));
+    CHECK(wrong.err.find(message) != std::string::npos);
+  };
+  refused(asked("7/7", "25"), "it may be seen in ");
+  refused(asked("2/3", "10"), "frames a second, or 1/1");
+  refused({"--alarm-frames", "2/3"}, "Expected --frame-rate");
+  for (const char* wrong : {"3/2", "0/1", "2", "2/8", "2/3x", "", "-1/2"}) refused(asked(wrong, "25"), "expected N/M");
+  CHECK(box.run(run + asked("1/1", "1")).status != 2);  // by one frame it is as it always was
+  REQUIRE(box.run({"map", "--skin", "wall.yaml", "--rig", "rig.yaml", "--profile", "vga", "-o", "wall.hmap"}).status ==
+          0);
+  check_bad_file(box,
+                 std::vector<std::string>{"run", "--left", "left*.png", "--right", "right*.png", "--skin", "wall.hmap",
+                                          "--out", "out"} +
+                     asked("2/3", "25"),
+                 "wall.hmap", "how thick its skin is");
+}
+
 TEST_CASE("--object in mm is that of the skin's file by its table alone; a table without a rig is refused") {
   Sandbox box;
   with_pairs(box);

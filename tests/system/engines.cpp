@@ -365,6 +365,60 @@ TEST_CASE("Both machines wait for a restart, and take it alike") {
   CHECK(safe < 40);
 }
 
+TEST_CASE("An alarm by some of the last frames is alike, and a frame with a fault counts as one that shows it") {
+  struct Asked {
+    std::uint32_t needed, of;
+    bool by_object;
+  };
+  const MachineProfile& profile = find_profile("vga");
+  Pair pair(profile);
+  const auto [needed, of, by_object] =
+      GENERATE(Asked{2, 3, true}, Asked{2, 2, false}, Asked{3, 5, true}, Asked{7, 7, false}, Asked{0, 0, true},
+               Asked{3, 1, false}, Asked{1, 7, true});
+  CAPTURE(needed, of, by_object);
+  pair.write(reg::alarm_frames::kAddress, reg::alarm_frames::kNeeded.put(needed) | reg::alarm_frames::kOf.put(of));
+  pair.read(reg::alarm_frames::kAddress);
+  pair.start();
+  pair.write(reg::alarm_frames::kAddress, 0);  // locked
+  CHECK(pair.read(reg::alarm_frames::kAddress) ==
+        (reg::alarm_frames::kNeeded.put(needed) | reg::alarm_frames::kOf.put(of)));
+  pair.write(reg::alarm_limit::kAddress, by_object ? kWidth * kHeight : kWidth * kHeight / 20);
+  pair.write(reg::object_limit::kAddress, by_object ? 100 : kWidth * kHeight + 1);
+  pair.write(reg::map_undecidable_limit::kAddress, 0xFFFFFF);
+  CHECK(pair.upload(0, 0, table(profile, {1, 0, -5, 0, 1, 3, 0, 0, 1})) == 0);
+  pair.write(reg::table_select::kAddress, 0);
+
+  std::mt19937 random(needed * 8 + of);
+  std::vector<bool> shown(6, true);  // the newest last
+  int alarms = 0, passed = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const bool bad = random() % 12 == 0;
+    const bool seen = !bad && random() % 4 < (needed > 3 ? 3 : 1);
+    const Image image = textured(seed);
+    const Faults faults = bad    ? pair.frame(Image(kWidth, kHeight, 90), textured(100 + seed))
+                          : seen ? pair.frame(image, right_of(image, seed))
+                                 : pair.frame(image, textured(100 + seed));
+    CHECK(faults.any() == bad);
+    const auto status = pair.read(reg::frame_status::kAddress);
+    if (bad) {
+      shown.assign(6, true);
+      continue;
+    }
+    CAPTURE(seed, seen, shown);
+    const auto others = static_cast<std::ptrdiff_t>(std::max({needed, of, 1U}) - 1);
+    const auto count = std::count(shown.end() - others, shown.end(), true) + (seen ? 1 : 0);
+    const bool alarm = seen && count >= needed;
+    CHECK((reg::frame_status::kSeen.get(status) != 0) == seen);
+    CHECK((reg::frame_status::kAlarm.get(status) != 0) == alarm);
+    CHECK((reg::frame_status::kSafe.get(status) != 0) == !alarm);
+    alarms += alarm;
+    passed += seen && !alarm;
+    shown.push_back(seen);
+  }
+  CHECK(alarms > 0);
+  CHECK((passed > 0) == (needed > 1));
+}
+
 TEST_CASE("What both cameras show of one world is alike: cells, regions, verdicts, and what is hidden or unproven") {
   const int width = 240;
   const int height = 160;

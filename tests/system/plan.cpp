@@ -114,6 +114,12 @@ TEST_CASE("plan capability: the smallest body, the response time and the distanc
   CHECK(median(of({"--speed", "100", "--object", "70mm"})) > median(slow));
   CHECK(median(of({"--speed", "1000", "--object", "40mm"})) > median(slow));
   CHECK(median(of({"--speed", "100", "--object", "40mm", "--tolerance", "1"})) > median(slow));
+  // Two of three frames: each is to show enough, and it takes two images more.
+  const std::vector<std::string> often{"--speed", "1600", "--object", "40mm", "--fps", "1500"};
+  const json one = of(often);
+  const json two = of(often + std::vector<std::string>{"--alarm-frames", "2/3"});
+  CHECK(median(two) > median(one));
+  CHECK(two["response"]["total_ms"].get<double>() == Approx(one["response"]["total_ms"].get<double>() + 2e3 / 1500));
   // More images a second: a body moves less between two.
   CHECK(median(of({"--speed", "1000", "--object", "40mm", "--fps", "200"})) <
         median(of({"--speed", "1000", "--object", "40mm"})));
@@ -158,6 +164,7 @@ TEST_CASE("plan capability: what is refused") {
   refused({"--object", "900px"}, "does not fit into an image");
   refused({"--speed", "-1"}, "expected");
   refused({"--body", "cube"}, "ball, rod");
+  refused({"--alarm-frames", "2/2"}, "a hand at 1.6 m/s moves 26.7 mm from one frame to the next");
   refused({"--exposure-ms", "50"}, "an exposure of 50 ms");
   refused({"--tolerance", "0.3"}, "it is not known up to which disparity");
   refused({"--thickness", "500"}, "the rule thesis can be set to");

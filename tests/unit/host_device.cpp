@@ -602,7 +602,7 @@ class Passing : public Device {
 /// With one thing broken.
 class Broken : public Passing {
  public:
-  enum class How { count, state, run, sequence, silent, object, no_alarm, area };
+  enum class How { count, state, run, sequence, silent, object, no_alarm, seen_alone, area };
   explicit Broken(How how) : Passing("vga"), how_(how) {}
   void repair() { broken_ = false; }
   void break_now() { broken_ = true; }
@@ -613,6 +613,8 @@ class Broken : public Passing {
     if (how_ == How::count && address == reg::frame_skin::kAddress) return value + 1;
     if (how_ == How::object && address == reg::frame_object::kAddress) return value - 1;
     if (how_ == How::no_alarm && address == reg::frame_status::kAddress)
+      return value & ~(reg::frame_status::kAlarm.mask() | reg::frame_status::kSeen.mask());
+    if (how_ == How::seen_alone && address == reg::frame_status::kAddress)
       return value & ~reg::frame_status::kAlarm.mask();
     if (how_ == How::sequence && address == reg::frame_sequence::kAddress && value != 0) return value + 1;
     if (how_ == How::silent && address == reg::frame_sequence::kAddress) return 0;
@@ -838,7 +840,7 @@ TEST_CASE("A build with anything more or other than the profile is refused") {
 
 TEST_CASE("A machine that contradicts itself is found out") {
   const auto how = GENERATE(Broken::How::count, Broken::How::state, Broken::How::run, Broken::How::sequence,
-                            Broken::How::silent, Broken::How::object, Broken::How::no_alarm);
+                            Broken::How::silent, Broken::How::object, Broken::How::no_alarm, Broken::How::seen_alone);
   Settings settings;
   settings.object_px = 40;
   Monitor monitor(std::make_unique<Broken>(how), find_profile("vga"), settings);

@@ -69,7 +69,7 @@ TEST_CASE("all that a cell can say") {
       "rig: rig.yaml\nskin: skin.yaml\nprofile: vga\nengine: native\ndecision: compete\n"
       "limits: {tolerance_px: 1.5, object: 40mm, alarm_percent: 2, undecidable_percent: 70, unsupervised_percent: 60, "
       "frozen_frames: 3, hidden_frames: 10, still_scene: true, unproven: true, object_speed_m_s: 2, decision_ms: 45, "
-      "texture: 16}\n"
+      "texture: 16, alarm_frames: 2/5}\n"
       "teach: {needed: true, frames: 20, margin: 4, less_light: true}\nrestart: by_itself\nrestart_after: 5\n"
       "outputs: {modbus: {address: 0.0.0.0, port: 1502}}\n"
       "log: {directory: events, size_mb: 50}\n"
@@ -84,6 +84,8 @@ TEST_CASE("all that a cell can say") {
   CHECK(cell.tolerance_px == 1.5);
   CHECK(cell.object_mm == 40);
   CHECK(cell.settings.still_limit == 0);
+  CHECK(cell.settings.alarm_frames.needed == 2);
+  CHECK(cell.settings.alarm_frames.of == 5);
   CHECK_FALSE(cell.settings.proof.needed);
   CHECK(cell.settings.blind.watch);
   CHECK(cell.settings.blind.margin == 4);
@@ -129,6 +131,8 @@ TEST_CASE("what a cell must not say is refused: the file, the place, and what wa
       {good + "limits: {object: 40}\n", "5mm to 2000mm"},
       {good + "limits: {object: nanpx}\n", "5mm to 2000mm"},
       {good + "limits: {speed: 1}\n", "unknown key 'speed'"},
+      {good + "limits: {alarm_frames: 3/2}\n", "as in 2/3"},
+      {good + "limits: {alarm_frames: 2}\n", "as in 2/3"},
       {good + "limits: 3\n", "expected a map"},
       {good + "teach: {frames: 0}\n", "expected 1 to 65535"},
       {good + "outputs: {modbus: {port: 70000}}\n", "expected 0 to 65535"},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -108,6 +109,15 @@ RegisterWord interlock_word(const Interlock& interlock) {
                                         reg::interlock::kFrames.put(static_cast<std::uint32_t>(interlock.frames))};
 }
 
+RegisterWord alarm_frames_word(const AlarmFrames& frames) {
+  if (!frames.possible()) {
+    throw UsageError(fmt::format("an alarm by {} of {} frames is not possible; expected at most {} of {}",
+                                 frames.needed, frames.of, AlarmFrames::kMost, AlarmFrames::kMost));
+  }
+  return {reg::alarm_frames::kAddress, reg::alarm_frames::kNeeded.put(static_cast<std::uint32_t>(frames.needed)) |
+                                           reg::alarm_frames::kOf.put(static_cast<std::uint32_t>(frames.of))};
+}
+
 RegisterWord feedback_word(Device& device, double feedback_ms) {
   const double clocks = feedback_ms * reg::build_clock::kKhz.get(device.read(reg::build_clock::kAddress));
   if (!(clocks >= 0 && clocks < 4294967295.0)) {
@@ -117,6 +127,19 @@ RegisterWord feedback_word(Device& device, double feedback_ms) {
 }
 
 }  // namespace
+
+AlarmFrames AlarmFrames::parse(const std::string& text) {
+  AlarmFrames frames;
+  const char* const end = text.data() + text.size();
+  const auto needed = std::from_chars(text.data(), end, frames.needed);
+  const bool slash = needed.ec == std::errc() && needed.ptr != end && *needed.ptr == '/';
+  const auto of = slash ? std::from_chars(needed.ptr + 1, end, frames.of) : needed;
+  if (!slash || of.ec != std::errc() || of.ptr != end || !frames.possible()) {
+    throw UsageError(
+        fmt::format("'{}'; expected N/M, N of the last M frames, 1 <= N <= M <= {}, as in 2/3", text, kMost));
+  }
+  return frames;
+}
 
 std::int64_t object_limit(const Settings& settings, const MachineProfile& profile) {
   const std::int64_t frame = pixels_of_frame(profile);
@@ -163,6 +186,7 @@ std::vector<RegisterWord> configuration(Device& device, const MachineProfile& pr
                                   {reg::height::kAddress, static_cast<std::uint32_t>(geometry.height)},
                                   {reg::lookahead::kAddress, static_cast<std::uint32_t>(geometry.lookahead)}};
   words.push_back(interlock_word(settings.interlock));
+  words.push_back(alarm_frames_word(settings.alarm_frames));
   words.push_back(feedback_word(device, settings.interlock.feedback_ms));
   words.push_back({reg::mode::kAddress, reg::mode::kLive.put(settings.live)});
   add_limits(words, profile, settings, geometry);

@@ -150,6 +150,7 @@ nlohmann::ordered_json status_json(const MachineStatus& status) {
   const auto frame = status.word(reg::frame_status::kAddress);
   json["frame"] = {{"sequence", status.word(reg::frame_sequence::kAddress)},
                    {"alarm", reg::frame_status::kAlarm.get(frame) != 0},
+                   {"alarm_seen", reg::frame_status::kSeen.get(frame) != 0},
                    {"safe", reg::frame_status::kSafe.get(frame) != 0},
                    {"table", reg::frame_status::kSlot.get(frame)},
                    {"table_crc", crc_text(status.word(reg::frame_table_crc::kAddress))},

@@ -73,7 +73,8 @@ void check_objects(const FrameResult& result) {
                                   result.largest_object_pixels, largest));
   }
   const auto alarming = std::ranges::find_if(objects, [&](const Region& o) { return is_alarm(o, result); });
-  if (alarming != objects.end() && !result.alarm) {
+  if (result.alarm && !result.seen) throw DeviceError("the machine says an alarm, and that the frame shows none");
+  if (alarming != objects.end() && !result.seen) {
     throw DeviceError(fmt::format("the machine has an object of {} pixels, {:.0f} mm2, which is an alarm, and no alarm",
                                   alarming->pixels, alarming->area / double{hls::area_steps_per_mm2}));
   }
@@ -292,6 +293,7 @@ FrameResult Monitor::finish() {
   }
   const auto status = device_->read(reg::frame_status::kAddress);
   result.alarm = reg::frame_status::kAlarm.get(status) != 0;
+  result.seen = reg::frame_status::kSeen.get(status) != 0;
   result.safe = reg::frame_status::kSafe.get(status) != 0;
   result.table = static_cast<int>(reg::frame_status::kSlot.get(status));
   result.faults = {device_->read(reg::frame_faults_cameras::kAddress),
@@ -329,7 +331,7 @@ FrameResult Monitor::finish() {
   result.states = std::move(streams.states);
   BlindSettings blind = settings_.blind;
   blind.teach = result.faults.has(Fault::teaching);
-  const bool alone = !result.faults.without(Fault::teaching).any() && !result.alarm;
+  const bool alone = !result.faults.without(Fault::teaching).any() && !result.seen;
   result.blind = blind_watch_->frame(result.states, blind, alone);
   if (const auto pixels = std::ranges::count(result.blind, 1); pixels != result.blind_pixels) {
     throw DeviceError(
@@ -337,6 +339,9 @@ FrameResult Monitor::finish() {
                     result.blind_pixels, pixels));
   }
   check_objects(result);
+  if (result.seen && !result.alarm && settings_.alarm_frames.needed <= 1) {
+    throw DeviceError("the machine says that the frame shows an alarm, and that it is none");
+  }
   result.runs = std::move(streams.runs);
   return result;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 #include <utility>
 
@@ -95,6 +96,7 @@ NativeDevice::NativeDevice(const MachineProfile& profile, bool live)
   stored(reg::lookahead::kAddress) = static_cast<std::uint32_t>(defaults.lookahead);
   stored(reg::table_select::kAddress) = kNoTable;
   stored(reg::interlock::kAddress) = reg::interlock::kReset;
+  stored(reg::alarm_frames::kAddress) = reg::alarm_frames::kReset;
   stored(reg::map_undecidable_limit::kAddress) = reg::map_undecidable_limit::kReset;
   stored(reg::decision::kAddress) = reg::decision::kCompete.put(profile.has_thesis() ? 0 : 1);
   stored(reg::compete::kAddress) = profile.has_compete() ? reg::compete::kReset : 0;
@@ -255,6 +257,9 @@ void NativeDevice::write(std::uint32_t address, std::uint32_t value) {
       stored(address) = value & (reg::interlock::kByItself.mask() | reg::interlock::kByPin.mask() |
                                  reg::interlock::kByRegister.mask() | reg::interlock::kFrames.mask());
       return;
+    case reg::alarm_frames::kAddress:
+      stored(address) = value & (reg::alarm_frames::kNeeded.mask() | reg::alarm_frames::kOf.mask());
+      return;
     case reg::map_control::kAddress:
       if (reg::map_control::kStart.get(value) != 0) begin_upload();
       return;
@@ -304,6 +309,14 @@ bool NativeDevice::restart_is_allowed() const {
   return good_frames_ != 0 && good_frames_ >= wanted;
 }
 
+bool NativeDevice::alarm_counts() const {
+  const std::uint32_t word = registers_[reg::alarm_frames::kAddress / 4];
+  const std::uint32_t needed = reg::alarm_frames::kNeeded.get(word);
+  const std::uint32_t of = std::max(needed, reg::alarm_frames::kOf.get(word));
+  const std::uint32_t before = of > 1 ? alarms_seen_ & ((1U << (of - 1)) - 1) : 0;
+  return static_cast<std::uint32_t>(std::popcount(before)) + 1 >= needed;
+}
+
 void NativeDevice::hold() {
   safe_ = good_before_ = restarted_ = false;
   good_frames_ = 0;
@@ -323,6 +336,7 @@ void NativeDevice::reset_stream() {
   pending_.clear();
   frame_ = {};
   hold();
+  alarms_seen_ = kAllSeen;
   taught_ = taught_before_ = forget_ = dim_ = false;
   taught_frames_ = 0;
   active_slot_ = kNoTable;
@@ -503,7 +517,8 @@ FrameStreams NativeDevice::receive() {
   }
   taught_before_ = teaches;
   forget_ = faults.has(Fault::teaching) && (result.alarm || faults.without(Fault::teaching).any());
-  const bool good = !faults.any() && !result.alarm;
+  const bool good = !faults.any() && !(result.alarm && alarm_counts());
+  alarms_seen_ = faults.any() ? kAllSeen : alarms_seen_ << 1U | static_cast<std::uint32_t>(result.alarm);
   if (good) {
     safe_ = good_before_ && released();
     good_before_ = true;
@@ -514,8 +529,9 @@ FrameStreams NativeDevice::receive() {
   faults_ |= faults;
   irq_status_ |= reg::irq_status::kFrame.mask() | (faults.any() ? reg::irq_status::kFault.mask() : 0);
   frame_ = {frame_.sequence + 1,
-            reg::frame_status::kAlarm.put(result.alarm) | reg::frame_status::kSafe.put(good) |
-                reg::frame_status::kSlot.put(static_cast<std::uint32_t>(active_slot_)),
+            reg::frame_status::kAlarm.put(result.alarm && !good) | reg::frame_status::kSafe.put(good) |
+                reg::frame_status::kSlot.put(static_cast<std::uint32_t>(active_slot_)) |
+                reg::frame_status::kSeen.put(result.alarm),
             faults,
             table != nullptr ? table->words.back() : 0,
             static_cast<std::uint32_t>(result.skin_pixels),

@@ -87,6 +87,7 @@ nlohmann::ordered_json frame_json(int frame, const std::string& left, const std:
                               {"table", result.table},
                               {"table_crc", crc_text(result.table_crc)},
                               {"alarm", result.alarm},
+                              {"alarm_seen", result.seen},
                               {"safe", result.safe},
                               {"skin_pixels", result.skin_pixels},
                               {"undecidable_pixels", result.undecidable_pixels},

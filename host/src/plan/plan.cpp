@@ -62,6 +62,10 @@ std::vector<ResponseItem> detection_items(const Timing& timing) {
       {"exposure", timing.exposure_s.value_or(image_s),
        timing.exposure_s ? "--exposure-ms" : "no --exposure-ms: the longest that there is, from image to image"},
       {"transfer of the image", image_s, "image rate: the longest that there is, without blanking"}};
+  if (timing.alarm_frames > 1) {
+    items.push_back({"further frames that must show it", (timing.alarm_frames - 1) * image_s,
+                     "--alarm-frames; rtl/store/horopter_alarm_filter.sv"});
+  }
   if (timing.monitor_s) {
     items.push_back({"live monitor, to its client", *timing.monitor_s,
                      "--monitor-ms; docs/monitor.md, How long it takes; tests/benchmarks/monitor.cpp"});

@@ -56,6 +56,7 @@ rtl/store/horopter_areas.sv
 rtl/store/horopter_row_span.sv
 rtl/store/horopter_places.sv
 rtl/store/horopter_interlock.sv
+rtl/store/horopter_alarm_filter.sv
 rtl/store/horopter_feedback.sv
 rtl/store/horopter_frame_control.sv
 rtl/camera/horopter_camera_input.sv

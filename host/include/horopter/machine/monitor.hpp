@@ -31,6 +31,16 @@ struct Interlock {
   int frames = 2;            ///< without fault and alarm that must lie before a restart, 1 to 15
 };
 
+/// An alarm is one that so many of the last frames show, the newest among them (register ALARM_FRAMES).
+struct AlarmFrames {
+  static constexpr int kMost = 7;
+  int needed = 1;
+  int of = 1;
+  bool possible() const { return 1 <= needed && needed <= of && of <= kMost; }
+  /// "2/3". Throws UsageError with what was expected.
+  static AlarmFrames parse(const std::string& text);
+};
+
 struct Settings {
   Decision decision = Decision::thesis;  ///< the profile and the machine must have it
   CompeteSettings competition;
@@ -47,6 +57,8 @@ struct Settings {
   /// Where it is not 0: a body this many mm across is, wherever it is. object_area_limit() says what area that is, and no
   /// number of pixels is an alarm. object_px must be what it has where the skin is farthest. For tables that know areas.
   double object_mm = 0;
+  /// Above 1 of 1 only where a body is in the skin for as many frames.
+  AlarmFrames alarm_frames;
   BlindSettings blind;  ///< what counts as an object where nothing can be decided
   /// Of supported_pixels (support.hpp); more are a fault. Noise alone leaves more undecidable with `thesis`; `compete`
   /// decides some of it, the more the stronger it is (its votes gather in patches).
@@ -122,6 +134,7 @@ struct FrameResult {
   std::int64_t unproven_pixels = 0;        ///< undecidable: nothing shows that both cameras see their place
   Agreement agreement;
   bool alarm = false;
+  bool seen = false;  ///< would be one if this frame alone counted (Settings::alarm_frames)
   bool safe = false;
   int table = 15;  ///< slot, 15 = none
   std::uint32_t table_crc = 0;

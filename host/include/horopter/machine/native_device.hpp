@@ -61,6 +61,8 @@ class NativeDevice : public Device {
   bool by_itself() const;
   bool released() const { return restarted_ || by_itself(); }
   bool restart_is_allowed() const;
+  /// What the next frame shows is an alarm, by the frames before it (register ALARM_FRAMES).
+  bool alarm_counts() const;
   void restart(std::uint32_t key);
   void hold();
   void start_frame();
@@ -110,6 +112,9 @@ class NativeDevice : public Device {
   // The interlock, as rtl/store/horopter_interlock.sv; without a pin.
   bool restarted_ = false;
   unsigned good_frames_ = 0;
+  // As rtl/store/horopter_alarm_filter.sv: bit n, the frame n + 1 before this one shows an alarm, or may have.
+  static constexpr std::uint32_t kAllSeen = 0xFFFFFFFF;
+  std::uint32_t alarms_seen_ = kAllSeen;
   struct Pending {
     Image left;
     Image right;

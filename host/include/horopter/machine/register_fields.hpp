@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 247> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 250> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -74,6 +74,8 @@ inline constexpr std::array<RegisterField, 247> kRegisterFields = {{
     {0x084, "value", {0, 16}, "Sum, 0 to 15 k²."},
     {0x088, "sum", {0, 16}, "9 times the threshold in units of the unscaled Sobel magnitude; 9 · 32 = 4 grey levels per px."},
     {0x08C, "pixels", {0, 24}, "Pixels of the result; by default 5 % of the largest frame."},
+    {0x090, "needed", {0, 3}, "So many of the last ALARM_FRAMES.of frames, this one among them; 0 is as 1. Frames with a fault, all before one, and frames that did not come count as frames that show an alarm."},
+    {0x090, "of", {3, 3}, "Frames; fewer than `needed` are as `needed`."},
     {0x094, "pixels", {0, 24}, "Pixels of the result; by default all of the largest frame. Never more than the table itself says that there are."},
     {0x0A0, "grey", {0, 8}, "Grey level."},
     {0x0A4, "pixels", {0, 24}, "Incoming pixels; by default 95 % of the largest frame."},
@@ -147,9 +149,10 @@ inline constexpr std::array<RegisterField, 247> kRegisterFields = {{
     {0x0E8, "base_word64", {0, 16}, "Index of its first 64-bit word."},
     {0x0E8, "end_word64", {16, 16}, "Index after the last one, modulo 65536: it takes (end - base) modulo 65536 words, and all 65536 where that is 0."},
     {0x100, "value", {0, 32}, "0 = none yet."},
-    {0x104, "alarm", {0, 1}, "More skin pixels than ALARM_LIMIT, or an object of OBJECT_LIMIT or OBJECT_AREA_LIMIT."},
+    {0x104, "alarm", {0, 1}, "More skin pixels than ALARM_LIMIT, or an object of OBJECT_LIMIT or OBJECT_AREA_LIMIT, in as many frames as ALARM_FRAMES says, or in one with a fault."},
     {0x104, "safe", {1, 1}, "Complete, free of faults and of alarm."},
     {0x104, "slot", {2, 4}, "Slot of the table that made it, 15 = none."},
+    {0x104, "seen", {6, 1}, "The same in this frame, whatever ALARM_FRAMES says."},
     {0x108, "left_short_line", {0, 1}, "A line of the left camera ended early; the whole row counts as missing."},
     {0x108, "left_long_line", {1, 1}, "A line of the left camera had too many pixels; the whole row counts as missing."},
     {0x108, "left_missing_line", {2, 1}, "The left camera's start of frame, or in live mode a pause of four line lengths, came before the last line; the rows that did not come count as missing."},

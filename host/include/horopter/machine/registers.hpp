@@ -47,7 +47,7 @@ inline constexpr std::uint32_t kAddress = 0x004;
 inline constexpr Access kAccess = Access::kReadOnly;
 /// Counts compatible additions.
 inline constexpr Field kMinor{0, 16};
-inline constexpr std::uint32_t kMinorValue = 0x5;
+inline constexpr std::uint32_t kMinorValue = 0x6;
 /// Counts incompatible changes.
 inline constexpr Field kMajor{16, 16};
 inline constexpr std::uint32_t kMajorValue = 0x2;
@@ -297,6 +297,19 @@ inline constexpr Access kAccess = Access::kReadWrite;
 /// Pixels of the result; by default 5 % of the largest frame.
 inline constexpr Field kPixels{0, 24};
 }  // namespace alarm_limit
+
+/// In how many frames an alarm must be seen until it is one (rtl/store/horopter_alarm_filter.sv). Locked while
+/// CONTROL.enable is 1.
+namespace alarm_frames {
+inline constexpr std::uint32_t kAddress = 0x090;
+inline constexpr Access kAccess = Access::kReadWrite;
+inline constexpr std::uint32_t kReset = 0x9;
+/// So many of the last ALARM_FRAMES.of frames, this one among them; 0 is as 1. Frames with a fault, all before one, and
+/// frames that did not come count as frames that show an alarm.
+inline constexpr Field kNeeded{0, 3};
+/// Frames; fewer than `needed` are as `needed`.
+inline constexpr Field kOf{3, 3};
+}  // namespace alarm_frames
 
 /// More unsupervised pixels than this in a frame are a fault.
 namespace unsupervised_limit {
@@ -604,12 +617,15 @@ inline constexpr Field kValue{0, 32};
 namespace frame_status {
 inline constexpr std::uint32_t kAddress = 0x104;
 inline constexpr Access kAccess = Access::kReadOnly;
-/// More skin pixels than ALARM_LIMIT, or an object of OBJECT_LIMIT or OBJECT_AREA_LIMIT.
+/// More skin pixels than ALARM_LIMIT, or an object of OBJECT_LIMIT or OBJECT_AREA_LIMIT, in as many frames as
+/// ALARM_FRAMES says, or in one with a fault.
 inline constexpr Field kAlarm{0, 1};
 /// Complete, free of faults and of alarm.
 inline constexpr Field kSafe{1, 1};
 /// Slot of the table that made it, 15 = none.
 inline constexpr Field kSlot{2, 4};
+/// The same in this frame, whatever ALARM_FRAMES says.
+inline constexpr Field kSeen{6, 1};
 }  // namespace frame_status
 
 /// Faults of the last finished frame; bits as in FAULTS_CAMERAS.
@@ -1271,7 +1287,7 @@ struct Register {
   bool locked;  ///< writes are refused while CONTROL.enable is 1
 };
 
-inline constexpr std::array<Register, 91> kRegisters = {{
+inline constexpr std::array<Register, 92> kRegisters = {{
     {"id", 0x000, Access::kReadOnly, false},
     {"version", 0x004, Access::kReadOnly, false},
     {"build_size", 0x008, Access::kReadOnly, false},
@@ -1296,6 +1312,7 @@ inline constexpr std::array<Register, 91> kRegisters = {{
     {"self_limit", 0x084, Access::kReadWrite, false},
     {"texture_limit", 0x088, Access::kReadWrite, false},
     {"alarm_limit", 0x08C, Access::kReadWrite, false},
+    {"alarm_frames", 0x090, Access::kReadWrite, true},
     {"unsupervised_limit", 0x094, Access::kReadWrite, false},
     {"black_level", 0x0A0, Access::kReadWrite, false},
     {"black_limit", 0x0A4, Access::kReadWrite, false},

@@ -42,6 +42,7 @@ struct Timing {
   double images_per_s = 0;
   std::optional<double> exposure_s;  ///< nothing: the longest that there is, from image to image
   std::optional<double> monitor_s;   ///< from an image's arrival to the client of a live monitor; nothing: hardware
+  int alarm_frames = 1;              ///< over so many a body may be seen until it is an alarm
 };
 /// A part of the response time.
 struct ResponseItem {

@@ -118,6 +118,14 @@ void read_limits(Keys keys, Cell& cell) {
   if (keys.flag("still_scene", false)) settings.still_limit = 0;
   if (keys.flag("unproven", false)) settings.proof.needed = false;
   read_size(keys, cell);
+  if (keys.has("alarm_frames")) {
+    const std::string expected = "N/M, N of the last M frames, as in 2/3";
+    try {
+      settings.alarm_frames = AlarmFrames::parse(keys.text("alarm_frames", expected));
+    } catch (const UsageError&) {
+      keys.fail("alarm_frames", "", expected);
+    }
+  }
   if (keys.has("object_speed_m_s")) cell.object_speed_m_s = keys.number("object_speed_m_s", 0.001, 100, "m/s");
   if (keys.has("decision_ms")) cell.decision_limit_ms = keys.number("decision_ms", 1, 60'000, "ms");
   keys.finish();
