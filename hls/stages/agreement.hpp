@@ -57,6 +57,7 @@ struct Verdict {
   bool unsharp_left = false;
   bool unsharp_right = false;
   bool hidden = false;
+  bool overlooked = false;  // places at full resolution lie on the skin; a fault where there is no alarm
 };
 
 /// The figures behind it, as registers have them (rtl/csr/registers.yaml): FRAME_REGION of the regions, 8 in a row; then
@@ -118,6 +119,8 @@ class Agreement {
     u<6> moved_limit;
     u<6> moved_half_limit;  // the same of one half
     u<6> patch_limit;       // 1/8 px: the same at full resolution (patches.hpp)
+    u<5> on_skin_limit;     // largest share of places on the skin, in 1/32; 31 = never
+    u<1> alarm_before;      // the frame before showed an alarm
     s<16> epipolar_slope;   // displacement across the rows of a shift along them, at the first cell: 2^-15
     s<16> epipolar_column;  // its change from column to column: 2^-20
     s<16> epipolar_row;     // and from row to row: 2^-20
@@ -1120,7 +1123,7 @@ class Agreement {
         return u<32>(sums.contrast[1]);
       case 63: {
         const auto round = patches_.round();
-        return u<32>(cat(round.moved, round.across, round.places));
+        return u<32>(cat(round.on_skin, round.moved, round.across, round.places));
       }
       default: {
         const auto of = registration_.quarter(u<2>(place.template bits<1, 0>() + lit<1>()));
@@ -1180,6 +1183,7 @@ class Agreement {
     verdict.untextured = config.prove != 0 && !enough;
     verdict.disagree = config.prove != 0 && enough && (disagree_ || too_much_);
     verdict.moved = config.prove != 0 && (registration_.moved() || patches_.moved());
+    verdict.overlooked = config.prove != 0 && patches_.overlooked();
     // Where the left camera sees nothing and the right one does: of the right one agreement says it already.
     verdict.unsharp_left = config.prove != 0 && enough && (sharpness_.less(0) || census_.left_sees_less());
     verdict.unsharp_right = config.prove != 0 && enough && sharpness_.less(1);

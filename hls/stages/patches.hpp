@@ -19,6 +19,11 @@
 // after the other say that no camera has moved. Before that nothing is known, and a camera that has moved has, until they do.
 // What is known grows old: it is forgotten where rounds have said neither for patch_known_frames.
 //
+// A place that is displaced by no more than a pixel along the row lies on the skin. Where more than on_skin_limit of a round's
+// places do, something large does, whatever the rule says of its pixels: *overlooked*, until a round shows fewer. This is told by
+// other means than the rule's, so that what blinds the rule (haze or a drop on a lens, coarse pictures) does not blind both.
+// A frame whose alarm says so already, alarm_before, begins anew: none of its round's places count for this.
+//
 // Memory: both cameras' windows; the right one's bits by row; places; a score a row.
 // Time: patch_beats for a place. A band for which there is no time, in narrow images, is left out.
 #pragma once
@@ -39,6 +44,7 @@ namespace horopter::stages {
 inline constexpr int patch_reach_across_px = 5;
 /// The limit with which nothing is said, or waited for.
 inline constexpr int patch_limit_never = 63;
+inline constexpr int on_skin_limit_never = 31;
 
 /// Frames for which it stays known whether a camera has moved. Of real pairs in simulation, at rest, with noise or half the gain
 /// in one camera, rounds that say so were up to 354 frames apart.
@@ -49,6 +55,7 @@ struct PatchRound {
   u<8> places;
   s<12> across;  // sum of their displacements, each of at most ±2 px: 1/8 px
   u<3> moved;    // bit 0: one way; left and right opposite ways; upper and lower
+  u<8> on_skin;  // places
 };
 
 /// AT_ONCE: on the CPU a band is compared at once; what it shows counts in the same beat as in the hardware.
@@ -59,6 +66,7 @@ class Patches {
   using Column = u<8>;  // of cells, and beyond
   using Slope = s<8>;   // rows down a column to the right, 1/256
   static constexpr int least_places = 24;
+  static constexpr int least_on_skin = 4;
   static constexpr int decide_steps = 24;
 
   void begin_step() {
@@ -149,7 +157,7 @@ class Patches {
 #ifndef __HLSC__
     if constexpr (AT_ONCE) {
       if (beats_left_ > 0) count_down(1, config);
-      tally();
+      tally(config);
       return;
     }
 #endif
@@ -177,7 +185,7 @@ class Patches {
     best_ = better ? summed.row : best_;
     if (summed.last) rows_.write(summed.down_by, best_);
     advance();
-    tally();
+    tally(config);
   }
 
   /// Behind the frame, steps 0 … decide_steps - 1, then end_frame(). Eight steps for each way to be moved: the quarters of the
@@ -196,6 +204,7 @@ class Patches {
   }
   void end_frame() { frame_ends_ = true; }
   [[nodiscard]] bool moved() const { return moved_; }
+  [[nodiscard]] bool overlooked() const { return overlooked_; }
   /// It is known whether a camera was moved: nothing is safe before.
   [[nodiscard]] bool settled() const { return !age_.bit(known_bits); }
   [[nodiscard]] const PatchRound& round() const { return round_; }
@@ -206,7 +215,7 @@ class Patches {
   void skip(int beats, const Config& config) {
     consider();
     if (beats_left_ > 0) count_down(beats, config);
-    tally();
+    tally(config);
   }
   /// take() for pixels of a row, none of them its first.
   template <class Position>
@@ -588,11 +597,13 @@ class Patches {
     vote_.right = second;
     vote_.down = residual >= limit;
     vote_.up = residual <= -limit;
+    vote_.on_skin = along >= lit<-1>() && along <= lit<1>();
     vote_.across = residual > 16 ? s<6>(16) : (residual < -16 ? s<6>(-16) : s<6>(residual));
   }
 
   /// What a place says, and a step of the decision. Flat, so that the way from register to register is short.
-  void tally() {
+  template <class Config>
+  void tally(const Config& config) {
 #ifndef __HLSC__
     if (!vote_.counts && !decision_.is && !frame_ends_ && !frame_ended_) return;  // nothing changes
 #endif
@@ -613,7 +624,9 @@ class Patches {
     const bool ages = frame_ended_;
     frame_ended_ = frame_ends_;
     frame_ends_ = false;
-    if (starts) round_ = {places_, across_, found_};
+    if (starts) round_ = {places_, across_, found_, on_skin_};
+    overlooked_ = !config.alarm_before && (starts ? large_ && !spoiled_ : overlooked_);
+    spoiled_ = config.alarm_before != 0 || (spoiled_ && !starts);
     const bool found = found_ != 0;
     moved_ = starts ? twice_ || (moved_ && !clear_) : moved_;
     age_ = starts && (twice_ || clear_) ? Age(0) : Age(age_ + u<1>(ages && !age_.bit(known_bits)));
@@ -631,6 +644,9 @@ class Patches {
     mostly_ = shl<1>(sum.up) > sum.places || shl<1>(sum.down) > sum.places;
     partly_ = shl<4>(sum.up) > clear_limit_ || shl<4>(sum.down) > clear_limit_;
     clear_limit_ = u<11>(shl<2>(sum.places) + sum.places);
+    const bool says = config.on_skin_limit != lit<on_skin_limit_never>();
+    large_ = says && on_skin_ >= lit<least_on_skin>() && shl<5>(on_skin_) > on_skin_most_;
+    on_skin_most_ = u<13>(places_ * config.on_skin_limit);
 
     for (std::size_t q = 0; q < 4; ++q) {
       const u<1> here(vote_.counts && (q >= 2) == lower_ && (q % 2 == 1) == vote_.right);
@@ -640,6 +656,7 @@ class Patches {
       of.down = Places(only(!starts, of.down) + u<1>(here & u<1>(vote_.down)));
     }
     across_ = s<12>((starts ? s<12>(0) : across_) + (vote_.counts ? vote_.across : s<6>(0)));
+    on_skin_ = Places((starts ? Places(0) : on_skin_) + u<1>(vote_.counts && vote_.on_skin));
     vote_ = Vote{};
     decision_ = Decision{};
   }
@@ -656,7 +673,7 @@ class Patches {
     beats_left_ = std::max(0, beats_left_ - beats);
     if (before > patch_beats + 1 && beats_left_ <= patch_beats + 1) {
       count(peaks_[0], false, config);
-      tally();
+      tally(config);
     }
     if (before > 1 && beats_left_ <= 1) count(peaks_[1], true, config);
   }
@@ -795,7 +812,7 @@ class Patches {
   std::array<Quarter, 4> quarters_{};  // top left, top right, bottom left, bottom right
   /// Of this beat.
   struct Vote {
-    bool counts = false, right = false, up = false, down = false;
+    bool counts = false, right = false, up = false, down = false, on_skin = false;
     s<6> across;
   };
   struct Decision {
@@ -818,6 +835,10 @@ class Patches {
   u<3> found_{0};
   bool doubted_ = false, doubted_before_ = false;  // the last round, and the one before
   PatchRound round_;
+  Places on_skin_{0};
+  u<13> on_skin_most_{0};  // 1/32 place
+  bool large_ = false, overlooked_ = false;
+  bool spoiled_ = false;  // a frame of the round follows one with an alarm
   bool suspected_ = false, moved_ = false;
   bool twice_ = false, clear_ = false;  // what the round says, of the beat before
   static constexpr int known_bits = bits_for(patch_known_frames - 1);

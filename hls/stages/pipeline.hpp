@@ -80,6 +80,7 @@ struct FrameSettings : Settings {
       : Settings(settings), width(result_width), height(result_height) {}
   int width;
   int height;
+  int alarm_before = 0;  // the frame before showed an alarm
 };
 
 struct Run {
@@ -105,6 +106,7 @@ struct Agreement {
   bool unsharp_left = false;
   bool unsharp_right = false;
   bool hidden = false;
+  bool overlooked = false;  // a fault where there is no alarm
   std::array<int, 4> across{};
   std::array<int, 4> measured{};
   std::array<int, 2> detail{};
@@ -112,6 +114,7 @@ struct Agreement {
   int patch_places = 0;  // of the last complete round (stages/patches.hpp)
   int patch_across = 0;  // 1/8 px
   int patch_moved = 0;   // bits
+  int patches_on_skin = 0;
   struct Region {
     int textured = 0;
     int explained = 0;
@@ -208,6 +211,7 @@ class Pipeline {
     result.store_misses = sources.misses;
     store(right);
     pass_rows(left.height + P.flush_rows(compete_), {left, right, sources, result});
+    alarm_before_ = result.alarm ? 1 : 0;
     return result;
   }
 
@@ -267,7 +271,8 @@ class Pipeline {
 
   void begin(const ImageView& image, const TableView& table, const Settings& settings) {
     compete_ = settings.compete != 0;
-    const FrameSettings of_stages(settings, image.width / P.subsample, image.height);
+    FrameSettings of_stages(settings, image.width / P.subsample, image.height);
+    of_stages.alarm_before = alarm_before_;
     if constexpr (P.has_thesis()) thesis_rows_.begin(of_stages);
     if constexpr (P.has_compete()) compete_rows_.begin(of_stages);
     blind_config_ = stages::chain::by_name<typename stages::Blind<P>::Config>(of_stages);
@@ -896,6 +901,7 @@ class Pipeline {
     to.unsharp_left = from.unsharp_left;
     to.unsharp_right = from.unsharp_right;
     to.hidden = from.hidden;
+    to.overlooked = from.overlooked;
   }
 
   /// See stages::FrameWord.
@@ -937,6 +943,7 @@ class Pipeline {
         to.patch_places = bits(0, 8);
         to.patch_across = hls::s<12>(word >> 8).value();
         to.patch_moved = bits(20, 3);
+        to.patches_on_skin = bits(23, 8);
         break;
     }
   }
@@ -954,6 +961,7 @@ class Pipeline {
   typename stages::MapExpand<P>::Config map_config_;
   typename Health::Config health_config_;
   typename stages::Agreement<P>::Config agreement_config_;
+  int alarm_before_ = 0;
   int prove_ = 0;
   typename Coarse::Config coarse_config_;
   typename Still::Config still_config_;

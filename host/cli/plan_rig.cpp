@@ -279,7 +279,8 @@ void choose_machine(const RigOptions& options, RigInstallation& installation) {
 
 RigInstallation install(RigOptions& options) {
   const calib::Rig rig = rig_of(options);
-  RigInstallation result{rig, options.rig.empty() ? "the rig" : options.rig, {rig.cameras[0], rig.cameras[1]}, {}, nullptr, {}, {}};
+  RigInstallation result{
+      rig, options.rig.empty() ? "the rig" : options.rig, {rig.cameras[0], rig.cameras[1]}, {}, nullptr, {}, {}};
   if (!options.skin.empty()) {
     const auto skin = load_rig_skin(options.skin, rig);
     result.cameras = skin->cameras();

@@ -102,8 +102,8 @@ module horopter_csr #(
     output logic [23:0] map_undecidable_limit_pixels_o,
     input  logic [25:0] faults_cameras_set_i,
     output logic [25:0] faults_cameras_o,
-    input  logic [19:0] faults_machine_set_i,
-    output logic [19:0] faults_machine_o,
+    input  logic [20:0] faults_machine_set_i,
+    output logic [20:0] faults_machine_o,
     input  logic [15:0] map_extent_base_word64_i,
     input  logic [15:0] map_extent_end_word64_i,
     input  logic [31:0] frame_sequence_value_i,
@@ -117,11 +117,11 @@ module horopter_csr #(
     input  logic [31:0] frame_cycles_clocks_i,
     input  logic [31:0] frame_latency_clocks_i,
     input  logic [31:0] frame_tail_clocks_i,
-    input  logic [19:0] frame_faults_machine_i,
+    input  logic [20:0] frame_faults_machine_i,
     output logic [22:0] agreement_o,
     output logic [31:0] agreement_limits_o,
     output logic [ 7:0] hidden_frames_o,
-    output logic [17:0] registration_o,
+    output logic [22:0] registration_o,
     output logic [31:0] epipolar_o,
     output logic [31:0] epipolar_change_o,
     output logic [ 7:0] one_camera_segments_o,
@@ -296,7 +296,8 @@ module horopter_csr #(
   logic [ 5:0] registration_moved_q;
   logic [ 5:0] registration_moved_half_q;
   logic [ 5:0] registration_patches_q;
-  assign registration_o = {registration_patches_q, registration_moved_half_q, registration_moved_q};
+  logic [ 4:0] registration_on_skin_q;
+  assign registration_o = {registration_on_skin_q, registration_patches_q, registration_moved_half_q, registration_moved_q};
   // EPIPOLAR: Slope of the epipolar lines in the transformed images, two's complement.
   logic [15:0] epipolar_slope_q;
   logic [15:0] epipolar_column_q;
@@ -387,6 +388,7 @@ module horopter_csr #(
       registration_moved_q <= 6'd3;
       registration_moved_half_q <= 6'd5;
       registration_patches_q <= 6'd8;
+      registration_on_skin_q <= 5'd6;
       epipolar_slope_q <= 16'd0;
       epipolar_column_q <= 16'd0;
       epipolar_change_row_q <= 16'd0;
@@ -569,7 +571,10 @@ module horopter_csr #(
           registration_moved_half_q[5:2] <= write_data_i[11:8];
           registration_patches_q[3:0] <= write_data_i[15:12];
         end
-        if (write_strb_i[2]) registration_patches_q[5:4] <= write_data_i[17:16];
+        if (write_strb_i[2]) begin
+          registration_patches_q[5:4] <= write_data_i[17:16];
+          registration_on_skin_q[4:0] <= write_data_i[22:18];
+        end
       end
       if (write_q && write_group_q[7] && write_word_q[0]) begin  // EPIPOLAR
         if (write_strb_i[0]) epipolar_slope_q[7:0] <= write_data_i[7:0];
@@ -912,11 +917,11 @@ module horopter_csr #(
       .error_o(guard_error[29])
   );
   horopter_guard #(
-      .WIDTH(18)
+      .WIDTH(23)
   ) u_registration_guard (
       .clk_i(clk_i),
       .written_i(written_q[30]),
-      .value_i({registration_patches_q, registration_moved_half_q, registration_moved_q}),
+      .value_i({registration_on_skin_q, registration_patches_q, registration_moved_half_q, registration_moved_q}),
       .error_o(guard_error[30])
   );
   horopter_guard #(
@@ -1021,11 +1026,11 @@ module horopter_csr #(
   assign faults_cameras_o = faults_cameras_q;
 
   // FAULTS_MACHINE: The same for faults of both cameras together, of tables and of the machine.
-  logic [19:0] faults_machine_q;
+  logic [20:0] faults_machine_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) faults_machine_q <= 20'd0;
+    if (!rst_ni) faults_machine_q <= 21'd0;
     else if (write_q && write_group_q[5] && write_word_q[1])
-      faults_machine_q <= (faults_machine_q & ~(write_data_i[19:0] & {{4{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
+      faults_machine_q <= (faults_machine_q & ~(write_data_i[20:0] & {{5{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
     else faults_machine_q <= faults_machine_q | faults_machine_set_i;
   end
   assign faults_machine_o = faults_machine_q;
@@ -1136,7 +1141,7 @@ module horopter_csr #(
     if (wanted_q[6])
       case (word_q)
         3'h0: group_07_q <= {3'd0, faults_cameras_q[25:13], 3'd0, faults_cameras_q[12:0]};
-        3'h1: group_07_q <= {12'd0, faults_machine_q};
+        3'h1: group_07_q <= {11'd0, faults_machine_q};
         default: group_07_q <= {map_extent_end_word64_i, map_extent_base_word64_i};
       endcase
     group_08_q <= 32'd0;
@@ -1157,11 +1162,11 @@ module horopter_csr #(
         3'h0: group_09_q <= frame_cycles_clocks_i;
         3'h1: group_09_q <= frame_latency_clocks_i;
         3'h2: group_09_q <= frame_tail_clocks_i;
-        3'h3: group_09_q <= {12'd0, frame_faults_machine_i};
+        3'h3: group_09_q <= {11'd0, frame_faults_machine_i};
         3'h4: group_09_q <= {9'd0, agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
         3'h5: group_09_q <= {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q};
         3'h6: group_09_q <= {24'd0, hidden_frames_q};
-        default: group_09_q <= {14'd0, registration_patches_q, registration_moved_half_q, registration_moved_q};
+        default: group_09_q <= {9'd0, registration_on_skin_q, registration_patches_q, registration_moved_half_q, registration_moved_q};
       endcase
     group_0A_q <= 32'd0;
     if (wanted_q[9])

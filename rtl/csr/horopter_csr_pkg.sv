@@ -36,6 +36,7 @@ package horopter_csr_pkg;
   } camera_faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic overlooked;
     logic teaching;
     logic contactors;
     logic objects;
@@ -59,6 +60,7 @@ package horopter_csr_pkg;
   } machine_faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic overlooked;
     logic [ 1:0] unsharp;
     logic untextured;
     logic hidden;
@@ -142,6 +144,7 @@ package horopter_csr_pkg;
   } agreement_limits_t;
 
   typedef struct packed {  // from the highest bit
+    logic [ 4:0] on_skin;
     logic [ 5:0] patches;
     logic [ 5:0] moved_half;
     logic [ 5:0] moved;
@@ -193,6 +196,7 @@ package horopter_csr_pkg;
   } frame_across_3_t;
 
   typedef struct packed {  // from the highest bit
+    logic [ 7:0] on_skin;
     logic [ 2:0] moved;
     logic [11:0] across;
     logic [ 7:0] places;

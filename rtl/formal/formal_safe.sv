@@ -170,11 +170,17 @@ module formal_safe (
       if (health_valid[1]) right_checked[right_slot] <= 1'b1;
     end
   end
+  // `overlooked` is a fault of a published frame, where there is no alarm.
+  horopter_csr_pkg::verdict_t other_verdict;
+  always_comb begin
+    other_verdict = verdict;
+    other_verdict.overlooked = 1'b0;
+  end
   // Faults of a health result without valid, or of an alarm without counts, mean nothing.
   assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, settings, contactors_bad, miss} != '0 || identical
       || (health_valid[0] && left_health != '0) || (health_valid[1] && right_health != '0)
       || (object_alarm && alarm_frames.needed <= 3'd1) || (objects_ended && objects_overflow) || (begun[4] && teaching)
-      || (counts_valid && (too_undecidable || too_unsupervised)) || (verdict_valid && verdict != '0);
+      || (counts_valid && (too_undecidable || too_unsupervised)) || (verdict_valid && other_verdict != '0);
   always @(posedge clk_i) begin
     past_valid <= 1'b1;
     past_reset <= !rst_ni;

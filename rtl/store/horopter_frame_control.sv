@@ -168,7 +168,8 @@ module horopter_frame_control (
   end
 
   // --- where they belong: a frame record, or, if that is closed already, to the next frame published ---
-  logic state_ended_q, runs_ended_q, counted_q, objects_ended_q, judged_by_both_q;
+  logic state_ended_q, runs_ended_q, counted_q, objects_ended_q, judged_by_both_q, overlooked_q;
+  logic alarm_q, object_alarm_q;
   logic complete, publishing, publish_q;
   logic [1:0] accepts;  // records that still take faults
   horopter_csr_pkg::faults_t set_record0, set_record1, set_event;
@@ -210,6 +211,7 @@ module horopter_frame_control (
     unchecked.machine.internal = !read_faults.machine.skew
         && ((!(left_checked_q[read_slot_i] && whole_i[0]) && read_faults.left.stream == '0)
             || (!(right_checked_q[read_slot_i] && whole_i[1]) && read_faults.right.stream == '0));
+    unchecked.machine.overlooked = overlooked_q && !(alarm_q || object_alarm_q);  // with an alarm it is none
   end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -236,6 +238,7 @@ module horopter_frame_control (
       if (publishing) total_q <= read_faults | unchecked;
       fault_set_o <= set_record0 | set_record1 | set_event | transient_q;
       if (publish_q && total_q.machine.internal) fault_set_o.machine.internal <= 1'b1;
+      if (publish_q && total_q.machine.overlooked) fault_set_o.machine.overlooked <= 1'b1;
       found_q <= fault_set_o != '0;
       // Until this has followed a fault, fault_set_o and found_q tell of it.
       bad_q <= {faults1_q != '0, faults0_q != '0};
@@ -249,7 +252,7 @@ module horopter_frame_control (
   logic [31:0] open_time, arrived_time;  // of the frame being output
   assign open_time = read_slot_i ? open_time1_q : open_time0_q;
   assign arrived_time = read_slot_i ? arrived_time1_q : arrived_time0_q;
-  logic state_first_q, first_seen_q, alarm_q, object_alarm_q;
+  logic state_first_q, first_seen_q;
   logic [23:0] skin_q, undecidable_q, unsupervised_q, misses_q;
   logic good, seen, counts, passes;  // a frame that shows an alarm may be one of too few
   assign seen = alarm_q || object_alarm_q;
@@ -272,6 +275,7 @@ module horopter_frame_control (
       counted_q <= 1'b0;
       objects_ended_q <= 1'b0;
       judged_by_both_q <= 1'b0;
+      overlooked_q <= 1'b1;
       first_seen_q <= 1'b0;
       alarm_q <= 1'b1;
       object_alarm_q <= 1'b1;
@@ -302,6 +306,7 @@ module horopter_frame_control (
         counted_q <= 1'b0;
         objects_ended_q <= 1'b0;
         judged_by_both_q <= 1'b0;
+        overlooked_q <= 1'b1;
         first_seen_q <= 1'b0;
         alarm_q <= 1'b1;
         object_alarm_q <= 1'b1;
@@ -311,6 +316,7 @@ module horopter_frame_control (
         if (state_end_i) state_ended_q <= 1'b1;
         if (runs_end_i) runs_ended_q <= 1'b1;
         if (verdict_valid_i) judged_by_both_q <= 1'b1;
+        if (verdict_valid_i) overlooked_q <= verdict_i.overlooked;
         if (counts_valid_i) begin
           counted_q <= 1'b1;
           alarm_q <= alarm_i;

@@ -964,10 +964,10 @@ module horopter_top #(
   logic counts_valid, alarm, too_undecidable, too_little_decided, too_unsupervised;
   logic [COUNT_BITS-1:0] skin_pixels, undecidable_pixels, unsupervised_pixels;
   logic verdict_valid, word_valid;
-  logic disagree, unproven, moved, hidden, untextured;
+  logic disagree, unproven, moved, hidden, untextured, overlooked;
   logic [1:0] unsharp;
   horopter_csr_pkg::verdict_t verdict;
-  assign verdict = {unsharp, untextured, hidden, moved, unproven, disagree};  // as horopter_csr_pkg has it
+  assign verdict = {overlooked, unsharp, untextured, hidden, moved, unproven, disagree};  // as horopter_csr_pkg has it
   logic [5:0] word_index;
   logic [31:0] word;
   logic align_hidden, align_unproven;
@@ -1012,6 +1012,8 @@ module horopter_top #(
       .cfg_moved_limit_i(sampled_registration.moved),
       .cfg_moved_half_limit_i(sampled_registration.moved_half),
       .cfg_patch_limit_i(sampled_registration.patches),
+      .cfg_on_skin_limit_i(sampled_registration.on_skin),
+      .cfg_alarm_before_i(frame_status.seen),
       .cfg_epipolar_slope_i(sampled_epipolar.slope),
       .cfg_epipolar_column_i(sampled_epipolar.column),
       .cfg_epipolar_row_i(sampled_epipolar_change.row),
@@ -1022,6 +1024,7 @@ module horopter_top #(
       .agreement_verdict_untextured_o(untextured),
       .agreement_verdict_disagree_o(disagree),
       .agreement_verdict_moved_o(moved),
+      .agreement_verdict_overlooked_o(overlooked),
       .agreement_verdict_unsharp_left_o(unsharp[0]),
       .agreement_verdict_unsharp_right_o(unsharp[1]),
       .agreement_verdict_hidden_o(hidden),

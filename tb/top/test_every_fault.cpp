@@ -393,6 +393,22 @@ std::set<std::string> faults_of_scenes() {
   bench.raise("hidden", [&] {
     for (int frame = 0; frame < 3; ++frame) machine.send({bench.view(0, 0), bench.view(-2, 0)});
   });
+  // Images so small have no places for it. That rounds say so: tests/unit/agreement.cpp.
+  const auto flip_overlooked = [&] {
+    int flipped = 0;
+    for (const upset::Signal& signal : Build::signals(machine.model())) {
+      if (!std::string_view(signal.name).ends_with("u_agreement.patches_overlooked_q")) continue;
+      signal.flip(0);
+      ++flipped;
+    }
+    CHECK(flipped == 1);
+    Build::settle(machine.model());
+  };
+  bench.raise("overlooked", [&] {
+    flip_overlooked();
+    bench.send_scene();
+  });
+  flip_overlooked();
   return bench.raised;
 }
 

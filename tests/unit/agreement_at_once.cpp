@@ -51,6 +51,7 @@ typename Stage::Config config_of(int width, int height, unsigned seed) {
   config.moved_limit = 3;
   config.moved_half_limit = 5;
   config.patch_limit = 8;
+  config.on_skin_limit = 4;
   config.epipolar_slope = static_cast<int>(seed * 661 % 2000) - 1000;
   config.epipolar_row = static_cast<int>(seed * 67 % 200) - 100;
   return config;
@@ -75,7 +76,8 @@ void check_same(int width, int height, unsigned seed, bool scene = false) {
            a.verdict.valid == b.verdict.valid && a.verdict.disagree == b.verdict.disagree &&
            a.verdict.moved == b.verdict.moved && a.verdict.hidden == b.verdict.hidden &&
            a.verdict.untextured == b.verdict.untextured && a.verdict.unproven_yet == b.verdict.unproven_yet &&
-           a.verdict.unsharp_left == b.verdict.unsharp_left && a.verdict.unsharp_right == b.verdict.unsharp_right;
+           a.verdict.unsharp_left == b.verdict.unsharp_left && a.verdict.unsharp_right == b.verdict.unsharp_right &&
+           a.verdict.overlooked == b.verdict.overlooked;
   };
   const auto columns = static_cast<std::size_t>(width);
   std::vector<hls::u<8>> left_row(columns), right_row(columns);

@@ -151,7 +151,7 @@ TEST_CASE("What half of the light would leave undecidable is taught, too, and le
   settings.object_px = 20;
   Small small(settings);
   small.monitor.select(1);
-  constexpr int pixels = 3212;  // that are supervised
+  constexpr int kPixels = 3212;  // that are supervised
   constexpr int kFrames = 6;
   for (int i = 0; i < kFrames; ++i) {
     CAPTURE(i);
@@ -159,24 +159,24 @@ TEST_CASE("What half of the light would leave undecidable is taught, too, and le
     // Every second one, from the first on; it is never too undecidable, which would undo what is taught.
     const bool is_dim = dim && i % 2 == 0;
     CHECK(taught.faults.names() == std::vector<std::string>{"teaching"});
-    CHECK((taught.undecidable_pixels > pixels * 85 / 100) == is_dim);
-    CHECK((taught.undecidable_pixels < pixels * 20 / 100) == !is_dim);
+    CHECK((taught.undecidable_pixels > kPixels * 85 / 100) == is_dim);
+    CHECK((taught.undecidable_pixels < kPixels * 20 / 100) == !is_dim);
   }
   CHECK(small.monitor.blind_watch().taught() == kFrames);
   CHECK(small.monitor.device().read(reg::taught::kAddress) + 1 == kFrames);
   small.monitor.teach(false);
   const auto as_before = frame_of(small, kContrast);
   CHECK(as_before.safe);
-  CHECK(as_before.undecidable_pixels < pixels * 20 / 100);
+  CHECK(as_before.undecidable_pixels < kPixels * 20 / 100);
   const auto darker = frame_of(small, kLess);
-  CHECK(darker.undecidable_pixels > pixels / 3);
+  CHECK(darker.undecidable_pixels > kPixels / 3);
   CHECK(darker.alarm == !dim);
   // What can be decided is seen in the skin as ever.
   small.monitor.select(0);
   CHECK(frame_of(small, kContrast).alarm);
   // Taught again it begins with a dim one again.
   small.monitor.teach(true);
-  CHECK((frame_of(small, kContrast).undecidable_pixels > pixels * 85 / 100) == dim);
+  CHECK((frame_of(small, kContrast).undecidable_pixels > kPixels * 85 / 100) == dim);
 }
 
 TEST_CASE("Images that cannot be images are faults, each its own, and the next good frame is good") {

@@ -69,7 +69,18 @@ void add_limits(std::vector<RegisterWord>& words, const MachineProfile& profile,
   words.insert(words.end(), limits.begin(), limits.end());
 }
 
-void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32_t agreement_limits) {
+/// Of a round's places, 1/32: more of them on the skin than this are too many for no alarm. What is just too small for an
+/// alarm has twice its share of the pixels at most, as places are where there is texture; and some places are wrong.
+int on_skin_limit(const MachineProfile& profile, const Settings& settings, FrameGeometry geometry) {
+  constexpr double kWrong = 1.0 / 8;
+  const double result = 1.0 * geometry.width / profile.subsample * geometry.height;
+  const double allowed =
+      std::min(static_cast<double>(object_limit(settings, profile)) / result, settings.alarm_percent / 100);
+  return std::min<int>(static_cast<int>(std::ceil(32 * (kWrong + 2 * allowed))), stages::on_skin_limit_never);
+}
+
+void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32_t agreement_limits,
+               int on_skin_limit) {
   const auto rounded = [](double value, int bits) {
     return static_cast<std::uint32_t>(std::clamp(std::lround(std::ldexp(value, bits)), -32768L, 32767L));
   };
@@ -91,7 +102,8 @@ void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32
   words.push_back({reg::registration::kAddress,
                    limit(proof.registered, reg::registration::kMoved, defaults.moved_limit) |
                        limit(proof.registered, reg::registration::kMovedHalf, defaults.moved_half_limit) |
-                       limit(proof.at_full_resolution, reg::registration::kPatches, defaults.patch_limit)});
+                       limit(proof.at_full_resolution, reg::registration::kPatches, defaults.patch_limit) |
+                       reg::registration::kOnSkin.put(static_cast<std::uint32_t>(on_skin_limit))});
   words.push_back({reg::epipolar::kAddress, reg::epipolar::kSlope.put(rounded(proof.epipolar[0], 15)) |
                                                 reg::epipolar::kColumn.put(rounded(proof.epipolar[1], 20))});
   words.push_back(
@@ -190,7 +202,8 @@ std::vector<RegisterWord> configuration(Device& device, const MachineProfile& pr
   words.push_back(feedback_word(device, settings.interlock.feedback_ms));
   words.push_back({reg::mode::kAddress, reg::mode::kLive.put(settings.live)});
   add_limits(words, profile, settings, geometry);
-  add_proof(words, settings.proof, device.read(reg::agreement_limits::kAddress));
+  add_proof(words, settings.proof, device.read(reg::agreement_limits::kAddress),
+            on_skin_limit(profile, settings, geometry));
   const bool compete = settings.decision == Decision::compete;
   words.push_back({reg::decision::kAddress, reg::decision::kCompete.put(compete ? 1 : 0)});
   if (compete) {

@@ -57,7 +57,8 @@ std::array<std::uint32_t, 12> agreement_words(const native::Agreement& a) {
   }
   words[11] = reg::frame_patches::kPlaces.put(static_cast<std::uint32_t>(a.patch_places)) |
               reg::frame_patches::kAcross.put(static_cast<std::uint32_t>(a.patch_across)) |
-              reg::frame_patches::kMoved.put(static_cast<std::uint32_t>(a.patch_moved));
+              reg::frame_patches::kMoved.put(static_cast<std::uint32_t>(a.patch_moved)) |
+              reg::frame_patches::kOnSkin.put(static_cast<std::uint32_t>(a.patches_on_skin));
   return words;
 }
 
@@ -504,6 +505,7 @@ FrameStreams NativeDevice::receive() {
   add(result.agreement.disagree, Fault::disagree);
   add(result.agreement.unproven, Fault::unproven);
   add(result.agreement.moved, Fault::moved);
+  add(result.agreement.overlooked && !result.alarm, Fault::overlooked);
   add(result.agreement.hidden, Fault::hidden);
   add(result.agreement.unsharp_left, Fault::left_unsharp);
   add(result.agreement.unsharp_right, Fault::right_unsharp);

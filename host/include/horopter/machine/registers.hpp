@@ -591,6 +591,9 @@ inline constexpr Field kObjects{17, 1};
 inline constexpr Field kContactors{18, 1};
 /// BLOCKS.teach is set: the machine learns, and does not watch.
 inline constexpr Field kTeaching{19, 1};
+/// More than REGISTRATION.on_skin of a round's places lie on the skin, and there is no alarm: what blinds the rule, as
+/// haze, a drop on a lens or coarse pictures, does not blind this.
+inline constexpr Field kOverlooked{20, 1};
 }  // namespace faults_machine
 
 /// Where the table in MAP_SLOT lies in the pool; 0 without a table. Means nothing in the 100 clocks after the third
@@ -811,6 +814,9 @@ inline constexpr Field kObjects{17, 1};
 inline constexpr Field kContactors{18, 1};
 /// BLOCKS.teach is set: the machine learns, and does not watch.
 inline constexpr Field kTeaching{19, 1};
+/// More than REGISTRATION.on_skin of a round's places lie on the skin, and there is no alarm: what blinds the rule, as
+/// haze, a drop on a lens or coarse pictures, does not blind this.
+inline constexpr Field kOverlooked{20, 1};
 }  // namespace frame_faults_machine
 
 /// Whether both cameras see the same world, compared coarsely over all depths. Locked while CONTROL.enable is 1.
@@ -860,7 +866,7 @@ inline constexpr Field kFrames{0, 8};
 namespace registration {
 inline constexpr std::uint32_t kAddress = 0x13C;
 inline constexpr Access kAccess = Access::kReadWrite;
-inline constexpr std::uint32_t kReset = 0x8143;
+inline constexpr std::uint32_t kReset = 0x188143;
 /// A median of this or more is a fault, of the image or, in opposite directions, of two halves of it.
 inline constexpr Field kMoved{0, 6};
 /// In one half of the image a median of this or more is.
@@ -868,6 +874,9 @@ inline constexpr Field kMovedHalf{6, 6};
 /// 1/8 px: the same at full resolution, of most places of two rounds (hls/stages/patches.hpp); nothing is safe before
 /// rounds have few such places; 63 = never, and not waited for.
 inline constexpr Field kPatches{12, 6};
+/// 1/32: more of a round's places at full resolution on the skin, without an alarm, are the fault `overlooked`; 31 =
+/// never.
+inline constexpr Field kOnSkin{18, 5};
 }  // namespace registration
 
 /// Slope of the epipolar lines in the transformed images, two's complement.
@@ -1006,6 +1015,8 @@ inline constexpr Field kAcross{8, 12};
 /// Beyond REGISTRATION.patches: bit 0 one way; left and right opposite ways; upper and lower. In two rounds one after
 /// the other: fault moved.
 inline constexpr Field kMoved{20, 3};
+/// Places displaced by no more than a pixel along the row.
+inline constexpr Field kOnSkin{23, 8};
 }  // namespace frame_patches
 
 /// One camera twice: the check of both images against each other (hls/stages/coarse.hpp).
@@ -1223,6 +1234,7 @@ enum class Fault : std::uint8_t {
   objects = 49,
   contactors = 50,
   teaching = 51,
+  overlooked = 52,
 };
 
 struct NamedFault {
@@ -1230,7 +1242,7 @@ struct NamedFault {
   std::string_view name;
 };
 
-inline constexpr std::array<NamedFault, 46> kFaults = {{
+inline constexpr std::array<NamedFault, 47> kFaults = {{
     {Fault::left_short_line, "left_short_line"},
     {Fault::left_long_line, "left_long_line"},
     {Fault::left_missing_line, "left_missing_line"},
@@ -1277,6 +1289,7 @@ inline constexpr std::array<NamedFault, 46> kFaults = {{
     {Fault::objects, "objects"},
     {Fault::contactors, "contactors"},
     {Fault::teaching, "teaching"},
+    {Fault::overlooked, "overlooked"},
 }};
 
 /// One line of the register map.
