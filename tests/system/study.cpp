@@ -228,6 +228,13 @@ TEST_CASE("study earned: every disturbance of a board has its line, and none of 
   CHECK(std::ranges::count(runs, ',') % std::ranges::count(runs, '\n') == 0);
   const auto refused = box.run({"study", "earned", "--frames", "0", "--out", "none"});
   CHECK(refused.status == 2);
+  const auto harder = box.run({"study", "earned", "--quick", "--harder", "--frames", "1", "--out", "harder", "--json"});
+  REQUIRE(harder.status == 0);
+  const json lines = json::parse(harder.out)["lines"];
+  CHECK(std::ranges::count_if(lines, [](const json& line) { return !line["harmless"].get<bool>(); }) ==
+        2 * (2 * 24 + 10));
+  const std::string rows = box.read("harder/runs.csv");
+  CHECK(std::ranges::count(rows, ',') % std::ranges::count(rows, '\n') == 0);
 }
 
 TEST_CASE("study earned --sets: what stays clear, set by set; sets that are not there are named") {

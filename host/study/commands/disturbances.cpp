@@ -99,14 +99,6 @@ CameraImages behind_sheet(const Sight& sight, double share) {
   return images;
 }
 
-/// What happens to one camera alone.
-struct Change {
-  std::string name;
-  std::function<Mat(const Mat& image, const Mat& other)> light;
-  double noise = Disturbed::kSensorNoise;
-  bool of_both = false;  ///< may happen to both cameras at once
-};
-
 std::vector<Change> changes() {
   std::vector<Change> all{
       {"covered", [](const Mat& image, const Mat&) { return blurred(image, 60); }, 2},
@@ -198,14 +190,15 @@ std::array<Image, 2> Disturbed::frames(cv::RNG& random) const {
   return result;
 }
 
-std::vector<Disturbance> disturbances() {
+std::vector<Disturbance> disturbances(bool harder) {
   std::vector<Disturbance> all = harmless();
-  for (const Change& what : changes()) {
+  for (const Change& what : harder ? harder_changes() : changes()) {
     all.push_back({what.name, "right", false, [what](const Sight& s) { return change(s, what, {kRight}); }});
     all.push_back({what.name, "left", false, [what](const Sight& s) { return change(s, what, {kLeft}); }});
     if (!what.of_both) continue;
     all.push_back({what.name, "both", false, [what](const Sight& s) { return change(s, what, {kLeft, kRight}); }});
   }
+  if (harder) return all;
   all.push_back({"swapped", "both", false, [](const Sight& sight) {
                    return Disturbed{.light = {sight.scene[kRight], sight.scene[kLeft]}, .copy = {}};
                  }});

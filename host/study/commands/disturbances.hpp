@@ -47,7 +47,18 @@ struct Disturbance {
   std::function<Disturbed(const Sight& sight)> disturb;
 };
 
-/// All of them, the harmless ones first.
-std::vector<Disturbance> disturbances();
+/// What happens to one camera alone, or to both alike.
+struct Change {
+  std::string name;
+  std::function<cv::Mat(const cv::Mat& image, const cv::Mat& other)> light;
+  double noise = Disturbed::kSensorNoise;
+  bool of_both = false;  ///< may happen to both cameras at once
+};
+
+/// Of a part of an image, or such that both cameras still look like some that see.
+std::vector<Change> harder_changes();
+
+/// All of them, the harmless ones first; `harder`: these in place of the usual ones.
+std::vector<Disturbance> disturbances(bool harder);
 
 }  // namespace horopter::cli

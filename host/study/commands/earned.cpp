@@ -526,7 +526,7 @@ void report_sets(StudyReport& report, const std::vector<Run>& runs) {
 
 void study_earned(StudyReport& report, const StudyScope& scope) {
   const std::vector<Scene> scenes = load_scenes(report, scope);
-  std::vector<Disturbance> what = disturbances();
+  std::vector<Disturbance> what = disturbances(scope.harder);
   const bool of_sets = !scope.sets.empty();
   if (of_sets)
     std::erase_if(what, [&](const Disturbance& one) { return !one.harmless || (scope.quick && one.name != kAsItIs); });

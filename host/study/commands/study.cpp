@@ -91,6 +91,8 @@ void add_earned_options(CLI::App& command, StudyScope& scope) {
                   "Public sets of pairs instead, undisturbed: what share of what is clear stays clear. Directory with "
                   "middlebury/ and stereo/2006.txt, 2014.txt, views.txt; a set that is not there is skipped")
       ->type_name("DIR");
+  command.add_flag("--harder", scope.harder,
+                   "Other disturbances: of a part of an image, coarse or bent images. Not all of them are found");
   command.add_option("--frames", scope.frames, "Of each pair, with fresh noise")
       ->capture_default_str()
       ->check(CLI::Range(1, 10'000))
