@@ -66,6 +66,8 @@ constexpr auto kRows = std::to_array<Row>({
     {"unproven", false, "Too little has been compared in both images to know that no camera was moved.",
      "Wait for some images. If it stays, give what stands in view more texture."},
     {"moved", false, "", "Look whether a camera was knocked or its lens turned; fix it, and calibrate anew."},
+    {"overlooked", false, "Something large seems to be on the skin, and the pictures are too poor to show what.",
+     "Look whether something is on the skin. Clean both lenses, and look at focus and compression of both cameras."},
     {"hidden", false, "For long, something nearer to the cameras has stood before too much of the skin.",
      "Take away what stands between the cameras and the skin."},
     {"settings", false, "", kService},
