@@ -3,7 +3,7 @@
 // settings_i.needed of the last settings_i.of, this one among them; 0 is as 1, and fewer than `needed` as `needed`.
 //
 // A frame with a fault shows nothing of what is there, so it and all before it count as frames in which an alarm was
-// seen; so do those before the start, and those that did not come, gap_i. So the filter lets nothing pass after them.
+// seen; so do those before the start, and those that did not come, gap_i. So the first frame after them that shows an alarm is one.
 //
 // counts_o = 1: what this frame shows is an alarm, passes_o is its opposite, decided and stored on its own. Both are of the
 // frame that began, decide_i some clocks later: what the frame before has shown must be known. raw_i: it counts whatever

@@ -9,9 +9,24 @@
 #include <opencv2/imgproc.hpp>
 
 namespace horopter::cli {
-namespace {
 
 using cv::Mat;
+
+Mat flat(const Mat& like, double grey) { return {like.size(), CV_8UC1, cv::Scalar(grey)}; }
+
+Mat blurred(const Mat& image, double sigma_px) {
+  Mat result;
+  cv::GaussianBlur(image, result, {}, sigma_px);
+  return result;
+}
+
+Mat compressed(const Mat& image, int quality) {
+  std::vector<std::uint8_t> bytes;
+  cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
+  return cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
+}
+
+namespace {
 
 Mat with_noise(const Mat& image, double sd, cv::RNG& random) {
   if (sd == 0) return image;
@@ -22,17 +37,9 @@ Mat with_noise(const Mat& image, double sd, cv::RNG& random) {
   return result;
 }
 
-Mat flat(const Mat& like, double grey) { return {like.size(), CV_8UC1, cv::Scalar(grey)}; }
-
 Mat scaled(const Mat& image, double gain, double offset) {
   Mat result;
   image.convertTo(result, CV_8UC1, gain, offset);
-  return result;
-}
-
-Mat blurred(const Mat& image, double sigma_px) {
-  Mat result;
-  cv::GaussianBlur(image, result, {}, sigma_px);
   return result;
 }
 
@@ -65,12 +72,6 @@ Mat ramp(const Mat& like) {
     result.col(x).setTo(grey);
   }
   return result;
-}
-
-Mat compressed(const Mat& image, int quality) {
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
-  return cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
 }
 
 /// Blotches of some 5 px.

@@ -47,6 +47,11 @@ struct Disturbance {
   std::function<Disturbed(const Sight& sight)> disturb;
 };
 
+/// Of one grey level; out of focus; as JPEG of this quality leaves it.
+cv::Mat flat(const cv::Mat& like, double grey);
+cv::Mat blurred(const cv::Mat& image, double sigma_px);
+cv::Mat compressed(const cv::Mat& image, int quality);
+
 /// What happens to one camera alone, or to both alike.
 struct Change {
   std::string name;

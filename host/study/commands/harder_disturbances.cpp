@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What may blind a part of an image, or coarsen or bend it, so that one camera or both still look like cameras that see.
-#include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "disturbances.hpp"
@@ -11,8 +9,6 @@ namespace horopter::cli {
 namespace {
 
 using cv::Mat;
-
-Mat plain(const Mat& like, double grey) { return {like.size(), CV_8UC1, cv::Scalar(grey)}; }
 
 /// `image`, and `other` in a part of it; the part's borders are shares of width and height.
 Mat in_part(const Mat& image, const Mat& other, double left, double top, double right, double bottom) {
@@ -32,12 +28,6 @@ Mat in_columns(const Mat& image, const Mat& other, const std::function<bool(int)
   return result;
 }
 
-Mat smoothed(const Mat& image, double sigma_px) {
-  Mat result;
-  cv::GaussianBlur(image, result, {}, sigma_px);
-  return result;
-}
-
 Mat moving(const Mat& image, const cv::Size& way_px) {
   Mat result;
   cv::blur(image, result, way_px);
@@ -48,7 +38,7 @@ Mat drop(const Mat& image) {
   Mat mask = Mat::zeros(image.size(), CV_8UC1);
   cv::circle(mask, {image.cols / 2, image.rows / 2}, image.rows * 3 / 10, cv::Scalar(255), cv::FILLED);
   Mat result = image.clone();
-  smoothed(image, 8).copyTo(result, mask);
+  blurred(image, 8).copyTo(result, mask);
   return result;
 }
 
@@ -57,12 +47,6 @@ Mat in_blocks(const Mat& image, int side_px) {
   cv::resize(image, small, {image.cols / side_px, image.rows / side_px}, 0, 0, cv::INTER_AREA);
   cv::resize(small, result, image.size(), 0, 0, cv::INTER_NEAREST);
   return result;
-}
-
-Mat as_jpeg(const Mat& image, int quality) {
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
-  return cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
 }
 
 /// What comes from which place, in shares of half the width from the middle.
@@ -104,19 +88,19 @@ std::vector<Change> harder_changes() {
   constexpr double kTape = 100, kNoise = Disturbed::kSensorNoise;
   using Images = const Mat&;
   return {
-      {"tape over the right 30 %", [](Images i, Images) { return in_part(i, plain(i, kTape), 0.7, 0, 1, 1); }},
-      {"tape over the middle", [](Images i, Images) { return in_part(i, plain(i, kTape), 0.3, 0, 0.7, 1); }, kNoise,
+      {"tape over the right 30 %", [](Images i, Images) { return in_part(i, flat(i, kTape), 0.7, 0, 1, 1); }},
+      {"tape over the middle", [](Images i, Images) { return in_part(i, flat(i, kTape), 0.3, 0, 0.7, 1); }, kNoise,
        true},
       {"fence of 8 in 24 px",
-       [](Images i, Images) { return in_columns(i, plain(i, kTape), [](int x) { return x % 24 < 8; }); }},
+       [](Images i, Images) { return in_columns(i, flat(i, kTape), [](int x) { return x % 24 < 8; }); }},
       {"drop on the lens", [](Images i, Images) { return drop(i); }, kNoise, true},
-      {"grease over the left half", [](Images i, Images) { return in_part(i, smoothed(i, 4), 0, 0, 0.5, 1); }, kNoise,
+      {"grease over the left half", [](Images i, Images) { return in_part(i, blurred(i, 4), 0, 0, 0.5, 1); }, kNoise,
        true},
       {"upper half of another scene", [](Images i, Images o) { return in_part(i, o, 0, 0, 1, 0.5); }},
       {"middle of another scene", [](Images i, Images o) { return in_part(i, o, 0.25, 0.25, 0.75, 0.75); }},
       {"another scene reflected", [](Images i, Images o) { return Mat(0.5 * i + 0.5 * o); }},
       {"every 8th column black",
-       [](Images i, Images) { return in_columns(i, plain(i, 0), [](int x) { return x % 8 == 0; }); }, kNoise, true},
+       [](Images i, Images) { return in_columns(i, flat(i, 0), [](int x) { return x % 8 == 0; }); }, kNoise, true},
       {"every 2nd row 8 px aside",
        [](Images i, Images) {
          Mat result = i.clone();
@@ -127,7 +111,7 @@ std::vector<Change> harder_changes() {
       {"moving by 21 px down", [](Images i, Images) { return moving(i, {1, 21}); }, kNoise, true},
       {"blocks of 8 px", [](Images i, Images) { return in_blocks(i, 8); }, kNoise, true},
       {"blocks of 4 px", [](Images i, Images) { return in_blocks(i, 4); }, kNoise, true},
-      {"JPEG of quality 5", [](Images i, Images) { return as_jpeg(i, 5); }, kNoise, true},
+      {"JPEG of quality 5", [](Images i, Images) { return compressed(i, 5); }, kNoise, true},
       {"3 bits a pixel", [](Images i, Images) { return Mat(i & 0xE0); }, kNoise, true},
       {"bit 7 stuck at 0", [](Images i, Images) { return Mat(i & 0x7F); }},
       {"negative", [](Images i, Images) { return Mat(255 - i); }},
