@@ -404,6 +404,36 @@ TEST_CASE("The first pair is shown until it is proven, a live one once; what has
   }
 }
 
+TEST_CASE("Something large on the skin is overlooked where the rule is blind, and an alarm where it is not") {
+  const MachineProfile& profile = find_profile("vga");
+  constexpr int kW = 320, kH = 240, kCoarse_px = 5, kFrames = 40;
+  const Image small = textured(kW / kCoarse_px, kH / kCoarse_px, 1);
+  Image left(kW, kH);
+  for (int y = 0; y < kH; ++y) {
+    for (int x = 0; x < kW; ++x) left.at(x, y) = small.at(x / kCoarse_px, y / kCoarse_px);
+  }
+  SkinFile skin;
+  skin.path = "skin";
+  skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -6, 0, 1, 0, 0, 0, 1});
+  const bool blind = GENERATE(true, false);
+  CAPTURE(blind);
+  Settings settings;
+  settings.texture = blind ? 255 : Settings().texture;
+  settings.undecidable_percent = 100;
+  settings.still_limit = settings.frozen_limit = 0;
+  Supervisor supervisor(make_native_device(profile), profile, compile_maps(skin, profile, kW, kH), settings);
+  Faults faults;
+  bool alarm = false;
+  for (int i = 0; i < kFrames; ++i) {
+    const auto result = supervisor.process(left, moved(left, -6, 0)).front();
+    faults |= result.faults;
+    alarm = alarm || result.alarm;
+  }
+  CAPTURE(faults.names());
+  CHECK(alarm == !blind);
+  CHECK(faults.has(Fault::overlooked) == blind);
+}
+
 TEST_CASE("What has texture along the rows alone cannot be proven, and is shown sixty times") {
   const MachineProfile& profile = find_profile("vga");
   constexpr int kW = 320, kH = 240;
