@@ -2,6 +2,7 @@
 // Lens maps: inverse of the map, Jacobians against differences, limits of the domain, conversions.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstring>
 #include <random>
 
 #include "horopter/calib/camera.hpp"
@@ -117,6 +118,41 @@ TEST_CASE("many pixels at a time are those of one at a time, to 1e-6 px") {
         found << batch.xx[i], batch.xy[i], batch.yx[i], batch.yy[i];
         REQUIRE((slope - found).norm() < 1e-4 * slope.norm());
       }
+    }
+  }
+}
+
+TEST_CASE("runs of pixels are those of calls of their own, to the last bit") {
+  constexpr std::size_t kRuns = 6;
+  for (const auto& [name, intrinsics] : cameras()) {
+    const CameraModel model(intrinsics);
+    for (int y = -60; y < kHeight + 60; y += 20) {
+      std::vector<double> xs, ys;
+      // From the middle, where few steps settle, to beyond the border.
+      for (std::size_t i = 0; i < kRuns * PixelBatch::kRun; ++i) {
+        xs.push_back((9.0 * static_cast<double>(i)) / model.fx_px());
+        ys.push_back((y - model.cy_px()) / model.fy_px());
+      }
+      xs[3] = std::nan("");
+      PixelBatch batch;
+      model.distort_runs(xs, ys, batch);
+      for (std::size_t run = 0; run < xs.size(); run += PixelBatch::kRun) {
+        CAPTURE(name, y, run);
+        PixelBatch alone;
+        model.distort(std::span(xs).subspan(run, PixelBatch::kRun), std::span(ys).subspan(run, PixelBatch::kRun),
+                      alone);
+        const auto same = [&](const auto& some, const auto& own) {
+          return std::memcmp(&some[run], own.data(), PixelBatch::kRun * sizeof(double)) == 0;
+        };
+        REQUIRE(same(batch.x, alone.x));
+        REQUIRE(same(batch.y, alone.y));
+        REQUIRE(same(batch.xx, alone.xx));
+        REQUIRE(same(batch.xy, alone.xy));
+        REQUIRE(same(batch.yx, alone.yx));
+        REQUIRE(same(batch.yy, alone.yy));
+      }
+      PixelBatch none;
+      CHECK_THROWS_AS(model.distort_runs(std::span(xs).first(9), std::span(ys).first(9), none), std::invalid_argument);
     }
   }
 }

@@ -66,8 +66,9 @@ template <bool kRational, bool kBent>
 
 /// Newton's method from the undistorted place. Its error squares in each step, times half the map's curvature, which is
 /// below 0.01 per pixel in any lens that a sensor is used with: after a step of 0.01 px another changes nothing that
-/// matters. Four steps settle what is up to some 50 px off.
-template <bool kRational, bool kBent>
+/// matters. Four steps settle what is up to some 50 px off. All of `kRun` take as many steps, of all together where it is
+/// 0.
+template <bool kRational, bool kBent, std::size_t kRun>
 [[gnu::always_inline]] inline void invert_lens(const LensCoefficients& coefficients, const LensPlane& plane,
                                                const double* x, const double* y, std::size_t count, PixelBatch& out) {
   const LensCoefficients lens = coefficients;
@@ -78,9 +79,9 @@ template <bool kRational, bool kBent>
     px[i] = x[i] * unit;
     py[i] = y[i] * unit;
   }
-  bool settled = false;
-  for (int iteration = 0; iteration < 4 && !settled; ++iteration) {
-    for (std::size_t i = 0; i < count; ++i) {
+  const std::size_t run = kRun == 0 ? count : kRun;
+  const auto take_step = [&](std::size_t first) __attribute__((always_inline)) {
+    for (std::size_t i = first; i < first + run; ++i) {
       const LensValue v = lens_value<kRational, kBent>(lens, px[i], py[i]);
       const double over = 1 / (v.xx * v.yy - v.xy * v.yx);
       const double off_x = v.x - x[i] * unit, off_y = v.y - y[i] * unit;
@@ -94,8 +95,19 @@ template <bool kRational, bool kBent>
       py[i] -= step_y;
       step[i] = step_x * step_x + step_y * step_y;
     }
-    settled = true;
-    for (std::size_t i = 0; i < count; ++i) settled &= !(step[i] >= enough * enough);
+    bool settled = true;
+    for (std::size_t i = first; i < first + run; ++i) settled &= !(step[i] >= enough * enough);
+    return settled;
+  };
+  // Run after run in each round: a processor does several at a time.
+  std::array<bool, PixelBatch::kSize> settled{};
+  bool all = false;
+  for (int iteration = 0; iteration < 4 && !all; ++iteration) {
+    all = true;
+    for (std::size_t first = 0; first < count; first += run) {
+      if (!settled[first]) settled[first] = take_step(first);
+      all &= settled[first];
+    }
   }
   for (std::size_t i = 0; i < count; ++i) {
     // Inside the disc the map is one to one: this is the inverse.
@@ -168,6 +180,16 @@ std::optional<Vector2d> CameraModel::distort(const Vector2d& normalised, Matrix2
 }
 
 void CameraModel::distort(std::span<const double> x, std::span<const double> y, PixelBatch& pixels) const {
+  distort_by<0>(x, y, pixels);
+}
+
+void CameraModel::distort_runs(std::span<const double> x, std::span<const double> y, PixelBatch& pixels) const {
+  if (x.size() % PixelBatch::kRun != 0) throw std::invalid_argument("no whole number of runs");
+  distort_by<PixelBatch::kRun>(x, y, pixels);
+}
+
+template <std::size_t kRun>
+void CameraModel::distort_by(std::span<const double> x, std::span<const double> y, PixelBatch& pixels) const {
   const LensPlane plane{unit_, unit_x_, unit_y_, cx_, cy_, lens_.limit_radius() * (1 - 1e-6)};
   const LensCoefficients& c = lens_.coefficients();
   const bool rational = c.k4 != 0 || c.k5 != 0 || c.k6 != 0;
@@ -175,9 +197,9 @@ void CameraModel::distort(std::span<const double> x, std::span<const double> y, 
   const double* const py = y.data();
   const std::size_t count = x.size();
   const bool bent = c.p1 != 0 || c.p2 != 0 || c.s1 != 0 || c.s2 != 0 || c.s3 != 0 || c.s4 != 0;
-  if (tsai_ && rational) vectorised<invert_lens<true, true>>(c, plane, px, py, count, pixels);
-  if (tsai_ && !rational && bent) vectorised<invert_lens<false, true>>(c, plane, px, py, count, pixels);
-  if (tsai_ && !rational && !bent) vectorised<invert_lens<false, false>>(c, plane, px, py, count, pixels);
+  if (tsai_ && rational) vectorised<invert_lens<true, true, kRun>>(c, plane, px, py, count, pixels);
+  if (tsai_ && !rational && bent) vectorised<invert_lens<false, true, kRun>>(c, plane, px, py, count, pixels);
+  if (tsai_ && !rational && !bent) vectorised<invert_lens<false, false, kRun>>(c, plane, px, py, count, pixels);
   if (!tsai_ && rational) vectorised<apply_lens<true, true>>(c, plane, px, py, count, pixels);
   if (!tsai_ && !rational && bent) vectorised<apply_lens<false, true>>(c, plane, px, py, count, pixels);
   if (!tsai_ && !rational && !bent) vectorised<apply_lens<false, false>>(c, plane, px, py, count, pixels);

@@ -65,6 +65,8 @@ struct Chunk {
 /// The map's derivatives are those of the skin's tangent plane: dP = t (dv − v (n·dv)/(n·v)).
 [[gnu::always_inline]] inline void stretch_points(const std::array<const double*, 9>& view, int row_step,
                                                   std::size_t count, Chunk& c) {
+  const double rows = row_step;
+  const double over_rows = 1 / rows;  // exact: 1 or 2
   for (std::size_t i = 0; i < count; ++i) {
     const double over = 1 / c.facing[i];
     const double scale = c.distance[i] * c.over_z[i];
@@ -78,8 +80,8 @@ struct Chunk {
     }
     const auto& p = c.pixels;
     c.stretch[i] =
-        largest_stretch({p.xx[i] * d[0][0] + p.xy[i] * d[1][0], (p.xx[i] * d[0][1] + p.xy[i] * d[1][1]) * row_step,
-                         (p.yx[i] * d[0][0] + p.yy[i] * d[1][0]) / row_step, p.yx[i] * d[0][1] + p.yy[i] * d[1][1]});
+        largest_stretch({p.xx[i] * d[0][0] + p.xy[i] * d[1][0], (p.xx[i] * d[0][1] + p.xy[i] * d[1][1]) * rows,
+                         (p.yx[i] * d[0][0] + p.yy[i] * d[1][0]) * over_rows, p.yx[i] * d[0][1] + p.yy[i] * d[1][1]});
   }
 }
 
@@ -158,6 +160,18 @@ Rays CameraPair::rays(std::span<const Point> left, const ViewLimits& limits) con
 
 void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits,
                       std::span<Look> looks, std::size_t first_ray) const {
+  look_at<false>(surface, rays, row_step, limits, looks, first_ray);
+}
+
+void CameraPair::look_at_runs(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits,
+                              std::span<Look> looks, std::size_t first_ray) const {
+  look_at<true>(surface, rays, row_step, limits, looks, first_ray);
+}
+
+template <bool kRuns>
+void CameraPair::look_at(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits,
+                         std::span<Look> looks, std::size_t first_ray) const {
+  constexpr std::size_t kRun = kRuns ? calib::PixelBatch::kRun : kChunk;  // what is looked at by itself
   if (limits.largest_shift_px > rays.largest_shift_px) {
     throw std::invalid_argument("lines of sight that were not followed as far as the neighbours are shifted");
   }
@@ -178,6 +192,10 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
     std::size_t end = size;
     while (begin < end && !std::isfinite(all_hits[begin].distance)) ++begin;
     while (begin < end && !std::isfinite(all_hits[end - 1].distance)) --end;
+    if (kRuns && begin < end) {
+      begin = begin / kRun * kRun;
+      end = (end + kRun - 1) / kRun * kRun;
+    }
     std::ranges::fill(looks.subspan(chunk, begin), kNoLook);
     std::ranges::fill(looks.subspan(chunk + end, size - end), kNoLook);
     const std::size_t count = end - begin;
@@ -190,7 +208,15 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
       for (std::size_t i = 0; i < count; ++i) {
         sights[i] = left_centre_ + hits[i].distance * directions[i] - right_centre_;
       }
-      surface.intersect(right_centre_, std::span(sights).first(count), std::span(right_hits).first(count));
+      for (std::size_t run = 0; run < count; run += kRun) {
+        const auto last = std::min(run + kRun, count);
+        std::size_t from = run;
+        std::size_t to = last;
+        while (from < to && !std::isfinite(hits[from].distance)) ++from;
+        while (from < to && !std::isfinite(hits[to - 1].distance)) --to;
+        surface.intersect(right_centre_, std::span(sights).subspan(from, to - from),
+                          std::span(right_hits).subspan(from, to - from));
+      }
     }
     for (std::size_t i = 0; i < count; ++i) {
       c.distance[i] = hits[i].distance;
@@ -201,7 +227,9 @@ void CameraPair::look(const Surface& surface, const Rays& rays, int row_step, co
     std::array<const double*, 9> view;
     for (std::size_t i = 0; i < 9; ++i) view[i] = rays.right_view[i].data() + first;
     calib::vectorised<place_points>(right_.world_to_camera.rotation, between_, view, count, c);
-    right_.model.distort(std::span(c.x).first(count), std::span(c.y).first(count), c.pixels);
+    const auto x = std::span(c.x).first(count);
+    const auto y = std::span(c.y).first(count);
+    kRuns ? right_.model.distort_runs(x, y, c.pixels) : right_.model.distort(x, y, c.pixels);
     calib::vectorised<stretch_points>(view, row_step, count, c);
     for (std::size_t i = 0; i < count; ++i) {
       Look& look = seen[i];

@@ -44,6 +44,9 @@ class CameraPair {
   /// accepts. Points of one call are best neighbours. Throws std::invalid_argument for rays of smaller shifts than the limits'.
   void look(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits, std::span<Look> looks,
             std::size_t first = 0) const;
+  /// The same of a whole number of runs of calib::PixelBatch::kRun, each as in a call of its own, to the last bit.
+  void look_at_runs(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits,
+                    std::span<Look> looks, std::size_t first) const;
   /// As Skin::look_around. A surface is continued by the plane nearest to it, as seen from the left camera, no nearer
   /// and no further than the surface itself. Only where the source is `wanted`, if that is given; elsewhere it is NaN.
   void look_around(const Surface& surface, const Rays& rays, std::span<Point> sources,
@@ -57,6 +60,10 @@ class CameraPair {
   std::optional<Eigen::Vector3d> place_mm(Point left, Point right) const;
 
  private:
+  template <bool kRuns>
+  void look_at(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits, std::span<Look> looks,
+               std::size_t first) const;
+
   calib::Camera left_;
   calib::Camera right_;
   Eigen::Vector3d left_centre_;
