@@ -9,6 +9,7 @@
 
 #include "horopter/base/angle.hpp"
 #include "horopter/base/crc32.hpp"
+#include "horopter/calib/vectorised.hpp"
 
 namespace horopter {
 namespace {
@@ -18,6 +19,30 @@ constexpr int kSmallestLookahead = 8;  // more than the filters' reach in rows; 
 hls::table::Geometry table_geometry(const ScanGeometry& geometry, int spacing_x_log2, int spacing_y_log2,
                                     bool spans = false) {
   return {geometry.width, geometry.height, spacing_x_log2, spacing_y_log2, spans};
+}
+
+/// Where a row of a cell begins and ends, expanded downwards only, and how far its pixels are apart in 2^n/64 of it.
+struct CellRow {
+  int left_x, right_x, left_y, right_y;
+  int apart_log2;
+};
+/// Rounded places that are read inside the image: 0 … last.
+struct ReadImage {
+  int drop;  ///< bits that rounding leaves out
+  int last_x, last_y;
+};
+
+/// Which pixels of the row read inside the image, as MapTable::source says it of one.
+[[gnu::always_inline]] inline void find_read(const CellRow& row, const ReadImage& image, std::size_t count,
+                                             std::uint8_t* pixels) {
+  constexpr int kOffset = hls::table::control_offset_px << MapTable::kFractionBits;
+  const int half = 1 << (image.drop - 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int part = static_cast<int>(i) << row.apart_log2;
+    const int x = (row.left_x * (64 - part) + row.right_x * part - kOffset + half) >> image.drop;
+    const int y = (row.left_y * (64 - part) + row.right_y * part - kOffset + half) >> image.drop;
+    pixels[i] = static_cast<std::uint8_t>((x >= 0) & (y >= 0) & (x <= image.last_x) & (y <= image.last_y));
+  }
 }
 
 }  // namespace
@@ -121,31 +146,61 @@ std::optional<MapTable::Source> MapTable::source(int x, int y, int weight_bits) 
 Image MapTable::supervised(int weight_bits) const {
   Image result(geometry_.width, geometry_.height);
   // Bilinear, and the image is convex: what holds at the corners of a cell holds in it.
-  const auto inside = [&](std::uint32_t point) {
+  enum : std::uint8_t { of_skin = 1, inside = 3 };
+  const ReadImage read{kFractionBits - weight_bits, (geometry_.width - 1) << weight_bits,
+                       (geometry_.height - 1) << weight_bits};
+  const auto kind_of = [&](std::uint32_t point) -> std::uint8_t {
     const auto x = static_cast<int>(point & 0xFFFFU) - hls::table::control_offset_px * hls::table::control_scale;
     const auto y = static_cast<int>(point >> 16) - hls::table::control_offset_px * hls::table::control_scale;
-    return hls::table::is_of_skin(point) && x >= 0 && y >= 0 &&
-           x <= (geometry_.width - 1) * hls::table::control_scale &&
-           y <= (geometry_.height - 1) * hls::table::control_scale;
+    const bool holds =
+        static_cast<bool>((x >= 0) & (y >= 0) & (x <= (geometry_.width - 1) * hls::table::control_scale) &
+                          (y <= (geometry_.height - 1) * hls::table::control_scale));
+    return hls::table::is_of_skin(point) ? (holds ? inside : of_skin) : 0;
   };
+  const int cells = ((geometry_.width - 1) >> spacing_x_log2()) + 1;
+  std::vector<std::uint8_t> upper(static_cast<std::size_t>(cells) + 1);
+  std::vector<std::uint8_t> lower(upper.size());
+  const auto look = [&](int row, std::vector<std::uint8_t>& kinds) {
+    for (int column = 0; column <= cells; ++column) {
+      kinds[static_cast<std::size_t>(column)] = kind_of(control(column, row));
+    }
+  };
+  look(0, lower);
   for (int y0 = 0; y0 < geometry_.height; y0 += 1 << spacing_y_log2()) {
     const int y1 = std::min(y0 + (1 << spacing_y_log2()), geometry_.height);
-    for (int x0 = 0; x0 < geometry_.width; x0 += 1 << spacing_x_log2()) {
-      const int x1 = std::min(x0 + (1 << spacing_x_log2()), geometry_.width);
-      const int column = x0 >> spacing_x_log2();
-      const int row = y0 >> spacing_y_log2();
-      if (!hls::table::is_of_skin(control(column, row))) continue;  // it takes part everywhere
-      const bool whole = inside(control(column, row)) && inside(control(column + 1, row)) &&
-                         inside(control(column, row + 1)) && inside(control(column + 1, row + 1));
-      // The other control points take part where there is more than an edge.
-      const bool one_piece = x1 - x0 > 1 && y1 - y0 > 1;
-      if (whole || (one_piece && source(x0, y0, weight_bits) && source(x1 - 1, y0, weight_bits) &&
-                    source(x0, y1 - 1, weight_bits) && source(x1 - 1, y1 - 1, weight_bits))) {
-        for (int y = y0; y < y1; ++y) std::fill_n(&result.at(x0, y), x1 - x0, std::uint8_t{1});
-        continue;
-      }
+    std::swap(upper, lower);
+    look((y0 >> spacing_y_log2()) + 1, lower);
+    const auto is_whole = [&](int column) {
+      const auto c = static_cast<std::size_t>(column);
+      return (upper[c] & upper[c + 1] & lower[c] & lower[c + 1]) == inside;
+    };
+    for (int column = 0; column < cells; ++column) {
+      if (upper[static_cast<std::size_t>(column)] == 0) continue;  // it takes part everywhere
+      const int x0 = column << spacing_x_log2();
+      const bool whole = is_whole(column);
+      while (whole && column + 1 < cells && is_whole(column + 1)) ++column;
+      const int x1 = std::min((column + 1) << spacing_x_log2(), geometry_.width);
       for (int y = y0; y < y1; ++y) {
-        for (int x = x0; x < x1; ++x) result.at(x, y) = source(x, y, weight_bits) ? 1 : 0;
+        std::uint8_t* const pixels = &result.at(x0, y);
+        if (whole) {
+          std::fill_n(pixels, x1 - x0, std::uint8_t{1});
+          continue;
+        }
+        const auto c = static_cast<std::size_t>(column);
+        const int fy = (y - y0) << (6 - spacing_y_log2());
+        if (fy != 0 && lower[c] == 0) break;
+        // A control point without a weight need not exist.
+        const bool edge = upper[c + 1] == 0 || (fy != 0 && lower[c + 1] == 0);
+        const auto down = [&](int at, auto coordinate) {
+          const int row = y0 >> spacing_y_log2();
+          const int top = coordinate(control(at, row)) * (64 - fy);
+          return fy != 0 ? top + coordinate(control(at, row + 1)) * fy : top;
+        };
+        const auto x_of = [](std::uint32_t point) { return static_cast<int>(point & 0xFFFFU); };
+        const int right = edge ? column : column + 1;
+        const CellRow cell_row{down(column, x_of), down(right, x_of), down(column, hls::table::control_y),
+                               down(right, hls::table::control_y), 6 - spacing_x_log2()};
+        calib::vectorised<find_read>(cell_row, read, static_cast<std::size_t>(edge ? 1 : x1 - x0), pixels);
       }
     }
   }

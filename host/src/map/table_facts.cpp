@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "horopter/calib/vectorised.hpp"
+
 namespace horopter {
 namespace {
 
@@ -21,6 +23,21 @@ using hls::table::ShiftRange;
 constexpr int kStep_px = 16;  // between samples
 static_assert(kStep_px <= 1 << hls::table::area_block_log2, "every block has a sample");
 
+/// Both of two pixels that are one of the result.
+[[gnu::always_inline]] inline void join_pixels(const std::uint8_t* here, std::size_t count, std::uint8_t* both) {
+  for (std::size_t x = 0; x < count; ++x) both[x] = here[2 * x] & here[2 * x + 1];
+}
+
+/// Supervised pixels in each column, up to this row, at most `side`; whether there are so many.
+[[gnu::always_inline]] inline void count_down(const std::uint8_t* here, std::size_t count, std::uint8_t side,
+                                              std::uint8_t* above, std::uint8_t* whole) {
+  for (std::size_t x = 0; x < count; ++x) {
+    const auto more = static_cast<std::uint8_t>(above[x] + (above[x] < side ? 1 : 0));
+    above[x] = here[x] != 0 ? more : std::uint8_t{0};
+    whole[x] = above[x] == side ? 1 : 0;
+  }
+}
+
 /// Pixels of the result all of whose support, `reach` pixels around them, has a source.
 std::uint32_t judgeable_pixels(const Image& supervised, int subsample, int reach) {
   constexpr std::uint64_t kAll = 0x0101010101010101;
@@ -29,20 +46,16 @@ std::uint32_t judgeable_pixels(const Image& supervised, int subsample, int reach
   if (reach > 127) throw std::invalid_argument("windows larger than any stage's");
   const auto side = static_cast<std::uint8_t>(2 * reach + 1);
   std::vector<std::uint8_t> both(width);
-  std::vector<std::uint8_t> above(width);      // supervised pixels in a column, up to this row, at most `side`
-  std::vector<std::uint8_t> whole(8 * words);  // there are `side` of them
+  std::vector<std::uint8_t> above(width);
+  std::vector<std::uint8_t> whole(8 * words);
   std::uint64_t count = 0;
   for (int y = 0; y < supervised.height; ++y) {
     const std::uint8_t* here = supervised.row(y).data();
     if (subsample == 2) {
-      for (std::size_t x = 0; x < width; ++x) both[x] = here[2 * x] & here[2 * x + 1];
+      calib::vectorised<join_pixels>(here, width, both.data());
       here = both.data();
     }
-    for (std::size_t x = 0; x < width; ++x) {
-      const auto more = static_cast<std::uint8_t>(above[x] + (above[x] < side ? 1 : 0));
-      above[x] = static_cast<std::uint8_t>(more * here[x]);  // 1 or 0
-      whole[x] = above[x] == side ? 1 : 0;
-    }
+    calib::vectorised<count_down>(here, width, side, above.data(), whole.data());
     std::size_t before = 0;  // whole columns in a row, up to this one
     for (std::size_t x = 0; x < 8 * words; x += 8) {
       std::uint64_t eight;

@@ -305,15 +305,17 @@ inline Header read(std::span<const std::uint32_t> words) {
   for (std::size_t i = 0; i < (areas + 3) / 4 * 4; ++i) {
     const auto code = static_cast<std::uint8_t>(words[header_words + fact_words + i / 4] >> (8 * (i % 4)));
     if (i < areas) facts.areas[i] = code;
-    require(i < areas || code == 0, "areas beyond the last block");
+    if (i >= areas && code != 0) throw std::invalid_argument("areas beyond the last block");
   }
   for (std::size_t row = 0; row < geometry->span_words(); ++row) {
     const std::uint32_t word = words[header.first_span + row];
     const Span span = Span::of(word);
     const bool in_image = row < static_cast<std::size_t>(geometry->height);
-    require(word == 0 || (in_image && word == span.word() && span.first < span.end && span.end <= geometry->width),
-            "a span of row " + text(row) + " from column " + text(word & 0xFFFFU) + " to before " + text(word >> 16) +
-                " of " + text(geometry->width) + "x" + text(geometry->height) + " pixels");
+    if (word == 0 || (in_image && word == span.word() && span.first < span.end && span.end <= geometry->width))
+      continue;
+    throw std::invalid_argument("a span of row " + text(row) + " from column " + text(word & 0xFFFFU) + " to before " +
+                                text(word >> 16) + " of " + text(geometry->width) + "x" + text(geometry->height) +
+                                " pixels");
   }
   return header;
 }
