@@ -2,8 +2,10 @@
 // Tables of skins that move against brute force: the same control points, bit by bit, from lines of sight that are looked
 // at one by one and cells that are tried pixel by pixel; and what they say of themselves against every pixel.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -436,6 +438,37 @@ TEST_CASE("Of a skin whose outline is in view no other spacing loses much less")
     }
   }
   if (fast.report.lost_share() > 0.02) CHECK(fast.report.lost_share() <= 1.05 * least);
+}
+
+TEST_CASE("What runs of pixels see is what each sees in a call of its own, to the last bit") {
+  constexpr std::size_t kRun = calib::PixelBatch::kRun;
+  const CameraPair cameras = table_11_1(640, 480);
+  const std::vector<SurfacePtr> surfaces{
+      make_ellipsoid(at({0, 0, 1000}), {250, 200, 200}), make_box(at({-80, 40, 1000}), {300, 200, 200}),
+      make_capsules({{{-200, 0, 900}, {50, 40, 1000}, 60}, {{50, 40, 1000}, {150, -120, 950}, 50}})};
+  for (const SurfacePtr& surface : surfaces) {
+    int met = 0;
+    for (int y = 0; y < 480; y += 24) {
+      std::vector<Point> row;
+      for (int x = 0; x < 640; ++x) row.push_back({static_cast<double>(x), static_cast<double>(y)});
+      const Rays rays = cameras.rays(row);
+      std::vector<Look> looks(row.size());
+      cameras.look_at_runs(*surface, rays, 1, {}, looks, 0);
+      for (std::size_t run = 0; run < row.size(); run += kRun) {
+        CAPTURE(surface->description(), y, run);
+        std::array<Look, kRun> alone;
+        cameras.look(*surface, rays, 1, {}, alone, run);
+        for (std::size_t i = 0; i < kRun; ++i) {
+          const Look& look = looks[run + i];
+          REQUIRE(std::memcmp(&look.source, &alone[i].source, sizeof(Point)) == 0);
+          REQUIRE(std::memcmp(&look.margin, &alone[i].margin, sizeof(float)) == 0);
+          REQUIRE(look.reason == alone[i].reason);
+          met += look.reason == Reason::none ? 1 : 0;
+        }
+      }
+    }
+    CHECK(met > 100);
+  }
 }
 
 TEST_CASE("Outlines are followed to the pixel") {

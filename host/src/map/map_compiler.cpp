@@ -101,26 +101,32 @@ void check_lattice_rows(const LookLattice& lattice, const ScanGeometry& geometry
   check_rows(rows, view);
 }
 
+/// Of samples of a row, of which `inner` is the row, or at the lattice's border the one beside it.
+[[gnu::always_inline]] inline void mark_near_limits(const float* margins, const float* inner, std::size_t columns,
+                                                    Reason* reasons) {
+  const auto bend = [](const float* margin, std::size_t step) __attribute__((always_inline)) {
+    const float value = std::abs(*(margin - step) - 2 * *margin + *(margin + step));
+    return std::isnan(value) ? 0.0F : value;  // the border of what is seen: the margin is negative there
+  };
+  const auto mark = [&](std::size_t column, std::size_t beside) __attribute__((always_inline)) {
+    // Twice what a quadratic needs.
+    const bool near = margins[column] < 0.25F * (bend(margins + beside, 1) + bend(inner + column, columns));
+    reasons[column] = static_cast<bool>(near & !is_excluded(reasons[column])) ? Reason::grid : reasons[column];
+  };
+  mark(0, 1);
+  for (std::size_t column = 1; column + 1 < columns; ++column) mark(column, column);
+  mark(columns - 1, columns - 2);
+}
+
 /// Gives to the grid what lies so near the limits of angle and scale that the space between the samples may cross them:
 /// between two samples a smooth margin falls below both by at most an eighth of its second difference.
 void keep_clear_of_limits(LookLattice& lattice) {
   const auto columns = static_cast<std::size_t>(lattice.shape.columns);
   const auto rows = static_cast<std::size_t>(lattice.shape.rows);
-  const auto bend = [](const float* margin, std::size_t step) {
-    const float value = std::abs(*(margin - step) - 2 * *margin + *(margin + step));
-    return std::isnan(value) ? 0.0F : value;  // the border of what is seen: the margin is negative there
-  };
   for (std::size_t row = 0; row < rows; ++row) {
     const float* const margins = &lattice.margins[row * columns];
-    // At the lattice's own border the neighbour's.
     const float* const inner = &lattice.margins[std::clamp<std::size_t>(row, 1, rows - 2) * columns];
-    Reason* const reasons = &lattice.reasons[row * columns];
-    for (std::size_t column = 0; column < columns; ++column) {
-      if (is_excluded(reasons[column])) continue;
-      const float* const across = margins + std::clamp<std::size_t>(column, 1, columns - 2);
-      // Twice what a quadratic needs.
-      if (margins[column] < 0.25F * (bend(across, 1) + bend(inner + column, columns))) reasons[column] = Reason::grid;
-    }
+    calib::vectorised<mark_near_limits>(margins, inner, columns, &lattice.reasons[row * columns]);
   }
 }
 
@@ -188,6 +194,82 @@ class Forecast {
   for (std::size_t i = 0; i < count; ++i) at[i] = above[i] * 64 + (below[i] - above[i]) * part;
 }
 
+constexpr std::int32_t kOffset = hls::table::control_offset_px << MapTable::kFractionBits;
+
+[[gnu::always_inline]] inline Point error_of(std::int32_t x, std::int32_t y, const Point& source) {
+  return {static_cast<double>(x - kOffset) * kFraction - source.x,
+          static_cast<double>(y - kOffset) * kFraction - source.y};
+}
+
+/// Expanded places that are read inside the image.
+struct ReadPlaces {
+  std::int32_t low, high_x, high_y;
+};
+/// Between the columns of a row, what is there at `right`/64 of the way to the next.
+struct Between {
+  const std::int32_t* x_at;
+  const std::int32_t* y_at;
+  std::int32_t right;
+};
+/// The errors of samples that are `kStride` apart, `stride` where it is 0; -1 where nothing is read.
+template <std::size_t kStride>
+[[gnu::always_inline]] inline void sample_errors(const Between& between, const Point* sources, std::size_t stride,
+                                                 std::size_t count, const ReadPlaces& inside, double* errors) {
+  const std::size_t apart = kStride == 0 ? stride : kStride;
+  const std::int32_t left = 64 - between.right;
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::int32_t x = between.x_at[c] * left + between.x_at[c + 1] * between.right;
+    const std::int32_t y = between.y_at[c] * left + between.y_at[c + 1] * between.right;
+    const bool read =
+        static_cast<bool>((x >= inside.low) & (y >= inside.low) & (x < inside.high_x) & (y < inside.high_y));
+    const Point error = error_of(x, y, sources[c * apart]);
+    const double distance = std::sqrt(error.x * error.x + error.y * error.y);
+    errors[c] = read ? distance : -1;
+  }
+}
+
+/// Of the cells at both sides of each column, in the rows above and below, the mean of the least and the largest error; 0
+/// of none, or of different signs.
+[[gnu::always_inline]] inline void agree(const double* low, const double* low_above, const double* high,
+                                         const double* high_above, std::size_t columns, double* errors) {
+  for (std::size_t c = 0; c < columns; ++c) {
+    const double least = std::min(std::min(low[c], low[c + 1]), std::min(low_above[c], low_above[c + 1]));
+    const double most = std::max(std::max(high[c], high[c + 1]), std::max(high_above[c], high_above[c + 1]));
+    const double mean = 0.5 * (least + most);
+    errors[c] = static_cast<bool>((least <= most) & ((least > 0) | (most < 0))) ? mean : 0;
+  }
+}
+
+/// Errors of a cell at 8 × 8 places, from its corner on, row by row.
+constexpr std::size_t kCellErrors = 64;
+using CellErrors = std::array<float, kCellErrors>;
+/// At 3 × 3 places, from corner to corner.
+using CellNodes = std::array<Point, 9>;
+
+/// What a biquadratic through the nodes is at the places.
+[[gnu::always_inline]] inline void biquadratic(const CellNodes& nodes, CellErrors& errors) {
+  static constexpr auto kWeights = [] {
+    constexpr auto kOf = [](std::size_t i) -> std::array<double, 3> {
+      const double u = static_cast<double>(i) / 8;
+      return {(1 - 2 * u) * (1 - u), 4 * u * (1 - u), u * (2 * u - 1)};
+    };
+    std::array<std::array<double, kCellErrors>, 9> weights{};
+    for (std::size_t k = 0; k < 9; ++k) {
+      for (std::size_t i = 0; i < kCellErrors; ++i) weights[k][i] = kOf(i % 8)[k % 3] * kOf(i / 8)[k / 3];
+    }
+    return weights;
+  }();
+  for (std::size_t i = 0; i < kCellErrors; ++i) {
+    double x = 0;
+    double y = 0;
+    for (std::size_t k = 0; k < 9; ++k) {
+      x += kWeights[k][i] * nodes[k].x;
+      y += kWeights[k][i] * nodes[k].y;
+    }
+    errors[i] = static_cast<float>(std::sqrt(x * x + y * y));
+  }
+}
+
 /// One grid: its control points, the cells that must be given up, and what is left.
 ///
 /// A cell has four kinds of pixels, by the control points that have a weight there: its corner needs one, the rest of
@@ -243,8 +325,10 @@ class GridFit {
     errors_.resize(lattice_.sources.size(), std::numeric_limits<float>::quiet_NaN());
     set_controls();
     centre_errors();
+    in_spans_.assign(static_cast<std::size_t>(cell_rows_), {0, cell_columns_});
     if (outline_ != nullptr) {
       spans_ = outline_->spans;
+      find_cells_in_spans();
       follow_outline();
     }
     find_all_errors();
@@ -385,10 +469,11 @@ class GridFit {
   /// are right up to it.
   void follow_outline() {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    std::vector<Point> points(controls_.word.size(), {kNan, kNan});
+    std::vector<Point> points(controls_.word.size());
     std::vector<std::uint8_t> is_free(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (controls_.mapped[i] != 0) points[i] = {place_of(controls_.x[i]), place_of(controls_.y[i])};
+      const bool mapped = controls_.mapped[i] != 0;
+      points[i] = {mapped ? place_of(controls_.x[i]) : kNan, mapped ? place_of(controls_.y[i]) : kNan};
     }
     mark_cut();
     std::vector<std::size_t> free;
@@ -419,6 +504,29 @@ class GridFit {
     return static_cast<double>(control) / hls::table::control_scale - hls::table::control_offset_px;
   }
 
+  /// Of each row of cells those that may hold pixels of spans, or have some on their borders: nothing is supervised in
+  /// others.
+  void find_cells_in_spans() {
+    for (int row = 0; row < cell_rows_; ++row) {
+      int first = geometry_.width;
+      int end = 0;
+      for (int y = row << ny_; y <= std::min((row + 1) << ny_, geometry_.height - 1); ++y) {
+        if (span(y).first == span(y).end) continue;
+        first = std::min(first, span(y).first);
+        end = std::max(end, span(y).end);
+      }
+      const int begin = std::max(0, (first >> nx_) - 1);
+      in_spans_[static_cast<std::size_t>(row)] = {begin, std::max(begin, (end + (1 << nx_) - 1) >> nx_)};
+    }
+  }
+  /// Visits them.
+  template <class Visit>
+  void for_cells_in_spans(Visit visit) const {
+    for (int row = 0; row < cell_rows_; ++row) {
+      const auto [begin, end] = in_spans_[static_cast<std::size_t>(row)];
+      for (int column = begin; column < end; ++column) visit(column, row);
+    }
+  }
   /// Which cells hold pixels of spans and others.
   void mark_cut() {
     for (Cell& cell : cells_) cell.cut = false;
@@ -458,10 +566,11 @@ class GridFit {
       pixels_.resize(pixels_.size() + (std::size_t{1} << (nx_ + ny_)), {kNan, kNan});
       for (int y = row << ny_; y < std::min((row + 1) << ny_, geometry_.height); ++y) {
         const hls::table::Span& whole = outline_->span(y);
+        const int first = std::max(column << nx_, whole.first);
         const int end = std::min((column + 1) << nx_, whole.end);
-        for (int x = std::max(column << nx_, whole.first); x < end; ++x) {
-          pixels_[pixel(cell, x, y)] = outline_->source(x, y);
-        }
+        if (first >= end) continue;
+        outline_->see(first, y,
+                      std::span(pixels_).subspan(pixel(cell, first, y), static_cast<std::size_t>(end - first)));
       }
     }
     return static_cast<std::size_t>(cell.pixels);
@@ -475,15 +584,19 @@ class GridFit {
   void add_equations(int column, int row, ControlFit& fit) {
     const std::size_t top = point(column, row);
     const std::size_t bottom = point(column, row + 1);
+    const std::array<std::size_t, 4> at{top, top + 1, bottom, bottom + 1};
     const std::size_t pixels = pixels_of(column, row);
+    if (!fit.moves(at)) return;
     const int across_log2 = std::max(0, nx_ - 3);
     const int down_log2 = std::max(0, ny_ - 3);
     const double counts = std::ldexp(1.0, across_log2 + down_log2 - nx_ - ny_);
+    const double of_width = std::ldexp(1.0, -nx_);
+    const double of_height = std::ldexp(1.0, -ny_);
     for (int y = 0; y < 1 << ny_; y += 1 << down_log2) {
       for (int x = 0; x < 1 << nx_; x += 1 << across_log2) {
         const Point& source = pixels_[pixels + static_cast<std::size_t>((y << nx_) + x)];
         if (std::isnan(source.x)) continue;
-        fit.add({top, top + 1, bottom, bottom + 1}, std::ldexp(x, -nx_), std::ldexp(y, -ny_), source, counts);
+        fit.add(at, x * of_width, y * of_height, source, counts);
       }
     }
   }
@@ -491,39 +604,23 @@ class GridFit {
   std::pair<int, int> in_cell(int column, int y) const {
     return {std::max(column << nx_, span(y).first), std::min((column + 1) << nx_, span(y).end)};
   }
-  static constexpr std::array<double, 3> quadratic_weights(double u) {
-    return {(1 - 2 * u) * (1 - u), 4 * u * (1 - u), u * (2 * u - 1)};
-  }
-  static Point biquadratic(const std::array<std::array<Point, 3>, 3>& nodes, const std::array<double, 3>& across,
-                           const std::array<double, 3>& down) {
-    Point sum{0, 0};
-    for (std::size_t b = 0; b < 3; ++b) {
-      for (std::size_t a = 0; a < 3; ++a) {
-        const double weight = across[a] * down[b];
-        sum.x += weight * nodes[b][a].x;
-        sum.y += weight * nodes[b][a].y;
-      }
-    }
-    return sum;
-  }
-
   /// Where a free control point would be if the skin went on straight from the two beside it on one side: the mean of all
   /// sides. Those that have none take it from others; what stays without one is no longer free.
   void continue_inside(const std::vector<std::size_t>& free, std::vector<std::uint8_t>& is_free,
                        std::vector<Point>& points) const {
     constexpr int kRounds = 3;
     const auto columns = static_cast<std::size_t>(cell_columns_ + 1);
-    std::vector<std::uint8_t> known(points.size());
-    for (int row = 0; row <= cell_rows_; ++row) {
-      for (int column = 0; column <= cell_columns_; ++column) {
-        known[point(column, row)] = is_fixed(column, row) ? 1 : 0;
-      }
-    }
+    enum class Known : std::uint8_t { not_asked, no, yes };
+    std::vector<Known> known(points.size(), Known::not_asked);
+    const auto is_known = [&](std::size_t at, int column, int row) {
+      if (known[at] == Known::not_asked) known[at] = is_fixed(column, row) ? Known::yes : Known::no;
+      return known[at] == Known::yes;
+    };
     std::vector<std::pair<std::size_t, Point>> found;
     for (int round = 0; round < kRounds; ++round) {
       found.clear();
       for (const std::size_t at : free) {
-        if (known[at] != 0) continue;
+        if (known[at] == Known::yes) continue;
         const auto column = static_cast<int>(at % columns);
         const auto row = static_cast<int>(at / columns);
         Point sum{0, 0};
@@ -534,7 +631,7 @@ class GridFit {
             continue;
           const std::size_t near = point(column + dx, row + dy);
           const std::size_t far = point(column + 2 * dx, row + 2 * dy);
-          if (known[near] == 0 || known[far] == 0) continue;
+          if (!is_known(near, column + dx, row + dy) || !is_known(far, column + 2 * dx, row + 2 * dy)) continue;
           sum.x += 2 * points[near].x - points[far].x;
           sum.y += 2 * points[near].y - points[far].y;
           ++count;
@@ -543,10 +640,10 @@ class GridFit {
       }
       for (const auto& [at, place] : found) {
         points[at] = place;
-        known[at] = 1;
+        known[at] = Known::yes;
       }
     }
-    for (const std::size_t at : free) is_free[at] = known[at];
+    for (const std::size_t at : free) is_free[at] = known[at] == Known::yes ? 1 : 0;
   }
 
   /// At every pixel of the cells that the outline cuts: near it the skin may bend more than samples show.
@@ -624,8 +721,6 @@ class GridFit {
     return trimmed;
   }
 
-  static constexpr std::int32_t kOffset = hls::table::control_offset_px << MapTable::kFractionBits;
-
   void set_controls() {
     for (int row = 0; row <= cell_rows_; ++row) {
       const Point* sources = sources_of_row(row << ny_);
@@ -659,12 +754,6 @@ class GridFit {
         low_y[cell + 1] = high_y[cell + 1] = error.y;
       }
     };
-    // Of the cells at both sides of a column, the mean of both ends; 0 of none, or of different signs.
-    const auto agreed = [](const double* low, const double* low_above, const double* high, const double* high_above) {
-      const double least = std::min(std::min(low[0], low[1]), std::min(low_above[0], low_above[1]));
-      const double most = std::max(std::max(high[0], high[1]), std::max(high_above[0], high_above[1]));
-      return least > most ? 0 : least > 0 || most < 0 ? 0.5 * (least + most) : 0;
-    };
     const std::int32_t half_x = nx_ == 0 ? 0 : 32;
     const std::size_t middle_x = std::size_t{1} << nx_ >> 1;
     const int middle_y = 1 << ny_ >> 1;
@@ -674,7 +763,8 @@ class GridFit {
     std::vector<std::uint8_t> there(columns);
     Middles above(columns - 1);
     Middles here(columns - 1);
-    std::vector<Point> errors(columns);
+    std::vector<double> errors_x(columns);
+    std::vector<double> errors_y(columns);
     for (int row = 0; row <= cell_rows_; ++row) {
       here.clear();
       if (row < cell_rows_) {
@@ -695,17 +785,17 @@ class GridFit {
           here.set(c, smooth ? error : Point{0, 0});
         }
       }
-      for (std::size_t c = 0; c < columns; ++c) {
-        errors[c].x = agreed(&here.low_x[c], &above.low_x[c], &here.high_x[c], &above.high_x[c]);
-        errors[c].y = agreed(&here.low_y[c], &above.low_y[c], &here.high_y[c], &above.high_y[c]);
-      }
+      calib::vectorised<agree>(here.low_x.data(), above.low_x.data(), here.high_x.data(), above.high_x.data(), columns,
+                               errors_x.data());
+      calib::vectorised<agree>(here.low_y.data(), above.low_y.data(), here.high_y.data(), above.high_y.data(), columns,
+                               errors_y.data());
       const Point* sources = sources_of_row(row << ny_);
       for (std::size_t c = 0; c < columns; ++c) {
         const std::size_t at = point(0, row) + c;
-        if (controls_.mapped[at] == 0 || (errors[c].x == 0 && errors[c].y == 0)) continue;
+        if (controls_.mapped[at] == 0 || (errors_x[c] == 0 && errors_y[c] == 0)) continue;
         const Point exact = sources[(c << nx_) >> lattice_.shape.x_log2];
-        const double part = part_given(distance(errors[c]));
-        const auto word = MapTable::encode({exact.x - part * errors[c].x, exact.y - part * errors[c].y});
+        const double part = part_given(distance(errors_x[c], errors_y[c]));
+        const auto word = MapTable::encode({exact.x - part * errors_x[c], exact.y - part * errors_y[c]});
         if (word != MapTable::kUnmapped) controls_.set(at, word);
       }
       std::swap(above, here);
@@ -719,12 +809,7 @@ class GridFit {
     return std::max(0.5, wanted / error_px);
   }
 
-  static Point error_of(std::int32_t x, std::int32_t y, Point source) {
-    return {static_cast<double>(x - kOffset) * kFraction - source.x,
-            static_cast<double>(y - kOffset) * kFraction - source.y};
-  }
-
-  /// Visits the samples whose control points are all there: `visit(cell, kind, sample, x, y, expanded x, y)`.
+  /// Visits the samples whose control points are all there: `visit(sample, x, y, expanded x, y)`.
   template <class Visit>
   void for_expanded(const std::vector<std::uint8_t>& mapped, Visit visit) const {
     const auto columns = static_cast<std::size_t>(cell_columns_ + 1);
@@ -737,21 +822,18 @@ class GridFit {
     for (int y = 0; y < geometry_.height; y += 1 << lattice_.shape.y_log2) {
       const int row = y >> ny_;
       cross(row, y, x_at, y_at, there, mapped);
-      const int kind_y = (y & ((1 << ny_) - 1)) != 0 ? 2 : 0;
-      const std::size_t first_cell = index(0, row);
       const std::size_t first_sample = sample(0, y);
       for (std::size_t c = 0; c + 1 < columns; ++c) {
         if (there[c] == 0) continue;
         const std::size_t first = c * across;
         const int x = static_cast<int>(first) << lattice_.shape.x_log2;
-        visit(first_cell + c, kind_y, first_sample + first, x, y, x_at[c] * 64, y_at[c] * 64);
+        visit(first_sample + first, x, y, x_at[c] * 64, y_at[c] * 64);
         if (there[c + 1] == 0) continue;
         const std::size_t count = std::min(across, samples - first);
         for (std::size_t i = 1; i < count; ++i) {
           const auto right = static_cast<std::int32_t>(i << (6 - step));
-          visit(first_cell + c, kind_y + 1, first_sample + first + i,
-                x + (static_cast<int>(i) << lattice_.shape.x_log2), y, x_at[c] * (64 - right) + x_at[c + 1] * right,
-                y_at[c] * (64 - right) + y_at[c + 1] * right);
+          visit(first_sample + first + i, x + (static_cast<int>(i) << lattice_.shape.x_log2), y,
+                x_at[c] * (64 - right) + x_at[c + 1] * right, y_at[c] * (64 - right) + y_at[c + 1] * right);
         }
       }
     }
@@ -759,27 +841,66 @@ class GridFit {
 
   void find_errors() {
     const std::int32_t half = std::int32_t{1} << (MapTable::kFractionBits - weight_bits_ - 1);
-    const std::int32_t low = kOffset - half;
-    const std::int32_t high_x = kOffset + ((geometry_.width - 1) << MapTable::kFractionBits) + half;
-    const std::int32_t high_y = kOffset + ((geometry_.height - 1) << MapTable::kFractionBits) + half;
-    const Point* const sources = lattice_.sources.data();
-    const Reason* const reasons = lattice_.reasons.data();
+    const ReadPlaces inside{kOffset - half, kOffset + ((geometry_.width - 1) << MapTable::kFractionBits) + half,
+                            kOffset + ((geometry_.height - 1) << MapTable::kFractionBits) + half};
     const double share_error = limits_.error_px;
-    for_expanded(controls_.mapped,
-                 [&](std::size_t at, int kind, std::size_t sample, int x, int y, std::int32_t ex, std::int32_t ey) {
-                   if (ex < low || ey < low || ex >= high_x || ey >= high_y || !in_span(x, y)) return;
-                   Cell& cell = cells_[at];
-                   const double error = distance(error_of(ex, ey, sources[sample]));
-                   const auto rounded = static_cast<float>(error);
-                   // A source just outside may be expanded to one just inside; one without a place has no error that
-                   // is small.
-                   const bool never = is_excluded_at(sample, x, y) || std::isnan(error);
-                   cell.worst[kind] = std::max(cell.worst[kind], never ? kNever : rounded);
-                   errors_[sample] = rounded;
-                   ++cell.inside[kind];
-                   if (error > share_error) ++cell.beyond[kind];
-                   if (reasons[sample] == Reason::outside) ++cell.outside[kind];
-                 });
+    const auto columns = static_cast<std::size_t>(cell_columns_ + 1);
+    std::vector<std::int32_t> x_at(columns);
+    std::vector<std::int32_t> y_at(columns);
+    std::vector<std::uint8_t> there(columns);
+    const int step = nx_ - lattice_.shape.x_log2;
+    const std::size_t across = std::size_t{1} << step;
+    const auto samples = static_cast<std::size_t>(((geometry_.width - 1) >> lattice_.shape.x_log2) + 1);  // of a row
+    std::vector<double> errors(columns - 1);
+    for (int y = 0; y < geometry_.height; y += 1 << lattice_.shape.y_log2) {
+      // Samples in the row's span.
+      const hls::table::Span held = outline_ != nullptr ? span(y) : hls::table::Span{0, geometry_.width};
+      if (held.first == held.end) continue;
+      const std::size_t first_held = samples_before(held.first);
+      const std::size_t end_held = std::min(samples, samples_before(held.end));
+      const int row = y >> ny_;
+      cross(row, y, x_at, y_at, there, controls_.mapped);
+      const std::size_t kind_y = (y & ((1 << ny_) - 1)) != 0 ? 2 : 0;
+      Cell* const cells = &cells_[index(0, row)];
+      const std::size_t first_sample = sample(0, y);
+      for (std::size_t i = 0; i < across; ++i) {
+        if (end_held <= i) break;
+        // Cells whose sample i is one of those.
+        const std::size_t begin = first_held > i ? (first_held - i + across - 1) >> step : 0;
+        const std::size_t end = (end_held - i + across - 1) >> step;
+        if (begin >= end) continue;
+        const std::size_t first = first_sample + (begin << step) + i;
+        const Between places{&x_at[begin], &y_at[begin], static_cast<std::int32_t>(i << (6 - step))};
+        const Point* const sources = &lattice_.sources[first];
+        if (across == 2) {
+          calib::vectorised<sample_errors<2>>(places, sources, across, end - begin, inside, errors.data());
+        } else {
+          calib::vectorised<sample_errors<0>>(places, sources, across, end - begin, inside, errors.data());
+        }
+        const std::size_t kind = kind_y + (i != 0 ? 1 : 0);
+        for (std::size_t c = begin; c < end; ++c) {
+          const double error = errors[c - begin];
+          if (error < 0 || there[c] == 0 || (i != 0 && there[c + 1] == 0)) continue;
+          const std::size_t at = first + ((c - begin) << step);
+          const Reason reason = lattice_.reasons[at];
+          Cell& cell = cells[c];
+          const auto rounded = static_cast<float>(error);
+          // A source just outside may be expanded to one just inside; one without a place has no error that is small.
+          const bool never = (is_excluded(reason) &&
+                              is_excluded_at(at, static_cast<int>((c << step) + i) << lattice_.shape.x_log2, y)) ||
+                             std::isnan(error);
+          cell.worst[kind] = std::max(cell.worst[kind], never ? kNever : rounded);
+          errors_[at] = rounded;
+          ++cell.inside[kind];
+          cell.beyond[kind] = static_cast<std::uint16_t>(cell.beyond[kind] + (error > share_error ? 1 : 0));
+          cell.outside[kind] = static_cast<std::uint16_t>(cell.outside[kind] + (reason == Reason::outside ? 1 : 0));
+        }
+      }
+    }
+  }
+  /// Samples of a row that lie before a pixel of it.
+  std::size_t samples_before(int x) const {
+    return static_cast<std::size_t>((x + (1 << lattice_.shape.x_log2) - 1) >> lattice_.shape.x_log2);
   }
 
   /// Between samples a cell has what the ones around it say, of which the last may lie beyond the cell and the image.
@@ -795,17 +916,28 @@ class GridFit {
     for (int row = 0; row < cell_rows_; ++row) {
       const int top = row * down;
       const int bottom = ny_ == lattice_.shape.y_log2 ? top : last(geometry_.height, lattice_.shape.y_log2, top, down);
+      bool none = true;
+      std::ranges::fill(above, std::uint8_t{0});
+      std::ranges::fill(all, std::uint8_t{0});
       for (int y = top; y <= bottom; ++y) {
+        const int pixel_y = y << lattice_.shape.y_log2;
+        const hls::table::Span held =
+            outline_ != nullptr ? span(std::min(pixel_y, geometry_.height - 1)) : hls::table::Span{0, geometry_.width};
+        if (held.first == held.end) continue;
         const std::size_t first = static_cast<std::size_t>(y) * samples;
-        for (std::size_t x = 0; x < samples; ++x) {
-          const int pixel_x = static_cast<int>(x) << lattice_.shape.x_log2;
-          const int pixel_y = y << lattice_.shape.y_log2;
-          const std::uint8_t excluded =
-              is_excluded_at(first + x, pixel_x, pixel_y) && in_span(pixel_x, pixel_y) ? 1 : 0;
-          above[x] = y == top ? excluded : above[x];
-          all[x] = y == top ? excluded : all[x] | excluded;
+        // Beyond the image as the row's last pixel.
+        const std::size_t end = held.end == geometry_.width ? samples : samples_before(held.end);
+        for (std::size_t x = samples_before(held.first); x < end; ++x) {
+          if (!is_excluded(lattice_.reasons[first + x]) ||
+              !is_excluded_at(first + x, static_cast<int>(x) << lattice_.shape.x_log2, pixel_y)) {
+            continue;
+          }
+          none = false;
+          all[x] = 1;
+          if (y == top) above[x] = 1;
         }
       }
+      if (none) continue;
       for (int column = 0; column < cell_columns_; ++column) {
         if (controls_.mapped[point(column, row)] == 0) continue;  // nothing in it is supervised
         const int left = column * across;
@@ -853,14 +985,12 @@ class GridFit {
     kept_ = controls_.mapped;
     bad_.assign(cells_.size(), 0);
     std::vector<std::pair<int, int>> bad;
-    for (int row = 0; row < cell_rows_; ++row) {
-      for (int column = 0; column < cell_columns_; ++column) {
-        const auto& worst = cells_[index(column, row)].worst;
-        if (!(std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3])) > bound)) continue;
-        bad.emplace_back(column, row);
-        bad_[index(column, row)] = 1;
-      }
-    }
+    for_cells_in_spans([&](int column, int row) {
+      const auto& worst = cells_[index(column, row)].worst;
+      if (!(std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3])) > bound)) return;
+      bad.emplace_back(column, row);
+      bad_[index(column, row)] = 1;
+    });
     const auto is_bad = [&](int column, int row, int kind) { return cells_[index(column, row)].worst[kind] > bound; };
     // What leaves least choice first.
     for (const auto& [column, row] : bad) {
@@ -893,21 +1023,12 @@ class GridFit {
     return every_pixel_ ? kept[0] : kept[(nx_ > 0 ? 1 : 0) + (ny_ > 0 ? 2 : 0)];
   }
 
-  /// Errors of a cell at 8 × 8 places, from its corner on: the biquadratic through its four samples and those of the cells
-  /// around that lie on its border.
-  static constexpr std::size_t kSide = 8;
-  using CellErrors = std::array<float, kSide * kSide>;
+  /// Errors of a cell at 8 × 8 places: the biquadratic through its four samples and those of the cells around that lie on
+  /// its border.
   CellErrors errors_within(int column, int row) const {
-    static constexpr auto kWeights = [] {
-      std::array<std::array<double, 3>, kSide> weights{};
-      for (std::size_t i = 0; i < kSide; ++i) {
-        weights[i] = quadratic_weights(static_cast<double>(i) / kSide);
-      }
-      return weights;
-    }();
     const std::size_t top = point(column, row);
     const std::size_t bottom = point(column, row + 1);
-    std::array<std::array<Point, 3>, 3> nodes;
+    CellNodes nodes;
     for (std::int32_t j = 0; j < 3; ++j) {
       for (std::int32_t i = 0; i < 3; ++i) {
         const auto at = [&](const std::vector<std::int32_t>& c) {
@@ -916,15 +1037,12 @@ class GridFit {
         };
         const int x = (column << nx_) + (i << nx_ >> 1);
         const int y = (row << ny_) + (j << ny_ >> 1);
-        nodes[j][i] = error_of(at(controls_.x), at(controls_.y), lattice_.sources[lattice_.index(x, y)]);
+        nodes[static_cast<std::size_t>(3 * j + i)] =
+            error_of(at(controls_.x), at(controls_.y), lattice_.sources[lattice_.index(x, y)]);
       }
     }
     CellErrors errors;
-    for (std::size_t j = 0; j < kSide; ++j) {
-      for (std::size_t i = 0; i < kSide; ++i) {
-        errors[kSide * j + i] = static_cast<float>(distance(biquadratic(nodes, kWeights[i], kWeights[j])));
-      }
-    }
+    calib::vectorised<biquadratic>(nodes, errors);
     return errors;
   }
 
@@ -938,7 +1056,8 @@ class GridFit {
     const auto least = static_cast<float>(large ? 0.5 * limits_.error_px : limits_.error_px);
     bool any = false;
     for (int row = 0; row < cell_rows_; ++row) {
-      for (int column = 0; column < cell_columns_; ++column) {
+      const auto [begin, end] = in_spans_[static_cast<std::size_t>(row)];
+      for (int column = begin; column < end; ++column) {
         Cell& cell = cells_[index(column, row)];
         if (cell.beyond_share >= 0) continue;
         const float worst = std::max(std::max(cell.worst[0], cell.worst[1]), std::max(cell.worst[2], cell.worst[3]));
@@ -953,7 +1072,7 @@ class GridFit {
         for (const float error : errors_within(column, row)) {
           beyond += !(error <= static_cast<float>(limits_.error_px)) ? 1 : 0;
         }
-        cell.beyond_share = static_cast<float>(beyond) / (kSide * kSide);
+        cell.beyond_share = static_cast<float>(beyond) / kCellErrors;
         any = true;
       }
     }
@@ -975,26 +1094,24 @@ class GridFit {
   };
   void count_kept() {
     tally_ = {};
-    for (int row = 0; row < cell_rows_; ++row) {
-      for (int column = 0; column < cell_columns_; ++column) {
-        if (kept_[point(column, row)] == 0) continue;
-        const auto kept = kept_kinds(column, row);
-        const Cell& cell = cells_[index(column, row)];
-        const Weights& weight = weights_of(column, row);
-        const bool counts = ranked(cell, kept);
-        for (int kind = 0; kind < kKinds; ++kind) {
-          if (!kept[kind]) continue;
-          tally_.supervised += weight.kind[kind] * cell.inside[kind];
-          tally_.outside += weight.kind[kind] * cell.outside[kind];
-          if (!counts || cell.beyond_share >= 0) continue;
-          tally_.ranked += cell.inside[kind];
-          tally_.beyond += cell.beyond[kind];
-        }
-        if (!counts || cell.beyond_share < 0) continue;
-        tally_.ranked += samples_in(cell);
-        tally_.beyond += cell.beyond_share * samples_in(cell);
+    for_cells_in_spans([&](int column, int row) {
+      if (kept_[point(column, row)] == 0) return;
+      const auto kept = kept_kinds(column, row);
+      const Cell& cell = cells_[index(column, row)];
+      const Weights& weight = weights_of(column, row);
+      const bool counts = ranked(cell, kept);
+      for (int kind = 0; kind < kKinds; ++kind) {
+        if (!kept[kind]) continue;
+        tally_.supervised += weight.kind[kind] * cell.inside[kind];
+        tally_.outside += weight.kind[kind] * cell.outside[kind];
+        if (!counts || cell.beyond_share >= 0) continue;
+        tally_.ranked += cell.inside[kind];
+        tally_.beyond += cell.beyond[kind];
       }
-    }
+      if (!counts || cell.beyond_share < 0) return;
+      tally_.ranked += samples_in(cell);
+      tally_.beyond += cell.beyond_share * samples_in(cell);
+    });
   }
 
   /// Whether the share that is wanted lies within its bound.
@@ -1059,7 +1176,8 @@ class GridFit {
     const int last_x = (geometry_.width - 1) >> lattice_.shape.x_log2;
     const int last_y = (geometry_.height - 1) >> lattice_.shape.y_log2;
     for (int row = 0; row < cell_rows_; ++row) {
-      for (int column = 0; column < cell_columns_; ++column) {
+      const auto [begin, end] = in_spans_[static_cast<std::size_t>(row)];
+      for (int column = begin; column < end; ++column) {
         if (kept_[point(column, row)] == 0) continue;
         const Cell& cell = cells_[index(column, row)];
         const auto& worst = cell.worst;
@@ -1077,7 +1195,7 @@ class GridFit {
             add(std::span(cut_errors_).subspan(static_cast<std::size_t>(cell.pixels), std::size_t{1} << (nx_ + ny_)),
                 cell.errors);
           } else {
-            add(errors_within(column, row), kSide * kSide);
+            add(errors_within(column, row), kCellErrors);
           }
           continue;
         }
@@ -1093,21 +1211,35 @@ class GridFit {
     return errors;
   }
 
+  /// Of errors that stand for more than `beyond` samples the largest such that it and those above do. Sorts some of them.
+  static float ranked_error(std::span<Ranked> errors, double beyond) {
+    while (errors.size() > 1) {
+      const auto middle = errors.begin() + std::ssize(errors) / 2;
+      std::ranges::nth_element(errors, middle, std::ranges::greater{}, &Ranked::error);
+      double samples = 0;
+      for (auto error = errors.begin(); error != middle; ++error) samples += error->samples;
+      if (samples > beyond) {
+        errors = {errors.begin(), middle};
+      } else {
+        errors = {middle, errors.end()};
+        beyond -= samples;
+      }
+    }
+    return errors.front().error;
+  }
+
   void rank_errors() {
     if (tally_.ranked == 0) return;
     // From the largest on; most are small.
     const double beyond = (1 - limits_.share) * tally_.ranked;
     for (const double bound : {0.45 * limits_.error_px, 0.25 * limits_.error_px, -1.0}) {
       std::vector<Ranked> errors = errors_above(static_cast<float>(bound));
-      std::ranges::sort(errors, std::ranges::greater{}, &Ranked::error);
       double samples = 0;
-      for (const Ranked& error : errors) {
-        samples += error.samples;
-        if (samples <= beyond) continue;
-        report_.error_99_px = error.error;
-        report_.error_largest_px = errors.front().error;
-        return;
-      }
+      for (const Ranked& error : errors) samples += error.samples;
+      if (!(samples > beyond)) continue;
+      report_.error_largest_px = std::ranges::max(errors, {}, &Ranked::error).error;
+      report_.error_99_px = ranked_error(errors, beyond);
+      return;
     }
   }
 
@@ -1142,7 +1274,8 @@ class GridFit {
           lowest_y = std::min(lowest_y, source);
           highest_y = std::max(highest_y, source);
         };
-        for (int column = 0; column < cell_columns_; ++column) {
+        const auto [begin, end] = in_spans_[static_cast<std::size_t>(row)];
+        for (int column = begin; column < end; ++column) {
           const auto c = static_cast<std::size_t>(column);
           if (there[c] == 0) continue;
           const auto kept = kept_kinds(column, row);
@@ -1164,7 +1297,7 @@ class GridFit {
     report_.reach = {-geometry_.height, -geometry_.height};
     const std::int64_t last_x = std::int64_t{geometry_.width - 1} << weight_bits_;
     const std::int64_t last_y = std::int64_t{geometry_.height - 1} << weight_bits_;
-    for_expanded(kept_, [&](std::size_t, int, std::size_t sample, int x, int y, std::int32_t ex, std::int32_t ey) {
+    for_expanded(kept_, [&](std::size_t sample, int x, int y, std::int32_t ex, std::int32_t ey) {
       if (!in_span(x, y)) return;
       const std::int64_t source_x = rounded(ex);
       const std::int64_t source_y = rounded(ey);
@@ -1195,6 +1328,7 @@ class GridFit {
   Tally tally_;
   std::vector<std::uint8_t> bad_;  ///< cells with something that must not be supervised
   std::vector<hls::table::Span> spans_;
+  std::vector<std::pair<int, int>> in_spans_;  ///< of each row of cells: all without an outline
   std::vector<Point> pixels_;      ///< sources of all pixels of cells that the outline cuts, cell by cell; NaN without
   std::vector<float> cut_errors_;  ///< of the same; -1 outside of spans, or without all control points
   std::vector<float> errors_;      ///< of the lattice's samples; NaN where none would be read inside the image

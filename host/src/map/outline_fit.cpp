@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "horopter/map/map_compiler.hpp"
 
@@ -57,9 +58,12 @@ std::optional<Outline> outline_of(const LookLattice& lattice, const ScanGeometry
     outline.spans.push_back(span);
   }
   if (!has_an_end(outline, geometry.width)) return {};
-  outline.source = [&lattice](int x, int y) {
-    const std::size_t at = lattice.index(x, y);
-    return is_good(lattice.reasons[at], lattice.sources[at]) ? lattice.sources[at] : kNowhere;
+  outline.see = [&lattice](int x, int y, std::span<Point> sources) {
+    const std::size_t first = lattice.index(x, y);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      const std::size_t at = first + i;
+      sources[i] = is_good(lattice.reasons[at], lattice.sources[at]) ? lattice.sources[at] : kNowhere;
+    }
   };
   return outline;
 }
@@ -67,40 +71,50 @@ std::optional<Outline> outline_of(const LookLattice& lattice, const ScanGeometry
 OutlineTracer::OutlineTracer(const CameraPair& cameras, const ScanGeometry& geometry, const ViewLimits& view)
     : geometry_(geometry),
       view_(view),
-      parts_((geometry.width + kSide - 1) / kSide),
-      first_ray_(static_cast<std::size_t>(parts_) * static_cast<std::size_t>(geometry.height), -1),
+      columns_((geometry.width + kWidth - 1) / kWidth),
+      blocks_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>((geometry.height + kHeight - 1) / kHeight)),
       rays_(cameras.rays({}, view)) {}
 
-std::size_t OutlineTracer::rays_of(const CameraPair& cameras, int part, int y) {
-  std::int32_t& first =
-      first_ray_[static_cast<std::size_t>(y) * static_cast<std::size_t>(parts_) + static_cast<std::size_t>(part)];
-  if (first < 0 && rays_.size() > kMostRays) {
-    std::ranges::fill(first_ray_, -1);
-    rays_ = cameras.rays({}, view_);
-  }
-  if (first < 0) {
-    std::array<Point, kSide> pixels;
-    for (int i = 0; i < kSide; ++i) {
-      pixels[static_cast<std::size_t>(i)] = geometry_.to_frame({double(part * kSide + i), double(y)});
+std::size_t OutlineTracer::rays_of(const CameraPair& cameras, int column, int row) {
+  const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  if (blocks_[at].first_ray < 0) {
+    if (rays_.size() > kMostRays) {
+      for (Block& block : blocks_) block.first_ray = -1;
+      rays_ = cameras.rays({}, view_);
     }
-    first = static_cast<std::int32_t>(rays_.size());
+    std::array<Point, kWidth * kHeight> pixels;
+    for (int i = 0; i < kWidth * kHeight; ++i) {
+      pixels[static_cast<std::size_t>(i)] =
+          geometry_.to_frame({double(column * kWidth + i % kWidth), double(row * kHeight + i / kWidth)});
+    }
+    blocks_[at].first_ray = static_cast<std::int32_t>(rays_.size());
     append(rays_, cameras.rays(pixels, view_));
   }
-  return static_cast<std::size_t>(first);
+  return static_cast<std::size_t>(blocks_[at].first_ray);
 }
 
-const Look& OutlineTracer::look(const CameraPair& cameras, const Surface& surface, int x, int y, Seen& seen) {
-  const int part = x / kSide;
-  if (seen.part != part || seen.y != y) {
-    cameras.look(surface, rays_, geometry_.row_step(), view_, seen.looks, rays_of(cameras, part, y));
-    seen.part = part;
-    seen.y = y;
+std::span<const Point> OutlineTracer::look(const CameraPair& cameras, const Surface& surface, int x, int y) {
+  const int column = x / kWidth;
+  const int row = y / kHeight;
+  Block& block =
+      blocks_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+  if (block.seen < 0) {
+    std::array<Look, kWidth * kHeight> looks;
+    cameras.look_at_runs(surface, rays_, geometry_.row_step(), view_, looks, rays_of(cameras, column, row));
+    block.seen = static_cast<std::int32_t>(seen_.size());
+    std::ranges::transform(looks, seen_.emplace_back().begin(), [&](const Look& there) {
+      return is_good(there.reason, there.source) ? geometry_.from_frame(there.source) : kNowhere;
+    });
   }
-  return seen.looks[static_cast<std::size_t>(x % kSide)];
+  const Sources& sources = seen_[static_cast<std::size_t>(block.seen)];
+  return std::span(sources).subspan(static_cast<std::size_t>(y % kHeight * kWidth + x % kWidth),
+                                    static_cast<std::size_t>(kWidth - x % kWidth));
 }
 
 std::optional<Outline> OutlineTracer::trace(const CameraPair& cameras, const Surface& surface,
                                             const LookLattice& coarse) {
+  for (Block& block : blocks_) block.seen = -1;
+  seen_.clear();
   const int step_y = 1 << coarse.shape.y_log2;
   const int step_x_log2 = coarse.shape.x_log2;
   const int coarse_columns = ((geometry_.width - 1) >> step_x_log2) + 1;
@@ -121,28 +135,24 @@ std::optional<Outline> OutlineTracer::trace(const CameraPair& cameras, const Sur
   }
   if (all || is_empty(begin[longest])) return {};
 
-  std::array<Seen, 2> seen;  // one at each end of a span
-  const auto good = [&](std::size_t side, int x, int y) {
-    const Look& there = look(cameras, surface, x, y, seen[side]);
-    return is_good(there.reason, there.source);
-  };
+  const auto good = [&](int x, int y) { return !std::isnan(look(cameras, surface, x, y)[0].x); };
   Outline outline;
   outline.spans.resize(static_cast<std::size_t>(geometry_.height));
   // From where it is said to be about.
   const auto trace_row = [&](int y, Span about) {
     int first = about.first;
     int last = about.end - 1;
-    if (good(0, first, y)) {
-      while (first > 0 && good(0, first - 1, y)) --first;
+    if (good(first, y)) {
+      while (first > 0 && good(first - 1, y)) --first;
     } else {
       do {
         if (++first > last) return;
-      } while (!good(0, first, y));
+      } while (!good(first, y));
     }
-    if (good(1, last, y)) {
-      while (last + 1 < geometry_.width && good(1, last + 1, y)) ++last;
+    if (good(last, y)) {
+      while (last + 1 < geometry_.width && good(last + 1, y)) ++last;
     } else {
-      while (!good(1, --last, y)) {
+      while (!good(--last, y)) {
       }
     }
     outline.spans[static_cast<std::size_t>(y)] = {first, last + 1};
@@ -163,20 +173,28 @@ std::optional<Outline> OutlineTracer::trace(const CameraPair& cameras, const Sur
   trace_on(middle, 1);
   trace_on(middle - 1, -1);
   if (!has_an_end(outline, geometry_.width)) return {};
-  outline.source = [this, &cameras, &surface, last = Seen{}](int x, int y) mutable {
-    const Look& there = look(cameras, surface, x, y, last);
-    return is_good(there.reason, there.source) ? geometry_.from_frame(there.source) : kNowhere;
+  outline.see = [this, &cameras, &surface](int x, int y, std::span<Point> sources) {
+    for (std::size_t i = 0; i < sources.size();) {
+      const auto there = look(cameras, surface, x + static_cast<int>(i), y);
+      const auto count = std::min(there.size(), sources.size() - i);
+      std::ranges::copy(there.first(count), sources.begin() + static_cast<std::ptrdiff_t>(i));
+      i += count;
+    }
   };
   return outline;
 }
 
 ControlFit::ControlFit(std::vector<std::size_t> free, std::vector<Point>& points)
-    : free_(std::move(free)), points_(points), from_(free_.size()), uses_(free_.size()) {
+    : free_(std::move(free)), points_(points), from_(free_.size()) {
   place_.assign(points_.size(), -1);
   for (std::size_t i = 0; i < free_.size(); ++i) {
     place_[free_[i]] = static_cast<std::int32_t>(i);
     from_[i] = points_[free_[i]];
   }
+}
+
+bool ControlFit::moves(const std::array<std::size_t, 4>& at) const {
+  return std::ranges::any_of(at, [&](std::size_t point) { return place_[point] >= 0; });
 }
 
 void ControlFit::add(const std::array<std::size_t, 4>& at, double right, double below, Point source, double counts) {
@@ -192,7 +210,7 @@ void ControlFit::add(const std::array<std::size_t, 4>& at, double right, double 
   if (!moves || std::isnan(source.x)) return;
   for (std::size_t k = 0; k < 4; ++k) {
     if (weights[k] == 0 || place_[at[k]] < 0) continue;
-    uses_[static_cast<std::size_t>(place_[at[k]])].push_back({rest_.size(), weights[k], counts});
+    uses_.push_back({place_[at[k]], static_cast<std::uint32_t>(rest_.size()), weights[k], counts * weights[k]});
   }
   rest_.push_back(source);
 }
@@ -200,20 +218,31 @@ void ControlFit::add(const std::array<std::size_t, 4>& at, double right, double 
 void ControlFit::solve() {
   constexpr int kSweeps = 6;
   constexpr double kStay = 1e-3;  // how much the place from which a point comes counts
+  // Point by point, each in the order of its equations.
+  std::vector<std::size_t> begin(free_.size() + 1);
+  for (const Use& use : uses_) ++begin[static_cast<std::size_t>(use.place) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Use> sorted(uses_.size());
+  std::vector<double> squares(free_.size(), kStay);
+  std::vector<std::size_t> next = begin;
+  for (const Use& use : uses_) {
+    const auto place = static_cast<std::size_t>(use.place);
+    sorted[next[place]++] = use;
+    squares[place] += use.counted * use.weight;
+  }
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (std::size_t i = 0; i < free_.size(); ++i) {
       Point& point = points_[free_[i]];
-      double squares = kStay;
+      const auto uses = std::span(sorted).subspan(begin[i], begin[i + 1] - begin[i]);
       Point by{kStay * (from_[i].x - point.x), kStay * (from_[i].y - point.y)};
-      for (const Use& use : uses_[i]) {
-        squares += use.counts * use.weight * use.weight;
-        by.x += use.counts * use.weight * rest_[use.equation].x;
-        by.y += use.counts * use.weight * rest_[use.equation].y;
+      for (const Use& use : uses) {
+        by.x += use.counted * rest_[use.equation].x;
+        by.y += use.counted * rest_[use.equation].y;
       }
-      by = {by.x / squares, by.y / squares};
+      by = {by.x / squares[i], by.y / squares[i]};
       point.x += by.x;
       point.y += by.y;
-      for (const Use& use : uses_[i]) {
+      for (const Use& use : uses) {
         rest_[use.equation].x -= use.weight * by.x;
         rest_[use.equation].y -= use.weight * by.y;
       }

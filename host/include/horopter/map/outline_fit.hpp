@@ -26,41 +26,49 @@ constexpr bool is_excluded(Reason reason) { return reason != Reason::none && rea
 /// the one that goes on from row to row.
 struct Outline {
   std::vector<hls::table::Span> spans;
-  /// Of a pixel in the scan's coordinates; NaN where it must not be supervised. Neighbours of a row are quick. As long as
-  /// what the outline was made of lives.
-  std::function<Point(int x, int y)> source;
+  /// Of pixels x, x + 1, … of a row in the scan's coordinates; NaN where they must not be supervised. As long as what the
+  /// outline was made of lives.
+  std::function<void(int x, int y, std::span<Point> sources)> see;
 
   const hls::table::Span& span(int row) const { return spans[static_cast<std::size_t>(row)]; }
+  Point source(int x, int y) const {
+    Point point;
+    see(x, y, {&point, 1});
+    return point;
+  }
 };
 
 /// From a lattice of all pixels; nothing where no row has an end in the image, or no pixel is on the skin.
 std::optional<Outline> outline_of(const LookLattice& lattice, const ScanGeometry& geometry);
 
-/// Follows the outlines of surfaces that move while the cameras stand, pixel by pixel from row to row. Lines of sight are
-/// kept.
+/// Follows the outlines of surfaces that move while the cameras stand, pixel by pixel from row to row. It looks at blocks
+/// of pixels, once at each of those that it needs. Lines of sight are kept.
 class OutlineTracer {
  public:
   OutlineTracer(const CameraPair& cameras, const ScanGeometry& geometry, const ViewLimits& view);
   /// `coarse`, what every 2^n-th pixel sees, says where to begin; nothing where all or none of that is on the skin. Pixels
   /// between both ends of a span are not looked at.
-  /// The outline lives as long as the tracer, the cameras and the surface.
+  /// The outline lives as long as the tracer, the cameras and the surface, and until the next one is traced.
   std::optional<Outline> trace(const CameraPair& cameras, const Surface& surface, const LookLattice& coarse);
 
  private:
-  static constexpr int kSide = 8;                                 ///< pixels of a row that are looked at together
+  static constexpr int kWidth = calib::PixelBatch::kRun;  ///< of a block, px
+  static constexpr int kHeight = 4;
   static constexpr std::size_t kMostRays = std::size_t{1} << 19;  ///< kept: 60 MB
-  /// The part of a row that was looked at last.
-  struct Seen {
-    std::array<Look, kSide> looks;
-    int part = -1, y = -1;
+  using Sources = std::array<Point, kWidth * kHeight>;            ///< NaN where a pixel must not be supervised
+  struct Block {
+    std::int32_t first_ray = -1;  ///< -1 where there are none yet
+    std::int32_t seen = -1;       ///< where it is in seen_; -1 where it was not looked at
   };
-  const Look& look(const CameraPair& cameras, const Surface& surface, int x, int y, Seen& seen);
-  std::size_t rays_of(const CameraPair& cameras, int part, int y);
+  /// Of the pixel's block, from the pixel on those of its row.
+  std::span<const Point> look(const CameraPair& cameras, const Surface& surface, int x, int y);
+  std::size_t rays_of(const CameraPair& cameras, int column, int row);
 
   ScanGeometry geometry_;
   ViewLimits view_;
-  int parts_;                            ///< of a row
-  std::vector<std::int32_t> first_ray_;  ///< of each part of each row; -1 where there are none yet
+  int columns_;                ///< blocks in a row
+  std::vector<Block> blocks_;  ///< row by row
+  std::vector<Sources> seen_;  ///< of the surface at hand
   Rays rays_;
 };
 
@@ -70,6 +78,8 @@ class ControlFit {
   /// The control points that may move, of all `points`; those without a place are NaN, and what needs one of them does not
   /// count. `points` must live as long.
   ControlFit(std::vector<std::size_t> free, std::vector<Point>& points);
+  /// Whether one of them may move.
+  bool moves(const std::array<std::size_t, 4>& at) const;
   /// Of four control points, the upper two first, what must be seen between them, in parts of a cell right of and below
   /// the first; it counts as so many.
   void add(const std::array<std::size_t, 4>& at, double right, double below, Point source, double counts);
@@ -79,15 +89,16 @@ class ControlFit {
 
  private:
   struct Use {
-    std::size_t equation;
-    double weight, counts;
+    std::int32_t place;  ///< of the point among the free ones
+    std::uint32_t equation;
+    double weight, counted;  ///< and as it counts
   };
   std::vector<std::size_t> free_;
   std::vector<Point>& points_;
   std::vector<Point> from_;
-  std::vector<std::int32_t> place_;     ///< of a point among the free ones, or -1
-  std::vector<std::vector<Use>> uses_;  ///< of each free point
-  std::vector<Point> rest_;             ///< what each equation lacks
+  std::vector<std::int32_t> place_;  ///< of a point among the free ones, or -1
+  std::vector<Use> uses_;
+  std::vector<Point> rest_;  ///< what each equation lacks
 };
 
 }  // namespace horopter
