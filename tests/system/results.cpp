@@ -128,14 +128,19 @@ TEST_CASE("What a killed run leaves is taken away by the next") {
 }
 
 TEST_CASE("SIGTERM ends every command at once, and leaves nothing half made") {
-  const std::string command =
-      GENERATE("run --left l.png --right r.png --skin pipe --out out", "map --skin pipe --profile vga -o map.hmap",
-               "evaluate --list pipe --disparities 1", "calibrate --points pipe --sensor pipe -o rig.yaml",
-               "plan thickness --rig pipe --distance 500 --out out", "plan rig --rig pipe --distance 500 --out out",
+  static const std::vector<std::string> kCommands{
+      "run --left l.png --right r.png --skin pipe --out out",
+      "map --skin pipe --profile vga -o map.hmap",
+      "evaluate --list pipe --disparities 1",
+      "calibrate --points pipe --sensor pipe -o rig.yaml",
+      "plan thickness --rig pipe --distance 500 --out out",
+      "plan rig --rig pipe --distance 500 --out out",
 #ifdef HOROPTER_TEST_STUDY
-               "study all --out out",
+      "study all --out out",
 #endif
-               "map --inspect pipe");
+      "map --inspect pipe",
+  };
+  const std::string command = GENERATE(from_range(kCommands));
   CAPTURE(command);
   Sandbox box;
   // `timeout` passes the signal on; who does not end within 20 s is killed.
