@@ -128,7 +128,7 @@ TEST_CASE("What a killed run leaves is taken away by the next") {
 }
 
 TEST_CASE("SIGTERM ends every command at once, and leaves nothing half made") {
-  static const std::vector<std::string> kCommands{
+  static const std::vector<std::string> commands{
       "run --left l.png --right r.png --skin pipe --out out",
       "map --skin pipe --profile vga -o map.hmap",
       "evaluate --list pipe --disparities 1",
@@ -140,7 +140,7 @@ TEST_CASE("SIGTERM ends every command at once, and leaves nothing half made") {
 #endif
       "map --inspect pipe",
   };
-  const std::string command = GENERATE(from_range(kCommands));
+  const std::string command = GENERATE(from_range(commands));
   CAPTURE(command);
   Sandbox box;
   // `timeout` passes the signal on; who does not end within 20 s is killed.

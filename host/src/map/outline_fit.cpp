@@ -84,8 +84,9 @@ std::size_t OutlineTracer::rays_of(const CameraPair& cameras, int column, int ro
     }
     std::array<Point, kWidth * kHeight> pixels;
     for (int i = 0; i < kWidth * kHeight; ++i) {
-      pixels[static_cast<std::size_t>(i)] =
-          geometry_.to_frame({double(column * kWidth + i % kWidth), double(row * kHeight + i / kWidth)});
+      const int x = column * kWidth + i % kWidth;
+      const int y = row * kHeight + i / kWidth;
+      pixels[static_cast<std::size_t>(i)] = geometry_.to_frame({double(x), double(y)});
     }
     blocks_[at].first_ray = static_cast<std::int32_t>(rays_.size());
     append(rays_, cameras.rays(pixels, view_));
