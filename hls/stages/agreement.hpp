@@ -18,7 +18,9 @@
 // says (moved: in the median of the image, or of a half, so that a camera that is displaced, rolled or enlarged is found;
 // of cells at once, of a round of patches at full resolution);
 // whether one camera is less sharp, or has less contrast (unsharp); whether too much is hidden behind what is nearer
-// (hidden, after hidden_frames frames in a row).
+// (hidden, after hidden_frames frames in a row);
+// whether much lies on the skin (overlooked: cells of this frame, of which the best shift is 0, and that within 1/8 cell; or
+// places of a round of patches). The rule judges pixels by other means, and must have seen it.
 // Of a pixel of the result it says in the marks what the frame before showed of its cell: `seen`, in 5×5 cells around there
 // are a third as many *shown* ones as textured ones (where there is no texture, explained ones of its region); `nearer`,
 // most of these are nearer. A cell is shown where the left camera's cell is explained by windows of 3×3 cells, or the right
@@ -57,7 +59,7 @@ struct Verdict {
   bool unsharp_left = false;
   bool unsharp_right = false;
   bool hidden = false;
-  bool overlooked = false;  // places at full resolution lie on the skin; a fault where there is no alarm
+  bool overlooked = false;  // too much lies on the skin; a fault where there is no alarm
 };
 
 /// The figures behind it, as registers have them (rtl/csr/registers.yaml): FRAME_REGION of the regions, 8 in a row; then
@@ -119,7 +121,8 @@ class Agreement {
     u<6> moved_limit;
     u<6> moved_half_limit;  // the same of one half
     u<6> patch_limit;       // 1/8 px: the same at full resolution (patches.hpp)
-    u<5> on_skin_limit;     // largest share of places on the skin, in 1/32; 31 = never
+    u<5> on_skin_limit;     // largest share of places, or of cells, on the skin, in 1/32; 31 = never
+    u<8> on_skin_cells;     // so many cells on the skin are never too many: 4
     u<1> alarm_before;      // the frame before showed an alarm
     s<16> epipolar_slope;   // displacement across the rows of a shift along them, at the first cell: 2^-15
     s<16> epipolar_column;  // its change from column to column: 2^-20
@@ -679,6 +682,7 @@ class Agreement {
     Peak peak;
     NearScore near_score;
     Shift near_shift;
+    Score before, behind;  // at shifts -1 and 1
   };
   struct BestRight {
     Score score;
@@ -802,6 +806,8 @@ class Agreement {
       of_left.near_score = of_near;
       of_left.near_shift = run_.shift;
     }
+    of_left.before = run_.shift == lit<-1>() ? of_best : (left_new ? Score(0) : of_left.before);
+    of_left.behind = run_.shift == lit<1>() ? of_best : (left_new ? Score(0) : of_left.behind);
     best_left_.write(x, of_left);
 
     const Index right(partner() - lit<half_window>());
@@ -842,8 +848,12 @@ class Agreement {
     const auto& l = compared_.best_left;
     const auto& r = compared_.best_right;
     for (std::size_t x = 0; x < count; ++x) {
-      best_left_.write(
-          x, BestLeft{l.shift[x], {l.place[x], l.score[x], l.above[x], l.below[x]}, l.near_score[x], l.near_shift[x]});
+      best_left_.write(x, BestLeft{l.shift[x],
+                                   {l.place[x], l.score[x], l.above[x], l.below[x]},
+                                   l.near_score[x],
+                                   l.near_shift[x],
+                                   l.before[x],
+                                   l.behind[x]});
       best_right_.write(x, BestRight{r.score[x], r.x[x], r.near_score[x], r.near_x[x]});
     }
   }
@@ -867,12 +877,13 @@ class Agreement {
     Count supervised, textured, explained, nearer, unproven, regions_bad;
     Count skin_supervised;  // of the skin alone; these count for `hidden`
     Count skin_textured, skin_unproven;
+    Count on_skin;
   };
   /// What a beat adds to them; one addition each, whatever the phase.
   struct Change {
     u<1> supervised, textured, explained, nearer, unproven;
     u<10> regions_bad;
-    u<1> skin_supervised, skin_textured, skin_unproven;
+    u<1> skin_supervised, skin_textured, skin_unproven, on_skin;
   };
   /// Of the region's part of this row of cells, with this beat.
   [[nodiscard]] Segment segment() const {
@@ -899,6 +910,7 @@ class Agreement {
     c.skin_supervised += by.skin_supervised;
     c.skin_textured += by.skin_textured;
     c.skin_unproven += by.skin_unproven;
+    c.on_skin += by.on_skin;
     counts_ = new_frame_ ? Counts{} : c;
   }
 
@@ -928,6 +940,7 @@ class Agreement {
     bool of_skin = false;
     bool explained = false;
     bool nearer = false;
+    bool on_skin = false;
     BestLeft best;
     Index partner;  // in the right image
   };
@@ -948,7 +961,14 @@ class Agreement {
     const bool fits = large ? l.best.peak.score > score_limit : l.best.near_score > near_score_limit;
     l.explained = l.textured && fits && comes_back(large ? right.x : right.near_x);
     l.nearer = l.explained && is_nearer(shift, config);
+    l.on_skin = l.explained && l.of_skin && shift == 0 && is_centred(l.best);
     return l;
+  }
+  /// Of a best shift of 0: by those beside it, the best one lies within 1/8 cell of it (as of Displacement).
+  static bool is_centred(const BestLeft& best) {
+    const s<9> rise(best.behind - best.before);
+    const Score lower(rise.negative() ? best.behind : best.before);
+    return shl<2>(u<8>(abs(rise))) <= u<8>(best.peak.score - lower);
   }
   /// The right cell's own choice is this cell, or one beside it.
   [[nodiscard]] bool comes_back(u<7> chosen) const {
@@ -995,6 +1015,7 @@ class Agreement {
     change_.textured = u<1>(looked.textured);
     change_.explained = u<1>(looked.explained);
     change_.nearer = u<1>(looked.nearer && looked.of_skin);
+    change_.on_skin = u<1>(looked.on_skin);
     change_.skin_supervised = u<1>(looked.supervised && looked.of_skin);
   }
 
@@ -1160,6 +1181,13 @@ class Agreement {
       case 10:
         before = c.nearer;
         break;
+      case 11:
+        limit = u<8>(shl<3>(config.on_skin_limit));
+        of = c.skin_textured;
+        break;
+      case 12:
+        before = c.on_skin;
+        break;
       default:
         break;
     }
@@ -1171,6 +1199,7 @@ class Agreement {
     if (begins && group == 8) too_much_ = false;
     if (begins && over.negative() && (group == 8 || group == 9 || group == 15)) too_much_ = true;
     if (begins && group == 10) hides_ = over.negative();
+    if (begins && group == 12) overlooks_ = over.negative() && c.on_skin > shl<2>(config.on_skin_cells);
     const auto sum = (begins ? Count(0) : product_) + (limit.bit(static_cast<int>(bit.value())) ? of : Count(0));
     product_ = Count(shr<1>(sum));
     product_rest_ = (!begins && product_rest_) || sum.bit(0);
@@ -1183,7 +1212,8 @@ class Agreement {
     verdict.untextured = config.prove != 0 && !enough;
     verdict.disagree = config.prove != 0 && enough && (disagree_ || too_much_);
     verdict.moved = config.prove != 0 && (registration_.moved() || patches_.moved());
-    verdict.overlooked = config.prove != 0 && patches_.overlooked();
+    const bool overlooks = overlooks_ && config.on_skin_limit != lit<on_skin_limit_never>();
+    verdict.overlooked = config.prove != 0 && (overlooks || patches_.overlooked());
     // Where the left camera sees nothing and the right one does: of the right one agreement says it already.
     verdict.unsharp_left = config.prove != 0 && enough && (sharpness_.less(0) || census_.left_sees_less());
     verdict.unsharp_right = config.prove != 0 && enough && sharpness_.less(1);
@@ -1337,7 +1367,7 @@ class Agreement {
   u<8> hidden_for_{0};
   Count product_{0};
   bool product_rest_ = false;
-  bool disagree_ = false, too_much_ = false, hides_ = false;
+  bool disagree_ = false, too_much_ = false, hides_ = false, overlooks_ = false;
   RAM<SeenColumn, column_count, gap> seen_columns_;
   HorizontalSum<box, 5, 1, Scalar, 3> box_textured_, box_explained_, box_shown_, box_nearer_;
   DelayLine<Centre, 2> centres_;

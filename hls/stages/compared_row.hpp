@@ -28,6 +28,7 @@ class ComparedRow {
   struct BestLeft {
     std::array<std::uint16_t, COLUMNS> score, place, above, below, near_score;
     std::array<std::int16_t, COLUMNS> shift, near_shift;
+    std::array<std::uint16_t, COLUMNS> before, behind;  // best scores at shifts -1 and 1
   };
   struct BestRight {
     std::array<std::uint16_t, COLUMNS> score, x, near_score, near_x;
@@ -96,6 +97,10 @@ class ComparedRow {
       const bool nearer = best_near_[i] > best_left.near_score[x];
       best_left.near_score[x] = nearer ? best_near_[i] : best_left.near_score[x];
       best_left.near_shift[x] = nearer ? here : best_left.near_shift[x];
+    }
+    if (shift == -1 || shift == 1) {
+      auto& beside = shift < 0 ? best_left.before : best_left.behind;
+      std::copy_n(best_.begin(), columns, beside.begin() + static_cast<std::ptrdiff_t>(first));
     }
     for (std::size_t i = 0; i < columns; ++i) {
       const std::size_t x = partner + i;

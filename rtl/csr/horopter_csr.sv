@@ -121,7 +121,7 @@ module horopter_csr #(
     output logic [22:0] agreement_o,
     output logic [31:0] agreement_limits_o,
     output logic [ 7:0] hidden_frames_o,
-    output logic [22:0] registration_o,
+    output logic [30:0] registration_o,
     output logic [31:0] epipolar_o,
     output logic [31:0] epipolar_change_o,
     output logic [ 7:0] one_camera_segments_o,
@@ -297,7 +297,8 @@ module horopter_csr #(
   logic [ 5:0] registration_moved_half_q;
   logic [ 5:0] registration_patches_q;
   logic [ 4:0] registration_on_skin_q;
-  assign registration_o = {registration_on_skin_q, registration_patches_q, registration_moved_half_q, registration_moved_q};
+  logic [ 7:0] registration_on_skin_cells_q;
+  assign registration_o = {registration_on_skin_cells_q, registration_on_skin_q, registration_patches_q, registration_moved_half_q, registration_moved_q};
   // EPIPOLAR: Slope of the epipolar lines in the transformed images, two's complement.
   logic [15:0] epipolar_slope_q;
   logic [15:0] epipolar_column_q;
@@ -389,6 +390,7 @@ module horopter_csr #(
       registration_moved_half_q <= 6'd5;
       registration_patches_q <= 6'd8;
       registration_on_skin_q <= 5'd6;
+      registration_on_skin_cells_q <= 8'd31;
       epipolar_slope_q <= 16'd0;
       epipolar_column_q <= 16'd0;
       epipolar_change_row_q <= 16'd0;
@@ -574,7 +576,9 @@ module horopter_csr #(
         if (write_strb_i[2]) begin
           registration_patches_q[5:4] <= write_data_i[17:16];
           registration_on_skin_q[4:0] <= write_data_i[22:18];
+          registration_on_skin_cells_q[0] <= write_data_i[23];
         end
+        if (write_strb_i[3]) registration_on_skin_cells_q[7:1] <= write_data_i[30:24];
       end
       if (write_q && write_group_q[7] && write_word_q[0]) begin  // EPIPOLAR
         if (write_strb_i[0]) epipolar_slope_q[7:0] <= write_data_i[7:0];
@@ -917,11 +921,11 @@ module horopter_csr #(
       .error_o(guard_error[29])
   );
   horopter_guard #(
-      .WIDTH(23)
+      .WIDTH(31)
   ) u_registration_guard (
       .clk_i(clk_i),
       .written_i(written_q[30]),
-      .value_i({registration_on_skin_q, registration_patches_q, registration_moved_half_q, registration_moved_q}),
+      .value_i({registration_on_skin_cells_q, registration_on_skin_q, registration_patches_q, registration_moved_half_q, registration_moved_q}),
       .error_o(guard_error[30])
   );
   horopter_guard #(
@@ -1166,7 +1170,7 @@ module horopter_csr #(
         3'h4: group_09_q <= {9'd0, agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
         3'h5: group_09_q <= {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q};
         3'h6: group_09_q <= {24'd0, hidden_frames_q};
-        default: group_09_q <= {9'd0, registration_on_skin_q, registration_patches_q, registration_moved_half_q, registration_moved_q};
+        default: group_09_q <= {1'd0, registration_on_skin_cells_q, registration_on_skin_q, registration_patches_q, registration_moved_half_q, registration_moved_q};
       endcase
     group_0A_q <= 32'd0;
     if (wanted_q[9])

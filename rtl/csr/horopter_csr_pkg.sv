@@ -144,6 +144,7 @@ package horopter_csr_pkg;
   } agreement_limits_t;
 
   typedef struct packed {  // from the highest bit
+    logic [ 7:0] on_skin_cells;
     logic [ 4:0] on_skin;
     logic [ 5:0] patches;
     logic [ 5:0] moved_half;

@@ -1013,6 +1013,7 @@ module horopter_top #(
       .cfg_moved_half_limit_i(sampled_registration.moved_half),
       .cfg_patch_limit_i(sampled_registration.patches),
       .cfg_on_skin_limit_i(sampled_registration.on_skin),
+      .cfg_on_skin_cells_i(sampled_registration.on_skin_cells),
       .cfg_alarm_before_i(frame_status.seen),
       .cfg_epipolar_slope_i(sampled_epipolar.slope),
       .cfg_epipolar_column_i(sampled_epipolar.column),

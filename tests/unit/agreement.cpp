@@ -110,6 +110,7 @@ Small::Config defaults(int width, int height) {
   config.moved_half_limit = 5;
   config.patch_limit = hls::StageSettings{}.patch_limit;
   config.on_skin_limit = hls::StageSettings{}.on_skin_limit;
+  config.on_skin_cells = hls::StageSettings{}.on_skin_cells;
   return config;
 }
 
@@ -234,6 +235,7 @@ TEST_CASE("places that lie on the skin are said of each round in which no frame 
   const Place half_place = [](double x, double y) { return std::pair{x - (y < 120 ? 0 : 20), y}; };
   const Picture half = seen(world, half_place, 5);
   auto config = defaults(320, 240);
+  config.on_skin_cells = 255;  // more than there are
   const auto stage = std::make_unique<Small>();
   const auto says = [&](const Picture& right) { return frame(*stage, config, left, right).verdict.overlooked; };
   constexpr int kLong = 60;  // frames of two rounds
@@ -260,6 +262,34 @@ TEST_CASE("places that lie on the skin are said of each round in which no frame 
   config.on_skin_limit = 20;  // of 32: half of the image is less
   CHECK(frames_until(true, half) == kLong);
   CHECK(frames_until(true, on) < kLong);
+}
+
+TEST_CASE("cells that lie on the skin are said of the frame that shows them, if they are many") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  auto config = defaults(320, 240);
+  const auto says = [&](const Picture& right, const Box& skin = {}) {
+    return last_of(1, config, left, right, skin).verdict.overlooked;
+  };
+  const Picture on = seen(world, shifted(GENERATE(-0.5, 0.0, 0.5), 0), 3);
+  const Picture half = seen(world, [](double x, double y) { return std::pair{x - (y < 120 ? 0 : 20), y}; }, 4);
+  CHECK(says(on));
+  CHECK(says(half));
+  for (const double away_px : {-20.0, -3.0, 3.0}) CHECK_FALSE(says(seen(world, shifted(away_px, 0), 5)));
+  const Box small{120, 100, 200, 180};  // 10×10 cells
+  CHECK_FALSE(says(on, small));
+  config.on_skin_cells = 0;
+  CHECK(says(on, small));
+  config.on_skin_limit = 20;  // of 32: half of the image is less
+  CHECK(says(on));
+  CHECK_FALSE(says(half));
+  config.on_skin_limit = on_skin_limit_never;
+  CHECK_FALSE(says(on));
+  // The next frame ends it.
+  config = defaults(320, 240);
+  const auto stage = std::make_unique<Small>();
+  CHECK(frame(*stage, config, left, on).verdict.overlooked);
+  CHECK_FALSE(frame(*stage, config, left, seen(world, shifted(-20, 0), 6)).verdict.overlooked);
 }
 
 TEST_CASE("what stands in narrow strips of different depth is seen, too") {

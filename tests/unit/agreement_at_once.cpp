@@ -52,6 +52,7 @@ typename Stage::Config config_of(int width, int height, unsigned seed) {
   config.moved_half_limit = 5;
   config.patch_limit = 8;
   config.on_skin_limit = 4;
+  config.on_skin_cells = static_cast<int>(seed % 4) * 8;
   config.epipolar_slope = static_cast<int>(seed * 661 % 2000) - 1000;
   config.epipolar_row = static_cast<int>(seed * 67 % 200) - 100;
   return config;

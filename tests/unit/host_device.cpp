@@ -423,13 +423,15 @@ TEST_CASE("Something large on the skin is overlooked where the rule is blind, an
   settings.still_limit = settings.frozen_limit = 0;
   Supervisor supervisor(make_native_device(profile), profile, compile_maps(skin, profile, kW, kH), settings);
   Faults faults;
-  bool alarm = false;
+  bool alarm = false, at_once = false;
   for (int i = 0; i < kFrames; ++i) {
     const auto result = supervisor.process(left, moved(left, -6, 0)).front();
     faults |= result.faults;
     alarm = alarm || result.alarm;
+    at_once = at_once || (i == 0 && result.faults.has(Fault::overlooked));
   }
   CAPTURE(faults.names());
+  CHECK(at_once == blind);
   CHECK(alarm == !blind);
   CHECK(faults.has(Fault::overlooked) == blind);
 }

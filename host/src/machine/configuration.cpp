@@ -69,18 +69,24 @@ void add_limits(std::vector<RegisterWord>& words, const MachineProfile& profile,
   words.insert(words.end(), limits.begin(), limits.end());
 }
 
-/// Of a round's places, 1/32: more of them on the skin than this are too many for no alarm. What is just too small for an
-/// alarm has twice its share of the pixels at most, as places are where there is texture; and some places are wrong.
-int on_skin_limit(const MachineProfile& profile, const Settings& settings, FrameGeometry geometry) {
+/// REGISTRATION.on_skin and on_skin_cells: more on the skin than this is too much for no alarm. What is just too small for
+/// an alarm has twice its share of the pixels at most, as places and cells are where there is texture; and some are wrong.
+std::uint32_t on_skin_limits(const MachineProfile& profile, const Settings& settings, FrameGeometry geometry) {
   constexpr double kWrong = 1.0 / 8;
   const double result = 1.0 * geometry.width / profile.subsample * geometry.height;
   const double allowed =
       std::min(static_cast<double>(object_limit(settings, profile)) / result, settings.alarm_percent / 100);
-  return std::min<int>(static_cast<int>(std::ceil(32 * (kWrong + 2 * allowed))), stages::on_skin_limit_never);
+  const auto limited = [](double value, std::uint32_t most) {
+    return static_cast<std::uint32_t>(std::min(std::ceil(value), 1.0 * most));
+  };
+  const auto most_cells = reg::registration::kOnSkinCells.mask() >> reg::registration::kOnSkinCells.lsb;
+  const int cell = profile.cell();
+  return reg::registration::kOnSkin.put(limited(32 * (kWrong + 2 * allowed), stages::on_skin_limit_never)) |
+         reg::registration::kOnSkinCells.put(limited(2 * allowed * result / (4 * cell * cell), most_cells));
 }
 
 void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32_t agreement_limits,
-               int on_skin_limit) {
+               std::uint32_t on_skin_limits) {
   const auto rounded = [](double value, int bits) {
     return static_cast<std::uint32_t>(std::clamp(std::lround(std::ldexp(value, bits)), -32768L, 32767L));
   };
@@ -103,7 +109,7 @@ void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32
                    limit(proof.registered, reg::registration::kMoved, defaults.moved_limit) |
                        limit(proof.registered, reg::registration::kMovedHalf, defaults.moved_half_limit) |
                        limit(proof.at_full_resolution, reg::registration::kPatches, defaults.patch_limit) |
-                       reg::registration::kOnSkin.put(static_cast<std::uint32_t>(on_skin_limit))});
+                       on_skin_limits});
   words.push_back({reg::epipolar::kAddress, reg::epipolar::kSlope.put(rounded(proof.epipolar[0], 15)) |
                                                 reg::epipolar::kColumn.put(rounded(proof.epipolar[1], 20))});
   words.push_back(
@@ -203,7 +209,7 @@ std::vector<RegisterWord> configuration(Device& device, const MachineProfile& pr
   words.push_back({reg::mode::kAddress, reg::mode::kLive.put(settings.live)});
   add_limits(words, profile, settings, geometry);
   add_proof(words, settings.proof, device.read(reg::agreement_limits::kAddress),
-            on_skin_limit(profile, settings, geometry));
+            on_skin_limits(profile, settings, geometry));
   const bool compete = settings.decision == Decision::compete;
   words.push_back({reg::decision::kAddress, reg::decision::kCompete.put(compete ? 1 : 0)});
   if (compete) {

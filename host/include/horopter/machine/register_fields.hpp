@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 254> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 255> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -146,7 +146,7 @@ inline constexpr std::array<RegisterField, 254> kRegisterFields = {{
     {0x0E4, "objects", {17, 1}, "More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp)."},
     {0x0E4, "contactors", {18, 1}, "feedback_i did not follow safe_o for FEEDBACK clocks: a contactor does not drop or does not pull in, or a broken wire."},
     {0x0E4, "teaching", {19, 1}, "BLOCKS.teach is set: the machine learns, and does not watch."},
-    {0x0E4, "overlooked", {20, 1}, "More than REGISTRATION.on_skin of a round's places lie on the skin, and there is no alarm: what blinds the rule, as haze, a drop on a lens or coarse pictures, does not blind this."},
+    {0x0E4, "overlooked", {20, 1}, "More of the cells, or of a round's places, lie on the skin than REGISTRATION.on_skin, and there is no alarm: what blinds the rule, as haze, a drop on a lens or coarse pictures, does not blind this."},
     {0x0E8, "base_word64", {0, 16}, "Index of its first 64-bit word."},
     {0x0E8, "end_word64", {16, 16}, "Index after the last one, modulo 65536: it takes (end - base) modulo 65536 words, and all 65536 where that is 0."},
     {0x100, "value", {0, 32}, "0 = none yet."},
@@ -208,7 +208,7 @@ inline constexpr std::array<RegisterField, 254> kRegisterFields = {{
     {0x12C, "objects", {17, 1}, "More objects, or more of them in one row, than the machine can tell apart (hls/stages/objects.hpp)."},
     {0x12C, "contactors", {18, 1}, "feedback_i did not follow safe_o for FEEDBACK clocks: a contactor does not drop or does not pull in, or a broken wire."},
     {0x12C, "teaching", {19, 1}, "BLOCKS.teach is set: the machine learns, and does not watch."},
-    {0x12C, "overlooked", {20, 1}, "More than REGISTRATION.on_skin of a round's places lie on the skin, and there is no alarm: what blinds the rule, as haze, a drop on a lens or coarse pictures, does not blind this."},
+    {0x12C, "overlooked", {20, 1}, "More of the cells, or of a round's places, lie on the skin than REGISTRATION.on_skin, and there is no alarm: what blinds the rule, as haze, a drop on a lens or coarse pictures, does not blind this."},
     {0x130, "prove", {0, 1}, "1 = clear is earned. 0 = a pixel is clear where images do not agree; nothing else is checked."},
     {0x130, "nearer_below", {1, 1}, "1 = shifts below 0 are nearer to the cameras than the skin."},
     {0x130, "nearer_above", {2, 1}, "1 = shifts above 0 are."},
@@ -223,7 +223,8 @@ inline constexpr std::array<RegisterField, 254> kRegisterFields = {{
     {0x13C, "moved", {0, 6}, "A median of this or more is a fault, of the image or, in opposite directions, of two halves of it."},
     {0x13C, "moved_half", {6, 6}, "In one half of the image a median of this or more is."},
     {0x13C, "patches", {12, 6}, "1/8 px: the same at full resolution, of most places of two rounds (hls/stages/patches.hpp); nothing is safe before rounds have few such places; 63 = never, and not waited for."},
-    {0x13C, "on_skin", {18, 5}, "1/32: more of a round's places at full resolution on the skin, without an alarm, are the fault `overlooked`; 31 = never."},
+    {0x13C, "on_skin", {18, 5}, "1/32: more of a round's places at full resolution on the skin, or of the skin's textured cells, without an alarm, are the fault `overlooked`; 31 = never."},
+    {0x13C, "on_skin_cells", {23, 8}, "4 cells: so many on the skin are no fault, whatever share they are."},
     {0x140, "slope", {0, 16}, "Of the first cell: cells down for a shift of one cell to the right, 2^-15."},
     {0x140, "column", {16, 16}, "Its change from column to column of cells, 2^-20."},
     {0x144, "row", {0, 16}, "Its change from row to row, 2^-20."},

@@ -591,8 +591,8 @@ inline constexpr Field kObjects{17, 1};
 inline constexpr Field kContactors{18, 1};
 /// BLOCKS.teach is set: the machine learns, and does not watch.
 inline constexpr Field kTeaching{19, 1};
-/// More than REGISTRATION.on_skin of a round's places lie on the skin, and there is no alarm: what blinds the rule, as
-/// haze, a drop on a lens or coarse pictures, does not blind this.
+/// More of the cells, or of a round's places, lie on the skin than REGISTRATION.on_skin, and there is no alarm: what
+/// blinds the rule, as haze, a drop on a lens or coarse pictures, does not blind this.
 inline constexpr Field kOverlooked{20, 1};
 }  // namespace faults_machine
 
@@ -814,8 +814,8 @@ inline constexpr Field kObjects{17, 1};
 inline constexpr Field kContactors{18, 1};
 /// BLOCKS.teach is set: the machine learns, and does not watch.
 inline constexpr Field kTeaching{19, 1};
-/// More than REGISTRATION.on_skin of a round's places lie on the skin, and there is no alarm: what blinds the rule, as
-/// haze, a drop on a lens or coarse pictures, does not blind this.
+/// More of the cells, or of a round's places, lie on the skin than REGISTRATION.on_skin, and there is no alarm: what
+/// blinds the rule, as haze, a drop on a lens or coarse pictures, does not blind this.
 inline constexpr Field kOverlooked{20, 1};
 }  // namespace frame_faults_machine
 
@@ -866,7 +866,7 @@ inline constexpr Field kFrames{0, 8};
 namespace registration {
 inline constexpr std::uint32_t kAddress = 0x13C;
 inline constexpr Access kAccess = Access::kReadWrite;
-inline constexpr std::uint32_t kReset = 0x188143;
+inline constexpr std::uint32_t kReset = 0xF988143;
 /// A median of this or more is a fault, of the image or, in opposite directions, of two halves of it.
 inline constexpr Field kMoved{0, 6};
 /// In one half of the image a median of this or more is.
@@ -874,9 +874,11 @@ inline constexpr Field kMovedHalf{6, 6};
 /// 1/8 px: the same at full resolution, of most places of two rounds (hls/stages/patches.hpp); nothing is safe before
 /// rounds have few such places; 63 = never, and not waited for.
 inline constexpr Field kPatches{12, 6};
-/// 1/32: more of a round's places at full resolution on the skin, without an alarm, are the fault `overlooked`; 31 =
-/// never.
+/// 1/32: more of a round's places at full resolution on the skin, or of the skin's textured cells, without an alarm,
+/// are the fault `overlooked`; 31 = never.
 inline constexpr Field kOnSkin{18, 5};
+/// 4 cells: so many on the skin are no fault, whatever share they are.
+inline constexpr Field kOnSkinCells{23, 8};
 }  // namespace registration
 
 /// Slope of the epipolar lines in the transformed images, two's complement.
