@@ -166,6 +166,15 @@ TEST_CASE("skin.yaml with motion; tables for fields in turn; the skin stays at t
     CHECK(std::ldexp(static_cast<double>(expanded->x), -MapTable::kFractionBits) == Approx(source.x).margin(0.07));
     CHECK(std::ldexp(static_cast<double>(expanded->y), -MapTable::kFractionBits) == Approx(source.y).margin(0.07));
   }
+  for (const int threads : {1, 3}) {
+    const MovingMaps again = compile_motion(skin, field, 160, 120, {}, threads);
+    REQUIRE(again.steps.size() == maps.steps.size());
+    for (std::size_t i = 0; i < 7; ++i) {
+      CHECK(again.steps[i].time_s == maps.steps[i].time_s);
+      CHECK(again.steps[i].map.table.words() == maps.steps[i].map.table.words());
+      CHECK(again.steps[i].map.report.lookahead == maps.lookahead);
+    }
+  }
   Settings settings;
   settings.proof.needed = false;  // small images
   MovingSupervisor supervisor(make_native_device(field), field, maps, settings);
@@ -183,14 +192,20 @@ TEST_CASE("skin.yaml with motion; tables for fields in turn; the skin stays at t
     }
   }
 
-  const auto error = [&](const std::string& text) -> std::string {
+  const auto error_with = [&](const std::string& text, int threads) -> std::string {
     try {
-      compile_motion(read(text), field, 160, 120);
+      compile_motion(read(text), field, 160, 120, {}, threads);
     } catch (const FileError& e) {
       return e.what();
     }
     FAIL("no error for " << text);
     return {};
+  };
+  // What is wrong first is said, however many look.
+  const auto error = [&](const std::string& text) {
+    const std::string alone = error_with(text, 1);
+    CHECK(error_with(text, 4) == alone);
+    return alone;
   };
   CHECK_THAT(error(plane), Catch::Contains("does not move"));
   CHECK_THAT(error(plane + "motion: {}\n"), Catch::Contains("frame_rate_per_s"));

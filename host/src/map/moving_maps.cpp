@@ -4,8 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "horopter/base/error.hpp"
@@ -109,6 +114,38 @@ void check_thickness(const Watcher& watcher, const std::vector<SkinPoint>& place
                   object_mm, limits.images_per_s, largest_speed_m_s(across_mm, limits.images_per_s)));
 }
 
+/// `make(tools(), i)` for each i below `count`, in several threads that have tools of their own. The results do not depend
+/// on their number; what is thrown is what the smallest i throws.
+template <class Result, class Tools, class Make>
+std::vector<std::optional<Result>> in_threads(int threads, std::size_t count, const Tools& tools, const Make& make) {
+  std::vector<std::optional<Result>> results(count);
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::size_t failed = count;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    std::size_t i = 0;
+    try {
+      auto own = tools();
+      while ((i = next++) < count) results[i] = make(own, i);
+    } catch (...) {
+      next = count;  // those below i have been taken
+      const std::lock_guard lock(mutex);
+      if (failure && i >= failed) return;
+      failed = i;
+      failure = std::current_exception();
+    }
+  };
+  if (threads == 0) threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U));
+  {
+    std::vector<std::jthread> others;
+    for (int i = 1; i < threads && std::cmp_less(i, count); ++i) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+  return results;
+}
+
 }  // namespace
 
 std::size_t MovingMaps::step_of(std::size_t frame) const {
@@ -158,7 +195,7 @@ std::vector<double> plan_motion(const CameraPair& cameras, const MovingSurface& 
 }
 
 MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height,
-                          const ViewLimits& view) {
+                          const ViewLimits& view, int threads) {
   const auto* rig_skin = dynamic_cast<const RigSkin*>(skin.skin.get());
   if (rig_skin == nullptr || !skin.motion) {
     throw FileError(skin.path, "motion", "this skin does not move", "a surface with `motion`");
@@ -186,20 +223,26 @@ MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, i
   limits.largest_bytes = static_cast<std::size_t>(profile.pool_bytes) / 2;
   limits.view = view;
   const std::vector<ScanGeometry> scans = scans_of(profile, image_width, image_height);
-  std::vector<MapCompiler> compilers;
-  for (const ScanGeometry& scan : scans) compilers.emplace_back(cameras, profile, scan, limits);
-  RowReach reach;
-  for (std::size_t i = 0; i < times_s.size(); ++i) {
+  const auto compilers = [&] {
+    std::vector<MapCompiler> made;
+    for (const ScanGeometry& scan : scans) made.emplace_back(cameras, profile, scan, limits);
+    return made;
+  };
+  const auto table = [&](std::vector<MapCompiler>& with, std::size_t i) {
     try {
-      maps.steps.push_back({times_s[i], compilers[i % scans.size()].compile(*skin.motion->at(times_s[i]))});
+      return with[i % scans.size()].compile(*skin.motion->at(times_s[i]));
     } catch (const RowError& error) {
       throw FileError(skin.path, "motion", fmt::format("at {:.3f} s: {}", times_s[i], error.what()),
                       RowError::expected());
     } catch (const std::exception& error) {
       throw bad(fmt::format("at {:.3f} s: {}", times_s[i], error.what()));
     }
-    reach.ahead = std::max(reach.ahead, maps.steps.back().map.report.reach.ahead);
-    reach.behind = std::max(reach.behind, maps.steps.back().map.report.reach.behind);
+  };
+  RowReach reach;
+  for (auto& map : in_threads<CompiledMap>(threads, times_s.size(), compilers, table)) {
+    reach.ahead = std::max(reach.ahead, map->report.reach.ahead);
+    reach.behind = std::max(reach.behind, map->report.reach.behind);
+    maps.steps.push_back({times_s[maps.steps.size()], std::move(*map)});
   }
   const auto lookahead = lookahead_for(profile, reach);
   if (!lookahead) {

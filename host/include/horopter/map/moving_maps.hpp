@@ -39,8 +39,9 @@ struct MovingMaps {
 std::vector<double> plan_motion(const CameraPair& cameras, const MovingSurface& surface, const MotionLimits& limits,
                                 const MachineProfile& profile, int image_width, int image_height);
 
-/// Times and tables of a skin file with `motion`. Tables of two consecutive frames fit the pool. Throws FileError.
+/// Times and tables of a skin file with `motion`. Tables of two consecutive frames fit the pool. `threads` share them; 0: as
+/// many as there are processors, at most 8. Throws FileError.
 MovingMaps compile_motion(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height,
-                          const ViewLimits& view = {});
+                          const ViewLimits& view = {}, int threads = 0);
 
 }  // namespace horopter
