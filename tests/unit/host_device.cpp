@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -697,6 +698,8 @@ Monitor monitor_of(std::vector<Built::Change> changes, Decision decision = Decis
   return {std::make_unique<Built>(std::move(changes)), find_profile("vga"), settings};
 }
 
+constexpr std::chrono::milliseconds kNoFrames{50};  ///< none come to these machines
+
 /// One table of 520 bytes.
 MapSet small_maps(int shift) {
   MapTable table(ScanGeometry{kWidth, kHeight, Scan::progressive}, 3, 3);
@@ -801,13 +804,13 @@ TEST_CASE("A table without room beside the one in use is refused, or takes its p
     device.write(reg::map_slot::kAddress, device.read(reg::table_select::kAddress));
     return device.read(reg::map_crc::kAddress);
   };
-  CHECK_FALSE(load(device, build, small_maps(1), settings, false).stopped);  // it was not running
+  CHECK_FALSE(load(device, build, small_maps(1), settings, false, kNoFrames).stopped);  // it was not running
   CHECK(crc() == small_maps(1).maps[0].table.crc());
-  CHECK_THROWS_WITH(load(device, build, small_maps(2), settings, false),
+  CHECK_THROWS_WITH(load(device, build, small_maps(2), settings, false, kNoFrames),
                     Catch::Contains("--stop-first") && Catch::Contains("the table that was in use stays in use"));
   CHECK(crc() == small_maps(1).maps[0].table.crc());
   CHECK(reg::status::kRunning.get(device.read(reg::status::kAddress)) == 1);
-  CHECK(load(device, build, small_maps(2), settings, true).stopped);
+  CHECK(load(device, build, small_maps(2), settings, true, kNoFrames).stopped);
   CHECK(crc() == small_maps(2).maps[0].table.crc());
   CHECK(reg::status::kRunning.get(device.read(reg::status::kAddress)) == 1);
 }
@@ -818,10 +821,10 @@ TEST_CASE("An upload says whether the cameras can wait; without a word they can,
   Settings settings = Settings{}.without_proof();
   const auto mode = [&] { return device->read(reg::mode::kAddress); };
   const auto changes_mode = [&] {
-    const LoadReport report = load(*device, build, small_maps(1), settings, false);
+    const LoadReport report = load(*device, build, small_maps(1), settings, false, kNoFrames);
     return std::ranges::find(report.changed, "MODE") != report.changed.end() && report.stopped;
   };
-  load(*device, build, small_maps(1), settings, false);
+  load(*device, build, small_maps(1), settings, false, kNoFrames);
   CHECK_FALSE(read_status(*device).live());
   settings.live = true;
   CHECK(changes_mode());
@@ -838,7 +841,7 @@ TEST_CASE("An upload says whether the cameras can wait; without a word they can,
   device->write(reg::control::kAddress, 0);
   device->write(reg::mode::kAddress, reg::mode::kTestInput.put(1));
   CHECK(status_json(read_status(*device))["test_input"] == true);
-  load(*device, build, small_maps(1), settings, false);
+  load(*device, build, small_maps(1), settings, false, kNoFrames);
   CHECK(mode() == 0);
 }
 

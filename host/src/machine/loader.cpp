@@ -16,8 +16,6 @@ namespace {
 
 namespace reg = registers;
 
-constexpr auto kFrameTimeout = std::chrono::seconds(5);
-
 std::string upper_name(std::uint32_t address) {
   const auto found = std::ranges::find(reg::kRegisters, address, &reg::Register::address);
   std::string name(found->name);
@@ -81,8 +79,8 @@ void write_checked(Device& device, const RegisterWord& word) {
 }
 
 /// Whether a frame begins with the table while we wait for it.
-bool wait_for_table(Device& device, int slot) {
-  const auto end = std::chrono::steady_clock::now() + kFrameTimeout;
+bool wait_for_table(Device& device, int slot, std::chrono::milliseconds time) {
+  const auto end = std::chrono::steady_clock::now() + time;
   do {
     const auto active = reg::map_status::kActiveSlot.get(device.read(reg::map_status::kAddress));
     if (static_cast<int>(active) == slot) return true;
@@ -100,7 +98,8 @@ Settings settings_for(Settings settings, const MachineProfile& profile, const Ma
   return settings;
 }
 
-LoadReport load(Device& device, const Build& build, const MapSet& maps, const Settings& settings, bool stop_first) {
+LoadReport load(Device& device, const Build& build, const MapSet& maps, const Settings& settings, bool stop_first,
+                std::chrono::milliseconds frame_timeout) {
   check_rule(build, settings.decision);
   LoadReport report;
   bool running = is_running(device);
@@ -143,7 +142,7 @@ LoadReport load(Device& device, const Build& build, const MapSet& maps, const Se
           fmt::format("the machine refuses frames of {}x{} px with LOOKAHEAD {}; expected it to take them",
                       geometry.width, geometry.height, maps.lookahead()));
     }
-    report.active = wait_for_table(device, report.tables.front().slot);
+    report.active = wait_for_table(device, report.tables.front().slot, frame_timeout);
     return report;
   } catch (const DeviceError& error) {
     const char* state = !was_running && !report.stopped ? "the machine was not running, and is not started"

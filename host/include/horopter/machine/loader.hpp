@@ -2,6 +2,7 @@
 // Tables, settings and limits into a machine that may be watching people meanwhile.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -30,10 +31,12 @@ struct LoadReport {
 /// not safe): no frame is made by old settings and a new table, or the other way round. All is read back.
 ///
 /// `stop_first`: the machine is stopped before the tables, which may then take the place of the one in use.
+/// `frame_timeout`: so long it waits for a frame with the new table (LoadReport::active).
 ///
 /// Throws DeviceError: it tells whether the table that was in use still is, or the machine is stopped. UsageError where
 /// the build does not have the settings' rule. The maps must be of the build's profile.
-LoadReport load(Device& device, const Build& build, const MapSet& maps, const Settings& settings, bool stop_first);
+LoadReport load(Device& device, const Build& build, const MapSet& maps, const Settings& settings, bool stop_first,
+                std::chrono::milliseconds frame_timeout = std::chrono::seconds(5));
 
 /// `settings` with what the tables and their rig say of the proof.
 Settings settings_for(Settings settings, const MachineProfile& profile, const MapSet& maps);
