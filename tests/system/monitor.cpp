@@ -95,7 +95,7 @@ TEST_CASE("the hardware in simulation judges live cameras, too") {
   for (const std::string engine : {"native", "rtl"}) {
     CAPTURE(engine);
     box.write("cell.yaml", "name: test\nengine: " + engine + "\ncameras:\n" + kFiles +
-                               "  frames_per_s: " + (engine == "rtl" ? "0.7" : "2") +
+                               "  frames_per_s: " + (engine == "rtl" ? "0.25" : "2") +
                                "\nrig: rig.yaml\nskin: skin.yaml\nrestart: by_itself\nlimits: {decision_ms: 60000}\n");
     Running monitor = box.start();
     const json released = monitor.event("released");
