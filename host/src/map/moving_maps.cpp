@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -139,7 +140,10 @@ std::vector<std::optional<Result>> in_threads(int threads, std::size_t count, co
   if (threads == 0) threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U));
   {
     std::vector<std::jthread> others;
-    for (int i = 1; i < threads && std::cmp_less(i, count); ++i) others.emplace_back(work);
+    try {
+      for (int i = 1; i < threads && std::cmp_less(i, count); ++i) others.emplace_back(work);
+    } catch (const std::system_error&) {  // there are no more: fewer do
+    }
     work();
   }
   if (failure) std::rethrow_exception(failure);
