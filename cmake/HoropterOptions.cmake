@@ -16,10 +16,11 @@ if(HOROPTER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     ${HOROPTER_CCACHE})
 endif()
 
-# gold links in a fifth of the time of ld; binutils of Debian 12 has both. It warns of the address sanitizer's runtime.
-find_program(HOROPTER_GOLD ld.gold)
-if(HOROPTER_GOLD AND NOT HOROPTER_SANITIZE)
-  add_link_options(-fuse-ld=gold)
+# LLVM's linker takes a fifth of the time of GNU ld, which is where it is not.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=lld HOROPTER_LLD)
+if(HOROPTER_LLD)
+  add_link_options(-fuse-ld=lld)
 endif()
 
 # horopter_precompile(<target> <header>…): headers of other projects that most files of the target include. A target that

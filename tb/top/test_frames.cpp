@@ -626,7 +626,7 @@ void alarm_by_area(const std::string& profile, bool compete, unsigned width, uns
     base += static_cast<unsigned>(hls::table::read(tables[slot]).pool_words() / 2);
   }
   unsigned alarms = 0, close = 0;
-  for (unsigned n = 0; n < 12; ++n) {
+  for (unsigned n = 0; n < 8; ++n) {
     const unsigned slot = n * 3 % 4;
     CAPTURE(n, slot);
     const FramePair pair = random_pair(width, height, -6, rng);

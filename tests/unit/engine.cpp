@@ -83,7 +83,8 @@ std::vector<Frame> frames_of(const hls::Profile& profile, std::mt19937& random) 
         if (n == 3) frame.images = frames.back().images;  // frozen
         const double dx = n == 1 ? 3.4 : -0.625;
         const hls::table::Geometry geometry{width, height, 3, 3};
-        hls::table::Facts facts{.subsample = profile.subsample};
+        hls::table::Facts facts;
+        facts.subsample = profile.subsample;
         if (n != 2) facts.areas.resize(facts.area_count(geometry));
         for (std::uint8_t& code : facts.areas) code = static_cast<std::uint8_t>(random() & 0xFFU);
         frame.table = hls::table::write(geometry, facts, [&](int column, int row) {
@@ -250,9 +251,11 @@ TEST_CASE(
     for (std::uint8_t& pixel : one->pixels) pixel = static_cast<std::uint8_t>(64 + pixel / 2);
   }
   // Whole columns, so that interpolation rounds nothing.
-  const auto table =
-      hls::table::write({width, height, 3, 3}, {.subsample = engine->profile().subsample},
-                        [](int column, int row) { return hls::table::encode_control(column * 8 - 3, row * 8); });
+  hls::table::Facts facts;
+  facts.subsample = engine->profile().subsample;
+  const auto table = hls::table::write({width, height, 3, 3}, facts, [](int column, int row) {
+    return hls::table::encode_control(column * 8 - 3, row * 8);
+  });
   for (const bool compete : {false, true}) {
     if (compete && !engine->profile().has_compete()) continue;
     auto settings = native::Settings::defaults(engine->profile(), width, height).without_proof();
