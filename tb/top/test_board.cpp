@@ -98,8 +98,8 @@ TEST_CASE("board: a table takes close to the line's time", "[board]") {
   Board<Vboard_ulx3s> board;
   board.run(20'000);
   SerialDevice device(std::make_unique<BoardPort<Vboard_ulx3s>>(board), "board");
-  const MapTable table = displaced(3, {508, 254, Scan::even_field}, 2, 1);
-  REQUIRE(table.pool_bytes() == 64 * 1024);
+  const MapTable table = displaced(3, {252, 254, Scan::even_field}, 2, 1);
+  REQUIRE(table.pool_bytes() == 32 * 1024);
   const auto before = board.clocks();
   REQUIRE(upload_table(device, 1, 100, table, 0) == 0);
   const auto bytes = 4.0 * static_cast<double>(table.words().size());

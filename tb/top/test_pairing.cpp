@@ -466,7 +466,7 @@ unsigned sequences(unsigned short_run, unsigned long_run) {
 }
 
 TEST_CASE("random broken streams: never safe with images that do not belong together", "[pairing]") {
-  random_sequences<Vmachine_vga_thesis>("vga", sequences(300, 50'000));
+  random_sequences<Vmachine_vga_thesis>("vga", sequences(200, 50'000));
 }
 TEST_CASE("random broken streams: the registers of the fast build change nothing", "[pairing]") {
   random_sequences<Vhoropter_machine_hd>("hd", sequences(30, 1'000));
