@@ -238,7 +238,7 @@ TEST_CASE("engine: objects are those of one step a pixel") {
 
 TEST_CASE(
     "engine: a dim frame is that of both images with half of the contrast, and clear takes half as many votes again") {
-  constexpr int width = 320, height = 160;
+  const int width = 320, height = 160;
   const std::string profile = GENERATE("field", "vga", "hd");
   const auto engine = native::make_engine(profile);
   std::mt19937 random(29);
