@@ -86,6 +86,9 @@ TEST_CASE("Bad disparity files are refused") {
   CHECK_THAT(error_of(directory.write("cut.pfm", good.substr(0, good.size() - 1))), Catch::Contains("truncated"));
   CHECK_THAT(error_of(directory.write("cut.pgm", wide.substr(0, wide.size() - 1))), Catch::Contains("truncated"));
   CHECK_THAT(error_of(directory.write("header.pfm", "Pf\n2 x\n-1\n")), Catch::Contains("'x'"));
+  const std::string zeros("Pf\n2 2\0\n-1\n", 11);  // a number that ends in a byte 0
+  CHECK_THAT(error_of(directory.write("zeros.pfm", zeros + std::string(16, 'a'))),
+             Catch::Contains("in the PFM header"));
   CHECK_THAT(error_of(directory.write("size.pfm", "Pf\n2 -2\n-1\n")), Catch::Contains("-2"));
   CHECK_THAT(error_of(directory.write("none.pfm", pfm(1, 1, "-1", {-3}))), Catch::Contains("no pixel"));
   CHECK_THAT(error_of(directory / "colour.png"), Catch::Contains("3 samples"));

@@ -31,7 +31,7 @@ DisparityMap decode_pfm(std::span<const std::uint8_t> bytes, const std::string& 
   const auto word = [&] {
     while (at < bytes.size() && std::isspace(bytes[at]) != 0) ++at;
     std::string text;
-    while (at < bytes.size() && std::isspace(bytes[at]) == 0) text += static_cast<char>(bytes[at++]);
+    while (at < bytes.size() && std::isspace(bytes[at]) == 0 && bytes[at] != 0) text += static_cast<char>(bytes[at++]);
     return text;
   };
   const auto number = [&](const char* what) {
@@ -52,12 +52,13 @@ DisparityMap decode_pfm(std::span<const std::uint8_t> bytes, const std::string& 
     throw FileError(name, "byte 2", fmt::format("a size of {}x{}", width, height), "whole numbers of pixels");
   }
   DisparityMap map{static_cast<int>(width), static_cast<int>(height), {}};
-  map.px.resize(static_cast<std::size_t>(map.width) * map.height);
+  const std::size_t pixels = static_cast<std::size_t>(map.width) * map.height;
   ++at;
-  if (at > bytes.size() || bytes.size() - at < map.px.size() * 4) {
+  if (at > bytes.size() || bytes.size() - at < pixels * 4) {
     throw FileError(name, fmt::format("byte {}", bytes.size()), "the file is truncated",
-                    fmt::format("{} bytes of pixels from byte {}", map.px.size() * 4, at));
+                    fmt::format("{} bytes of pixels from byte {}", pixels * 4, at));
   }
+  map.px.resize(pixels);
   for (int y = map.height - 1; y >= 0; --y) {
     for (int x = 0; x < map.width; ++x, at += 4) {
       std::uint32_t bits = 0;
