@@ -301,6 +301,11 @@ TEST_CASE("study walk: which bodies are found, what fails first, and the same fo
                                                   Catch::Contains("LIGHT(compete, false, \"lamp switched\", "));
   CHECK_THAT(box.read("walk/walk.svg"), Catch::EndsWith("</svg>\n") && !Catch::Contains("nan"));
   CHECK(std::ranges::count(box.read("walk/crossings.csv"), '\n') == 1 + 16 * 4);
+  if (std::getenv("HOROPTER_LONG") != nullptr) {
+    REQUIRE(box.run(walk + std::vector<std::string>{"--out", "all-again"}).status == 0);
+    for (const char* file : {"summary.json", "crossings.csv", "disturbances.csv", "walk_table.def"})
+      CHECK(box.read(std::string("walk/") + file) == box.read(std::string("all-again/") + file));
+  }
   // Of a hand's bodies alone: the machines that were taught, one limit, no disturbances, no table.
   for (const char* folder : {"hands", "again"})
     REQUIRE(box.run(walk + std::vector<std::string>{"--hands", "--less-light", "--out", folder}).status == 0);
