@@ -144,6 +144,7 @@ struct ImageHealth {
   bool white = false;
   bool constant = false;
   bool frozen = false;
+  bool torn = false;
   bool blind = false;
   friend bool operator==(const ImageHealth&, const ImageHealth&) = default;
 
@@ -315,12 +316,12 @@ class Pipeline {
   [[gnu::flatten]] void examine(const ImageView& left, const ImageView& right, FrameResult& result) {
     Borrowed left_health(left_health_);
     Borrowed right_health(right_health_);
-    const auto feed = [&](std::uint8_t l, std::uint8_t r, bool first, bool end) {
-      const OutOf<Health> of_left = left_health->step({l, first, end}, health_config_);
-      const OutOf<Health> of_right = right_health->step({r, first, end}, health_config_);
+    const auto feed = [&](std::uint8_t l, std::uint8_t r, bool first, bool last, bool end) {
+      const OutOf<Health> of_left = left_health->step({l, first, end, last}, health_config_);
+      const OutOf<Health> of_right = right_health->step({r, first, end, last}, health_config_);
       if (end) {
-        result.left = {of_left.black, of_left.white, of_left.constant, of_left.frozen, false};
-        result.right = {of_right.black, of_right.white, of_right.constant, of_right.frozen, false};
+        result.left = {of_left.black, of_left.white, of_left.constant, of_left.frozen, of_left.torn, false};
+        result.right = {of_right.black, of_right.white, of_right.constant, of_right.frozen, of_right.torn, false};
         result.identical_images = of_left.signature == of_right.signature;
       }
     };
@@ -329,10 +330,10 @@ class Pipeline {
       const std::uint8_t* l = left.pixels + y * left.stride;
       const std::uint8_t* r = right.pixels + y * right.stride;
       const int begin = y == 0 ? 1 : 0;
-      const int end = width_ - (y == last_row ? 1 : 0);
-      if (y == 0) feed(l[0], r[0], true, false);
-      for (int x = begin; x < end; ++x) feed(l[x], r[x], false, false);
-      if (y == last_row) feed(l[width_ - 1], r[width_ - 1], false, true);
+      const int end = width_ - 1;
+      if (y == 0) feed(l[0], r[0], true, false, false);
+      for (int x = begin; x < end; ++x) feed(l[x], r[x], false, false, false);
+      feed(l[end], r[end], false, true, y == last_row);
     }
   }
 

@@ -70,7 +70,7 @@ module horopter_camera_input #(
     output horopter_csr_pkg::stream_faults_t stream_o,
     output logic                             health_end_o,
     output logic                             health_valid_o,
-    output horopter_csr_pkg::image_faults_t  health_o,
+    output horopter_csr_pkg::health_t        health_o,
     output logic [                     31:0] signature_o,
     // the means of its cells
     output logic                             cell_valid_o,
@@ -186,6 +186,7 @@ module horopter_camera_input #(
       .pixel_i(write_pixel_o),
       .first_i(write_first),
       .end_v_i(write_end),
+      .last_i(row_done_o),
       .cfg_dark_level_i(black_level_i),
       .cfg_bright_level_i(white_level_i),
       .cfg_dark_limit_i(black_limit_i),
@@ -193,10 +194,11 @@ module horopter_camera_input #(
       .cfg_contrast_limit_i(constant_limit_i),
       .cfg_frozen_limit_i(frozen_limit_i),
       .valid_o(health_valid_o),
-      .black_o(health_o.black),
-      .white_o(health_o.white),
-      .constant_o(health_o.constant),
-      .frozen_o(health_o.frozen),
+      .black_o(health_o.image.black),
+      .white_o(health_o.image.white),
+      .constant_o(health_o.image.constant),
+      .frozen_o(health_o.image.frozen),
+      .torn_o(health_o.torn),
       .signature_o(signature_o)
   );
 

@@ -100,15 +100,15 @@ module horopter_csr #(
     input  logic [14:0] map_valid_slots_i,
     input  logic [31:0] map_crc_value_i,
     output logic [23:0] map_undecidable_limit_pixels_o,
-    input  logic [25:0] faults_cameras_set_i,
-    output logic [25:0] faults_cameras_o,
+    input  logic [27:0] faults_cameras_set_i,
+    output logic [27:0] faults_cameras_o,
     input  logic [20:0] faults_machine_set_i,
     output logic [20:0] faults_machine_o,
     input  logic [15:0] map_extent_base_word64_i,
     input  logic [15:0] map_extent_end_word64_i,
     input  logic [31:0] frame_sequence_value_i,
     input  logic [ 6:0] frame_status_i,
-    input  logic [25:0] frame_faults_cameras_i,
+    input  logic [27:0] frame_faults_cameras_i,
     input  logic [31:0] frame_table_crc_value_i,
     input  logic [23:0] frame_skin_pixels_i,
     input  logic [23:0] frame_undecidable_pixels_i,
@@ -1020,11 +1020,11 @@ module horopter_csr #(
   assign irq_status_o = irq_status_q;
 
   // FAULTS_CAMERAS: Every fault of the cameras since it was last cleared; a written 1 clears. safe_o does not depend on this register.
-  logic [25:0] faults_cameras_q;
+  logic [27:0] faults_cameras_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) faults_cameras_q <= 26'd0;
+    if (!rst_ni) faults_cameras_q <= 28'd0;
     else if (write_q && write_group_q[5] && write_word_q[0])
-      faults_cameras_q <= (faults_cameras_q & ~({write_data_i[28:16], write_data_i[12:0]} & {{5{write_strb_i[3]}}, {8{write_strb_i[2]}}, {5{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_cameras_set_i;
+      faults_cameras_q <= (faults_cameras_q & ~({write_data_i[29:16], write_data_i[13:0]} & {{6{write_strb_i[3]}}, {8{write_strb_i[2]}}, {6{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_cameras_set_i;
     else faults_cameras_q <= faults_cameras_q | faults_cameras_set_i;
   end
   assign faults_cameras_o = faults_cameras_q;
@@ -1082,7 +1082,7 @@ module horopter_csr #(
     if (wanted_q[0])
       case (word_q)
         3'h0: group_00_q <= 32'h484F524F;
-        3'h1: group_00_q <= {16'h2, 16'h6};
+        3'h1: group_00_q <= {16'h2, 16'h7};
         3'h2: group_00_q <= {build_size_height_i, build_size_width_i};
         3'h3: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
         3'h4: group_00_q <= {1'd0, build_window_blind_i, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
@@ -1144,7 +1144,7 @@ module horopter_csr #(
     group_07_q <= 32'd0;
     if (wanted_q[6])
       case (word_q)
-        3'h0: group_07_q <= {3'd0, faults_cameras_q[25:13], 3'd0, faults_cameras_q[12:0]};
+        3'h0: group_07_q <= {2'd0, faults_cameras_q[27:14], 2'd0, faults_cameras_q[13:0]};
         3'h1: group_07_q <= {11'd0, faults_machine_q};
         default: group_07_q <= {map_extent_end_word64_i, map_extent_base_word64_i};
       endcase
@@ -1153,7 +1153,7 @@ module horopter_csr #(
       case (word_q)
         3'h0: group_08_q <= frame_sequence_value_i;
         3'h1: group_08_q <= {25'd0, frame_status_i};
-        3'h2: group_08_q <= {3'd0, frame_faults_cameras_i[25:13], 3'd0, frame_faults_cameras_i[12:0]};
+        3'h2: group_08_q <= {2'd0, frame_faults_cameras_i[27:14], 2'd0, frame_faults_cameras_i[13:0]};
         3'h3: group_08_q <= frame_table_crc_value_i;
         3'h4: group_08_q <= {8'd0, frame_skin_pixels_i};
         3'h5: group_08_q <= {8'd0, frame_undecidable_pixels_i};

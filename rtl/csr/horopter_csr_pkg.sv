@@ -28,6 +28,12 @@ package horopter_csr_pkg;
   } image_faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic torn;
+    image_faults_t image;
+  } health_t;
+
+  typedef struct packed {  // from the highest bit
+    logic torn;
     logic unsharp;
     logic blind;
     logic parity;

@@ -25,8 +25,8 @@ module horopter_frame_control (
     input  logic              arrived_i,
     input  logic [       1:0] health_end_i,  // last pixel of a camera's frame goes to its image check
     input  logic [       1:0] health_valid_i,
-    input  horopter_csr_pkg::image_faults_t left_health_i,
-    input  horopter_csr_pkg::image_faults_t right_health_i,
+    input  horopter_csr_pkg::health_t left_health_i,
+    input  horopter_csr_pkg::health_t right_health_i,
     input  logic              same_image_i,  // the images last checked are the same
     input  horopter_csr_pkg::stream_faults_t left_stream_i,
     input  horopter_csr_pkg::stream_faults_t right_stream_i,
@@ -123,8 +123,10 @@ module horopter_frame_control (
       arriving_q.left.stream <= left_stream_i;
       arriving_q.right.stream <= right_stream_i;
       arriving_q.machine.skew <= skew_i;
-      if (health_valid_i[0]) left_health_q.left.image <= left_health_i;
-      if (health_valid_i[1]) right_health_q.right.image <= right_health_i;
+      if (health_valid_i[0]) left_health_q.left.image <= left_health_i.image;
+      if (health_valid_i[0]) left_health_q.left.torn <= left_health_i.torn;
+      if (health_valid_i[1]) right_health_q.right.image <= right_health_i.image;
+      if (health_valid_i[1]) right_health_q.right.torn <= right_health_i.torn;
       // Told with the second of the two.
       left_health_q.machine.identical_images <= health_valid_i[0] && same_image_i && right_checked_q[left_slot_q];
       right_health_q.machine.identical_images <= health_valid_i[1] && same_image_i && (left_checked_q[right_slot_q] || health_valid_i[0]);
@@ -133,8 +135,8 @@ module horopter_frame_control (
       judged_q.right.blind <= judged_i && blind_i[1] && !empty_q[1];
       judged_q.left.image.frozen <= judged_i && still_i[0];
       judged_q.right.image.frozen <= judged_i && still_i[1];
-      if (health_valid_i[0]) empty_q[0] <= left_health_i.black || left_health_i.white || left_health_i.constant;
-      if (health_valid_i[1]) empty_q[1] <= right_health_i.black || right_health_i.white || right_health_i.constant;
+      if (health_valid_i[0]) empty_q[0] <= left_health_i.image.black || left_health_i.image.white || left_health_i.image.constant;
+      if (health_valid_i[1]) empty_q[1] <= right_health_i.image.black || right_health_i.image.white || right_health_i.image.constant;
       outgoing_q.left.parity <= parity_error_i[0];
       outgoing_q.right.parity <= parity_error_i[1];
       outgoing_q.machine.store_miss <= miss_i;

@@ -38,8 +38,8 @@ module horopter_status #(
     input  logic                             arrived_i,
     input  logic [1:0]                       health_end_i,  // last pixel of a camera's frame goes to its image check
     input  logic [1:0]                       health_valid_i,
-    input  horopter_csr_pkg::image_faults_t  left_health_i,
-    input  horopter_csr_pkg::image_faults_t  right_health_i,
+    input  horopter_csr_pkg::health_t  left_health_i,
+    input  horopter_csr_pkg::health_t  right_health_i,
     input  logic [31:0]                      left_signature_i,
     input  logic [31:0]                      right_signature_i,
     input  logic                             judged_i,  // the check of both images

@@ -462,7 +462,7 @@ module horopter_top #(
   logic [LEFT_BITS-1:0] left_slot, left_write_slot;
   logic [RING_BITS-1:0] right_slot, right_write_slot;
   horopter_csr_pkg::stream_faults_t left_stream, right_stream;
-  horopter_csr_pkg::image_faults_t left_health, right_health;
+  horopter_csr_pkg::health_t left_health, right_health;
   logic [31:0] left_signature, right_signature;
   logic [1:0] cell_valid, cell_start, blind, still;
   logic [7:0] left_cell_mean, right_cell_mean;

@@ -243,6 +243,13 @@ std::set<std::string> faults_of_small_frames() {
       machine.send(first);
       machine.send(second);
     });
+    bench.raise(side + "_torn", [&] {
+      FramePair pair = bench.scene();
+      std::vector<std::uint8_t>& pixels = (left ? pair.left : pair.right).pixels;
+      for (std::size_t i = 2 * std::size_t{kWidth}; i < pixels.size(); ++i)
+        pixels[i] = pixels[i - 2 * std::size_t{kWidth}];
+      machine.send(pair);
+    });
   }
   bench.raise("skew", [&] {
     bench.send_scene({Kind::short_line, 20, 3});

@@ -232,7 +232,7 @@ TEST_CASE("study earned: every disturbance of a board has its line, and none of 
   REQUIRE(harder.status == 0);
   const json lines = json::parse(harder.out)["lines"];
   CHECK(std::ranges::count_if(lines, [](const json& line) { return !line["harmless"].get<bool>(); }) ==
-        2 * (2 * 24 + 10));
+        2 * (2 * 30 + 11));
   const std::string rows = box.read("harder/runs.csv");
   CHECK(std::ranges::count(rows, ',') % std::ranges::count(rows, '\n') == 0);
 }

@@ -656,6 +656,52 @@ TEST_CASE("health: black, white, constant and frozen images", "[stages]") {
   REQUIRE(frame(same).signature != first.signature);
 }
 
+TEST_CASE("health: rows of two moments in turn are torn, whatever their contrast; scenes and noise are not",
+          "[stages]") {
+  using Stage = CameraHealth<256, 96>;
+  Stage stage;
+  Stage::Config config;
+  config.dark_limit = config.bright_limit = 256 * 96;
+  std::mt19937 random(23);
+  const auto frame = [&](int width, int height, auto&& pixel) {
+    Stage::Out result;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        Stage::In in;
+        in.pixel = pixel(x, y);
+        in.first = x == 0 && y == 0;
+        in.last = x == width - 1;
+        in.end = in.last && y == height - 1;
+        result = stage.step(in, config);
+      }
+    REQUIRE(result.valid);
+    return result.torn;
+  };
+  const auto scene = [](int x, int y) {
+    return 128 + 100 * std::sin(0.13 * x + 0.05 * y) * std::cos(0.02 * x - 0.11 * y);
+  };
+  const auto noise = [&](int sigma) { return std::normal_distribution<>(0, sigma)(random); };
+  for (const int contrast : {1, 4, 16}) {
+    CAPTURE(contrast);
+    const auto seen = [&](int x, int y) { return static_cast<int>(128 + (scene(x, y) - 128) / contrast); };
+    CHECK(!frame(256, 96, seen));
+    for (const int shift : {4, -8, 20}) CHECK(frame(256, 96, [&](int x, int y) { return seen(x + y % 2 * shift, y); }));
+  }
+  for (const int sigma : {1, 5, 20}) {
+    CAPTURE(sigma);
+    const auto noisy = [&](double grey) { return std::clamp(static_cast<int>(grey + noise(sigma)), 0, 255); };
+    for (int repeat = 0; repeat < 10; ++repeat) {
+      CHECK(!frame(256, 96, [&](int, int) { return noisy(128); }));
+      CHECK(!frame(64, 32, [&](int, int) { return noisy(128); }));
+      CHECK(!frame(256, 96, [&](int x, int y) { return noisy(scene(x, y)); }));
+      CHECK(frame(256, 96, [&](int x, int y) { return noisy(scene(x + y % 2 * 20, y)); }));
+    }
+  }
+  // Rows that alternate in a third of the image; below it and beside it nothing.
+  CHECK(frame(256, 96, [](int, int y) { return y < 32 && y % 2 == 1 ? 200 : 100; }));
+  CHECK(!frame(256, 96, [](int, int) { return 100; }));
+}
+
 TEST_CASE("cells: the means of squares, of what fills one", "[stages]") {
   std::mt19937 random(22);
   CellMeans<64, 8> stage;

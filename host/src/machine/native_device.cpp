@@ -487,11 +487,13 @@ FrameStreams NativeDevice::receive() {
   add(result.left.constant, Fault::left_constant);
   add(result.left.frozen, Fault::left_frozen);
   add(result.left.blind, Fault::left_blind);
+  add(result.left.torn, Fault::left_torn);
   add(result.right.black, Fault::right_black);
   add(result.right.white, Fault::right_white);
   add(result.right.constant, Fault::right_constant);
   add(result.right.frozen, Fault::right_frozen);
   add(result.right.blind, Fault::right_blind);
+  add(result.right.torn, Fault::right_torn);
   add(result.store_misses > 0, Fault::store_miss);
   add(table == nullptr, Fault::no_table);
   add(result.too_undecidable, Fault::too_undecidable);

@@ -28,6 +28,18 @@ Mat in_columns(const Mat& image, const Mat& other, const std::function<bool(int)
   return result;
 }
 
+/// Each row as if the camera had looked so far to the right, in px.
+Mat rows_aside(const Mat& image, const std::function<int(int y)>& aside_px) {
+  Mat result = image.clone();
+  for (int y = 0; y < image.rows; ++y) {
+    const int shift = aside_px(y);
+    const int width = image.cols - std::abs(shift);
+    const cv::Rect from(std::max(shift, 0), y, width, 1), to(std::max(-shift, 0), y, width, 1);
+    image(from).copyTo(result(to));
+  }
+  return result;
+}
+
 Mat moving(const Mat& image, const cv::Size& way_px) {
   Mat result;
   cv::blur(image, result, way_px);
@@ -101,12 +113,30 @@ std::vector<Change> harder_changes() {
       {"another scene reflected", [](Images i, Images o) { return Mat(0.5 * i + 0.5 * o); }},
       {"every 8th column black",
        [](Images i, Images) { return in_columns(i, flat(i, 0), [](int x) { return x % 8 == 0; }); }, kNoise, true},
-      {"every 2nd row 8 px aside",
+      {"every 2nd row 8 px aside", [](Images i, Images) { return rows_aside(i, [](int y) { return y % 2 * 8; }); }},
+      {"every 2nd row 3 px aside", [](Images i, Images) { return rows_aside(i, [](int y) { return y % 2 * 3; }); }},
+      {"every 2nd pair of rows 8 px aside",
+       [](Images i, Images) { return rows_aside(i, [](int y) { return y / 2 % 2 * 8; }); }},
+      {"each row up to 8 px aside",
        [](Images i, Images) {
+         cv::RNG random(7);
+         return rows_aside(i, [&](int) { return random.uniform(-8, 9); });
+       }},
+      {"lower half 8 px aside",
+       [](Images i, Images) { return rows_aside(i, [&](int y) { return y < i.rows / 2 ? 0 : 8; }); }},
+      {"every 2nd row of another scene",
+       [](Images i, Images o) {
          Mat result = i.clone();
-         for (int y = 1; y < i.rows; y += 2) i.row(y).colRange(8, i.cols).copyTo(result.row(y).colRange(0, i.cols - 8));
+         for (int y = 1; y < i.rows; y += 2) o.row(y).copyTo(result.row(y));
          return result;
        }},
+      {"every 2nd row twice",
+       [](Images i, Images) {
+         Mat result = i.clone();
+         for (int y = 1; y < i.rows; y += 2) i.row(y - 1).copyTo(result.row(y));
+         return result;
+       },
+       kNoise, true},
       {"moving by 21 px along the row", [](Images i, Images) { return moving(i, {21, 1}); }, kNoise, true},
       {"moving by 21 px down", [](Images i, Images) { return moving(i, {1, 21}); }, kNoise, true},
       {"blocks of 8 px", [](Images i, Images) { return in_blocks(i, 8); }, kNoise, true},

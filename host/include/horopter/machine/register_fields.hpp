@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 255> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 259> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -113,6 +113,7 @@ inline constexpr std::array<RegisterField, 255> kRegisterFields = {{
     {0x0E0, "left_parity", {10, 1}, "A bit of the left image's memory fell over."},
     {0x0E0, "left_blind", {11, 1}, "The left image has too little contrast for a scene (BLIND_SHARE), as a whole or in a quarter of its columns or rows: a covered or fogged lens, tape, darkness, glare."},
     {0x0E0, "left_unsharp", {12, 1}, "The left image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has less than a quarter of its contrast."},
+    {0x0E0, "left_torn", {13, 1}, "The rows of the left image are of two moments in turn: each is more like the row above the last one than like the last one. An interlaced image of what moves, a transfer that mixes frames, or an image of a camera with colour filters that was not converted."},
     {0x0E0, "right_short_line", {16, 1}, "A line of the right camera ended early; the whole row counts as missing."},
     {0x0E0, "right_long_line", {17, 1}, "A line of the right camera had too many pixels; the whole row counts as missing."},
     {0x0E0, "right_missing_line", {18, 1}, "The right camera's start of frame, or in live mode a pause of four line lengths, came before the last line; the rows that did not come count as missing."},
@@ -126,6 +127,7 @@ inline constexpr std::array<RegisterField, 255> kRegisterFields = {{
     {0x0E0, "right_parity", {26, 1}, "A bit of the right image's memory fell over."},
     {0x0E0, "right_blind", {27, 1}, "The right image has too little contrast for a scene (BLIND_SHARE), as a whole or in a quarter of its columns or rows: a covered or fogged lens, tape, darkness, glare."},
     {0x0E0, "right_unsharp", {28, 1}, "The right image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has less than a quarter of its contrast."},
+    {0x0E0, "right_torn", {29, 1}, "The rows of the right image are of two moments in turn: each is more like the row above the last one than like the last one. An interlaced image of what moves, a transfer that mixes frames, or an image of a camera with colour filters that was not converted."},
     {0x0E4, "skew", {0, 1}, "Live mode: the cameras are more than 64 px apart, or one missed a frame. Without: a frame was broken or a camera silent before, so that it is in doubt which images belong together; until CONTROL.enable has been 0."},
     {0x0E4, "store_miss", {1, 1}, "The map wants a source row that the ring does not hold."},
     {0x0E4, "no_table", {2, 1}, "No valid table of this geometry in the selected slot."},
@@ -167,6 +169,7 @@ inline constexpr std::array<RegisterField, 255> kRegisterFields = {{
     {0x108, "left_parity", {10, 1}, "A bit of the left image's memory fell over."},
     {0x108, "left_blind", {11, 1}, "The left image has too little contrast for a scene (BLIND_SHARE), as a whole or in a quarter of its columns or rows: a covered or fogged lens, tape, darkness, glare."},
     {0x108, "left_unsharp", {12, 1}, "The left image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has less than a quarter of its contrast."},
+    {0x108, "left_torn", {13, 1}, "The rows of the left image are of two moments in turn: each is more like the row above the last one than like the last one. An interlaced image of what moves, a transfer that mixes frames, or an image of a camera with colour filters that was not converted."},
     {0x108, "right_short_line", {16, 1}, "A line of the right camera ended early; the whole row counts as missing."},
     {0x108, "right_long_line", {17, 1}, "A line of the right camera had too many pixels; the whole row counts as missing."},
     {0x108, "right_missing_line", {18, 1}, "The right camera's start of frame, or in live mode a pause of four line lengths, came before the last line; the rows that did not come count as missing."},
@@ -180,6 +183,7 @@ inline constexpr std::array<RegisterField, 255> kRegisterFields = {{
     {0x108, "right_parity", {26, 1}, "A bit of the right image's memory fell over."},
     {0x108, "right_blind", {27, 1}, "The right image has too little contrast for a scene (BLIND_SHARE), as a whole or in a quarter of its columns or rows: a covered or fogged lens, tape, darkness, glare."},
     {0x108, "right_unsharp", {28, 1}, "The right image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has less than a quarter of its contrast."},
+    {0x108, "right_torn", {29, 1}, "The rows of the right image are of two moments in turn: each is more like the row above the last one than like the last one. An interlaced image of what moves, a transfer that mixes frames, or an image of a camera with colour filters that was not converted."},
     {0x10C, "value", {0, 32}, "CRC-32; 0 without a table."},
     {0x110, "pixels", {0, 24}, "Pixels of the result."},
     {0x114, "pixels", {0, 24}, "Pixels of the result."},

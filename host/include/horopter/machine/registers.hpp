@@ -47,7 +47,7 @@ inline constexpr std::uint32_t kAddress = 0x004;
 inline constexpr Access kAccess = Access::kReadOnly;
 /// Counts compatible additions.
 inline constexpr Field kMinor{0, 16};
-inline constexpr std::uint32_t kMinorValue = 0x6;
+inline constexpr std::uint32_t kMinorValue = 0x7;
 /// Counts incompatible changes.
 inline constexpr Field kMajor{16, 16};
 inline constexpr std::uint32_t kMajorValue = 0x2;
@@ -506,6 +506,10 @@ inline constexpr Field kLeftBlind{11, 1};
 /// The left image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
 /// less than a quarter of its contrast.
 inline constexpr Field kLeftUnsharp{12, 1};
+/// The rows of the left image are of two moments in turn: each is more like the row above the last one than like the
+/// last one. An interlaced image of what moves, a transfer that mixes frames, or an image of a camera with colour
+/// filters that was not converted.
+inline constexpr Field kLeftTorn{13, 1};
 /// A line of the right camera ended early; the whole row counts as missing.
 inline constexpr Field kRightShortLine{16, 1};
 /// A line of the right camera had too many pixels; the whole row counts as missing.
@@ -536,6 +540,10 @@ inline constexpr Field kRightBlind{27, 1};
 /// The right image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
 /// less than a quarter of its contrast.
 inline constexpr Field kRightUnsharp{28, 1};
+/// The rows of the right image are of two moments in turn: each is more like the row above the last one than like the
+/// last one. An interlaced image of what moves, a transfer that mixes frames, or an image of a camera with colour
+/// filters that was not converted.
+inline constexpr Field kRightTorn{29, 1};
 }  // namespace faults_cameras
 
 /// The same for faults of both cameras together, of tables and of the machine.
@@ -665,6 +673,10 @@ inline constexpr Field kLeftBlind{11, 1};
 /// The left image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
 /// less than a quarter of its contrast.
 inline constexpr Field kLeftUnsharp{12, 1};
+/// The rows of the left image are of two moments in turn: each is more like the row above the last one than like the
+/// last one. An interlaced image of what moves, a transfer that mixes frames, or an image of a camera with colour
+/// filters that was not converted.
+inline constexpr Field kLeftTorn{13, 1};
 /// A line of the right camera ended early; the whole row counts as missing.
 inline constexpr Field kRightShortLine{16, 1};
 /// A line of the right camera had too many pixels; the whole row counts as missing.
@@ -695,6 +707,10 @@ inline constexpr Field kRightBlind{27, 1};
 /// The right image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
 /// less than a quarter of its contrast.
 inline constexpr Field kRightUnsharp{28, 1};
+/// The rows of the right image are of two moments in turn: each is more like the row above the last one than like the
+/// last one. An interlaced image of what moves, a transfer that mixes frames, or an image of a camera with colour
+/// filters that was not converted.
+inline constexpr Field kRightTorn{29, 1};
 }  // namespace frame_faults_cameras
 
 /// CRC-32 of the table that made it.
@@ -1203,6 +1219,7 @@ enum class Fault : std::uint8_t {
   left_parity = 10,
   left_blind = 11,
   left_unsharp = 12,
+  left_torn = 13,
   right_short_line = 16,
   right_long_line = 17,
   right_missing_line = 18,
@@ -1216,6 +1233,7 @@ enum class Fault : std::uint8_t {
   right_parity = 26,
   right_blind = 27,
   right_unsharp = 28,
+  right_torn = 29,
   skew = 32,
   store_miss = 33,
   no_table = 34,
@@ -1244,7 +1262,7 @@ struct NamedFault {
   std::string_view name;
 };
 
-inline constexpr std::array<NamedFault, 47> kFaults = {{
+inline constexpr std::array<NamedFault, 49> kFaults = {{
     {Fault::left_short_line, "left_short_line"},
     {Fault::left_long_line, "left_long_line"},
     {Fault::left_missing_line, "left_missing_line"},
@@ -1258,6 +1276,7 @@ inline constexpr std::array<NamedFault, 47> kFaults = {{
     {Fault::left_parity, "left_parity"},
     {Fault::left_blind, "left_blind"},
     {Fault::left_unsharp, "left_unsharp"},
+    {Fault::left_torn, "left_torn"},
     {Fault::right_short_line, "right_short_line"},
     {Fault::right_long_line, "right_long_line"},
     {Fault::right_missing_line, "right_missing_line"},
@@ -1271,6 +1290,7 @@ inline constexpr std::array<NamedFault, 47> kFaults = {{
     {Fault::right_parity, "right_parity"},
     {Fault::right_blind, "right_blind"},
     {Fault::right_unsharp, "right_unsharp"},
+    {Fault::right_torn, "right_torn"},
     {Fault::skew, "skew"},
     {Fault::store_miss, "store_miss"},
     {Fault::no_table, "no_table"},
