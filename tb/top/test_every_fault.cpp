@@ -246,8 +246,7 @@ std::set<std::string> faults_of_small_frames() {
     bench.raise(side + "_torn", [&] {
       FramePair pair = bench.scene();
       std::vector<std::uint8_t>& pixels = (left ? pair.left : pair.right).pixels;
-      for (std::size_t i = 2 * std::size_t{kWidth}; i < pixels.size(); ++i)
-        pixels[i] = pixels[i - 2 * std::size_t{kWidth}];
+      for (std::size_t i = kWidth; i < pixels.size(); ++i) pixels[i] = pixels[i - kWidth] ^ 0x80U;
       machine.send(pair);
     });
   }

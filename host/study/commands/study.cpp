@@ -121,6 +121,17 @@ void add_walk_options(CLI::App& command, StudyScope& scope) {
   only(command.add_option("--engine", scope.engine, "Engine")->capture_default_str(), engine_names());
 }
 
+void add_late_options(CLI::App& command, StudyScope& scope) {
+  add_data_option(command, scope, "Directory with the photographs of opencv-doc");
+  command
+      .add_option("--crossings", scope.crossings,
+                  "Runs of each way (along the row, aslant, across) before each photograph")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100'000))
+      ->type_name("N");
+  only(command.add_option("--engine", scope.engine, "Engine")->capture_default_str(), engine_names());
+}
+
 }  // namespace
 
 const std::vector<NamedStudy>& studies() {
@@ -192,7 +203,7 @@ void add_study(CLI::App& app, Outcome& outcome) {
     if (named.run == study_cost)
       one->add_flag("--times", scope->times, "Also the milliseconds of each criterion on this machine");
   }
-  add("all", "All of these (not board, decision, earned and walk), with a page of every figure and STUDY.md",
+  add("all", "All of these (not board, decision, earned, walk and late), with a page of every figure and STUDY.md",
       [](const StudyOptions& options) { return study_all(options.out, options.scope); });
   const auto [board, of_board] =
       add_one("board", "A skin in mm on photographs of a chessboard, calibrated on the others, moved through the board",
@@ -208,6 +219,9 @@ void add_study(CLI::App& app, Outcome& outcome) {
       "walk", "Test bodies cross the skin before photographs: which are found, how soon; and false alarms without them",
       study_walk);
   add_walk_options(*walk, *of_walk);
+  const auto [late, of_late] =
+      add_one("late", "One camera a frame late, while a large thing moves: how many frames are safe", study_late);
+  add_late_options(*late, *of_late);
 }
 
 }  // namespace horopter::cli

@@ -39,7 +39,7 @@ struct StudyScope {
 
 using Study = void (*)(StudyReport&, const StudyScope&);
 
-// What each of them measures stands beside its name in studies(); of the last four, where their options are.
+// What each of them measures stands beside its name in studies(); of the last five, where their options are.
 void study_edges(StudyReport& report, const StudyScope& scope);
 void study_calibration(StudyReport& report, const StudyScope& scope);
 void study_sampling(StudyReport& report, const StudyScope& scope);
@@ -61,6 +61,7 @@ void study_board(StudyReport& report, const StudyScope& scope);
 void study_decision(StudyReport& report, const StudyScope& scope);
 void study_earned(StudyReport& report, const StudyScope& scope);
 void study_walk(StudyReport& report, const StudyScope& scope);
+void study_late(StudyReport& report, const StudyScope& scope);
 
 struct NamedStudy {
   const char* name;

@@ -8,7 +8,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -24,9 +23,9 @@
 #include "horopter/machine/engines.hpp"
 #include "horopter/machine/monitor.hpp"
 #include "horopter/map/map_compiler.hpp"
-#include "horopter/plan/plan_rig.hpp"
 #include "horopter/study/parallel.hpp"
 #include "horopter/study/scene.hpp"
+#include "photographs.hpp"
 #include "study.hpp"
 
 namespace horopter::cli {
@@ -36,10 +35,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using study::Coat;
 
-constexpr double kSkin_mm = 800;  ///< distance of the skin, a plane across the axis of symmetry
 constexpr double kImages_per_s = 60;
-constexpr double kNoise_grey = 1.5;
-constexpr double kExposure = 0.8;  ///< of the photographs: white is not at the limit, and may become brighter
 constexpr int kTeaching = 12;      ///< pairs
 constexpr int kSoon = 3;           ///< frames within which a body is to be found
 constexpr double kEnough = 0.999;  ///< share of the bodies that is to be found so
@@ -47,13 +43,6 @@ constexpr double kFewAlarms = 1;   ///< an hour
 constexpr double kRod_mm = 150;    ///< length of the rods
 constexpr double kHand_mm = 40;    ///< the rod that kEnough is asked of
 constexpr double kFastest_m_s = 1.6;
-
-/// Photographs of opencv-doc that fill an image.
-constexpr std::array kPhotographs{"aloeL.jpg",  "graf1.png",        "leuvenA.jpg",  "fruits.jpg",
-                                  "baboon.jpg", "rubberwhale1.png", "building.jpg", "home.jpg"};
-
-/// Table 11.1, its sensor in 640 columns.
-constexpr RigDesign kRig{10, 8.5 * 756 / 640, 640, 480, 152, 4};
 
 struct BodyKind {
   std::string name;
@@ -142,12 +131,7 @@ Walk prepare(const StudyScope& scope) {
   const double axis_mm = (Vector3d(0, 0, kSkin_mm) - cameras.left().world_to_camera.centre()).norm();
   sized.object_px = kRig.f_px() * kHand_mm / axis_mm;
   walk.limits.push_back({fmt::format("{:g} mm", kHand_mm), object_limit(sized, profile)});
-  for (const char* name : kPhotographs) {
-    if (scope.quick && walk.photographs.size() == 1) break;
-    Image photograph = load_image(std::filesystem::path(scope.data) / name);
-    for (auto& pixel : photograph.pixels) pixel = static_cast<std::uint8_t>(std::lround(kExposure * pixel));
-    walk.photographs.emplace_back(name, std::move(photograph));
-  }
+  walk.photographs = load_photographs(scope);
   return walk;
 }
 
