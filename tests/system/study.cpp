@@ -237,6 +237,24 @@ TEST_CASE("study earned: every disturbance of a board has its line, and none of 
   CHECK(std::ranges::count(rows, ',') % std::ranges::count(rows, '\n') == 0);
 }
 
+TEST_CASE("study late: cameras in step are safe while a large thing moves; with one a frame late most frames are not") {
+  Sandbox box;
+  const auto result = box.run({"study", "late", "--quick", "--out", "late", "--json"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  const json summary = json::parse(result.out);
+  for (const std::string rule : {"thesis", "compete"}) {
+    CAPTURE(rule);
+    const json in_step = summary["in_step"][rule], late = summary["late"][rule];
+    CHECK(in_step["frames"] == 24);  // three ways, eight frames each
+    CHECK(in_step["safe"] == in_step["frames"]);
+    CHECK(late["frames"] == in_step["frames"]);
+    CHECK(late["safe"].get<int>() < 12);
+  }
+  CHECK_THAT(box.read("late/late.csv"), Catch::StartsWith("way,decision,right_camera,frames,safe,"));
+  CHECK(box.run({"study", "late", "--quick", "--data", "nowhere", "--out", "none"}).status == 3);
+}
+
 TEST_CASE("study earned --sets: what stays clear, set by set; sets that are not there are named") {
   Sandbox box;
   const auto none = box.run({"study", "earned", "--sets", "nowhere", "--out", "none"});
