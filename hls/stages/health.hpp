@@ -10,11 +10,10 @@
 //         before, for at least frozen_limit frames in a row; signature: the frame's. The signature is that of a
 //         multiple-input shift register (MISR; Williams, Daehn, Gruetzner, Starke, IEEE Trans. CAD 7(2), 1988) with the
 //         polynomial of CRC-32: equal frames have equal ones, and two noisy frames by chance once in 2^32.
-//         torn: its rows do not belong together: each second one is of another moment, as of an interlaced image of what
-//         moves, or each lies at another place. A pixel of a scene is more like its neighbour than like the next but one,
-//         down as well as along the row. `down` and `along`: of the pixels of some columns, those of which this is so
-//         less those of which it is the other way round, by 2 grey levels or more. Torn is
-//         2 along - 5 down > 1/8 of all pixels counted + 250. So contrast hardly matters, and noise makes both 0.
+//         torn: its rows are of two moments in turn, as of an interlaced image of what moves. A pixel of a scene is more
+//         like the one above it than like the one above that. Here it is the other way round, in some columns of the
+//         frame, more than 17/15 times as often, and by more than 48 pixels. The count asks only which of the two is
+//         nearer, by 2 grey levels or more, so contrast hardly matters, and noise alone makes both alike.
 // Memory: the two rows above, in these columns. Rows of at least hls::min_row_beats.
 // Illegal use: a frame without `end` is not judged; the next `first` starts anew.
 #pragma once
@@ -26,9 +25,10 @@ namespace horopter::stages {
 
 template <int WIDTH, int HEIGHT>
 class CameraHealth {
-  static constexpr int step_log2 =
-      WIDTH <= 256 ? 2 : bits_for((WIDTH - 1) / 64);  // between columns, at most 64 of them
+  static constexpr int step_log2 = WIDTH <= 64 ? 0 : bits_for((WIDTH - 1) / 64);  // between columns, at most 64 of them
   static constexpr int column_bits = bits_for((WIDTH - 1) >> step_log2);
+  static constexpr int torn_share = 16;  // so many times what is torn less what is not, above all of it
+  static constexpr int torn_pixels = 48;
 
  public:
   using Count = u<bits_for(WIDTH* HEIGHT)>;
@@ -78,7 +78,7 @@ class CameraHealth {
       out.white = bright_ > config.bright_limit;
       out.constant = u<8>(brightest_ - darkest_) <= config.contrast_limit && !out.black && !out.white;
       out.frozen = config.frozen_limit != 0 && repeats_ >= config.frozen_limit;
-      out.torn = torn_ > lit<8 * 250>();
+      out.torn = torn_ > lit<torn_pixels * torn_share>();
     }
     out.signature = previous_signature_;
     return out;
@@ -86,34 +86,38 @@ class CameraHealth {
 
  private:
   using X = u<bits_for(WIDTH - 1)>;
-  using Balance = s<bits_for(57 * HEIGHT << column_bits) + 1>;
+  using Balance = s<bits_for((torn_share + 1) * HEIGHT << column_bits) + 1>;
 
-  struct Before {
+  struct Above {
     u<8> one;
-    u<8> two;  // rows above, or pixels to the left
+    u<8> two;  // rows above
   };
-  static bool nearer(u<8> pixel, u<8> one, u<8> other) {
-    return abs(s<9>(pixel - one)) + lit<1>() < abs(s<9>(pixel - other));
-  }
 
   void compare_rows(const In& in) {
     const X x = in.first ? X(0) : x_;
     const u<2> rows = in.first ? u<2>(0) : rows_;
     const u<column_bits> column(shr<step_log2>(x));
-    s<7> down(0), along(0);  // eight times
+    s<6> change(0);
     above_.begin_step();
-    if (x.template bits<step_log2 - 1, 0>() == (1 << step_log2) - 1) {
-      const Before above = above_.read(column);
+    if (compares(x)) {
+      const Above above = above_.read(column);
       above_.write(column, {in.pixel, above.one});
-      if (rows.bit(1) && nearer(in.pixel, above.one, above.two)) down = s<7>(-5 * 8 - 1);
-      if (rows.bit(1) && nearer(in.pixel, above.two, above.one)) down = s<7>(5 * 8 - 1);
-      if (rows.bit(1) && nearer(in.pixel, left_.one, left_.two)) along = s<7>(2 * 8 - 1);
-      if (rows.bit(1) && nearer(in.pixel, left_.two, left_.one)) along = s<7>(-2 * 8 - 1);
+      const u<9> to_one = abs(s<9>(in.pixel - above.one));
+      const u<9> to_two = abs(s<9>(in.pixel - above.two));
+      if (rows.bit(1) && to_one > to_two + lit<1>()) change = s<6>(torn_share - 1);
+      if (rows.bit(1) && to_two > to_one + lit<1>()) change = s<6>(-torn_share - 1);
     }
-    torn_ = Balance((in.first ? Balance(0) : torn_) + (down + along));
+    torn_ = Balance((in.first ? Balance(0) : torn_) + change);
     x_ = in.last ? X(0) : X(x + lit<1>());
     rows_ = in.last && !rows.bit(1) ? u<2>(rows + lit<1>()) : rows;
-    left_ = {in.pixel, left_.one};
+  }
+
+  static constexpr bool compares(X x) {
+    if constexpr (step_log2 == 0) {
+      return true;
+    } else {
+      return x.template bits<step_log2 - 1, 0>() == (1 << step_log2) - 1;
+    }
   }
 
   u<32> signature_{0};
@@ -124,8 +128,7 @@ class CameraHealth {
   u<8> brightest_{0};
   Count dark_{0};
   Count bright_{0};
-  ColumnMemory<Before, 1 << column_bits> above_;
-  Before left_;
+  ColumnMemory<Above, 1 << column_bits> above_;
   X x_{0};
   u<2> rows_{0};  // above this one, at most 2
   Balance torn_{0};
