@@ -313,6 +313,11 @@ TEST_CASE("Frames, tables and faults are alike, with gaps and back-pressure on t
   CHECK(pair.frame(black, black) == (Faults(Fault::left_black) | Fault::right_black | Fault::identical_images));
   CHECK(pair.frame(textured(93), textured(94)) == Faults());
   CHECK(pair.frame(textured(93), textured(95)) == Fault::left_frozen);
+  Image torn = textured(105);
+  for (int y = 1; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) torn.at(x, y) = torn.at(x, y - 1) ^ 0x80U;
+  CHECK(pair.frame(torn, textured(106)) == Fault::left_torn);
+  CHECK(pair.frame(textured(107), torn) == Fault::right_torn);
   // The limit of undecidable pixels is that of each table's upload.
   pair.write(reg::texture_limit::kAddress, 2000);
   CHECK(pair.frame(textured(96), textured(97)) == Faults());

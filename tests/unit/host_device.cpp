@@ -203,6 +203,18 @@ TEST_CASE("Images that cannot be images are faults, each its own, and the next g
     right = textured(kWidth, kHeight, 12);
     expected = {"left_frozen"};
   }
+  const auto alternate = [](Image& image) {  // rows of two moments in turn
+    for (int y = 1; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) image.at(x, y) = image.at(x, y - 1) ^ 0x80U;
+  };
+  SECTION("torn left") {
+    alternate(left);
+    expected = {"left_torn"};
+  }
+  SECTION("torn right") {
+    alternate(right);
+    expected = {"right_torn"};
+  }
   SECTION("frozen both") {
     small.monitor.process(left, right);
     expected = {"left_frozen", "right_frozen"};

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -17,7 +18,6 @@
 #include "horopter/calib/random.hpp"
 #include "horopter/machine/engines.hpp"
 #include "horopter/machine/monitor.hpp"
-#include "horopter/map/map_compiler.hpp"
 #include "horopter/study/parallel.hpp"
 #include "horopter/study/scene.hpp"
 #include "photographs.hpp"
@@ -28,7 +28,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kRest = 3;         ///< frames before it moves, and after
+constexpr int kRest = 3;         ///< frames before it moves
 constexpr int kMoving = 8;       ///< frames
 constexpr double kLeast_px = 4;  ///< that it moves from frame to frame
 constexpr double kMost_px = 16;
@@ -83,12 +83,7 @@ Scene prepare_scene(const StudyScope& scope) {
   const calib::Rig rig = make_rig(kRig);
   Scene scene{find_profile("vga"), CameraPair(rig.cameras[0], rig.cameras[1]), {}, load_photographs(scope)};
   for (std::size_t r = 0; r < kRules.size(); ++r) {
-    SkinFile file;
-    file.skin = std::make_unique<RigSkin>(scene.cameras, make_plane({0, 0, kSkin_mm}, {0, 0, -1}), "plane");
-    file.path = "the skin of the study";
-    file.rig = calib::to_yaml(rig);
-    scene.maps[r] =
-        compile_maps(file, scene.profile, kRig.width_px, kRig.height_px, view_limits(scene.profile, kRules[r]));
+    scene.maps[r] = plane_maps(rig, scene.profile, kRules[r]);
   }
   return scene;
 }
@@ -118,7 +113,7 @@ void run(const Scene& scene, const StudyScope& scope, std::size_t number, All& a
   axes.col(1) = -axes.col(1);
   axes.col(2) = -Vector3d::UnitZ();
   const auto at = [&](int frame) {
-    const double steps = std::clamp(frame - kRest, -1, kMoving) - 0.5 * kMoving;
+    const double steps = std::max(frame - kRest, -1) - 0.5 * kMoving;
     return wall.with_body(study::place(plate(), middle + steps * step_mm, axes), study::Coat::textured, number);
   };
 
@@ -131,7 +126,7 @@ void run(const Scene& scene, const StudyScope& scope, std::size_t number, All& a
                                                     scene.maps[i / 2], settings));
   }
   study::WallScene::Views before = at(0);
-  for (int frame = 0; frame < kRest + kMoving + kRest; ++frame) {
+  for (int frame = 0; frame < kRest + kMoving; ++frame) {
     const study::WallScene::Views now = at(frame);
     const auto image = [&](const study::Raster<float>& view, std::uint64_t camera) {
       return study::expose(view, kNoise_grey, scope.seed,
@@ -139,7 +134,7 @@ void run(const Scene& scene, const StudyScope& scope, std::size_t number, All& a
     };
     const Image left = image(now[0], 0);
     const std::array right{image(now[1], 1), image(before[1], 2)};
-    const bool counts = frame >= kRest && frame < kRest + kMoving && covered(now, wall.empty()) >= kShare;
+    const bool counts = frame >= kRest && covered(now, wall.empty()) >= kShare;
     for (std::size_t i = 0; i < machines.size(); ++i) {
       const FrameResult result = machines[i]->process(left, right[i % 2]).front();
       if (counts) all[way][i / 2][i % 2].add(result);

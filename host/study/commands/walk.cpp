@@ -118,11 +118,7 @@ Walk prepare(const StudyScope& scope) {
     const double mm =
         plan_thickness(cameras, *surface, profile, geometry, chosen ? chosen->tolerance_px : kOwn_px).across.mean;
     walk.thickness_mm = std::max(walk.thickness_mm, mm);
-    SkinFile file;
-    file.skin = std::make_unique<RigSkin>(skin);
-    file.path = "the skin of the study";
-    file.rig = calib::to_yaml(rig);
-    walk.maps[v] = compile_maps(file, profile, kRig.width_px, kRig.height_px, view_limits(profile, settings.decision));
+    walk.maps[v] = plane_maps(rig, profile, settings.decision);
   }
   Settings sized = walk.settings[0];
   if (!scope.hands) {
