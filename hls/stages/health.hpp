@@ -10,25 +10,48 @@
 //         before, for at least frozen_limit frames in a row; signature: the frame's. The signature is that of a
 //         multiple-input shift register (MISR; Williams, Daehn, Gruetzner, Starke, IEEE Trans. CAD 7(2), 1988) with the
 //         polynomial of CRC-32: equal frames have equal ones, and two noisy frames by chance once in 2^32.
-//         torn: its rows are of two moments in turn, as of an interlaced image of what moves. A pixel of a scene is more
-//         like the one above it than like the one above that. Here it is the other way round, in some columns of the
-//         frame, more than 17/15 times as often, and by more than 48 pixels. The count asks only which of the two is
-//         nearer, by 2 grey levels or more, so contrast hardly matters, and noise alone makes both alike.
-// Memory: the two rows above, in these columns. Rows of at least hls::min_row_beats.
+//         torn: its rows do not belong together. What is compared is which of two pixels a pixel is more like, by 2 grey
+//         levels or more. A difference is how often it is the one, less how often it is the other; "all" is how often it
+//         is one of them. So contrast hardly matters, and noise alone makes both alike.
+//         down: like the pixel one row above, less like that two rows above. second: two rows above, four rows above.
+//         along: one pixel to the left, two to the left. level: two pixels to the left, one row above. (To the left it is
+//         ACROSS times as far: the rows of a field are two rows of the camera apart.) In a scene down, second and along
+//         are above 0, and level is below. Torn is
+//         - rows of two moments in turn, as of an interlaced image of what moves: -down > all/16 + 48;
+//         - rows that each lie aside: 2 along - 5 down > all/16 + 500, because a scene changes as much along as down; and
+//           level > all/16 + 100, because what stands upright is the same down, but for noise;
+//         - pairs of rows that lie aside: -second > all/16 + 100, and down differs between even and odd rows, by more
+//           than 3/8 of -second: the lower row of a pair is like the upper one, the upper one is like none above.
+//         What else is torn: stripes along the row that repeat every 2 to 3 rows, over a large part of the image; stripes
+//         that repeat after 4 rows (3.99 to 4.01), all over it and not aslant. Other stripes of 3 to 6 rows make second
+//         less than 0, too, but even and odd rows alike. And images that are much finer down than along: stripes that
+//         are nearly level and repeat every 3 to 4 rows; without ACROSS, a single field of a fine scene.
+//         All are taken in the same columns, at most 64. But along is taken in columns that move on by 5 with each row:
+//         so an image that is enlarged, each pixel to a block, shows all phases of its blocks.
+// Memory: the four rows above, in these columns. Rows of at least hls::min_row_beats.
 // Illegal use: a frame without `end` is not judged; the next `first` starts anew.
 #pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "horopter/hls/line_buffer.hpp"
 #include "stages/stream.hpp"
 
 namespace horopter::stages {
 
-template <int WIDTH, int HEIGHT>
+template <int WIDTH, int HEIGHT, int ACROSS = 1>
 class CameraHealth {
   static constexpr int step_log2 = WIDTH <= 64 ? 0 : bits_for((WIDTH - 1) / 64);  // between columns, at most 64 of them
   static constexpr int column_bits = bits_for((WIDTH - 1) >> step_log2);
   static constexpr int torn_share = 16;  // so many times what is torn less what is not, above all of it
-  static constexpr int torn_pixels = 48;
+  static constexpr int turn_pixels = 48;
+  static constexpr int aside_pixels = 500;
+  static constexpr int level_pixels = 100;
+  static constexpr int pair_pixels = 100;
+  static constexpr int along_weight = 2;
+  static constexpr int down_weight = 5;
 
  public:
   using Count = u<bits_for(WIDTH* HEIGHT)>;
@@ -78,7 +101,10 @@ class CameraHealth {
       out.white = bright_ > config.bright_limit;
       out.constant = u<8>(brightest_ - darkest_) <= config.contrast_limit && !out.black && !out.white;
       out.frozen = config.frozen_limit != 0 && repeats_ >= config.frozen_limit;
-      out.torn = torn_ > lit<torn_pixels * torn_share>();
+      out.torn =
+          turn_ > lit<turn_pixels * torn_share>() ||
+          (aside_ > lit<aside_pixels * torn_share>() && level_ > lit<level_pixels * torn_share>()) ||
+          (pair_ > lit<pair_pixels * torn_share>() && abs(even_less_odd_) * lit<8 * torn_share>() > pair_ * lit<3>());
     }
     out.signature = previous_signature_;
     return out;
@@ -86,38 +112,67 @@ class CameraHealth {
 
  private:
   using X = u<bits_for(WIDTH - 1)>;
-  using Balance = s<bits_for((torn_share + 1) * HEIGHT << column_bits) + 1>;
+  static constexpr int most = HEIGHT << column_bits;  // comparisons of one kind in a frame
+  using Difference = s<bits_for(most) + 1>;
+  template <int WEIGHT>
+  using Balance = s<bits_for((WEIGHT * torn_share + 2) * most) + 1>;
+
+  using Phase = u<std::max(step_log2, 1)>;  // of a column between two that are compared; of a row
 
   struct Above {
-    u<8> one;
-    u<8> two;  // rows above
+    u<8> one, two, three, four;  // rows above
   };
+
+  static constexpr Phase phase(auto place) {
+    if constexpr (step_log2 == 0) {
+      return Phase(0);
+    } else {
+      return place.template bits<step_log2 - 1, 0>();
+    }
+  }
+
+  // 1: more like `one` than like `other`; -1: the other way round.
+  static s<2> likeness(u<8> pixel, u<8> one, u<8> other) {
+    const u<9> to_one = abs(s<9>(pixel - one));
+    const u<9> to_other = abs(s<9>(pixel - other));
+    return to_other > to_one + lit<1>() ? s<2>(1) : to_one > to_other + lit<1>() ? s<2>(-1) : s<2>(0);
+  }
+  // What it adds to `torn_share` times WEIGHT such differences, less all.
+  template <int WEIGHT>
+  static auto change(s<2> like) {
+    using Change = s<bits_for((WEIGHT < 0 ? -WEIGHT : WEIGHT) * torn_share + 1) + 1>;
+    return like == 1 ? Change(WEIGHT * torn_share - 1) : like == -1 ? Change(-WEIGHT * torn_share - 1) : Change(0);
+  }
 
   void compare_rows(const In& in) {
     const X x = in.first ? X(0) : x_;
-    const u<2> rows = in.first ? u<2>(0) : rows_;
-    const u<column_bits> column(shr<step_log2>(x));
-    s<6> change(0);
+    const u<3> rows = in.first ? u<3>(0) : rows_;
+    const Phase y = in.first ? Phase(0) : y_;
+    s<2> down(0), second(0), along(0), level(0);
     above_.begin_step();
-    if (compares(x)) {
+    if (phase(x) == (1 << step_log2) - 1) {
+      const u<column_bits> column(shr<step_log2>(x));
       const Above above = above_.read(column);
-      above_.write(column, {in.pixel, above.one});
-      const u<9> to_one = abs(s<9>(in.pixel - above.one));
-      const u<9> to_two = abs(s<9>(in.pixel - above.two));
-      if (rows.bit(1) && to_one > to_two + lit<1>()) change = s<6>(torn_share - 1);
-      if (rows.bit(1) && to_two > to_one + lit<1>()) change = s<6>(-torn_share - 1);
+      above_.write(column, {in.pixel, above.one, above.two, above.three});
+      if (rows >= 2) down = likeness(in.pixel, above.one, above.two);
+      if (rows >= 2) level = likeness(in.pixel, left_[2 * ACROSS - 1], above.one);
+      if (rows >= 4) second = likeness(in.pixel, above.two, above.four);
     }
-    torn_ = Balance((in.first ? Balance(0) : torn_) + change);
-    x_ = in.last ? X(0) : X(x + lit<1>());
-    rows_ = in.last && !rows.bit(1) ? u<2>(rows + lit<1>()) : rows;
-  }
+    if (phase(x) == phase(y * lit<5>()) && x >= lit<2 * ACROSS>())
+      along = likeness(in.pixel, left_[ACROSS - 1], left_[2 * ACROSS - 1]);
 
-  static constexpr bool compares(X x) {
-    if constexpr (step_log2 == 0) {
-      return true;
-    } else {
-      return x.template bits<step_log2 - 1, 0>() == (1 << step_log2) - 1;
-    }
+    turn_ = Balance<1>((in.first ? Balance<1>(0) : turn_) + change<-1>(down));
+    aside_ = Balance<down_weight + along_weight>((in.first ? Balance<down_weight + along_weight>(0) : aside_) +
+                                                 (change<along_weight>(along) + change<-down_weight>(down)));
+    level_ = Balance<1>((in.first ? Balance<1>(0) : level_) + change<1>(level));
+    pair_ = Balance<1>((in.first ? Balance<1>(0) : pair_) + change<-1>(second));
+    even_less_odd_ = Difference((in.first ? Difference(0) : even_less_odd_) + (y.bit(0) ? s<3>(-down) : s<3>(down)));
+
+    for (std::size_t i = 2 * ACROSS - 1; i > 0; --i) left_[i] = left_[i - 1];
+    left_[0] = in.pixel;
+    x_ = in.last ? X(0) : X(x + lit<1>());
+    rows_ = in.last && rows != 4 ? u<3>(rows + lit<1>()) : rows;
+    y_ = in.last ? Phase(y + lit<1>()) : y;
   }
 
   u<32> signature_{0};
@@ -129,12 +184,18 @@ class CameraHealth {
   Count dark_{0};
   Count bright_{0};
   ColumnMemory<Above, 1 << column_bits> above_;
+  std::array<u<8>, 2 * ACROSS> left_{};  // pixels to the left, the nearest first
   X x_{0};
-  u<2> rows_{0};  // above this one, at most 2
-  Balance torn_{0};
+  Phase y_{0};
+  u<3> rows_{0};  // above this one, at most 4
+  Balance<1> turn_{0};
+  Balance<down_weight + along_weight> aside_{0};
+  Balance<1> level_{0};
+  Balance<1> pair_{0};
+  Difference even_less_odd_{0};
 };
 
 template <Profile P>
-using Health = CameraHealth<P.width, P.height>;
+using Health = CameraHealth<P.width, P.height, P.subsample>;
 
 }  // namespace horopter::stages

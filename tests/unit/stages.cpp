@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every stage against the reference or against plain counting, with its stated error bound.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -700,6 +702,140 @@ TEST_CASE("health: rows of two moments in turn are torn, whatever their contrast
   // Rows that alternate in a third of the image; below it and beside it nothing.
   CHECK(frame(256, 96, [](int, int y) { return y < 32 && y % 2 == 1 ? 200 : 100; }));
   CHECK(!frame(256, 96, [](int, int) { return 100; }));
+}
+
+namespace {
+
+/// Grey values of a scene: waves of all directions, as fine as `finest_px`.
+class Waves {
+ public:
+  Waves(unsigned seed, double finest_px, double coarsest_px) {
+    std::mt19937 random(seed);
+    const auto from_to = [&](double low, double high) { return low + (high - low) * random() / 4294967296.0; };
+    for (Wave& wave : waves_) {
+      const double turns = 2 * std::numbers::pi / (finest_px * std::pow(coarsest_px / finest_px, from_to(0, 1)));
+      const double direction = from_to(0, std::numbers::pi);
+      wave = {turns * std::cos(direction), turns * std::sin(direction), from_to(0, 6)};
+    }
+  }
+  double operator()(double x, double y) const {
+    double sum = 0;
+    for (const Wave& wave : waves_) sum += std::sin(wave.x * x + wave.y * y + wave.start);
+    return sum / waves_.size();
+  }
+
+ private:
+  struct Wave {
+    double x, y, start;
+  };
+  std::array<Wave, 12> waves_{};
+};
+
+template <class Stage>
+bool is_torn(int width, int height, auto&& pixel) {
+  Stage stage;
+  typename Stage::Config config;
+  config.dark_limit = config.bright_limit = width * height;
+  typename Stage::Out result;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      typename Stage::In in;
+      in.pixel = std::clamp(static_cast<int>(std::lround(pixel(x, y))), 0, 255);
+      in.first = x == 0 && y == 0;
+      in.last = x == width - 1;
+      in.end = in.last && y == height - 1;
+      result = stage.step(in, config);
+    }
+  }
+  REQUIRE(result.valid);
+  return result.torn;
+}
+
+}  // namespace
+
+TEST_CASE("health: rows that each lie aside are torn; scenes, noise, blocks and the rows of a field are not",
+          "[stages]") {
+  using Whole = CameraHealth<256, 192>;
+  using Field = CameraHealth<256, 128, 2>;
+  std::mt19937 random(24);
+  std::normal_distribution<> normal;
+  std::vector<int> aside_px(192);
+  for (int& px : aside_px) px = static_cast<int>(random() % 17) - 8;
+  const auto aside = [&](int y) { return aside_px[static_cast<std::size_t>(y)]; };
+  for (const unsigned seed : {1U, 2U}) {
+    const Waves scene(seed, 6, 60);
+    for (const int grey_levels : {300, 60, 30}) {
+      CAPTURE(seed, grey_levels);
+      const auto seen = [&](double x, double y) { return 128 + grey_levels * scene(x, y); };
+      CHECK(!is_torn<Whole>(256, 192, seen));
+      CHECK(!is_torn<Field>(256, 128, [&](int x, int y) { return seen(x, 2 * y); }));
+      CHECK(is_torn<Whole>(256, 192, [&](int x, int y) { return seen(x + aside(y), y); }));
+    }
+    for (const int sigma : {2, 10}) {
+      CAPTURE(seed, sigma);
+      CHECK(!is_torn<Whole>(256, 192, [&](int x, int y) { return 128 + 300 * scene(x, y) + sigma * normal(random); }));
+    }
+    CHECK(is_torn<Whole>(256, 192,
+                         [&](int x, int y) { return 128 + 300 * scene(x + aside(y), y) + 2 * normal(random); }));
+    // What stands upright is the same in all rows, but for noise.
+    for (const int sigma : {0, 2, 10}) {
+      CAPTURE(seed, sigma);
+      CHECK(!is_torn<Whole>(256, 192, [&](int x, int) { return 128 + 300 * scene(x, 0) + sigma * normal(random); }));
+    }
+    // As fine as a field can show it: it changes more from row to row than from pixel to pixel.
+    const Waves fine(seed, 6, 7);
+    CHECK(!is_torn<Field>(256, 128, [&](int x, int y) { return 128 + 300 * fine(0.8 * x, 2 * y); }));
+  }
+  for (int repeat = 0; repeat < 10; ++repeat)
+    for (const int sigma : {1, 3, 20})
+      CHECK(!is_torn<Whole>(256, 192, [&](int, int) { return 128 + sigma * normal(random); }));
+  // Blocks of one grey value each, wherever they begin.
+  std::vector<int> greys(std::size_t{256} * 256);
+  for (int& grey : greys) grey = static_cast<int>(random() % 256);
+  for (const int side : {2, 4, 8}) {
+    for (int begin = 0; begin < 16; ++begin) {
+      CAPTURE(side, begin);
+      const auto block = [&](int x, int y) {
+        return greys[static_cast<std::size_t>((y + begin / 4) / side * 256 + (x + begin % 4) / side)];
+      };
+      CHECK(!is_torn<Whole>(256, 192, block));
+      CHECK(!is_torn<Field>(256, 128, block));
+    }
+  }
+}
+
+TEST_CASE("health: pairs of rows aside are torn; scenes, noise, blocks, doubled rows and most stripes are not",
+          "[stages]") {
+  using Whole = CameraHealth<256, 192>;
+  std::mt19937 random(25);
+  std::normal_distribution<> normal;
+  for (const unsigned seed : {3U, 4U}) {
+    const Waves scene(seed, 6, 60);
+    for (const int grey_levels : {300, 60, 30}) {
+      CAPTURE(seed, grey_levels);
+      const auto seen = [&](int x, int y) { return 128 + grey_levels * scene(x, y); };
+      CHECK(!is_torn<Whole>(256, 192, seen));
+      CHECK(!is_torn<Whole>(256, 192, [&](int x, int y) { return seen(x, y / 2); }));
+      CHECK(!is_torn<Whole>(256, 192, [&](int x, int y) { return seen(x + y / 4 % 2 * 8, y); }));  // only four by four
+      for (int begin = 0; begin < 4; ++begin)
+        for (const int shift : {8, -20})
+          CHECK(is_torn<Whole>(256, 192, [&](int x, int y) { return seen(x + (y + begin) / 2 % 2 * shift, y); }));
+    }
+    for (const int sigma : {2, 5, 10}) {
+      CAPTURE(seed, sigma);
+      const auto noisy = [&](int x, int y) { return 128 + 300 * scene(x, y) + sigma * normal(random); };
+      CHECK(!is_torn<Whole>(256, 192, noisy));
+      CHECK(is_torn<Whole>(256, 192, [&](int x, int y) { return noisy(x + y / 2 % 2 * 8, y); }));
+    }
+    // Stripes: they are like what is one period above, but so in even and odd rows.
+    for (const double period : {3.9, 4.1, 4.5, 5.0, 6.0}) {
+      CAPTURE(seed, period);
+      const auto stripes = [&](int x, int y) {
+        return 128 + 100 * scene(x, y) + 60 * std::sin(2 * std::numbers::pi / period * y);
+      };
+      CHECK(!is_torn<Whole>(256, 192, stripes));
+    }
+  }
 }
 
 TEST_CASE("cells: the means of squares, of what fills one", "[stages]") {

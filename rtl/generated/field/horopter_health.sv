@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Health<horopter::hls::profiles::field>, hls/stages/health.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 157 bits, pipeline 25 bits, memories 1024 bits.
+// State 272 bits, pipeline 29 bits, memories 2048 bits.
 module horopter_health (
   input  logic clk_i,
   input  logic rst_ni,
@@ -29,168 +29,247 @@ module horopter_health (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q;
-  logic s0_en, s1_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q;
+  logic s0_en, s1_en, s2_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
+  assign s2_en = en_i & valid_s2_q;
 
   // Of the configuration alone: not pipelined.
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
-  logic [31:0] signature_q;
-  logic [7:0] darkest_q;
-  logic [7:0] brightest_q;
-  logic [17:0] dark_q;
-  logic [17:0] bright_q;
+  logic [7:0] left_0_q;
+  logic [7:0] left_1_q;
+  logic [7:0] left_2_q;
+  logic [7:0] left_3_q;
   logic [9:0] x_q;
-  logic [1:0] rows_q;
-  // hls/stages/health.hpp:97
-  logic [9:0] x;
-  assign x = first_i ? 10'h0 : x_q;
-  // hls/stages/health.hpp:119
-  logic equal_23;
-  assign equal_23 = x[3:0] == 4'hf;
-  // hls/stages/health.hpp:63
-  logic [31:0] select_25;
-  assign select_25 = first_i ? 32'h0 : signature_q;
-  logic [12:0] xor_26;
-  assign xor_26 = {13{select_25[0]}} ^ {select_25[31:30], select_25[28:27], select_25[25:24], select_25[22:20], select_25[16], select_25[10:9], select_25[6]};
-  logic [7:0] xor_27;
-  assign xor_27 = pixel_i ^ {select_25[8:7], xor_26[0], select_25[5:1]};
-  logic parity_28;
-  assign parity_28 = ^{select_25[6], select_25[0], pixel_i[5]};
-  // hls/stages/health.hpp:65
-  logic [7:0] select_40;
-  assign select_40 = first_i ? pixel_i : ((pixel_i < darkest_q) ? pixel_i : darkest_q);
-  // hls/stages/health.hpp:66
-  logic [7:0] select_43;
-  assign select_43 = first_i ? pixel_i : ((brightest_q < pixel_i) ? pixel_i : brightest_q);
-  logic not_45;
-  assign not_45 = ~(cfg_dark_level_i < pixel_i);
-  // hls/stages/health.hpp:67
-  logic not_49;
-  assign not_49 = ~(pixel_i < cfg_bright_level_i);
-  // hls/stages/health.hpp:98
-  logic [1:0] rows;
-  assign rows = first_i ? 2'h0 : rows_q;
+  logic [3:0] y_q;
+  // hls/stages/health.hpp:148
+  logic [9:0] place;
+  assign place = first_i ? 10'h0 : x_q;
+  // hls/stages/health.hpp:153
+  logic equal_32;
+  assign equal_32 = place[3:0] == 4'hf;
+  // hls/stages/health.hpp:150
+  logic [3:0] y;
+  assign y = first_i ? 4'h0 : y_q;
+  // hls/stages/health.hpp:161
+  logic [1:0] sum_93;
+  assign sum_93 = y[1:0] + y[3:2];
 
-  // Memory above, 64 x 16, DISTANCE 16, hls/stages/health.hpp:131; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:186; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
-  logic [15:0] above_mem [0:63];
+  logic [31:0] above_mem [0:63];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 64; i++) above_mem[i] = 16'h0;
+  initial for (int i = 0; i < 64; i++) above_mem[i] = 32'h0;
 `endif
   logic [5:0] above_raddr;
-  assign above_raddr = x[9:4];
+  assign above_raddr = place[9:4];
   logic above_re;
-  assign above_re = s0_en & equal_23;
-  logic [15:0] above_rdata_q;
+  assign above_re = s0_en & equal_32;
+  logic [31:0] above_rdata_q;
   always_ff @(posedge clk_i) begin
     if (above_re) above_rdata_q <= above_mem[above_raddr];
   end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      signature_q <= 32'h0;
-      darkest_q <= 8'h0;
-      brightest_q <= 8'h0;
-      dark_q <= 18'h0;
-      bright_q <= 18'h0;
+      left_0_q <= 8'h0;
+      left_1_q <= 8'h0;
+      left_2_q <= 8'h0;
+      left_3_q <= 8'h0;
       x_q <= 10'h0;
-      rows_q <= 2'h0;
+      y_q <= 4'h0;
     end else if (s0_en) begin
-      signature_q <= {select_25[0], xor_26[12:11], select_25[29], xor_26[10:9], select_25[26], xor_26[8:7], select_25[23], xor_26[6:4], select_25[19:17], xor_26[3], select_25[15:11], xor_26[2:1], xor_27[7:6], parity_28, xor_27[4:0]};
-      darkest_q <= select_40;
-      brightest_q <= select_43;
-      dark_q <= {17'h0, not_45} + (first_i ? 18'h0 : dark_q);
-      bright_q <= {17'h0, not_49} + (first_i ? 18'h0 : bright_q);
-      x_q <= last_i ? 10'h0 : (x + 10'h1);
-      rows_q <= (last_i & (~rows[1])) ? (rows + 2'h1) : rows;
+      left_0_q <= pixel_i;
+      left_1_q <= left_0_q;
+      left_2_q <= left_1_q;
+      left_3_q <= left_2_q;
+      x_q <= last_i ? 10'h0 : (place + 10'h1);
+      y_q <= last_i ? (y + 4'h1) : y;
     end
   end
 
-  logic [7:0] pixel_s1_q;
   logic first_s1_q;
   logic end_v_s1_q;
-  logic [5:0] x_s1_q;
-  logic equal_23_s1_q;
-  logic rows_s1_q;
+  logic last_s1_q;
+  logic [7:0] left_3_s1_q;
+  logic [5:0] place_s1_q;
+  logic equal_32_s1_q;
+  logic y_s1_q;
+  logic and_97_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
-      pixel_s1_q <= pixel_i;
       first_s1_q <= first_i;
       end_v_s1_q <= end_v_i;
-      x_s1_q <= x[9:4];
-      equal_23_s1_q <= equal_23;
-      rows_s1_q <= rows[1];
+      last_s1_q <= last_i;
+      left_3_s1_q <= left_3_q;
+      place_s1_q <= place[9:4];
+      equal_32_s1_q <= equal_32;
+      y_s1_q <= y[0];
+      and_97_s1_q <= (place[3:0] == {sum_93, y[1:0]}) & (~(place[9:2] == 8'h0));
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
-  logic [31:0] previous_signature_q;
-  logic has_previous_q;
-  logic [7:0] repeats_q;
-  logic [19:0] torn_q;
-  // hls/stages/health.hpp:74
-  logic [7:0] select_35;
-  assign select_35 = (previous_signature_q == signature_q) ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
-  logic [7:0] select_36;
-  assign select_36 = has_previous_q ? select_35 : 8'h0;
-  // hls/stages/health.hpp:106
-  logic [8:0] difference_59;
-  assign difference_59 = {1'b0, pixel_s1_q} - {1'b0, above_rdata_q[15:8]};
-  logic [7:0] xor_60;
-  assign xor_60 = difference_59[7:0] ^ {8{difference_59[8]}};
-  logic [8:0] to_two;
-  assign to_two = {8'h0, difference_59[8]} + {1'b0, xor_60};
-  // hls/stages/health.hpp:105
-  logic [8:0] difference_63;
-  assign difference_63 = {1'b0, pixel_s1_q} - {1'b0, above_rdata_q[7:0]};
-  logic [7:0] xor_64;
-  assign xor_64 = difference_63[7:0] ^ {8{difference_63[8]}};
-  logic [8:0] to_one;
-  assign to_one = {8'h0, difference_63[8]} + {1'b0, xor_64};
-  // hls/stages/health.hpp:107
-  logic change;
-  assign change = rows_s1_q & ((to_two + 9'h1) < to_one);
-  // hls/stages/health.hpp:108
-  logic less_69;
-  assign less_69 = (to_one + 9'h1) < to_two;
-  logic or_70;
-  assign or_70 = change | less_69;
-  // hls/stages/health.hpp:68
-  logic [1:0] change_2;
-  assign change_2 = equal_23_s1_q ? (rows_s1_q ? {less_69, or_70} : {1'b0, change}) : 2'h0;
-  // hls/stages/health.hpp:110
-  logic [19:0] sum_74;
-  assign sum_74 = {{15{change_2[1]}}, 1'b0, {4{change_2[0]}}} + (first_s1_q ? 20'h0 : torn_q);
-  // hls/stages/health.hpp:77
-  logic less_75;
-  assign less_75 = cfg_dark_limit_i < dark_q;
-  // hls/stages/health.hpp:78
-  logic less_76;
-  assign less_76 = cfg_bright_limit_i < bright_q;
-  // hls/stages/health.hpp:79
-  logic or_80;
-  assign or_80 = less_76 | (less_75 | (cfg_contrast_limit_i < (brightest_q - darkest_q)));
-  logic not_81;
-  assign not_81 = ~or_80;
-  // hls/stages/health.hpp:80
+  logic [31:0] signature_q;
+  logic [7:0] darkest_q;
+  logic [7:0] brightest_q;
+  logic [17:0] dark_q;
+  logic [17:0] bright_q;
+  logic [2:0] rows_q;
+  logic [19:0] turn_q;
+  logic [21:0] aside_q;
+  logic [19:0] level_q;
+  logic [19:0] pair_q;
+  logic [15:0] even_less_odd_q;
+  // hls/stages/health.hpp:86
+  logic [31:0] select_34;
+  assign select_34 = first_s1_q ? 32'h0 : signature_q;
+  logic [12:0] xor_35;
+  assign xor_35 = {13{select_34[0]}} ^ {select_34[31:30], select_34[28:27], select_34[25:24], select_34[22:20], select_34[16], select_34[10:9], select_34[6]};
+  logic [7:0] xor_36;
+  assign xor_36 = left_0_q ^ {select_34[8:7], xor_35[0], select_34[5:1]};
+  logic parity_37;
+  assign parity_37 = ^{select_34[6], select_34[0], left_0_q[5]};
+  // hls/stages/health.hpp:88
+  logic [7:0] select_49;
+  assign select_49 = first_s1_q ? left_0_q : ((left_0_q < darkest_q) ? left_0_q : darkest_q);
+  // hls/stages/health.hpp:89
+  logic [7:0] select_52;
+  assign select_52 = first_s1_q ? left_0_q : ((brightest_q < left_0_q) ? left_0_q : brightest_q);
+  logic not_54;
+  assign not_54 = ~(cfg_dark_level_i < left_0_q);
+  // hls/stages/health.hpp:90
+  logic not_58;
+  assign not_58 = ~(left_0_q < cfg_bright_level_i);
+  // hls/stages/health.hpp:149
+  logic [2:0] rows;
+  assign rows = first_s1_q ? 3'h0 : rows_q;
+  // hls/stages/health.hpp:157
+  logic equal_73;
+  assign equal_73 = rows[2:1] == 2'h0;
+  // hls/stages/health.hpp:136
+  logic [8:0] difference_74;
+  assign difference_74 = {1'b0, left_0_q} - {1'b0, above_rdata_q[7:0]};
+  logic [7:0] xor_75;
+  assign xor_75 = difference_74[7:0] ^ {8{difference_74[8]}};
+  logic [8:0] sum_76;
+  assign sum_76 = {8'h0, difference_74[8]} + {1'b0, xor_75};
+  // hls/stages/health.hpp:138
+  logic [8:0] sum_77;
+  assign sum_77 = sum_76 + 9'h1;
+  // hls/stages/health.hpp:137
+  logic [8:0] difference_78;
+  assign difference_78 = {1'b0, left_0_q} - {1'b0, above_rdata_q[15:8]};
+  logic [7:0] xor_79;
+  assign xor_79 = difference_78[7:0] ^ {8{difference_78[8]}};
+  logic [8:0] sum_80;
+  assign sum_80 = {8'h0, difference_78[8]} + {1'b0, xor_79};
+  // hls/stages/health.hpp:138
+  logic [8:0] sum_82;
+  assign sum_82 = sum_80 + 9'h1;
   logic less_83;
-  assign less_83 = (cfg_frozen_limit_i + 8'hff) < select_36;
-  // hls/stages/health.hpp:81
-  logic less_84;
-  assign less_84 = $signed(20'h300) < $signed(sum_74);
+  assign less_83 = sum_82 < sum_76;
+  // hls/stages/health.hpp:91
+  logic [1:0] down;
+  assign down = equal_73 ? 2'h0 : ((sum_77 < sum_80) ? 2'h1 : {2{less_83}});
+  logic [1:0] like;
+  assign like = equal_32_s1_q ? down : 2'h0;
+  // hls/stages/health.hpp:144
+  logic equal_87;
+  assign equal_87 = like == 2'h1;
+  logic equal_88;
+  assign equal_88 = like == 2'h3;
+  logic or_89;
+  assign or_89 = equal_87 | equal_88;
+  // hls/stages/health.hpp:164
+  logic [19:0] sum_90;
+  assign sum_90 = (first_s1_q ? 20'h0 : turn_q) + {{15{equal_87}}, 1'b0, {4{or_89}}};
+  // hls/stages/health.hpp:144
+  logic [1:0] select_92;
+  assign select_92 = equal_87 ? 2'h1 : {2{equal_88}};
+  // hls/stages/health.hpp:136
+  logic [8:0] difference_98;
+  assign difference_98 = {1'b0, left_0_q} - {1'b0, left_2_q};
+  logic [7:0] xor_99;
+  assign xor_99 = difference_98[7:0] ^ {8{difference_98[8]}};
+  logic [8:0] sum_100;
+  assign sum_100 = {8'h0, difference_98[8]} + {1'b0, xor_99};
+  logic [8:0] difference_102;
+  assign difference_102 = {1'b0, left_0_q} - {1'b0, left_3_s1_q};
+  logic [7:0] xor_103;
+  assign xor_103 = difference_102[7:0] ^ {8{difference_102[8]}};
+  logic [8:0] sum_104;
+  assign sum_104 = {8'h0, difference_102[8]} + {1'b0, xor_103};
+  // hls/stages/health.hpp:138
+  logic [8:0] sum_106;
+  assign sum_106 = sum_104 + 9'h1;
+  logic less_107;
+  assign less_107 = sum_106 < sum_100;
+  // hls/stages/health.hpp:91
+  logic [1:0] along;
+  assign along = and_97_s1_q ? (((sum_100 + 9'h1) < sum_104) ? 2'h1 : {2{less_107}}) : 2'h0;
+  // hls/stages/health.hpp:144
+  logic equal_111;
+  assign equal_111 = along == 2'h3;
+  // hls/stages/health.hpp:166
+  logic [1:0] select_112;
+  assign select_112 = (along == 2'h1) ? 2'h1 : {2{equal_111}};
+  logic [8:0] sum_113;
+  assign sum_113 = {{2{equal_87}}, select_92[1], equal_87, 1'b0, {4{select_92[0]}}} + {{3{select_112[1]}}, 1'b0, {5{select_112[0]}}};
+  // hls/stages/health.hpp:138
+  logic less_117;
+  assign less_117 = sum_77 < sum_104;
+  // hls/stages/health.hpp:91
+  logic [1:0] level;
+  assign level = equal_73 ? 2'h0 : ((sum_106 < sum_76) ? 2'h1 : {2{less_117}});
+  logic [1:0] like_2;
+  assign like_2 = equal_32_s1_q ? level : 2'h0;
+  // hls/stages/health.hpp:144
+  logic equal_122;
+  assign equal_122 = like_2 == 2'h3;
+  logic [1:0] select_123;
+  assign select_123 = (like_2 == 2'h1) ? 2'h1 : {2{equal_122}};
+  // hls/stages/health.hpp:167
+  logic [19:0] sum_124;
+  assign sum_124 = (first_s1_q ? 20'h0 : level_q) + {{15{select_123[1]}}, 1'b0, {4{select_123[0]}}};
+  // hls/stages/health.hpp:137
+  logic [8:0] difference_126;
+  assign difference_126 = {1'b0, left_0_q} - {1'b0, above_rdata_q[31:24]};
+  logic [7:0] xor_127;
+  assign xor_127 = difference_126[7:0] ^ {8{difference_126[8]}};
+  logic [8:0] sum_128;
+  assign sum_128 = {8'h0, difference_126[8]} + {1'b0, xor_127};
+  // hls/stages/health.hpp:138
+  logic less_131;
+  assign less_131 = (sum_128 + 9'h1) < sum_80;
+  // hls/stages/health.hpp:91
+  logic [1:0] select_134;
+  assign select_134 = equal_32_s1_q ? (rows[2] ? ((sum_82 < sum_128) ? 2'h1 : {2{less_131}}) : 2'h0) : 2'h0;
+  // hls/stages/health.hpp:144
+  logic equal_136;
+  assign equal_136 = select_134 == 2'h1;
+  // hls/stages/health.hpp:168
+  logic or_137;
+  assign or_137 = (select_134 == 2'h3) | equal_136;
+  logic [19:0] sum_138;
+  assign sum_138 = (first_s1_q ? 20'h0 : pair_q) + {{15{equal_136}}, 1'b0, {4{or_137}}};
+  // hls/stages/health.hpp:169
+  logic [2:0] select_141;
+  assign select_141 = y_s1_q ? (3'h0 - {like[1], like}) : {like[1], like};
+  logic [15:0] sum_142;
+  assign sum_142 = (first_s1_q ? 16'h0 : even_less_odd_q) + {{13{select_141[2]}}, select_141};
 
   // Memory above, write
   logic [5:0] above_waddr;
-  assign above_waddr = x_s1_q;
+  assign above_waddr = place_s1_q;
   logic above_we;
-  assign above_we = s1_en & equal_23_s1_q;
+  assign above_we = s1_en & equal_32_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (above_we) above_mem[above_waddr] <= {above_rdata_q[7:0], pixel_s1_q};
+    if (above_we) above_mem[above_waddr] <= {above_rdata_q[23:0], left_0_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -204,46 +283,122 @@ module horopter_health (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      previous_signature_q <= 32'h0;
-      has_previous_q <= 1'b0;
-      repeats_q <= 8'h0;
-      torn_q <= 20'h0;
+      signature_q <= 32'h0;
+      darkest_q <= 8'h0;
+      brightest_q <= 8'h0;
+      dark_q <= 18'h0;
+      bright_q <= 18'h0;
+      rows_q <= 3'h0;
+      turn_q <= 20'h0;
+      aside_q <= 22'h0;
+      level_q <= 20'h0;
+      pair_q <= 20'h0;
+      even_less_odd_q <= 16'h0;
     end else if (s1_en) begin
-      previous_signature_q <= end_v_s1_q ? signature_q : previous_signature_q;
-      has_previous_q <= end_v_s1_q | has_previous_q;
-      repeats_q <= end_v_s1_q ? select_36 : repeats_q;
-      torn_q <= sum_74;
+      signature_q <= {select_34[0], xor_35[12:11], select_34[29], xor_35[10:9], select_34[26], xor_35[8:7], select_34[23], xor_35[6:4], select_34[19:17], xor_35[3], select_34[15:11], xor_35[2:1], xor_36[7:6], parity_37, xor_36[4:0]};
+      darkest_q <= select_49;
+      brightest_q <= select_52;
+      dark_q <= {17'h0, not_54} + (first_s1_q ? 18'h0 : dark_q);
+      bright_q <= {17'h0, not_58} + (first_s1_q ? 18'h0 : bright_q);
+      rows_q <= (last_s1_q & (~(rows == 3'h4))) ? (rows + 3'h1) : rows;
+      turn_q <= sum_90;
+      aside_q <= (first_s1_q ? 22'h0 : aside_q) + {{13{sum_113[8]}}, sum_113};
+      level_q <= sum_124;
+      pair_q <= sum_138;
+      even_less_odd_q <= sum_142;
     end
   end
 
-  logic [4:0] select_85_s2_q;
+  logic end_v_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
-      select_85_s2_q <= end_v_s1_q ? {less_84, less_83, not_81, less_76, less_75} : 5'h0;
+      end_v_s2_q <= end_v_s1_q;
+    end
+  end
+
+  // Stage 2 -----------------------------------------------------------------------------------------------------------
+  logic [31:0] previous_signature_q;
+  logic has_previous_q;
+  logic [7:0] repeats_q;
+  // hls/stages/health.hpp:97
+  logic [7:0] select_44;
+  assign select_44 = (previous_signature_q == signature_q) ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
+  logic [7:0] select_45;
+  assign select_45 = has_previous_q ? select_44 : 8'h0;
+  // hls/stages/health.hpp:100
+  logic less_143;
+  assign less_143 = cfg_dark_limit_i < dark_q;
+  // hls/stages/health.hpp:101
+  logic less_144;
+  assign less_144 = cfg_bright_limit_i < bright_q;
+  // hls/stages/health.hpp:102
+  logic or_148;
+  assign or_148 = less_144 | (less_143 | (cfg_contrast_limit_i < (brightest_q - darkest_q)));
+  logic not_149;
+  assign not_149 = ~or_148;
+  // hls/stages/health.hpp:103
+  logic less_151;
+  assign less_151 = (cfg_frozen_limit_i + 8'hff) < select_45;
+  // hls/stages/health.hpp:106
+  logic and_155;
+  assign and_155 = ($signed(22'h1f40) < $signed(aside_q)) & ($signed(20'h640) < $signed(level_q));
+  // hls/stages/health.hpp:107
+  logic [20:0] sum_157;
+  assign sum_157 = {pair_q[19], pair_q} + {{2{pair_q[19]}}, pair_q[19:1]};
+  logic [14:0] xor_158;
+  assign xor_158 = even_less_odd_q[14:0] ^ {15{even_less_odd_q[15]}};
+  logic [15:0] sum_159;
+  assign sum_159 = {15'h0, even_less_odd_q[15]} + {1'b0, xor_158};
+  logic less_160;
+  assign less_160 = $signed({{2{sum_157[20]}}, sum_157[20:6]}) < $signed({1'b0, sum_159});
+  // hls/stages/health.hpp:110
+  logic or_163;
+  assign or_163 = ($signed(20'h300) < $signed(turn_q)) | (and_155 | (($signed(20'h640) < $signed(pair_q)) & less_160));
+  logic [4:0] select_164;
+  assign select_164 = end_v_s2_q ? {or_163, less_151, not_149, less_144, less_143} : 5'h0;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      previous_signature_q <= 32'h0;
+      has_previous_q <= 1'b0;
+      repeats_q <= 8'h0;
+    end else if (s2_en) begin
+      previous_signature_q <= end_v_s2_q ? signature_q : previous_signature_q;
+      has_previous_q <= end_v_s2_q | has_previous_q;
+      repeats_q <= end_v_s2_q ? select_45 : repeats_q;
+    end
+  end
+
+  logic [4:0] select_164_s3_q;
+  always_ff @(posedge clk_i) begin
+    if (s2_en) begin
+      select_164_s3_q <= select_164;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign black_o = select_85_s2_q[0];
-  assign white_o = select_85_s2_q[1];
-  assign constant_o = select_85_s2_q[2];
-  assign frozen_o = select_85_s2_q[3];
-  assign torn_o = select_85_s2_q[4];
+  assign black_o = select_164_s3_q[0];
+  assign white_o = select_164_s3_q[1];
+  assign constant_o = select_164_s3_q[2];
+  assign frozen_o = select_164_s3_q[3];
+  assign torn_o = select_164_s3_q[4];
   assign signature_o = previous_signature_q;
-  assign valid_o = valid_s2_q;
+  assign valid_o = valid_s3_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_s1_q <= 1'b0;
       valid_s2_q <= 1'b0;
+      valid_s3_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
-      valid_s2_q <= valid_s1_q & end_v_s1_q;
+      valid_s2_q <= valid_s1_q;
+      valid_s3_q <= valid_s2_q & end_v_s2_q;
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^xor_27[5];
+  assign unused_bits = ^{sum_157[5:0], xor_36[5]};
 
 endmodule

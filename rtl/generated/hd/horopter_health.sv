@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Health<horopter::hls::profiles::hd>, hls/stages/health.hpp. Do not edit.
 //
-// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
+// Latency 10 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 166 bits, pipeline 219 bits, memories 1024 bits.
+// State 274 bits, pipeline 373 bits, memories 2048 bits.
 module horopter_health (
   input  logic clk_i,
   input  logic rst_ni,
@@ -29,8 +29,8 @@ module horopter_health (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
@@ -38,35 +38,41 @@ module horopter_health (
   assign s4_en = en_i & valid_s4_q;
   assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
+  assign s7_en = en_i & valid_s7_q;
+  assign s8_en = en_i & valid_s8_q;
+  assign s9_en = en_i & valid_s9_q;
 
   // Of the configuration alone: not pipelined.
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] x_q;
-  logic [1:0] rows_q;
-  // hls/stages/health.hpp:97
-  logic [10:0] x;
-  assign x = first_i ? 11'h0 : x_q;
-  // hls/stages/health.hpp:119
-  logic equal_23;
-  assign equal_23 = x[4:0] == 5'h1f;
-  // hls/stages/health.hpp:98
-  logic [1:0] rows;
-  assign rows = first_i ? 2'h0 : rows_q;
+  logic [4:0] y_q;
+  // hls/stages/health.hpp:148
+  logic [10:0] place;
+  assign place = first_i ? 11'h0 : x_q;
+  // hls/stages/health.hpp:153
+  logic equal_30;
+  assign equal_30 = place[4:0] == 5'h1f;
+  // hls/stages/health.hpp:150
+  logic [4:0] y;
+  assign y = first_i ? 5'h0 : y_q;
+  // hls/stages/health.hpp:161
+  logic [2:0] sum_91;
+  assign sum_91 = y[2:0] + y[4:2];
 
-  // Memory above, 64 x 16, DISTANCE 16, hls/stages/health.hpp:131; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:186; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
-  logic [15:0] above_mem [0:63];
+  logic [31:0] above_mem [0:63];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 64; i++) above_mem[i] = 16'h0;
+  initial for (int i = 0; i < 64; i++) above_mem[i] = 32'h0;
 `endif
   logic [5:0] above_raddr;
-  assign above_raddr = x[10:5];
+  assign above_raddr = place[10:5];
   logic above_re;
-  assign above_re = s0_en & equal_23;
-  logic [15:0] above_rdata_q;
+  assign above_re = s0_en & equal_30;
+  logic [31:0] above_rdata_q;
   always_ff @(posedge clk_i) begin
     if (above_re) above_rdata_q <= above_mem[above_raddr];
   end
@@ -74,27 +80,33 @@ module horopter_health (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       x_q <= 11'h0;
-      rows_q <= 2'h0;
+      y_q <= 5'h0;
     end else if (s0_en) begin
-      x_q <= last_i ? 11'h0 : (x + 11'h1);
-      rows_q <= (last_i & (~rows[1])) ? (rows + 2'h1) : rows;
+      x_q <= last_i ? 11'h0 : (place + 11'h1);
+      y_q <= last_i ? (y + 5'h1) : y;
     end
   end
 
   logic [7:0] pixel_s1_q;
   logic first_s1_q;
   logic end_v_s1_q;
-  logic [5:0] x_s1_q;
-  logic equal_23_s1_q;
-  logic rows_s1_q;
+  logic last_s1_q;
+  logic [5:0] place_s1_q;
+  logic equal_30_s1_q;
+  logic y_s1_q;
+  logic equal_92_s1_q;
+  logic not_94_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_s1_q <= pixel_i;
       first_s1_q <= first_i;
       end_v_s1_q <= end_v_i;
-      x_s1_q <= x[10:5];
-      equal_23_s1_q <= equal_23;
-      rows_s1_q <= rows[1];
+      last_s1_q <= last_i;
+      place_s1_q <= place[10:5];
+      equal_30_s1_q <= equal_30;
+      y_s1_q <= y[0];
+      equal_92_s1_q <= place[4:0] == {sum_91, y[1:0]};
+      not_94_s1_q <= ~(place[10:1] == 10'h0);
     end
   end
 
@@ -103,37 +115,51 @@ module horopter_health (
   logic [7:0] pixel_s2_q;
   logic first_s2_q;
   logic end_v_s2_q;
-  logic [5:0] x_s2_q;
-  logic equal_23_s2_q;
-  logic [15:0] above_rdata_s2_q;
-  logic rows_s2_q;
+  logic last_s2_q;
+  logic [5:0] place_s2_q;
+  logic equal_30_s2_q;
+  logic [31:0] above_rdata_s2_q;
+  logic y_s2_q;
+  logic and_95_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_s2_q <= pixel_s1_q;
       first_s2_q <= first_s1_q;
       end_v_s2_q <= end_v_s1_q;
-      x_s2_q <= x_s1_q;
-      equal_23_s2_q <= equal_23_s1_q;
+      last_s2_q <= last_s1_q;
+      place_s2_q <= place_s1_q;
+      equal_30_s2_q <= equal_30_s1_q;
       above_rdata_s2_q <= above_rdata_q;
-      rows_s2_q <= rows_s1_q;
+      y_s2_q <= y_s1_q;
+      and_95_s2_q <= equal_92_s1_q & not_94_s1_q;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/health.hpp:106
-  logic [8:0] difference_59;
-  assign difference_59 = {1'b0, pixel_s2_q} - {1'b0, above_rdata_s2_q[15:8]};
-  // hls/stages/health.hpp:105
-  logic [8:0] difference_63;
-  assign difference_63 = {1'b0, pixel_s2_q} - {1'b0, above_rdata_s2_q[7:0]};
+  logic [7:0] left_0_q;
+  logic [7:0] left_1_q;
+  // hls/stages/health.hpp:136
+  logic [8:0] difference_72;
+  assign difference_72 = {1'b0, pixel_s2_q} - {1'b0, above_rdata_s2_q[7:0]};
+  // hls/stages/health.hpp:137
+  logic [8:0] difference_76;
+  assign difference_76 = {1'b0, pixel_s2_q} - {1'b0, above_rdata_s2_q[15:8]};
+  // hls/stages/health.hpp:136
+  logic [8:0] difference_96;
+  assign difference_96 = {1'b0, pixel_s2_q} - {1'b0, left_0_q};
+  logic [8:0] difference_100;
+  assign difference_100 = {1'b0, pixel_s2_q} - {1'b0, left_1_q};
+  // hls/stages/health.hpp:137
+  logic [8:0] difference_124;
+  assign difference_124 = {1'b0, pixel_s2_q} - {1'b0, above_rdata_s2_q[31:24]};
 
   // Memory above, write
   logic [5:0] above_waddr;
-  assign above_waddr = x_s2_q;
+  assign above_waddr = place_s2_q;
   logic above_we;
-  assign above_we = s2_en & equal_23_s2_q;
+  assign above_we = s2_en & equal_30_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (above_we) above_mem[above_waddr] <= {above_rdata_s2_q[7:0], pixel_s2_q};
+    if (above_we) above_mem[above_waddr] <= {above_rdata_s2_q[23:0], pixel_s2_q};
   end
 `ifndef SYNTHESIS
   logic [5:0] above_raddr_s1_sim;
@@ -158,61 +184,244 @@ module horopter_health (
   end
 `endif
 
-  logic [7:0] pixel_s3_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      left_0_q <= 8'h0;
+      left_1_q <= 8'h0;
+    end else if (s2_en) begin
+      left_0_q <= pixel_s2_q;
+      left_1_q <= left_0_q;
+    end
+  end
+
   logic first_s3_q;
   logic end_v_s3_q;
-  logic equal_23_s3_q;
-  logic rows_s3_q;
-  logic difference_59_s3_q;
-  logic [7:0] xor_60_s3_q;
-  logic difference_63_s3_q;
-  logic [7:0] xor_64_s3_q;
+  logic last_s3_q;
+  logic equal_30_s3_q;
+  logic y_s3_q;
+  logic difference_72_s3_q;
+  logic [7:0] xor_73_s3_q;
+  logic difference_76_s3_q;
+  logic [7:0] xor_77_s3_q;
+  logic and_95_s3_q;
+  logic difference_96_s3_q;
+  logic [7:0] xor_97_s3_q;
+  logic difference_100_s3_q;
+  logic [7:0] xor_101_s3_q;
+  logic difference_124_s3_q;
+  logic [7:0] xor_125_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
-      pixel_s3_q <= pixel_s2_q;
       first_s3_q <= first_s2_q;
       end_v_s3_q <= end_v_s2_q;
-      equal_23_s3_q <= equal_23_s2_q;
-      rows_s3_q <= rows_s2_q;
-      difference_59_s3_q <= difference_59[8];
-      xor_60_s3_q <= difference_59[7:0] ^ {8{difference_59[8]}};
-      difference_63_s3_q <= difference_63[8];
-      xor_64_s3_q <= difference_63[7:0] ^ {8{difference_63[8]}};
+      last_s3_q <= last_s2_q;
+      equal_30_s3_q <= equal_30_s2_q;
+      y_s3_q <= y_s2_q;
+      difference_72_s3_q <= difference_72[8];
+      xor_73_s3_q <= difference_72[7:0] ^ {8{difference_72[8]}};
+      difference_76_s3_q <= difference_76[8];
+      xor_77_s3_q <= difference_76[7:0] ^ {8{difference_76[8]}};
+      and_95_s3_q <= and_95_s2_q;
+      difference_96_s3_q <= difference_96[8];
+      xor_97_s3_q <= difference_96[7:0] ^ {8{difference_96[8]}};
+      difference_100_s3_q <= difference_100[8];
+      xor_101_s3_q <= difference_100[7:0] ^ {8{difference_100[8]}};
+      difference_124_s3_q <= difference_124[8];
+      xor_125_s3_q <= difference_124[7:0] ^ {8{difference_124[8]}};
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
+
+  logic [7:0] pixel_s4_q;
+  logic first_s4_q;
+  logic end_v_s4_q;
+  logic last_s4_q;
+  logic equal_30_s4_q;
+  logic y_s4_q;
+  logic [8:0] sum_74_s4_q;
+  logic [8:0] sum_78_s4_q;
+  logic and_95_s4_q;
+  logic [8:0] sum_98_s4_q;
+  logic [8:0] sum_102_s4_q;
+  logic [8:0] sum_126_s4_q;
+  always_ff @(posedge clk_i) begin
+    if (s3_en) begin
+      pixel_s4_q <= left_0_q;
+      first_s4_q <= first_s3_q;
+      end_v_s4_q <= end_v_s3_q;
+      last_s4_q <= last_s3_q;
+      equal_30_s4_q <= equal_30_s3_q;
+      y_s4_q <= y_s3_q;
+      sum_74_s4_q <= {8'h0, difference_72_s3_q} + {1'b0, xor_73_s3_q};
+      sum_78_s4_q <= {8'h0, difference_76_s3_q} + {1'b0, xor_77_s3_q};
+      and_95_s4_q <= and_95_s3_q;
+      sum_98_s4_q <= {8'h0, difference_96_s3_q} + {1'b0, xor_97_s3_q};
+      sum_102_s4_q <= {8'h0, difference_100_s3_q} + {1'b0, xor_101_s3_q};
+      sum_126_s4_q <= {8'h0, difference_124_s3_q} + {1'b0, xor_125_s3_q};
+    end
+  end
+
+  // Stage 4 -----------------------------------------------------------------------------------------------------------
+  logic [2:0] rows_q;
+  // hls/stages/health.hpp:149
+  logic [2:0] rows;
+  assign rows = first_s4_q ? 3'h0 : rows_q;
+  // hls/stages/health.hpp:138
+  logic [8:0] sum_75;
+  assign sum_75 = sum_74_s4_q + 9'h1;
+  logic [8:0] sum_80;
+  assign sum_80 = sum_78_s4_q + 9'h1;
+  logic [8:0] sum_104;
+  assign sum_104 = sum_102_s4_q + 9'h1;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      rows_q <= 3'h0;
+    end else if (s4_en) begin
+      rows_q <= (last_s4_q & (~(rows == 3'h4))) ? (rows + 3'h1) : rows;
+    end
+  end
+
+  logic [7:0] pixel_s5_q;
+  logic first_s5_q;
+  logic end_v_s5_q;
+  logic equal_30_s5_q;
+  logic y_s5_q;
+  logic rows_s5_q;
+  logic equal_71_s5_q;
+  logic less_79_s5_q;
+  logic less_81_s5_q;
+  logic and_95_s5_q;
+  logic less_103_s5_q;
+  logic less_105_s5_q;
+  logic less_114_s5_q;
+  logic less_115_s5_q;
+  logic less_127_s5_q;
+  logic less_129_s5_q;
+  always_ff @(posedge clk_i) begin
+    if (s4_en) begin
+      pixel_s5_q <= pixel_s4_q;
+      first_s5_q <= first_s4_q;
+      end_v_s5_q <= end_v_s4_q;
+      equal_30_s5_q <= equal_30_s4_q;
+      y_s5_q <= y_s4_q;
+      rows_s5_q <= rows[2];
+      equal_71_s5_q <= rows[2:1] == 2'h0;
+      less_79_s5_q <= sum_75 < sum_78_s4_q;
+      less_81_s5_q <= sum_80 < sum_74_s4_q;
+      and_95_s5_q <= and_95_s4_q;
+      less_103_s5_q <= (sum_98_s4_q + 9'h1) < sum_102_s4_q;
+      less_105_s5_q <= sum_104 < sum_98_s4_q;
+      less_114_s5_q <= sum_104 < sum_74_s4_q;
+      less_115_s5_q <= sum_75 < sum_102_s4_q;
+      less_127_s5_q <= sum_80 < sum_126_s4_q;
+      less_129_s5_q <= (sum_126_s4_q + 9'h1) < sum_78_s4_q;
+    end
+  end
+
+  // Stage 5 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/health.hpp:91
+  logic [1:0] down;
+  assign down = equal_71_s5_q ? 2'h0 : (less_79_s5_q ? 2'h1 : {2{less_81_s5_q}});
+  logic [1:0] like;
+  assign like = equal_30_s5_q ? down : 2'h0;
+  logic [1:0] along;
+  assign along = and_95_s5_q ? (less_103_s5_q ? 2'h1 : {2{less_105_s5_q}}) : 2'h0;
+  // hls/stages/health.hpp:144
+  logic equal_109;
+  assign equal_109 = along == 2'h3;
+  // hls/stages/health.hpp:91
+  logic [1:0] level;
+  assign level = equal_71_s5_q ? 2'h0 : (less_114_s5_q ? 2'h1 : {2{less_115_s5_q}});
+  logic [1:0] like_2;
+  assign like_2 = equal_30_s5_q ? level : 2'h0;
+  // hls/stages/health.hpp:144
+  logic equal_120;
+  assign equal_120 = like_2 == 2'h3;
+  // hls/stages/health.hpp:91
+  logic [1:0] select_132;
+  assign select_132 = equal_30_s5_q ? (rows_s5_q ? (less_127_s5_q ? 2'h1 : {2{less_129_s5_q}}) : 2'h0) : 2'h0;
+  // hls/stages/health.hpp:144
+  logic equal_134;
+  assign equal_134 = select_132 == 2'h1;
+
+  logic [7:0] pixel_s6_q;
+  logic first_s6_q;
+  logic end_v_s6_q;
+  logic equal_85_s6_q;
+  logic equal_86_s6_q;
+  logic [1:0] select_110_s6_q;
+  logic [1:0] select_121_s6_q;
+  logic equal_134_s6_q;
+  logic or_135_s6_q;
+  logic [2:0] select_139_s6_q;
+  always_ff @(posedge clk_i) begin
+    if (s5_en) begin
+      pixel_s6_q <= pixel_s5_q;
+      first_s6_q <= first_s5_q;
+      end_v_s6_q <= end_v_s5_q;
+      equal_85_s6_q <= like == 2'h1;
+      equal_86_s6_q <= like == 2'h3;
+      select_110_s6_q <= (along == 2'h1) ? 2'h1 : {2{equal_109}};
+      select_121_s6_q <= (like_2 == 2'h1) ? 2'h1 : {2{equal_120}};
+      equal_134_s6_q <= equal_134;
+      or_135_s6_q <= (select_132 == 2'h3) | equal_134;
+      select_139_s6_q <= y_s5_q ? (3'h0 - {like[1], like}) : {like[1], like};
+    end
+  end
+
+  // Stage 6 -----------------------------------------------------------------------------------------------------------
   logic [31:0] signature_q;
   logic [7:0] darkest_q;
   logic [7:0] brightest_q;
   logic [20:0] dark_q;
   logic [20:0] bright_q;
-  // hls/stages/health.hpp:63
-  logic [31:0] select_25;
-  assign select_25 = first_s3_q ? 32'h0 : signature_q;
-  logic [12:0] xor_26;
-  assign xor_26 = {13{select_25[0]}} ^ {select_25[31:30], select_25[28:27], select_25[25:24], select_25[22:20], select_25[16], select_25[10:9], select_25[6]};
-  logic [7:0] xor_27;
-  assign xor_27 = pixel_s3_q ^ {select_25[8:7], xor_26[0], select_25[5:1]};
-  logic parity_28;
-  assign parity_28 = ^{select_25[6], select_25[0], pixel_s3_q[5]};
-  // hls/stages/health.hpp:65
-  logic [7:0] select_40;
-  assign select_40 = first_s3_q ? pixel_s3_q : ((pixel_s3_q < darkest_q) ? pixel_s3_q : darkest_q);
-  // hls/stages/health.hpp:66
-  logic [7:0] select_43;
-  assign select_43 = first_s3_q ? pixel_s3_q : ((brightest_q < pixel_s3_q) ? pixel_s3_q : brightest_q);
-  logic not_45;
-  assign not_45 = ~(cfg_dark_level_i < pixel_s3_q);
-  // hls/stages/health.hpp:67
-  logic not_49;
-  assign not_49 = ~(pixel_s3_q < cfg_bright_level_i);
-  // hls/stages/health.hpp:106
-  logic [8:0] to_two;
-  assign to_two = {8'h0, difference_59_s3_q} + {1'b0, xor_60_s3_q};
-  // hls/stages/health.hpp:105
-  logic [8:0] to_one;
-  assign to_one = {8'h0, difference_63_s3_q} + {1'b0, xor_64_s3_q};
+  logic [21:0] turn_q;
+  logic [21:0] level_q;
+  logic [21:0] pair_q;
+  logic [17:0] even_less_odd_q;
+  // hls/stages/health.hpp:86
+  logic [31:0] select_32;
+  assign select_32 = first_s6_q ? 32'h0 : signature_q;
+  logic [12:0] xor_33;
+  assign xor_33 = {13{select_32[0]}} ^ {select_32[31:30], select_32[28:27], select_32[25:24], select_32[22:20], select_32[16], select_32[10:9], select_32[6]};
+  logic [7:0] xor_34;
+  assign xor_34 = pixel_s6_q ^ {select_32[8:7], xor_33[0], select_32[5:1]};
+  logic parity_35;
+  assign parity_35 = ^{select_32[6], select_32[0], pixel_s6_q[5]};
+  // hls/stages/health.hpp:88
+  logic [7:0] select_47;
+  assign select_47 = first_s6_q ? pixel_s6_q : ((pixel_s6_q < darkest_q) ? pixel_s6_q : darkest_q);
+  // hls/stages/health.hpp:89
+  logic [7:0] select_50;
+  assign select_50 = first_s6_q ? pixel_s6_q : ((brightest_q < pixel_s6_q) ? pixel_s6_q : brightest_q);
+  logic not_52;
+  assign not_52 = ~(cfg_dark_level_i < pixel_s6_q);
+  // hls/stages/health.hpp:90
+  logic not_56;
+  assign not_56 = ~(pixel_s6_q < cfg_bright_level_i);
+  // hls/stages/health.hpp:144
+  logic or_87;
+  assign or_87 = equal_85_s6_q | equal_86_s6_q;
+  // hls/stages/health.hpp:164
+  logic [21:0] sum_88;
+  assign sum_88 = (first_s6_q ? 22'h0 : turn_q) + {{17{equal_85_s6_q}}, 1'b0, {4{or_87}}};
+  // hls/stages/health.hpp:144
+  logic [1:0] select_90;
+  assign select_90 = equal_85_s6_q ? 2'h1 : {2{equal_86_s6_q}};
+  // hls/stages/health.hpp:166
+  logic [8:0] sum_111;
+  assign sum_111 = {{2{equal_85_s6_q}}, select_90[1], equal_85_s6_q, 1'b0, {4{select_90[0]}}} + {{3{select_110_s6_q[1]}}, 1'b0, {5{select_110_s6_q[0]}}};
+  // hls/stages/health.hpp:167
+  logic [21:0] sum_122;
+  assign sum_122 = (first_s6_q ? 22'h0 : level_q) + {{17{select_121_s6_q[1]}}, 1'b0, {4{select_121_s6_q[0]}}};
+  // hls/stages/health.hpp:168
+  logic [21:0] sum_136;
+  assign sum_136 = (first_s6_q ? 22'h0 : pair_q) + {{17{equal_134_s6_q}}, 1'b0, {4{or_135_s6_q}}};
+  // hls/stages/health.hpp:169
+  logic [17:0] sum_140;
+  assign sum_140 = (first_s6_q ? 18'h0 : even_less_odd_q) + {{15{select_139_s6_q[2]}}, select_139_s6_q};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -221,152 +430,153 @@ module horopter_health (
       brightest_q <= 8'h0;
       dark_q <= 21'h0;
       bright_q <= 21'h0;
-    end else if (s3_en) begin
-      signature_q <= {select_25[0], xor_26[12:11], select_25[29], xor_26[10:9], select_25[26], xor_26[8:7], select_25[23], xor_26[6:4], select_25[19:17], xor_26[3], select_25[15:11], xor_26[2:1], xor_27[7:6], parity_28, xor_27[4:0]};
-      darkest_q <= select_40;
-      brightest_q <= select_43;
-      dark_q <= {20'h0, not_45} + (first_s3_q ? 21'h0 : dark_q);
-      bright_q <= {20'h0, not_49} + (first_s3_q ? 21'h0 : bright_q);
+      turn_q <= 22'h0;
+      level_q <= 22'h0;
+      pair_q <= 22'h0;
+      even_less_odd_q <= 18'h0;
+    end else if (s6_en) begin
+      signature_q <= {select_32[0], xor_33[12:11], select_32[29], xor_33[10:9], select_32[26], xor_33[8:7], select_32[23], xor_33[6:4], select_32[19:17], xor_33[3], select_32[15:11], xor_33[2:1], xor_34[7:6], parity_35, xor_34[4:0]};
+      darkest_q <= select_47;
+      brightest_q <= select_50;
+      dark_q <= {20'h0, not_52} + (first_s6_q ? 21'h0 : dark_q);
+      bright_q <= {20'h0, not_56} + (first_s6_q ? 21'h0 : bright_q);
+      turn_q <= sum_88;
+      level_q <= sum_122;
+      pair_q <= sum_136;
+      even_less_odd_q <= sum_140;
     end
   end
 
-  logic first_s4_q;
-  logic end_v_s4_q;
-  logic equal_23_s4_q;
-  logic rows_s4_q;
-  logic [8:0] to_two_s4_q;
-  logic [8:0] sum_62_s4_q;
-  logic [8:0] to_one_s4_q;
-  logic [8:0] sum_68_s4_q;
+  logic first_s7_q;
+  logic end_v_s7_q;
+  logic [8:0] sum_111_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
-      first_s4_q <= first_s3_q;
-      end_v_s4_q <= end_v_s3_q;
-      equal_23_s4_q <= equal_23_s3_q;
-      rows_s4_q <= rows_s3_q;
-      to_two_s4_q <= to_two;
-      sum_62_s4_q <= to_two + 9'h1;
-      to_one_s4_q <= to_one;
-      sum_68_s4_q <= to_one + 9'h1;
+    if (s6_en) begin
+      first_s7_q <= first_s6_q;
+      end_v_s7_q <= end_v_s6_q;
+      sum_111_s7_q <= sum_111;
     end
   end
 
-  // Stage 4 -----------------------------------------------------------------------------------------------------------
+  // Stage 7 -----------------------------------------------------------------------------------------------------------
   logic [31:0] previous_signature_q;
+  logic [23:0] aside_q;
+  // hls/stages/health.hpp:165
+  logic [23:0] sum_112;
+  assign sum_112 = (first_s7_q ? 24'h0 : aside_q) + {{15{sum_111_s7_q[8]}}, sum_111_s7_q};
+  // hls/stages/health.hpp:100
+  logic less_141;
+  assign less_141 = cfg_dark_limit_i < dark_q;
   // hls/stages/health.hpp:107
-  logic change;
-  assign change = rows_s4_q & (sum_62_s4_q < to_one_s4_q);
-  // hls/stages/health.hpp:108
-  logic less_69;
-  assign less_69 = sum_68_s4_q < to_two_s4_q;
-  logic or_70;
-  assign or_70 = change | less_69;
-  // hls/stages/health.hpp:77
-  logic less_75;
-  assign less_75 = cfg_dark_limit_i < dark_q;
+  logic [22:0] sum_155;
+  assign sum_155 = {pair_q[21], pair_q} + {{2{pair_q[21]}}, pair_q[21:1]};
+  logic [16:0] xor_156;
+  assign xor_156 = even_less_odd_q[16:0] ^ {17{even_less_odd_q[17]}};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       previous_signature_q <= 32'h0;
-    end else if (s4_en) begin
-      previous_signature_q <= end_v_s4_q ? signature_q : previous_signature_q;
+      aside_q <= 24'h0;
+    end else if (s7_en) begin
+      previous_signature_q <= end_v_s7_q ? signature_q : previous_signature_q;
+      aside_q <= sum_112;
     end
   end
 
-  logic first_s5_q;
-  logic end_v_s5_q;
-  logic equal_23_s5_q;
-  logic equal_31_s5_q;
-  logic [1:0] select_71_s5_q;
-  logic less_75_s5_q;
-  logic less_76_s5_q;
-  logic or_79_s5_q;
+  logic end_v_s8_q;
+  logic equal_38_s8_q;
+  logic less_141_s8_q;
+  logic less_142_s8_q;
+  logic or_145_s8_q;
+  logic less_150_s8_q;
+  logic less_152_s8_q;
+  logic less_154_s8_q;
+  logic [16:0] sum_155_s8_q;
+  logic [17:0] sum_157_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
-      first_s5_q <= first_s4_q;
-      end_v_s5_q <= end_v_s4_q;
-      equal_23_s5_q <= equal_23_s4_q;
-      equal_31_s5_q <= previous_signature_q == signature_q;
-      select_71_s5_q <= rows_s4_q ? {less_69, or_70} : {1'b0, change};
-      less_75_s5_q <= less_75;
-      less_76_s5_q <= cfg_bright_limit_i < bright_q;
-      or_79_s5_q <= less_75 | (cfg_contrast_limit_i < (brightest_q - darkest_q));
+    if (s7_en) begin
+      end_v_s8_q <= end_v_s7_q;
+      equal_38_s8_q <= previous_signature_q == signature_q;
+      less_141_s8_q <= less_141;
+      less_142_s8_q <= cfg_bright_limit_i < bright_q;
+      or_145_s8_q <= less_141 | (cfg_contrast_limit_i < (brightest_q - darkest_q));
+      less_150_s8_q <= $signed(22'h300) < $signed(turn_q);
+      less_152_s8_q <= $signed(22'h640) < $signed(level_q);
+      less_154_s8_q <= $signed(22'h640) < $signed(pair_q);
+      sum_155_s8_q <= sum_155[22:6];
+      sum_157_s8_q <= {17'h0, even_less_odd_q[17]} + {1'b0, xor_156};
     end
   end
 
-  // Stage 5 -----------------------------------------------------------------------------------------------------------
+  // Stage 8 -----------------------------------------------------------------------------------------------------------
   logic has_previous_q;
   logic [7:0] repeats_q;
-  logic [21:0] torn_q;
-  // hls/stages/health.hpp:74
-  logic [7:0] select_35;
-  assign select_35 = equal_31_s5_q ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
-  logic [7:0] select_36;
-  assign select_36 = has_previous_q ? select_35 : 8'h0;
-  // hls/stages/health.hpp:68
-  logic [1:0] change_2;
-  assign change_2 = equal_23_s5_q ? select_71_s5_q : 2'h0;
+  // hls/stages/health.hpp:97
+  logic [7:0] select_42;
+  assign select_42 = equal_38_s8_q ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
+  logic [7:0] select_43;
+  assign select_43 = has_previous_q ? select_42 : 8'h0;
+  // hls/stages/health.hpp:107
+  logic less_158;
+  assign less_158 = $signed({{2{sum_155_s8_q[16]}}, sum_155_s8_q}) < $signed({1'b0, sum_157_s8_q});
   // hls/stages/health.hpp:110
-  logic [21:0] sum_74;
-  assign sum_74 = {{17{change_2[1]}}, 1'b0, {4{change_2[0]}}} + (first_s5_q ? 22'h0 : torn_q);
+  logic or_160;
+  assign or_160 = (($signed(24'h1f40) < $signed(aside_q)) & less_152_s8_q) | (less_154_s8_q & less_158);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       has_previous_q <= 1'b0;
       repeats_q <= 8'h0;
-      torn_q <= 22'h0;
-    end else if (s5_en) begin
-      has_previous_q <= end_v_s5_q | has_previous_q;
-      repeats_q <= end_v_s5_q ? select_36 : repeats_q;
-      torn_q <= sum_74;
+    end else if (s8_en) begin
+      has_previous_q <= end_v_s8_q | has_previous_q;
+      repeats_q <= end_v_s8_q ? select_43 : repeats_q;
     end
   end
 
-  logic end_v_s6_q;
-  logic [31:0] select_29_s6_q;
-  logic [7:0] select_36_s6_q;
-  logic less_75_s6_q;
-  logic less_76_s6_q;
-  logic not_81_s6_q;
+  logic end_v_s9_q;
+  logic [31:0] select_36_s9_q;
+  logic [7:0] select_43_s9_q;
+  logic less_141_s9_q;
+  logic less_142_s9_q;
+  logic not_147_s9_q;
+  logic or_161_s9_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
-      end_v_s6_q <= end_v_s5_q;
-      select_29_s6_q <= previous_signature_q;
-      select_36_s6_q <= select_36;
-      less_75_s6_q <= less_75_s5_q;
-      less_76_s6_q <= less_76_s5_q;
-      not_81_s6_q <= ~(less_76_s5_q | or_79_s5_q);
+    if (s8_en) begin
+      end_v_s9_q <= end_v_s8_q;
+      select_36_s9_q <= previous_signature_q;
+      select_43_s9_q <= select_43;
+      less_141_s9_q <= less_141_s8_q;
+      less_142_s9_q <= less_142_s8_q;
+      not_147_s9_q <= ~(less_142_s8_q | or_145_s8_q);
+      or_161_s9_q <= less_150_s8_q | or_160;
     end
   end
 
-  // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/health.hpp:80
-  logic less_83;
-  assign less_83 = (cfg_frozen_limit_i + 8'hff) < select_36_s6_q;
-  // hls/stages/health.hpp:81
-  logic less_84;
-  assign less_84 = $signed(22'h300) < $signed(torn_q);
-  // hls/stages/health.hpp:84
-  logic [4:0] select_85;
-  assign select_85 = end_v_s6_q ? {less_84, less_83, not_81_s6_q, less_76_s6_q, less_75_s6_q} : 5'h0;
+  // Stage 9 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/health.hpp:103
+  logic less_149;
+  assign less_149 = (cfg_frozen_limit_i + 8'hff) < select_43_s9_q;
+  // hls/stages/health.hpp:110
+  logic [4:0] select_162;
+  assign select_162 = end_v_s9_q ? {or_161_s9_q, less_149, not_147_s9_q, less_142_s9_q, less_141_s9_q} : 5'h0;
 
-  logic [31:0] select_29_s7_q;
-  logic [4:0] select_85_s7_q;
+  logic [31:0] select_36_s10_q;
+  logic [4:0] select_162_s10_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
-      select_29_s7_q <= select_29_s6_q;
-      select_85_s7_q <= select_85;
+    if (s9_en) begin
+      select_36_s10_q <= select_36_s9_q;
+      select_162_s10_q <= select_162;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign black_o = select_85_s7_q[0];
-  assign white_o = select_85_s7_q[1];
-  assign constant_o = select_85_s7_q[2];
-  assign frozen_o = select_85_s7_q[3];
-  assign torn_o = select_85_s7_q[4];
-  assign signature_o = select_29_s7_q;
-  assign valid_o = valid_s7_q;
+  assign black_o = select_162_s10_q[0];
+  assign white_o = select_162_s10_q[1];
+  assign constant_o = select_162_s10_q[2];
+  assign frozen_o = select_162_s10_q[3];
+  assign torn_o = select_162_s10_q[4];
+  assign signature_o = select_36_s10_q;
+  assign valid_o = valid_s10_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -377,6 +587,9 @@ module horopter_health (
       valid_s5_q <= 1'b0;
       valid_s6_q <= 1'b0;
       valid_s7_q <= 1'b0;
+      valid_s8_q <= 1'b0;
+      valid_s9_q <= 1'b0;
+      valid_s10_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -384,12 +597,15 @@ module horopter_health (
       valid_s4_q <= valid_s3_q;
       valid_s5_q <= valid_s4_q;
       valid_s6_q <= valid_s5_q;
-      valid_s7_q <= valid_s6_q & end_v_s6_q;
+      valid_s7_q <= valid_s6_q;
+      valid_s8_q <= valid_s7_q;
+      valid_s9_q <= valid_s8_q;
+      valid_s10_q <= valid_s9_q & end_v_s9_q;
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^xor_27[5];
+  assign unused_bits = ^{sum_155[5:0], xor_34[5]};
 
 endmodule
