@@ -60,6 +60,7 @@ struct Verdict {
   bool unsharp_right = false;
   bool hidden = false;
   bool overlooked = false;  // too much lies on the skin; a fault where there is no alarm
+  bool out_of_step = false;
 };
 
 /// The figures behind it, as registers have them (rtl/csr/registers.yaml): FRAME_REGION of the regions, 8 in a row; then
@@ -124,6 +125,7 @@ class Agreement {
     u<5> on_skin_limit;     // largest share of places, or of cells, on the skin, in 1/32; 31 = never
     u<8> on_skin_cells;     // so many cells on the skin are never too many: 4
     u<1> alarm_before;      // the frame before showed an alarm
+    u<1> same_table;        // the frame before had the same mapping table
     s<16> epipolar_slope;   // displacement across the rows of a shift along them, at the first cell: 2^-15
     s<16> epipolar_column;  // its change from column to column: 2^-20
     s<16> epipolar_row;     // and from row to row: 2^-20
@@ -210,6 +212,7 @@ class Agreement {
     // Flat between the switches is what must be short from register to register.
     ColumnsAlike columns_alike{};
     LeftCell here;
+    RightCell there;
     switch (run_.phase) {
       case Phase::merge:
         merge();
@@ -219,7 +222,10 @@ class Agreement {
         break;
       case Phase::match:
       case Phase::conclude:
-        if (inside()) here = left_.read(x_).age[middle];
+        if (inside()) {
+          here = left_.read(x_).age[middle];
+          there = right_codes_.read(x_).age[middle];
+        }
         break;
       case Phase::idle:
       case Phase::wait:
@@ -250,7 +256,7 @@ class Agreement {
     if (in_row_) registration_.step_peak(slot_, looked.best.peak);
     switch (run_.phase) {
       case Phase::match:
-        match(looked);
+        match(looked, here.step, there.step);
         break;
       case Phase::conclude:
         conclude(looked, config, next_region);
@@ -640,10 +646,12 @@ class Agreement {
     bool supervised = false;
     bool textured = false;
     bool of_skin = false;
+    Step step;
   };
   struct RightCell {
     u<census_bits> code;
     bool valid = false;
+    Step step;
   };
   struct LeftColumn {
     std::array<LeftCell, middle + 2> age{};  // the newest row first
@@ -662,8 +670,8 @@ class Agreement {
     for (std::size_t a = right.age.size() - 1; a > 0; --a) right.age[a] = right.age[a - 1];
     for (std::size_t a = 1; a < left.age.size(); ++a) left.age[a].valid = left.age[a].valid && rows_above;
     for (std::size_t a = 1; a < right.age.size(); ++a) right.age[a].valid = right.age[a].valid && rows_above;
-    left.age[0] = {codes.left, codes.left_valid, codes.supervised, codes.textured, codes.of_skin};
-    right.age[0] = {codes.right, codes.right_valid};
+    left.age[0] = {codes.left, codes.left_valid, codes.supervised, codes.textured, codes.of_skin, codes.left_step};
+    right.age[0] = {codes.right, codes.right_valid, codes.right_step};
     left_.write(x_, left);
     right_codes_.write(x_, right);
   }
@@ -878,12 +886,14 @@ class Agreement {
     Count skin_supervised;  // of the skin alone; these count for `hidden`
     Count skin_textured, skin_unproven;
     Count on_skin;
+    Count turned_left, turned_right;  // of explained cells and their partners (moments.hpp)
   };
   /// What a beat adds to them; one addition each, whatever the phase.
   struct Change {
     u<1> supervised, textured, explained, nearer, unproven;
     u<10> regions_bad;
     u<1> skin_supervised, skin_textured, skin_unproven, on_skin;
+    u<1> turned_left, turned_right;
   };
   /// Of the region's part of this row of cells, with this beat.
   [[nodiscard]] Segment segment() const {
@@ -911,6 +921,8 @@ class Agreement {
     c.skin_textured += by.skin_textured;
     c.skin_unproven += by.skin_unproven;
     c.on_skin += by.on_skin;
+    c.turned_left += by.turned_left;
+    c.turned_right += by.turned_right;
     counts_ = new_frame_ ? Counts{} : c;
   }
 
@@ -943,6 +955,7 @@ class Agreement {
     bool on_skin = false;
     BestLeft best;
     Index partner;  // in the right image
+    Turn left_turn, right_turn;
   };
   Looked look(const LeftCell& here, const Config& config) {
     Looked l;
@@ -954,6 +967,10 @@ class Agreement {
     const Index found(s<10>(x_) + shift);
     l.partner = select(found > last_, Index(0), found);  // a spoilt shift makes no address beyond the memory
     const BestRight right = best_right_.read(l.partner);
+    if (large) {
+      l.left_turn = left_turns_.read(x_);
+      l.right_turn = right_turns_.read(l.partner);
+    }
     const bool enough_rows = row_ >= first_row;
     l.supervised = here.supervised && enough_rows;
     l.textured = l.supervised && here.textured;
@@ -980,8 +997,12 @@ class Agreement {
   }
 
   /// A cell that is shown leaves word where the right camera sees it: what that one sees there is not on the skin, either.
-  void match(const Looked& looked) {
+  void match(const Looked& looked, const Step& left, const Step& right) {
     if (looked.explained) shown_right_.write(looked.partner, Shown{true, looked.nearer});
+    if (!looked.inside) return;
+    const auto turns = moments_.take(row_ == 0 && x_ == 0, looked.explained, left, right);
+    left_turns_.write(x_, turns[0]);
+    right_turns_.write(x_, turns[1]);
   }
 
   void conclude(const Looked& looked, const Config& config, bool next_region) {
@@ -1017,6 +1038,9 @@ class Agreement {
     change_.nearer = u<1>(looked.nearer && looked.of_skin);
     change_.on_skin = u<1>(looked.on_skin);
     change_.skin_supervised = u<1>(looked.supervised && looked.of_skin);
+    const bool both_strong = looked.explained && looked.left_turn.strong && looked.right_turn.strong;
+    change_.turned_left = u<1>(both_strong && looked.left_turn.turned);
+    change_.turned_right = u<1>(both_strong && looked.right_turn.turned);
   }
 
   [[nodiscard]] u<3> region_column() const {
@@ -1115,7 +1139,10 @@ class Agreement {
     } else {
       out.frame = {place >= FrameWord::first_of_frame, place, word(place)};
     }
-    if (k == words_begin) patches_.end_frame();
+    if (k == words_begin) {
+      patches_.end_frame();
+      moments_.end_frame({counts_.turned_left, counts_.turned_right}, config.prove != 0, config.same_table != 0);
+    }
     if (k != finish_ends) return;
     hidden_for_ = hides_ ? u<8>(hidden_for_ + u<1>(!hidden_for_.bit(7))) : u<8>(0);
     good_known_ = true;
@@ -1214,6 +1241,7 @@ class Agreement {
     verdict.moved = config.prove != 0 && (registration_.moved() || patches_.moved());
     const bool overlooks = overlooks_ && config.on_skin_limit != lit<on_skin_limit_never>();
     verdict.overlooked = config.prove != 0 && (overlooks || patches_.overlooked());
+    verdict.out_of_step = config.prove != 0 && moments_.out_of_step();
     // Where the left camera sees nothing and the right one does: of the right one agreement says it already.
     verdict.unsharp_left = config.prove != 0 && enough && (sharpness_.less(0) || census_.left_sees_less());
     verdict.unsharp_right = config.prove != 0 && enough && sharpness_.less(1);
@@ -1286,6 +1314,9 @@ class Agreement {
   void begin_step() {
     averager_.begin_step();
     census_.begin_step();
+    moments_.begin_step();
+    left_turns_.begin_step();
+    right_turns_.begin_step();
     fresh_.begin_step();
     left_.begin_step();
     right_codes_.begin_step();
@@ -1307,6 +1338,7 @@ class Agreement {
   Raster raster_;
   CellAverager<cell, P.result_width()> averager_;
   CellCensus<columns> census_;
+  Moments<columns * rows> moments_;
   Sharpness sharpness_;
   u<5> rows_passed_above_{0};  // bit n: n rows of cells have passed
   // The sweep.
@@ -1342,6 +1374,7 @@ class Agreement {
   RAM<BestLeft, column_count, gap> best_left_;
   RAM<BestRight, column_count, gap> best_right_;
   RAM<Shown, column_count, gap> shown_right_;
+  RAM<Turn, column_count, gap> left_turns_, right_turns_;
   // The row and the frame.
   Counts counts_;
   OfImage registration_;

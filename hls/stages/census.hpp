@@ -7,6 +7,7 @@
 // all its pixels do, in both images. A code stands two cells right of and below the cell it is of, where its window ends.
 #pragma once
 
+#include "stages/moments.hpp"
 #include "stages/stream.hpp"
 
 namespace horopter::stages {
@@ -242,6 +243,7 @@ struct CellCodes {
   bool supervised = false;   // the cell exists
   bool textured = false;     // grey values vary along the row, in the left image
   bool of_skin = false;      // not only around it
+  Step left_step, right_step;
 };
 
 /// Census codes and texture of a cell from the means that come row by row. Memory: four rows of means.
@@ -301,6 +303,10 @@ class CellCensus {
     out.supervised = out.left_valid && centre.mask;
     out.of_skin = centre.of_skin;
     out.textured = out.left_valid && texture >= texture_limit;
+    const Cell& next = columns_->tap(1).cell[2];
+    const bool both_there = out.left_valid && centre.mask && next.mask;
+    out.left_step = step_of(both_there, s<mean_bits + 1>(next.left - centre.left));
+    out.right_step = step_of(both_there && out.right_valid, s<mean_bits + 1>(next.right - centre.right));
 
     const s<5> left_misses(s<5>(out.right_valid && texture_right >= texture_limit ? 5 : 0) -
                            s<5>(out.right_valid && texture >= texture_limit ? 8 : 0));

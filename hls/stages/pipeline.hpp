@@ -39,8 +39,9 @@ using hls::CompeteSettings;
 
 /// The registers that decide what a frame's result is.
 struct Settings : hls::StageSettings {
-  int lookahead = 0;  // rows
-  int forget = 0;     // the frame before taught what went blind, but had a fault or an alarm
+  int lookahead = 0;   // rows
+  int forget = 0;      // the frame before taught what went blind, but had a fault or an alarm
+  int same_table = 1;  // the frame before had the same one
 
   /// ⌊p · 15·k² / 100⌋.
   static constexpr int sum_limit_for(int percent, int window) { return percent * 15 * window * window / 100; }
@@ -107,6 +108,7 @@ struct Agreement {
   bool unsharp_right = false;
   bool hidden = false;
   bool overlooked = false;  // a fault where there is no alarm
+  bool out_of_step = false;
   std::array<int, 4> across{};
   std::array<int, 4> measured{};
   std::array<int, 2> detail{};
@@ -903,6 +905,7 @@ class Pipeline {
     to.unsharp_right = from.unsharp_right;
     to.hidden = from.hidden;
     to.overlooked = from.overlooked;
+    to.out_of_step = from.out_of_step;
   }
 
   /// See stages::FrameWord.

@@ -102,8 +102,8 @@ module horopter_csr #(
     output logic [23:0] map_undecidable_limit_pixels_o,
     input  logic [27:0] faults_cameras_set_i,
     output logic [27:0] faults_cameras_o,
-    input  logic [20:0] faults_machine_set_i,
-    output logic [20:0] faults_machine_o,
+    input  logic [21:0] faults_machine_set_i,
+    output logic [21:0] faults_machine_o,
     input  logic [15:0] map_extent_base_word64_i,
     input  logic [15:0] map_extent_end_word64_i,
     input  logic [31:0] frame_sequence_value_i,
@@ -117,7 +117,7 @@ module horopter_csr #(
     input  logic [31:0] frame_cycles_clocks_i,
     input  logic [31:0] frame_latency_clocks_i,
     input  logic [31:0] frame_tail_clocks_i,
-    input  logic [20:0] frame_faults_machine_i,
+    input  logic [21:0] frame_faults_machine_i,
     output logic [22:0] agreement_o,
     output logic [31:0] agreement_limits_o,
     output logic [ 7:0] hidden_frames_o,
@@ -1030,11 +1030,11 @@ module horopter_csr #(
   assign faults_cameras_o = faults_cameras_q;
 
   // FAULTS_MACHINE: The same for faults of both cameras together, of tables and of the machine.
-  logic [20:0] faults_machine_q;
+  logic [21:0] faults_machine_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) faults_machine_q <= 21'd0;
+    if (!rst_ni) faults_machine_q <= 22'd0;
     else if (write_q && write_group_q[5] && write_word_q[1])
-      faults_machine_q <= (faults_machine_q & ~(write_data_i[20:0] & {{5{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
+      faults_machine_q <= (faults_machine_q & ~(write_data_i[21:0] & {{6{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
     else faults_machine_q <= faults_machine_q | faults_machine_set_i;
   end
   assign faults_machine_o = faults_machine_q;
@@ -1082,7 +1082,7 @@ module horopter_csr #(
     if (wanted_q[0])
       case (word_q)
         3'h0: group_00_q <= 32'h484F524F;
-        3'h1: group_00_q <= {16'h2, 16'h7};
+        3'h1: group_00_q <= {16'h2, 16'h8};
         3'h2: group_00_q <= {build_size_height_i, build_size_width_i};
         3'h3: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
         3'h4: group_00_q <= {1'd0, build_window_blind_i, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
@@ -1145,7 +1145,7 @@ module horopter_csr #(
     if (wanted_q[6])
       case (word_q)
         3'h0: group_07_q <= {2'd0, faults_cameras_q[27:14], 2'd0, faults_cameras_q[13:0]};
-        3'h1: group_07_q <= {11'd0, faults_machine_q};
+        3'h1: group_07_q <= {10'd0, faults_machine_q};
         default: group_07_q <= {map_extent_end_word64_i, map_extent_base_word64_i};
       endcase
     group_08_q <= 32'd0;
@@ -1166,7 +1166,7 @@ module horopter_csr #(
         3'h0: group_09_q <= frame_cycles_clocks_i;
         3'h1: group_09_q <= frame_latency_clocks_i;
         3'h2: group_09_q <= frame_tail_clocks_i;
-        3'h3: group_09_q <= {11'd0, frame_faults_machine_i};
+        3'h3: group_09_q <= {10'd0, frame_faults_machine_i};
         3'h4: group_09_q <= {9'd0, agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
         3'h5: group_09_q <= {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q};
         3'h6: group_09_q <= {24'd0, hidden_frames_q};

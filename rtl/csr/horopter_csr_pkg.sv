@@ -42,6 +42,7 @@ package horopter_csr_pkg;
   } camera_faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic out_of_step;
     logic overlooked;
     logic teaching;
     logic contactors;
@@ -66,6 +67,7 @@ package horopter_csr_pkg;
   } machine_faults_t;
 
   typedef struct packed {  // from the highest bit
+    logic out_of_step;
     logic overlooked;
     logic [ 1:0] unsharp;
     logic untextured;

@@ -151,6 +151,7 @@ module horopter_frame_control (
       outgoing_q.machine.disagree <= verdict_valid_i && verdict_i.disagree;
       outgoing_q.machine.unproven <= verdict_valid_i && verdict_i.unproven;
       outgoing_q.machine.moved <= verdict_valid_i && verdict_i.moved;
+      outgoing_q.machine.out_of_step <= verdict_valid_i && verdict_i.out_of_step;
       outgoing_q.machine.hidden <= verdict_valid_i && verdict_i.hidden;
       outgoing_q.left.unsharp <= verdict_valid_i && verdict_i.unsharp[0];
       outgoing_q.right.unsharp <= verdict_valid_i && verdict_i.unsharp[1];

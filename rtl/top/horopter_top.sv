@@ -187,6 +187,7 @@ module horopter_top #(
   logic [11:0] width, height, lookahead;
   logic [31:0] timeout;
   logic [3:0] table_select, active_slot_q;
+  logic same_table_q;  // the frame before had the same one
   horopter_csr_pkg::irq_enable_t irq_enable;
   horopter_csr_pkg::irq_status_t irq_set, irq_status;
   logic [15:0] sum_limit, self_limit, texture_limit;
@@ -680,8 +681,13 @@ module horopter_top #(
   logic go, beat_parity_error;
 
   always_ff @(posedge clk_i) begin
-    if (!core_rst_n) active_slot_q <= horopter_csr_pkg::NO_SLOT;
-    else if (lookup) active_slot_q <= table_select;
+    if (!core_rst_n) begin
+      active_slot_q <= horopter_csr_pkg::NO_SLOT;
+      same_table_q <= 1'b0;
+    end else if (lookup) begin
+      active_slot_q <= table_select;
+      same_table_q <= table_select == active_slot_q;
+    end
   end
 
   horopter_map_store #(
@@ -964,10 +970,10 @@ module horopter_top #(
   logic counts_valid, alarm, too_undecidable, too_little_decided, too_unsupervised;
   logic [COUNT_BITS-1:0] skin_pixels, undecidable_pixels, unsupervised_pixels;
   logic verdict_valid, word_valid;
-  logic disagree, unproven, moved, hidden, untextured, overlooked;
+  logic disagree, unproven, moved, hidden, untextured, overlooked, out_of_step;
   logic [1:0] unsharp;
   horopter_csr_pkg::verdict_t verdict;
-  assign verdict = {overlooked, unsharp, untextured, hidden, moved, unproven, disagree};  // as horopter_csr_pkg has it
+  assign verdict = {out_of_step, overlooked, unsharp, untextured, hidden, moved, unproven, disagree};  // as horopter_csr_pkg has it
   logic [5:0] word_index;
   logic [31:0] word;
   logic align_hidden, align_unproven;
@@ -1015,6 +1021,7 @@ module horopter_top #(
       .cfg_on_skin_limit_i(sampled_registration.on_skin),
       .cfg_on_skin_cells_i(sampled_registration.on_skin_cells),
       .cfg_alarm_before_i(frame_status.seen),
+      .cfg_same_table_i(same_table_q),
       .cfg_epipolar_slope_i(sampled_epipolar.slope),
       .cfg_epipolar_column_i(sampled_epipolar.column),
       .cfg_epipolar_row_i(sampled_epipolar_change.row),
@@ -1026,6 +1033,7 @@ module horopter_top #(
       .agreement_verdict_disagree_o(disagree),
       .agreement_verdict_moved_o(moved),
       .agreement_verdict_overlooked_o(overlooked),
+      .agreement_verdict_out_of_step_o(out_of_step),
       .agreement_verdict_unsharp_left_o(unsharp[0]),
       .agreement_verdict_unsharp_right_o(unsharp[1]),
       .agreement_verdict_hidden_o(hidden),

@@ -225,6 +225,75 @@ TEST_CASE("a camera out of focus, or in fog, is unsharp") {
   CHECK(faultless(last_of(kRound, config, good, dim).verdict));
 }
 
+TEST_CASE("one camera a frame late is out of step from the first motion on, until one begins in both at once") {
+  const Picture world = scene(320, 240, 1);
+  const Picture plate = scene(320, 240, 7);
+  constexpr double kBehind_px = 20;
+  unsigned noise = 2;
+  double gain = 1;
+  // The plate has come to `moved_px`, and is not there where that is not given.
+  const auto view = [&](double parallax_px, std::optional<double> moved_px) {
+    Picture picture = world;
+    for (int y = 0; y < 240; ++y) {
+      for (int x = 0; x < 320; ++x) {
+        const double at_px = moved_px ? x + parallax_px - *moved_px : -1;
+        const bool on_plate = at_px >= 90 && at_px < 190 && y >= 70 && y < 180;
+        picture.grey[static_cast<std::size_t>(y * 320 + x)] =
+            gain * (on_plate ? plate.at(at_px, y) : world.at(x + parallax_px, y));
+      }
+    }
+    return seen(picture, shifted(0, 0), ++noise);
+  };
+  const auto config = defaults(320, 240);
+  const auto stage = std::make_unique<Small>();
+  double right_gain = 1;
+  const auto says = [&](std::optional<double> left_px, std::optional<double> right_px) {
+    const Picture left = view(0, left_px);
+    gain = right_gain;
+    const Picture right = view(-kBehind_px, right_px);
+    gain = 1;
+    return frame(*stage, config, left, right).verdict.out_of_step;
+  };
+  const double way_px = GENERATE(-9, 6, 14);
+  CAPTURE(way_px);
+  // In step: still, moving, still.
+  for (const int at : {0, 0, 1, 2, 3, 3}) CHECK_FALSE(says(at * way_px, at * way_px));
+  // A camera that sets its own gain; what comes into one view first.
+  right_gain = 0.5;
+  for (int i = 0; i < 2; ++i) CHECK_FALSE(says(0, 0));
+  CHECK_FALSE(says(std::nullopt, std::nullopt));
+  CHECK_FALSE(says(0, std::nullopt));
+  CHECK_FALSE(says(0, 0));
+  right_gain = 1;
+  for (int i = 0; i < 2; ++i) CHECK_FALSE(says(0, 0));
+  SECTION("the right one is late") {
+    for (const int at : {1, 2, 3, 3, 3}) CHECK(says(at * way_px, std::max(0, at - 1) * way_px));
+    for (int i = 0; i < 3; ++i) CHECK(says(3 * way_px, 3 * way_px));
+    CHECK_FALSE(says(4 * way_px, 4 * way_px));
+  }
+  SECTION("the left one is") {
+    for (const int at : {1, 2, 3}) CHECK(says((at - 1) * way_px, at * way_px));
+    CHECK(says(3 * way_px, 3 * way_px));
+    for (int i = 0; i < 2; ++i) CHECK(says(std::nullopt, std::nullopt));
+    CHECK(says(3 * way_px, std::nullopt));  // comes into one view first: no beginning in both
+    CHECK(says(4 * way_px, 3 * way_px));
+  }
+  SECTION("another skin: the right image is another one") {
+    auto other = config;
+    other.same_table = 0;
+    CHECK_FALSE(frame(*stage, other, view(0, 0), view(-kBehind_px, way_px)).verdict.out_of_step);
+    CHECK_FALSE(says(0, way_px));
+    CHECK(says(0, 2 * way_px));
+  }
+  SECTION("not asked") {
+    auto off = config;
+    off.prove = 0;
+    CHECK(says(way_px, 0));
+    CHECK_FALSE(frame(*stage, off, view(0, way_px), view(-kBehind_px, 0)).verdict.out_of_step);
+    CHECK_FALSE(says(way_px, 0));
+  }
+}
+
 TEST_CASE("something nearer than the skin hides it, and for too long is a fault") {
   const Picture world = scene(320, 240, 1);
   const Picture left = seen(world, shifted(0, 0), 2);

@@ -78,7 +78,7 @@ void check_same(int width, int height, unsigned seed, bool scene = false) {
            a.verdict.moved == b.verdict.moved && a.verdict.hidden == b.verdict.hidden &&
            a.verdict.untextured == b.verdict.untextured && a.verdict.unproven_yet == b.verdict.unproven_yet &&
            a.verdict.unsharp_left == b.verdict.unsharp_left && a.verdict.unsharp_right == b.verdict.unsharp_right &&
-           a.verdict.overlooked == b.verdict.overlooked;
+           a.verdict.overlooked == b.verdict.overlooked && a.verdict.out_of_step == b.verdict.out_of_step;
   };
   const auto columns = static_cast<std::size_t>(width);
   std::vector<hls::u<8>> left_row(columns), right_row(columns);

@@ -97,6 +97,7 @@ inline Small::Config defaults(int width, int height) {
   config.width = width;
   config.height = height;
   config.prove = 1;
+  config.same_table = 1;
   config.shift_lowest = -30;
   config.shift_highest = 30;
   config.nearer_below = 1;
@@ -191,7 +192,7 @@ inline constexpr int kRound = 24;
 
 inline bool faultless(const Verdict& v) {
   return v.valid && !v.unproven_yet && !v.untextured && !v.disagree && !v.moved && !v.unsharp_left &&
-         !v.unsharp_right && !v.hidden;
+         !v.unsharp_right && !v.hidden && !v.out_of_step;
 }
 
 }  // namespace horopter::agreement_scenes

@@ -341,6 +341,7 @@ void NativeDevice::reset_stream() {
   taught_ = taught_before_ = forget_ = dim_ = false;
   taught_frames_ = 0;
   active_slot_ = kNoTable;
+  same_table_ = false;
   frame_faults_pending_ = {};
 }
 
@@ -422,6 +423,7 @@ native::Settings NativeDevice::settings() const {
   static_cast<hls::StageSettings&>(s) = stage_settings(word);
   s.lookahead = static_cast<int>(word(reg::lookahead::kAddress));
   s.forget = forget_ ? 1 : 0;
+  s.same_table = same_table_ ? 1 : 0;
   s.dim = s.dim != 0 && s.teach != 0 && !dim_ ? 1 : 0;
   // Without a table nothing is undecidable.
   s.undecidable_limit = 0;
@@ -456,7 +458,9 @@ void NativeDevice::send(const Image& left, const Image& right) {
 void NativeDevice::start_frame() {
   const auto selected = stored(reg::table_select::kAddress);
   const bool usable = selected < tables_.size() && tables_[selected].has_value() && fits(*tables_[selected]);
-  active_slot_ = usable ? static_cast<int>(selected) : kNoTable;
+  const int slot = usable ? static_cast<int>(selected) : kNoTable;
+  same_table_ = slot == active_slot_;
+  active_slot_ = slot;
 }
 
 bool NativeDevice::fits(const Table& table) const {
@@ -508,6 +512,7 @@ FrameStreams NativeDevice::receive() {
   add(result.agreement.unproven, Fault::unproven);
   add(result.agreement.moved, Fault::moved);
   add(result.agreement.overlooked && !result.alarm, Fault::overlooked);
+  add(result.agreement.out_of_step, Fault::out_of_step);
   add(result.agreement.hidden, Fault::hidden);
   add(result.agreement.unsharp_left, Fault::left_unsharp);
   add(result.agreement.unsharp_right, Fault::right_unsharp);

@@ -3,7 +3,7 @@
 //
 // Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 2946 bits, pipeline 831 bits, memories 101080 bits.
+// State 3046 bits, pipeline 862 bits, memories 127160 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -36,6 +36,7 @@ module horopter_agreement (
   input  logic [4:0] cfg_on_skin_limit_i,
   input  logic [7:0] cfg_on_skin_cells_i,
   input  logic cfg_alarm_before_i,
+  input  logic cfg_same_table_i,
   input  logic signed [15:0] cfg_epipolar_slope_i,
   input  logic signed [15:0] cfg_epipolar_column_i,
   input  logic signed [15:0] cfg_epipolar_row_i,
@@ -59,6 +60,7 @@ module horopter_agreement (
   output logic verdict_unsharp_right_o,
   output logic verdict_hidden_o,
   output logic verdict_overlooked_o,
+  output logic verdict_out_of_step_o,
   output logic frame_valid_o,
   output logic [5:0] frame_index_o,
   output logic [31:0] frame_word_o
@@ -75,20 +77,20 @@ module horopter_agreement (
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {1'b0, cfg_width_i[9:3]} + 8'hff;
-  logic [5:0] sum_2858;
-  assign sum_2858 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_3878;
-  assign difference_3878 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_4096;
-  assign not_4096 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_4153;
-  assign difference_4153 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_4368;
-  assign less_4368 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_4369;
-  assign sum_4369 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic not_4387;
-  assign not_4387 = ~cfg_prove_i;
+  logic [5:0] sum_2979;
+  assign sum_2979 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_4023;
+  assign difference_4023 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_4239;
+  assign not_4239 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [6:0] difference_4296;
+  assign difference_4296 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_4511;
+  assign less_4511 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_4512;
+  assign sum_4512 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic not_4530;
+  assign not_4530 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -153,452 +155,453 @@ module horopter_agreement (
   logic [4:0] patches_code_row_q;
   logic [4:0] patches_column_q;
   logic patches_column_ends_q;
-  // hls/stages/census.hpp:35
-  logic [2:0] select_479;
-  assign select_479 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
-  logic [6:0] select_481;
-  assign select_481 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
-  // hls/stages/census.hpp:115
-  logic [8:0] select_484;
-  assign select_484 = ({select_481, select_479} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
+  // hls/stages/census.hpp:36
+  logic [2:0] select_489;
+  assign select_489 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
+  logic [6:0] select_491;
+  assign select_491 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
   // hls/stages/census.hpp:116
-  logic [8:0] select_485;
-  assign select_485 = select_479[0] ? averager_place_q : select_484;
-  // hls/stages/census.hpp:41
-  logic or_486;
-  assign or_486 = sample_pair_first_q | raster_at_live_q;
-  // hls/stages/agreement.hpp:411
-  logic and_489;
-  assign and_489 = (select_479[0] & or_486) & (select_485[8:6] < 3'h5);
-  // hls/stages/census.hpp:41
-  logic [2:0] select_494;
-  assign select_494 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:270
+  logic [8:0] select_494;
+  assign select_494 = ({select_491, select_489} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
+  // hls/stages/census.hpp:117
+  logic [8:0] select_495;
+  assign select_495 = select_489[0] ? averager_place_q : select_494;
+  // hls/stages/census.hpp:42
+  logic or_496;
+  assign or_496 = sample_pair_first_q | raster_at_live_q;
+  // hls/stages/agreement.hpp:417
+  logic and_499;
+  assign and_499 = (select_489[0] & or_496) & (select_495[8:6] < 3'h5);
+  // hls/stages/census.hpp:42
+  logic [2:0] select_504;
+  assign select_504 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  // hls/stages/agreement.hpp:276
   logic [6:0] column;
-  assign column = sample_pair_whole_q ? select_481 : 7'h0;
-  // hls/stages/census.hpp:50
-  logic equal_511;
-  assign equal_511 = select_479 == 3'h7;
-  // hls/stages/census.hpp:53
-  logic equal_512;
-  assign equal_512 = select_494 == 3'h7;
-  // hls/stages/census.hpp:126
-  logic and_513;
-  assign and_513 = equal_512 & and_489;
-  // hls/stages/agreement.hpp:270
-  logic and_515;
-  assign and_515 = sample_pair_whole_q & (equal_511 & and_513);
-  // hls/stages/agreement.hpp:194
+  assign column = sample_pair_whole_q ? select_491 : 7'h0;
+  // hls/stages/census.hpp:51
+  logic equal_521;
+  assign equal_521 = select_489 == 3'h7;
+  // hls/stages/census.hpp:54
+  logic equal_522;
+  assign equal_522 = select_504 == 3'h7;
+  // hls/stages/census.hpp:127
+  logic and_523;
+  assign and_523 = equal_522 & and_499;
+  // hls/stages/agreement.hpp:276
+  logic and_525;
+  assign and_525 = sample_pair_whole_q & (equal_521 & and_523);
+  // hls/stages/agreement.hpp:196
   logic so;
   assign so = run_phase_q == 3'h6;
-  // hls/stages/agreement.hpp:617
-  logic equal_535;
-  assign equal_535 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:588
-  logic or_536;
-  assign or_536 = so | equal_535;
-  logic not_537;
-  assign not_537 = ~or_536;
-  // hls/stages/agreement.hpp:608
-  logic equal_538;
-  assign equal_538 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:609
-  logic equal_540;
-  assign equal_540 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:586
-  logic [7:0] sum_541;
-  assign sum_541 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
-  // hls/stages/agreement.hpp:588
-  logic [7:0] select_542;
-  assign select_542 = run_shift_q[5] ? x_q : sum_541;
-  logic less_543;
-  assign less_543 = {1'b0, last_q} < select_542;
-  // hls/stages/agreement.hpp:222
-  logic not_544;
-  assign not_544 = ~less_543;
-  // hls/stages/agreement.hpp:147
-  logic and_545;
-  assign and_545 = equal_540 & not_544;
-  logic and_547;
-  assign and_547 = not_537 & ((~equal_538) & and_545);
-  // hls/stages/census.hpp:41
-  logic [5:0] select_574;
-  assign select_574 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:270
-  logic [5:0] row;
-  assign row = sample_pair_whole_q ? select_574 : 6'h0;
-  // hls/stages/agreement.hpp:147
-  logic select_631;
-  assign select_631 = equal_538 ? not_544 : and_545;
-  // hls/stages/agreement.hpp:790
+  // hls/stages/agreement.hpp:623
+  logic equal_553;
+  assign equal_553 = run_phase_q == 3'h5;
+  // hls/stages/agreement.hpp:594
+  logic or_554;
+  assign or_554 = so | equal_553;
+  // hls/stages/agreement.hpp:592
+  logic [7:0] sum_555;
+  assign sum_555 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+  // hls/stages/agreement.hpp:594
+  logic [7:0] select_556;
+  assign select_556 = run_shift_q[5] ? x_q : sum_555;
+  logic less_557;
+  assign less_557 = {1'b0, last_q} < select_556;
+  // hls/stages/agreement.hpp:226
+  logic not_558;
+  assign not_558 = ~less_557;
+  // hls/stages/agreement.hpp:614
+  logic equal_568;
+  assign equal_568 = run_phase_q == 3'h3;
+  // hls/stages/agreement.hpp:615
+  logic equal_569;
+  assign equal_569 = run_phase_q == 3'h2;
+  // hls/stages/agreement.hpp:149
+  logic and_570;
+  assign and_570 = equal_569 & not_558;
+  logic select_572;
+  assign select_572 = or_554 ? not_558 : (equal_568 ? not_558 : and_570);
+  // hls/stages/agreement.hpp:798
   logic [7:0] x;
   assign x = x_q + 8'hfd;
-  // hls/stages/agreement.hpp:147
-  logic and_655;
-  assign and_655 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_542)));
-  logic and_656;
-  assign and_656 = equal_538 & and_655;
-  logic select_657;
-  assign select_657 = or_536 ? not_544 : and_656;
-  // hls/stages/agreement.hpp:813
+  // hls/stages/agreement.hpp:149
+  logic and_590;
+  assign and_590 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_556)));
+  logic and_591;
+  assign and_591 = equal_568 & and_590;
+  logic select_592;
+  assign select_592 = or_554 ? not_558 : and_591;
+  // hls/stages/agreement.hpp:821
   logic [6:0] right;
-  assign right = sum_541[6:0] + 7'h7d;
+  assign right = sum_555[6:0] + 7'h7d;
+  // hls/stages/agreement.hpp:594
+  logic not_622;
+  assign not_622 = ~or_554;
+  // hls/stages/agreement.hpp:149
+  logic and_625;
+  assign and_625 = not_622 & ((~equal_568) & and_570);
+  // hls/stages/census.hpp:42
+  logic [5:0] select_652;
+  assign select_652 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
+  // hls/stages/agreement.hpp:276
+  logic [5:0] row;
+  assign row = sample_pair_whole_q ? select_652 : 6'h0;
   // hls/stages/patches.hpp:122
-  logic and_2063;
-  assign and_2063 = (select_479 == 3'h0) & (select_481 == 7'h0);
+  logic and_2124;
+  assign and_2124 = (select_489 == 3'h0) & (select_491 == 7'h0);
   // hls/stages/patches.hpp:391
-  logic not_2064;
-  assign not_2064 = ~patches_begins_q;
-  // hls/stages/census.hpp:31
-  logic not_2067;
-  assign not_2067 = ~sample_pair_first_q;
+  logic not_2125;
+  assign not_2125 = ~patches_begins_q;
+  // hls/stages/census.hpp:32
+  logic not_2128;
+  assign not_2128 = ~sample_pair_first_q;
   // hls/stages/patches.hpp:361
-  logic and_2068;
-  assign and_2068 = patches_capturing_q & not_2067;
+  logic and_2129;
+  assign and_2129 = patches_capturing_q & not_2128;
   // hls/stages/patches.hpp:363
-  logic equal_2069;
-  assign equal_2069 = {or_486, select_494} == 4'hc;
+  logic equal_2130;
+  assign equal_2130 = {or_496, select_504} == 4'hc;
   // hls/stages/patches.hpp:311
-  logic equal_2071;
-  assign equal_2071 = patches_band_rows_rows_to_next_q == 4'h0;
+  logic equal_2132;
+  assign equal_2132 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/patches.hpp:125
-  logic and_2076;
-  assign and_2076 = (not_2064 & (patches_work_q == 3'h0)) & (~(and_2068 | ((~equal_2069) | (~equal_2071))));
+  logic and_2137;
+  assign and_2137 = (not_2125 & (patches_work_q == 3'h0)) & (~(and_2129 | ((~equal_2130) | (~equal_2132))));
   // hls/stages/patches.hpp:529
-  logic equal_2165;
-  assign equal_2165 = patches_work_q == 3'h4;
+  logic equal_2225;
+  assign equal_2225 = patches_work_q == 3'h4;
   // hls/stages/patches.hpp:507
-  logic not_2166;
-  assign not_2166 = ~equal_2165;
-  // hls/stages/patches.hpp:500
-  logic equal_2167;
-  assign equal_2167 = patches_work_q == 3'h3;
-  // hls/stages/patches.hpp:453
-  logic not_2168;
-  assign not_2168 = ~equal_2167;
-  // hls/stages/patches.hpp:494
-  logic equal_2169;
-  assign equal_2169 = patches_work_q == 3'h2;
-  // hls/stages/patches.hpp:167
-  logic equal_2170;
-  assign equal_2170 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:529
-  logic or_2171;
-  assign or_2171 = equal_2169 | equal_2170;
-  // hls/stages/patches.hpp:455
-  logic not_2172;
-  assign not_2172 = ~patches_second_q;
-  // hls/stages/patches.hpp:372
-  logic [4:0] select_2194;
-  assign select_2194 = and_2076 ? 5'h0 : (patches_row_q + 5'h1);
-  // hls/stages/patches.hpp:126
-  logic [4:0] select_2195;
-  assign select_2195 = and_2063 ? select_2194 : patches_row_q;
-  // hls/stages/patches.hpp:125
-  logic and_2197;
-  assign and_2197 = and_2068 & (patches_row_q == 5'h1f);
-  // hls/stages/patches.hpp:126
-  logic select_2201;
-  assign select_2201 = and_2063 ? (and_2076 | (and_2068 & (~and_2197))) : patches_capturing_q;
-  // hls/stages/patches.hpp:184
-  logic and_2209;
-  assign and_2209 = not_2166 & (not_2168 & (or_2171 & (patches_second_q & equal_2170)));
-  // hls/stages/patches.hpp:167
   logic not_2226;
-  assign not_2226 = ~equal_2170;
-  // hls/stages/agreement.hpp:270
-  logic [3:0] select_2242;
-  assign select_2242 = and_2063 ? {select_2194[4], select_2194[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  assign not_2226 = ~equal_2225;
+  // hls/stages/patches.hpp:500
+  logic equal_2227;
+  assign equal_2227 = patches_work_q == 3'h3;
   // hls/stages/patches.hpp:453
-  logic and_2252;
-  assign and_2252 = not_2166 & (or_2171 & not_2168);
-  // hls/stages/agreement.hpp:270
-  logic [2:0] select_2508;
-  assign select_2508 = sample_pair_whole_q ? (sample_last_q ? (select_494 + 3'h1) : select_494) : raster_at_y_q;
-  logic [6:0] select_2510;
-  assign select_2510 = sample_pair_whole_q ? (select_481 + {6'h0, equal_511}) : raster_at_column_q;
-  logic [5:0] select_2513;
-  assign select_2513 = sample_pair_whole_q ? (sample_last_q ? (select_574 + {5'h0, equal_512}) : select_574) : raster_at_row_q;
-  logic select_2517;
-  assign select_2517 = sample_pair_whole_q ? (sample_last_q ? (or_486 & (~raster_final_row_q)) : or_486) : raster_at_live_q;
-  // hls/stages/census.hpp:49
-  logic [8:0] select_2519;
-  assign select_2519 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
-  // hls/stages/agreement.hpp:270
-  logic select_2523;
-  assign select_2523 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
-  // hls/stages/agreement.hpp:453
-  logic equal_2767;
-  assign equal_2767 = {last[7], column} == {1'b0, last[6:0]};
-  // hls/stages/agreement.hpp:458
-  logic and_2768;
-  assign and_2768 = and_515 & equal_2767;
-  // hls/stages/agreement.hpp:517
-  logic select_2771;
-  assign select_2771 = (and_2768 | (~ends_cell_q)) ? and_2768 : ends_q;
+  logic not_2228;
+  assign not_2228 = ~equal_2227;
+  // hls/stages/patches.hpp:494
+  logic equal_2229;
+  assign equal_2229 = patches_work_q == 3'h2;
+  // hls/stages/patches.hpp:167
+  logic equal_2230;
+  assign equal_2230 = patches_work_q == 3'h1;
+  // hls/stages/patches.hpp:529
+  logic or_2231;
+  assign or_2231 = equal_2229 | equal_2230;
+  // hls/stages/patches.hpp:455
+  logic not_2232;
+  assign not_2232 = ~patches_second_q;
+  // hls/stages/patches.hpp:372
+  logic [4:0] select_2254;
+  assign select_2254 = and_2137 ? 5'h0 : (patches_row_q + 5'h1);
+  // hls/stages/patches.hpp:126
+  logic [4:0] select_2255;
+  assign select_2255 = and_2124 ? select_2254 : patches_row_q;
+  // hls/stages/patches.hpp:125
+  logic and_2257;
+  assign and_2257 = and_2129 & (patches_row_q == 5'h1f);
+  // hls/stages/patches.hpp:126
+  logic select_2261;
+  assign select_2261 = and_2124 ? (and_2137 | (and_2129 & (~and_2257))) : patches_capturing_q;
+  // hls/stages/patches.hpp:184
+  logic and_2269;
+  assign and_2269 = not_2226 & (not_2228 & (or_2231 & (patches_second_q & equal_2230)));
+  // hls/stages/patches.hpp:167
+  logic not_2286;
+  assign not_2286 = ~equal_2230;
+  // hls/stages/agreement.hpp:276
+  logic [3:0] select_2302;
+  assign select_2302 = and_2124 ? {select_2254[4], select_2254[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  // hls/stages/patches.hpp:453
+  logic and_2312;
+  assign and_2312 = not_2226 & (or_2231 & not_2228);
+  // hls/stages/agreement.hpp:276
+  logic [2:0] select_2569;
+  assign select_2569 = sample_pair_whole_q ? (sample_last_q ? (select_504 + 3'h1) : select_504) : raster_at_y_q;
+  logic [6:0] select_2571;
+  assign select_2571 = sample_pair_whole_q ? (select_491 + {6'h0, equal_521}) : raster_at_column_q;
+  logic [5:0] select_2574;
+  assign select_2574 = sample_pair_whole_q ? (sample_last_q ? (select_652 + {5'h0, equal_522}) : select_652) : raster_at_row_q;
+  logic select_2578;
+  assign select_2578 = sample_pair_whole_q ? (sample_last_q ? (or_496 & (~raster_final_row_q)) : or_496) : raster_at_live_q;
+  // hls/stages/census.hpp:50
+  logic [8:0] select_2580;
+  assign select_2580 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  // hls/stages/agreement.hpp:276
+  logic select_2584;
+  assign select_2584 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  // hls/stages/agreement.hpp:459
+  logic equal_2888;
+  assign equal_2888 = {last[7], column} == {1'b0, last[6:0]};
+  // hls/stages/agreement.hpp:464
+  logic and_2889;
+  assign and_2889 = and_525 & equal_2888;
   // hls/stages/agreement.hpp:523
+  logic select_2892;
+  assign select_2892 = (and_2889 | (~ends_cell_q)) ? and_2889 : ends_q;
+  // hls/stages/agreement.hpp:529
   logic [2:0] now;
-  assign now = select_2771 ? (and_2768 ? 3'h1 : following_phase_q) : run_phase_q;
-  // hls/stages/agreement.hpp:528
-  logic [5:0] select_2775;
-  assign select_2775 = select_2771 ? (and_2768 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2778;
-  assign select_2778 = select_2771 ? (following_last_shift_q & (~and_2768)) : run_last_shift_q;
-  // hls/stages/agreement.hpp:601
-  logic and_2781;
-  assign and_2781 = run_last_shift_q & equal_538;
-  // hls/stages/agreement.hpp:610
-  logic select_2783;
-  assign select_2783 = equal_538 ? (~run_last_shift_q) : equal_540;
-  // hls/stages/agreement.hpp:614
-  logic equal_2784;
-  assign equal_2784 = run_phase_q == 3'h1;
-  logic not_2787;
-  assign not_2787 = ~select_2783;
-  // hls/stages/agreement.hpp:617
-  logic equal_2789;
-  assign equal_2789 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:601
-  logic and_2790;
-  assign and_2790 = final_row_q & so;
-  // hls/stages/agreement.hpp:614
-  logic [1:0] select_2791;
-  assign select_2791 = equal_2789 ? 2'h1 : {2{and_2790}};
-  logic [2:0] select_2793;
-  assign select_2793 = (and_2781 | (select_2783 | equal_2784)) ? (equal_2784 ? 3'h2 : {not_2787, {2{select_2783}}}) : (equal_535 ? 3'h6 : {select_2791[0], select_2791});
-  // hls/stages/agreement.hpp:601
-  logic and_2796;
-  assign and_2796 = select_2783 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
-  // hls/stages/agreement.hpp:624
+  assign now = select_2892 ? (and_2889 ? 3'h1 : following_phase_q) : run_phase_q;
+  // hls/stages/agreement.hpp:534
+  logic [5:0] select_2896;
+  assign select_2896 = select_2892 ? (and_2889 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2899;
+  assign select_2899 = select_2892 ? (following_last_shift_q & (~and_2889)) : run_last_shift_q;
+  // hls/stages/agreement.hpp:607
+  logic and_2902;
+  assign and_2902 = run_last_shift_q & equal_568;
+  // hls/stages/agreement.hpp:616
+  logic select_2904;
+  assign select_2904 = equal_568 ? (~run_last_shift_q) : equal_569;
+  // hls/stages/agreement.hpp:620
+  logic equal_2905;
+  assign equal_2905 = run_phase_q == 3'h1;
+  logic not_2908;
+  assign not_2908 = ~select_2904;
+  // hls/stages/agreement.hpp:623
+  logic equal_2910;
+  assign equal_2910 = run_phase_q == 3'h4;
+  // hls/stages/agreement.hpp:607
+  logic and_2911;
+  assign and_2911 = final_row_q & so;
+  // hls/stages/agreement.hpp:620
+  logic [1:0] select_2912;
+  assign select_2912 = equal_2910 ? 2'h1 : {2{and_2911}};
+  logic [2:0] select_2914;
+  assign select_2914 = (and_2902 | (select_2904 | equal_2905)) ? (equal_2905 ? 3'h2 : {not_2908, {2{select_2904}}}) : (equal_553 ? 3'h6 : {select_2912[0], select_2912});
+  // hls/stages/agreement.hpp:607
+  logic and_2917;
+  assign and_2917 = select_2904 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  // hls/stages/agreement.hpp:630
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2799;
-  assign select_2799 = (plan_shift_q[5] & select_2783) ? value : 7'h0;
-  logic [1:0] or_2800;
-  assign or_2800 = {2{so}} | select_2799[5:4];
-  // hls/stages/agreement.hpp:627
-  logic [7:0] or_2804;
-  assign or_2804 = (select_2783 ? plan_columns_q : 8'h0) | ((equal_2784 | equal_2789) ? whole_q : 8'h0);
-  logic [1:0] or_2805;
-  assign or_2805 = {2{and_2781}} | or_2804[3:2];
-  // hls/stages/agreement.hpp:628
-  logic [7:0] or_2807;
-  assign or_2807 = {or_2804[7:4], or_2805, or_2804[1:0]} | (equal_535 ? drawn_q : 8'h0);
-  logic [4:0] or_2808;
-  assign or_2808 = {5{so}} | {or_2807[6], or_2807[3:0]};
+  logic [6:0] select_2920;
+  assign select_2920 = (plan_shift_q[5] & select_2904) ? value : 7'h0;
+  logic [1:0] or_2921;
+  assign or_2921 = {2{so}} | select_2920[5:4];
+  // hls/stages/agreement.hpp:633
+  logic [7:0] or_2925;
+  assign or_2925 = (select_2904 ? plan_columns_q : 8'h0) | ((equal_2905 | equal_2910) ? whole_q : 8'h0);
+  logic [1:0] or_2926;
+  assign or_2926 = {2{and_2902}} | or_2925[3:2];
   // hls/stages/agreement.hpp:634
-  logic not_2812;
-  assign not_2812 = ~run_shift_q[5];
-  logic [7:0] select_2815;
-  assign select_2815 = equal_538 ? ({{7{not_2812}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
-  // hls/stages/agreement.hpp:517
-  logic [6:0] select_2819;
-  assign select_2819 = and_2768 ? 7'h0 : following_lowest_q;
+  logic [7:0] or_2928;
+  assign or_2928 = {or_2925[7:4], or_2926, or_2925[1:0]} | (equal_553 ? drawn_q : 8'h0);
+  logic [4:0] or_2929;
+  assign or_2929 = {5{so}} | {or_2928[6], or_2928[3:0]};
+  // hls/stages/agreement.hpp:640
+  logic not_2933;
+  assign not_2933 = ~run_shift_q[5];
+  logic [7:0] select_2936;
+  assign select_2936 = equal_568 ? ({{7{not_2933}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  // hls/stages/agreement.hpp:523
+  logic [6:0] select_2940;
+  assign select_2940 = and_2889 ? 7'h0 : following_lowest_q;
+  // hls/stages/agreement.hpp:526
+  logic [7:0] select_2942;
+  assign select_2942 = select_2892 ? {select_2940[6], select_2940} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2945;
+  assign select_2945 = select_2892 ? (and_2889 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:520
-  logic [7:0] select_2821;
-  assign select_2821 = select_2771 ? {select_2819[6], select_2819} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2824;
-  assign select_2824 = select_2771 ? (and_2768 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:514
-  logic [6:0] select_2832;
-  assign select_2832 = and_515 ? (equal_2767 ? ((6'he < column[6:1]) ? 7'h1d : column) : least_q) : least_q;
-  logic [7:0] select_2835;
-  assign select_2835 = and_515 ? (equal_2767 ? ({1'b0, cfg_width_i[9:3]} + 8'hb) : whole_q) : whole_q;
-  logic [7:0] select_2838;
-  assign select_2838 = and_515 ? (equal_2767 ? ({1'b0, cfg_width_i[9:3]} + 8'h3) : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:525
-  logic select_2849;
-  assign select_2849 = (ends_cell_q | select_2771) ? (~(now == 3'h6)) : (equal_538 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:520
-  logic and_2853;
-  assign and_2853 = (~select_2771) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
-  // hls/stages/agreement.hpp:470
-  logic [6:0] sum_2854;
-  assign sum_2854 = {1'b0, row} + 7'h1;
-  // hls/stages/agreement.hpp:454
-  logic select_2856;
-  assign select_2856 = equal_2767 ? ({sum_2854[6], cfg_height_i[8:3]} == {1'b0, sum_2854[5:0]}) : final_row_q;
+  logic [6:0] select_2953;
+  assign select_2953 = and_525 ? (equal_2888 ? ((6'he < column[6:1]) ? 7'h1d : column) : least_q) : least_q;
+  logic [7:0] select_2956;
+  assign select_2956 = and_525 ? (equal_2888 ? ({1'b0, cfg_width_i[9:3]} + 8'hb) : whole_q) : whole_q;
+  logic [7:0] select_2959;
+  assign select_2959 = and_525 ? (equal_2888 ? ({1'b0, cfg_width_i[9:3]} + 8'h3) : drawn_q) : drawn_q;
+  // hls/stages/agreement.hpp:531
+  logic select_2970;
+  assign select_2970 = (ends_cell_q | select_2892) ? (~(now == 3'h6)) : (equal_568 | (slot_q == 3'h6));
+  // hls/stages/agreement.hpp:526
+  logic and_2974;
+  assign and_2974 = (~select_2892) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  // hls/stages/agreement.hpp:476
+  logic [6:0] sum_2975;
+  assign sum_2975 = {1'b0, row} + 7'h1;
+  // hls/stages/agreement.hpp:460
+  logic select_2977;
+  assign select_2977 = equal_2888 ? ({sum_2975[6], cfg_height_i[8:3]} == {1'b0, sum_2975[5:0]}) : final_row_q;
   // hls/stages/patches.hpp:317
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
-  logic [3:0] select_3191;
-  assign select_3191 = and_2063 ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
-  // hls/stages/agreement.hpp:270
-  logic [3:0] select_3192;
-  assign select_3192 = sample_pair_whole_q ? select_3191 : patches_phase_q;
+  logic [3:0] select_3336;
+  assign select_3336 = and_2124 ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
+  // hls/stages/agreement.hpp:276
+  logic [3:0] select_3337;
+  assign select_3337 = sample_pair_whole_q ? select_3336 : patches_phase_q;
   // hls/stages/patches.hpp:372
-  logic and_3193;
-  assign and_3193 = not_2067 & equal_2069;
-  logic [8:0] select_3194;
-  assign select_3194 = and_3193 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_3195;
-  assign select_3195 = and_3193 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_3196;
-  assign select_3196 = sample_pair_first_q ? select_3194 : select_3195;
-  // hls/stages/agreement.hpp:270
-  logic [3:0] select_3198;
-  assign select_3198 = sample_pair_whole_q ? (and_2063 ? select_3196[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_3200;
-  assign select_3200 = sample_pair_whole_q ? (and_2063 ? select_3196[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_3203;
-  assign select_3203 = sample_pair_whole_q ? (equal_2071 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_3205;
-  assign select_3205 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_2071}) : patches_next_band_number_q;
+  logic and_3338;
+  assign and_3338 = not_2128 & equal_2130;
+  logic [8:0] select_3339;
+  assign select_3339 = and_3338 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_3340;
+  assign select_3340 = and_3338 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_3341;
+  assign select_3341 = sample_pair_first_q ? select_3339 : select_3340;
+  // hls/stages/agreement.hpp:276
+  logic [3:0] select_3343;
+  assign select_3343 = sample_pair_whole_q ? (and_2124 ? select_3341[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_3345;
+  assign select_3345 = sample_pair_whole_q ? (and_2124 ? select_3341[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_3348;
+  assign select_3348 = sample_pair_whole_q ? (equal_2132 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_3350;
+  assign select_3350 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_2132}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:330
-  logic equal_3206;
-  assign equal_3206 = phase[3:1] == 3'h0;
+  logic equal_3351;
+  assign equal_3351 = phase[3:1] == 3'h0;
   // hls/stages/patches.hpp:331
-  logic not_3207;
-  assign not_3207 = ~equal_3206;
-  // hls/stages/agreement.hpp:270
-  logic [3:0] select_3209;
-  assign select_3209 = sample_pair_whole_q ? (phase + {not_3207, 1'b1, not_3207, equal_3206}) : patches_first_band_rows_to_next_q;
-  // hls/stages/agreement.hpp:464
-  logic equal_3211;
-  assign equal_3211 = row == 6'h3;
+  logic not_3352;
+  assign not_3352 = ~equal_3351;
+  // hls/stages/agreement.hpp:276
+  logic [3:0] select_3354;
+  assign select_3354 = sample_pair_whole_q ? (phase + {not_3352, 1'b1, not_3352, equal_3351}) : patches_first_band_rows_to_next_q;
+  // hls/stages/agreement.hpp:470
+  logic equal_3356;
+  assign equal_3356 = row == 6'h3;
   // hls/stages/patches.hpp:87
-  logic [3:0] select_3215;
-  assign select_3215 = equal_3211 ? ((select_3192 == 4'h6) ? 4'h0 : (select_3192 + 4'h1)) : patches_choosing_rows_to_next_q;
-  logic equal_3216;
-  assign equal_3216 = select_3215 == 4'h0;
-  // hls/stages/agreement.hpp:454
-  logic [3:0] select_3219;
-  assign select_3219 = equal_2767 ? (equal_3216 ? 4'h6 : (select_3215 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_3360;
+  assign select_3360 = equal_3356 ? ((select_3337 == 4'h6) ? 4'h0 : (select_3337 + 4'h1)) : patches_choosing_rows_to_next_q;
+  logic equal_3361;
+  assign equal_3361 = select_3360 == 4'h0;
+  // hls/stages/agreement.hpp:460
+  logic [3:0] select_3364;
+  assign select_3364 = equal_2888 ? (equal_3361 ? 4'h6 : (select_3360 + 4'hf)) : patches_choosing_rows_to_next_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_3221;
-  assign select_3221 = equal_3211 ? 5'h0 : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:454
-  logic [4:0] select_3223;
-  assign select_3223 = equal_2767 ? (select_3221 + {4'h0, equal_3216}) : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:514
-  logic select_3228;
-  assign select_3228 = and_515 ? (equal_2767 ? ((6'h2 < row) & equal_3216) : patches_chooses_q) : patches_chooses_q;
-  logic [4:0] select_3230;
-  assign select_3230 = and_515 ? (equal_2767 ? select_3221 : patches_choosing_band_q) : patches_choosing_band_q;
+  logic [4:0] select_3366;
+  assign select_3366 = equal_3356 ? 5'h0 : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:460
+  logic [4:0] select_3368;
+  assign select_3368 = equal_2888 ? (select_3366 + {4'h0, equal_3361}) : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:520
+  logic select_3373;
+  assign select_3373 = and_525 ? (equal_2888 ? ((6'h2 < row) & equal_3361) : patches_chooses_q) : patches_chooses_q;
+  logic [4:0] select_3375;
+  assign select_3375 = and_525 ? (equal_2888 ? select_3366 : patches_choosing_band_q) : patches_choosing_band_q;
   // hls/stages/patches.hpp:370
-  logic or_3254;
-  assign or_3254 = select_481[0] | select_574[5];
-  logic [7:0] sum_3255;
-  assign sum_3255 = {1'b0, select_481[2:1], or_3254, select_574[4:1]} + 8'h1;
-  logic less_3256;
-  assign less_3256 = {sum_3255, select_574[0], select_494, 1'b0} < {4'h0, cfg_height_i};
+  logic or_3399;
+  assign or_3399 = select_491[0] | select_652[5];
+  logic [7:0] sum_3400;
+  assign sum_3400 = {1'b0, select_491[2:1], or_3399, select_652[4:1]} + 8'h1;
+  logic less_3401;
+  assign less_3401 = {sum_3400, select_652[0], select_504, 1'b0} < {4'h0, cfg_height_i};
   // hls/stages/patches.hpp:126
-  logic select_3259;
-  assign select_3259 = and_2063 ? (and_2076 ? (~less_3256) : patches_lower_q) : patches_lower_q;
+  logic select_3404;
+  assign select_3404 = and_2124 ? (and_2137 ? (~less_3401) : patches_lower_q) : patches_lower_q;
   // hls/stages/patches.hpp:392
-  logic or_3298;
-  assign or_3298 = patches_begins_q | patches_ends_q;
+  logic or_3443;
+  assign or_3443 = patches_begins_q | patches_ends_q;
   // hls/stages/patches.hpp:394
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:187
-  logic and_3304;
-  assign and_3304 = equal_2165 & not_2172;
+  logic and_3449;
+  assign and_3449 = equal_2225 & not_2232;
   // hls/stages/patches.hpp:398
-  logic and_3305;
-  assign and_3305 = not_2226 & and_3304;
-  logic [1:0] select_3307;
-  assign select_3307 = equal_2167 ? 2'h0 : (equal_2169 ? 2'h3 : {equal_2170, and_3305});
+  logic and_3450;
+  assign and_3450 = not_2286 & and_3449;
+  logic [1:0] select_3452;
+  assign select_3452 = equal_2227 ? 2'h0 : (equal_2229 ? 2'h3 : {equal_2230, and_3450});
   // hls/stages/patches.hpp:279
-  logic equal_3309;
-  assign equal_3309 = patches_following_q == 3'h4;
+  logic equal_3454;
+  assign equal_3454 = patches_following_q == 3'h4;
   // hls/stages/patches.hpp:277
-  logic not_3310;
-  assign not_3310 = ~equal_3309;
+  logic not_3455;
+  assign not_3455 = ~equal_3454;
   // hls/stages/patches.hpp:279
-  logic equal_3311;
-  assign equal_3311 = patches_following_q == 3'h3;
+  logic equal_3456;
+  assign equal_3456 = patches_following_q == 3'h3;
   // hls/stages/patches.hpp:275
-  logic not_3312;
-  assign not_3312 = ~equal_3311;
+  logic not_3457;
+  assign not_3457 = ~equal_3456;
   // hls/stages/patches.hpp:283
-  logic not_3314;
-  assign not_3314 = ~(patches_following_q == 3'h2);
-  logic and_3317;
-  assign and_3317 = (~(patches_following_q == 3'h1)) & not_3314;
+  logic not_3459;
+  assign not_3459 = ~(patches_following_q == 3'h2);
+  logic and_3462;
+  assign and_3462 = (~(patches_following_q == 3'h1)) & not_3459;
   // hls/stages/patches.hpp:396
-  logic [1:0] select_3318;
-  assign select_3318 = equal_3311 ? 2'h2 : {and_3317, not_3314};
-  logic [3:0] select_3319;
-  assign select_3319 = equal_3309 ? 4'h2 : {select_3318, {2{not_3312}}};
+  logic [1:0] select_3463;
+  assign select_3463 = equal_3456 ? 2'h2 : {and_3462, not_3459};
+  logic [3:0] select_3464;
+  assign select_3464 = equal_3454 ? 4'h2 : {select_3463, {2{not_3457}}};
   // hls/stages/patches.hpp:404
-  logic not_3322;
-  assign not_3322 = ~or_3298;
+  logic not_3467;
+  assign not_3467 = ~or_3443;
   // hls/stages/patches.hpp:393
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
   // hls/stages/patches.hpp:405
-  logic [11:0] select_3327;
-  assign select_3327 = or_3298 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  logic [11:0] select_3472;
+  assign select_3472 = or_3443 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/patches.hpp:187
-  logic [4:0] select_3329;
-  assign select_3329 = or_3298 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  logic [4:0] select_3474;
+  assign select_3474 = or_3443 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
-  // Memory fresh, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1339; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory fresh, 80 x 33 and parity, DISTANCE 12, hls/stages/agreement.hpp:1371; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [29:0] fresh_mem [0:79];
+  logic [33:0] fresh_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) fresh_mem[i] = 30'h0;
+  initial for (int i = 0; i < 80; i++) fresh_mem[i] = 34'h0;
 `endif
   logic [6:0] fresh_raddr;
   assign fresh_raddr = x_q[6:0];
   logic fresh_re;
-  assign fresh_re = s0_en & and_547;
-  logic [29:0] fresh_word_q;
+  assign fresh_re = s0_en & and_625;
+  logic [33:0] fresh_word_q;
   always_ff @(posedge clk_i) begin
     if (fresh_re) fresh_word_q <= fresh_mem[fresh_raddr];
   end
-  logic [28:0] fresh_rdata_q;
-  assign fresh_rdata_q = fresh_word_q[28:0];
+  logic [32:0] fresh_rdata_q;
+  assign fresh_rdata_q = fresh_word_q[32:0];
   logic fresh_read_q, fresh_error;
   always_ff @(posedge clk_i) fresh_read_q <= rst_ni & fresh_re;
   assign fresh_error = fresh_read_q & ^fresh_word_q;
 
-  // Memory left, 80 x 77 and parity, DISTANCE 12, hls/stages/agreement.hpp:1340; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 85 and parity, DISTANCE 12, hls/stages/agreement.hpp:1372; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [77:0] left_mem [0:79];
+  logic [85:0] left_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) left_mem[i] = 78'h0;
+  initial for (int i = 0; i < 80; i++) left_mem[i] = 86'h0;
 `endif
   logic [6:0] left_raddr;
   assign left_raddr = x_q[6:0];
   logic left_re;
-  assign left_re = s0_en & (or_536 ? not_544 : select_631);
-  logic [77:0] left_word_q;
+  assign left_re = s0_en & select_572;
+  logic [85:0] left_word_q;
   always_ff @(posedge clk_i) begin
     if (left_re) left_word_q <= left_mem[left_raddr];
   end
-  logic [76:0] left_rdata_q;
-  assign left_rdata_q = left_word_q[76:0];
+  logic [84:0] left_rdata_q;
+  assign left_rdata_q = left_word_q[84:0];
   logic left_read_q, left_error;
   always_ff @(posedge clk_i) left_read_q <= rst_ni & left_re;
   assign left_error = left_read_q & ^left_word_q;
 
-  // Memory right_codes, 80 x 91 and parity, DISTANCE 12, hls/stages/agreement.hpp:1341; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 99 and parity, DISTANCE 12, hls/stages/agreement.hpp:1373; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [91:0] right_codes_mem [0:79];
+  logic [99:0] right_codes_mem [0:79];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 80; i++) right_codes_mem[i] = 92'h0;
+  initial for (int i = 0; i < 80; i++) right_codes_mem[i] = 100'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = equal_538 ? sum_541[6:0] : x_q[6:0];
+  assign right_codes_raddr = or_554 ? x_q[6:0] : (equal_568 ? sum_555[6:0] : x_q[6:0]);
   logic right_codes_re;
-  assign right_codes_re = s0_en & (not_537 & select_631);
-  logic [91:0] right_codes_word_q;
+  assign right_codes_re = s0_en & select_572;
+  logic [99:0] right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (right_codes_re) right_codes_word_q <= right_codes_mem[right_codes_raddr];
   end
-  logic [90:0] right_codes_rdata_q;
-  assign right_codes_rdata_q = right_codes_word_q[90:0];
+  logic [98:0] right_codes_rdata_q;
+  assign right_codes_rdata_q = right_codes_word_q[98:0];
   logic right_codes_read_q, right_codes_error;
   always_ff @(posedge clk_i) right_codes_read_q <= rst_ni & right_codes_re;
   assign right_codes_error = right_codes_read_q & ^right_codes_word_q;
 
-  // Memory best_left, 80 x 62 and parity, DISTANCE 12, hls/stages/agreement.hpp:1342; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 80 x 62 and parity, DISTANCE 12, hls/stages/agreement.hpp:1374; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [62:0] best_left_mem [0:79];
@@ -606,9 +609,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_left_mem[i] = 63'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = or_536 ? x_q[6:0] : x[6:0];
+  assign best_left_raddr = or_554 ? x_q[6:0] : x[6:0];
   logic best_left_re;
-  assign best_left_re = s0_en & select_657;
+  assign best_left_re = s0_en & select_592;
   logic [62:0] best_left_word_q;
   always_ff @(posedge clk_i) begin
     if (best_left_re) best_left_word_q <= best_left_mem[best_left_raddr];
@@ -629,7 +632,7 @@ module horopter_agreement (
   logic [9:0] patches_right_0_raddr;
   assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
   logic patches_right_0_re;
-  assign patches_right_0_re = s0_en & (not_2166 & (not_2168 & (or_2171 & (equal_2170 & not_2172))));
+  assign patches_right_0_re = s0_en & (not_2226 & (not_2228 & (or_2231 & (equal_2230 & not_2232))));
   logic [8:0] patches_right_0_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_right_0_re) patches_right_0_word_q <= patches_right_0_mem[patches_right_0_raddr];
@@ -650,7 +653,7 @@ module horopter_agreement (
   logic [9:0] patches_right_1_raddr;
   assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
   logic patches_right_1_re;
-  assign patches_right_1_re = s0_en & and_2209;
+  assign patches_right_1_re = s0_en & and_2269;
   logic [8:0] patches_right_1_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_right_1_re) patches_right_1_word_q <= patches_right_1_mem[patches_right_1_raddr];
@@ -671,7 +674,7 @@ module horopter_agreement (
   logic [8:0] patches_left_raddr;
   assign patches_left_raddr = {patches_second_q, patches_code_row_q[3:0], patches_column_q[3:0]};
   logic patches_left_re;
-  assign patches_left_re = s0_en & (not_2166 & (not_2168 & (not_2226 & or_2171)));
+  assign patches_left_re = s0_en & (not_2226 & (not_2228 & (not_2286 & or_2231)));
   logic [8:0] patches_left_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_left_re) patches_left_word_q <= patches_left_mem[patches_left_raddr];
@@ -693,7 +696,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_raddr;
   assign patches_columns_above_raddr = patches_column_q;
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s0_en & and_2252;
+  assign patches_columns_above_re = s0_en & and_2312;
   logic [32:0] patches_columns_above_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_columns_above_re) patches_columns_above_word_q <= patches_columns_above_mem[patches_columns_above_raddr];
@@ -773,64 +776,64 @@ module horopter_agreement (
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_479 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_2508;
-      raster_at_column_q <= select_2510;
-      raster_at_row_q <= select_2513;
-      raster_at_live_q <= select_2517;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2519 : raster_rows_left_q;
+      raster_at_x_q <= sample_pair_whole_q ? (select_489 + 3'h1) : raster_at_x_q;
+      raster_at_y_q <= select_2569;
+      raster_at_column_q <= select_2571;
+      raster_at_row_q <= select_2574;
+      raster_at_live_q <= select_2578;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2580 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2523;
-      averager_place_q <= sample_pair_whole_q ? select_485 : averager_place_q;
+      raster_final_row_q <= select_2584;
+      averager_place_q <= sample_pair_whole_q ? select_495 : averager_place_q;
       run_phase_q <= now;
-      run_shift_q <= select_2775;
-      run_last_shift_q <= select_2778;
-      run_span_q <= select_2771 ? (and_2768 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2793;
-      following_shift_q <= select_2783 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2796;
+      run_shift_q <= select_2896;
+      run_last_shift_q <= select_2899;
+      run_span_q <= select_2892 ? (and_2889 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2914;
+      following_shift_q <= select_2904 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2917;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2799[6], or_2800, select_2799[3:0]};
-      following_columns_q <= {or_2807[7], or_2808[4], or_2807[5:4], or_2808[3:0]};
-      plan_shift_q <= equal_538 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2815;
+      following_lowest_q <= {select_2920[6], or_2921, select_2920[3:0]};
+      following_columns_q <= {or_2928[7], or_2929[4], or_2928[5:4], or_2929[3:0]};
+      plan_shift_q <= equal_568 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
+      plan_span_q <= select_2936;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2821;
-      columns_left_q <= select_2824;
-      last_q <= and_515 ? (equal_2767 ? column : last_q) : last_q;
-      least_q <= select_2832;
-      whole_q <= select_2835;
-      drawn_q <= select_2838;
-      age_q <= select_2771 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2771 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2849;
-      ends_q <= and_2853;
-      final_row_q <= and_515 ? select_2856 : final_row_q;
+      x_q <= select_2942;
+      columns_left_q <= select_2945;
+      last_q <= and_525 ? (equal_2888 ? column : last_q) : last_q;
+      least_q <= select_2953;
+      whole_q <= select_2956;
+      drawn_q <= select_2959;
+      age_q <= select_2892 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2892 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2970;
+      ends_q <= and_2974;
+      final_row_q <= and_525 ? select_2977 : final_row_q;
       shift_first_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      patches_phase_q <= select_3192;
-      patches_band_rows_rows_to_next_q <= select_3198;
-      patches_band_rows_number_q <= select_3200;
-      patches_next_band_rows_to_next_q <= select_3203;
-      patches_next_band_number_q <= select_3205;
-      patches_first_band_rows_to_next_q <= select_3209;
-      patches_first_band_number_q <= sample_pair_whole_q ? equal_3206 : patches_first_band_number_q;
-      patches_choosing_rows_to_next_q <= and_515 ? select_3219 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_515 ? select_3223 : patches_choosing_number_q;
-      patches_chooses_q <= select_3228;
-      patches_choosing_band_q <= select_3230;
-      patches_capturing_q <= sample_pair_whole_q ? select_2201 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_q ? select_3259 : patches_lower_q;
-      patches_row_q <= sample_pair_whole_q ? select_2195 : patches_row_q;
-      patches_work_q <= or_3298 ? following : patches_work_q;
-      patches_second_q <= not_2064 & (patches_second_q | (patches_ends_q & equal_2165));
-      patches_following_q <= equal_2165 ? {2'h0, and_3304} : {equal_2167, select_3307};
-      patches_following_beats_q <= {select_3319, not_3310};
-      patches_begins_q <= sample_pair_whole_q & (and_2063 & and_2197);
-      patches_ends_q <= not_3322 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3327;
-      patches_code_row_q <= select_3329;
-      patches_column_q <= or_3298 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3322 & (patches_column_q == 5'h1e);
+      patches_phase_q <= select_3337;
+      patches_band_rows_rows_to_next_q <= select_3343;
+      patches_band_rows_number_q <= select_3345;
+      patches_next_band_rows_to_next_q <= select_3348;
+      patches_next_band_number_q <= select_3350;
+      patches_first_band_rows_to_next_q <= select_3354;
+      patches_first_band_number_q <= sample_pair_whole_q ? equal_3351 : patches_first_band_number_q;
+      patches_choosing_rows_to_next_q <= and_525 ? select_3364 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_525 ? select_3368 : patches_choosing_number_q;
+      patches_chooses_q <= select_3373;
+      patches_choosing_band_q <= select_3375;
+      patches_capturing_q <= sample_pair_whole_q ? select_2261 : patches_capturing_q;
+      patches_lower_q <= sample_pair_whole_q ? select_3404 : patches_lower_q;
+      patches_row_q <= sample_pair_whole_q ? select_2255 : patches_row_q;
+      patches_work_q <= or_3443 ? following : patches_work_q;
+      patches_second_q <= not_2125 & (patches_second_q | (patches_ends_q & equal_2225));
+      patches_following_q <= equal_2225 ? {2'h0, and_3449} : {equal_2227, select_3452};
+      patches_following_beats_q <= {select_3464, not_3455};
+      patches_begins_q <= sample_pair_whole_q & (and_2124 & and_2257);
+      patches_ends_q <= not_3467 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3472;
+      patches_code_row_q <= select_3474;
+      patches_column_q <= or_3443 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3467 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -854,45 +857,45 @@ module horopter_agreement (
   logic patches_second_s1_q;
   logic [4:0] patches_code_row_s1_q;
   logic [4:0] patches_column_s1_q;
-  logic [2:0] select_479_s1_q;
-  logic [6:0] select_481_s1_q;
-  logic [8:0] select_485_s1_q;
-  logic and_489_s1_q;
-  logic equal_495_s1_q;
+  logic [2:0] select_489_s1_q;
+  logic [6:0] select_491_s1_q;
+  logic [8:0] select_495_s1_q;
+  logic and_499_s1_q;
+  logic equal_505_s1_q;
   logic [6:0] column_s1_q;
-  logic and_513_s1_q;
-  logic and_515_s1_q;
+  logic and_523_s1_q;
+  logic and_525_s1_q;
+  logic equal_549_s1_q;
   logic so_s1_q;
-  logic equal_535_s1_q;
-  logic or_536_s1_q;
-  logic equal_538_s1_q;
-  logic less_543_s1_q;
-  logic not_544_s1_q;
-  logic and_547_s1_q;
-  logic [5:0] row_s1_q;
+  logic equal_553_s1_q;
+  logic or_554_s1_q;
+  logic less_557_s1_q;
+  logic not_558_s1_q;
+  logic equal_568_s1_q;
   logic [6:0] x_s1_2_q;
-  logic select_657_s1_q;
-  logic and_1936_s1_q;
+  logic select_592_s1_q;
   logic [6:0] right_s1_q;
-  logic equal_1944_s1_q;
-  logic equal_1954_s1_q;
-  logic and_2063_s1_q;
-  logic and_2076_s1_q;
-  logic equal_2165_s1_q;
-  logic not_2166_s1_q;
-  logic equal_2167_s1_q;
-  logic not_2168_s1_q;
-  logic equal_2169_s1_q;
-  logic equal_2170_s1_q;
-  logic or_2171_s1_q;
-  logic [4:0] select_2195_s1_q;
-  logic select_2201_s1_q;
-  logic [3:0] select_2242_s1_q;
-  logic and_2252_s1_q;
-  logic equal_2767_s1_q;
-  logic and_2768_s1_q;
-  logic or_3298_s1_q;
-  logic not_3322_s1_q;
+  logic and_625_s1_q;
+  logic [5:0] row_s1_q;
+  logic and_2010_s1_q;
+  logic equal_2011_s1_q;
+  logic and_2124_s1_q;
+  logic and_2137_s1_q;
+  logic equal_2225_s1_q;
+  logic not_2226_s1_q;
+  logic equal_2227_s1_q;
+  logic not_2228_s1_q;
+  logic equal_2229_s1_q;
+  logic equal_2230_s1_q;
+  logic or_2231_s1_q;
+  logic [4:0] select_2255_s1_q;
+  logic select_2261_s1_q;
+  logic [3:0] select_2302_s1_q;
+  logic and_2312_s1_q;
+  logic equal_2888_s1_q;
+  logic and_2889_s1_q;
+  logic or_3443_s1_q;
+  logic not_3467_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -915,49 +918,50 @@ module horopter_agreement (
       patches_second_s1_q <= patches_second_q;
       patches_code_row_s1_q <= patches_code_row_q;
       patches_column_s1_q <= patches_column_q;
-      select_479_s1_q <= select_479;
-      select_481_s1_q <= select_481;
-      select_485_s1_q <= select_485;
-      and_489_s1_q <= and_489;
-      equal_495_s1_q <= select_494 == 3'h0;
+      select_489_s1_q <= select_489;
+      select_491_s1_q <= select_491;
+      select_495_s1_q <= select_495;
+      and_499_s1_q <= and_499;
+      equal_505_s1_q <= select_504 == 3'h0;
       column_s1_q <= column;
-      and_513_s1_q <= and_513;
-      and_515_s1_q <= and_515;
+      and_523_s1_q <= and_523;
+      and_525_s1_q <= and_525;
+      equal_549_s1_q <= run_phase_q == 3'h7;
       so_s1_q <= so;
-      equal_535_s1_q <= equal_535;
-      or_536_s1_q <= or_536;
-      equal_538_s1_q <= equal_538;
-      less_543_s1_q <= less_543;
-      not_544_s1_q <= not_544;
-      and_547_s1_q <= and_547;
-      row_s1_q <= row;
+      equal_553_s1_q <= equal_553;
+      or_554_s1_q <= or_554;
+      less_557_s1_q <= less_557;
+      not_558_s1_q <= not_558;
+      equal_568_s1_q <= equal_568;
       x_s1_2_q <= x[6:0];
-      select_657_s1_q <= select_657;
-      and_1936_s1_q <= not_537 & and_656;
+      select_592_s1_q <= select_592;
       right_s1_q <= right;
-      equal_1944_s1_q <= {x[7], last_q} == {1'b0, x[6:0]};
-      equal_1954_s1_q <= run_phase_q == 3'h7;
-      and_2063_s1_q <= and_2063;
-      and_2076_s1_q <= and_2076;
-      equal_2165_s1_q <= equal_2165;
-      not_2166_s1_q <= not_2166;
-      equal_2167_s1_q <= equal_2167;
-      not_2168_s1_q <= not_2168;
-      equal_2169_s1_q <= equal_2169;
-      equal_2170_s1_q <= equal_2170;
-      or_2171_s1_q <= or_2171;
-      select_2195_s1_q <= select_2195;
-      select_2201_s1_q <= select_2201;
-      select_2242_s1_q <= select_2242;
-      and_2252_s1_q <= and_2252;
-      equal_2767_s1_q <= equal_2767;
-      and_2768_s1_q <= and_2768;
-      or_3298_s1_q <= or_3298;
-      not_3322_s1_q <= not_3322;
+      and_625_s1_q <= and_625;
+      row_s1_q <= row;
+      and_2010_s1_q <= not_622 & and_591;
+      equal_2011_s1_q <= {x[7], last_q} == {1'b0, x[6:0]};
+      and_2124_s1_q <= and_2124;
+      and_2137_s1_q <= and_2137;
+      equal_2225_s1_q <= equal_2225;
+      not_2226_s1_q <= not_2226;
+      equal_2227_s1_q <= equal_2227;
+      not_2228_s1_q <= not_2228;
+      equal_2229_s1_q <= equal_2229;
+      equal_2230_s1_q <= equal_2230;
+      or_2231_s1_q <= or_2231;
+      select_2255_s1_q <= select_2255;
+      select_2261_s1_q <= select_2261;
+      select_2302_s1_q <= select_2302;
+      and_2312_s1_q <= and_2312;
+      equal_2888_s1_q <= equal_2888;
+      and_2889_s1_q <= and_2889;
+      or_3443_s1_q <= or_3443;
+      not_3467_s1_q <= not_3467;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
+  logic [13:0] moments_place_q;
   logic [5:0] row_q;
   logic lower_half_q;
   logic [5:0] middle_sum_columns_values_0_q;
@@ -1025,1154 +1029,1192 @@ module horopter_agreement (
   logic [8:0] region_across_next_q;
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
-  // hls/stages/census.hpp:119
-  logic and_490;
-  assign and_490 = sample_pair_whole_s1_q & and_489_s1_q;
-  // hls/stages/agreement.hpp:660
-  logic not_635;
-  assign not_635 = ~(row_q == 6'h0);
-  // hls/stages/agreement.hpp:663
-  logic and_636;
-  assign and_636 = left_rdata_q[12] & not_635;
-  logic and_637;
-  assign and_637 = left_rdata_q[28] & not_635;
-  logic and_638;
-  assign and_638 = left_rdata_q[44] & not_635;
-  logic and_639;
-  assign and_639 = left_rdata_q[60] & not_635;
-  // hls/stages/agreement.hpp:664
-  logic and_643;
-  assign and_643 = right_codes_rdata_q[12] & not_635;
-  logic and_644;
-  assign and_644 = right_codes_rdata_q[25] & not_635;
-  logic and_645;
-  assign and_645 = right_codes_rdata_q[38] & not_635;
-  logic and_646;
-  assign and_646 = right_codes_rdata_q[51] & not_635;
-  logic and_647;
-  assign and_647 = right_codes_rdata_q[64] & not_635;
-  logic and_648;
-  assign and_648 = right_codes_rdata_q[77] & not_635;
-  // hls/stages/agreement.hpp:218
-  logic and_663;
-  assign and_663 = left_rdata_q[44] & not_544_s1_q;
-  logic and_664;
-  assign and_664 = right_codes_rdata_q[38] & not_544_s1_q;
-  logic [11:0] select_665;
-  assign select_665 = less_543_s1_q ? 12'h0 : right_codes_rdata_q[37:26];
-  logic [11:0] select_666;
-  assign select_666 = less_543_s1_q ? 12'h0 : left_rdata_q[43:32];
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_670;
-  assign select_670 = and_663 ? (and_664 ? (~(select_665 ^ select_666)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_676;
-  assign parity_676 = ^select_670[5:3];
-  logic parity_679;
-  assign parity_679 = ^select_670[8:6];
-  logic parity_682;
-  assign parity_682 = ^select_670[11:3];
-  // hls/stages/agreement.hpp:218
-  logic and_686;
-  assign and_686 = left_rdata_q[60] & not_544_s1_q;
-  logic and_687;
-  assign and_687 = right_codes_rdata_q[51] & not_544_s1_q;
-  logic [11:0] select_688;
-  assign select_688 = less_543_s1_q ? 12'h0 : right_codes_rdata_q[50:39];
-  logic [11:0] select_689;
-  assign select_689 = less_543_s1_q ? 12'h0 : left_rdata_q[59:48];
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_693;
-  assign select_693 = and_686 ? (and_687 ? (~(select_688 ^ select_689)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_696;
-  assign parity_696 = ^select_693[8:6];
-  logic parity_699;
-  assign parity_699 = ^select_693[11:9];
-  // hls/stages/agreement.hpp:218
-  logic and_703;
-  assign and_703 = left_rdata_q[76] & not_544_s1_q;
-  logic and_704;
-  assign and_704 = right_codes_rdata_q[64] & not_544_s1_q;
-  logic [11:0] select_705;
-  assign select_705 = less_543_s1_q ? 12'h0 : right_codes_rdata_q[63:52];
-  logic [11:0] select_706;
-  assign select_706 = less_543_s1_q ? 12'h0 : left_rdata_q[75:64];
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_710;
-  assign select_710 = and_703 ? (and_704 ? (~(select_705 ^ select_706)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_716;
-  assign parity_716 = ^select_710[2:0];
-  logic parity_719;
-  assign parity_719 = ^select_710[5:3];
-  logic parity_722;
-  assign parity_722 = ^select_710[8:0];
-  logic parity_728;
-  assign parity_728 = ^select_710[11:9];
-  logic parity_731;
-  assign parity_731 = ^select_693[2:0];
-  logic parity_734;
-  assign parity_734 = ^{select_710[11:9], select_693[5:0]};
-  logic parity_737;
-  assign parity_737 = ^{select_710, select_693, select_670[2:0]};
-  logic xor_738;
-  assign xor_738 = parity_682 ^ parity_737;
-  // hls/stages/count_bits.hpp:23
-  logic or_742;
-  assign or_742 = (select_670[1:0] == 2'h3) | (select_670[2] & (select_670[0] | select_670[1]));
-  // hls/stages/count_bits.hpp:25
-  logic or_746;
-  assign or_746 = (select_693[7:6] == 2'h3) | (select_693[8] & (select_693[6] | select_693[7]));
-  logic or_750;
-  assign or_750 = (select_693[10:9] == 2'h3) | (select_693[11] & (select_693[9] | select_693[10]));
-  // hls/stages/count_bits.hpp:23
-  logic or_758;
-  assign or_758 = (select_710[7:6] == 2'h3) | (select_710[8] & (~(select_710[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_762;
-  assign or_762 = (select_710[1:0] == 2'h3) | (select_710[2] & (select_710[0] | select_710[1]));
-  logic or_766;
-  assign or_766 = (select_710[4:3] == 2'h3) | (select_710[5] & (select_710[3] | select_710[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_769;
-  assign parity_769 = ^{or_766, or_762, or_758};
-  // hls/stages/count_bits.hpp:23
-  logic or_773;
-  assign or_773 = (select_693[4:3] == 2'h3) | (select_693[5] & (select_693[3] | select_693[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_777;
-  assign or_777 = (select_710[10:9] == 2'h3) | (select_710[11] & (select_710[9] | select_710[10]));
-  logic or_781;
-  assign or_781 = (select_693[1:0] == 2'h3) | (select_693[2] & (select_693[0] | select_693[1]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_784;
-  assign parity_784 = ^{or_781, or_777, or_773};
-  logic parity_787;
-  assign parity_787 = ^{or_781, or_777, or_773, or_766, or_762, or_758, or_750, or_746, or_742};
-  // hls/stages/count_bits.hpp:25
-  logic and_788;
-  assign and_788 = parity_682 & parity_737;
-  logic or_792;
-  assign or_792 = (parity_676 & parity_679) | ((^select_670[11:9]) & (parity_676 | parity_679));
-  logic and_795;
-  assign and_795 = (^{select_693[11:6], select_670[2:0]}) & (parity_722 | parity_734);
-  logic or_796;
-  assign or_796 = (parity_722 & parity_734) | and_795;
-  // hls/stages/count_bits.hpp:23
-  logic or_803;
-  assign or_803 = (select_670[10:9] == 2'h3) | (select_670[11] & (select_670[9] | select_670[10]));
-  // hls/stages/count_bits.hpp:25
-  logic or_807;
-  assign or_807 = (select_670[4:3] == 2'h3) | (select_670[5] & (select_670[3] | select_670[4]));
-  logic or_811;
-  assign or_811 = (select_670[7:6] == 2'h3) | (select_670[8] & (select_670[6] | select_670[7]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_814;
-  assign parity_814 = ^{or_811, or_807, or_803};
-  // hls/stages/count_bits.hpp:25
-  logic or_818;
-  assign or_818 = (parity_696 & parity_699) | ((^select_670[2:0]) & (parity_696 | parity_699));
-  logic or_822;
-  assign or_822 = (parity_716 & parity_719) | ((^select_710[8:6]) & (parity_716 | parity_719));
-  logic or_826;
-  assign or_826 = (parity_728 & parity_731) | ((^select_693[5:3]) & (parity_728 | parity_731));
-  // hls/stages/count_bits.hpp:24
-  logic parity_829;
-  assign parity_829 = ^{or_826, or_822, or_818};
-  logic parity_832;
-  assign parity_832 = ^{or_826, or_822, or_818, or_811, or_807, or_803, or_796, or_792, and_788};
-  logic xor_833;
-  assign xor_833 = parity_787 ^ parity_832;
-  // hls/stages/count_bits.hpp:25
-  logic and_834;
-  assign and_834 = parity_787 & parity_832;
-  logic or_838;
-  assign or_838 = (parity_769 & parity_784) | ((^{or_750, or_746, or_742}) & (parity_769 | parity_784));
-  logic or_842;
-  assign or_842 = (parity_814 & parity_829) | ((^{or_796, or_792, and_788}) & (parity_814 | parity_829));
-  logic or_849;
-  assign or_849 = (or_746 & or_750) | (or_742 & (or_746 | or_750));
-  logic or_853;
-  assign or_853 = (or_762 & or_766) | (or_758 & (or_762 | or_766));
-  logic or_857;
-  assign or_857 = (or_777 & or_781) | (or_773 & (or_777 | or_781));
-  // hls/stages/count_bits.hpp:24
-  logic parity_860;
-  assign parity_860 = ^{or_857, or_853, or_849};
-  // hls/stages/count_bits.hpp:25
-  logic or_864;
-  assign or_864 = (or_792 & or_796) | (and_788 & (or_792 | or_796));
-  logic or_868;
-  assign or_868 = (or_807 & or_811) | (or_803 & (or_807 | or_811));
-  logic or_872;
-  assign or_872 = (or_822 & or_826) | (or_818 & (or_822 | or_826));
-  // hls/stages/count_bits.hpp:24
-  logic parity_875;
-  assign parity_875 = ^{or_872, or_868, or_864};
-  logic parity_878;
-  assign parity_878 = ^{or_872, or_868, or_864, or_857, or_853, or_849, or_842, or_838, and_834};
-  // hls/stages/count_bits.hpp:25
-  logic or_882;
-  assign or_882 = (parity_860 & parity_875) | ((^{or_842, or_838, and_834}) & (parity_860 | parity_875));
-  logic or_886;
-  assign or_886 = (or_838 & or_842) | (and_834 & (or_838 | or_842));
-  logic or_890;
-  assign or_890 = (or_853 & or_857) | (or_849 & (or_853 | or_857));
-  logic or_894;
-  assign or_894 = (or_868 & or_872) | (or_864 & (or_868 | or_872));
-  // hls/stages/count_bits.hpp:24
-  logic parity_899;
-  assign parity_899 = ^{or_894, or_890, or_886, or_882};
-  // hls/stages/count_bits.hpp:25
-  logic or_903;
-  assign or_903 = (or_890 & or_894) | (or_886 & (or_890 | or_894));
-  logic and_904;
-  assign and_904 = or_882 & (^{or_894, or_890, or_886});
-  // hls/stages/count_bits.hpp:24
-  logic xor_905;
-  assign xor_905 = or_903 ^ and_904;
-  // hls/stages/count_bits.hpp:27
-  logic and_906;
-  assign and_906 = or_903 & and_904;
-  // hls/stages/agreement.hpp:147
-  logic [5:0] select_907;
-  assign select_907 = equal_538_s1_q ? {and_906, xor_905, parity_899, parity_878, xor_833, xor_738} : 6'h0;
-  logic [5:0] column_2;
-  assign column_2 = or_536_s1_q ? 6'h0 : select_907;
-  // hls/stages/agreement.hpp:770
-  logic [5:0] select_909;
-  assign select_909 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  logic [6:0] difference_910;
-  assign difference_910 = {1'b0, column_2} - {1'b0, select_909};
-  logic [7:0] sum_912;
-  assign sum_912 = {difference_910[6], difference_910} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_916;
-  assign select_916 = and_663 ? (and_687 ? (~(select_688 ^ select_666)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_922;
-  assign parity_922 = ^select_916[5:3];
-  logic parity_925;
-  assign parity_925 = ^select_916[8:6];
-  logic parity_928;
-  assign parity_928 = ^select_916[11:3];
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_935;
-  assign select_935 = and_686 ? (and_704 ? (~(select_705 ^ select_689)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_938;
-  assign parity_938 = ^select_935[8:6];
-  logic parity_941;
-  assign parity_941 = ^select_935[11:9];
-  // hls/stages/agreement.hpp:218
-  logic and_945;
-  assign and_945 = right_codes_rdata_q[77] & not_544_s1_q;
-  logic [11:0] select_946;
-  assign select_946 = less_543_s1_q ? 12'h0 : right_codes_rdata_q[76:65];
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_950;
-  assign select_950 = and_703 ? (and_945 ? (~(select_946 ^ select_706)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_956;
-  assign parity_956 = ^select_950[2:0];
-  logic parity_959;
-  assign parity_959 = ^select_950[5:3];
-  logic parity_962;
-  assign parity_962 = ^select_950[8:0];
-  logic parity_968;
-  assign parity_968 = ^select_950[11:9];
-  logic parity_971;
-  assign parity_971 = ^select_935[2:0];
-  logic parity_974;
-  assign parity_974 = ^{select_950[11:9], select_935[5:0]};
-  logic parity_977;
-  assign parity_977 = ^{select_950, select_935, select_916[2:0]};
-  logic xor_978;
-  assign xor_978 = parity_928 ^ parity_977;
-  // hls/stages/count_bits.hpp:23
-  logic or_982;
-  assign or_982 = (select_916[1:0] == 2'h3) | (select_916[2] & (select_916[0] | select_916[1]));
-  // hls/stages/count_bits.hpp:25
-  logic or_986;
-  assign or_986 = (select_935[7:6] == 2'h3) | (select_935[8] & (select_935[6] | select_935[7]));
-  logic or_990;
-  assign or_990 = (select_935[10:9] == 2'h3) | (select_935[11] & (select_935[9] | select_935[10]));
-  // hls/stages/count_bits.hpp:23
-  logic or_998;
-  assign or_998 = (select_950[7:6] == 2'h3) | (select_950[8] & (~(select_950[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_1002;
-  assign or_1002 = (select_950[1:0] == 2'h3) | (select_950[2] & (select_950[0] | select_950[1]));
-  logic or_1006;
-  assign or_1006 = (select_950[4:3] == 2'h3) | (select_950[5] & (select_950[3] | select_950[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1009;
-  assign parity_1009 = ^{or_1006, or_1002, or_998};
-  // hls/stages/count_bits.hpp:23
-  logic or_1013;
-  assign or_1013 = (select_935[4:3] == 2'h3) | (select_935[5] & (select_935[3] | select_935[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1017;
-  assign or_1017 = (select_950[10:9] == 2'h3) | (select_950[11] & (select_950[9] | select_950[10]));
-  logic or_1021;
-  assign or_1021 = (select_935[1:0] == 2'h3) | (select_935[2] & (select_935[0] | select_935[1]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1024;
-  assign parity_1024 = ^{or_1021, or_1017, or_1013};
-  logic parity_1027;
-  assign parity_1027 = ^{or_1021, or_1017, or_1013, or_1006, or_1002, or_998, or_990, or_986, or_982};
-  // hls/stages/count_bits.hpp:25
-  logic and_1028;
-  assign and_1028 = parity_928 & parity_977;
-  logic or_1032;
-  assign or_1032 = (parity_922 & parity_925) | ((^select_916[11:9]) & (parity_922 | parity_925));
-  logic and_1035;
-  assign and_1035 = (^{select_935[11:6], select_916[2:0]}) & (parity_962 | parity_974);
-  logic or_1036;
-  assign or_1036 = (parity_962 & parity_974) | and_1035;
-  // hls/stages/count_bits.hpp:23
-  logic or_1043;
-  assign or_1043 = (select_916[10:9] == 2'h3) | (select_916[11] & (select_916[9] | select_916[10]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1047;
-  assign or_1047 = (select_916[4:3] == 2'h3) | (select_916[5] & (select_916[3] | select_916[4]));
-  logic or_1051;
-  assign or_1051 = (select_916[7:6] == 2'h3) | (select_916[8] & (select_916[6] | select_916[7]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1054;
-  assign parity_1054 = ^{or_1051, or_1047, or_1043};
-  // hls/stages/count_bits.hpp:25
-  logic or_1058;
-  assign or_1058 = (parity_938 & parity_941) | ((^select_916[2:0]) & (parity_938 | parity_941));
-  logic or_1062;
-  assign or_1062 = (parity_956 & parity_959) | ((^select_950[8:6]) & (parity_956 | parity_959));
-  logic or_1066;
-  assign or_1066 = (parity_968 & parity_971) | ((^select_935[5:3]) & (parity_968 | parity_971));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1069;
-  assign parity_1069 = ^{or_1066, or_1062, or_1058};
-  logic parity_1072;
-  assign parity_1072 = ^{or_1066, or_1062, or_1058, or_1051, or_1047, or_1043, or_1036, or_1032, and_1028};
-  logic xor_1073;
-  assign xor_1073 = parity_1027 ^ parity_1072;
-  // hls/stages/count_bits.hpp:25
-  logic and_1074;
-  assign and_1074 = parity_1027 & parity_1072;
-  logic or_1078;
-  assign or_1078 = (parity_1009 & parity_1024) | ((^{or_990, or_986, or_982}) & (parity_1009 | parity_1024));
-  logic or_1082;
-  assign or_1082 = (parity_1054 & parity_1069) | ((^{or_1036, or_1032, and_1028}) & (parity_1054 | parity_1069));
-  logic or_1089;
-  assign or_1089 = (or_986 & or_990) | (or_982 & (or_986 | or_990));
-  logic or_1093;
-  assign or_1093 = (or_1002 & or_1006) | (or_998 & (or_1002 | or_1006));
-  logic or_1097;
-  assign or_1097 = (or_1017 & or_1021) | (or_1013 & (or_1017 | or_1021));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1100;
-  assign parity_1100 = ^{or_1097, or_1093, or_1089};
-  // hls/stages/count_bits.hpp:25
-  logic or_1104;
-  assign or_1104 = (or_1032 & or_1036) | (and_1028 & (or_1032 | or_1036));
-  logic or_1108;
-  assign or_1108 = (or_1047 & or_1051) | (or_1043 & (or_1047 | or_1051));
-  logic or_1112;
-  assign or_1112 = (or_1062 & or_1066) | (or_1058 & (or_1062 | or_1066));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1115;
-  assign parity_1115 = ^{or_1112, or_1108, or_1104};
-  logic parity_1118;
-  assign parity_1118 = ^{or_1112, or_1108, or_1104, or_1097, or_1093, or_1089, or_1082, or_1078, and_1074};
-  // hls/stages/count_bits.hpp:25
-  logic or_1122;
-  assign or_1122 = (parity_1100 & parity_1115) | ((^{or_1082, or_1078, and_1074}) & (parity_1100 | parity_1115));
-  logic or_1126;
-  assign or_1126 = (or_1078 & or_1082) | (and_1074 & (or_1078 | or_1082));
-  logic or_1130;
-  assign or_1130 = (or_1093 & or_1097) | (or_1089 & (or_1093 | or_1097));
-  logic or_1134;
-  assign or_1134 = (or_1108 & or_1112) | (or_1104 & (or_1108 | or_1112));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1139;
-  assign parity_1139 = ^{or_1134, or_1130, or_1126, or_1122};
-  // hls/stages/count_bits.hpp:25
-  logic or_1143;
-  assign or_1143 = (or_1130 & or_1134) | (or_1126 & (or_1130 | or_1134));
-  logic and_1144;
-  assign and_1144 = or_1122 & (^{or_1134, or_1130, or_1126});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1145;
-  assign xor_1145 = or_1143 ^ and_1144;
-  // hls/stages/count_bits.hpp:27
-  logic and_1146;
-  assign and_1146 = or_1143 & and_1144;
-  // hls/stages/agreement.hpp:147
-  logic [5:0] select_1147;
-  assign select_1147 = equal_538_s1_q ? {and_1146, xor_1145, parity_1139, parity_1118, xor_1073, xor_978} : 6'h0;
-  logic [5:0] column_3;
-  assign column_3 = or_536_s1_q ? 6'h0 : select_1147;
-  // hls/stages/agreement.hpp:770
-  logic [5:0] select_1149;
-  assign select_1149 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1150;
-  assign difference_1150 = {1'b0, column_3} - {1'b0, select_1149};
-  logic [7:0] sum_1152;
-  assign sum_1152 = {difference_1150[6], difference_1150} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:218
-  logic and_1153;
-  assign and_1153 = right_codes_rdata_q[25] & not_544_s1_q;
-  logic [11:0] select_1154;
-  assign select_1154 = less_543_s1_q ? 12'h0 : right_codes_rdata_q[24:13];
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_1158;
-  assign select_1158 = and_663 ? (and_1153 ? (~(select_1154 ^ select_666)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1164;
-  assign parity_1164 = ^select_1158[5:3];
-  logic parity_1167;
-  assign parity_1167 = ^select_1158[8:6];
-  logic parity_1170;
-  assign parity_1170 = ^select_1158[11:3];
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_1177;
-  assign select_1177 = and_686 ? (and_664 ? (~(select_665 ^ select_689)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1180;
-  assign parity_1180 = ^select_1177[8:6];
-  logic parity_1183;
-  assign parity_1183 = ^select_1177[11:9];
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_1190;
-  assign select_1190 = and_703 ? (and_687 ? (~(select_688 ^ select_706)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1196;
-  assign parity_1196 = ^select_1190[2:0];
-  logic parity_1199;
-  assign parity_1199 = ^select_1190[5:3];
-  logic parity_1202;
-  assign parity_1202 = ^select_1190[8:0];
-  logic parity_1208;
-  assign parity_1208 = ^select_1190[11:9];
-  logic parity_1211;
-  assign parity_1211 = ^select_1177[2:0];
-  logic parity_1214;
-  assign parity_1214 = ^{select_1190[11:9], select_1177[5:0]};
-  logic parity_1217;
-  assign parity_1217 = ^{select_1190, select_1177, select_1158[2:0]};
-  logic xor_1218;
-  assign xor_1218 = parity_1170 ^ parity_1217;
-  // hls/stages/count_bits.hpp:23
-  logic or_1222;
-  assign or_1222 = (select_1158[1:0] == 2'h3) | (select_1158[2] & (select_1158[0] | select_1158[1]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1226;
-  assign or_1226 = (select_1177[7:6] == 2'h3) | (select_1177[8] & (select_1177[6] | select_1177[7]));
-  logic or_1230;
-  assign or_1230 = (select_1177[10:9] == 2'h3) | (select_1177[11] & (select_1177[9] | select_1177[10]));
-  // hls/stages/count_bits.hpp:23
-  logic or_1238;
-  assign or_1238 = (select_1190[7:6] == 2'h3) | (select_1190[8] & (~(select_1190[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_1242;
-  assign or_1242 = (select_1190[1:0] == 2'h3) | (select_1190[2] & (select_1190[0] | select_1190[1]));
-  logic or_1246;
-  assign or_1246 = (select_1190[4:3] == 2'h3) | (select_1190[5] & (select_1190[3] | select_1190[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1249;
-  assign parity_1249 = ^{or_1246, or_1242, or_1238};
-  // hls/stages/count_bits.hpp:23
-  logic or_1253;
-  assign or_1253 = (select_1177[4:3] == 2'h3) | (select_1177[5] & (select_1177[3] | select_1177[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1257;
-  assign or_1257 = (select_1190[10:9] == 2'h3) | (select_1190[11] & (select_1190[9] | select_1190[10]));
-  logic or_1261;
-  assign or_1261 = (select_1177[1:0] == 2'h3) | (select_1177[2] & (select_1177[0] | select_1177[1]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1264;
-  assign parity_1264 = ^{or_1261, or_1257, or_1253};
-  logic parity_1267;
-  assign parity_1267 = ^{or_1261, or_1257, or_1253, or_1246, or_1242, or_1238, or_1230, or_1226, or_1222};
-  // hls/stages/count_bits.hpp:25
-  logic and_1268;
-  assign and_1268 = parity_1170 & parity_1217;
-  logic or_1272;
-  assign or_1272 = (parity_1164 & parity_1167) | ((^select_1158[11:9]) & (parity_1164 | parity_1167));
-  logic and_1275;
-  assign and_1275 = (^{select_1177[11:6], select_1158[2:0]}) & (parity_1202 | parity_1214);
-  logic or_1276;
-  assign or_1276 = (parity_1202 & parity_1214) | and_1275;
-  // hls/stages/count_bits.hpp:23
-  logic or_1283;
-  assign or_1283 = (select_1158[10:9] == 2'h3) | (select_1158[11] & (select_1158[9] | select_1158[10]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1287;
-  assign or_1287 = (select_1158[4:3] == 2'h3) | (select_1158[5] & (select_1158[3] | select_1158[4]));
-  logic or_1291;
-  assign or_1291 = (select_1158[7:6] == 2'h3) | (select_1158[8] & (select_1158[6] | select_1158[7]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1294;
-  assign parity_1294 = ^{or_1291, or_1287, or_1283};
-  // hls/stages/count_bits.hpp:25
-  logic or_1298;
-  assign or_1298 = (parity_1180 & parity_1183) | ((^select_1158[2:0]) & (parity_1180 | parity_1183));
-  logic or_1302;
-  assign or_1302 = (parity_1196 & parity_1199) | ((^select_1190[8:6]) & (parity_1196 | parity_1199));
-  logic or_1306;
-  assign or_1306 = (parity_1208 & parity_1211) | ((^select_1177[5:3]) & (parity_1208 | parity_1211));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1309;
-  assign parity_1309 = ^{or_1306, or_1302, or_1298};
-  logic parity_1312;
-  assign parity_1312 = ^{or_1306, or_1302, or_1298, or_1291, or_1287, or_1283, or_1276, or_1272, and_1268};
-  logic xor_1313;
-  assign xor_1313 = parity_1267 ^ parity_1312;
-  // hls/stages/count_bits.hpp:25
-  logic and_1314;
-  assign and_1314 = parity_1267 & parity_1312;
-  logic or_1318;
-  assign or_1318 = (parity_1249 & parity_1264) | ((^{or_1230, or_1226, or_1222}) & (parity_1249 | parity_1264));
-  logic or_1322;
-  assign or_1322 = (parity_1294 & parity_1309) | ((^{or_1276, or_1272, and_1268}) & (parity_1294 | parity_1309));
-  logic or_1329;
-  assign or_1329 = (or_1226 & or_1230) | (or_1222 & (or_1226 | or_1230));
-  logic or_1333;
-  assign or_1333 = (or_1242 & or_1246) | (or_1238 & (or_1242 | or_1246));
-  logic or_1337;
-  assign or_1337 = (or_1257 & or_1261) | (or_1253 & (or_1257 | or_1261));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1340;
-  assign parity_1340 = ^{or_1337, or_1333, or_1329};
-  // hls/stages/count_bits.hpp:25
-  logic or_1344;
-  assign or_1344 = (or_1272 & or_1276) | (and_1268 & (or_1272 | or_1276));
-  logic or_1348;
-  assign or_1348 = (or_1287 & or_1291) | (or_1283 & (or_1287 | or_1291));
-  logic or_1352;
-  assign or_1352 = (or_1302 & or_1306) | (or_1298 & (or_1302 | or_1306));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1355;
-  assign parity_1355 = ^{or_1352, or_1348, or_1344};
-  logic parity_1358;
-  assign parity_1358 = ^{or_1352, or_1348, or_1344, or_1337, or_1333, or_1329, or_1322, or_1318, and_1314};
-  // hls/stages/count_bits.hpp:25
-  logic or_1362;
-  assign or_1362 = (parity_1340 & parity_1355) | ((^{or_1322, or_1318, and_1314}) & (parity_1340 | parity_1355));
-  logic or_1366;
-  assign or_1366 = (or_1318 & or_1322) | (and_1314 & (or_1318 | or_1322));
-  logic or_1370;
-  assign or_1370 = (or_1333 & or_1337) | (or_1329 & (or_1333 | or_1337));
-  logic or_1374;
-  assign or_1374 = (or_1348 & or_1352) | (or_1344 & (or_1348 | or_1352));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1379;
-  assign parity_1379 = ^{or_1374, or_1370, or_1366, or_1362};
-  // hls/stages/count_bits.hpp:25
-  logic or_1383;
-  assign or_1383 = (or_1370 & or_1374) | (or_1366 & (or_1370 | or_1374));
-  logic and_1384;
-  assign and_1384 = or_1362 & (^{or_1374, or_1370, or_1366});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1385;
-  assign xor_1385 = or_1383 ^ and_1384;
-  // hls/stages/count_bits.hpp:27
-  logic and_1386;
-  assign and_1386 = or_1383 & and_1384;
-  // hls/stages/agreement.hpp:147
-  logic [5:0] select_1387;
-  assign select_1387 = equal_538_s1_q ? {and_1386, xor_1385, parity_1379, parity_1358, xor_1313, xor_1218} : 6'h0;
-  logic [5:0] column_4;
-  assign column_4 = or_536_s1_q ? 6'h0 : select_1387;
-  // hls/stages/agreement.hpp:770
-  logic [5:0] select_1389;
-  assign select_1389 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1390;
-  assign difference_1390 = {1'b0, column_4} - {1'b0, select_1389};
-  logic [7:0] sum_1392;
-  assign sum_1392 = {difference_1390[6], difference_1390} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_1400;
-  assign select_1400 = and_663 ? (and_704 ? (~(select_705 ^ select_666)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1406;
-  assign parity_1406 = ^select_1400[5:3];
-  logic parity_1409;
-  assign parity_1409 = ^select_1400[8:6];
-  logic parity_1412;
-  assign parity_1412 = ^select_1400[11:3];
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_1419;
-  assign select_1419 = and_686 ? (and_945 ? (~(select_946 ^ select_689)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1422;
-  assign parity_1422 = ^select_1419[8:6];
-  logic parity_1425;
-  assign parity_1425 = ^select_1419[11:9];
-  // hls/stages/agreement.hpp:676
-  logic [11:0] xor_1431;
-  assign xor_1431 = (less_543_s1_q ? 12'h0 : right_codes_rdata_q[89:78]) ^ select_706;
-  logic [11:0] select_1434;
-  assign select_1434 = and_703 ? ((right_codes_rdata_q[90] & not_544_s1_q) ? (~xor_1431) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1440;
-  assign parity_1440 = ^select_1434[2:0];
-  logic parity_1443;
-  assign parity_1443 = ^select_1434[5:3];
-  logic parity_1446;
-  assign parity_1446 = ^select_1434[8:0];
-  logic parity_1452;
-  assign parity_1452 = ^select_1434[11:9];
-  logic parity_1455;
-  assign parity_1455 = ^select_1419[2:0];
-  logic parity_1458;
-  assign parity_1458 = ^{select_1434[11:9], select_1419[5:0]};
-  logic parity_1461;
-  assign parity_1461 = ^{select_1434, select_1419, select_1400[2:0]};
-  logic xor_1462;
-  assign xor_1462 = parity_1412 ^ parity_1461;
-  // hls/stages/count_bits.hpp:23
-  logic or_1466;
-  assign or_1466 = (select_1400[1:0] == 2'h3) | (select_1400[2] & (select_1400[0] | select_1400[1]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1470;
-  assign or_1470 = (select_1419[7:6] == 2'h3) | (select_1419[8] & (select_1419[6] | select_1419[7]));
-  logic or_1474;
-  assign or_1474 = (select_1419[10:9] == 2'h3) | (select_1419[11] & (select_1419[9] | select_1419[10]));
-  // hls/stages/count_bits.hpp:23
-  logic or_1482;
-  assign or_1482 = (select_1434[7:6] == 2'h3) | (select_1434[8] & (~(select_1434[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_1486;
-  assign or_1486 = (select_1434[1:0] == 2'h3) | (select_1434[2] & (select_1434[0] | select_1434[1]));
-  logic or_1490;
-  assign or_1490 = (select_1434[4:3] == 2'h3) | (select_1434[5] & (select_1434[3] | select_1434[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1493;
-  assign parity_1493 = ^{or_1490, or_1486, or_1482};
-  // hls/stages/count_bits.hpp:23
-  logic or_1497;
-  assign or_1497 = (select_1419[4:3] == 2'h3) | (select_1419[5] & (select_1419[3] | select_1419[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1501;
-  assign or_1501 = (select_1434[10:9] == 2'h3) | (select_1434[11] & (select_1434[9] | select_1434[10]));
-  logic or_1505;
-  assign or_1505 = (select_1419[1:0] == 2'h3) | (select_1419[2] & (select_1419[0] | select_1419[1]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1508;
-  assign parity_1508 = ^{or_1505, or_1501, or_1497};
-  logic parity_1511;
-  assign parity_1511 = ^{or_1505, or_1501, or_1497, or_1490, or_1486, or_1482, or_1474, or_1470, or_1466};
-  // hls/stages/count_bits.hpp:25
-  logic and_1512;
-  assign and_1512 = parity_1412 & parity_1461;
-  logic or_1516;
-  assign or_1516 = (parity_1406 & parity_1409) | ((^select_1400[11:9]) & (parity_1406 | parity_1409));
-  logic and_1519;
-  assign and_1519 = (^{select_1419[11:6], select_1400[2:0]}) & (parity_1446 | parity_1458);
-  logic or_1520;
-  assign or_1520 = (parity_1446 & parity_1458) | and_1519;
-  // hls/stages/count_bits.hpp:23
-  logic or_1527;
-  assign or_1527 = (select_1400[10:9] == 2'h3) | (select_1400[11] & (select_1400[9] | select_1400[10]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1531;
-  assign or_1531 = (select_1400[4:3] == 2'h3) | (select_1400[5] & (select_1400[3] | select_1400[4]));
-  logic or_1535;
-  assign or_1535 = (select_1400[7:6] == 2'h3) | (select_1400[8] & (select_1400[6] | select_1400[7]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1538;
-  assign parity_1538 = ^{or_1535, or_1531, or_1527};
-  // hls/stages/count_bits.hpp:25
-  logic or_1542;
-  assign or_1542 = (parity_1422 & parity_1425) | ((^select_1400[2:0]) & (parity_1422 | parity_1425));
-  logic or_1546;
-  assign or_1546 = (parity_1440 & parity_1443) | ((^select_1434[8:6]) & (parity_1440 | parity_1443));
-  logic or_1550;
-  assign or_1550 = (parity_1452 & parity_1455) | ((^select_1419[5:3]) & (parity_1452 | parity_1455));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1553;
-  assign parity_1553 = ^{or_1550, or_1546, or_1542};
-  logic parity_1556;
-  assign parity_1556 = ^{or_1550, or_1546, or_1542, or_1535, or_1531, or_1527, or_1520, or_1516, and_1512};
-  logic xor_1557;
-  assign xor_1557 = parity_1511 ^ parity_1556;
-  // hls/stages/count_bits.hpp:25
-  logic and_1558;
-  assign and_1558 = parity_1511 & parity_1556;
-  logic or_1562;
-  assign or_1562 = (parity_1493 & parity_1508) | ((^{or_1474, or_1470, or_1466}) & (parity_1493 | parity_1508));
-  logic or_1566;
-  assign or_1566 = (parity_1538 & parity_1553) | ((^{or_1520, or_1516, and_1512}) & (parity_1538 | parity_1553));
-  logic or_1573;
-  assign or_1573 = (or_1470 & or_1474) | (or_1466 & (or_1470 | or_1474));
-  logic or_1577;
-  assign or_1577 = (or_1486 & or_1490) | (or_1482 & (or_1486 | or_1490));
-  logic or_1581;
-  assign or_1581 = (or_1501 & or_1505) | (or_1497 & (or_1501 | or_1505));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1584;
-  assign parity_1584 = ^{or_1581, or_1577, or_1573};
-  // hls/stages/count_bits.hpp:25
-  logic or_1588;
-  assign or_1588 = (or_1516 & or_1520) | (and_1512 & (or_1516 | or_1520));
-  logic or_1592;
-  assign or_1592 = (or_1531 & or_1535) | (or_1527 & (or_1531 | or_1535));
-  logic or_1596;
-  assign or_1596 = (or_1546 & or_1550) | (or_1542 & (or_1546 | or_1550));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1599;
-  assign parity_1599 = ^{or_1596, or_1592, or_1588};
-  logic parity_1602;
-  assign parity_1602 = ^{or_1596, or_1592, or_1588, or_1581, or_1577, or_1573, or_1566, or_1562, and_1558};
-  // hls/stages/count_bits.hpp:25
-  logic or_1606;
-  assign or_1606 = (parity_1584 & parity_1599) | ((^{or_1566, or_1562, and_1558}) & (parity_1584 | parity_1599));
-  logic or_1610;
-  assign or_1610 = (or_1562 & or_1566) | (and_1558 & (or_1562 | or_1566));
-  logic or_1614;
-  assign or_1614 = (or_1577 & or_1581) | (or_1573 & (or_1577 | or_1581));
-  logic or_1618;
-  assign or_1618 = (or_1592 & or_1596) | (or_1588 & (or_1592 | or_1596));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1623;
-  assign parity_1623 = ^{or_1618, or_1614, or_1610, or_1606};
-  // hls/stages/count_bits.hpp:25
-  logic or_1627;
-  assign or_1627 = (or_1614 & or_1618) | (or_1610 & (or_1614 | or_1618));
-  logic and_1628;
-  assign and_1628 = or_1606 & (^{or_1618, or_1614, or_1610});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1629;
-  assign xor_1629 = or_1627 ^ and_1628;
-  // hls/stages/count_bits.hpp:27
-  logic and_1630;
-  assign and_1630 = or_1627 & and_1628;
-  // hls/stages/agreement.hpp:147
-  logic [5:0] select_1631;
-  assign select_1631 = equal_538_s1_q ? {and_1630, xor_1629, parity_1623, parity_1602, xor_1557, xor_1462} : 6'h0;
-  logic [5:0] column_5;
-  assign column_5 = or_536_s1_q ? 6'h0 : select_1631;
-  // hls/stages/agreement.hpp:770
-  logic [5:0] select_1633;
-  assign select_1633 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1634;
-  assign difference_1634 = {1'b0, column_5} - {1'b0, select_1633};
-  logic [7:0] sum_1636;
-  assign sum_1636 = {difference_1634[6], difference_1634} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:676
-  logic [11:0] not_1640;
-  assign not_1640 = ~((less_543_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) ^ select_666);
-  logic [11:0] select_1642;
-  assign select_1642 = and_663 ? ((right_codes_rdata_q[12] & not_544_s1_q) ? not_1640 : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1648;
-  assign parity_1648 = ^select_1642[5:3];
-  logic parity_1651;
-  assign parity_1651 = ^select_1642[8:6];
-  logic parity_1654;
-  assign parity_1654 = ^select_1642[11:3];
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_1661;
-  assign select_1661 = and_686 ? (and_1153 ? (~(select_1154 ^ select_689)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1664;
-  assign parity_1664 = ^select_1661[8:6];
-  logic parity_1667;
-  assign parity_1667 = ^select_1661[11:9];
-  // hls/stages/agreement.hpp:676
-  logic [11:0] select_1674;
-  assign select_1674 = and_703 ? (and_664 ? (~(select_665 ^ select_706)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1680;
-  assign parity_1680 = ^select_1674[2:0];
-  logic parity_1683;
-  assign parity_1683 = ^select_1674[5:3];
-  logic parity_1686;
-  assign parity_1686 = ^select_1674[8:0];
-  logic parity_1692;
-  assign parity_1692 = ^select_1674[11:9];
-  logic parity_1695;
-  assign parity_1695 = ^select_1661[2:0];
-  logic parity_1698;
-  assign parity_1698 = ^{select_1674[11:9], select_1661[5:0]};
-  logic parity_1701;
-  assign parity_1701 = ^{select_1674, select_1661, select_1642[2:0]};
-  logic xor_1702;
-  assign xor_1702 = parity_1654 ^ parity_1701;
-  // hls/stages/count_bits.hpp:23
-  logic or_1706;
-  assign or_1706 = (select_1642[1:0] == 2'h3) | (select_1642[2] & (select_1642[0] | select_1642[1]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1710;
-  assign or_1710 = (select_1661[7:6] == 2'h3) | (select_1661[8] & (select_1661[6] | select_1661[7]));
-  logic or_1714;
-  assign or_1714 = (select_1661[10:9] == 2'h3) | (select_1661[11] & (select_1661[9] | select_1661[10]));
-  // hls/stages/count_bits.hpp:23
-  logic or_1722;
-  assign or_1722 = (select_1674[7:6] == 2'h3) | (select_1674[8] & (~(select_1674[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_1726;
-  assign or_1726 = (select_1674[1:0] == 2'h3) | (select_1674[2] & (select_1674[0] | select_1674[1]));
-  logic or_1730;
-  assign or_1730 = (select_1674[4:3] == 2'h3) | (select_1674[5] & (select_1674[3] | select_1674[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1733;
-  assign parity_1733 = ^{or_1730, or_1726, or_1722};
-  // hls/stages/count_bits.hpp:23
-  logic or_1737;
-  assign or_1737 = (select_1661[4:3] == 2'h3) | (select_1661[5] & (select_1661[3] | select_1661[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1741;
-  assign or_1741 = (select_1674[10:9] == 2'h3) | (select_1674[11] & (select_1674[9] | select_1674[10]));
-  logic or_1745;
-  assign or_1745 = (select_1661[1:0] == 2'h3) | (select_1661[2] & (select_1661[0] | select_1661[1]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1748;
-  assign parity_1748 = ^{or_1745, or_1741, or_1737};
-  logic parity_1751;
-  assign parity_1751 = ^{or_1745, or_1741, or_1737, or_1730, or_1726, or_1722, or_1714, or_1710, or_1706};
-  // hls/stages/count_bits.hpp:25
-  logic and_1752;
-  assign and_1752 = parity_1654 & parity_1701;
-  logic or_1756;
-  assign or_1756 = (parity_1648 & parity_1651) | ((^select_1642[11:9]) & (parity_1648 | parity_1651));
-  logic and_1759;
-  assign and_1759 = (^{select_1661[11:6], select_1642[2:0]}) & (parity_1686 | parity_1698);
-  logic or_1760;
-  assign or_1760 = (parity_1686 & parity_1698) | and_1759;
-  // hls/stages/count_bits.hpp:23
-  logic or_1767;
-  assign or_1767 = (select_1642[10:9] == 2'h3) | (select_1642[11] & (select_1642[9] | select_1642[10]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1771;
-  assign or_1771 = (select_1642[4:3] == 2'h3) | (select_1642[5] & (select_1642[3] | select_1642[4]));
-  logic or_1775;
-  assign or_1775 = (select_1642[7:6] == 2'h3) | (select_1642[8] & (select_1642[6] | select_1642[7]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1778;
-  assign parity_1778 = ^{or_1775, or_1771, or_1767};
-  // hls/stages/count_bits.hpp:25
-  logic or_1782;
-  assign or_1782 = (parity_1664 & parity_1667) | ((^select_1642[2:0]) & (parity_1664 | parity_1667));
-  logic or_1786;
-  assign or_1786 = (parity_1680 & parity_1683) | ((^select_1674[8:6]) & (parity_1680 | parity_1683));
-  logic or_1790;
-  assign or_1790 = (parity_1692 & parity_1695) | ((^select_1661[5:3]) & (parity_1692 | parity_1695));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1793;
-  assign parity_1793 = ^{or_1790, or_1786, or_1782};
-  logic parity_1796;
-  assign parity_1796 = ^{or_1790, or_1786, or_1782, or_1775, or_1771, or_1767, or_1760, or_1756, and_1752};
-  logic xor_1797;
-  assign xor_1797 = parity_1751 ^ parity_1796;
-  // hls/stages/count_bits.hpp:25
-  logic and_1798;
-  assign and_1798 = parity_1751 & parity_1796;
-  logic or_1802;
-  assign or_1802 = (parity_1733 & parity_1748) | ((^{or_1714, or_1710, or_1706}) & (parity_1733 | parity_1748));
-  logic or_1806;
-  assign or_1806 = (parity_1778 & parity_1793) | ((^{or_1760, or_1756, and_1752}) & (parity_1778 | parity_1793));
-  logic or_1813;
-  assign or_1813 = (or_1710 & or_1714) | (or_1706 & (or_1710 | or_1714));
-  logic or_1817;
-  assign or_1817 = (or_1726 & or_1730) | (or_1722 & (or_1726 | or_1730));
-  logic or_1821;
-  assign or_1821 = (or_1741 & or_1745) | (or_1737 & (or_1741 | or_1745));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1824;
-  assign parity_1824 = ^{or_1821, or_1817, or_1813};
-  // hls/stages/count_bits.hpp:25
-  logic or_1828;
-  assign or_1828 = (or_1756 & or_1760) | (and_1752 & (or_1756 | or_1760));
-  logic or_1832;
-  assign or_1832 = (or_1771 & or_1775) | (or_1767 & (or_1771 | or_1775));
-  logic or_1836;
-  assign or_1836 = (or_1786 & or_1790) | (or_1782 & (or_1786 | or_1790));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1839;
-  assign parity_1839 = ^{or_1836, or_1832, or_1828};
-  logic parity_1842;
-  assign parity_1842 = ^{or_1836, or_1832, or_1828, or_1821, or_1817, or_1813, or_1806, or_1802, and_1798};
-  // hls/stages/count_bits.hpp:25
-  logic or_1846;
-  assign or_1846 = (parity_1824 & parity_1839) | ((^{or_1806, or_1802, and_1798}) & (parity_1824 | parity_1839));
-  logic or_1850;
-  assign or_1850 = (or_1802 & or_1806) | (and_1798 & (or_1802 | or_1806));
-  logic or_1854;
-  assign or_1854 = (or_1817 & or_1821) | (or_1813 & (or_1817 | or_1821));
-  logic or_1858;
-  assign or_1858 = (or_1832 & or_1836) | (or_1828 & (or_1832 | or_1836));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1863;
-  assign parity_1863 = ^{or_1858, or_1854, or_1850, or_1846};
-  // hls/stages/count_bits.hpp:25
-  logic or_1867;
-  assign or_1867 = (or_1854 & or_1858) | (or_1850 & (or_1854 | or_1858));
-  logic and_1868;
-  assign and_1868 = or_1846 & (^{or_1858, or_1854, or_1850});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1869;
-  assign xor_1869 = or_1867 ^ and_1868;
-  // hls/stages/count_bits.hpp:27
-  logic and_1870;
-  assign and_1870 = or_1867 & and_1868;
-  // hls/stages/agreement.hpp:147
-  logic [5:0] select_1871;
-  assign select_1871 = equal_538_s1_q ? {and_1870, xor_1869, parity_1863, parity_1842, xor_1797, xor_1702} : 6'h0;
-  logic [5:0] column_6;
-  assign column_6 = or_536_s1_q ? 6'h0 : select_1871;
-  // hls/stages/agreement.hpp:770
-  logic [5:0] select_1873;
-  assign select_1873 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1874;
-  assign difference_1874 = {1'b0, column_6} - {1'b0, select_1873};
-  logic [7:0] sum_1876;
-  assign sum_1876 = {difference_1874[6], difference_1874} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:953
+  // hls/stages/census.hpp:120
+  logic and_500;
+  assign and_500 = sample_pair_whole_s1_q & and_499_s1_q;
+  // hls/stages/agreement.hpp:668
+  logic equal_544;
+  assign equal_544 = row_q == 6'h0;
+  // hls/stages/patches.hpp:106
+  logic equal_545;
+  assign equal_545 = x_s1_q == 8'h0;
+  // hls/stages/agreement.hpp:259
+  logic and_546;
+  assign and_546 = equal_544 & equal_545;
+  // hls/stages/moments.hpp:52
+  logic [13:0] sum_547;
+  assign sum_547 = moments_place_q + 14'h1;
+  // hls/stages/agreement.hpp:1003
+  logic [12:0] select_548;
+  assign select_548 = and_546 ? 13'h0 : sum_547[12:0];
+  // hls/stages/agreement.hpp:1009
+  logic not_550;
+  assign not_550 = ~equal_549_s1_q;
+  // hls/stages/agreement.hpp:201
+  logic not_552;
+  assign not_552 = ~so_s1_q;
+  // hls/stages/agreement.hpp:226
+  logic inside_v;
+  assign inside_v = or_554_s1_q & not_558_s1_q;
+  // hls/stages/moments.hpp:52
+  logic [13:0] select_560;
+  assign select_560 = and_546 ? 14'h0 : sum_547;
+  // hls/stages/moments.hpp:54
+  logic less_561;
+  assign less_561 = 8'h4a < select_560[13:6];
+  // hls/stages/moments.hpp:90
+  logic not_562;
+  assign not_562 = ~less_561;
+  // hls/stages/agreement.hpp:788
+  logic and_566;
+  assign and_566 = not_550 & (not_552 & (equal_553_s1_q & (inside_v & not_562)));
+  // hls/stages/agreement.hpp:975
+  logic and_582;
+  assign and_582 = (or_554_s1_q & (left_rdata_q[67] & not_558_s1_q)) & (~(row_q[5:3] == 3'h0));
+  // hls/stages/agreement.hpp:966
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
-  // hls/stages/agreement.hpp:954
+  // hls/stages/agreement.hpp:967
   logic [7:0] found;
   assign found = x_s1_q + {{2{shift[5]}}, shift};
-  // hls/stages/agreement.hpp:955
-  logic [6:0] select_1940;
-  assign select_1940 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
-  // hls/stages/agreement.hpp:988
-  logic not_1955;
-  assign not_1955 = ~equal_1954_s1_q;
-  // hls/stages/agreement.hpp:222
-  logic inside_v;
-  assign inside_v = or_536_s1_q & not_544_s1_q;
-  // hls/stages/agreement.hpp:780
-  logic and_1957;
-  assign and_1957 = ends_cell_s1_q & inside_v;
-  logic and_1959;
-  assign and_1959 = not_1955 & (so_s1_q & and_1957);
-  logic [6:0] select_1963;
-  assign select_1963 = so_s1_q ? x_s1_q[6:0] : (or_536_s1_q ? (less_543_s1_q ? 7'h0 : select_1940) : 7'h0);
-  // hls/stages/agreement.hpp:958
-  logic and_1971;
-  assign and_1971 = (or_536_s1_q & (left_rdata_q[61] & not_544_s1_q)) & (~(row_q[5:3] == 3'h0));
-  // hls/stages/agreement.hpp:241
-  logic or_1985;
-  assign or_1985 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  // hls/stages/agreement.hpp:968
+  logic [6:0] select_601;
+  assign select_601 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
+  // hls/stages/agreement.hpp:668
+  logic not_722;
+  assign not_722 = ~equal_544;
+  // hls/stages/agreement.hpp:671
+  logic and_723;
+  assign and_723 = left_rdata_q[12] & not_722;
+  logic and_724;
+  assign and_724 = left_rdata_q[30] & not_722;
+  logic and_725;
+  assign and_725 = left_rdata_q[48] & not_722;
+  logic and_726;
+  assign and_726 = left_rdata_q[66] & not_722;
+  // hls/stages/agreement.hpp:672
+  logic and_727;
+  assign and_727 = right_codes_rdata_q[12] & not_722;
+  logic and_728;
+  assign and_728 = right_codes_rdata_q[27] & not_722;
+  logic and_729;
+  assign and_729 = right_codes_rdata_q[42] & not_722;
+  logic and_730;
+  assign and_730 = right_codes_rdata_q[57] & not_722;
+  logic and_731;
+  assign and_731 = right_codes_rdata_q[72] & not_722;
+  logic and_732;
+  assign and_732 = right_codes_rdata_q[85] & not_722;
+  // hls/stages/agreement.hpp:221
+  logic and_737;
+  assign and_737 = left_rdata_q[48] & not_558_s1_q;
+  logic and_738;
+  assign and_738 = right_codes_rdata_q[42] & not_558_s1_q;
+  logic [11:0] select_739;
+  assign select_739 = less_557_s1_q ? 12'h0 : left_rdata_q[47:36];
+  logic [11:0] select_740;
+  assign select_740 = less_557_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_744;
+  assign select_744 = and_737 ? (and_738 ? (~(select_739 ^ select_740)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_750;
+  assign parity_750 = ^select_744[5:3];
+  logic parity_753;
+  assign parity_753 = ^select_744[8:6];
+  logic parity_756;
+  assign parity_756 = ^select_744[11:3];
+  // hls/stages/agreement.hpp:221
+  logic and_760;
+  assign and_760 = left_rdata_q[66] & not_558_s1_q;
+  logic and_761;
+  assign and_761 = right_codes_rdata_q[57] & not_558_s1_q;
+  logic [11:0] select_762;
+  assign select_762 = less_557_s1_q ? 12'h0 : left_rdata_q[65:54];
+  logic [11:0] select_763;
+  assign select_763 = less_557_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_767;
+  assign select_767 = and_760 ? (and_761 ? (~(select_762 ^ select_763)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_770;
+  assign parity_770 = ^select_767[8:6];
+  logic parity_773;
+  assign parity_773 = ^select_767[11:9];
+  // hls/stages/agreement.hpp:221
+  logic and_777;
+  assign and_777 = left_rdata_q[84] & not_558_s1_q;
+  logic and_778;
+  assign and_778 = right_codes_rdata_q[72] & not_558_s1_q;
+  logic [11:0] select_779;
+  assign select_779 = less_557_s1_q ? 12'h0 : left_rdata_q[83:72];
+  logic [11:0] select_780;
+  assign select_780 = less_557_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_784;
+  assign select_784 = and_777 ? (and_778 ? (~(select_779 ^ select_780)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_790;
+  assign parity_790 = ^select_784[2:0];
+  logic parity_793;
+  assign parity_793 = ^select_784[5:3];
+  logic parity_796;
+  assign parity_796 = ^select_784[8:0];
+  logic parity_802;
+  assign parity_802 = ^select_784[11:9];
+  logic parity_805;
+  assign parity_805 = ^select_767[2:0];
+  logic parity_808;
+  assign parity_808 = ^{select_784[11:9], select_767[5:0]};
+  logic parity_811;
+  assign parity_811 = ^{select_784, select_767, select_744[2:0]};
+  logic xor_812;
+  assign xor_812 = parity_756 ^ parity_811;
+  // hls/stages/count_bits.hpp:23
+  logic or_816;
+  assign or_816 = (select_744[1:0] == 2'h3) | (select_744[2] & (select_744[0] | select_744[1]));
+  // hls/stages/count_bits.hpp:25
+  logic or_820;
+  assign or_820 = (select_767[7:6] == 2'h3) | (select_767[8] & (select_767[6] | select_767[7]));
+  logic or_824;
+  assign or_824 = (select_767[10:9] == 2'h3) | (select_767[11] & (select_767[9] | select_767[10]));
+  // hls/stages/count_bits.hpp:23
+  logic or_832;
+  assign or_832 = (select_784[7:6] == 2'h3) | (select_784[8] & (~(select_784[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
+  logic or_836;
+  assign or_836 = (select_784[1:0] == 2'h3) | (select_784[2] & (select_784[0] | select_784[1]));
+  logic or_840;
+  assign or_840 = (select_784[4:3] == 2'h3) | (select_784[5] & (select_784[3] | select_784[4]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_843;
+  assign parity_843 = ^{or_840, or_836, or_832};
+  // hls/stages/count_bits.hpp:23
+  logic or_847;
+  assign or_847 = (select_767[4:3] == 2'h3) | (select_767[5] & (select_767[3] | select_767[4]));
+  // hls/stages/count_bits.hpp:25
+  logic or_851;
+  assign or_851 = (select_784[10:9] == 2'h3) | (select_784[11] & (select_784[9] | select_784[10]));
+  logic or_855;
+  assign or_855 = (select_767[1:0] == 2'h3) | (select_767[2] & (select_767[0] | select_767[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_858;
+  assign parity_858 = ^{or_855, or_851, or_847};
+  logic parity_861;
+  assign parity_861 = ^{or_855, or_851, or_847, or_840, or_836, or_832, or_824, or_820, or_816};
+  // hls/stages/count_bits.hpp:25
+  logic and_862;
+  assign and_862 = parity_756 & parity_811;
+  logic or_866;
+  assign or_866 = (parity_750 & parity_753) | ((^select_744[11:9]) & (parity_750 | parity_753));
+  logic and_869;
+  assign and_869 = (^{select_767[11:6], select_744[2:0]}) & (parity_796 | parity_808);
+  logic or_870;
+  assign or_870 = (parity_796 & parity_808) | and_869;
+  // hls/stages/count_bits.hpp:23
+  logic or_877;
+  assign or_877 = (select_744[10:9] == 2'h3) | (select_744[11] & (select_744[9] | select_744[10]));
+  // hls/stages/count_bits.hpp:25
+  logic or_881;
+  assign or_881 = (select_744[4:3] == 2'h3) | (select_744[5] & (select_744[3] | select_744[4]));
+  logic or_885;
+  assign or_885 = (select_744[7:6] == 2'h3) | (select_744[8] & (select_744[6] | select_744[7]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_888;
+  assign parity_888 = ^{or_885, or_881, or_877};
+  // hls/stages/count_bits.hpp:25
+  logic or_892;
+  assign or_892 = (parity_770 & parity_773) | ((^select_744[2:0]) & (parity_770 | parity_773));
+  logic or_896;
+  assign or_896 = (parity_790 & parity_793) | ((^select_784[8:6]) & (parity_790 | parity_793));
+  logic or_900;
+  assign or_900 = (parity_802 & parity_805) | ((^select_767[5:3]) & (parity_802 | parity_805));
+  // hls/stages/count_bits.hpp:24
+  logic parity_903;
+  assign parity_903 = ^{or_900, or_896, or_892};
+  logic parity_906;
+  assign parity_906 = ^{or_900, or_896, or_892, or_885, or_881, or_877, or_870, or_866, and_862};
+  logic xor_907;
+  assign xor_907 = parity_861 ^ parity_906;
+  // hls/stages/count_bits.hpp:25
+  logic and_908;
+  assign and_908 = parity_861 & parity_906;
+  logic or_912;
+  assign or_912 = (parity_843 & parity_858) | ((^{or_824, or_820, or_816}) & (parity_843 | parity_858));
+  logic or_916;
+  assign or_916 = (parity_888 & parity_903) | ((^{or_870, or_866, and_862}) & (parity_888 | parity_903));
+  logic or_923;
+  assign or_923 = (or_820 & or_824) | (or_816 & (or_820 | or_824));
+  logic or_927;
+  assign or_927 = (or_836 & or_840) | (or_832 & (or_836 | or_840));
+  logic or_931;
+  assign or_931 = (or_851 & or_855) | (or_847 & (or_851 | or_855));
+  // hls/stages/count_bits.hpp:24
+  logic parity_934;
+  assign parity_934 = ^{or_931, or_927, or_923};
+  // hls/stages/count_bits.hpp:25
+  logic or_938;
+  assign or_938 = (or_866 & or_870) | (and_862 & (or_866 | or_870));
+  logic or_942;
+  assign or_942 = (or_881 & or_885) | (or_877 & (or_881 | or_885));
+  logic or_946;
+  assign or_946 = (or_896 & or_900) | (or_892 & (or_896 | or_900));
+  // hls/stages/count_bits.hpp:24
+  logic parity_949;
+  assign parity_949 = ^{or_946, or_942, or_938};
+  logic parity_952;
+  assign parity_952 = ^{or_946, or_942, or_938, or_931, or_927, or_923, or_916, or_912, and_908};
+  // hls/stages/count_bits.hpp:25
+  logic or_956;
+  assign or_956 = (parity_934 & parity_949) | ((^{or_916, or_912, and_908}) & (parity_934 | parity_949));
+  logic or_960;
+  assign or_960 = (or_912 & or_916) | (and_908 & (or_912 | or_916));
+  logic or_964;
+  assign or_964 = (or_927 & or_931) | (or_923 & (or_927 | or_931));
+  logic or_968;
+  assign or_968 = (or_942 & or_946) | (or_938 & (or_942 | or_946));
+  // hls/stages/count_bits.hpp:24
+  logic parity_973;
+  assign parity_973 = ^{or_968, or_964, or_960, or_956};
+  // hls/stages/count_bits.hpp:25
+  logic or_977;
+  assign or_977 = (or_964 & or_968) | (or_960 & (or_964 | or_968));
+  logic and_978;
+  assign and_978 = or_956 & (^{or_968, or_964, or_960});
+  // hls/stages/count_bits.hpp:24
+  logic xor_979;
+  assign xor_979 = or_977 ^ and_978;
+  // hls/stages/count_bits.hpp:27
+  logic and_980;
+  assign and_980 = or_977 & and_978;
+  // hls/stages/agreement.hpp:149
+  logic [5:0] select_981;
+  assign select_981 = equal_568_s1_q ? {and_980, xor_979, parity_973, parity_952, xor_907, xor_812} : 6'h0;
+  logic [5:0] column_2;
+  assign column_2 = or_554_s1_q ? 6'h0 : select_981;
+  // hls/stages/agreement.hpp:778
+  logic [5:0] select_983;
+  assign select_983 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [6:0] difference_984;
+  assign difference_984 = {1'b0, column_2} - {1'b0, select_983};
+  logic [7:0] sum_986;
+  assign sum_986 = {difference_984[6], difference_984} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_990;
+  assign select_990 = and_737 ? (and_761 ? (~(select_739 ^ select_763)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_996;
+  assign parity_996 = ^select_990[5:3];
+  logic parity_999;
+  assign parity_999 = ^select_990[8:6];
+  logic parity_1002;
+  assign parity_1002 = ^select_990[11:3];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1009;
+  assign select_1009 = and_760 ? (and_778 ? (~(select_762 ^ select_780)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1012;
+  assign parity_1012 = ^select_1009[8:6];
+  logic parity_1015;
+  assign parity_1015 = ^select_1009[11:9];
+  // hls/stages/agreement.hpp:221
+  logic and_1019;
+  assign and_1019 = right_codes_rdata_q[85] & not_558_s1_q;
+  logic [11:0] select_1020;
+  assign select_1020 = less_557_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1024;
+  assign select_1024 = and_777 ? (and_1019 ? (~(select_779 ^ select_1020)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1030;
+  assign parity_1030 = ^select_1024[2:0];
+  logic parity_1033;
+  assign parity_1033 = ^select_1024[5:3];
+  logic parity_1036;
+  assign parity_1036 = ^select_1024[8:0];
+  logic parity_1042;
+  assign parity_1042 = ^select_1024[11:9];
+  logic parity_1045;
+  assign parity_1045 = ^select_1009[2:0];
+  logic parity_1048;
+  assign parity_1048 = ^{select_1024[11:9], select_1009[5:0]};
+  logic parity_1051;
+  assign parity_1051 = ^{select_1024, select_1009, select_990[2:0]};
+  logic xor_1052;
+  assign xor_1052 = parity_1002 ^ parity_1051;
+  // hls/stages/count_bits.hpp:23
+  logic or_1056;
+  assign or_1056 = (select_990[1:0] == 2'h3) | (select_990[2] & (select_990[0] | select_990[1]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1060;
+  assign or_1060 = (select_1009[7:6] == 2'h3) | (select_1009[8] & (select_1009[6] | select_1009[7]));
+  logic or_1064;
+  assign or_1064 = (select_1009[10:9] == 2'h3) | (select_1009[11] & (select_1009[9] | select_1009[10]));
+  // hls/stages/count_bits.hpp:23
+  logic or_1072;
+  assign or_1072 = (select_1024[7:6] == 2'h3) | (select_1024[8] & (~(select_1024[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
+  logic or_1076;
+  assign or_1076 = (select_1024[1:0] == 2'h3) | (select_1024[2] & (select_1024[0] | select_1024[1]));
+  logic or_1080;
+  assign or_1080 = (select_1024[4:3] == 2'h3) | (select_1024[5] & (select_1024[3] | select_1024[4]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1083;
+  assign parity_1083 = ^{or_1080, or_1076, or_1072};
+  // hls/stages/count_bits.hpp:23
+  logic or_1087;
+  assign or_1087 = (select_1009[4:3] == 2'h3) | (select_1009[5] & (select_1009[3] | select_1009[4]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1091;
+  assign or_1091 = (select_1024[10:9] == 2'h3) | (select_1024[11] & (select_1024[9] | select_1024[10]));
+  logic or_1095;
+  assign or_1095 = (select_1009[1:0] == 2'h3) | (select_1009[2] & (select_1009[0] | select_1009[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1098;
+  assign parity_1098 = ^{or_1095, or_1091, or_1087};
+  logic parity_1101;
+  assign parity_1101 = ^{or_1095, or_1091, or_1087, or_1080, or_1076, or_1072, or_1064, or_1060, or_1056};
+  // hls/stages/count_bits.hpp:25
+  logic and_1102;
+  assign and_1102 = parity_1002 & parity_1051;
+  logic or_1106;
+  assign or_1106 = (parity_996 & parity_999) | ((^select_990[11:9]) & (parity_996 | parity_999));
+  logic and_1109;
+  assign and_1109 = (^{select_1009[11:6], select_990[2:0]}) & (parity_1036 | parity_1048);
+  logic or_1110;
+  assign or_1110 = (parity_1036 & parity_1048) | and_1109;
+  // hls/stages/count_bits.hpp:23
+  logic or_1117;
+  assign or_1117 = (select_990[10:9] == 2'h3) | (select_990[11] & (select_990[9] | select_990[10]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1121;
+  assign or_1121 = (select_990[4:3] == 2'h3) | (select_990[5] & (select_990[3] | select_990[4]));
+  logic or_1125;
+  assign or_1125 = (select_990[7:6] == 2'h3) | (select_990[8] & (select_990[6] | select_990[7]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1128;
+  assign parity_1128 = ^{or_1125, or_1121, or_1117};
+  // hls/stages/count_bits.hpp:25
+  logic or_1132;
+  assign or_1132 = (parity_1012 & parity_1015) | ((^select_990[2:0]) & (parity_1012 | parity_1015));
+  logic or_1136;
+  assign or_1136 = (parity_1030 & parity_1033) | ((^select_1024[8:6]) & (parity_1030 | parity_1033));
+  logic or_1140;
+  assign or_1140 = (parity_1042 & parity_1045) | ((^select_1009[5:3]) & (parity_1042 | parity_1045));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1143;
+  assign parity_1143 = ^{or_1140, or_1136, or_1132};
+  logic parity_1146;
+  assign parity_1146 = ^{or_1140, or_1136, or_1132, or_1125, or_1121, or_1117, or_1110, or_1106, and_1102};
+  logic xor_1147;
+  assign xor_1147 = parity_1101 ^ parity_1146;
+  // hls/stages/count_bits.hpp:25
+  logic and_1148;
+  assign and_1148 = parity_1101 & parity_1146;
+  logic or_1152;
+  assign or_1152 = (parity_1083 & parity_1098) | ((^{or_1064, or_1060, or_1056}) & (parity_1083 | parity_1098));
+  logic or_1156;
+  assign or_1156 = (parity_1128 & parity_1143) | ((^{or_1110, or_1106, and_1102}) & (parity_1128 | parity_1143));
+  logic or_1163;
+  assign or_1163 = (or_1060 & or_1064) | (or_1056 & (or_1060 | or_1064));
+  logic or_1167;
+  assign or_1167 = (or_1076 & or_1080) | (or_1072 & (or_1076 | or_1080));
+  logic or_1171;
+  assign or_1171 = (or_1091 & or_1095) | (or_1087 & (or_1091 | or_1095));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1174;
+  assign parity_1174 = ^{or_1171, or_1167, or_1163};
+  // hls/stages/count_bits.hpp:25
+  logic or_1178;
+  assign or_1178 = (or_1106 & or_1110) | (and_1102 & (or_1106 | or_1110));
+  logic or_1182;
+  assign or_1182 = (or_1121 & or_1125) | (or_1117 & (or_1121 | or_1125));
+  logic or_1186;
+  assign or_1186 = (or_1136 & or_1140) | (or_1132 & (or_1136 | or_1140));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1189;
+  assign parity_1189 = ^{or_1186, or_1182, or_1178};
+  logic parity_1192;
+  assign parity_1192 = ^{or_1186, or_1182, or_1178, or_1171, or_1167, or_1163, or_1156, or_1152, and_1148};
+  // hls/stages/count_bits.hpp:25
+  logic or_1196;
+  assign or_1196 = (parity_1174 & parity_1189) | ((^{or_1156, or_1152, and_1148}) & (parity_1174 | parity_1189));
+  logic or_1200;
+  assign or_1200 = (or_1152 & or_1156) | (and_1148 & (or_1152 | or_1156));
+  logic or_1204;
+  assign or_1204 = (or_1167 & or_1171) | (or_1163 & (or_1167 | or_1171));
+  logic or_1208;
+  assign or_1208 = (or_1182 & or_1186) | (or_1178 & (or_1182 | or_1186));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1213;
+  assign parity_1213 = ^{or_1208, or_1204, or_1200, or_1196};
+  // hls/stages/count_bits.hpp:25
+  logic or_1217;
+  assign or_1217 = (or_1204 & or_1208) | (or_1200 & (or_1204 | or_1208));
+  logic and_1218;
+  assign and_1218 = or_1196 & (^{or_1208, or_1204, or_1200});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1219;
+  assign xor_1219 = or_1217 ^ and_1218;
+  // hls/stages/count_bits.hpp:27
+  logic and_1220;
+  assign and_1220 = or_1217 & and_1218;
+  // hls/stages/agreement.hpp:149
+  logic [5:0] select_1221;
+  assign select_1221 = equal_568_s1_q ? {and_1220, xor_1219, parity_1213, parity_1192, xor_1147, xor_1052} : 6'h0;
+  logic [5:0] column_3;
+  assign column_3 = or_554_s1_q ? 6'h0 : select_1221;
+  // hls/stages/agreement.hpp:778
+  logic [5:0] select_1223;
+  assign select_1223 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1224;
+  assign difference_1224 = {1'b0, column_3} - {1'b0, select_1223};
+  logic [7:0] sum_1226;
+  assign sum_1226 = {difference_1224[6], difference_1224} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:221
+  logic and_1227;
+  assign and_1227 = right_codes_rdata_q[27] & not_558_s1_q;
+  logic [11:0] select_1228;
+  assign select_1228 = less_557_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1232;
+  assign select_1232 = and_737 ? (and_1227 ? (~(select_739 ^ select_1228)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1238;
+  assign parity_1238 = ^select_1232[5:3];
+  logic parity_1241;
+  assign parity_1241 = ^select_1232[8:6];
+  logic parity_1244;
+  assign parity_1244 = ^select_1232[11:3];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1251;
+  assign select_1251 = and_760 ? (and_738 ? (~(select_762 ^ select_740)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1254;
+  assign parity_1254 = ^select_1251[8:6];
+  logic parity_1257;
+  assign parity_1257 = ^select_1251[11:9];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1264;
+  assign select_1264 = and_777 ? (and_761 ? (~(select_779 ^ select_763)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1270;
+  assign parity_1270 = ^select_1264[2:0];
+  logic parity_1273;
+  assign parity_1273 = ^select_1264[5:3];
+  logic parity_1276;
+  assign parity_1276 = ^select_1264[8:0];
+  logic parity_1282;
+  assign parity_1282 = ^select_1264[11:9];
+  logic parity_1285;
+  assign parity_1285 = ^select_1251[2:0];
+  logic parity_1288;
+  assign parity_1288 = ^{select_1264[11:9], select_1251[5:0]};
+  logic parity_1291;
+  assign parity_1291 = ^{select_1264, select_1251, select_1232[2:0]};
+  logic xor_1292;
+  assign xor_1292 = parity_1244 ^ parity_1291;
+  // hls/stages/count_bits.hpp:23
+  logic or_1296;
+  assign or_1296 = (select_1232[1:0] == 2'h3) | (select_1232[2] & (select_1232[0] | select_1232[1]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1300;
+  assign or_1300 = (select_1251[7:6] == 2'h3) | (select_1251[8] & (select_1251[6] | select_1251[7]));
+  logic or_1304;
+  assign or_1304 = (select_1251[10:9] == 2'h3) | (select_1251[11] & (select_1251[9] | select_1251[10]));
+  // hls/stages/count_bits.hpp:23
+  logic or_1312;
+  assign or_1312 = (select_1264[7:6] == 2'h3) | (select_1264[8] & (~(select_1264[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
+  logic or_1316;
+  assign or_1316 = (select_1264[1:0] == 2'h3) | (select_1264[2] & (select_1264[0] | select_1264[1]));
+  logic or_1320;
+  assign or_1320 = (select_1264[4:3] == 2'h3) | (select_1264[5] & (select_1264[3] | select_1264[4]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1323;
+  assign parity_1323 = ^{or_1320, or_1316, or_1312};
+  // hls/stages/count_bits.hpp:23
+  logic or_1327;
+  assign or_1327 = (select_1251[4:3] == 2'h3) | (select_1251[5] & (select_1251[3] | select_1251[4]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1331;
+  assign or_1331 = (select_1264[10:9] == 2'h3) | (select_1264[11] & (select_1264[9] | select_1264[10]));
+  logic or_1335;
+  assign or_1335 = (select_1251[1:0] == 2'h3) | (select_1251[2] & (select_1251[0] | select_1251[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1338;
+  assign parity_1338 = ^{or_1335, or_1331, or_1327};
+  logic parity_1341;
+  assign parity_1341 = ^{or_1335, or_1331, or_1327, or_1320, or_1316, or_1312, or_1304, or_1300, or_1296};
+  // hls/stages/count_bits.hpp:25
+  logic and_1342;
+  assign and_1342 = parity_1244 & parity_1291;
+  logic or_1346;
+  assign or_1346 = (parity_1238 & parity_1241) | ((^select_1232[11:9]) & (parity_1238 | parity_1241));
+  logic and_1349;
+  assign and_1349 = (^{select_1251[11:6], select_1232[2:0]}) & (parity_1276 | parity_1288);
+  logic or_1350;
+  assign or_1350 = (parity_1276 & parity_1288) | and_1349;
+  // hls/stages/count_bits.hpp:23
+  logic or_1357;
+  assign or_1357 = (select_1232[10:9] == 2'h3) | (select_1232[11] & (select_1232[9] | select_1232[10]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1361;
+  assign or_1361 = (select_1232[4:3] == 2'h3) | (select_1232[5] & (select_1232[3] | select_1232[4]));
+  logic or_1365;
+  assign or_1365 = (select_1232[7:6] == 2'h3) | (select_1232[8] & (select_1232[6] | select_1232[7]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1368;
+  assign parity_1368 = ^{or_1365, or_1361, or_1357};
+  // hls/stages/count_bits.hpp:25
+  logic or_1372;
+  assign or_1372 = (parity_1254 & parity_1257) | ((^select_1232[2:0]) & (parity_1254 | parity_1257));
+  logic or_1376;
+  assign or_1376 = (parity_1270 & parity_1273) | ((^select_1264[8:6]) & (parity_1270 | parity_1273));
+  logic or_1380;
+  assign or_1380 = (parity_1282 & parity_1285) | ((^select_1251[5:3]) & (parity_1282 | parity_1285));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1383;
+  assign parity_1383 = ^{or_1380, or_1376, or_1372};
+  logic parity_1386;
+  assign parity_1386 = ^{or_1380, or_1376, or_1372, or_1365, or_1361, or_1357, or_1350, or_1346, and_1342};
+  logic xor_1387;
+  assign xor_1387 = parity_1341 ^ parity_1386;
+  // hls/stages/count_bits.hpp:25
+  logic and_1388;
+  assign and_1388 = parity_1341 & parity_1386;
+  logic or_1392;
+  assign or_1392 = (parity_1323 & parity_1338) | ((^{or_1304, or_1300, or_1296}) & (parity_1323 | parity_1338));
+  logic or_1396;
+  assign or_1396 = (parity_1368 & parity_1383) | ((^{or_1350, or_1346, and_1342}) & (parity_1368 | parity_1383));
+  logic or_1403;
+  assign or_1403 = (or_1300 & or_1304) | (or_1296 & (or_1300 | or_1304));
+  logic or_1407;
+  assign or_1407 = (or_1316 & or_1320) | (or_1312 & (or_1316 | or_1320));
+  logic or_1411;
+  assign or_1411 = (or_1331 & or_1335) | (or_1327 & (or_1331 | or_1335));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1414;
+  assign parity_1414 = ^{or_1411, or_1407, or_1403};
+  // hls/stages/count_bits.hpp:25
+  logic or_1418;
+  assign or_1418 = (or_1346 & or_1350) | (and_1342 & (or_1346 | or_1350));
+  logic or_1422;
+  assign or_1422 = (or_1361 & or_1365) | (or_1357 & (or_1361 | or_1365));
+  logic or_1426;
+  assign or_1426 = (or_1376 & or_1380) | (or_1372 & (or_1376 | or_1380));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1429;
+  assign parity_1429 = ^{or_1426, or_1422, or_1418};
+  logic parity_1432;
+  assign parity_1432 = ^{or_1426, or_1422, or_1418, or_1411, or_1407, or_1403, or_1396, or_1392, and_1388};
+  // hls/stages/count_bits.hpp:25
+  logic or_1436;
+  assign or_1436 = (parity_1414 & parity_1429) | ((^{or_1396, or_1392, and_1388}) & (parity_1414 | parity_1429));
+  logic or_1440;
+  assign or_1440 = (or_1392 & or_1396) | (and_1388 & (or_1392 | or_1396));
+  logic or_1444;
+  assign or_1444 = (or_1407 & or_1411) | (or_1403 & (or_1407 | or_1411));
+  logic or_1448;
+  assign or_1448 = (or_1422 & or_1426) | (or_1418 & (or_1422 | or_1426));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1453;
+  assign parity_1453 = ^{or_1448, or_1444, or_1440, or_1436};
+  // hls/stages/count_bits.hpp:25
+  logic or_1457;
+  assign or_1457 = (or_1444 & or_1448) | (or_1440 & (or_1444 | or_1448));
+  logic and_1458;
+  assign and_1458 = or_1436 & (^{or_1448, or_1444, or_1440});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1459;
+  assign xor_1459 = or_1457 ^ and_1458;
+  // hls/stages/count_bits.hpp:27
+  logic and_1460;
+  assign and_1460 = or_1457 & and_1458;
+  // hls/stages/agreement.hpp:149
+  logic [5:0] select_1461;
+  assign select_1461 = equal_568_s1_q ? {and_1460, xor_1459, parity_1453, parity_1432, xor_1387, xor_1292} : 6'h0;
+  logic [5:0] column_4;
+  assign column_4 = or_554_s1_q ? 6'h0 : select_1461;
+  // hls/stages/agreement.hpp:778
+  logic [5:0] select_1463;
+  assign select_1463 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1464;
+  assign difference_1464 = {1'b0, column_4} - {1'b0, select_1463};
+  logic [7:0] sum_1466;
+  assign sum_1466 = {difference_1464[6], difference_1464} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1474;
+  assign select_1474 = and_737 ? (and_778 ? (~(select_739 ^ select_780)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1480;
+  assign parity_1480 = ^select_1474[5:3];
+  logic parity_1483;
+  assign parity_1483 = ^select_1474[8:6];
+  logic parity_1486;
+  assign parity_1486 = ^select_1474[11:3];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1493;
+  assign select_1493 = and_760 ? (and_1019 ? (~(select_762 ^ select_1020)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1496;
+  assign parity_1496 = ^select_1493[8:6];
+  logic parity_1499;
+  assign parity_1499 = ^select_1493[11:9];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] xor_1505;
+  assign xor_1505 = select_779 ^ (less_557_s1_q ? 12'h0 : right_codes_rdata_q[97:86]);
+  logic [11:0] select_1508;
+  assign select_1508 = and_777 ? ((right_codes_rdata_q[98] & not_558_s1_q) ? (~xor_1505) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1514;
+  assign parity_1514 = ^select_1508[2:0];
+  logic parity_1517;
+  assign parity_1517 = ^select_1508[5:3];
+  logic parity_1520;
+  assign parity_1520 = ^select_1508[8:0];
+  logic parity_1526;
+  assign parity_1526 = ^select_1508[11:9];
+  logic parity_1529;
+  assign parity_1529 = ^select_1493[2:0];
+  logic parity_1532;
+  assign parity_1532 = ^{select_1508[11:9], select_1493[5:0]};
+  logic parity_1535;
+  assign parity_1535 = ^{select_1508, select_1493, select_1474[2:0]};
+  logic xor_1536;
+  assign xor_1536 = parity_1486 ^ parity_1535;
+  // hls/stages/count_bits.hpp:23
+  logic or_1540;
+  assign or_1540 = (select_1474[1:0] == 2'h3) | (select_1474[2] & (select_1474[0] | select_1474[1]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1544;
+  assign or_1544 = (select_1493[7:6] == 2'h3) | (select_1493[8] & (select_1493[6] | select_1493[7]));
+  logic or_1548;
+  assign or_1548 = (select_1493[10:9] == 2'h3) | (select_1493[11] & (select_1493[9] | select_1493[10]));
+  // hls/stages/count_bits.hpp:23
+  logic or_1556;
+  assign or_1556 = (select_1508[7:6] == 2'h3) | (select_1508[8] & (~(select_1508[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
+  logic or_1560;
+  assign or_1560 = (select_1508[1:0] == 2'h3) | (select_1508[2] & (select_1508[0] | select_1508[1]));
+  logic or_1564;
+  assign or_1564 = (select_1508[4:3] == 2'h3) | (select_1508[5] & (select_1508[3] | select_1508[4]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1567;
+  assign parity_1567 = ^{or_1564, or_1560, or_1556};
+  // hls/stages/count_bits.hpp:23
+  logic or_1571;
+  assign or_1571 = (select_1493[4:3] == 2'h3) | (select_1493[5] & (select_1493[3] | select_1493[4]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1575;
+  assign or_1575 = (select_1508[10:9] == 2'h3) | (select_1508[11] & (select_1508[9] | select_1508[10]));
+  logic or_1579;
+  assign or_1579 = (select_1493[1:0] == 2'h3) | (select_1493[2] & (select_1493[0] | select_1493[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1582;
+  assign parity_1582 = ^{or_1579, or_1575, or_1571};
+  logic parity_1585;
+  assign parity_1585 = ^{or_1579, or_1575, or_1571, or_1564, or_1560, or_1556, or_1548, or_1544, or_1540};
+  // hls/stages/count_bits.hpp:25
+  logic and_1586;
+  assign and_1586 = parity_1486 & parity_1535;
+  logic or_1590;
+  assign or_1590 = (parity_1480 & parity_1483) | ((^select_1474[11:9]) & (parity_1480 | parity_1483));
+  logic and_1593;
+  assign and_1593 = (^{select_1493[11:6], select_1474[2:0]}) & (parity_1520 | parity_1532);
+  logic or_1594;
+  assign or_1594 = (parity_1520 & parity_1532) | and_1593;
+  // hls/stages/count_bits.hpp:23
+  logic or_1601;
+  assign or_1601 = (select_1474[10:9] == 2'h3) | (select_1474[11] & (select_1474[9] | select_1474[10]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1605;
+  assign or_1605 = (select_1474[4:3] == 2'h3) | (select_1474[5] & (select_1474[3] | select_1474[4]));
+  logic or_1609;
+  assign or_1609 = (select_1474[7:6] == 2'h3) | (select_1474[8] & (select_1474[6] | select_1474[7]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1612;
+  assign parity_1612 = ^{or_1609, or_1605, or_1601};
+  // hls/stages/count_bits.hpp:25
+  logic or_1616;
+  assign or_1616 = (parity_1496 & parity_1499) | ((^select_1474[2:0]) & (parity_1496 | parity_1499));
+  logic or_1620;
+  assign or_1620 = (parity_1514 & parity_1517) | ((^select_1508[8:6]) & (parity_1514 | parity_1517));
+  logic or_1624;
+  assign or_1624 = (parity_1526 & parity_1529) | ((^select_1493[5:3]) & (parity_1526 | parity_1529));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1627;
+  assign parity_1627 = ^{or_1624, or_1620, or_1616};
+  logic parity_1630;
+  assign parity_1630 = ^{or_1624, or_1620, or_1616, or_1609, or_1605, or_1601, or_1594, or_1590, and_1586};
+  logic xor_1631;
+  assign xor_1631 = parity_1585 ^ parity_1630;
+  // hls/stages/count_bits.hpp:25
+  logic and_1632;
+  assign and_1632 = parity_1585 & parity_1630;
+  logic or_1636;
+  assign or_1636 = (parity_1567 & parity_1582) | ((^{or_1548, or_1544, or_1540}) & (parity_1567 | parity_1582));
+  logic or_1640;
+  assign or_1640 = (parity_1612 & parity_1627) | ((^{or_1594, or_1590, and_1586}) & (parity_1612 | parity_1627));
+  logic or_1647;
+  assign or_1647 = (or_1544 & or_1548) | (or_1540 & (or_1544 | or_1548));
+  logic or_1651;
+  assign or_1651 = (or_1560 & or_1564) | (or_1556 & (or_1560 | or_1564));
+  logic or_1655;
+  assign or_1655 = (or_1575 & or_1579) | (or_1571 & (or_1575 | or_1579));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1658;
+  assign parity_1658 = ^{or_1655, or_1651, or_1647};
+  // hls/stages/count_bits.hpp:25
+  logic or_1662;
+  assign or_1662 = (or_1590 & or_1594) | (and_1586 & (or_1590 | or_1594));
+  logic or_1666;
+  assign or_1666 = (or_1605 & or_1609) | (or_1601 & (or_1605 | or_1609));
+  logic or_1670;
+  assign or_1670 = (or_1620 & or_1624) | (or_1616 & (or_1620 | or_1624));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1673;
+  assign parity_1673 = ^{or_1670, or_1666, or_1662};
+  logic parity_1676;
+  assign parity_1676 = ^{or_1670, or_1666, or_1662, or_1655, or_1651, or_1647, or_1640, or_1636, and_1632};
+  // hls/stages/count_bits.hpp:25
+  logic or_1680;
+  assign or_1680 = (parity_1658 & parity_1673) | ((^{or_1640, or_1636, and_1632}) & (parity_1658 | parity_1673));
+  logic or_1684;
+  assign or_1684 = (or_1636 & or_1640) | (and_1632 & (or_1636 | or_1640));
+  logic or_1688;
+  assign or_1688 = (or_1651 & or_1655) | (or_1647 & (or_1651 | or_1655));
+  logic or_1692;
+  assign or_1692 = (or_1666 & or_1670) | (or_1662 & (or_1666 | or_1670));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1697;
+  assign parity_1697 = ^{or_1692, or_1688, or_1684, or_1680};
+  // hls/stages/count_bits.hpp:25
+  logic or_1701;
+  assign or_1701 = (or_1688 & or_1692) | (or_1684 & (or_1688 | or_1692));
+  logic and_1702;
+  assign and_1702 = or_1680 & (^{or_1692, or_1688, or_1684});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1703;
+  assign xor_1703 = or_1701 ^ and_1702;
+  // hls/stages/count_bits.hpp:27
+  logic and_1704;
+  assign and_1704 = or_1701 & and_1702;
+  // hls/stages/agreement.hpp:149
+  logic [5:0] select_1705;
+  assign select_1705 = equal_568_s1_q ? {and_1704, xor_1703, parity_1697, parity_1676, xor_1631, xor_1536} : 6'h0;
+  logic [5:0] column_5;
+  assign column_5 = or_554_s1_q ? 6'h0 : select_1705;
+  // hls/stages/agreement.hpp:778
+  logic [5:0] select_1707;
+  assign select_1707 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1708;
+  assign difference_1708 = {1'b0, column_5} - {1'b0, select_1707};
+  logic [7:0] sum_1710;
+  assign sum_1710 = {difference_1708[6], difference_1708} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:684
+  logic [11:0] not_1714;
+  assign not_1714 = ~(select_739 ^ (less_557_s1_q ? 12'h0 : right_codes_rdata_q[11:0]));
+  logic [11:0] select_1716;
+  assign select_1716 = and_737 ? ((right_codes_rdata_q[12] & not_558_s1_q) ? not_1714 : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1722;
+  assign parity_1722 = ^select_1716[5:3];
+  logic parity_1725;
+  assign parity_1725 = ^select_1716[8:6];
+  logic parity_1728;
+  assign parity_1728 = ^select_1716[11:3];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1735;
+  assign select_1735 = and_760 ? (and_1227 ? (~(select_762 ^ select_1228)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1738;
+  assign parity_1738 = ^select_1735[8:6];
+  logic parity_1741;
+  assign parity_1741 = ^select_1735[11:9];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1748;
+  assign select_1748 = and_777 ? (and_738 ? (~(select_779 ^ select_740)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1754;
+  assign parity_1754 = ^select_1748[2:0];
+  logic parity_1757;
+  assign parity_1757 = ^select_1748[5:3];
+  logic parity_1760;
+  assign parity_1760 = ^select_1748[8:0];
+  logic parity_1766;
+  assign parity_1766 = ^select_1748[11:9];
+  logic parity_1769;
+  assign parity_1769 = ^select_1735[2:0];
+  logic parity_1772;
+  assign parity_1772 = ^{select_1748[11:9], select_1735[5:0]};
+  logic parity_1775;
+  assign parity_1775 = ^{select_1748, select_1735, select_1716[2:0]};
+  logic xor_1776;
+  assign xor_1776 = parity_1728 ^ parity_1775;
+  // hls/stages/count_bits.hpp:23
+  logic or_1780;
+  assign or_1780 = (select_1716[1:0] == 2'h3) | (select_1716[2] & (select_1716[0] | select_1716[1]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1784;
+  assign or_1784 = (select_1735[7:6] == 2'h3) | (select_1735[8] & (select_1735[6] | select_1735[7]));
+  logic or_1788;
+  assign or_1788 = (select_1735[10:9] == 2'h3) | (select_1735[11] & (select_1735[9] | select_1735[10]));
+  // hls/stages/count_bits.hpp:23
+  logic or_1796;
+  assign or_1796 = (select_1748[7:6] == 2'h3) | (select_1748[8] & (~(select_1748[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
+  logic or_1800;
+  assign or_1800 = (select_1748[1:0] == 2'h3) | (select_1748[2] & (select_1748[0] | select_1748[1]));
+  logic or_1804;
+  assign or_1804 = (select_1748[4:3] == 2'h3) | (select_1748[5] & (select_1748[3] | select_1748[4]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1807;
+  assign parity_1807 = ^{or_1804, or_1800, or_1796};
+  // hls/stages/count_bits.hpp:23
+  logic or_1811;
+  assign or_1811 = (select_1735[4:3] == 2'h3) | (select_1735[5] & (select_1735[3] | select_1735[4]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1815;
+  assign or_1815 = (select_1748[10:9] == 2'h3) | (select_1748[11] & (select_1748[9] | select_1748[10]));
+  logic or_1819;
+  assign or_1819 = (select_1735[1:0] == 2'h3) | (select_1735[2] & (select_1735[0] | select_1735[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1822;
+  assign parity_1822 = ^{or_1819, or_1815, or_1811};
+  logic parity_1825;
+  assign parity_1825 = ^{or_1819, or_1815, or_1811, or_1804, or_1800, or_1796, or_1788, or_1784, or_1780};
+  // hls/stages/count_bits.hpp:25
+  logic and_1826;
+  assign and_1826 = parity_1728 & parity_1775;
+  logic or_1830;
+  assign or_1830 = (parity_1722 & parity_1725) | ((^select_1716[11:9]) & (parity_1722 | parity_1725));
+  logic and_1833;
+  assign and_1833 = (^{select_1735[11:6], select_1716[2:0]}) & (parity_1760 | parity_1772);
+  logic or_1834;
+  assign or_1834 = (parity_1760 & parity_1772) | and_1833;
+  // hls/stages/count_bits.hpp:23
+  logic or_1841;
+  assign or_1841 = (select_1716[10:9] == 2'h3) | (select_1716[11] & (select_1716[9] | select_1716[10]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1845;
+  assign or_1845 = (select_1716[4:3] == 2'h3) | (select_1716[5] & (select_1716[3] | select_1716[4]));
+  logic or_1849;
+  assign or_1849 = (select_1716[7:6] == 2'h3) | (select_1716[8] & (select_1716[6] | select_1716[7]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1852;
+  assign parity_1852 = ^{or_1849, or_1845, or_1841};
+  // hls/stages/count_bits.hpp:25
+  logic or_1856;
+  assign or_1856 = (parity_1738 & parity_1741) | ((^select_1716[2:0]) & (parity_1738 | parity_1741));
+  logic or_1860;
+  assign or_1860 = (parity_1754 & parity_1757) | ((^select_1748[8:6]) & (parity_1754 | parity_1757));
+  logic or_1864;
+  assign or_1864 = (parity_1766 & parity_1769) | ((^select_1735[5:3]) & (parity_1766 | parity_1769));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1867;
+  assign parity_1867 = ^{or_1864, or_1860, or_1856};
+  logic parity_1870;
+  assign parity_1870 = ^{or_1864, or_1860, or_1856, or_1849, or_1845, or_1841, or_1834, or_1830, and_1826};
+  logic xor_1871;
+  assign xor_1871 = parity_1825 ^ parity_1870;
+  // hls/stages/count_bits.hpp:25
+  logic and_1872;
+  assign and_1872 = parity_1825 & parity_1870;
+  logic or_1876;
+  assign or_1876 = (parity_1807 & parity_1822) | ((^{or_1788, or_1784, or_1780}) & (parity_1807 | parity_1822));
+  logic or_1880;
+  assign or_1880 = (parity_1852 & parity_1867) | ((^{or_1834, or_1830, and_1826}) & (parity_1852 | parity_1867));
+  logic or_1887;
+  assign or_1887 = (or_1784 & or_1788) | (or_1780 & (or_1784 | or_1788));
+  logic or_1891;
+  assign or_1891 = (or_1800 & or_1804) | (or_1796 & (or_1800 | or_1804));
+  logic or_1895;
+  assign or_1895 = (or_1815 & or_1819) | (or_1811 & (or_1815 | or_1819));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1898;
+  assign parity_1898 = ^{or_1895, or_1891, or_1887};
+  // hls/stages/count_bits.hpp:25
+  logic or_1902;
+  assign or_1902 = (or_1830 & or_1834) | (and_1826 & (or_1830 | or_1834));
+  logic or_1906;
+  assign or_1906 = (or_1845 & or_1849) | (or_1841 & (or_1845 | or_1849));
+  logic or_1910;
+  assign or_1910 = (or_1860 & or_1864) | (or_1856 & (or_1860 | or_1864));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1913;
+  assign parity_1913 = ^{or_1910, or_1906, or_1902};
+  logic parity_1916;
+  assign parity_1916 = ^{or_1910, or_1906, or_1902, or_1895, or_1891, or_1887, or_1880, or_1876, and_1872};
+  // hls/stages/count_bits.hpp:25
+  logic or_1920;
+  assign or_1920 = (parity_1898 & parity_1913) | ((^{or_1880, or_1876, and_1872}) & (parity_1898 | parity_1913));
+  logic or_1924;
+  assign or_1924 = (or_1876 & or_1880) | (and_1872 & (or_1876 | or_1880));
+  logic or_1928;
+  assign or_1928 = (or_1891 & or_1895) | (or_1887 & (or_1891 | or_1895));
+  logic or_1932;
+  assign or_1932 = (or_1906 & or_1910) | (or_1902 & (or_1906 | or_1910));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1937;
+  assign parity_1937 = ^{or_1932, or_1928, or_1924, or_1920};
+  // hls/stages/count_bits.hpp:25
+  logic or_1941;
+  assign or_1941 = (or_1928 & or_1932) | (or_1924 & (or_1928 | or_1932));
+  logic and_1942;
+  assign and_1942 = or_1920 & (^{or_1932, or_1928, or_1924});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1943;
+  assign xor_1943 = or_1941 ^ and_1942;
+  // hls/stages/count_bits.hpp:27
+  logic and_1944;
+  assign and_1944 = or_1941 & and_1942;
+  // hls/stages/agreement.hpp:149
+  logic [5:0] select_1945;
+  assign select_1945 = equal_568_s1_q ? {and_1944, xor_1943, parity_1937, parity_1916, xor_1871, xor_1776} : 6'h0;
+  logic [5:0] column_6;
+  assign column_6 = or_554_s1_q ? 6'h0 : select_1945;
+  // hls/stages/agreement.hpp:778
+  logic [5:0] select_1947;
+  assign select_1947 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1948;
+  assign difference_1948 = {1'b0, column_6} - {1'b0, select_1947};
+  logic [7:0] sum_1950;
+  assign sum_1950 = {difference_1948[6], difference_1948} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:788
+  logic and_2021;
+  assign and_2021 = ends_cell_s1_q & inside_v;
+  logic and_2023;
+  assign and_2023 = not_550 & (so_s1_q & and_2021);
+  logic [6:0] select_2027;
+  assign select_2027 = so_s1_q ? x_s1_q[6:0] : (or_554_s1_q ? (less_557_s1_q ? 7'h0 : select_601) : 7'h0);
+  // hls/stages/agreement.hpp:247
+  logic or_2031;
+  assign or_2031 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  // hls/stages/agreement.hpp:149
+  logic and_2040;
+  assign and_2040 = or_554_s1_q & (slot_s1_q[2] & not_558_s1_q);
   // hls/stages/registration.hpp:218
-  logic [16:0] select_2095;
-  assign select_2095 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_2156;
+  assign select_2156 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
-  assign change = ($signed(10'h0) < $signed(select_2095[16:7])) ? 8'h7f : select_2095[7:0];
+  assign change = ($signed(10'h0) < $signed(select_2156[16:7])) ? 8'h7f : select_2156[7:0];
   // hls/stages/patches.hpp:172
   logic [7:0] pixel;
-  assign pixel = equal_2170_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
+  assign pixel = equal_2230_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
-  assign pixel_2 = equal_2170_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
+  assign pixel_2 = equal_2230_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
   // hls/stages/patches.hpp:495
-  logic less_2258;
-  assign less_2258 = 5'he < patches_along_q;
+  logic less_2318;
+  assign less_2318 = 5'he < patches_along_q;
   // hls/stages/patches.hpp:496
-  logic or_2259;
-  assign or_2259 = equal_2169_s1_q | less_2258;
+  logic or_2319;
+  assign or_2319 = equal_2229_s1_q | less_2318;
   // hls/stages/patches.hpp:499
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
-  logic select_2264;
-  assign select_2264 = equal_2169_s1_q ? patches_column_s1_q[0] : (or_2259 ? (patches_along_q == 5'h10) : (~new_row));
-  logic not_2265;
-  assign not_2265 = ~or_2259;
+  logic select_2324;
+  assign select_2324 = equal_2229_s1_q ? patches_column_s1_q[0] : (or_2319 ? (patches_along_q == 5'h10) : (~new_row));
+  logic not_2325;
+  assign not_2325 = ~or_2319;
   // hls/stages/patches.hpp:496
-  logic [4:0] sum_2266;
-  assign sum_2266 = patches_down_by_q + {1'b0, patches_match_row_q};
+  logic [4:0] sum_2326;
+  assign sum_2326 = patches_down_by_q + {1'b0, patches_match_row_q};
   // hls/stages/patches.hpp:498
-  logic [4:0] select_2269;
-  assign select_2269 = or_2259 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_2266) + 5'h1) : sum_2266;
+  logic [4:0] select_2329;
+  assign select_2329 = or_2319 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_2326) + 5'h1) : sum_2326;
   // hls/stages/patches.hpp:500
-  logic [4:0] select_2270;
-  assign select_2270 = equal_2169_s1_q ? 5'h0 : select_2269;
-  logic or_2271;
-  assign or_2271 = equal_2169_s1_q | equal_2167_s1_q;
+  logic [4:0] select_2330;
+  assign select_2330 = equal_2229_s1_q ? 5'h0 : select_2329;
+  logic or_2331;
+  assign or_2331 = equal_2229_s1_q | equal_2227_s1_q;
   // hls/stages/patches.hpp:476
-  logic equal_2273;
-  assign equal_2273 = patches_column_s1_q == 5'h1f;
+  logic equal_2333;
+  assign equal_2333 = patches_column_s1_q == 5'h1f;
   logic of_row;
   assign of_row = patches_column_s1_q == 5'h11;
-  logic equal_2275;
-  assign equal_2275 = patches_column_s1_q == 5'h18;
+  logic equal_2335;
+  assign equal_2335 = patches_column_s1_q == 5'h18;
   // hls/stages/patches.hpp:478
-  logic and_2277;
-  assign and_2277 = of_row & (~equal_2275);
+  logic and_2337;
+  assign and_2337 = of_row & (~equal_2335);
   logic [1:0] of_row_2;
-  assign of_row_2 = equal_2273 ? 2'h3 : {equal_2275, and_2277};
+  assign of_row_2 = equal_2333 ? 2'h3 : {equal_2335, and_2337};
   // hls/stages/patches.hpp:464
-  logic [8:0] sum_2280;
-  assign sum_2280 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
-  logic [8:0] sum_2281;
-  assign sum_2281 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
+  logic [8:0] sum_2340;
+  assign sum_2340 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
+  logic [8:0] sum_2341;
+  assign sum_2341 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
   logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_2280, pixel_2[0]} - {1'b0, sum_2281, patches_columns_above_rdata_q[24]};
+  assign down_2 = {1'b0, sum_2340, pixel_2[0]} - {1'b0, sum_2341, patches_columns_above_rdata_q[24]};
   // hls/stages/patches.hpp:466
-  logic [11:0] sum_2283;
-  assign sum_2283 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_2284;
-  assign sum_2284 = {{4{down_2[10]}}, down_2[10:2]} + {sum_2283[11], sum_2283};
-  logic [13:0] sum_2285;
-  assign sum_2285 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_2284, down_2[1]};
-  logic [12:0] sum_2286;
-  assign sum_2286 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2285[13:1];
-  logic [14:0] sum_2287;
-  assign sum_2287 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2286, sum_2285[0], down_2[0]};
+  logic [11:0] sum_2343;
+  assign sum_2343 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_2344;
+  assign sum_2344 = {{4{down_2[10]}}, down_2[10:2]} + {sum_2343[11], sum_2343};
+  logic [13:0] sum_2345;
+  assign sum_2345 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_2344, down_2[1]};
+  logic [12:0] sum_2346;
+  assign sum_2346 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2345[13:1];
+  logic [14:0] sum_2347;
+  assign sum_2347 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2346, sum_2345[0], down_2[0]};
   // hls/stages/patches.hpp:462
-  logic [8:0] sum_2290;
-  assign sum_2290 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
-  logic [9:0] sum_2291;
-  assign sum_2291 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_2290};
-  logic [10:0] sum_2292;
-  assign sum_2292 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2291, patches_columns_above_rdata_q[25]};
-  logic [9:0] sum_2293;
-  assign sum_2293 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2292[10:1];
+  logic [8:0] sum_2350;
+  assign sum_2350 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
+  logic [9:0] sum_2351;
+  assign sum_2351 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_2350};
+  logic [10:0] sum_2352;
+  assign sum_2352 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2351, patches_columns_above_rdata_q[25]};
+  logic [9:0] sum_2353;
+  assign sum_2353 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2352[10:1];
   // hls/stages/patches.hpp:463
   logic [11:0] smooth;
-  assign smooth = {sum_2293, sum_2292[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  assign smooth = {sum_2353, sum_2352[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
   // hls/stages/patches.hpp:465
-  logic [12:0] sum_2295;
-  assign sum_2295 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
-  logic [12:0] sum_2296;
-  assign sum_2296 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_2297;
-  assign difference_2297 = {1'b0, sum_2295, smooth[0]} - {1'b0, sum_2296, patches_smooth_values_3_q[0]};
+  logic [12:0] sum_2355;
+  assign sum_2355 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
+  logic [12:0] sum_2356;
+  assign sum_2356 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_2357;
+  assign difference_2357 = {1'b0, sum_2355, smooth[0]} - {1'b0, sum_2356, patches_smooth_values_3_q[0]};
   // hls/stages/patches.hpp:477
-  logic or_2303;
-  assign or_2303 = (((patches_column_s1_q == 5'ha) | of_row) | equal_2275) | equal_2273;
+  logic or_2363;
+  assign or_2363 = (((patches_column_s1_q == 5'ha) | of_row) | equal_2335) | equal_2333;
   // hls/stages/patches.hpp:472
-  logic and_2308;
-  assign and_2308 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
+  logic and_2368;
+  assign and_2368 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
   // hls/stages/patches.hpp:184
-  logic and_2312;
-  assign and_2312 = not_2168_s1_q & (or_2171_s1_q & (or_2303 & (equal_2170_s1_q & and_2308)));
+  logic and_2372;
+  assign and_2372 = not_2228_s1_q & (or_2231_s1_q & (or_2363 & (equal_2230_s1_q & and_2368)));
   // hls/stages/patches.hpp:172
-  logic and_2322;
-  assign and_2322 = (~(equal_2170_s1_q | (~and_2308))) & (~patches_column_s1_q[4]);
+  logic and_2382;
+  assign and_2382 = (~(equal_2230_s1_q | (~and_2368))) & (~patches_column_s1_q[4]);
   // hls/stages/patches.hpp:184
-  logic and_2326;
-  assign and_2326 = not_2168_s1_q & (or_2171_s1_q & (and_2322 & (patches_column_s1_q == 5'hf)));
+  logic and_2386;
+  assign and_2386 = not_2228_s1_q & (or_2231_s1_q & (and_2382 & (patches_column_s1_q == 5'hf)));
   // hls/stages/patches.hpp:541
-  logic less_2328;
-  assign less_2328 = patches_step_q[4:0] < 5'h11;
-  logic equal_2329;
-  assign equal_2329 = patches_step_q[6:5] == 2'h0;
-  logic not_2330;
-  assign not_2330 = ~equal_2329;
-  logic equal_2331;
-  assign equal_2331 = patches_step_q[6:5] == 2'h3;
-  logic not_2332;
-  assign not_2332 = ~equal_2331;
+  logic less_2388;
+  assign less_2388 = patches_step_q[4:0] < 5'h11;
+  logic equal_2389;
+  assign equal_2389 = patches_step_q[6:5] == 2'h0;
+  logic not_2390;
+  assign not_2390 = ~equal_2389;
+  logic equal_2391;
+  assign equal_2391 = patches_step_q[6:5] == 2'h3;
+  logic not_2392;
+  assign not_2392 = ~equal_2391;
   // hls/stages/patches.hpp:555
-  logic select_2335;
-  assign select_2335 = equal_2331 ? (less_2328 & (less_2328 & not_2332)) : less_2328;
+  logic select_2395;
+  assign select_2395 = equal_2391 ? (less_2388 & (less_2388 & not_2392)) : less_2388;
   // hls/stages/patches.hpp:184
-  logic and_2338;
-  assign and_2338 = equal_2165_s1_q & (less_2328 ? (not_2330 & select_2335) : select_2335);
+  logic and_2398;
+  assign and_2398 = equal_2225_s1_q & (less_2388 ? (not_2390 & select_2395) : select_2395);
   // hls/stages/division.hpp:34
-  logic [5:0] sum_2359;
-  assign sum_2359 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:450
-  logic [5:0] or_2642;
-  assign or_2642 = column_s1_q[5:0] | row_s1_q;
-  // hls/stages/agreement.hpp:454
-  logic select_2861;
-  assign select_2861 = equal_2767_s1_q ? (~({row_s1_q, 1'b0} < {sum_2858, cfg_height_i[3]})) : lower_half_q;
-  // hls/stages/agreement.hpp:514
-  logic and_3081;
-  assign and_3081 = and_515_s1_q & (equal_2767_s1_q & (row_s1_q[5:2] == 4'h0));
+  logic [5:0] sum_2420;
+  assign sum_2420 = region_across_rest_q[8:3] + 6'h1;
+  // hls/stages/agreement.hpp:456
+  logic [5:0] or_2703;
+  assign or_2703 = column_s1_q[5:0] | row_s1_q;
+  // hls/stages/agreement.hpp:788
+  logic [13:0] select_2716;
+  assign select_2716 = equal_553_s1_q ? (inside_v ? select_560 : moments_place_q) : moments_place_q;
+  logic [13:0] select_2718;
+  assign select_2718 = equal_549_s1_q ? moments_place_q : (so_s1_q ? moments_place_q : select_2716);
+  // hls/stages/agreement.hpp:460
+  logic select_2982;
+  assign select_2982 = equal_2888_s1_q ? (~({row_s1_q, 1'b0} < {sum_2979, cfg_height_i[3]})) : lower_half_q;
+  // hls/stages/agreement.hpp:520
+  logic and_3226;
+  assign and_3226 = and_525_s1_q & (equal_2888_s1_q & (row_s1_q[5:2] == 4'h0));
   // hls/stages/registration.hpp:128
-  logic and_3082;
-  assign and_3082 = and_2768_s1_q & and_3081;
+  logic and_3227;
+  assign and_3227 = and_2889_s1_q & and_3226;
   // hls/stages/registration.hpp:127
-  logic and_3084;
-  assign and_3084 = and_2768_s1_q & (~and_3081);
+  logic and_3229;
+  assign and_3229 = and_2889_s1_q & (~and_3226);
   // hls/stages/registration.hpp:129
-  logic [15:0] select_3085;
-  assign select_3085 = and_3084 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_3230;
+  assign select_3230 = and_3229 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_3087;
-  assign select_3087 = and_3082 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3085[15]}}, select_3085});
+  logic [23:0] select_3232;
+  assign select_3232 = and_3227 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3230[15]}}, select_3230});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_3088;
-  assign select_3088 = and_3084 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_3233;
+  assign select_3233 = and_3229 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_3088[15]}}, select_3088};
+  assign both = registration_slope_change_q + {{12{select_3233[15]}}, select_3233};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_3090;
-  assign select_3090 = and_3082 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
-  // hls/stages/agreement.hpp:147
-  logic and_3091;
-  assign and_3091 = ends_cell_s1_q & so_s1_q;
+  logic [27:0] select_3235;
+  assign select_3235 = and_3227 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  // hls/stages/agreement.hpp:149
+  logic and_3236;
+  assign and_3236 = ends_cell_s1_q & so_s1_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_8;
-  assign column_8 = registration_slope_q + (and_3091 ? registration_slope_change_q : 28'h0);
+  assign column_8 = registration_slope_q + (and_3236 ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:187
-  logic select_3337;
-  assign select_3337 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3482;
+  assign select_3482 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/patches.hpp:184
-  logic [11:0] select_3340;
-  assign select_3340 = equal_2167_s1_q ? patches_smooth_values_0_q : (or_2171_s1_q ? smooth : patches_smooth_values_0_q);
-  logic [11:0] select_3342;
-  assign select_3342 = or_2171_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
-  logic [11:0] select_3344;
-  assign select_3344 = equal_2165_s1_q ? patches_smooth_values_1_q : (equal_2167_s1_q ? patches_smooth_values_1_q : select_3342);
-  logic [11:0] select_3345;
-  assign select_3345 = or_2171_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
-  logic [11:0] select_3347;
-  assign select_3347 = equal_2165_s1_q ? patches_smooth_values_2_q : (equal_2167_s1_q ? patches_smooth_values_2_q : select_3345);
-  logic [11:0] select_3348;
-  assign select_3348 = or_2171_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
-  logic [11:0] select_3350;
-  assign select_3350 = equal_2165_s1_q ? patches_smooth_values_3_q : (equal_2167_s1_q ? patches_smooth_values_3_q : select_3348);
-  logic [10:0] select_3352;
-  assign select_3352 = equal_2167_s1_q ? patches_down_values_0_q : (or_2171_s1_q ? down_2 : patches_down_values_0_q);
-  logic [10:0] select_3355;
-  assign select_3355 = equal_2167_s1_q ? patches_down_values_1_q : (or_2171_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
-  logic [10:0] select_3358;
-  assign select_3358 = equal_2167_s1_q ? patches_down_values_2_q : (or_2171_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
-  logic [10:0] select_3361;
-  assign select_3361 = equal_2167_s1_q ? patches_down_values_3_q : (or_2171_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
+  logic [11:0] select_3485;
+  assign select_3485 = equal_2227_s1_q ? patches_smooth_values_0_q : (or_2231_s1_q ? smooth : patches_smooth_values_0_q);
+  logic [11:0] select_3487;
+  assign select_3487 = or_2231_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3489;
+  assign select_3489 = equal_2225_s1_q ? patches_smooth_values_1_q : (equal_2227_s1_q ? patches_smooth_values_1_q : select_3487);
+  logic [11:0] select_3490;
+  assign select_3490 = or_2231_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3492;
+  assign select_3492 = equal_2225_s1_q ? patches_smooth_values_2_q : (equal_2227_s1_q ? patches_smooth_values_2_q : select_3490);
+  logic [11:0] select_3493;
+  assign select_3493 = or_2231_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3495;
+  assign select_3495 = equal_2225_s1_q ? patches_smooth_values_3_q : (equal_2227_s1_q ? patches_smooth_values_3_q : select_3493);
+  logic [10:0] select_3497;
+  assign select_3497 = equal_2227_s1_q ? patches_down_values_0_q : (or_2231_s1_q ? down_2 : patches_down_values_0_q);
+  logic [10:0] select_3500;
+  assign select_3500 = equal_2227_s1_q ? patches_down_values_1_q : (or_2231_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
+  logic [10:0] select_3503;
+  assign select_3503 = equal_2227_s1_q ? patches_down_values_2_q : (or_2231_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
+  logic [10:0] select_3506;
+  assign select_3506 = equal_2227_s1_q ? patches_down_values_3_q : (or_2231_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
   // hls/stages/patches.hpp:175
-  logic and_3398;
-  assign and_3398 = patches_along_ends_q & patches_match_row_ends_q;
+  logic and_3543;
+  assign and_3543 = patches_along_ends_q & patches_match_row_ends_q;
   // hls/stages/patches.hpp:412
-  logic [4:0] select_3403;
-  assign select_3403 = or_3298_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  logic [4:0] select_3548;
+  assign select_3548 = or_3443_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:414
-  logic [3:0] select_3405;
-  assign select_3405 = and_3398 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  logic [3:0] select_3550;
+  assign select_3550 = and_3543 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/patches.hpp:184
-  logic [4:0] select_3761;
-  assign select_3761 = equal_2165_s1_q ? patches_summed_down_by_q : (equal_2167_s1_q ? patches_down_by_q : patches_summed_down_by_q);
+  logic [4:0] select_3906;
+  assign select_3906 = equal_2225_s1_q ? patches_summed_down_by_q : (equal_2227_s1_q ? patches_down_by_q : patches_summed_down_by_q);
   // hls/stages/patches.hpp:551
-  logic and_3794;
-  assign and_3794 = less_2328 & (patches_step_q[6:5] == 2'h1);
+  logic and_3939;
+  assign and_3939 = less_2388 & (patches_step_q[6:5] == 2'h1);
   // hls/stages/patches.hpp:555
-  logic select_3797;
-  assign select_3797 = equal_2331 ? (less_2328 ? (not_2332 & and_3794) : and_3794) : and_3794;
+  logic select_3942;
+  assign select_3942 = equal_2391 ? (less_2388 ? (not_2392 & and_3939) : and_3939) : and_3939;
   // hls/stages/patches.hpp:184
-  logic select_3800;
-  assign select_3800 = equal_2165_s1_q ? (less_2328 ? (not_2330 & select_3797) : select_3797) : patches_read_searches_q;
-  // hls/stages/agreement.hpp:203
-  logic [8:0] select_4143;
-  assign select_4143 = so_s1_q ? (and_3091 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic select_3945;
+  assign select_3945 = equal_2225_s1_q ? (less_2388 ? (not_2390 & select_3942) : select_3942) : patches_read_searches_q;
+  // hls/stages/agreement.hpp:205
+  logic [8:0] select_4286;
+  assign select_4286 = so_s1_q ? (and_3236 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4145;
-  assign sum_4145 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_4288;
+  assign sum_4288 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4146;
-  assign select_4146 = sum_2359[5] ? {1'b1, sum_2359[4:0], region_across_rest_q[2:0]} : sum_4145;
-  // hls/stages/agreement.hpp:454
-  logic [8:0] select_4148;
-  assign select_4148 = equal_2767_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_4151;
-  assign select_4151 = equal_2767_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  logic [8:0] select_4289;
+  assign select_4289 = sum_2420[5] ? {1'b1, sum_2420[4:0], region_across_rest_q[2:0]} : sum_4288;
+  // hls/stages/agreement.hpp:460
+  logic [8:0] select_4291;
+  assign select_4291 = equal_2888_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_4294;
+  assign select_4294 = equal_2888_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
 
-  // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:226; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:227; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [26:0] averager_memory_mem [0:319];
@@ -2180,9 +2222,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 320; i++) averager_memory_mem[i] = 27'h0;
 `endif
   logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_485_s1_q;
+  assign averager_memory_raddr = select_495_s1_q;
   logic averager_memory_re;
-  assign averager_memory_re = s1_en & and_490;
+  assign averager_memory_re = s1_en & and_500;
   logic [26:0] averager_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (averager_memory_re) averager_memory_word_q <= averager_memory_mem[averager_memory_raddr];
@@ -2193,7 +2235,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) averager_memory_read_q <= rst_ni & averager_memory_re;
   assign averager_memory_error = averager_memory_read_q & ^averager_memory_word_q;
 
-  // Memory census_memory, 80 x 78 and parity, DISTANCE 16, hls/stages/census.hpp:334; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory census_memory, 80 x 78 and parity, DISTANCE 16, hls/stages/census.hpp:340; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [78:0] census_memory_mem [0:79];
@@ -2203,7 +2245,7 @@ module horopter_agreement (
   logic [6:0] census_memory_raddr;
   assign census_memory_raddr = column_s1_q;
   logic census_memory_re;
-  assign census_memory_re = s1_en & and_515_s1_q;
+  assign census_memory_re = s1_en & and_525_s1_q;
   logic [78:0] census_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (census_memory_re) census_memory_word_q <= census_memory_mem[census_memory_raddr];
@@ -2214,7 +2256,28 @@ module horopter_agreement (
   always_ff @(posedge clk_i) census_memory_read_q <= rst_ni & census_memory_re;
   assign census_memory_error = census_memory_read_q & ^census_memory_word_q;
 
-  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1343; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory moments_memory, 4800 x 4 and parity, DISTANCE 16, hls/stages/moments.hpp:95; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [4:0] moments_memory_mem [0:4799];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 4800; i++) moments_memory_mem[i] = 5'h0;
+`endif
+  logic [12:0] moments_memory_raddr;
+  assign moments_memory_raddr = select_548;
+  logic moments_memory_re;
+  assign moments_memory_re = s1_en & and_566;
+  logic [4:0] moments_memory_word_q;
+  always_ff @(posedge clk_i) begin
+    if (moments_memory_re) moments_memory_word_q <= moments_memory_mem[moments_memory_raddr];
+  end
+  logic [3:0] moments_memory_rdata_q;
+  assign moments_memory_rdata_q = moments_memory_word_q[3:0];
+  logic moments_memory_read_q, moments_memory_error;
+  always_ff @(posedge clk_i) moments_memory_read_q <= rst_ni & moments_memory_re;
+  assign moments_memory_error = moments_memory_read_q & ^moments_memory_word_q;
+
+  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1375; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] best_right_mem [0:79];
@@ -2222,9 +2285,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_right_mem[i] = 30'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_536_s1_q ? select_1940 : right_s1_q;
+  assign best_right_raddr = or_554_s1_q ? select_601 : right_s1_q;
   logic best_right_re;
-  assign best_right_re = s1_en & select_657_s1_q;
+  assign best_right_re = s1_en & select_592_s1_q;
   logic [29:0] best_right_word_q;
   always_ff @(posedge clk_i) begin
     if (best_right_re) best_right_word_q <= best_right_mem[best_right_raddr];
@@ -2235,7 +2298,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) best_right_read_q <= rst_ni & best_right_re;
   assign best_right_error = best_right_read_q & ^best_right_word_q;
 
-  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1344; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1376; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] shown_right_mem [0:79];
@@ -2245,7 +2308,7 @@ module horopter_agreement (
   logic [6:0] shown_right_raddr;
   assign shown_right_raddr = x_s1_q[6:0];
   logic shown_right_re;
-  assign shown_right_re = s1_en & and_1959;
+  assign shown_right_re = s1_en & and_2023;
   logic [2:0] shown_right_word_q;
   always_ff @(posedge clk_i) begin
     if (shown_right_re) shown_right_word_q <= shown_right_mem[shown_right_raddr];
@@ -2256,6 +2319,48 @@ module horopter_agreement (
   always_ff @(posedge clk_i) shown_right_read_q <= rst_ni & shown_right_re;
   assign shown_right_error = shown_right_read_q & ^shown_right_word_q;
 
+  // Memory left_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1377; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [2:0] left_turns_mem [0:79];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 80; i++) left_turns_mem[i] = 3'h0;
+`endif
+  logic [6:0] left_turns_raddr;
+  assign left_turns_raddr = x_s1_q[6:0];
+  logic left_turns_re;
+  assign left_turns_re = s1_en & and_2040;
+  logic [2:0] left_turns_word_q;
+  always_ff @(posedge clk_i) begin
+    if (left_turns_re) left_turns_word_q <= left_turns_mem[left_turns_raddr];
+  end
+  logic [1:0] left_turns_rdata_q;
+  assign left_turns_rdata_q = left_turns_word_q[1:0];
+  logic left_turns_read_q, left_turns_error;
+  always_ff @(posedge clk_i) left_turns_read_q <= rst_ni & left_turns_re;
+  assign left_turns_error = left_turns_read_q & ^left_turns_word_q;
+
+  // Memory right_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1377; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [2:0] right_turns_mem [0:79];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 80; i++) right_turns_mem[i] = 3'h0;
+`endif
+  logic [6:0] right_turns_raddr;
+  assign right_turns_raddr = select_601;
+  logic right_turns_re;
+  assign right_turns_re = s1_en & and_2040;
+  logic [2:0] right_turns_word_q;
+  always_ff @(posedge clk_i) begin
+    if (right_turns_re) right_turns_word_q <= right_turns_mem[right_turns_raddr];
+  end
+  logic [1:0] right_turns_rdata_q;
+  assign right_turns_rdata_q = right_turns_word_q[1:0];
+  logic right_turns_read_q, right_turns_error;
+  always_ff @(posedge clk_i) right_turns_read_q <= rst_ni & right_turns_re;
+  assign right_turns_error = right_turns_read_q & ^right_turns_word_q;
+
   // Memory patches_right_codes, 112 x 28 and parity, DISTANCE 12, hls/stages/patches.hpp:791; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
@@ -2264,9 +2369,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 29'h0;
 `endif
   logic [6:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = {select_2270, not_2265, select_2264};
+  assign patches_right_codes_raddr = {select_2330, not_2325, select_2324};
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s1_en & or_2271;
+  assign patches_right_codes_re = s1_en & or_2331;
   logic [28:0] patches_right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_right_codes_re) patches_right_codes_word_q <= patches_right_codes_mem[patches_right_codes_raddr];
@@ -2288,7 +2393,7 @@ module horopter_agreement (
   logic [3:0] patches_left_codes_raddr;
   assign patches_left_codes_raddr = patches_match_row_q;
   logic patches_left_codes_re;
-  assign patches_left_codes_re = s1_en & (not_2166_s1_q & (new_row & equal_2167_s1_q));
+  assign patches_left_codes_re = s1_en & (not_2226_s1_q & (new_row & equal_2227_s1_q));
   logic [48:0] patches_left_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_left_codes_re) patches_left_codes_word_q <= patches_left_codes_mem[patches_left_codes_raddr];
@@ -2310,7 +2415,7 @@ module horopter_agreement (
   logic [4:0] patches_rows_raddr;
   assign patches_rows_raddr = patches_step_q[4:0];
   logic patches_rows_re;
-  assign patches_rows_re = s1_en & and_2338;
+  assign patches_rows_re = s1_en & and_2398;
   logic [15:0] patches_rows_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_rows_re) patches_rows_word_q <= patches_rows_mem[patches_rows_raddr];
@@ -2321,7 +2426,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_rows_read_q <= rst_ni & patches_rows_re;
   assign patches_rows_error = patches_rows_read_q & ^patches_rows_word_q;
 
-  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1371; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1404; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [18:0] seen_columns_mem [0:79];
@@ -2331,7 +2436,7 @@ module horopter_agreement (
   logic [6:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s1_q[6:0];
   logic seen_columns_re;
-  assign seen_columns_re = s1_en & and_1959;
+  assign seen_columns_re = s1_en & and_2023;
   logic [18:0] seen_columns_word_q;
   always_ff @(posedge clk_i) begin
     if (seen_columns_re) seen_columns_word_q <= seen_columns_mem[seen_columns_raddr];
@@ -2346,9 +2451,9 @@ module horopter_agreement (
   logic [6:0] left_waddr;
   assign left_waddr = x_s1_q[6:0];
   logic left_we;
-  assign left_we = s1_en & and_547_s1_q;
-  logic [76:0] left_wdata;
-  assign left_wdata = {and_639, left_rdata_q[59:45], and_638, left_rdata_q[43:29], and_637, left_rdata_q[27:13], and_636, left_rdata_q[11:0], fresh_rdata_q[28:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+  assign left_we = s1_en & and_625_s1_q;
+  logic [84:0] left_wdata;
+  assign left_wdata = {and_726, left_rdata_q[65:49], and_725, left_rdata_q[47:31], and_724, left_rdata_q[29:13], and_723, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (left_we) left_mem[left_waddr] <= {^left_wdata, left_wdata};
   end
@@ -2368,9 +2473,9 @@ module horopter_agreement (
   logic [6:0] right_codes_waddr;
   assign right_codes_waddr = x_s1_q[6:0];
   logic right_codes_we;
-  assign right_codes_we = s1_en & and_547_s1_q;
-  logic [90:0] right_codes_wdata;
-  assign right_codes_wdata = {and_648, right_codes_rdata_q[76:65], and_647, right_codes_rdata_q[63:52], and_646, right_codes_rdata_q[50:39], and_645, right_codes_rdata_q[37:26], and_644, right_codes_rdata_q[24:13], and_643, right_codes_rdata_q[11:0], fresh_rdata_q[25], fresh_rdata_q[23:12]};
+  assign right_codes_we = s1_en & and_625_s1_q;
+  logic [98:0] right_codes_wdata;
+  assign right_codes_wdata = {and_732, right_codes_rdata_q[84:73], and_731, right_codes_rdata_q[71:60], and_730, right_codes_rdata_q[56:43], and_729, right_codes_rdata_q[41:28], and_728, right_codes_rdata_q[26:13], and_727, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (right_codes_we) right_codes_mem[right_codes_waddr] <= {^right_codes_wdata, right_codes_wdata};
   end
@@ -2390,7 +2495,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_waddr;
   assign patches_columns_above_waddr = patches_column_s1_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s1_en & and_2252_s1_q;
+  assign patches_columns_above_we = s1_en & and_2312_s1_q;
   logic [31:0] patches_columns_above_wdata;
   assign patches_columns_above_wdata = {patches_columns_above_rdata_q[23:0], pixel_2};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -2408,6 +2513,7 @@ module horopter_agreement (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      moments_place_q <= 14'h0;
       row_q <= 6'h0;
       lower_half_q <= 1'b0;
       registration_slope_row_q <= 24'h0;
@@ -2436,33 +2542,34 @@ module horopter_agreement (
       columns_begin_rest_q <= 9'h0;
       columns_begin_back_q <= 8'h0;
     end else if (s1_en) begin
-      row_q <= and_515_s1_q ? (equal_2767_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_515_s1_q ? select_2861 : lower_half_q;
-      registration_slope_row_q <= select_3087;
-      registration_slope_change_q <= select_3090;
+      moments_place_q <= select_2718;
+      row_q <= and_525_s1_q ? (equal_2888_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_525_s1_q ? select_2982 : lower_half_q;
+      registration_slope_row_q <= select_3232;
+      registration_slope_change_q <= select_3235;
       registration_slope_q <= so_s1_q ? column_8 : {registration_slope_row_q, 4'h0};
-      patches_along_ends_q <= not_3322_s1_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3322_s1_q & select_3337;
-      patches_smooth_values_0_q <= equal_2165_s1_q ? patches_smooth_values_0_q : select_3340;
-      patches_smooth_values_1_q <= select_3344;
-      patches_smooth_values_2_q <= select_3347;
-      patches_smooth_values_3_q <= select_3350;
-      patches_down_values_0_q <= equal_2165_s1_q ? patches_down_values_0_q : select_3352;
-      patches_down_values_1_q <= equal_2165_s1_q ? patches_down_values_1_q : select_3355;
-      patches_down_values_2_q <= equal_2165_s1_q ? patches_down_values_2_q : select_3358;
-      patches_down_values_3_q <= equal_2165_s1_q ? patches_down_values_3_q : select_3361;
-      patches_down_by_q <= or_3298_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3398});
-      patches_along_q <= select_3403;
-      patches_match_row_q <= or_3298_s1_q ? 4'h0 : select_3405;
-      patches_summed_last_q <= not_2166_s1_q & (equal_2167_s1_q & and_3398);
-      patches_summed_down_by_q <= select_3761;
-      patches_step_q <= or_3298_s1_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3800;
-      region_across_rest_q <= select_4143;
+      patches_along_ends_q <= not_3467_s1_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3467_s1_q & select_3482;
+      patches_smooth_values_0_q <= equal_2225_s1_q ? patches_smooth_values_0_q : select_3485;
+      patches_smooth_values_1_q <= select_3489;
+      patches_smooth_values_2_q <= select_3492;
+      patches_smooth_values_3_q <= select_3495;
+      patches_down_values_0_q <= equal_2225_s1_q ? patches_down_values_0_q : select_3497;
+      patches_down_values_1_q <= equal_2225_s1_q ? patches_down_values_1_q : select_3500;
+      patches_down_values_2_q <= equal_2225_s1_q ? patches_down_values_2_q : select_3503;
+      patches_down_values_3_q <= equal_2225_s1_q ? patches_down_values_3_q : select_3506;
+      patches_down_by_q <= or_3443_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3543});
+      patches_along_q <= select_3548;
+      patches_match_row_q <= or_3443_s1_q ? 4'h0 : select_3550;
+      patches_summed_last_q <= not_2226_s1_q & (equal_2227_s1_q & and_3543);
+      patches_summed_down_by_q <= select_3906;
+      patches_step_q <= or_3443_s1_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3945;
+      region_across_rest_q <= select_4286;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_4146;
-      columns_begin_rest_q <= and_515_s1_q ? select_4148 : columns_begin_rest_q;
-      columns_begin_back_q <= and_515_s1_q ? select_4151 : columns_begin_back_q;
+      region_across_next_q <= select_4289;
+      columns_begin_rest_q <= and_525_s1_q ? select_4291 : columns_begin_rest_q;
+      columns_begin_back_q <= and_525_s1_q ? select_4294 : columns_begin_back_q;
     end
   end
 
@@ -2520,7 +2627,7 @@ module horopter_agreement (
       middle_sum_columns_values_4_q <= middle_sum_columns_values_3_q;
       middle_sum_columns_values_5_q <= middle_sum_columns_values_4_q;
       middle_sum_columns_values_6_q <= middle_sum_columns_values_5_q;
-      middle_sum_sum_sums_values_0_q <= sum_912;
+      middle_sum_sum_sums_values_0_q <= sum_986;
       sums_0_columns_values_0_q <= column_3;
       sums_0_columns_values_1_q <= sums_0_columns_values_0_q;
       sums_0_columns_values_2_q <= sums_0_columns_values_1_q;
@@ -2528,7 +2635,7 @@ module horopter_agreement (
       sums_0_columns_values_4_q <= sums_0_columns_values_3_q;
       sums_0_columns_values_5_q <= sums_0_columns_values_4_q;
       sums_0_columns_values_6_q <= sums_0_columns_values_5_q;
-      sums_0_sum_sums_values_0_q <= sum_1152;
+      sums_0_sum_sums_values_0_q <= sum_1226;
       sums_1_columns_values_0_q <= column_4;
       sums_1_columns_values_1_q <= sums_1_columns_values_0_q;
       sums_1_columns_values_2_q <= sums_1_columns_values_1_q;
@@ -2536,7 +2643,7 @@ module horopter_agreement (
       sums_1_columns_values_4_q <= sums_1_columns_values_3_q;
       sums_1_columns_values_5_q <= sums_1_columns_values_4_q;
       sums_1_columns_values_6_q <= sums_1_columns_values_5_q;
-      sums_1_sum_sums_values_0_q <= sum_1392;
+      sums_1_sum_sums_values_0_q <= sum_1466;
       sums_2_columns_values_0_q <= column_5;
       sums_2_columns_values_1_q <= sums_2_columns_values_0_q;
       sums_2_columns_values_2_q <= sums_2_columns_values_1_q;
@@ -2544,7 +2651,7 @@ module horopter_agreement (
       sums_2_columns_values_4_q <= sums_2_columns_values_3_q;
       sums_2_columns_values_5_q <= sums_2_columns_values_4_q;
       sums_2_columns_values_6_q <= sums_2_columns_values_5_q;
-      sums_2_sum_sums_values_0_q <= sum_1636;
+      sums_2_sum_sums_values_0_q <= sum_1710;
       sums_3_columns_values_0_q <= column_6;
       sums_3_columns_values_1_q <= sums_3_columns_values_0_q;
       sums_3_columns_values_2_q <= sums_3_columns_values_1_q;
@@ -2552,7 +2659,7 @@ module horopter_agreement (
       sums_3_columns_values_4_q <= sums_3_columns_values_3_q;
       sums_3_columns_values_5_q <= sums_3_columns_values_4_q;
       sums_3_columns_values_6_q <= sums_3_columns_values_5_q;
-      sums_3_sum_sums_values_0_q <= sum_1876;
+      sums_3_sum_sums_values_0_q <= sum_1950;
     end
   end
 
@@ -2584,73 +2691,84 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s2_q;
   logic [4:0] patches_step_s2_q;
   logic patches_read_searches_s2_q;
-  logic [2:0] select_479_s2_q;
-  logic [6:0] select_481_s2_q;
-  logic [8:0] select_485_s2_q;
-  logic and_489_s2_q;
-  logic and_490_s2_q;
-  logic equal_495_s2_q;
+  logic [2:0] select_489_s2_q;
+  logic [6:0] select_491_s2_q;
+  logic [8:0] select_495_s2_q;
+  logic and_499_s2_q;
+  logic and_500_s2_q;
+  logic equal_505_s2_q;
   logic [6:0] column_s2_q;
-  logic and_513_s2_q;
-  logic and_515_s2_q;
+  logic and_523_s2_q;
+  logic and_525_s2_q;
+  logic equal_545_s2_q;
+  logic and_546_s2_q;
+  logic [12:0] select_548_s2_q;
+  logic equal_549_s2_q;
+  logic not_550_s2_q;
   logic so_s2_q;
-  logic equal_535_s2_q;
-  logic or_536_s2_q;
-  logic less_543_s2_q;
-  logic not_544_s2_q;
-  logic equal_576_s2_q;
+  logic not_552_s2_q;
+  logic equal_553_s2_q;
+  logic or_554_s2_q;
+  logic less_557_s2_q;
+  logic not_558_s2_q;
+  logic inside_v_s2_q;
+  logic less_561_s2_q;
+  logic not_562_s2_q;
+  logic and_566_s2_q;
+  logic and_575_s2_q;
+  logic and_583_s2_q;
   logic [6:0] x_s2_2_q;
   logic [61:0] best_left_rdata_s2_q;
-  logic and_1936_s2_q;
   logic [6:0] right_s2_q;
-  logic equal_1944_s2_q;
-  logic equal_1954_s2_q;
-  logic not_1955_s2_q;
-  logic inside_v_s2_q;
-  logic and_1957_s2_q;
-  logic and_1959_s2_q;
-  logic [6:0] select_1963_s2_q;
-  logic and_1972_s2_q;
-  logic or_1985_s2_q;
-  logic and_2063_s2_q;
-  logic and_2076_s2_q;
-  logic less_2090_s2_q;
+  logic and_614_s2_q;
+  logic and_619_s2_q;
+  logic and_621_s2_q;
+  logic equal_654_s2_q;
+  logic and_2010_s2_q;
+  logic equal_2011_s2_q;
+  logic and_2021_s2_q;
+  logic and_2023_s2_q;
+  logic [6:0] select_2027_s2_q;
+  logic or_2031_s2_q;
+  logic and_2124_s2_q;
+  logic and_2137_s2_q;
+  logic less_2151_s2_q;
   logic [7:0] change_s2_q;
-  logic equal_2165_s2_q;
-  logic equal_2167_s2_q;
-  logic equal_2170_s2_q;
-  logic or_2171_s2_q;
-  logic [4:0] select_2195_s2_q;
-  logic select_2201_s2_q;
-  logic [3:0] select_2242_s2_q;
-  logic less_2258_s2_q;
+  logic equal_2225_s2_q;
+  logic equal_2227_s2_q;
+  logic equal_2230_s2_q;
+  logic or_2231_s2_q;
+  logic [4:0] select_2255_s2_q;
+  logic select_2261_s2_q;
+  logic [3:0] select_2302_s2_q;
+  logic less_2318_s2_q;
   logic new_row_s2_q;
-  logic or_2271_s2_q;
+  logic or_2331_s2_q;
   logic [1:0] of_row_2_s2_q;
-  logic less_2288_s2_q;
-  logic less_2289_s2_q;
-  logic less_2298_s2_q;
-  logic less_2299_s2_q;
-  logic and_2313_s2_q;
-  logic and_2322_s2_q;
-  logic and_2327_s2_q;
-  logic less_2328_s2_q;
-  logic equal_2329_s2_q;
-  logic not_2330_s2_q;
-  logic equal_2331_s2_q;
-  logic not_2332_s2_q;
-  logic sum_2359_s2_q;
-  logic and_2380_s2_q;
-  logic and_2497_s2_q;
-  logic equal_2643_s2_q;
-  logic equal_2767_s2_q;
-  logic and_2874_s2_q;
-  logic equal_2959_s2_q;
-  logic less_3374_s2_q;
-  logic equal_3717_s2_q;
-  logic equal_3801_s2_q;
-  logic less_4131_s2_q;
-  logic equal_4349_s2_q;
+  logic less_2348_s2_q;
+  logic less_2349_s2_q;
+  logic less_2358_s2_q;
+  logic less_2359_s2_q;
+  logic and_2373_s2_q;
+  logic and_2382_s2_q;
+  logic and_2387_s2_q;
+  logic less_2388_s2_q;
+  logic equal_2389_s2_q;
+  logic not_2390_s2_q;
+  logic equal_2391_s2_q;
+  logic not_2392_s2_q;
+  logic sum_2420_s2_q;
+  logic and_2441_s2_q;
+  logic and_2558_s2_q;
+  logic equal_2704_s2_q;
+  logic equal_2888_s2_q;
+  logic and_2995_s2_q;
+  logic equal_3080_s2_q;
+  logic less_3519_s2_q;
+  logic equal_3862_s2_q;
+  logic equal_3946_s2_q;
+  logic less_4274_s2_q;
+  logic equal_4492_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -2681,73 +2799,84 @@ module horopter_agreement (
       patches_summed_down_by_s2_q <= patches_summed_down_by_q;
       patches_step_s2_q <= patches_step_q[4:0];
       patches_read_searches_s2_q <= patches_read_searches_q;
-      select_479_s2_q <= select_479_s1_q;
-      select_481_s2_q <= select_481_s1_q;
-      select_485_s2_q <= select_485_s1_q;
-      and_489_s2_q <= and_489_s1_q;
-      and_490_s2_q <= and_490;
-      equal_495_s2_q <= equal_495_s1_q;
+      select_489_s2_q <= select_489_s1_q;
+      select_491_s2_q <= select_491_s1_q;
+      select_495_s2_q <= select_495_s1_q;
+      and_499_s2_q <= and_499_s1_q;
+      and_500_s2_q <= and_500;
+      equal_505_s2_q <= equal_505_s1_q;
       column_s2_q <= column_s1_q;
-      and_513_s2_q <= and_513_s1_q;
-      and_515_s2_q <= and_515_s1_q;
+      and_523_s2_q <= and_523_s1_q;
+      and_525_s2_q <= and_525_s1_q;
+      equal_545_s2_q <= equal_545;
+      and_546_s2_q <= and_546;
+      select_548_s2_q <= select_548;
+      equal_549_s2_q <= equal_549_s1_q;
+      not_550_s2_q <= not_550;
       so_s2_q <= so_s1_q;
-      equal_535_s2_q <= equal_535_s1_q;
-      or_536_s2_q <= or_536_s1_q;
-      less_543_s2_q <= less_543_s1_q;
-      not_544_s2_q <= not_544_s1_q;
-      equal_576_s2_q <= row_s1_q == 6'h0;
+      not_552_s2_q <= not_552;
+      equal_553_s2_q <= equal_553_s1_q;
+      or_554_s2_q <= or_554_s1_q;
+      less_557_s2_q <= less_557_s1_q;
+      not_558_s2_q <= not_558_s1_q;
+      inside_v_s2_q <= inside_v;
+      less_561_s2_q <= less_561;
+      not_562_s2_q <= not_562;
+      and_566_s2_q <= and_566;
+      and_575_s2_q <= or_554_s1_q & (left_rdata_q[70] & not_558_s1_q);
+      and_583_s2_q <= (or_554_s1_q & (left_rdata_q[68] & not_558_s1_q)) & and_582;
       x_s2_2_q <= x_s1_2_q;
       best_left_rdata_s2_q <= best_left_rdata_q;
-      and_1936_s2_q <= and_1936_s1_q;
       right_s2_q <= right_s1_q;
-      equal_1944_s2_q <= equal_1944_s1_q;
-      equal_1954_s2_q <= equal_1954_s1_q;
-      not_1955_s2_q <= not_1955;
-      inside_v_s2_q <= inside_v;
-      and_1957_s2_q <= and_1957;
-      and_1959_s2_q <= and_1959;
-      select_1963_s2_q <= select_1963;
-      and_1972_s2_q <= (or_536_s1_q & (left_rdata_q[62] & not_544_s1_q)) & and_1971;
-      or_1985_s2_q <= or_1985;
-      and_2063_s2_q <= and_2063_s1_q;
-      and_2076_s2_q <= and_2076_s1_q;
-      less_2090_s2_q <= 5'h4 < row_q[5:1];
+      and_614_s2_q <= or_554_s1_q & (left_rdata_q[71] & not_558_s1_q);
+      and_619_s2_q <= or_554_s1_q & (right_codes_rdata_q[58] & not_558_s1_q);
+      and_621_s2_q <= or_554_s1_q & (right_codes_rdata_q[59] & not_558_s1_q);
+      equal_654_s2_q <= row_s1_q == 6'h0;
+      and_2010_s2_q <= and_2010_s1_q;
+      equal_2011_s2_q <= equal_2011_s1_q;
+      and_2021_s2_q <= and_2021;
+      and_2023_s2_q <= and_2023;
+      select_2027_s2_q <= select_2027;
+      or_2031_s2_q <= or_2031;
+      and_2124_s2_q <= and_2124_s1_q;
+      and_2137_s2_q <= and_2137_s1_q;
+      less_2151_s2_q <= 5'h4 < row_q[5:1];
       change_s2_q <= change;
-      equal_2165_s2_q <= equal_2165_s1_q;
-      equal_2167_s2_q <= equal_2167_s1_q;
-      equal_2170_s2_q <= equal_2170_s1_q;
-      or_2171_s2_q <= or_2171_s1_q;
-      select_2195_s2_q <= select_2195_s1_q;
-      select_2201_s2_q <= select_2201_s1_q;
-      select_2242_s2_q <= select_2242_s1_q;
-      less_2258_s2_q <= less_2258;
+      equal_2225_s2_q <= equal_2225_s1_q;
+      equal_2227_s2_q <= equal_2227_s1_q;
+      equal_2230_s2_q <= equal_2230_s1_q;
+      or_2231_s2_q <= or_2231_s1_q;
+      select_2255_s2_q <= select_2255_s1_q;
+      select_2261_s2_q <= select_2261_s1_q;
+      select_2302_s2_q <= select_2302_s1_q;
+      less_2318_s2_q <= less_2318;
       new_row_s2_q <= new_row;
-      or_2271_s2_q <= or_2271;
+      or_2331_s2_q <= or_2331;
       of_row_2_s2_q <= of_row_2;
-      less_2288_s2_q <= $signed(15'h100) < $signed(sum_2287);
-      less_2289_s2_q <= $signed(sum_2287[14:8]) < $signed(7'h7f);
-      less_2298_s2_q <= $signed(15'h100) < $signed(difference_2297);
-      less_2299_s2_q <= $signed(difference_2297[14:8]) < $signed(7'h7f);
-      and_2313_s2_q <= not_2166_s1_q & and_2312;
-      and_2322_s2_q <= and_2322;
-      and_2327_s2_q <= not_2166_s1_q & and_2326;
-      less_2328_s2_q <= less_2328;
-      equal_2329_s2_q <= equal_2329;
-      not_2330_s2_q <= not_2330;
-      equal_2331_s2_q <= equal_2331;
-      not_2332_s2_q <= not_2332;
-      sum_2359_s2_q <= sum_2359[5];
-      and_2380_s2_q <= or_536_s1_q & (left_rdata_q[63] & not_544_s1_q);
-      and_2497_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
-      equal_2643_s2_q <= {column_s1_q[6], or_2642} == 7'h0;
-      equal_2767_s2_q <= equal_2767_s1_q;
-      and_2874_s2_q <= or_536_s1_q & (not_544_s1_q & and_1971);
-      equal_2959_s2_q <= shift == 6'h0;
-      less_3374_s2_q <= 4'he < patches_column_s1_q[4:1];
-      equal_3717_s2_q <= patches_match_row_q == 4'h0;
-      equal_3801_s2_q <= patches_step_q[6:5] == 2'h2;
-      less_4131_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_4349_s2_q <= row_s1_q[5:3] == 3'h0;
+      less_2348_s2_q <= $signed(15'h100) < $signed(sum_2347);
+      less_2349_s2_q <= $signed(sum_2347[14:8]) < $signed(7'h7f);
+      less_2358_s2_q <= $signed(15'h100) < $signed(difference_2357);
+      less_2359_s2_q <= $signed(difference_2357[14:8]) < $signed(7'h7f);
+      and_2373_s2_q <= not_2226_s1_q & and_2372;
+      and_2382_s2_q <= and_2382;
+      and_2387_s2_q <= not_2226_s1_q & and_2386;
+      less_2388_s2_q <= less_2388;
+      equal_2389_s2_q <= equal_2389;
+      not_2390_s2_q <= not_2390;
+      equal_2391_s2_q <= equal_2391;
+      not_2392_s2_q <= not_2392;
+      sum_2420_s2_q <= sum_2420[5];
+      and_2441_s2_q <= or_554_s1_q & (left_rdata_q[69] & not_558_s1_q);
+      and_2558_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
+      equal_2704_s2_q <= {column_s1_q[6], or_2703} == 7'h0;
+      equal_2888_s2_q <= equal_2888_s1_q;
+      and_2995_s2_q <= or_554_s1_q & (not_558_s1_q & and_582);
+      equal_3080_s2_q <= shift == 6'h0;
+      less_3519_s2_q <= 4'he < patches_column_s1_q[4:1];
+      equal_3862_s2_q <= patches_match_row_q == 4'h0;
+      equal_3946_s2_q <= patches_step_q[6:5] == 2'h2;
+      less_4274_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_4492_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
@@ -2820,11 +2949,19 @@ module horopter_agreement (
   logic census_columns_values_3_cell_3_mask_q;
   logic census_columns_values_3_cell_4_mask_q;
   logic [3:0] census_filled_q;
+  logic [13:0] moments_turned_0_q;
+  logic [13:0] moments_turned_1_q;
+  logic [13:0] moments_before_0_q;
+  logic [13:0] moments_before_1_q;
+  logic moments_has_before_q;
+  logic moments_out_of_step_q;
   logic [8:0] sharpness_last_mean_0_q;
   logic [8:0] sharpness_last_mean_1_q;
   logic [4:0] rows_passed_above_q;
   logic shift_allowed_q;
   logic shift_not_right_q;
+  logic [13:0] counts_turned_left_q;
+  logic [13:0] counts_turned_right_q;
   logic [9:0] registration_displacement_over_q;
   logic [4:0] registration_displacement_fraction_q;
   logic [7:0] registration_slope_here_q;
@@ -2861,6 +2998,7 @@ module horopter_agreement (
   logic [9:0] patches_peak_above_q;
   logic [9:0] patches_peak_below_q;
   logic [9:0] patches_peak_far_q;
+  logic patches_frame_ended_q;
   logic shown_shown_q;
   logic shown_nearer_q;
   logic [2:0] region_row_q;
@@ -2894,141 +3032,162 @@ module horopter_agreement (
   logic at_cell_end_q;
   logic was_next_row_q;
   logic [12:0] seen_base_q;
-  // hls/stages/census.hpp:112
-  logic [11:0] select_493;
-  assign select_493 = select_479_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
-  // hls/stages/census.hpp:121
-  logic [11:0] sum_497;
-  assign sum_497 = select_493 + (equal_495_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
-  // hls/stages/census.hpp:112
-  logic [11:0] sum_499;
-  assign sum_499 = {4'h0, sample_pair_pixel_1_q} + (select_479_s2_q[0] ? averager_running_1_q : 12'h0);
-  // hls/stages/census.hpp:121
-  logic [11:0] sum_501;
-  assign sum_501 = sum_499 + (equal_495_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
-  // hls/stages/agreement.hpp:411
-  logic whole;
-  assign whole = select_479_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
+  // hls/stages/census.hpp:113
+  logic [11:0] select_503;
+  assign select_503 = select_489_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
   // hls/stages/census.hpp:122
-  logic and_505;
-  assign and_505 = whole & (averager_memory_rdata_q[24] | equal_495_s2_q);
-  // hls/stages/agreement.hpp:411
-  logic all_of_skin;
-  assign all_of_skin = select_479_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  logic [11:0] sum_507;
+  assign sum_507 = select_503 + (equal_505_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
+  // hls/stages/census.hpp:113
+  logic [11:0] sum_509;
+  assign sum_509 = {4'h0, sample_pair_pixel_1_q} + (select_489_s2_q[0] ? averager_running_1_q : 12'h0);
+  // hls/stages/census.hpp:122
+  logic [11:0] sum_511;
+  assign sum_511 = sum_509 + (equal_505_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
+  // hls/stages/agreement.hpp:417
+  logic whole;
+  assign whole = select_489_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
   // hls/stages/census.hpp:123
-  logic and_509;
-  assign and_509 = all_of_skin & (averager_memory_rdata_q[25] | equal_495_s2_q);
-  // hls/stages/census.hpp:206
+  logic and_515;
+  assign and_515 = whole & (averager_memory_rdata_q[24] | equal_505_s2_q);
+  // hls/stages/agreement.hpp:417
+  logic all_of_skin;
+  assign all_of_skin = select_489_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  // hls/stages/census.hpp:124
+  logic and_519;
+  assign and_519 = all_of_skin & (averager_memory_rdata_q[25] | equal_505_s2_q);
+  // hls/stages/census.hpp:207
   logic [8:0] grey;
-  assign grey = and_489_s2_q ? sum_497[11:3] : 9'h0;
-  // hls/stages/census.hpp:126
-  logic equal_518;
-  assign equal_518 = select_479_s2_q == 3'h1;
-  // hls/stages/census.hpp:207
+  assign grey = and_499_s2_q ? sum_507[11:3] : 9'h0;
+  // hls/stages/census.hpp:127
+  logic equal_528;
+  assign equal_528 = select_489_s2_q == 3'h1;
+  // hls/stages/census.hpp:208
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_518 ? 11'h0 : averager_total_0_q);
-  // hls/stages/agreement.hpp:270
-  logic [8:0] select_521;
-  assign select_521 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
-  // hls/stages/census.hpp:206
-  logic [8:0] grey_2;
-  assign grey_2 = and_489_s2_q ? sum_501[11:3] : 9'h0;
+  assign total = {2'h0, grey} + (equal_528 ? 11'h0 : averager_total_0_q);
+  // hls/stages/agreement.hpp:276
+  logic [8:0] select_531;
+  assign select_531 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
   // hls/stages/census.hpp:207
+  logic [8:0] grey_2;
+  assign grey_2 = and_499_s2_q ? sum_511[11:3] : 9'h0;
+  // hls/stages/census.hpp:208
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_518 ? 11'h0 : averager_total_1_q);
-  // hls/stages/agreement.hpp:270
-  logic [8:0] select_525;
-  assign select_525 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
-  // hls/stages/census.hpp:206
-  logic and_526;
-  assign and_526 = and_489_s2_q & and_505;
-  // hls/stages/census.hpp:126
-  logic select_528;
-  assign select_528 = equal_518 ? and_526 : (averager_mask_q & and_526);
-  // hls/stages/agreement.hpp:270
+  assign total_2 = {2'h0, grey_2} + (equal_528 ? 11'h0 : averager_total_1_q);
+  // hls/stages/agreement.hpp:276
+  logic [8:0] select_535;
+  assign select_535 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
+  // hls/stages/census.hpp:207
+  logic and_536;
+  assign and_536 = and_499_s2_q & and_515;
+  // hls/stages/census.hpp:127
+  logic select_538;
+  assign select_538 = equal_528 ? and_536 : (averager_mask_q & and_536);
+  // hls/stages/agreement.hpp:276
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s2_q & select_528;
-  // hls/stages/census.hpp:206
-  logic and_530;
-  assign and_530 = and_489_s2_q & and_509;
-  // hls/stages/census.hpp:126
-  logic select_532;
-  assign select_532 = equal_518 ? and_530 : (averager_of_skin_q & and_530);
-  // hls/stages/agreement.hpp:270
-  logic and_533;
-  assign and_533 = sample_pair_whole_s2_q & select_532;
-  // hls/stages/census.hpp:294
-  logic less_549;
-  assign less_549 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_550;
-  assign less_550 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
-  logic less_551;
-  assign less_551 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_552;
-  assign less_552 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_553;
-  assign less_553 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_554;
-  assign less_554 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_555;
-  assign less_555 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_556;
-  assign less_556 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_557;
-  assign less_557 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_558;
-  assign less_558 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_559;
-  assign less_559 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_560;
-  assign less_560 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:295
-  logic less_561;
-  assign less_561 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
-  logic less_562;
-  assign less_562 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
-  logic less_563;
-  assign less_563 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_564;
-  assign less_564 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_565;
-  assign less_565 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_566;
-  assign less_566 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_567;
-  assign less_567 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_568;
-  assign less_568 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_569;
-  assign less_569 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_570;
-  assign less_570 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_571;
-  assign less_571 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_572;
-  assign less_572 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:449
-  logic equal_573;
-  assign equal_573 = column_s2_q == 7'h0;
-  logic [3:0] select_577;
-  assign select_577 = equal_576_s2_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:450
-  logic [4:0] select_578;
-  assign select_578 = equal_573 ? {select_577, 1'b1} : rows_passed_above_q;
-  // hls/stages/census.hpp:276
-  logic [3:0] select_579;
-  assign select_579 = equal_573 ? 4'h0 : census_filled_q;
-  // hls/stages/census.hpp:299
-  logic and_580;
-  assign and_580 = select_578[4] & select_579[3];
-  // hls/stages/census.hpp:286
-  logic and_582;
-  assign and_582 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
-  logic and_584;
-  assign and_584 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_582);
-  // hls/stages/agreement.hpp:450
+  assign whole_2 = sample_pair_whole_s2_q & select_538;
+  // hls/stages/census.hpp:207
+  logic and_540;
+  assign and_540 = and_499_s2_q & and_519;
+  // hls/stages/census.hpp:127
+  logic select_542;
+  assign select_542 = equal_528 ? and_540 : (averager_of_skin_q & and_540);
+  // hls/stages/agreement.hpp:276
+  logic and_543;
+  assign and_543 = sample_pair_whole_s2_q & select_542;
+  // hls/stages/agreement.hpp:978
+  logic select_596;
+  assign select_596 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  // hls/stages/agreement.hpp:979
+  logic [6:0] chosen;
+  assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
+  // hls/stages/agreement.hpp:992
+  logic [8:0] difference_606;
+  assign difference_606 = {2'h0, chosen} - {1'b0, x_s2_q};
+  // hls/stages/agreement.hpp:993
+  logic [9:0] sum_607;
+  assign sum_607 = {difference_606[8], difference_606} + 10'h1;
+  // hls/stages/agreement.hpp:247
+  logic and_609;
+  assign and_609 = (and_583_s2_q & select_596) & ({{22{sum_607[9]}}, sum_607} < 32'h3);
+  // hls/stages/agreement.hpp:149
+  logic and_611;
+  assign and_611 = or_554_s2_q & (not_558_s2_q & and_609);
+  // hls/stages/moments.hpp:64
+  logic and_612;
+  assign and_612 = and_575_s2_q & and_611;
+  // hls/stages/census.hpp:296
+  logic less_627;
+  assign less_627 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
+  logic less_628;
+  assign less_628 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
+  logic less_629;
+  assign less_629 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_630;
+  assign less_630 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_631;
+  assign less_631 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_632;
+  assign less_632 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_633;
+  assign less_633 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_634;
+  assign less_634 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_635;
+  assign less_635 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_636;
+  assign less_636 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_637;
+  assign less_637 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  logic less_638;
+  assign less_638 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:297
+  logic less_639;
+  assign less_639 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
+  logic less_640;
+  assign less_640 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
+  logic less_641;
+  assign less_641 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_642;
+  assign less_642 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_643;
+  assign less_643 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_644;
+  assign less_644 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_645;
+  assign less_645 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_646;
+  assign less_646 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_647;
+  assign less_647 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_648;
+  assign less_648 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_649;
+  assign less_649 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_650;
+  assign less_650 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  // hls/stages/agreement.hpp:455
+  logic equal_651;
+  assign equal_651 = column_s2_q == 7'h0;
+  logic [3:0] select_655;
+  assign select_655 = equal_654_s2_q ? 4'h0 : rows_passed_above_q[3:0];
+  // hls/stages/agreement.hpp:456
+  logic [4:0] select_656;
+  assign select_656 = equal_651 ? {select_655, 1'b1} : rows_passed_above_q;
+  // hls/stages/census.hpp:278
+  logic [3:0] select_657;
+  assign select_657 = equal_651 ? 4'h0 : census_filled_q;
+  // hls/stages/census.hpp:301
+  logic and_658;
+  assign and_658 = select_656[4] & select_657[3];
+  // hls/stages/census.hpp:288
+  logic and_660;
+  assign and_660 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
+  logic and_662;
+  assign and_662 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_660);
+  // hls/stages/agreement.hpp:456
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_584;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_662;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_q & whole_3;
   logic whole_5;
@@ -3067,898 +3226,1007 @@ module horopter_agreement (
   assign whole_21 = census_columns_values_3_cell_3_mask_q & whole_20;
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
-  // hls/stages/census.hpp:270
-  logic [9:0] difference_607;
-  assign difference_607 = {1'b0, select_521} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [8:0] xor_608;
-  assign xor_608 = difference_607[8:0] ^ {9{difference_607[9]}};
-  logic [9:0] sum_609;
-  assign sum_609 = {9'h0, difference_607[9]} + {1'b0, xor_608};
-  logic [9:0] difference_610;
-  assign difference_610 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [8:0] xor_611;
-  assign xor_611 = difference_610[8:0] ^ {9{difference_610[9]}};
-  logic [9:0] sum_612;
-  assign sum_612 = {9'h0, difference_610[9]} + {1'b0, xor_611};
-  logic [9:0] difference_614;
-  assign difference_614 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [8:0] xor_615;
-  assign xor_615 = difference_614[8:0] ^ {9{difference_614[9]}};
-  logic [9:0] sum_616;
-  assign sum_616 = {9'h0, difference_614[9]} + {1'b0, xor_615};
-  logic [10:0] sum_617;
-  assign sum_617 = ({1'b0, sum_609} + {1'b0, sum_612}) + {1'b0, sum_616};
-  logic [9:0] difference_618;
-  assign difference_618 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [8:0] xor_619;
-  assign xor_619 = difference_618[8:0] ^ {9{difference_618[9]}};
-  logic [9:0] sum_620;
-  assign sum_620 = {9'h0, difference_618[9]} + {1'b0, xor_619};
-  logic [9:0] difference_622;
-  assign difference_622 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  logic [8:0] xor_623;
-  assign xor_623 = difference_622[8:0] ^ {9{difference_622[9]}};
-  // hls/stages/agreement.hpp:799
-  logic or_660;
-  assign or_660 = shift_first_s2_q | (~shift_not_right_q);
-  // hls/stages/agreement.hpp:800
-  logic select_662;
-  assign select_662 = or_660 ? shift_first_s2_q : (~age_s2_q[0]);
-  // hls/stages/agreement.hpp:743
-  logic less_1393;
-  assign less_1393 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
-  logic [7:0] select_1394;
-  assign select_1394 = less_1393 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic less_1395;
-  assign less_1395 = middle_sum_sum_sums_values_0_q < select_1394;
-  logic [7:0] select_1396;
-  assign select_1396 = less_1395 ? select_1394 : middle_sum_sum_sums_values_0_q;
-  logic less_1877;
-  assign less_1877 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
-  logic [7:0] select_1878;
-  assign select_1878 = less_1877 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
-  logic less_1879;
-  assign less_1879 = select_1396 < select_1878;
-  // hls/stages/agreement.hpp:793
+  // hls/stages/census.hpp:272
+  logic [9:0] difference_685;
+  assign difference_685 = {1'b0, select_531} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [8:0] xor_686;
+  assign xor_686 = difference_685[8:0] ^ {9{difference_685[9]}};
+  logic [9:0] sum_687;
+  assign sum_687 = {9'h0, difference_685[9]} + {1'b0, xor_686};
+  logic [9:0] difference_688;
+  assign difference_688 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [8:0] xor_689;
+  assign xor_689 = difference_688[8:0] ^ {9{difference_688[9]}};
+  logic [9:0] sum_690;
+  assign sum_690 = {9'h0, difference_688[9]} + {1'b0, xor_689};
+  logic [9:0] difference_692;
+  assign difference_692 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [8:0] xor_693;
+  assign xor_693 = difference_692[8:0] ^ {9{difference_692[9]}};
+  logic [9:0] sum_694;
+  assign sum_694 = {9'h0, difference_692[9]} + {1'b0, xor_693};
+  logic [10:0] sum_695;
+  assign sum_695 = ({1'b0, sum_687} + {1'b0, sum_690}) + {1'b0, sum_694};
+  logic [9:0] difference_696;
+  assign difference_696 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [8:0] xor_697;
+  assign xor_697 = difference_696[8:0] ^ {9{difference_696[9]}};
+  logic [9:0] sum_698;
+  assign sum_698 = {9'h0, difference_696[9]} + {1'b0, xor_697};
+  logic [9:0] difference_700;
+  assign difference_700 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [8:0] xor_701;
+  assign xor_701 = difference_700[8:0] ^ {9{difference_700[9]}};
+  // hls/stages/agreement.hpp:456
+  logic and_709;
+  assign and_709 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
+  logic and_710;
+  assign and_710 = and_658 & and_709;
+  // hls/stages/census.hpp:308
+  logic [9:0] half_grey_levels;
+  assign half_grey_levels = {1'b0, census_columns_values_0_cell_2_left_q} - {1'b0, census_columns_values_1_cell_2_left_q};
+  // hls/stages/moments.hpp:30
+  logic [6:0] sum_712;
+  assign sum_712 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
+  // hls/stages/census.hpp:308
+  logic and_714;
+  assign and_714 = and_710 & ({{5{sum_712[6]}}, sum_712, half_grey_levels[3:0]} < 16'hffe1);
+  // hls/stages/census.hpp:309
+  logic [9:0] half_grey_levels_2;
+  assign half_grey_levels_2 = {1'b0, census_columns_values_0_cell_2_right_q} - {1'b0, census_columns_values_1_cell_2_right_q};
+  // hls/stages/moments.hpp:30
+  logic [6:0] sum_718;
+  assign sum_718 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
+  // hls/stages/agreement.hpp:807
+  logic or_734;
+  assign or_734 = shift_first_s2_q | (~shift_not_right_q);
+  // hls/stages/agreement.hpp:808
+  logic select_736;
+  assign select_736 = or_734 ? shift_first_s2_q : (~age_s2_q[0]);
+  // hls/stages/agreement.hpp:751
+  logic less_1467;
+  assign less_1467 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
+  logic [7:0] select_1468;
+  assign select_1468 = less_1467 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic less_1469;
+  assign less_1469 = middle_sum_sum_sums_values_0_q < select_1468;
+  logic [7:0] select_1470;
+  assign select_1470 = less_1469 ? select_1468 : middle_sum_sum_sums_values_0_q;
+  logic less_1951;
+  assign less_1951 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
+  logic [7:0] select_1952;
+  assign select_1952 = less_1951 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
+  logic less_1953;
+  assign less_1953 = select_1470 < select_1952;
+  // hls/stages/agreement.hpp:801
   logic [7:0] of_best;
-  assign of_best = shift_allowed_q ? (less_1879 ? select_1878 : select_1396) : 8'h0;
-  // hls/stages/agreement.hpp:800
-  logic or_1883;
-  assign or_1883 = select_662 | (best_left_rdata_s2_q[16:9] < of_best);
-  // hls/stages/agreement.hpp:805
-  logic [5:0] select_1884;
-  assign select_1884 = or_1883 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
-  // hls/stages/agreement.hpp:744
-  logic or_1886;
-  assign or_1886 = less_1393 | (~less_1395);
-  logic [2:0] select_1887;
-  assign select_1887 = less_1879 ? {less_1877, 2'h0} : {1'b0, or_1886, less_1395};
-  // hls/stages/agreement.hpp:805
-  logic [2:0] select_1888;
-  assign select_1888 = or_1883 ? select_1887 : best_left_rdata_s2_q[8:6];
-  logic [7:0] select_1889;
-  assign select_1889 = or_1883 ? of_best : best_left_rdata_s2_q[16:9];
-  // hls/stages/agreement.hpp:802
-  logic equal_1890;
-  assign equal_1890 = select_1887 == 3'h1;
-  logic or_1893;
-  assign or_1893 = equal_1890 | (~(select_1887 == 3'h2));
-  logic [7:0] select_1895;
-  assign select_1895 = or_1893 ? middle_sum_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic [7:0] select_1896;
-  assign select_1896 = equal_1890 ? (or_1893 ? sums_2_sum_sums_values_0_q : {7'h0, shift_not_right_q}) : select_1895;
-  // hls/stages/agreement.hpp:805
-  logic [7:0] select_1897;
-  assign select_1897 = or_1883 ? select_1896 : best_left_rdata_s2_q[24:17];
-  // hls/stages/agreement.hpp:802
-  logic [7:0] select_1898;
-  assign select_1898 = or_1893 ? sums_3_sum_sums_values_0_q : sums_1_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:805
-  logic [7:0] select_1900;
-  assign select_1900 = or_1883 ? (equal_1890 ? select_1895 : select_1898) : best_left_rdata_s2_q[32:25];
-  // hls/stages/agreement.hpp:771
+  assign of_best = shift_allowed_q ? (less_1953 ? select_1952 : select_1470) : 8'h0;
+  // hls/stages/agreement.hpp:808
+  logic or_1957;
+  assign or_1957 = select_736 | (best_left_rdata_s2_q[16:9] < of_best);
+  // hls/stages/agreement.hpp:813
+  logic [5:0] select_1958;
+  assign select_1958 = or_1957 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
+  // hls/stages/agreement.hpp:752
+  logic or_1960;
+  assign or_1960 = less_1467 | (~less_1469);
+  logic [2:0] select_1961;
+  assign select_1961 = less_1953 ? {less_1951, 2'h0} : {1'b0, or_1960, less_1469};
+  // hls/stages/agreement.hpp:813
+  logic [2:0] select_1962;
+  assign select_1962 = or_1957 ? select_1961 : best_left_rdata_s2_q[8:6];
+  logic [7:0] select_1963;
+  assign select_1963 = or_1957 ? of_best : best_left_rdata_s2_q[16:9];
+  // hls/stages/agreement.hpp:810
+  logic equal_1964;
+  assign equal_1964 = select_1961 == 3'h1;
+  logic or_1967;
+  assign or_1967 = equal_1964 | (~(select_1961 == 3'h2));
+  logic [7:0] select_1969;
+  assign select_1969 = or_1967 ? middle_sum_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic [7:0] select_1970;
+  assign select_1970 = equal_1964 ? (or_1967 ? sums_2_sum_sums_values_0_q : {7'h0, shift_not_right_q}) : select_1969;
+  // hls/stages/agreement.hpp:813
+  logic [7:0] select_1971;
+  assign select_1971 = or_1957 ? select_1970 : best_left_rdata_s2_q[24:17];
+  // hls/stages/agreement.hpp:810
+  logic [7:0] select_1972;
+  assign select_1972 = or_1967 ? sums_3_sum_sums_values_0_q : sums_1_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:813
+  logic [7:0] select_1974;
+  assign select_1974 = or_1957 ? (equal_1964 ? select_1969 : select_1972) : best_left_rdata_s2_q[32:25];
+  // hls/stages/agreement.hpp:779
   logic [5:0] before_v;
   assign before_v = age_s2_q[0] ? middle_sum_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:772
-  logic [6:0] sum_1902;
-  assign sum_1902 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
-  logic [6:0] sum_1903;
-  assign sum_1903 = {1'b0, before_v} + sum_1902;
-  // hls/stages/agreement.hpp:771
+  // hls/stages/agreement.hpp:780
+  logic [6:0] sum_1976;
+  assign sum_1976 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
+  logic [6:0] sum_1977;
+  assign sum_1977 = {1'b0, before_v} + sum_1976;
+  // hls/stages/agreement.hpp:779
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[0] ? sums_0_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:772
-  logic [6:0] sum_1905;
-  assign sum_1905 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
-  logic [6:0] sum_1906;
-  assign sum_1906 = {1'b0, before_v_2} + sum_1905;
-  // hls/stages/agreement.hpp:771
+  // hls/stages/agreement.hpp:780
+  logic [6:0] sum_1979;
+  assign sum_1979 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
+  logic [6:0] sum_1980;
+  assign sum_1980 = {1'b0, before_v_2} + sum_1979;
+  // hls/stages/agreement.hpp:779
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[0] ? sums_1_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:772
-  logic [6:0] sum_1908;
-  assign sum_1908 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
-  logic [6:0] sum_1909;
-  assign sum_1909 = {1'b0, before_v_3} + sum_1908;
-  // hls/stages/agreement.hpp:743
-  logic [6:0] select_1911;
-  assign select_1911 = (sum_1906 < sum_1909) ? sum_1909 : sum_1906;
-  logic [6:0] select_1913;
-  assign select_1913 = (sum_1903 < select_1911) ? select_1911 : sum_1903;
-  // hls/stages/agreement.hpp:771
+  // hls/stages/agreement.hpp:780
+  logic [6:0] sum_1982;
+  assign sum_1982 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
+  logic [6:0] sum_1983;
+  assign sum_1983 = {1'b0, before_v_3} + sum_1982;
+  // hls/stages/agreement.hpp:751
+  logic [6:0] select_1985;
+  assign select_1985 = (sum_1980 < sum_1983) ? sum_1983 : sum_1980;
+  logic [6:0] select_1987;
+  assign select_1987 = (sum_1977 < select_1985) ? select_1985 : sum_1977;
+  // hls/stages/agreement.hpp:779
   logic [5:0] before_v_4;
   assign before_v_4 = age_s2_q[0] ? sums_2_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:772
-  logic [6:0] sum_1915;
-  assign sum_1915 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
-  logic [6:0] sum_1916;
-  assign sum_1916 = {1'b0, before_v_4} + sum_1915;
-  // hls/stages/agreement.hpp:771
+  // hls/stages/agreement.hpp:780
+  logic [6:0] sum_1989;
+  assign sum_1989 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
+  logic [6:0] sum_1990;
+  assign sum_1990 = {1'b0, before_v_4} + sum_1989;
+  // hls/stages/agreement.hpp:779
   logic [5:0] before_v_5;
   assign before_v_5 = age_s2_q[0] ? sums_3_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:772
-  logic [6:0] sum_1918;
-  assign sum_1918 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
-  logic [6:0] sum_1919;
-  assign sum_1919 = {1'b0, before_v_5} + sum_1918;
-  // hls/stages/agreement.hpp:743
-  logic [6:0] select_1921;
-  assign select_1921 = (sum_1916 < sum_1919) ? sum_1919 : sum_1916;
-  // hls/stages/agreement.hpp:794
+  // hls/stages/agreement.hpp:780
+  logic [6:0] sum_1992;
+  assign sum_1992 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
+  logic [6:0] sum_1993;
+  assign sum_1993 = {1'b0, before_v_5} + sum_1992;
+  // hls/stages/agreement.hpp:751
+  logic [6:0] select_1995;
+  assign select_1995 = (sum_1990 < sum_1993) ? sum_1993 : sum_1990;
+  // hls/stages/agreement.hpp:802
   logic [6:0] of_near;
-  assign of_near = shift_allowed_q ? ((select_1913 < select_1921) ? select_1921 : select_1913) : 7'h0;
-  // hls/stages/agreement.hpp:805
-  logic less_1925;
-  assign less_1925 = best_left_rdata_s2_q[39:33] < of_near;
-  // hls/stages/agreement.hpp:809
-  logic [6:0] select_1927;
-  assign select_1927 = select_662 ? of_near : (less_1925 ? of_near : best_left_rdata_s2_q[39:33]);
-  logic [5:0] select_1929;
-  assign select_1929 = select_662 ? run_shift_s2_q : (less_1925 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
-  logic [7:0] select_1932;
-  assign select_1932 = (run_shift_s2_q == 6'h3f) ? of_best : (select_662 ? 8'h0 : best_left_rdata_s2_q[53:46]);
-  // hls/stages/agreement.hpp:810
-  logic [7:0] select_1935;
-  assign select_1935 = (run_shift_s2_q == 6'h1) ? of_best : (select_662 ? 8'h0 : best_left_rdata_s2_q[61:54]);
-  // hls/stages/agreement.hpp:815
-  logic select_1945;
-  assign select_1945 = or_660 ? shift_first_s2_q : equal_1944_s2_q;
-  // hls/stages/agreement.hpp:816
-  logic or_1947;
-  assign or_1947 = select_1945 | (best_right_rdata_q[7:0] < of_best);
-  // hls/stages/agreement.hpp:820
-  logic [7:0] select_1948;
-  assign select_1948 = or_1947 ? of_best : best_right_rdata_q[7:0];
-  logic [6:0] select_1949;
-  assign select_1949 = or_1947 ? x_s2_2_q : best_right_rdata_q[14:8];
-  logic or_1951;
-  assign or_1951 = select_1945 | (best_right_rdata_q[21:15] < of_near);
+  assign of_near = shift_allowed_q ? ((select_1987 < select_1995) ? select_1995 : select_1987) : 7'h0;
+  // hls/stages/agreement.hpp:813
+  logic less_1999;
+  assign less_1999 = best_left_rdata_s2_q[39:33] < of_near;
+  // hls/stages/agreement.hpp:817
+  logic [6:0] select_2001;
+  assign select_2001 = select_736 ? of_near : (less_1999 ? of_near : best_left_rdata_s2_q[39:33]);
+  logic [5:0] select_2003;
+  assign select_2003 = select_736 ? run_shift_s2_q : (less_1999 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
+  logic [7:0] select_2006;
+  assign select_2006 = (run_shift_s2_q == 6'h3f) ? of_best : (select_736 ? 8'h0 : best_left_rdata_s2_q[53:46]);
+  // hls/stages/agreement.hpp:818
+  logic [7:0] select_2009;
+  assign select_2009 = (run_shift_s2_q == 6'h1) ? of_best : (select_736 ? 8'h0 : best_left_rdata_s2_q[61:54]);
+  // hls/stages/agreement.hpp:823
+  logic select_2012;
+  assign select_2012 = or_734 ? shift_first_s2_q : equal_2011_s2_q;
   // hls/stages/agreement.hpp:824
-  logic [6:0] select_1952;
-  assign select_1952 = or_1951 ? of_near : best_right_rdata_q[21:15];
-  logic [6:0] select_1953;
-  assign select_1953 = or_1951 ? x_s2_2_q : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:199
-  logic not_1964;
-  assign not_1964 = ~so_s2_q;
-  // hls/stages/agreement.hpp:961
-  logic select_1975;
-  assign select_1975 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
-  // hls/stages/agreement.hpp:962
-  logic [6:0] chosen;
-  assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:975
-  logic [8:0] difference_1978;
-  assign difference_1978 = {2'h0, chosen} - {1'b0, x_s2_q};
-  // hls/stages/agreement.hpp:976
-  logic [9:0] sum_1979;
-  assign sum_1979 = {difference_1978[8], difference_1978} + 10'h1;
-  // hls/stages/agreement.hpp:241
-  logic and_1981;
-  assign and_1981 = (and_1972_s2_q & select_1975) & ({{22{sum_1979[9]}}, sum_1979} < 32'h3);
-  // hls/stages/agreement.hpp:147
-  logic and_1988;
-  assign and_1988 = or_536_s2_q & (not_544_s2_q & (and_1981 & or_1985_s2_q));
-  // hls/stages/agreement.hpp:780
-  logic and_1989;
-  assign and_1989 = not_1964 & and_1988;
-  // hls/stages/agreement.hpp:147
-  logic and_1991;
-  assign and_1991 = or_536_s2_q & (not_544_s2_q & and_1981);
-  // hls/stages/agreement.hpp:780
-  logic and_1994;
-  assign and_1994 = not_1955_s2_q & (so_s2_q ? and_1957_s2_q : (equal_535_s2_q & and_1991));
-  // hls/stages/agreement.hpp:1104
-  logic equal_1995;
-  assign equal_1995 = x_s2_q[6:4] == 3'h7;
-  // hls/stages/agreement.hpp:1150
+  logic or_2014;
+  assign or_2014 = select_2012 | (best_right_rdata_q[7:0] < of_best);
+  // hls/stages/agreement.hpp:828
+  logic [7:0] select_2015;
+  assign select_2015 = or_2014 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_2016;
+  assign select_2016 = or_2014 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_2018;
+  assign or_2018 = select_2012 | (best_right_rdata_q[21:15] < of_near);
+  // hls/stages/agreement.hpp:832
+  logic [6:0] select_2019;
+  assign select_2019 = or_2018 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_2020;
+  assign select_2020 = or_2018 ? x_s2_2_q : best_right_rdata_q[28:22];
+  // hls/stages/agreement.hpp:149
+  logic and_2034;
+  assign and_2034 = or_554_s2_q & (not_558_s2_q & (and_609 & or_2031_s2_q));
+  // hls/stages/agreement.hpp:788
+  logic and_2035;
+  assign and_2035 = not_552_s2_q & and_2034;
+  logic and_2038;
+  assign and_2038 = not_550_s2_q & (so_s2_q ? and_2021_s2_q : (equal_553_s2_q & and_611));
+  // hls/stages/moments.hpp:60
+  logic and_2042;
+  assign and_2042 = moments_has_before_q & moments_memory_rdata_q[0];
+  // hls/stages/agreement.hpp:1003
+  logic and_2043;
+  assign and_2043 = not_562_s2_q & and_2042;
+  logic and_2045;
+  assign and_2045 = and_2042 & (moments_memory_rdata_q[1] ^ and_614_s2_q);
+  logic and_2046;
+  assign and_2046 = not_562_s2_q & and_2045;
+  // hls/stages/agreement.hpp:788
+  logic and_2049;
+  assign and_2049 = not_550_s2_q & (not_552_s2_q & (equal_553_s2_q & inside_v_s2_q));
+  // hls/stages/moments.hpp:60
+  logic and_2051;
+  assign and_2051 = moments_has_before_q & moments_memory_rdata_q[2];
+  // hls/stages/agreement.hpp:1003
+  logic and_2052;
+  assign and_2052 = not_562_s2_q & and_2051;
+  // hls/stages/moments.hpp:61
+  logic and_2054;
+  assign and_2054 = and_2051 & (moments_memory_rdata_q[3] ^ and_621_s2_q);
+  // hls/stages/agreement.hpp:1003
+  logic and_2055;
+  assign and_2055 = not_562_s2_q & and_2054;
+  // hls/stages/agreement.hpp:1128
+  logic equal_2056;
+  assign equal_2056 = x_s2_q[6:4] == 3'h7;
+  // hls/stages/agreement.hpp:1177
   logic [1:0] quarter;
   assign quarter = x_s2_q[1:0] + 2'h1;
   // hls/stages/registration.hpp:147
   logic all;
   assign all = x_s2_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:1105
-  logic [1:0] select_1998;
-  assign select_1998 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
-  // hls/stages/agreement.hpp:1118
-  logic [3:0] select_2000;
-  assign select_2000 = equal_1995 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_1998});
+  // hls/stages/agreement.hpp:1129
+  logic [1:0] select_2059;
+  assign select_2059 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
+  // hls/stages/agreement.hpp:1142
+  logic [3:0] select_2061;
+  assign select_2061 = equal_2056 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_2059});
   // hls/stages/registration.hpp:107
-  logic [1:0] sum_2001;
-  assign sum_2001 = slot_s2_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:780
-  logic [3:0] select_2002;
-  assign select_2002 = equal_1954_s2_q ? select_2000 : {sum_2001, lower_half_s2_q, registration_of_right_q};
+  logic [1:0] sum_2062;
+  assign sum_2062 = slot_s2_q[1:0] + 2'h3;
+  // hls/stages/agreement.hpp:788
+  logic [3:0] select_2063;
+  assign select_2063 = equal_549_s2_q ? select_2061 : {sum_2062, lower_half_s2_q, registration_of_right_q};
   // hls/stages/patches.hpp:210
-  logic equal_2003;
-  assign equal_2003 = x_s2_q[5:0] == 6'h3f;
-  logic equal_2005;
-  assign equal_2005 = x_s2_q[5:0] == 6'h3e;
-  logic equal_2007;
-  assign equal_2007 = x_s2_q[5:0] == 6'h3d;
-  logic equal_2009;
-  assign equal_2009 = x_s2_q[5:0] == 6'h3c;
-  logic equal_2011;
-  assign equal_2011 = x_s2_q[5:0] == 6'h3b;
-  logic equal_2013;
-  assign equal_2013 = x_s2_q[5:0] == 6'h36;
-  logic equal_2015;
-  assign equal_2015 = x_s2_q[5:0] == 6'h35;
-  logic equal_2017;
-  assign equal_2017 = x_s2_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1150
-  logic and_2021;
-  assign and_2021 = (~equal_2011) & ((~equal_2013) & ((~equal_2015) & (~equal_2017)));
-  logic and_2025;
-  assign and_2025 = (~equal_2003) & ((~equal_2005) & ((~equal_2007) & ((~equal_2009) & and_2021)));
-  // hls/stages/agreement.hpp:1105
-  logic less_2026;
-  assign less_2026 = x_s2_q[5:0] < 6'h29;
+  logic equal_2064;
+  assign equal_2064 = x_s2_q[5:0] == 6'h3f;
+  logic equal_2066;
+  assign equal_2066 = x_s2_q[5:0] == 6'h3e;
+  logic equal_2068;
+  assign equal_2068 = x_s2_q[5:0] == 6'h3d;
+  logic equal_2070;
+  assign equal_2070 = x_s2_q[5:0] == 6'h3c;
+  logic equal_2072;
+  assign equal_2072 = x_s2_q[5:0] == 6'h3b;
+  logic equal_2074;
+  assign equal_2074 = x_s2_q[5:0] == 6'h36;
+  logic equal_2076;
+  assign equal_2076 = x_s2_q[5:0] == 6'h35;
+  logic equal_2078;
+  assign equal_2078 = x_s2_q[5:0] == 6'h34;
+  // hls/stages/agreement.hpp:1177
+  logic and_2082;
+  assign and_2082 = (~equal_2072) & ((~equal_2074) & ((~equal_2076) & (~equal_2078)));
+  logic and_2086;
+  assign and_2086 = (~equal_2064) & ((~equal_2066) & ((~equal_2068) & ((~equal_2070) & and_2082)));
+  // hls/stages/agreement.hpp:1129
+  logic less_2087;
+  assign less_2087 = x_s2_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
   logic [1:0] kind;
   assign kind = all ? {1'b0, x_s2_q[2]} : x_s2_q[2:1];
   // hls/stages/registration.hpp:160
-  logic or_2030;
-  assign or_2030 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:988
-  logic [5:0] sum_2035;
-  assign sum_2035 = {1'b0, last_s2_q[6:2]} + 6'h1;
-  // hls/stages/agreement.hpp:256
+  logic or_2091;
+  assign or_2091 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
+  // hls/stages/agreement.hpp:1009
+  logic [5:0] sum_2096;
+  assign sum_2096 = {1'b0, last_s2_q[6:2]} + 6'h1;
+  // hls/stages/agreement.hpp:262
   logic right_2;
-  assign right_2 = inside_v_s2_q & ({1'b0, sum_2035, last_s2_q[1]} < x_s2_q);
+  assign right_2 = inside_v_s2_q & ({1'b0, sum_2096, last_s2_q[1]} < x_s2_q);
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = inside_v_s2_q ? (right_2 & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:107
-  logic [4:0] sum_2041;
-  assign sum_2041 = {2'h0, slot_s2_q} + 5'h1f;
-  logic and_2043;
-  assign and_2043 = half_ends & ({{3{sum_2041[4]}}, sum_2041} < 8'h3);
-  // hls/stages/agreement.hpp:780
-  logic and_2044;
-  assign and_2044 = so_s2_q & and_2043;
-  logic select_2045;
-  assign select_2045 = equal_1954_s2_q ? (x_s2_q[6] & (equal_1995 ? and_2025 : (less_2026 & (~or_2030)))) : and_2044;
+  logic [4:0] sum_2102;
+  assign sum_2102 = {2'h0, slot_s2_q} + 5'h1f;
+  logic and_2104;
+  assign and_2104 = half_ends & ({{3{sum_2102[4]}}, sum_2102} < 8'h3);
+  // hls/stages/agreement.hpp:788
+  logic and_2105;
+  assign and_2105 = so_s2_q & and_2104;
+  logic select_2106;
+  assign select_2106 = equal_549_s2_q ? (x_s2_q[6] & (equal_2056 ? and_2086 : (less_2087 & (~or_2091)))) : and_2105;
   // hls/stages/registration.hpp:258
-  logic not_2047;
-  assign not_2047 = ~lower_half_s2_q;
-  logic [3:0] select_2048;
-  assign select_2048 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_2047, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_2047};
+  logic not_2108;
+  assign not_2108 = ~lower_half_s2_q;
+  logic [3:0] select_2109;
+  assign select_2109 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_2108, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_2108};
   // hls/stages/patches.hpp:372
-  logic [1:0] select_2077;
-  assign select_2077 = and_2076_s2_q ? 2'h1 : patches_fetch_q;
-  logic [4:0] select_2078;
-  assign select_2078 = and_2076_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
-  // hls/stages/agreement.hpp:270
-  logic [5:0] select_2079;
-  assign select_2079 = and_2063_s2_q ? {select_2078, select_2077[1]} : {patches_band_q, patches_fetch_q[1]};
+  logic [1:0] select_2138;
+  assign select_2138 = and_2137_s2_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_2139;
+  assign select_2139 = and_2137_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
+  // hls/stages/agreement.hpp:276
+  logic [5:0] select_2140;
+  assign select_2140 = and_2124_s2_q ? {select_2139, select_2138[1]} : {patches_band_q, patches_fetch_q[1]};
   // hls/stages/patches.hpp:126
-  logic [1:0] select_2080;
-  assign select_2080 = and_2063_s2_q ? select_2077 : patches_fetch_q;
-  logic equal_2081;
-  assign equal_2081 = select_2080 == 2'h0;
+  logic [1:0] select_2141;
+  assign select_2141 = and_2124_s2_q ? select_2138 : patches_fetch_q;
+  logic equal_2142;
+  assign equal_2142 = select_2141 == 2'h0;
   // hls/stages/patches.hpp:103
   logic right_3;
   assign right_3 = {2'h0, last_s2_q[6:1]} < x_s2_q;
-  // hls/stages/agreement.hpp:780
-  logic and_2089;
-  assign and_2089 = not_1955_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
+  // hls/stages/agreement.hpp:788
+  logic and_2150;
+  assign and_2150 = not_550_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
   // hls/stages/registration.hpp:83
-  logic equal_2091;
-  assign equal_2091 = slot_s2_q == 3'h7;
-  // hls/stages/agreement.hpp:147
+  logic equal_2152;
+  assign equal_2152 = slot_s2_q == 3'h7;
+  // hls/stages/agreement.hpp:149
   logic [5:0] b;
-  assign b = or_536_s2_q ? (less_543_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
+  assign b = or_554_s2_q ? (less_557_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
   // hls/stages/registration.hpp:89
   logic [7:0] a;
-  assign a = equal_2091 ? registration_slope_here_q : change_s2_q;
+  assign a = equal_2152 ? registration_slope_here_q : change_s2_q;
   // hls/stages/registration.hpp:211
-  logic [6:0] select_2099;
-  assign select_2099 = b[0] ? a[7:1] : 7'h0;
-  logic [7:0] select_2100;
-  assign select_2100 = b[1] ? a : 8'h0;
-  logic [8:0] sum_2101;
-  assign sum_2101 = {{2{select_2099[6]}}, select_2099} + {select_2100[7], select_2100};
+  logic [6:0] select_2160;
+  assign select_2160 = b[0] ? a[7:1] : 7'h0;
+  logic [7:0] select_2161;
+  assign select_2161 = b[1] ? a : 8'h0;
+  logic [8:0] sum_2162;
+  assign sum_2162 = {{2{select_2160[6]}}, select_2160} + {select_2161[7], select_2161};
   // hls/stages/registration.hpp:212
-  logic [7:0] select_2102;
-  assign select_2102 = b[2] ? a : 8'h0;
-  logic [7:0] select_2103;
-  assign select_2103 = b[3] ? a : 8'h0;
-  logic [8:0] sum_2104;
-  assign sum_2104 = {{2{select_2102[7]}}, select_2102[7:1]} + {select_2103[7], select_2103};
+  logic [7:0] select_2163;
+  assign select_2163 = b[2] ? a : 8'h0;
+  logic [7:0] select_2164;
+  assign select_2164 = b[3] ? a : 8'h0;
+  logic [8:0] sum_2165;
+  assign sum_2165 = {{2{select_2163[7]}}, select_2163[7:1]} + {select_2164[7], select_2164};
   // hls/stages/registration.hpp:214
-  logic [10:0] sum_2105;
-  assign sum_2105 = {{3{sum_2101[8]}}, sum_2101[8:1]} + {sum_2104[8], sum_2104, select_2102[0]};
+  logic [10:0] sum_2166;
+  assign sum_2166 = {{3{sum_2162[8]}}, sum_2162[8:1]} + {sum_2165[8], sum_2165, select_2163[0]};
   // hls/stages/registration.hpp:213
-  logic [7:0] select_2106;
-  assign select_2106 = b[4] ? a : 8'h0;
-  logic [7:0] select_2107;
-  assign select_2107 = b[5] ? a : 8'h0;
-  logic [8:0] difference_2108;
-  assign difference_2108 = {{2{select_2106[7]}}, select_2106[7:1]} - {select_2107[7], select_2107};
+  logic [7:0] select_2167;
+  assign select_2167 = b[4] ? a : 8'h0;
+  logic [7:0] select_2168;
+  assign select_2168 = b[5] ? a : 8'h0;
+  logic [8:0] difference_2169;
+  assign difference_2169 = {{2{select_2167[7]}}, select_2167[7:1]} - {select_2168[7], select_2168};
   // hls/stages/registration.hpp:214
-  logic [9:0] sum_2109;
-  assign sum_2109 = {difference_2108, select_2106[0]} + {sum_2105[10], sum_2105[10:2]};
+  logic [9:0] sum_2170;
+  assign sum_2170 = {difference_2169, select_2167[0]} + {sum_2166[10], sum_2166[10:2]};
   // hls/stages/registration.hpp:107
   logic [10:0] expected;
-  assign expected = equal_2091 ? {sum_2109, sum_2105[1]} : registration_expected_q;
+  assign expected = equal_2152 ? {sum_2170, sum_2166[1]} : registration_expected_q;
   // hls/stages/patches.hpp:98
-  logic [9:0] sum_2111;
-  assign sum_2111 = {expected[10], expected[10:2]} + 10'h5;
-  // hls/stages/agreement.hpp:997
-  logic and_2113;
-  assign and_2113 = and_1991 & ({{4{sum_2111[9]}}, sum_2111, expected[1:0]} < 16'h29);
+  logic [9:0] sum_2172;
+  assign sum_2172 = {expected[10], expected[10:2]} + 10'h5;
+  // hls/stages/agreement.hpp:262
+  logic and_2175;
+  assign and_2175 = less_2151_s2_q & (and_611 & ({{4{sum_2172[9]}}, sum_2172, expected[1:0]} < 16'h29));
   // hls/stages/patches.hpp:104
-  logic and_2118;
-  assign and_2118 = ({3'h0, last_s2_q[6:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
-  // hls/stages/patches.hpp:106
-  logic equal_2119;
-  assign equal_2119 = x_s2_q == 8'h0;
+  logic and_2179;
+  assign and_2179 = ({3'h0, last_s2_q[6:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
   // hls/stages/patches.hpp:102
-  logic [9:0] sum_2125;
-  assign sum_2125 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
+  logic [9:0] sum_2185;
+  assign sum_2185 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
   // hls/stages/patches.hpp:106
-  logic [9:0] sum_2127;
-  assign sum_2127 = {sum_2125[9], sum_2125[9:1]} + 10'h1;
-  // hls/stages/agreement.hpp:997
-  logic and_2130;
-  assign and_2130 = ($signed(9'h0) < $signed(sum_2125[9:1])) & (~($signed({4'h0, last_s2_q}) < $signed({sum_2127, sum_2125[0]})));
-  logic and_2131;
-  assign and_2131 = (~(and_2118 | (equal_2119 | (~(x_s2_q < {1'b0, last_s2_q}))))) & and_2130;
-  // hls/stages/agreement.hpp:780
-  logic and_2134;
-  assign and_2134 = ends_cell_s2_q & (inside_v_s2_q & ((less_2090_s2_q & and_2113) & and_2131));
-  logic and_2136;
-  assign and_2136 = not_1955_s2_q & (so_s2_q & and_2134);
+  logic [9:0] sum_2187;
+  assign sum_2187 = {sum_2185[9], sum_2185[9:1]} + 10'h1;
+  // hls/stages/agreement.hpp:1018
+  logic and_2190;
+  assign and_2190 = ($signed(9'h0) < $signed(sum_2185[9:1])) & (~($signed({4'h0, last_s2_q}) < $signed({sum_2187, sum_2185[0]})));
+  logic and_2191;
+  assign and_2191 = (~(and_2179 | (equal_545_s2_q | (~(x_s2_q < {1'b0, last_s2_q}))))) & and_2190;
+  // hls/stages/agreement.hpp:788
+  logic and_2195;
+  assign and_2195 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2175 & and_2191)));
+  logic and_2196;
+  assign and_2196 = not_550_s2_q & and_2195;
   // hls/stages/patches.hpp:156
-  logic and_2138;
-  assign and_2138 = and_2136 & (~patches_fixed_q);
-  // hls/stages/agreement.hpp:780
-  logic [7:0] select_2141;
-  assign select_2141 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2142;
-  assign select_2142 = equal_1954_s2_q ? 8'h0 : select_2141;
-  logic [5:0] select_2145;
-  assign select_2145 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
-  logic [5:0] select_2146;
-  assign select_2146 = equal_1954_s2_q ? 6'h0 : select_2145;
+  logic and_2198;
+  assign and_2198 = and_2196 & (~patches_fixed_q);
+  // hls/stages/agreement.hpp:788
+  logic [7:0] select_2201;
+  assign select_2201 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_2202;
+  assign select_2202 = equal_549_s2_q ? 8'h0 : select_2201;
+  logic [5:0] select_2205;
+  assign select_2205 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
+  logic [5:0] select_2206;
+  assign select_2206 = equal_549_s2_q ? 6'h0 : select_2205;
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_2147;
-  assign sum_2147 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_2109[9]}}, sum_2109[9:2]};
+  logic [12:0] sum_2207;
+  assign sum_2207 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_2170[9]}}, sum_2170[9:2]};
   // hls/stages/registration.hpp:218
-  logic [7:0] select_2150;
-  assign select_2150 = ($signed(sum_2147[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2147[7:0];
+  logic [7:0] select_2210;
+  assign select_2210 = ($signed(sum_2207[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2207[7:0];
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
-  assign slope = equal_2091 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2147[12:7])) ? 8'h7f : select_2150);
-  // hls/stages/agreement.hpp:780
-  logic [7:0] select_2155;
-  assign select_2155 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2156;
-  assign select_2156 = equal_1954_s2_q ? 8'h0 : select_2155;
+  assign slope = equal_2152 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2207[12:7])) ? 8'h7f : select_2210);
+  // hls/stages/agreement.hpp:788
+  logic [7:0] select_2215;
+  assign select_2215 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_2216;
+  assign select_2216 = equal_549_s2_q ? 8'h0 : select_2215;
   // hls/stages/patches.hpp:342
-  logic [22:0] select_2157;
-  assign select_2157 = and_2138 ? {select_2156, select_2146, select_2142, and_2136} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
+  logic [22:0] select_2217;
+  assign select_2217 = and_2198 ? {select_2216, select_2206, select_2202, and_2196} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
   // hls/stages/patches.hpp:113
-  logic equal_2158;
-  assign equal_2158 = x_s2_q == {1'b0, last_s2_q};
-  // hls/stages/agreement.hpp:780
-  logic and_2162;
-  assign and_2162 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2118 | equal_2158)));
-  logic and_2163;
-  assign and_2163 = not_1955_s2_q & and_2162;
+  logic equal_2218;
+  assign equal_2218 = x_s2_q == {1'b0, last_s2_q};
+  // hls/stages/agreement.hpp:788
+  logic and_2222;
+  assign and_2222 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2179 | equal_2218)));
+  logic and_2223;
+  assign and_2223 = not_550_s2_q & and_2222;
   // hls/stages/patches.hpp:343
-  logic and_2164;
-  assign and_2164 = patches_chooses_s2_q & and_2163;
+  logic and_2224;
+  assign and_2224 = patches_chooses_s2_q & and_2223;
   // hls/stages/patches.hpp:126
-  logic [4:0] select_2178;
-  assign select_2178 = and_2063_s2_q ? select_2078 : patches_band_q;
+  logic [4:0] select_2238;
+  assign select_2238 = and_2124_s2_q ? select_2139 : patches_band_q;
   // hls/stages/patches.hpp:352
-  logic equal_2179;
-  assign equal_2179 = {patches_choosing_band_s2_q, and_2089} == {select_2178, select_2080[1]};
+  logic equal_2239;
+  assign equal_2239 = {patches_choosing_band_s2_q, and_2150} == {select_2238, select_2141[1]};
   // hls/stages/patches.hpp:481
-  logic [2:0] sum_2279;
-  assign sum_2279 = patches_code_row_s2_q[4:2] + 3'h7;
+  logic [2:0] sum_2339;
+  assign sum_2339 = patches_code_row_s2_q[4:2] + 3'h7;
   // hls/stages/patches.hpp:485
-  logic [1:0] sum_2317;
-  assign sum_2317 = patches_code_row_s2_q[3:2] + 2'h3;
-  // hls/stages/agreement.hpp:203
-  logic [7:0] select_2346;
-  assign select_2346 = so_s2_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:1026
-  logic or_2349;
-  assign or_2349 = select_2346[7] | (~({select_2346[5], select_2346[3], select_2346[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1025
-  logic or_2352;
-  assign or_2352 = select_2346[7] | (~({select_2346[6], select_2346[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:1024
-  logic or_2355;
-  assign or_2355 = select_2346[7] | (~(select_2346[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:780
-  logic [5:0] select_2356;
-  assign select_2356 = equal_1954_s2_q ? x_s2_q[5:0] : {region_row_q, or_2355, or_2352, or_2349};
-  // hls/stages/agreement.hpp:1104
-  logic not_2357;
-  assign not_2357 = ~equal_1995;
-  // hls/stages/agreement.hpp:1034
-  logic or_2361;
-  assign or_2361 = (~sum_2359_s2_q) | equal_2158;
-  // hls/stages/agreement.hpp:780
-  logic and_2364;
-  assign and_2364 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_2361));
-  // hls/stages/agreement.hpp:256
+  logic [1:0] sum_2377;
+  assign sum_2377 = patches_code_row_s2_q[3:2] + 2'h3;
+  // hls/stages/agreement.hpp:205
+  logic [7:0] select_2407;
+  assign select_2407 = so_s2_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:1050
+  logic or_2410;
+  assign or_2410 = select_2407[7] | (~({select_2407[5], select_2407[3], select_2407[1]} == 3'h0));
+  // hls/stages/agreement.hpp:1049
+  logic or_2413;
+  assign or_2413 = select_2407[7] | (~({select_2407[6], select_2407[3:2]} == 3'h0));
+  // hls/stages/agreement.hpp:1048
+  logic or_2416;
+  assign or_2416 = select_2407[7] | (~(select_2407[6:4] == 3'h0));
+  // hls/stages/agreement.hpp:788
+  logic [5:0] select_2417;
+  assign select_2417 = equal_549_s2_q ? x_s2_q[5:0] : {region_row_q, or_2416, or_2413, or_2410};
+  // hls/stages/agreement.hpp:1128
+  logic not_2418;
+  assign not_2418 = ~equal_2056;
+  // hls/stages/agreement.hpp:1058
+  logic or_2422;
+  assign or_2422 = (~sum_2420_s2_q) | equal_2218;
+  // hls/stages/agreement.hpp:788
+  logic and_2425;
+  assign and_2425 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_2422));
+  // hls/stages/agreement.hpp:262
   logic textured;
-  assign textured = inside_v_s2_q & (or_536_s2_q & (not_544_s2_q & and_1972_s2_q));
+  assign textured = inside_v_s2_q & (or_554_s2_q & (not_558_s2_q & and_583_s2_q));
   logic explained;
-  assign explained = inside_v_s2_q & and_1991;
-  // hls/stages/agreement.hpp:147
-  logic and_2382;
-  assign and_2382 = or_536_s2_q & (not_544_s2_q & and_2380_s2_q);
-  // hls/stages/agreement.hpp:256
-  logic and_2391;
-  assign and_2391 = inside_v_s2_q & and_2382;
-  // hls/stages/agreement.hpp:993
-  logic select_2392;
-  assign select_2392 = slot_s2_q[2] ? shown_shown_q : and_1991;
-  // hls/stages/agreement.hpp:256
+  assign explained = inside_v_s2_q & and_611;
+  // hls/stages/agreement.hpp:149
+  logic and_2443;
+  assign and_2443 = or_554_s2_q & (not_558_s2_q & and_2441_s2_q);
+  // hls/stages/agreement.hpp:262
+  logic and_2452;
+  assign and_2452 = inside_v_s2_q & and_2443;
+  // hls/stages/agreement.hpp:1014
+  logic select_2453;
+  assign select_2453 = slot_s2_q[2] ? shown_shown_q : and_611;
+  // hls/stages/agreement.hpp:262
   logic shown;
-  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2392);
-  // hls/stages/agreement.hpp:993
-  logic select_2395;
-  assign select_2395 = slot_s2_q[2] ? shown_nearer_q : and_1988;
-  // hls/stages/agreement.hpp:256
+  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2453);
+  // hls/stages/agreement.hpp:1014
+  logic select_2456;
+  assign select_2456 = slot_s2_q[2] ? shown_nearer_q : and_2034;
+  // hls/stages/agreement.hpp:262
   logic near;
-  assign near = inside_v_s2_q & (select_2392 ? select_2395 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:1246
-  logic or_2398;
-  assign or_2398 = marks_first_s2_q | line_ended_q;
-  // hls/stages/agreement.hpp:1248
-  logic [16:0] select_2400;
-  assign select_2400 = marks_first_s2_q ? 17'h1 : (or_2398 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1247
-  logic [8:0] select_2402;
-  assign select_2402 = or_2398 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1255
-  logic select_2404;
-  assign select_2404 = cfg_compete_i ? (or_2398 & select_2400[16]) : (select_2402[8] & select_2400[9]);
-  // hls/stages/agreement.hpp:429
+  assign near = inside_v_s2_q & (select_2453 ? select_2456 : shown_right_rdata_q[1]);
+  // hls/stages/agreement.hpp:1274
+  logic or_2459;
+  assign or_2459 = marks_first_s2_q | line_ended_q;
+  // hls/stages/agreement.hpp:1276
+  logic [16:0] select_2461;
+  assign select_2461 = marks_first_s2_q ? 17'h1 : (or_2459 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:1275
+  logic [8:0] select_2463;
+  assign select_2463 = or_2459 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:1283
+  logic select_2465;
+  assign select_2465 = cfg_compete_i ? (or_2459 & select_2461[16]) : (select_2463[8] & select_2461[9]);
+  // hls/stages/agreement.hpp:435
   logic next_row;
-  assign next_row = select_2404 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1262
-  logic [6:0] select_2407;
-  assign select_2407 = next_row ? cfg_width_i[9:3] : 7'h0;
-  logic [12:0] select_2409;
-  assign select_2409 = marks_first_s2_q ? 13'h0 : (seen_base_q + {6'h0, select_2407});
-  // hls/stages/agreement.hpp:1272
-  logic equal_2410;
-  assign equal_2410 = seen_x_q == 3'h7;
-  logic [7:0] select_2412;
-  assign select_2412 = select_2404 ? 8'h0 : (seen_column_q + {7'h0, equal_2410});
-  // hls/stages/agreement.hpp:1279
+  assign next_row = select_2465 & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1290
+  logic [6:0] select_2468;
+  assign select_2468 = next_row ? cfg_width_i[9:3] : 7'h0;
+  logic [12:0] select_2470;
+  assign select_2470 = marks_first_s2_q ? 13'h0 : (seen_base_q + {6'h0, select_2468});
+  // hls/stages/agreement.hpp:1300
+  logic equal_2471;
+  assign equal_2471 = seen_x_q == 3'h7;
+  logic [7:0] select_2473;
+  assign select_2473 = select_2465 ? 8'h0 : (seen_column_q + {7'h0, equal_2471});
+  // hls/stages/agreement.hpp:1307
   logic [12:0] index;
-  assign index = select_2409 + {5'h0, select_2412};
-  // hls/stages/agreement.hpp:1246
-  logic select_2415;
-  assign select_2415 = marks_first_s2_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1232
-  logic [7:0] sum_2416;
-  assign sum_2416 = {1'b0, select_2415, 2'h0, select_2415, 1'b0, {2{select_2415}}} + {1'b0, index[12:6]};
-  // hls/stages/agreement.hpp:1245
-  logic not_2417;
-  assign not_2417 = ~marks_first_s2_q;
-  // hls/stages/agreement.hpp:429
-  logic and_2419;
-  assign and_2419 = not_2417 & (began_q | select_2404);
+  assign index = select_2470 + {5'h0, select_2473};
+  // hls/stages/agreement.hpp:1274
+  logic select_2476;
+  assign select_2476 = marks_first_s2_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  // hls/stages/agreement.hpp:1260
+  logic [7:0] sum_2477;
+  assign sum_2477 = {1'b0, select_2476, 2'h0, select_2476, 1'b0, {2{select_2476}}} + {1'b0, index[12:6]};
   // hls/stages/agreement.hpp:1273
-  logic [2:0] select_2421;
-  assign select_2421 = select_2404 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:1278
-  logic and_2423;
-  assign and_2423 = and_2419 & (select_2421 == 3'h0);
-  logic less_2424;
-  assign less_2424 = select_2412 < {1'b0, cfg_width_i[9:3]};
-  // hls/stages/agreement.hpp:1087
-  logic [7:0] sum_2427;
-  assign sum_2427 = {2'h0, x_s2_q[7:2]} + 8'hff;
-  logic [12:0] index_2;
-  assign index_2 = {{3{sum_2427[7]}}, sum_2427, x_s2_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1232
-  logic [7:0] sum_2429;
-  assign sum_2429 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
-  // hls/stages/agreement.hpp:1009
-  logic and_2430;
-  assign and_2430 = seen_columns_rdata_q[14] & inside_v_s2_q;
-  logic and_2431;
-  assign and_2431 = seen_columns_rdata_q[10] & inside_v_s2_q;
-  logic and_2432;
-  assign and_2432 = seen_columns_rdata_q[5] & inside_v_s2_q;
-  logic and_2433;
-  assign and_2433 = seen_columns_rdata_q[0] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1063
-  logic [1:0] sum_2435;
-  assign sum_2435 = {1'b0, and_2432} + ({1'b0, textured} + {1'b0, and_2433});
-  logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2430} + ({2'h0, and_2431} + {1'b0, sum_2435});
-  // hls/stages/agreement.hpp:1009
-  logic [7:0] select_2444;
-  assign select_2444 = inside_v_s2_q ? (sum_2359_s2_q ? select_2346 : {select_2346[6:0], 1'b0}) : select_2346;
-  // hls/stages/agreement.hpp:1026
-  logic or_2447;
-  assign or_2447 = select_2444[7] | (~({select_2444[5], select_2444[3], select_2444[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1009
-  logic and_2464;
-  assign and_2464 = seen_columns_rdata_q[16] & inside_v_s2_q;
-  logic and_2465;
-  assign and_2465 = seen_columns_rdata_q[12] & inside_v_s2_q;
-  logic and_2466;
-  assign and_2466 = seen_columns_rdata_q[8] & inside_v_s2_q;
-  logic and_2467;
-  assign and_2467 = seen_columns_rdata_q[3] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1065
-  logic [1:0] sum_2469;
-  assign sum_2469 = {1'b0, and_2466} + ({1'b0, shown} + {1'b0, and_2467});
-  logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2464} + ({2'h0, and_2465} + {1'b0, sum_2469});
-  // hls/stages/agreement.hpp:1009
+  logic not_2478;
+  assign not_2478 = ~marks_first_s2_q;
+  // hls/stages/agreement.hpp:435
   logic and_2480;
-  assign and_2480 = seen_columns_rdata_q[17] & inside_v_s2_q;
-  logic and_2481;
-  assign and_2481 = seen_columns_rdata_q[13] & inside_v_s2_q;
-  logic and_2482;
-  assign and_2482 = seen_columns_rdata_q[9] & inside_v_s2_q;
-  logic and_2483;
-  assign and_2483 = seen_columns_rdata_q[4] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1066
-  logic [1:0] sum_2485;
-  assign sum_2485 = {1'b0, and_2482} + ({1'b0, near} + {1'b0, and_2483});
+  assign and_2480 = not_2478 & (began_q | select_2465);
+  // hls/stages/agreement.hpp:1301
+  logic [2:0] select_2482;
+  assign select_2482 = select_2465 ? 3'h0 : (seen_x_q + 3'h1);
+  // hls/stages/agreement.hpp:1306
+  logic and_2484;
+  assign and_2484 = and_2480 & (select_2482 == 3'h0);
+  logic less_2485;
+  assign less_2485 = select_2473 < {1'b0, cfg_width_i[9:3]};
+  // hls/stages/agreement.hpp:1111
+  logic [7:0] sum_2488;
+  assign sum_2488 = {2'h0, x_s2_q[7:2]} + 8'hff;
+  logic [12:0] index_2;
+  assign index_2 = {{3{sum_2488[7]}}, sum_2488, x_s2_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:1260
+  logic [7:0] sum_2490;
+  assign sum_2490 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
+  // hls/stages/agreement.hpp:1030
+  logic and_2491;
+  assign and_2491 = seen_columns_rdata_q[14] & inside_v_s2_q;
+  logic and_2492;
+  assign and_2492 = seen_columns_rdata_q[10] & inside_v_s2_q;
+  logic and_2493;
+  assign and_2493 = seen_columns_rdata_q[5] & inside_v_s2_q;
+  logic and_2494;
+  assign and_2494 = seen_columns_rdata_q[0] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1087
+  logic [1:0] sum_2496;
+  assign sum_2496 = {1'b0, and_2493} + ({1'b0, textured} + {1'b0, and_2494});
+  logic [2:0] textured_2;
+  assign textured_2 = {2'h0, and_2491} + ({2'h0, and_2492} + {1'b0, sum_2496});
+  // hls/stages/agreement.hpp:1030
+  logic [7:0] select_2505;
+  assign select_2505 = inside_v_s2_q ? (sum_2420_s2_q ? select_2407 : {select_2407[6:0], 1'b0}) : select_2407;
+  // hls/stages/agreement.hpp:1050
+  logic or_2508;
+  assign or_2508 = select_2505[7] | (~({select_2505[5], select_2505[3], select_2505[1]} == 3'h0));
+  // hls/stages/agreement.hpp:1030
+  logic and_2525;
+  assign and_2525 = seen_columns_rdata_q[16] & inside_v_s2_q;
+  logic and_2526;
+  assign and_2526 = seen_columns_rdata_q[12] & inside_v_s2_q;
+  logic and_2527;
+  assign and_2527 = seen_columns_rdata_q[8] & inside_v_s2_q;
+  logic and_2528;
+  assign and_2528 = seen_columns_rdata_q[3] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1089
+  logic [1:0] sum_2530;
+  assign sum_2530 = {1'b0, and_2527} + ({1'b0, shown} + {1'b0, and_2528});
+  logic [2:0] shown_2;
+  assign shown_2 = {2'h0, and_2525} + ({2'h0, and_2526} + {1'b0, sum_2530});
+  // hls/stages/agreement.hpp:1030
+  logic and_2541;
+  assign and_2541 = seen_columns_rdata_q[17] & inside_v_s2_q;
+  logic and_2542;
+  assign and_2542 = seen_columns_rdata_q[13] & inside_v_s2_q;
+  logic and_2543;
+  assign and_2543 = seen_columns_rdata_q[9] & inside_v_s2_q;
+  logic and_2544;
+  assign and_2544 = seen_columns_rdata_q[4] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1090
+  logic [1:0] sum_2546;
+  assign sum_2546 = {1'b0, and_2543} + ({1'b0, near} + {1'b0, and_2544});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2480} + ({2'h0, and_2481} + {1'b0, sum_2485});
-  // hls/stages/agreement.hpp:780
-  logic and_2501;
-  assign and_2501 = ends_cell_s2_q & (and_2497_s2_q & (~({sum_2035, last_s2_q[1:0]} < x_s2_q)));
-  logic and_2503;
-  assign and_2503 = not_1955_s2_q & (so_s2_q & and_2501);
-  // hls/stages/agreement.hpp:270
-  logic [10:0] select_2535;
-  assign select_2535 = sample_pair_whole_s2_q ? (and_513_s2_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2537;
-  assign select_2537 = sample_pair_whole_s2_q ? (and_513_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2556;
-  assign select_2556 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_2558;
-  assign select_2558 = sample_pair_whole_s2_q ? (and_513_s2_q ? select_528 : averager_mask_q) : averager_mask_q;
-  logic select_2560;
-  assign select_2560 = sample_pair_whole_s2_q ? (and_513_s2_q ? select_532 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:514
-  logic [8:0] select_2561;
-  assign select_2561 = and_515_s2_q ? select_521 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2562;
-  assign select_2562 = and_515_s2_q ? select_525 : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2564;
-  assign select_2564 = and_515_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2565;
-  assign select_2565 = and_515_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2566;
-  assign select_2566 = and_515_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_2567;
-  assign select_2567 = and_515_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2568;
-  assign select_2568 = and_515_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2569;
-  assign select_2569 = and_515_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2570;
-  assign select_2570 = and_515_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_2571;
-  assign select_2571 = and_515_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2572;
-  assign select_2572 = and_515_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2573;
-  assign select_2573 = and_515_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_2574;
-  assign select_2574 = and_515_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2575;
-  assign select_2575 = and_515_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2576;
-  assign select_2576 = and_515_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_2577;
-  assign select_2577 = and_515_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2578;
-  assign select_2578 = and_515_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_2579;
-  assign select_2579 = and_515_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic [8:0] select_2580;
-  assign select_2580 = and_515_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2581;
-  assign select_2581 = and_515_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_2582;
-  assign select_2582 = and_515_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
-  logic [8:0] select_2583;
-  assign select_2583 = and_515_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2584;
-  assign select_2584 = and_515_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2585;
-  assign select_2585 = and_515_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2586;
-  assign select_2586 = and_515_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_2587;
-  assign select_2587 = and_515_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2588;
-  assign select_2588 = and_515_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2589;
-  assign select_2589 = and_515_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
-  logic [8:0] select_2590;
-  assign select_2590 = and_515_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2591;
-  assign select_2591 = and_515_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2592;
-  assign select_2592 = and_515_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
-  logic [8:0] select_2593;
-  assign select_2593 = and_515_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2594;
-  assign select_2594 = and_515_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_2595;
-  assign select_2595 = and_515_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic [8:0] select_2596;
-  assign select_2596 = and_515_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_2597;
-  assign select_2597 = and_515_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_2598;
-  assign select_2598 = and_515_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  logic [8:0] select_2599;
-  assign select_2599 = and_515_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_2600;
-  assign select_2600 = and_515_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_2601;
-  assign select_2601 = and_515_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic [8:0] select_2602;
-  assign select_2602 = and_515_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2603;
-  assign select_2603 = and_515_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_2604;
-  assign select_2604 = and_515_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
-  logic [8:0] select_2605;
-  assign select_2605 = and_515_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2606;
-  assign select_2606 = and_515_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic select_2607;
-  assign select_2607 = and_515_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2608;
-  assign select_2608 = and_515_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
-  logic [8:0] select_2609;
-  assign select_2609 = and_515_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2610;
-  assign select_2610 = and_515_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_2611;
-  assign select_2611 = and_515_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2612;
-  assign select_2612 = and_515_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_2613;
-  assign select_2613 = and_515_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2614;
-  assign select_2614 = and_515_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_2615;
-  assign select_2615 = and_515_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_2616;
-  assign select_2616 = and_515_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
-  // hls/stages/census.hpp:272
-  logic [9:0] difference_2618;
-  assign difference_2618 = {1'b0, select_525} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2619;
-  assign xor_2619 = difference_2618[8:0] ^ {9{difference_2618[9]}};
-  logic [9:0] sum_2620;
-  assign sum_2620 = {9'h0, difference_2618[9]} + {1'b0, xor_2619};
-  logic [9:0] difference_2621;
-  assign difference_2621 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2622;
-  assign xor_2622 = difference_2621[8:0] ^ {9{difference_2621[9]}};
-  logic [9:0] sum_2623;
-  assign sum_2623 = {9'h0, difference_2621[9]} + {1'b0, xor_2622};
-  logic [9:0] difference_2625;
-  assign difference_2625 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2626;
-  assign xor_2626 = difference_2625[8:0] ^ {9{difference_2625[9]}};
-  logic [9:0] sum_2627;
-  assign sum_2627 = {9'h0, difference_2625[9]} + {1'b0, xor_2626};
-  logic [10:0] sum_2628;
-  assign sum_2628 = ({1'b0, sum_2620} + {1'b0, sum_2623}) + {1'b0, sum_2627};
-  logic [9:0] difference_2629;
-  assign difference_2629 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2630;
-  assign xor_2630 = difference_2629[8:0] ^ {9{difference_2629[9]}};
-  logic [9:0] sum_2631;
-  assign sum_2631 = {9'h0, difference_2629[9]} + {1'b0, xor_2630};
-  logic [9:0] difference_2633;
-  assign difference_2633 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2634;
-  assign xor_2634 = difference_2633[8:0] ^ {9{difference_2633[9]}};
-  // hls/stages/census.hpp:353
-  logic [9:0] difference_2664;
-  assign difference_2664 = {1'b0, select_521} - {1'b0, sharpness_last_mean_0_q};
+  assign near_2 = {2'h0, and_2541} + ({2'h0, and_2542} + {1'b0, sum_2546});
+  // hls/stages/agreement.hpp:788
+  logic and_2562;
+  assign and_2562 = ends_cell_s2_q & (and_2558_s2_q & (~({sum_2096, last_s2_q[1:0]} < x_s2_q)));
+  logic and_2564;
+  assign and_2564 = not_550_s2_q & (so_s2_q & and_2562);
+  // hls/stages/agreement.hpp:276
+  logic [10:0] select_2596;
+  assign select_2596 = sample_pair_whole_s2_q ? (and_523_s2_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2598;
+  assign select_2598 = sample_pair_whole_s2_q ? (and_523_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2617;
+  assign select_2617 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2619;
+  assign select_2619 = sample_pair_whole_s2_q ? (and_523_s2_q ? select_538 : averager_mask_q) : averager_mask_q;
+  logic select_2621;
+  assign select_2621 = sample_pair_whole_s2_q ? (and_523_s2_q ? select_542 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/agreement.hpp:520
+  logic [8:0] select_2622;
+  assign select_2622 = and_525_s2_q ? select_531 : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2623;
+  assign select_2623 = and_525_s2_q ? select_535 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2625;
+  assign select_2625 = and_525_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_2626;
+  assign select_2626 = and_525_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2627;
+  assign select_2627 = and_525_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2628;
+  assign select_2628 = and_525_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2629;
+  assign select_2629 = and_525_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2630;
+  assign select_2630 = and_525_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2631;
+  assign select_2631 = and_525_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2632;
+  assign select_2632 = and_525_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_2633;
+  assign select_2633 = and_525_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2634;
+  assign select_2634 = and_525_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2635;
+  assign select_2635 = and_525_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2636;
+  assign select_2636 = and_525_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2637;
+  assign select_2637 = and_525_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2638;
+  assign select_2638 = and_525_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2639;
+  assign select_2639 = and_525_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2640;
+  assign select_2640 = and_525_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2641;
+  assign select_2641 = and_525_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_2642;
+  assign select_2642 = and_525_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2643;
+  assign select_2643 = and_525_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2644;
+  assign select_2644 = and_525_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2645;
+  assign select_2645 = and_525_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2646;
+  assign select_2646 = and_525_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2647;
+  assign select_2647 = and_525_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2648;
+  assign select_2648 = and_525_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_2649;
+  assign select_2649 = and_525_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2650;
+  assign select_2650 = and_525_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_2651;
+  assign select_2651 = and_525_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2652;
+  assign select_2652 = and_525_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2653;
+  assign select_2653 = and_525_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  logic [8:0] select_2654;
+  assign select_2654 = and_525_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2655;
+  assign select_2655 = and_525_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2656;
+  assign select_2656 = and_525_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic [8:0] select_2657;
+  assign select_2657 = and_525_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2658;
+  assign select_2658 = and_525_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2659;
+  assign select_2659 = and_525_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2660;
+  assign select_2660 = and_525_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2661;
+  assign select_2661 = and_525_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2662;
+  assign select_2662 = and_525_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2663;
+  assign select_2663 = and_525_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2664;
+  assign select_2664 = and_525_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2665;
+  assign select_2665 = and_525_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_2666;
+  assign select_2666 = and_525_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2667;
+  assign select_2667 = and_525_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_2668;
+  assign select_2668 = and_525_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2669;
+  assign select_2669 = and_525_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2670;
+  assign select_2670 = and_525_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2671;
+  assign select_2671 = and_525_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2672;
+  assign select_2672 = and_525_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2673;
+  assign select_2673 = and_525_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2674;
+  assign select_2674 = and_525_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2675;
+  assign select_2675 = and_525_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2676;
+  assign select_2676 = and_525_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2677;
+  assign select_2677 = and_525_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  // hls/stages/census.hpp:274
+  logic [9:0] difference_2679;
+  assign difference_2679 = {1'b0, select_535} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2680;
+  assign xor_2680 = difference_2679[8:0] ^ {9{difference_2679[9]}};
+  logic [9:0] sum_2681;
+  assign sum_2681 = {9'h0, difference_2679[9]} + {1'b0, xor_2680};
+  logic [9:0] difference_2682;
+  assign difference_2682 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2683;
+  assign xor_2683 = difference_2682[8:0] ^ {9{difference_2682[9]}};
+  logic [9:0] sum_2684;
+  assign sum_2684 = {9'h0, difference_2682[9]} + {1'b0, xor_2683};
+  logic [9:0] difference_2686;
+  assign difference_2686 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2687;
+  assign xor_2687 = difference_2686[8:0] ^ {9{difference_2686[9]}};
+  logic [9:0] sum_2688;
+  assign sum_2688 = {9'h0, difference_2686[9]} + {1'b0, xor_2687};
+  logic [10:0] sum_2689;
+  assign sum_2689 = ({1'b0, sum_2681} + {1'b0, sum_2684}) + {1'b0, sum_2688};
+  logic [9:0] difference_2690;
+  assign difference_2690 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2691;
+  assign xor_2691 = difference_2690[8:0] ^ {9{difference_2690[9]}};
+  logic [9:0] sum_2692;
+  assign sum_2692 = {9'h0, difference_2690[9]} + {1'b0, xor_2691};
+  logic [9:0] difference_2694;
+  assign difference_2694 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2695;
+  assign xor_2695 = difference_2694[8:0] ^ {9{difference_2694[9]}};
+  // hls/stages/agreement.hpp:1003
+  logic [13:0] select_2721;
+  assign select_2721 = less_561_s2_q ? moments_turned_0_q : ({13'h0, and_2045} + (and_546_s2_q ? 14'h0 : moments_turned_0_q));
+  // hls/stages/agreement.hpp:788
+  logic [13:0] select_2723;
+  assign select_2723 = equal_553_s2_q ? (inside_v_s2_q ? select_2721 : moments_turned_0_q) : moments_turned_0_q;
+  logic [13:0] select_2725;
+  assign select_2725 = equal_549_s2_q ? moments_turned_0_q : (so_s2_q ? moments_turned_0_q : select_2723);
+  // hls/stages/agreement.hpp:1003
+  logic [13:0] select_2728;
+  assign select_2728 = less_561_s2_q ? moments_turned_1_q : ({13'h0, and_2054} + (and_546_s2_q ? 14'h0 : moments_turned_1_q));
+  // hls/stages/agreement.hpp:788
+  logic [13:0] select_2730;
+  assign select_2730 = equal_553_s2_q ? (inside_v_s2_q ? select_2728 : moments_turned_1_q) : moments_turned_1_q;
+  logic [13:0] select_2732;
+  assign select_2732 = equal_549_s2_q ? moments_turned_1_q : (so_s2_q ? moments_turned_1_q : select_2730);
+  // hls/stages/agreement.hpp:1147
+  logic equal_2733;
+  assign equal_2733 = x_s2_q[6:0] == 7'h7f;
+  logic equal_2734;
+  assign equal_2734 = x_s2_q[6:0] == 7'h70;
+  // hls/stages/agreement.hpp:788
+  logic [13:0] select_2736;
+  assign select_2736 = equal_2733 ? moments_before_0_q : (equal_2734 ? moments_turned_0_q : moments_before_0_q);
+  logic [13:0] select_2739;
+  assign select_2739 = equal_2733 ? moments_before_1_q : (equal_2734 ? moments_turned_1_q : moments_before_1_q);
+  logic select_2742;
+  assign select_2742 = equal_2733 ? moments_has_before_q : (moments_has_before_q | equal_2734);
+  // hls/stages/moments.hpp:72
+  logic [13:0] most_before;
+  assign most_before = (moments_before_1_q < moments_before_0_q) ? moments_before_0_q : moments_before_1_q;
+  // hls/stages/moments.hpp:93
+  logic [14:0] sum_2746;
+  assign sum_2746 = {1'b0, most_before} + 15'h3;
+  logic not_2748;
+  assign not_2748 = ~({3'h0, counts_turned_left_q[13:2]} < sum_2746);
+  logic [14:0] sum_2749;
+  assign sum_2749 = {1'b0, moments_turned_1_q} + 15'h3;
+  logic less_2750;
+  assign less_2750 = {3'h0, counts_turned_left_q[13:2]} < sum_2749;
+  // hls/stages/moments.hpp:77
+  logic select_2755;
+  assign select_2755 = (not_2748 | less_2750) ? (~less_2750) : (~({3'h0, moments_before_1_q[13:2]} < sum_2749));
+  // hls/stages/moments.hpp:93
+  logic not_2757;
+  assign not_2757 = ~({3'h0, counts_turned_right_q[13:2]} < sum_2746);
+  logic [14:0] sum_2758;
+  assign sum_2758 = {1'b0, moments_turned_0_q} + 15'h3;
+  logic less_2759;
+  assign less_2759 = {3'h0, counts_turned_right_q[13:2]} < sum_2758;
+  // hls/stages/agreement.hpp:1144
+  logic select_2764;
+  assign select_2764 = (not_2757 | less_2759) ? (~less_2759) : (~({3'h0, moments_before_0_q[13:2]} < sum_2758));
+  // hls/stages/moments.hpp:80
+  logic or_2769;
+  assign or_2769 = (select_2755 | select_2764) | (moments_out_of_step_q & (~(not_2748 & not_2757)));
+  // hls/stages/moments.hpp:82
+  logic and_2771;
+  assign and_2771 = cfg_prove_i & (cfg_same_table_i ? or_2769 : moments_out_of_step_q);
+  // hls/stages/agreement.hpp:788
+  logic select_2773;
+  assign select_2773 = equal_2733 ? moments_out_of_step_q : (equal_2734 ? and_2771 : moments_out_of_step_q);
+  // hls/stages/census.hpp:359
+  logic [9:0] difference_2785;
+  assign difference_2785 = {1'b0, select_531} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2664[9]} + (difference_2664[8:0] ^ {9{difference_2664[9]}});
-  logic [9:0] difference_2676;
-  assign difference_2676 = {1'b0, select_525} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_2785[9]} + (difference_2785[8:0] ^ {9{difference_2785[9]}});
+  logic [9:0] difference_2797;
+  assign difference_2797 = {1'b0, select_535} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2676[9]} + (difference_2676[8:0] ^ {9{difference_2676[9]}});
-  // hls/stages/agreement.hpp:780
-  logic not_2864;
-  assign not_2864 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_2865;
-  assign less_2865 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
-  // hls/stages/agreement.hpp:514
-  logic and_2872;
-  assign and_2872 = and_515_s2_q & (equal_576_s2_q & equal_2767_s2_q);
-  // hls/stages/agreement.hpp:780
-  logic and_2878;
-  assign and_2878 = not_1955_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_2874_s2_q)));
-  // hls/stages/agreement.hpp:1009
-  logic and_2898;
-  assign and_2898 = seen_columns_rdata_q[15] & inside_v_s2_q;
-  logic and_2899;
-  assign and_2899 = seen_columns_rdata_q[11] & inside_v_s2_q;
-  logic and_2900;
-  assign and_2900 = seen_columns_rdata_q[7] & inside_v_s2_q;
-  logic and_2901;
-  assign and_2901 = seen_columns_rdata_q[2] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1064
-  logic [1:0] sum_2903;
-  assign sum_2903 = {1'b0, and_2900} + ({1'b0, explained} + {1'b0, and_2901});
+  assign contrast_2 = {8'h0, difference_2797[9]} + (difference_2797[8:0] ^ {9{difference_2797[9]}});
+  // hls/stages/agreement.hpp:788
+  logic not_2985;
+  assign not_2985 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_2986;
+  assign less_2986 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  // hls/stages/agreement.hpp:520
+  logic and_2993;
+  assign and_2993 = and_525_s2_q & (equal_654_s2_q & equal_2888_s2_q);
+  // hls/stages/agreement.hpp:788
+  logic and_2999;
+  assign and_2999 = not_550_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_2995_s2_q)));
+  // hls/stages/agreement.hpp:1030
+  logic and_3019;
+  assign and_3019 = seen_columns_rdata_q[15] & inside_v_s2_q;
+  logic and_3020;
+  assign and_3020 = seen_columns_rdata_q[11] & inside_v_s2_q;
+  logic and_3021;
+  assign and_3021 = seen_columns_rdata_q[7] & inside_v_s2_q;
+  logic and_3022;
+  assign and_3022 = seen_columns_rdata_q[2] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1088
+  logic [1:0] sum_3024;
+  assign sum_3024 = {1'b0, and_3021} + ({1'b0, explained} + {1'b0, and_3022});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2898} + ({2'h0, and_2899} + {1'b0, sum_2903});
-  // hls/stages/agreement.hpp:780
-  logic and_2939;
-  assign and_2939 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2874_s2_q & and_2382)));
-  // hls/stages/agreement.hpp:969
+  assign explained_2 = {2'h0, and_3019} + ({2'h0, and_3020} + {1'b0, sum_3024});
+  // hls/stages/agreement.hpp:788
+  logic and_3060;
+  assign and_3060 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2995_s2_q & and_2443)));
+  // hls/stages/agreement.hpp:986
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
-  // hls/stages/agreement.hpp:970
+  // hls/stages/agreement.hpp:987
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
-  // hls/stages/agreement.hpp:971
-  logic [7:0] difference_2963;
-  assign difference_2963 = best_left_rdata_s2_q[16:9] - lower;
-  logic less_2966;
-  assign less_2966 = {2'h0, difference_2963[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
-  // hls/stages/agreement.hpp:147
-  logic and_2969;
-  assign and_2969 = not_544_s2_q & (((and_2380_s2_q & and_1981) & equal_2959_s2_q) & (~less_2966));
-  // hls/stages/agreement.hpp:780
-  logic and_2973;
-  assign and_2973 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_536_s2_q & and_2969)));
+  // hls/stages/agreement.hpp:988
+  logic [7:0] difference_3084;
+  assign difference_3084 = best_left_rdata_s2_q[16:9] - lower;
+  logic less_3087;
+  assign less_3087 = {2'h0, difference_3084[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
+  // hls/stages/agreement.hpp:247
+  logic and_3090;
+  assign and_3090 = not_558_s2_q & (((and_2441_s2_q & and_609) & equal_3080_s2_q) & (~less_3087));
+  // hls/stages/agreement.hpp:788
+  logic and_3094;
+  assign and_3094 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_554_s2_q & and_3090)));
+  // hls/stages/agreement.hpp:149
+  logic and_3099;
+  assign and_3099 = not_558_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
+  // hls/stages/agreement.hpp:247
+  logic and_3101;
+  assign and_3101 = not_558_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
+  // hls/stages/agreement.hpp:149
+  logic [1:0] select_3102;
+  assign select_3102 = or_554_s2_q ? {and_3101, and_3099} : 2'h0;
+  // hls/stages/agreement.hpp:247
+  logic [1:0] select_3104;
+  assign select_3104 = less_557_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
+  // hls/stages/agreement.hpp:149
+  logic [1:0] select_3105;
+  assign select_3105 = or_554_s2_q ? select_3104 : 2'h0;
+  // hls/stages/agreement.hpp:1027
+  logic and_3107;
+  assign and_3107 = and_611 & (select_3102[0] & select_3105[0]);
+  // hls/stages/agreement.hpp:788
+  logic and_3111;
+  assign and_3111 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3102[1] & and_3107)));
+  logic and_3112;
+  assign and_3112 = not_550_s2_q & and_3111;
+  logic and_3118;
+  assign and_3118 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3105[1] & and_3107)));
+  logic and_3119;
+  assign and_3119 = not_550_s2_q & and_3118;
   // hls/stages/registration.hpp:76
-  logic less_2977;
-  assign less_2977 = slot_s2_q < 3'h3;
-  // hls/stages/agreement.hpp:147
-  logic [7:0] select_2979;
-  assign select_2979 = or_536_s2_q ? (less_543_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
-  logic [7:0] select_2981;
-  assign select_2981 = or_536_s2_q ? (less_543_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
-  logic [7:0] select_2983;
-  assign select_2983 = or_536_s2_q ? (less_543_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  logic less_3122;
+  assign less_3122 = slot_s2_q < 3'h3;
+  // hls/stages/agreement.hpp:149
+  logic [7:0] select_3124;
+  assign select_3124 = or_554_s2_q ? (less_557_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_3126;
+  assign select_3126 = or_554_s2_q ? (less_557_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_3128;
+  assign select_3128 = or_554_s2_q ? (less_557_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_2981} - {1'b0, select_2983};
+  assign rise_2 = {1'b0, select_3126} - {1'b0, select_3128};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_2985;
-  assign select_2985 = rise_2[8] ? select_2981 : select_2983;
+  logic [7:0] select_3130;
+  assign select_3130 = rise_2[8] ? select_3126 : select_3128;
   logic [8:0] fall;
-  assign fall = {1'b0, select_2979} - {1'b0, select_2985};
+  assign fall = {1'b0, select_3124} - {1'b0, select_3130};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:37
-  logic not_2988;
-  assign not_2988 = ~registration_displacement_over_q[9];
+  logic not_3133;
+  assign not_3133 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2977 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2988};
+  assign left = less_3122 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_3133};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_2990;
-  assign xor_2990 = rise_2[7:0] ^ {8{rise_2[8]}};
+  logic [7:0] xor_3135;
+  assign xor_3135 = rise_2[7:0] ^ {8{rise_2[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_2990};
+  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_3135};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_2996;
-  assign select_2996 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_3141;
+  assign select_3141 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_2977 ? {taken, 1'b1} : {not_2988, select_2996, not_2988};
+  assign taken_2 = less_3122 ? {taken, 1'b1} : {not_3133, select_3141, not_3133};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2998;
-  assign sum_2998 = {left, 1'b1} + {taken_2, less_2977};
-  // hls/stages/agreement.hpp:251
-  logic [4:0] select_3000;
-  assign select_3000 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/agreement.hpp:780
-  logic [7:0] select_3002;
-  assign select_3002 = equal_1954_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
-  logic [10:0] select_3004;
-  assign select_3004 = equal_1954_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
+  logic [10:0] sum_3143;
+  assign sum_3143 = {left, 1'b1} + {taken_2, less_3122};
+  // hls/stages/agreement.hpp:257
+  logic [4:0] select_3145;
+  assign select_3145 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  // hls/stages/agreement.hpp:788
+  logic [7:0] select_3147;
+  assign select_3147 = equal_549_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
+  logic [10:0] select_3149;
+  assign select_3149 = equal_549_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_3005;
-  assign equal_3005 = slot_s2_q == 3'h4;
-  // hls/stages/agreement.hpp:256
-  logic and_3009;
-  assign and_3009 = and_1991 & less_2090_s2_q;
-  // hls/stages/agreement.hpp:147
-  logic [2:0] select_3011;
-  assign select_3011 = or_536_s2_q ? (less_543_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
+  logic equal_3150;
+  assign equal_3150 = slot_s2_q == 3'h4;
+  // hls/stages/agreement.hpp:262
+  logic and_3154;
+  assign and_3154 = and_611 & less_2151_s2_q;
+  // hls/stages/agreement.hpp:149
+  logic [2:0] select_3156;
+  assign select_3156 = or_554_s2_q ? (less_557_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_3015;
-  assign sum_3015 = select_3011[2:1] + 2'h3;
+  logic [1:0] sum_3160;
+  assign sum_3160 = select_3156[2:1] + 2'h3;
   // hls/stages/registration.hpp:102
-  logic [7:0] select_3018;
-  assign select_3018 = (select_2981 < select_2983) ? ({sum_3015, select_3011[0], 5'h0} - {3'h0, select_3000}) : {sum_3015, select_3011[0], select_3000};
-  logic [7:0] select_3019;
-  assign select_3019 = ((select_3011 == 3'h0) | (select_3011 == 3'h4)) ? {sum_3015, select_3011[0], 5'h0} : select_3018;
+  logic [7:0] select_3163;
+  assign select_3163 = (select_3126 < select_3128) ? ({sum_3160, select_3156[0], 5'h0} - {3'h0, select_3145}) : {sum_3160, select_3156[0], select_3145};
+  logic [7:0] select_3164;
+  assign select_3164 = ((select_3156 == 3'h0) | (select_3156 == 3'h4)) ? {sum_3160, select_3156[0], 5'h0} : select_3163;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_3019[7]}}, select_3019} - {sum_2109[9], sum_2109, sum_2105[1]};
+  assign value_2 = {{4{select_3164[7]}}, select_3164} - {sum_2170[9], sum_2170, sum_2166[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_3022;
-  assign select_3022 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_3167;
+  assign select_3167 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_3022[11:7])) ? 12'h7f : select_3022;
+  assign residual = ($signed(5'h0) < $signed(select_3167[11:7])) ? 12'h7f : select_3167;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_3043;
-  assign difference_3043 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_3188;
+  assign difference_3188 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_3045;
-  assign and_3045 = and_3009 & ($signed(difference_3043) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_3190;
+  assign and_3190 = and_3154 & ($signed(difference_3188) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_3058;
-  assign less_3058 = $signed(difference_3043) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:780
-  logic select_3066;
-  assign select_3066 = so_s2_q ? (equal_3005 ? right_2 : registration_of_right_q) : registration_of_right_q;
-  logic select_3069;
-  assign select_3069 = so_s2_q ? (equal_2091 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
+  logic less_3203;
+  assign less_3203 = $signed(difference_3188) < $signed({7'h0, cfg_moved_half_limit_i});
+  // hls/stages/agreement.hpp:788
+  logic select_3211;
+  assign select_3211 = so_s2_q ? (equal_3150 ? right_2 : registration_of_right_q) : registration_of_right_q;
+  logic select_3214;
+  assign select_3214 = so_s2_q ? (equal_2152 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_3074;
-  assign select_3074 = (sum_2001 == 2'h2) ? (registration_fresh_q & (~select_2048)) : registration_fresh_q;
-  // hls/stages/agreement.hpp:780
-  logic [3:0] select_3076;
-  assign select_3076 = so_s2_q ? (and_2043 ? select_3074 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_3219;
+  assign select_3219 = (sum_2062 == 2'h2) ? (registration_fresh_q & (~select_2109)) : registration_fresh_q;
+  // hls/stages/agreement.hpp:788
+  logic [3:0] select_3221;
+  assign select_3221 = so_s2_q ? (and_2104 ? select_3219 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_3078;
-  assign select_3078 = and_2872 ? 4'hf : (equal_1954_s2_q ? registration_fresh_q : select_3076);
-  // hls/stages/agreement.hpp:1105
+  logic [3:0] select_3223;
+  assign select_3223 = and_2993 ? 4'hf : (equal_549_s2_q ? registration_fresh_q : select_3221);
+  // hls/stages/agreement.hpp:1129
   logic [1:0] quarter_2;
-  assign quarter_2 = all ? x_s2_q[1:0] : select_1998;
+  assign quarter_2 = all ? x_s2_q[1:0] : select_2059;
   // hls/stages/registration.hpp:258
-  logic not_3099;
-  assign not_3099 = ~quarter_2[1];
-  logic [3:0] select_3100;
-  assign select_3100 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3099, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3099};
+  logic not_3244;
+  assign not_3244 = ~quarter_2[1];
+  logic [3:0] select_3245;
+  assign select_3245 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3244, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3244};
   // hls/stages/patches.hpp:91
-  logic parity_3234;
-  assign parity_3234 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
-  // hls/stages/agreement.hpp:454
-  logic [15:0] select_3235;
-  assign select_3235 = equal_2767_s2_q ? {patches_chance_q[14:0], parity_3234} : patches_chance_q;
+  logic parity_3379;
+  assign parity_3379 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  // hls/stages/agreement.hpp:460
+  logic [15:0] select_3380;
+  assign select_3380 = equal_2888_s2_q ? {patches_chance_q[14:0], parity_3379} : patches_chance_q;
   // hls/stages/patches.hpp:344
-  logic not_3237;
-  assign not_3237 = ~and_2163;
+  logic not_3382;
+  assign not_3382 = ~and_2223;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
@@ -3966,510 +4234,510 @@ module horopter_agreement (
   logic [5:0] further;
   assign further = last_s2_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
   // hls/stages/patches.hpp:110
-  logic [5:0] select_3240;
-  assign select_3240 = right_3 ? last_s2_q[6:1] : 6'h0;
+  logic [5:0] select_3385;
+  assign select_3385 = right_3 ? last_s2_q[6:1] : 6'h0;
   logic [6:0] from;
-  assign from = {1'b0, further} + {1'b0, select_3240};
-  // hls/stages/agreement.hpp:780
-  logic and_3246;
-  assign and_3246 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {1'b0, from}))));
+  assign from = {1'b0, further} + {1'b0, select_3385};
+  // hls/stages/agreement.hpp:788
+  logic and_3391;
+  assign and_3391 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {1'b0, from}))));
   // hls/stages/patches.hpp:156
-  logic and_3250;
-  assign and_3250 = not_3237 & (patches_fixed_q | ((not_1955_s2_q & and_3246) & and_2138));
+  logic and_3395;
+  assign and_3395 = not_3382 & (patches_fixed_q | ((not_550_s2_q & and_3391) & and_2198));
   // hls/stages/patches.hpp:353
-  logic not_3263;
-  assign not_3263 = ~select_2080[1];
-  // hls/stages/agreement.hpp:270
-  logic [1:0] select_3265;
-  assign select_3265 = sample_pair_whole_s2_q ? (equal_2081 ? select_2080 : {not_3263, 1'b0}) : patches_fetch_q;
+  logic not_3408;
+  assign not_3408 = ~select_2141[1];
+  // hls/stages/agreement.hpp:276
+  logic [1:0] select_3410;
+  assign select_3410 = sample_pair_whole_s2_q ? (equal_2142 ? select_2141 : {not_3408, 1'b0}) : patches_fetch_q;
   // hls/stages/patches.hpp:517
   logic [55:0] other;
   assign other = new_row_s2_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
   // hls/stages/patches.hpp:184
-  logic [51:0] select_3364;
-  assign select_3364 = or_2171_s2_q ? {less_2299_s2_q, less_2298_s2_q, less_2289_s2_q, less_2288_s2_q, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_3366;
-  assign select_3366 = equal_2165_s2_q ? patches_codes_at_q : (equal_2167_s2_q ? other[55:4] : select_3364);
+  logic [51:0] select_3509;
+  assign select_3509 = or_2231_s2_q ? {less_2359_s2_q, less_2358_s2_q, less_2349_s2_q, less_2348_s2_q, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3511;
+  assign select_3511 = equal_2225_s2_q ? patches_codes_at_q : (equal_2227_s2_q ? other[55:4] : select_3509);
   // hls/stages/patches.hpp:500
   logic [27:0] word;
-  assign word = or_2271_s2_q ? patches_right_codes_rdata_q : 28'h0;
+  assign word = or_2331_s2_q ? patches_right_codes_rdata_q : 28'h0;
   // hls/stages/patches.hpp:516
-  logic [27:0] select_3369;
-  assign select_3369 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
+  logic [27:0] select_3514;
+  assign select_3514 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
   // hls/stages/patches.hpp:184
-  logic [27:0] select_3371;
-  assign select_3371 = equal_2167_s2_q ? (new_row_s2_q ? word : select_3369) : patches_codes_further_q;
+  logic [27:0] select_3516;
+  assign select_3516 = equal_2227_s2_q ? (new_row_s2_q ? word : select_3514) : patches_codes_further_q;
   // hls/stages/patches.hpp:518
-  logic [55:0] select_3373;
-  assign select_3373 = less_2258_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3518;
+  assign select_3518 = less_2318_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/patches.hpp:488
-  logic [55:0] select_3375;
-  assign select_3375 = less_3374_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3520;
+  assign select_3520 = less_3519_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/patches.hpp:184
-  logic [55:0] select_3377;
-  assign select_3377 = or_2171_s2_q ? (equal_2170_s2_q ? patches_next_codes_q : select_3375) : patches_next_codes_q;
-  logic [55:0] select_3379;
-  assign select_3379 = equal_2165_s2_q ? patches_next_codes_q : (equal_2167_s2_q ? select_3373 : select_3377);
+  logic [55:0] select_3522;
+  assign select_3522 = or_2231_s2_q ? (equal_2230_s2_q ? patches_next_codes_q : select_3520) : patches_next_codes_q;
+  logic [55:0] select_3524;
+  assign select_3524 = equal_2225_s2_q ? patches_next_codes_q : (equal_2227_s2_q ? select_3518 : select_3522);
   // hls/stages/count_bits.hpp:24
-  logic parity_3384;
-  assign parity_3384 = ^{less_2299_s2_q, less_2298_s2_q, less_2289_s2_q, less_2288_s2_q};
+  logic parity_3529;
+  assign parity_3529 = ^{less_2359_s2_q, less_2358_s2_q, less_2349_s2_q, less_2348_s2_q};
   // hls/stages/count_bits.hpp:25
-  logic or_3388;
-  assign or_3388 = ({less_2289_s2_q, less_2288_s2_q} == 2'h3) | (less_2298_s2_q & (less_2289_s2_q | less_2288_s2_q));
-  logic and_3389;
-  assign and_3389 = less_2299_s2_q & (^{less_2298_s2_q, less_2289_s2_q, less_2288_s2_q});
+  logic or_3533;
+  assign or_3533 = ({less_2349_s2_q, less_2348_s2_q} == 2'h3) | (less_2358_s2_q & (less_2349_s2_q | less_2348_s2_q));
+  logic and_3534;
+  assign and_3534 = less_2359_s2_q & (^{less_2358_s2_q, less_2349_s2_q, less_2348_s2_q});
   // hls/stages/count_bits.hpp:24
-  logic xor_3390;
-  assign xor_3390 = or_3388 ^ and_3389;
+  logic xor_3535;
+  assign xor_3535 = or_3533 ^ and_3534;
   // hls/stages/count_bits.hpp:27
-  logic and_3391;
-  assign and_3391 = or_3388 & and_3389;
+  logic and_3536;
+  assign and_3536 = or_3533 & and_3534;
   // hls/stages/patches.hpp:184
-  logic [2:0] select_3393;
-  assign select_3393 = or_2171_s2_q ? (and_2322_s2_q ? {and_3391, xor_3390, parity_3384} : 3'h0) : 3'h0;
+  logic [2:0] select_3538;
+  assign select_3538 = or_2231_s2_q ? (and_2382_s2_q ? {and_3536, xor_3535, parity_3529} : 3'h0) : 3'h0;
   // hls/stages/patches.hpp:167
-  logic [9:0] sum_3397;
-  assign sum_3397 = {7'h0, patches_set_q} + (equal_2170_s2_q ? 10'h0 : patches_size_q);
+  logic [9:0] sum_3542;
+  assign sum_3542 = {7'h0, patches_set_q} + (equal_2230_s2_q ? 10'h0 : patches_size_q);
   // hls/stages/patches.hpp:517
-  logic [47:0] select_3407;
-  assign select_3407 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  logic [47:0] select_3552;
+  assign select_3552 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
   // hls/stages/patches.hpp:184
-  logic [47:0] select_3409;
-  assign select_3409 = equal_2165_s2_q ? patches_left_row_q : (equal_2167_s2_q ? select_3407 : patches_left_row_q);
+  logic [47:0] select_3554;
+  assign select_3554 = equal_2225_s2_q ? patches_left_row_q : (equal_2227_s2_q ? select_3552 : patches_left_row_q);
   // hls/stages/patches.hpp:519
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3407;
+  assign bits = other[47:0] ^ select_3552;
   // hls/stages/count_bits.hpp:24
-  logic xor_3413;
-  assign xor_3413 = bits[17] ^ (^{select_3407[16:15], other[16:15]});
-  logic xor_3416;
-  assign xor_3416 = bits[11] ^ (^{select_3407[10:9], other[10:9]});
-  logic xor_3419;
-  assign xor_3419 = bits[14] ^ (^{select_3407[13:12], other[13:12]});
-  logic xor_3422;
-  assign xor_3422 = xor_3413 ^ (^{select_3407[14:9], other[14:9]});
-  logic xor_3425;
-  assign xor_3425 = bits[47] ^ (^{select_3407[46:45], other[46:45]});
-  logic xor_3428;
-  assign xor_3428 = bits[8] ^ (^{select_3407[7:6], other[7:6]});
-  logic xor_3431;
-  assign xor_3431 = bits[2] ^ (^{select_3407[1:0], other[1:0]});
-  logic xor_3434;
-  assign xor_3434 = bits[5] ^ (^{select_3407[4:3], other[4:3]});
-  logic xor_3437;
-  assign xor_3437 = xor_3428 ^ (^{select_3407[5:0], other[5:0]});
-  logic parity_3439;
-  assign parity_3439 = ^{select_3407[47:45], select_3407[8:0], other[47:45], other[8:0]};
-  logic xor_3440;
-  assign xor_3440 = xor_3422 ^ parity_3439;
-  logic xor_3443;
-  assign xor_3443 = bits[44] ^ (^{select_3407[43:42], other[43:42]});
-  logic xor_3446;
-  assign xor_3446 = bits[38] ^ (^{select_3407[37:36], other[37:36]});
-  logic xor_3449;
-  assign xor_3449 = bits[41] ^ (^{select_3407[40:39], other[40:39]});
-  logic xor_3455;
-  assign xor_3455 = bits[26] ^ (^{select_3407[25:24], other[25:24]});
-  logic xor_3458;
-  assign xor_3458 = bits[20] ^ (^{select_3407[19:18], other[19:18]});
-  logic xor_3461;
-  assign xor_3461 = bits[23] ^ (^{select_3407[22:21], other[22:21]});
-  logic xor_3464;
-  assign xor_3464 = xor_3455 ^ (^{select_3407[23:18], other[23:18]});
-  logic xor_3467;
-  assign xor_3467 = bits[35] ^ (^{select_3407[34:33], other[34:33]});
-  logic xor_3470;
-  assign xor_3470 = bits[29] ^ (^{select_3407[28:27], other[28:27]});
-  logic xor_3473;
-  assign xor_3473 = bits[32] ^ (^{select_3407[31:30], other[31:30]});
-  logic xor_3476;
-  assign xor_3476 = xor_3467 ^ (^{select_3407[32:27], other[32:27]});
-  logic xor_3477;
-  assign xor_3477 = xor_3464 ^ xor_3476;
+  logic xor_3558;
+  assign xor_3558 = bits[17] ^ (^{select_3552[16:15], other[16:15]});
+  logic xor_3561;
+  assign xor_3561 = bits[11] ^ (^{select_3552[10:9], other[10:9]});
+  logic xor_3564;
+  assign xor_3564 = bits[14] ^ (^{select_3552[13:12], other[13:12]});
+  logic xor_3567;
+  assign xor_3567 = xor_3558 ^ (^{select_3552[14:9], other[14:9]});
+  logic xor_3570;
+  assign xor_3570 = bits[47] ^ (^{select_3552[46:45], other[46:45]});
+  logic xor_3573;
+  assign xor_3573 = bits[8] ^ (^{select_3552[7:6], other[7:6]});
+  logic xor_3576;
+  assign xor_3576 = bits[2] ^ (^{select_3552[1:0], other[1:0]});
+  logic xor_3579;
+  assign xor_3579 = bits[5] ^ (^{select_3552[4:3], other[4:3]});
+  logic xor_3582;
+  assign xor_3582 = xor_3573 ^ (^{select_3552[5:0], other[5:0]});
+  logic parity_3584;
+  assign parity_3584 = ^{select_3552[47:45], select_3552[8:0], other[47:45], other[8:0]};
+  logic xor_3585;
+  assign xor_3585 = xor_3567 ^ parity_3584;
+  logic xor_3588;
+  assign xor_3588 = bits[44] ^ (^{select_3552[43:42], other[43:42]});
+  logic xor_3591;
+  assign xor_3591 = bits[38] ^ (^{select_3552[37:36], other[37:36]});
+  logic xor_3594;
+  assign xor_3594 = bits[41] ^ (^{select_3552[40:39], other[40:39]});
+  logic xor_3600;
+  assign xor_3600 = bits[26] ^ (^{select_3552[25:24], other[25:24]});
+  logic xor_3603;
+  assign xor_3603 = bits[20] ^ (^{select_3552[19:18], other[19:18]});
+  logic xor_3606;
+  assign xor_3606 = bits[23] ^ (^{select_3552[22:21], other[22:21]});
+  logic xor_3609;
+  assign xor_3609 = xor_3600 ^ (^{select_3552[23:18], other[23:18]});
+  logic xor_3612;
+  assign xor_3612 = bits[35] ^ (^{select_3552[34:33], other[34:33]});
+  logic xor_3615;
+  assign xor_3615 = bits[29] ^ (^{select_3552[28:27], other[28:27]});
+  logic xor_3618;
+  assign xor_3618 = bits[32] ^ (^{select_3552[31:30], other[31:30]});
+  logic xor_3621;
+  assign xor_3621 = xor_3612 ^ (^{select_3552[32:27], other[32:27]});
+  logic xor_3622;
+  assign xor_3622 = xor_3609 ^ xor_3621;
   // hls/stages/count_bits.hpp:25
-  logic or_3485;
-  assign or_3485 = (xor_3416 & xor_3419) | (xor_3413 & (xor_3416 | xor_3419));
-  logic or_3489;
-  assign or_3489 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3493;
-  assign or_3493 = (xor_3431 & xor_3434) | (xor_3428 & (xor_3431 | xor_3434));
-  // hls/stages/count_bits.hpp:23
-  logic or_3500;
-  assign or_3500 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
-  // hls/stages/count_bits.hpp:25
-  logic or_3504;
-  assign or_3504 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-  logic or_3508;
-  assign or_3508 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3511;
-  assign parity_3511 = ^{or_3508, or_3504, or_3500};
-  // hls/stages/count_bits.hpp:23
-  logic or_3515;
-  assign or_3515 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
-  // hls/stages/count_bits.hpp:25
-  logic or_3519;
-  assign or_3519 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-  logic or_3523;
-  assign or_3523 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3526;
-  assign parity_3526 = ^{or_3523, or_3519, or_3515};
-  logic parity_3529;
-  assign parity_3529 = ^{or_3523, or_3519, or_3515, or_3508, or_3504, or_3500, or_3493, or_3489, or_3485};
-  // hls/stages/count_bits.hpp:23
-  logic or_3533;
-  assign or_3533 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
-  // hls/stages/count_bits.hpp:25
-  logic or_3537;
-  assign or_3537 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3541;
-  assign or_3541 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
-  // hls/stages/count_bits.hpp:23
-  logic or_3549;
-  assign or_3549 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_3553;
-  assign or_3553 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-  logic or_3557;
-  assign or_3557 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3560;
-  assign parity_3560 = ^{or_3557, or_3553, or_3549};
-  // hls/stages/count_bits.hpp:23
-  logic or_3564;
-  assign or_3564 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
-  // hls/stages/count_bits.hpp:25
-  logic or_3568;
-  assign or_3568 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-  logic or_3572;
-  assign or_3572 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3575;
-  assign parity_3575 = ^{or_3572, or_3568, or_3564};
-  logic parity_3578;
-  assign parity_3578 = ^{or_3572, or_3568, or_3564, or_3557, or_3553, or_3549, or_3541, or_3537, or_3533};
-  // hls/stages/count_bits.hpp:25
-  logic or_3582;
-  assign or_3582 = (xor_3446 & xor_3449) | (xor_3443 & (xor_3446 | xor_3449));
-  logic or_3586;
-  assign or_3586 = (xor_3458 & xor_3461) | (xor_3455 & (xor_3458 | xor_3461));
-  logic or_3590;
-  assign or_3590 = (xor_3470 & xor_3473) | (xor_3467 & (xor_3470 | xor_3473));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3593;
-  assign parity_3593 = ^{or_3590, or_3586, or_3582};
-  // hls/stages/count_bits.hpp:25
-  logic and_3594;
-  assign and_3594 = xor_3440 & (^{xor_3477, select_3407[44:36], other[44:36]});
-  logic or_3598;
-  assign or_3598 = (xor_3425 & xor_3437) | (xor_3422 & (xor_3425 | xor_3437));
-  logic and_3601;
-  assign and_3601 = (xor_3443 ^ (^{select_3407[41:36], other[41:36]})) & (xor_3464 | xor_3476);
-  logic or_3602;
-  assign or_3602 = (xor_3464 & xor_3476) | and_3601;
-  // hls/stages/count_bits.hpp:24
-  logic parity_3605;
-  assign parity_3605 = ^{or_3602, or_3598, and_3594};
-  logic parity_3608;
-  assign parity_3608 = ^{or_3602, or_3598, and_3594, or_3590, or_3586, or_3582, or_3572, or_3568, or_3564, or_3557, or_3553, or_3549, or_3541, or_3537, or_3533};
-  logic parity_3610;
-  assign parity_3610 = ^{or_3602, or_3598, and_3594, or_3590, or_3586, or_3582, or_3572, or_3568, or_3564, or_3557, or_3553, or_3549, or_3541, or_3537, or_3533, or_3523, or_3519, or_3515, or_3508, or_3504, or_3500, or_3493, or_3489, or_3485};
-  // hls/stages/count_bits.hpp:25
-  logic and_3611;
-  assign and_3611 = parity_3529 & parity_3608;
-  logic or_3615;
-  assign or_3615 = (parity_3511 & parity_3526) | ((^{or_3493, or_3489, or_3485}) & (parity_3511 | parity_3526));
-  logic or_3619;
-  assign or_3619 = (parity_3593 & parity_3605) | (parity_3578 & (parity_3593 | parity_3605));
-  logic or_3626;
-  assign or_3626 = (parity_3560 & parity_3575) | ((^{or_3541, or_3537, or_3533}) & (parity_3560 | parity_3575));
   logic or_3630;
-  assign or_3630 = (or_3586 & or_3590) | (or_3582 & (or_3586 | or_3590));
+  assign or_3630 = (xor_3561 & xor_3564) | (xor_3558 & (xor_3561 | xor_3564));
   logic or_3634;
-  assign or_3634 = (or_3598 & or_3602) | (and_3594 & (or_3598 | or_3602));
+  assign or_3634 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+  logic or_3638;
+  assign or_3638 = (xor_3576 & xor_3579) | (xor_3573 & (xor_3576 | xor_3579));
   // hls/stages/count_bits.hpp:23
-  logic or_3641;
-  assign or_3641 = (or_3537 & or_3541) | (or_3533 & (or_3537 | or_3541));
-  // hls/stages/count_bits.hpp:25
   logic or_3645;
-  assign or_3645 = (or_3553 & or_3557) | (or_3549 & (or_3553 | or_3557));
+  assign or_3645 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  // hls/stages/count_bits.hpp:25
   logic or_3649;
-  assign or_3649 = (or_3568 & or_3572) | (or_3564 & (or_3568 | or_3572));
+  assign or_3649 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  logic or_3653;
+  assign or_3653 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3652;
-  assign parity_3652 = ^{or_3649, or_3645, or_3641};
+  logic parity_3656;
+  assign parity_3656 = ^{or_3653, or_3649, or_3645};
   // hls/stages/count_bits.hpp:23
-  logic or_3656;
-  assign or_3656 = (or_3489 & or_3493) | (or_3485 & (or_3489 | or_3493));
-  // hls/stages/count_bits.hpp:25
   logic or_3660;
-  assign or_3660 = (or_3504 & or_3508) | (or_3500 & (or_3504 | or_3508));
+  assign or_3660 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+  // hls/stages/count_bits.hpp:25
   logic or_3664;
-  assign or_3664 = (or_3519 & or_3523) | (or_3515 & (or_3519 | or_3523));
+  assign or_3664 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3668;
+  assign or_3668 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3667;
-  assign parity_3667 = ^{or_3664, or_3660, or_3656};
-  logic parity_3670;
-  assign parity_3670 = ^{or_3664, or_3660, or_3656, or_3649, or_3645, or_3641, or_3634, or_3630, or_3626};
-  logic parity_3672;
-  assign parity_3672 = ^{or_3664, or_3660, or_3656, or_3649, or_3645, or_3641, or_3634, or_3630, or_3626, or_3619, or_3615, and_3611};
+  logic parity_3671;
+  assign parity_3671 = ^{or_3668, or_3664, or_3660};
+  logic parity_3674;
+  assign parity_3674 = ^{or_3668, or_3664, or_3660, or_3653, or_3649, or_3645, or_3638, or_3634, or_3630};
+  // hls/stages/count_bits.hpp:23
+  logic or_3678;
+  assign or_3678 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
   // hls/stages/count_bits.hpp:25
-  logic or_3676;
-  assign or_3676 = (or_3630 & or_3634) | (or_3626 & (or_3630 | or_3634));
-  logic or_3680;
-  assign or_3680 = (or_3645 & or_3649) | (or_3641 & (or_3645 | or_3649));
-  logic or_3684;
-  assign or_3684 = (or_3660 & or_3664) | (or_3656 & (or_3660 | or_3664));
+  logic or_3682;
+  assign or_3682 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3686;
+  assign or_3686 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+  // hls/stages/count_bits.hpp:23
+  logic or_3694;
+  assign or_3694 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
+  logic or_3698;
+  assign or_3698 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  logic or_3702;
+  assign or_3702 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3687;
-  assign parity_3687 = ^{or_3684, or_3680, or_3676};
-  // hls/stages/count_bits.hpp:25
-  logic and_3688;
-  assign and_3688 = (^{or_3619, or_3615, and_3611}) & parity_3670;
-  logic or_3692;
-  assign or_3692 = (or_3615 & or_3619) | (and_3611 & (or_3615 | or_3619));
-  logic or_3696;
-  assign or_3696 = (parity_3652 & parity_3667) | ((^{or_3634, or_3630, or_3626}) & (parity_3652 | parity_3667));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3699;
-  assign parity_3699 = ^{or_3696, or_3692, and_3688};
-  // hls/stages/count_bits.hpp:25
-  logic and_3701;
-  assign and_3701 = parity_3687 & parity_3699;
-  logic or_3705;
-  assign or_3705 = (or_3680 & or_3684) | (or_3676 & (or_3680 | or_3684));
+  logic parity_3705;
+  assign parity_3705 = ^{or_3702, or_3698, or_3694};
+  // hls/stages/count_bits.hpp:23
   logic or_3709;
-  assign or_3709 = (or_3692 & or_3696) | (and_3688 & (or_3692 | or_3696));
+  assign or_3709 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+  // hls/stages/count_bits.hpp:25
+  logic or_3713;
+  assign or_3713 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3717;
+  assign or_3717 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3720;
+  assign parity_3720 = ^{or_3717, or_3713, or_3709};
+  logic parity_3723;
+  assign parity_3723 = ^{or_3717, or_3713, or_3709, or_3702, or_3698, or_3694, or_3686, or_3682, or_3678};
+  // hls/stages/count_bits.hpp:25
+  logic or_3727;
+  assign or_3727 = (xor_3591 & xor_3594) | (xor_3588 & (xor_3591 | xor_3594));
+  logic or_3731;
+  assign or_3731 = (xor_3603 & xor_3606) | (xor_3600 & (xor_3603 | xor_3606));
+  logic or_3735;
+  assign or_3735 = (xor_3615 & xor_3618) | (xor_3612 & (xor_3615 | xor_3618));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3738;
+  assign parity_3738 = ^{or_3735, or_3731, or_3727};
+  // hls/stages/count_bits.hpp:25
+  logic and_3739;
+  assign and_3739 = xor_3585 & (^{xor_3622, select_3552[44:36], other[44:36]});
+  logic or_3743;
+  assign or_3743 = (xor_3570 & xor_3582) | (xor_3567 & (xor_3570 | xor_3582));
+  logic and_3746;
+  assign and_3746 = (xor_3588 ^ (^{select_3552[41:36], other[41:36]})) & (xor_3609 | xor_3621);
+  logic or_3747;
+  assign or_3747 = (xor_3609 & xor_3621) | and_3746;
+  // hls/stages/count_bits.hpp:24
+  logic parity_3750;
+  assign parity_3750 = ^{or_3747, or_3743, and_3739};
+  logic parity_3753;
+  assign parity_3753 = ^{or_3747, or_3743, and_3739, or_3735, or_3731, or_3727, or_3717, or_3713, or_3709, or_3702, or_3698, or_3694, or_3686, or_3682, or_3678};
+  logic parity_3755;
+  assign parity_3755 = ^{or_3747, or_3743, and_3739, or_3735, or_3731, or_3727, or_3717, or_3713, or_3709, or_3702, or_3698, or_3694, or_3686, or_3682, or_3678, or_3668, or_3664, or_3660, or_3653, or_3649, or_3645, or_3638, or_3634, or_3630};
+  // hls/stages/count_bits.hpp:25
+  logic and_3756;
+  assign and_3756 = parity_3674 & parity_3753;
+  logic or_3760;
+  assign or_3760 = (parity_3656 & parity_3671) | ((^{or_3638, or_3634, or_3630}) & (parity_3656 | parity_3671));
+  logic or_3764;
+  assign or_3764 = (parity_3738 & parity_3750) | (parity_3723 & (parity_3738 | parity_3750));
+  logic or_3771;
+  assign or_3771 = (parity_3705 & parity_3720) | ((^{or_3686, or_3682, or_3678}) & (parity_3705 | parity_3720));
+  logic or_3775;
+  assign or_3775 = (or_3731 & or_3735) | (or_3727 & (or_3731 | or_3735));
+  logic or_3779;
+  assign or_3779 = (or_3743 & or_3747) | (and_3739 & (or_3743 | or_3747));
+  // hls/stages/count_bits.hpp:23
+  logic or_3786;
+  assign or_3786 = (or_3682 & or_3686) | (or_3678 & (or_3682 | or_3686));
+  // hls/stages/count_bits.hpp:25
+  logic or_3790;
+  assign or_3790 = (or_3698 & or_3702) | (or_3694 & (or_3698 | or_3702));
+  logic or_3794;
+  assign or_3794 = (or_3713 & or_3717) | (or_3709 & (or_3713 | or_3717));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3797;
+  assign parity_3797 = ^{or_3794, or_3790, or_3786};
+  // hls/stages/count_bits.hpp:23
+  logic or_3801;
+  assign or_3801 = (or_3634 & or_3638) | (or_3630 & (or_3634 | or_3638));
+  // hls/stages/count_bits.hpp:25
+  logic or_3805;
+  assign or_3805 = (or_3649 & or_3653) | (or_3645 & (or_3649 | or_3653));
+  logic or_3809;
+  assign or_3809 = (or_3664 & or_3668) | (or_3660 & (or_3664 | or_3668));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3812;
+  assign parity_3812 = ^{or_3809, or_3805, or_3801};
+  logic parity_3815;
+  assign parity_3815 = ^{or_3809, or_3805, or_3801, or_3794, or_3790, or_3786, or_3779, or_3775, or_3771};
+  logic parity_3817;
+  assign parity_3817 = ^{or_3809, or_3805, or_3801, or_3794, or_3790, or_3786, or_3779, or_3775, or_3771, or_3764, or_3760, and_3756};
+  // hls/stages/count_bits.hpp:25
+  logic or_3821;
+  assign or_3821 = (or_3775 & or_3779) | (or_3771 & (or_3775 | or_3779));
+  logic or_3825;
+  assign or_3825 = (or_3790 & or_3794) | (or_3786 & (or_3790 | or_3794));
+  logic or_3829;
+  assign or_3829 = (or_3805 & or_3809) | (or_3801 & (or_3805 | or_3809));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3832;
+  assign parity_3832 = ^{or_3829, or_3825, or_3821};
+  // hls/stages/count_bits.hpp:25
+  logic and_3833;
+  assign and_3833 = (^{or_3764, or_3760, and_3756}) & parity_3815;
+  logic or_3837;
+  assign or_3837 = (or_3760 & or_3764) | (and_3756 & (or_3760 | or_3764));
+  logic or_3841;
+  assign or_3841 = (parity_3797 & parity_3812) | ((^{or_3779, or_3775, or_3771}) & (parity_3797 | parity_3812));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3844;
+  assign parity_3844 = ^{or_3841, or_3837, and_3833};
+  // hls/stages/count_bits.hpp:25
+  logic and_3846;
+  assign and_3846 = parity_3832 & parity_3844;
+  logic or_3850;
+  assign or_3850 = (or_3825 & or_3829) | (or_3821 & (or_3825 | or_3829));
+  logic or_3854;
+  assign or_3854 = (or_3837 & or_3841) | (and_3833 & (or_3837 | or_3841));
   // hls/stages/patches.hpp:184
-  logic [4:0] select_3754;
-  assign select_3754 = equal_2167_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
-  logic select_3757;
-  assign select_3757 = equal_2165_s2_q ? patches_summed_first_q : (equal_2167_s2_q ? new_row_s2_q : patches_summed_first_q);
+  logic [4:0] select_3899;
+  assign select_3899 = equal_2227_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
+  logic select_3902;
+  assign select_3902 = equal_2225_s2_q ? patches_summed_first_q : (equal_2227_s2_q ? new_row_s2_q : patches_summed_first_q);
   // hls/stages/patches.hpp:551
-  logic [9:0] select_3764;
-  assign select_3764 = less_2328_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
+  logic [9:0] select_3909;
+  assign select_3909 = less_2388_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
   // hls/stages/patches.hpp:555
-  logic [9:0] select_3767;
-  assign select_3767 = equal_2331_s2_q ? (less_2328_s2_q ? (equal_2331_s2_q ? 10'h0 : select_3764) : 10'h0) : select_3764;
-  logic [9:0] select_3769;
-  assign select_3769 = less_2328_s2_q ? (equal_2329_s2_q ? 10'h0 : select_3767) : select_3767;
+  logic [9:0] select_3912;
+  assign select_3912 = equal_2391_s2_q ? (less_2388_s2_q ? (equal_2391_s2_q ? 10'h0 : select_3909) : 10'h0) : select_3909;
+  logic [9:0] select_3914;
+  assign select_3914 = less_2388_s2_q ? (equal_2389_s2_q ? 10'h0 : select_3912) : select_3912;
   // hls/stages/patches.hpp:551
-  logic [4:0] select_3771;
-  assign select_3771 = less_2328_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
+  logic [4:0] select_3916;
+  assign select_3916 = less_2388_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
   // hls/stages/patches.hpp:555
-  logic [4:0] select_3774;
-  assign select_3774 = equal_2331_s2_q ? (less_2328_s2_q ? (equal_2331_s2_q ? 5'h0 : select_3771) : 5'h0) : select_3771;
-  logic [4:0] select_3776;
-  assign select_3776 = less_2328_s2_q ? (equal_2329_s2_q ? 5'h0 : select_3774) : select_3774;
+  logic [4:0] select_3919;
+  assign select_3919 = equal_2391_s2_q ? (less_2388_s2_q ? (equal_2391_s2_q ? 5'h0 : select_3916) : 5'h0) : select_3916;
+  logic [4:0] select_3921;
+  assign select_3921 = less_2388_s2_q ? (equal_2389_s2_q ? 5'h0 : select_3919) : select_3919;
   // hls/stages/patches.hpp:551
-  logic [4:0] select_3778;
-  assign select_3778 = less_2328_s2_q ? patches_step_s2_q : 5'h0;
+  logic [4:0] select_3923;
+  assign select_3923 = less_2388_s2_q ? patches_step_s2_q : 5'h0;
   // hls/stages/patches.hpp:555
-  logic [4:0] select_3781;
-  assign select_3781 = equal_2331_s2_q ? (less_2328_s2_q ? (equal_2331_s2_q ? 5'h0 : select_3778) : 5'h0) : select_3778;
-  logic [4:0] select_3783;
-  assign select_3783 = less_2328_s2_q ? (equal_2329_s2_q ? 5'h0 : select_3781) : select_3781;
+  logic [4:0] select_3926;
+  assign select_3926 = equal_2391_s2_q ? (less_2388_s2_q ? (equal_2391_s2_q ? 5'h0 : select_3923) : 5'h0) : select_3923;
+  logic [4:0] select_3928;
+  assign select_3928 = less_2388_s2_q ? (equal_2389_s2_q ? 5'h0 : select_3926) : select_3926;
   // hls/stages/patches.hpp:551
-  logic and_3786;
-  assign and_3786 = less_2328_s2_q & (patches_step_s2_q == 5'h0);
+  logic and_3931;
+  assign and_3931 = less_2388_s2_q & (patches_step_s2_q == 5'h0);
   // hls/stages/patches.hpp:555
-  logic select_3789;
-  assign select_3789 = equal_2331_s2_q ? (less_2328_s2_q ? (not_2332_s2_q & and_3786) : and_3786) : and_3786;
+  logic select_3934;
+  assign select_3934 = equal_2391_s2_q ? (less_2388_s2_q ? (not_2392_s2_q & and_3931) : and_3931) : and_3931;
   // hls/stages/patches.hpp:184
-  logic select_3792;
-  assign select_3792 = equal_2165_s2_q ? (less_2328_s2_q ? (not_2330_s2_q & select_3789) : select_3789) : patches_read_first_q;
+  logic select_3937;
+  assign select_3937 = equal_2225_s2_q ? (less_2388_s2_q ? (not_2390_s2_q & select_3934) : select_3934) : patches_read_first_q;
   // hls/stages/patches.hpp:178
-  logic or_3803;
-  assign or_3803 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3804;
-  assign and_3804 = patches_read_searches_s2_q & or_3803;
+  logic or_3948;
+  assign or_3948 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3949;
+  assign and_3949 = patches_read_searches_s2_q & or_3948;
   // hls/stages/patches.hpp:535
-  logic [4:0] select_3805;
-  assign select_3805 = and_3804 ? patches_read_at_q : patches_peak_row_q;
+  logic [4:0] select_3950;
+  assign select_3950 = and_3949 ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:542
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3805};
+  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3950};
   // hls/stages/patches.hpp:551
-  logic and_3809;
-  assign and_3809 = less_2328_s2_q & (equal_3801_s2_q & (away == 6'h3f));
+  logic and_3954;
+  assign and_3954 = less_2388_s2_q & (equal_3946_s2_q & (away == 6'h3f));
   // hls/stages/patches.hpp:555
-  logic select_3812;
-  assign select_3812 = equal_2331_s2_q ? (less_2328_s2_q ? (not_2332_s2_q & and_3809) : and_3809) : and_3809;
+  logic select_3957;
+  assign select_3957 = equal_2391_s2_q ? (less_2388_s2_q ? (not_2392_s2_q & and_3954) : and_3954) : and_3954;
   // hls/stages/patches.hpp:184
-  logic select_3815;
-  assign select_3815 = equal_2165_s2_q ? (less_2328_s2_q ? (not_2330_s2_q & select_3812) : select_3812) : patches_read_above_q;
+  logic select_3960;
+  assign select_3960 = equal_2225_s2_q ? (less_2388_s2_q ? (not_2390_s2_q & select_3957) : select_3957) : patches_read_above_q;
   // hls/stages/patches.hpp:551
-  logic and_3818;
-  assign and_3818 = less_2328_s2_q & (equal_3801_s2_q & (away == 6'h1));
+  logic and_3963;
+  assign and_3963 = less_2388_s2_q & (equal_3946_s2_q & (away == 6'h1));
   // hls/stages/patches.hpp:555
-  logic select_3821;
-  assign select_3821 = equal_2331_s2_q ? (less_2328_s2_q ? (not_2332_s2_q & and_3818) : and_3818) : and_3818;
+  logic select_3966;
+  assign select_3966 = equal_2391_s2_q ? (less_2388_s2_q ? (not_2392_s2_q & and_3963) : and_3963) : and_3963;
   // hls/stages/patches.hpp:184
-  logic select_3824;
-  assign select_3824 = equal_2165_s2_q ? (less_2328_s2_q ? (not_2330_s2_q & select_3821) : select_3821) : patches_read_below_q;
+  logic select_3969;
+  assign select_3969 = equal_2225_s2_q ? (less_2388_s2_q ? (not_2390_s2_q & select_3966) : select_3966) : patches_read_below_q;
   // hls/stages/patches.hpp:548
-  logic [6:0] sum_3825;
-  assign sum_3825 = {away[5], away} + 7'h7d;
+  logic [6:0] sum_3970;
+  assign sum_3970 = {away[5], away} + 7'h7d;
   // hls/stages/patches.hpp:549
-  logic [9:0] select_3828;
-  assign select_3828 = (equal_3801_s2_q & ({sum_3825[6], sum_3825} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  logic [9:0] select_3973;
+  assign select_3973 = (equal_3946_s2_q & ({sum_3970[6], sum_3970} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
   // hls/stages/patches.hpp:551
-  logic [9:0] select_3829;
-  assign select_3829 = less_2328_s2_q ? select_3828 : 10'h3ff;
+  logic [9:0] select_3974;
+  assign select_3974 = less_2388_s2_q ? select_3973 : 10'h3ff;
   // hls/stages/patches.hpp:552
-  logic [9:0] select_3831;
-  assign select_3831 = less_2328_s2_q ? (equal_2331_s2_q ? 10'h3ff : select_3829) : 10'h3ff;
+  logic [9:0] select_3976;
+  assign select_3976 = less_2388_s2_q ? (equal_2391_s2_q ? 10'h3ff : select_3974) : 10'h3ff;
   // hls/stages/patches.hpp:555
-  logic [9:0] select_3832;
-  assign select_3832 = equal_2331_s2_q ? select_3831 : select_3829;
-  logic [9:0] select_3834;
-  assign select_3834 = less_2328_s2_q ? (equal_2329_s2_q ? 10'h3ff : select_3832) : select_3832;
+  logic [9:0] select_3977;
+  assign select_3977 = equal_2391_s2_q ? select_3976 : select_3974;
+  logic [9:0] select_3979;
+  assign select_3979 = less_2388_s2_q ? (equal_2389_s2_q ? 10'h3ff : select_3977) : select_3977;
   // hls/stages/patches.hpp:534
-  logic [14:0] select_3836;
-  assign select_3836 = and_3804 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  logic [14:0] select_3981;
+  assign select_3981 = and_3949 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/patches.hpp:184
-  logic [9:0] select_3837;
-  assign select_3837 = equal_2165_s2_q ? select_3836[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3838;
-  assign select_3838 = equal_2165_s2_q ? select_3836[14:10] : patches_peak_best_column_q;
+  logic [9:0] select_3982;
+  assign select_3982 = equal_2225_s2_q ? select_3981[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3983;
+  assign select_3983 = equal_2225_s2_q ? select_3981[14:10] : patches_peak_best_column_q;
   // hls/stages/patches.hpp:536
-  logic [9:0] select_3840;
-  assign select_3840 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
+  logic [9:0] select_3985;
+  assign select_3985 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
   // hls/stages/patches.hpp:537
-  logic [9:0] select_3842;
-  assign select_3842 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  logic [9:0] select_3987;
+  assign select_3987 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
   // hls/stages/patches.hpp:538
-  logic [9:0] select_3845;
-  assign select_3845 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
-  logic [9:0] select_3846;
-  assign select_3846 = patches_read_first_q ? patches_read_far_q : select_3845;
+  logic [9:0] select_3990;
+  assign select_3990 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
+  logic [9:0] select_3991;
+  assign select_3991 = patches_read_first_q ? patches_read_far_q : select_3990;
   // hls/stages/patches.hpp:589
-  logic [9:0] difference_3849;
-  assign difference_3849 = select_3846 - select_3836[9:0];
+  logic [9:0] difference_3994;
+  assign difference_3994 = select_3991 - select_3981[9:0];
   // hls/stages/patches.hpp:574
-  logic less_3879;
-  assign less_3879 = select_3840 < select_3842;
+  logic less_4024;
+  assign less_4024 = select_3985 < select_3987;
   // hls/stages/patches.hpp:580
-  logic [1:0] sum_3880;
-  assign sum_3880 = select_3805[4:3] + 2'h3;
+  logic [1:0] sum_4025;
+  assign sum_4025 = select_3950[4:3] + 2'h3;
   // hls/stages/patches.hpp:575
   logic [9:0] high;
-  assign high = less_3879 ? select_3842 : select_3840;
+  assign high = less_4024 ? select_3987 : select_3985;
   logic [9:0] low;
-  assign low = (select_3842 < select_3840) ? select_3842 : select_3840;
+  assign low = (select_3987 < select_3985) ? select_3987 : select_3985;
   // hls/stages/patches.hpp:576
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall_2;
-  assign fall_2 = high - select_3836[9:0];
+  assign fall_2 = high - select_3981[9:0];
   // hls/stages/patches.hpp:578
-  logic not_3887;
-  assign not_3887 = ~({eight, 3'h0} < {3'h0, fall_2});
-  logic [10:0] sum_3888;
-  assign sum_3888 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
-  logic not_3890;
-  assign not_3890 = ~({eight, 3'h0} < {1'b0, sum_3888, fall_2[0]});
-  logic [1:0] sum_3891;
-  assign sum_3891 = {1'b0, not_3887} + {1'b0, not_3890};
+  logic not_4032;
+  assign not_4032 = ~({eight, 3'h0} < {3'h0, fall_2});
+  logic [10:0] sum_4033;
+  assign sum_4033 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
+  logic not_4035;
+  assign not_4035 = ~({eight, 3'h0} < {1'b0, sum_4033, fall_2[0]});
+  logic [1:0] sum_4036;
+  assign sum_4036 = {1'b0, not_4032} + {1'b0, not_4035};
   // hls/stages/patches.hpp:579
-  logic [10:0] sum_3892;
-  assign sum_3892 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
-  logic not_3894;
-  assign not_3894 = ~({eight, 3'h0} < {sum_3892, fall_2[1:0]});
-  logic not_3897;
-  assign not_3897 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
-  logic [1:0] sum_3898;
-  assign sum_3898 = {1'b0, not_3894} + {1'b0, not_3897};
+  logic [10:0] sum_4037;
+  assign sum_4037 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
+  logic not_4039;
+  assign not_4039 = ~({eight, 3'h0} < {sum_4037, fall_2[1:0]});
+  logic not_4042;
+  assign not_4042 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
+  logic [1:0] sum_4043;
+  assign sum_4043 = {1'b0, not_4039} + {1'b0, not_4042};
   // hls/stages/patches.hpp:578
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3891} + {1'b0, sum_3898};
+  assign fraction = {1'b0, sum_4036} + {1'b0, sum_4043};
   // hls/stages/patches.hpp:581
-  logic [7:0] select_3901;
-  assign select_3901 = less_3879 ? ({sum_3880, select_3805[2:0], 3'h0} - {5'h0, fraction}) : {sum_3880, select_3805[2:0], fraction};
-  // hls/stages/agreement.hpp:1120
-  logic equal_4064;
-  assign equal_4064 = x_s2_q[6:0] == 7'h7f;
-  // hls/stages/agreement.hpp:780
-  logic select_4128;
-  assign select_4128 = equal_1954_s2_q ? shown_shown_q : (so_s2_q ? select_2392 : shown_shown_q);
-  logic select_4130;
-  assign select_4130 = equal_1954_s2_q ? shown_nearer_q : (so_s2_q ? select_2395 : shown_nearer_q);
+  logic [7:0] select_4046;
+  assign select_4046 = less_4024 ? ({sum_4025, select_3950[2:0], 3'h0} - {5'h0, fraction}) : {sum_4025, select_3950[2:0], fraction};
+  // hls/stages/agreement.hpp:788
+  logic select_4271;
+  assign select_4271 = equal_549_s2_q ? shown_shown_q : (so_s2_q ? select_2453 : shown_shown_q);
+  logic select_4273;
+  assign select_4273 = equal_549_s2_q ? shown_nearer_q : (so_s2_q ? select_2456 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_4132;
-  assign sum_4132 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:454
-  logic [2:0] select_4134;
-  assign select_4134 = less_4131_s2_q ? (sum_4132[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_4136;
-  assign select_4136 = equal_2767_s2_q ? (equal_576_s2_q ? 3'h0 : select_4134) : region_row_q;
-  // hls/stages/agreement.hpp:780
-  logic [7:0] select_4141;
-  assign select_4141 = equal_1954_s2_q ? select_2346 : (so_s2_q ? (ends_cell_s2_q ? select_2444 : select_2346) : 8'h1);
-  // hls/stages/agreement.hpp:454
-  logic [8:0] select_4155;
-  assign select_4155 = equal_576_s2_q ? {{2{difference_4153[6]}}, difference_4153} : (less_4131_s2_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:514
-  logic [8:0] select_4157;
-  assign select_4157 = and_515_s2_q ? (equal_2767_s2_q ? select_4155 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:454
-  logic [6:0] select_4159;
-  assign select_4159 = equal_576_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:514
-  logic [6:0] select_4161;
-  assign select_4161 = and_515_s2_q ? (equal_2767_s2_q ? select_4159 : region_down_back_q) : region_down_back_q;
+  logic [7:0] sum_4275;
+  assign sum_4275 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/agreement.hpp:460
+  logic [2:0] select_4277;
+  assign select_4277 = less_4274_s2_q ? (sum_4275[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_4279;
+  assign select_4279 = equal_2888_s2_q ? (equal_654_s2_q ? 3'h0 : select_4277) : region_row_q;
+  // hls/stages/agreement.hpp:788
+  logic [7:0] select_4284;
+  assign select_4284 = equal_549_s2_q ? select_2407 : (so_s2_q ? (ends_cell_s2_q ? select_2505 : select_2407) : 8'h1);
+  // hls/stages/agreement.hpp:460
+  logic [8:0] select_4298;
+  assign select_4298 = equal_654_s2_q ? {{2{difference_4296[6]}}, difference_4296} : (less_4274_s2_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:520
+  logic [8:0] select_4300;
+  assign select_4300 = and_525_s2_q ? (equal_2888_s2_q ? select_4298 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:460
+  logic [6:0] select_4302;
+  assign select_4302 = equal_654_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:520
+  logic [6:0] select_4304;
+  assign select_4304 = and_525_s2_q ? (equal_2888_s2_q ? select_4302 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4162;
-  assign sum_4162 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_4305;
+  assign sum_4305 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4163;
-  assign select_4163 = sum_4132[7] ? {1'b1, sum_4132[6:0], region_down_rest_q[0]} : sum_4162;
+  logic [8:0] select_4306;
+  assign select_4306 = sum_4275[7] ? {1'b1, sum_4275[6:0], region_down_rest_q[0]} : sum_4305;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_4132[7];
-  // hls/stages/agreement.hpp:454
-  logic select_4167;
-  assign select_4167 = equal_2767_s2_q ? (equal_576_s2_q | (less_4131_s2_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:203
-  logic or_4172;
-  assign or_4172 = segment_starts_q | not_1964;
-  // hls/stages/agreement.hpp:1009
-  logic select_4175;
-  assign select_4175 = inside_v_s2_q ? (sum_2359_s2_q ? (equal_2158 & or_2361) : or_2361) : or_4172;
-  // hls/stages/agreement.hpp:780
-  logic select_4178;
-  assign select_4178 = equal_1954_s2_q ? or_4172 : (so_s2_q ? (ends_cell_s2_q ? select_4175 : or_4172) : or_4172);
-  logic select_4337;
-  assign select_4337 = so_s2_q ? (ends_cell_s2_q ? and_2432 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4340;
-  assign select_4340 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
-  logic select_4342;
-  assign select_4342 = equal_1954_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4340 : centres_values_0_of_skin_q);
-  logic select_4343;
-  assign select_4343 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_4345;
-  assign select_4345 = equal_1954_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4343 : centres_values_1_textured_q);
-  logic select_4346;
-  assign select_4346 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_4348;
-  assign select_4348 = equal_1954_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4346 : centres_values_1_of_skin_q);
-  // hls/stages/agreement.hpp:454
-  logic [12:0] select_4352;
-  assign select_4352 = equal_2767_s2_q ? (equal_4349_s2_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:514
-  logic [6:0] select_4355;
-  assign select_4355 = and_515_s2_q ? (equal_2767_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:1271
-  logic [2:0] select_4366;
-  assign select_4366 = select_2404 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:429
-  logic [7:0] select_4372;
-  assign select_4372 = marks_first_s2_q ? (less_4368 ? {sum_4369, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  assign next = ~sum_4275[7];
+  // hls/stages/agreement.hpp:460
+  logic select_4310;
+  assign select_4310 = equal_2888_s2_q ? (equal_654_s2_q | (less_4274_s2_q ? next : region_fresh_q)) : region_fresh_q;
+  // hls/stages/agreement.hpp:205
+  logic or_4315;
+  assign or_4315 = segment_starts_q | not_552_s2_q;
+  // hls/stages/agreement.hpp:1030
+  logic select_4318;
+  assign select_4318 = inside_v_s2_q ? (sum_2420_s2_q ? (equal_2218 & or_2422) : or_2422) : or_4315;
+  // hls/stages/agreement.hpp:788
+  logic select_4321;
+  assign select_4321 = equal_549_s2_q ? or_4315 : (so_s2_q ? (ends_cell_s2_q ? select_4318 : or_4315) : or_4315);
+  logic select_4480;
+  assign select_4480 = so_s2_q ? (ends_cell_s2_q ? and_2493 : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_4483;
+  assign select_4483 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4485;
+  assign select_4485 = equal_549_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4483 : centres_values_0_of_skin_q);
+  logic select_4486;
+  assign select_4486 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4488;
+  assign select_4488 = equal_549_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4486 : centres_values_1_textured_q);
+  logic select_4489;
+  assign select_4489 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4491;
+  assign select_4491 = equal_549_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4489 : centres_values_1_of_skin_q);
+  // hls/stages/agreement.hpp:460
+  logic [12:0] select_4495;
+  assign select_4495 = equal_2888_s2_q ? (equal_4492_s2_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  // hls/stages/agreement.hpp:520
+  logic [6:0] select_4498;
+  assign select_4498 = and_525_s2_q ? (equal_2888_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
+  // hls/stages/agreement.hpp:1299
+  logic [2:0] select_4509;
+  assign select_4509 = select_2465 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
+  // hls/stages/agreement.hpp:435
+  logic [7:0] select_4515;
+  assign select_4515 = marks_first_s2_q ? (less_4511 ? {sum_4512, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  // hls/stages/agreement.hpp:788
+  logic and_4579;
+  assign and_4579 = equal_549_s2_q & (equal_2733 & (cfg_prove_i & moments_out_of_step_q));
   // hls/stages/registration.hpp:258
-  logic not_4440;
-  assign not_4440 = ~quarter[1];
-  logic [3:0] select_4441;
-  assign select_4441 = quarter[0] ? {quarter[1], 1'b0, not_4440, 1'b0} : {1'b0, quarter[1], 1'b0, not_4440};
+  logic not_4586;
+  assign not_4586 = ~quarter[1];
+  logic [3:0] select_4587;
+  assign select_4587 = quarter[0] ? {quarter[1], 1'b0, not_4586, 1'b0} : {1'b0, quarter[1], 1'b0, not_4586};
 
   // Memory registration_sums, 12 x 32 and parity, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4480,9 +4748,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 33'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_2002;
+  assign registration_sums_raddr = select_2063;
   logic registration_sums_re;
-  assign registration_sums_re = s2_en & select_2045;
+  assign registration_sums_re = s2_en & select_2106;
   logic [32:0] registration_sums_word_q;
   always_ff @(posedge clk_i) begin
     if (registration_sums_re) registration_sums_word_q <= registration_sums_mem[registration_sums_raddr];
@@ -4502,9 +4770,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 24'h0;
 `endif
   logic [5:0] patches_choices_raddr;
-  assign patches_choices_raddr = select_2079;
+  assign patches_choices_raddr = select_2140;
   logic patches_choices_re;
-  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_2081));
+  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_2142));
   logic [23:0] patches_choices_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_choices_re) patches_choices_word_q <= patches_choices_mem[patches_choices_raddr];
@@ -4515,7 +4783,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_choices_read_q <= rst_ni & patches_choices_re;
   assign patches_choices_error = patches_choices_read_q & ^patches_choices_word_q;
 
-  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1364; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1397; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4524,9 +4792,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 31'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_2356;
+  assign regions_raddr = select_2417;
   logic regions_re;
-  assign regions_re = s2_en & (equal_1954_s2_q ? (x_s2_q[6] & not_2357) : and_2364);
+  assign regions_re = s2_en & (equal_549_s2_q ? (x_s2_q[6] & not_2418) : and_2425);
   logic [30:0] regions_word_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_word_q <= regions_mem[regions_raddr];
@@ -4537,7 +4805,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) regions_read_q <= rst_ni & regions_re;
   assign regions_error = regions_read_q & ^regions_word_q;
 
-  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1375; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1408; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] map_mem [0:9599];
@@ -4545,9 +4813,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 9600; i++) map_mem[i] = 3'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_2416, index[5:0]};
+  assign map_raddr = {sum_2477, index[5:0]};
   logic map_re;
-  assign map_re = s2_en & (and_2423 & less_2424);
+  assign map_re = s2_en & (and_2484 & less_2485);
   logic [2:0] map_word_q;
   always_ff @(posedge clk_i) begin
     if (map_re) map_word_q <= map_mem[map_raddr];
@@ -4560,11 +4828,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_485_s2_q;
+  assign averager_memory_waddr = select_495_s2_q;
   logic averager_memory_we;
-  assign averager_memory_we = s2_en & and_490_s2_q;
+  assign averager_memory_we = s2_en & and_500_s2_q;
   logic [25:0] averager_memory_wdata;
-  assign averager_memory_wdata = {and_509, and_505, sum_501, sum_497};
+  assign averager_memory_wdata = {and_519, and_515, sum_511, sum_507};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {^averager_memory_wdata, averager_memory_wdata};
   end
@@ -4584,9 +4852,9 @@ module horopter_agreement (
   logic [6:0] census_memory_waddr;
   assign census_memory_waddr = column_s2_q;
   logic census_memory_we;
-  assign census_memory_we = s2_en & and_515_s2_q;
+  assign census_memory_we = s2_en & and_525_s2_q;
   logic [77:0] census_memory_wdata;
-  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_533, whole_2, select_525, select_521};
+  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_543, whole_2, select_535, select_531};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (census_memory_we) census_memory_mem[census_memory_waddr] <= {^census_memory_wdata, census_memory_wdata};
   end
@@ -4602,13 +4870,35 @@ module horopter_agreement (
   end
 `endif
 
+  // Memory moments_memory, write
+  logic [12:0] moments_memory_waddr;
+  assign moments_memory_waddr = select_548_s2_q;
+  logic moments_memory_we;
+  assign moments_memory_we = s2_en & and_566_s2_q;
+  logic [3:0] moments_memory_wdata;
+  assign moments_memory_wdata = {and_621_s2_q, and_619_s2_q, and_614_s2_q, and_612};
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {^moments_memory_wdata, moments_memory_wdata};
+  end
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && moments_memory_we) begin
+      if (moments_memory_re && moments_memory_raddr == moments_memory_waddr) begin
+        $error("moments_memory: address %0d is read less than DISTANCE steps after its write", moments_memory_waddr);
+      end
+      if (moments_memory_waddr >= 13'd4800) $error("moments_memory: write outside, address %0d", moments_memory_waddr);
+    end
+    if (rst_ni && moments_memory_re && moments_memory_raddr >= 13'd4800) $error("moments_memory: read outside, address %0d", moments_memory_raddr);
+  end
+`endif
+
   // Memory best_left, write
   logic [6:0] best_left_waddr;
   assign best_left_waddr = x_s2_2_q;
   logic best_left_we;
-  assign best_left_we = s2_en & and_1936_s2_q;
+  assign best_left_we = s2_en & and_2010_s2_q;
   logic [61:0] best_left_wdata;
-  assign best_left_wdata = {select_1935, select_1932, select_1929, select_1927, select_1900, select_1897, select_1889, select_1888, select_1884};
+  assign best_left_wdata = {select_2009, select_2006, select_2003, select_2001, select_1974, select_1971, select_1963, select_1962, select_1958};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_left_we) best_left_mem[best_left_waddr] <= {^best_left_wdata, best_left_wdata};
   end
@@ -4641,9 +4931,9 @@ module horopter_agreement (
   logic [6:0] best_right_waddr;
   assign best_right_waddr = right_s2_q;
   logic best_right_we;
-  assign best_right_we = s2_en & and_1936_s2_q;
+  assign best_right_we = s2_en & and_2010_s2_q;
   logic [28:0] best_right_wdata;
-  assign best_right_wdata = {select_1953, select_1952, select_1949, select_1948};
+  assign best_right_wdata = {select_2020, select_2019, select_2016, select_2015};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_right_we) best_right_mem[best_right_waddr] <= {^best_right_wdata, best_right_wdata};
   end
@@ -4661,11 +4951,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_1963_s2_q;
+  assign shown_right_waddr = select_2027_s2_q;
   logic shown_right_we;
-  assign shown_right_we = s2_en & and_1994;
+  assign shown_right_we = s2_en & and_2038;
   logic [1:0] shown_right_wdata;
-  assign shown_right_wdata = {and_1989, not_1964};
+  assign shown_right_wdata = {and_2035, not_552_s2_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (shown_right_we) shown_right_mem[shown_right_waddr] <= {^shown_right_wdata, shown_right_wdata};
   end
@@ -4681,13 +4971,57 @@ module horopter_agreement (
   end
 `endif
 
+  // Memory left_turns, write
+  logic [6:0] left_turns_waddr;
+  assign left_turns_waddr = x_s2_q[6:0];
+  logic left_turns_we;
+  assign left_turns_we = s2_en & and_2049;
+  logic [1:0] left_turns_wdata;
+  assign left_turns_wdata = {and_2046, and_2043};
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (left_turns_we) left_turns_mem[left_turns_waddr] <= {^left_turns_wdata, left_turns_wdata};
+  end
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && left_turns_we) begin
+      if (left_turns_re && left_turns_raddr == left_turns_waddr) begin
+        $error("left_turns: address %0d is read less than DISTANCE steps after its write", left_turns_waddr);
+      end
+      if (left_turns_waddr >= 7'd80) $error("left_turns: write outside, address %0d", left_turns_waddr);
+    end
+    if (rst_ni && left_turns_re && left_turns_raddr >= 7'd80) $error("left_turns: read outside, address %0d", left_turns_raddr);
+  end
+`endif
+
+  // Memory right_turns, write
+  logic [6:0] right_turns_waddr;
+  assign right_turns_waddr = x_s2_q[6:0];
+  logic right_turns_we;
+  assign right_turns_we = s2_en & and_2049;
+  logic [1:0] right_turns_wdata;
+  assign right_turns_wdata = {and_2055, and_2052};
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (right_turns_we) right_turns_mem[right_turns_waddr] <= {^right_turns_wdata, right_turns_wdata};
+  end
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && right_turns_we) begin
+      if (right_turns_re && right_turns_raddr == right_turns_waddr) begin
+        $error("right_turns: address %0d is read less than DISTANCE steps after its write", right_turns_waddr);
+      end
+      if (right_turns_waddr >= 7'd80) $error("right_turns: write outside, address %0d", right_turns_waddr);
+    end
+    if (rst_ni && right_turns_re && right_turns_raddr >= 7'd80) $error("right_turns: read outside, address %0d", right_turns_raddr);
+  end
+`endif
+
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_2279, patches_code_row_s2_q[1:0], of_row_2_s2_q};
+  assign patches_right_codes_waddr = {sum_2339, patches_code_row_s2_q[1:0], of_row_2_s2_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s2_en & and_2313_s2_q;
+  assign patches_right_codes_we = s2_en & and_2373_s2_q;
   logic [27:0] patches_right_codes_wdata;
-  assign patches_right_codes_wdata = {less_2299_s2_q, less_2298_s2_q, less_2289_s2_q, less_2288_s2_q, patches_codes_at_q[51:28]};
+  assign patches_right_codes_wdata = {less_2359_s2_q, less_2358_s2_q, less_2349_s2_q, less_2348_s2_q, patches_codes_at_q[51:28]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {^patches_right_codes_wdata, patches_right_codes_wdata};
   end
@@ -4705,11 +5039,11 @@ module horopter_agreement (
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_2317, patches_code_row_s2_q[1:0]};
+  assign patches_left_codes_waddr = {sum_2377, patches_code_row_s2_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s2_en & and_2327_s2_q;
+  assign patches_left_codes_we = s2_en & and_2387_s2_q;
   logic [47:0] patches_left_codes_wdata;
-  assign patches_left_codes_wdata = {less_2299_s2_q, less_2298_s2_q, less_2289_s2_q, less_2288_s2_q, patches_codes_at_q[51:8]};
+  assign patches_left_codes_wdata = {less_2359_s2_q, less_2358_s2_q, less_2349_s2_q, less_2348_s2_q, patches_codes_at_q[51:8]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {^patches_left_codes_wdata, patches_left_codes_wdata};
   end
@@ -4729,9 +5063,9 @@ module horopter_agreement (
   logic [6:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s2_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s2_en & and_1959_s2_q;
+  assign seen_columns_we = s2_en & and_2023_s2_q;
   logic [17:0] seen_columns_wdata;
-  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2391, textured};
+  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2452, textured};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {^seen_columns_wdata, seen_columns_wdata};
   end
@@ -4757,9 +5091,17 @@ module horopter_agreement (
       averager_mask_q <= 1'b0;
       averager_of_skin_q <= 1'b0;
       census_filled_q <= 4'h0;
+      moments_turned_0_q <= 14'h0;
+      moments_turned_1_q <= 14'h0;
+      moments_before_0_q <= 14'h0;
+      moments_before_1_q <= 14'h0;
+      moments_has_before_q <= 1'b0;
+      moments_out_of_step_q <= 1'b0;
       rows_passed_above_q <= 5'h0;
       shift_allowed_q <= 1'b0;
       shift_not_right_q <= 1'b0;
+      counts_turned_left_q <= 14'h0;
+      counts_turned_right_q <= 14'h0;
       registration_displacement_over_q <= 10'h0;
       registration_displacement_fraction_q <= 5'h0;
       registration_slope_here_q <= 8'h0;
@@ -4796,6 +5138,7 @@ module horopter_agreement (
       patches_peak_above_q <= 10'h0;
       patches_peak_below_q <= 10'h0;
       patches_peak_far_q <= 10'h0;
+      patches_frame_ended_q <= 1'b0;
       shown_shown_q <= 1'b0;
       shown_nearer_q <= 1'b0;
       region_row_q <= 3'h0;
@@ -4834,82 +5177,91 @@ module horopter_agreement (
       sample_pair_pixel_1_q <= pixel_1_s2_q;
       sample_of_skin_q <= mask_s2_q;
       averager_running_mask_q <= sample_pair_whole_s2_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2556;
-      averager_mask_q <= select_2558;
-      averager_of_skin_q <= select_2560;
-      census_filled_q <= and_515_s2_q ? {select_579[2:0], 1'b1} : census_filled_q;
-      rows_passed_above_q <= and_515_s2_q ? select_578 : rows_passed_above_q;
-      shift_allowed_q <= not_2864 & (~less_2865);
+      averager_running_of_skin_q <= select_2617;
+      averager_mask_q <= select_2619;
+      averager_of_skin_q <= select_2621;
+      census_filled_q <= and_525_s2_q ? {select_657[2:0], 1'b1} : census_filled_q;
+      moments_turned_0_q <= select_2725;
+      moments_turned_1_q <= select_2732;
+      moments_before_0_q <= equal_549_s2_q ? select_2736 : moments_before_0_q;
+      moments_before_1_q <= equal_549_s2_q ? select_2739 : moments_before_1_q;
+      moments_has_before_q <= equal_549_s2_q ? select_2742 : moments_has_before_q;
+      moments_out_of_step_q <= equal_549_s2_q ? select_2773 : moments_out_of_step_q;
+      rows_passed_above_q <= and_525_s2_q ? select_656 : rows_passed_above_q;
+      shift_allowed_q <= not_2985 & (~less_2986);
       shift_not_right_q <= $signed(run_shift_s2_q) < $signed(6'h1);
-      registration_displacement_over_q <= so_s2_q ? sum_2998[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_3000;
-      registration_slope_here_q <= select_3002;
-      registration_expected_q <= select_3004;
-      registration_of_right_q <= equal_1954_s2_q ? registration_of_right_q : select_3066;
-      registration_was_inside_q <= equal_1954_s2_q ? registration_was_inside_q : select_3069;
-      registration_fresh_q <= select_3078;
-      patches_chance_q <= and_515_s2_q ? select_3235 : patches_chance_q;
-      patches_fixed_q <= and_3250;
-      patches_choice_valid_q <= and_2163 ? (select_2157[0] & not_3237) : select_2157[0];
-      patches_choice_column_q <= select_2157[8:1];
-      patches_choice_shift_q <= select_2157[14:9];
-      patches_choice_slope_q <= select_2157[22:15];
-      patches_band_q <= sample_pair_whole_s2_q ? select_2178 : patches_band_q;
-      patches_fetch_q <= select_3265;
-      patches_codes_at_q <= select_3366;
-      patches_codes_further_q <= equal_2165_s2_q ? patches_codes_further_q : select_3371;
-      patches_next_codes_q <= select_3379;
-      patches_set_q <= equal_2165_s2_q ? 3'h0 : (equal_2167_s2_q ? 3'h0 : select_3393);
-      patches_size_q <= sum_3397;
-      patches_left_row_q <= select_3409;
-      patches_summed_row_column_q <= equal_2165_s2_q ? patches_summed_row_column_q : select_3754;
-      patches_summed_first_q <= select_3757;
-      patches_read_row_differing_q <= equal_2165_s2_q ? select_3769 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_2165_s2_q ? select_3776 : patches_read_row_column_q;
-      patches_read_at_q <= equal_2165_s2_q ? select_3783 : patches_read_at_q;
-      patches_read_first_q <= select_3792;
-      patches_read_above_q <= select_3815;
-      patches_read_below_q <= select_3824;
-      patches_read_far_q <= equal_2165_s2_q ? select_3834 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_3837;
-      patches_peak_best_column_q <= select_3838;
-      patches_peak_row_q <= equal_2165_s2_q ? select_3805 : patches_peak_row_q;
-      patches_peak_above_q <= equal_2165_s2_q ? select_3840 : patches_peak_above_q;
-      patches_peak_below_q <= equal_2165_s2_q ? select_3842 : patches_peak_below_q;
-      patches_peak_far_q <= equal_2165_s2_q ? select_3846 : patches_peak_far_q;
-      shown_shown_q <= select_4128;
-      shown_nearer_q <= select_4130;
-      region_row_q <= and_515_s2_q ? select_4136 : region_row_q;
+      counts_turned_left_q <= and_2993 ? 14'h0 : (counts_turned_left_q + {13'h0, and_3112});
+      counts_turned_right_q <= and_2993 ? 14'h0 : (counts_turned_right_q + {13'h0, and_3119});
+      registration_displacement_over_q <= so_s2_q ? sum_3143[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_3145;
+      registration_slope_here_q <= select_3147;
+      registration_expected_q <= select_3149;
+      registration_of_right_q <= equal_549_s2_q ? registration_of_right_q : select_3211;
+      registration_was_inside_q <= equal_549_s2_q ? registration_was_inside_q : select_3214;
+      registration_fresh_q <= select_3223;
+      patches_chance_q <= and_525_s2_q ? select_3380 : patches_chance_q;
+      patches_fixed_q <= and_3395;
+      patches_choice_valid_q <= and_2223 ? (select_2217[0] & not_3382) : select_2217[0];
+      patches_choice_column_q <= select_2217[8:1];
+      patches_choice_shift_q <= select_2217[14:9];
+      patches_choice_slope_q <= select_2217[22:15];
+      patches_band_q <= sample_pair_whole_s2_q ? select_2238 : patches_band_q;
+      patches_fetch_q <= select_3410;
+      patches_codes_at_q <= select_3511;
+      patches_codes_further_q <= equal_2225_s2_q ? patches_codes_further_q : select_3516;
+      patches_next_codes_q <= select_3524;
+      patches_set_q <= equal_2225_s2_q ? 3'h0 : (equal_2227_s2_q ? 3'h0 : select_3538);
+      patches_size_q <= sum_3542;
+      patches_left_row_q <= select_3554;
+      patches_summed_row_column_q <= equal_2225_s2_q ? patches_summed_row_column_q : select_3899;
+      patches_summed_first_q <= select_3902;
+      patches_read_row_differing_q <= equal_2225_s2_q ? select_3914 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_2225_s2_q ? select_3921 : patches_read_row_column_q;
+      patches_read_at_q <= equal_2225_s2_q ? select_3928 : patches_read_at_q;
+      patches_read_first_q <= select_3937;
+      patches_read_above_q <= select_3960;
+      patches_read_below_q <= select_3969;
+      patches_read_far_q <= equal_2225_s2_q ? select_3979 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_3982;
+      patches_peak_best_column_q <= select_3983;
+      patches_peak_row_q <= equal_2225_s2_q ? select_3950 : patches_peak_row_q;
+      patches_peak_above_q <= equal_2225_s2_q ? select_3985 : patches_peak_above_q;
+      patches_peak_below_q <= equal_2225_s2_q ? select_3987 : patches_peak_below_q;
+      patches_peak_far_q <= equal_2225_s2_q ? select_3991 : patches_peak_far_q;
+      patches_frame_ended_q <= equal_549_s2_q & (equal_2734 & (~equal_2733));
+      shown_shown_q <= select_4271;
+      shown_nearer_q <= select_4273;
+      region_row_q <= and_525_s2_q ? select_4279 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_4141;
-      region_down_rest_q <= select_4157;
-      region_down_back_q <= select_4161;
-      region_down_next_q <= select_4163;
-      region_fresh_q <= and_515_s2_q ? select_4167 : region_fresh_q;
-      segment_starts_q <= select_4178;
-      centres_values_0_textured_q <= equal_1954_s2_q ? centres_values_0_textured_q : select_4337;
-      centres_values_0_of_skin_q <= select_4342;
-      centres_values_1_textured_q <= select_4345;
-      centres_values_1_of_skin_q <= select_4348;
-      map_row_q <= and_515_s2_q ? select_4352 : map_row_q;
-      map_width_q <= select_4355;
+      region_columns_q <= select_4284;
+      region_down_rest_q <= select_4300;
+      region_down_back_q <= select_4304;
+      region_down_next_q <= select_4306;
+      region_fresh_q <= and_525_s2_q ? select_4310 : region_fresh_q;
+      segment_starts_q <= select_4321;
+      centres_values_0_textured_q <= equal_549_s2_q ? centres_values_0_textured_q : select_4480;
+      centres_values_0_of_skin_q <= select_4485;
+      centres_values_1_textured_q <= select_4488;
+      centres_values_1_of_skin_q <= select_4491;
+      map_row_q <= and_525_s2_q ? select_4495 : map_row_q;
+      map_width_q <= select_4498;
       write_half_q <= marks_first_s2_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_2415;
-      done_q <= not_2417 & ((~drew_q) & (done_q | said_q));
+      read_half_q <= select_2476;
+      done_q <= not_2478 & ((~drew_q) & (done_q | said_q));
       proven_q <= marks_first_s2_q ? done_q : proven_q;
       drew_q <= so_s2_q;
-      said_q <= equal_1954_s2_q & equal_4064;
-      rows_passed_q <= select_2400;
-      columns_passed_q <= {select_2402[7:0], or_2398};
+      said_q <= equal_549_s2_q & equal_2733;
+      rows_passed_q <= select_2461;
+      columns_passed_q <= {select_2463[7:0], or_2459};
       line_ended_q <= marks_last_s2_q;
-      began_q <= and_2419;
-      seen_x_q <= select_2421;
-      seen_y_q <= marks_first_s2_q ? 3'h0 : select_4366;
-      seen_column_q <= select_2412;
-      seen_rows_left_q <= select_4372;
+      began_q <= and_2480;
+      seen_x_q <= select_2482;
+      seen_y_q <= marks_first_s2_q ? 3'h0 : select_4509;
+      seen_column_q <= select_2473;
+      seen_rows_left_q <= select_4515;
       at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= select_2409;
+      seen_base_q <= select_2470;
     end
   end
 
@@ -4982,68 +5334,68 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      averager_running_0_q <= sample_pair_whole_s2_q ? select_493 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s2_q ? sum_499 : averager_running_1_q;
-      averager_total_0_q <= select_2535;
-      averager_total_1_q <= select_2537;
-      census_columns_values_0_cell_0_left_q <= select_2561;
-      census_columns_values_0_cell_0_right_q <= select_2562;
-      census_columns_values_0_cell_0_mask_q <= and_515_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2564;
-      census_columns_values_0_cell_1_right_q <= select_2565;
-      census_columns_values_0_cell_1_mask_q <= select_2566;
-      census_columns_values_0_cell_2_left_q <= select_2567;
-      census_columns_values_0_cell_2_right_q <= select_2568;
-      census_columns_values_0_cell_2_mask_q <= select_2569;
-      census_columns_values_0_cell_2_of_skin_q <= select_2570;
-      census_columns_values_0_cell_3_left_q <= select_2571;
-      census_columns_values_0_cell_3_right_q <= select_2572;
-      census_columns_values_0_cell_3_mask_q <= select_2573;
-      census_columns_values_0_cell_4_left_q <= select_2574;
-      census_columns_values_0_cell_4_right_q <= select_2575;
-      census_columns_values_0_cell_4_mask_q <= select_2576;
-      census_columns_values_1_cell_0_left_q <= select_2577;
-      census_columns_values_1_cell_0_right_q <= select_2578;
-      census_columns_values_1_cell_0_mask_q <= select_2579;
-      census_columns_values_1_cell_1_left_q <= select_2580;
-      census_columns_values_1_cell_1_right_q <= select_2581;
-      census_columns_values_1_cell_1_mask_q <= select_2582;
-      census_columns_values_1_cell_2_left_q <= select_2583;
-      census_columns_values_1_cell_2_right_q <= select_2584;
-      census_columns_values_1_cell_2_mask_q <= select_2585;
-      census_columns_values_1_cell_2_of_skin_q <= select_2586;
-      census_columns_values_1_cell_3_left_q <= select_2587;
-      census_columns_values_1_cell_3_right_q <= select_2588;
-      census_columns_values_1_cell_3_mask_q <= select_2589;
-      census_columns_values_1_cell_4_left_q <= select_2590;
-      census_columns_values_1_cell_4_right_q <= select_2591;
-      census_columns_values_1_cell_4_mask_q <= select_2592;
-      census_columns_values_2_cell_0_left_q <= select_2593;
-      census_columns_values_2_cell_0_right_q <= select_2594;
-      census_columns_values_2_cell_0_mask_q <= select_2595;
-      census_columns_values_2_cell_1_left_q <= select_2596;
-      census_columns_values_2_cell_1_right_q <= select_2597;
-      census_columns_values_2_cell_1_mask_q <= select_2598;
-      census_columns_values_2_cell_2_left_q <= select_2599;
-      census_columns_values_2_cell_2_right_q <= select_2600;
-      census_columns_values_2_cell_2_mask_q <= select_2601;
-      census_columns_values_2_cell_3_left_q <= select_2602;
-      census_columns_values_2_cell_3_right_q <= select_2603;
-      census_columns_values_2_cell_3_mask_q <= select_2604;
-      census_columns_values_2_cell_4_left_q <= select_2605;
-      census_columns_values_2_cell_4_right_q <= select_2606;
-      census_columns_values_2_cell_4_mask_q <= select_2607;
-      census_columns_values_3_cell_0_mask_q <= select_2608;
-      census_columns_values_3_cell_1_left_q <= select_2609;
-      census_columns_values_3_cell_1_right_q <= select_2610;
-      census_columns_values_3_cell_1_mask_q <= select_2611;
-      census_columns_values_3_cell_2_mask_q <= select_2612;
-      census_columns_values_3_cell_3_left_q <= select_2613;
-      census_columns_values_3_cell_3_right_q <= select_2614;
-      census_columns_values_3_cell_3_mask_q <= select_2615;
-      census_columns_values_3_cell_4_mask_q <= select_2616;
-      sharpness_last_mean_0_q <= and_515_s2_q ? select_521 : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_515_s2_q ? select_525 : sharpness_last_mean_1_q;
+      averager_running_0_q <= sample_pair_whole_s2_q ? select_503 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s2_q ? sum_509 : averager_running_1_q;
+      averager_total_0_q <= select_2596;
+      averager_total_1_q <= select_2598;
+      census_columns_values_0_cell_0_left_q <= select_2622;
+      census_columns_values_0_cell_0_right_q <= select_2623;
+      census_columns_values_0_cell_0_mask_q <= and_525_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
+      census_columns_values_0_cell_1_left_q <= select_2625;
+      census_columns_values_0_cell_1_right_q <= select_2626;
+      census_columns_values_0_cell_1_mask_q <= select_2627;
+      census_columns_values_0_cell_2_left_q <= select_2628;
+      census_columns_values_0_cell_2_right_q <= select_2629;
+      census_columns_values_0_cell_2_mask_q <= select_2630;
+      census_columns_values_0_cell_2_of_skin_q <= select_2631;
+      census_columns_values_0_cell_3_left_q <= select_2632;
+      census_columns_values_0_cell_3_right_q <= select_2633;
+      census_columns_values_0_cell_3_mask_q <= select_2634;
+      census_columns_values_0_cell_4_left_q <= select_2635;
+      census_columns_values_0_cell_4_right_q <= select_2636;
+      census_columns_values_0_cell_4_mask_q <= select_2637;
+      census_columns_values_1_cell_0_left_q <= select_2638;
+      census_columns_values_1_cell_0_right_q <= select_2639;
+      census_columns_values_1_cell_0_mask_q <= select_2640;
+      census_columns_values_1_cell_1_left_q <= select_2641;
+      census_columns_values_1_cell_1_right_q <= select_2642;
+      census_columns_values_1_cell_1_mask_q <= select_2643;
+      census_columns_values_1_cell_2_left_q <= select_2644;
+      census_columns_values_1_cell_2_right_q <= select_2645;
+      census_columns_values_1_cell_2_mask_q <= select_2646;
+      census_columns_values_1_cell_2_of_skin_q <= select_2647;
+      census_columns_values_1_cell_3_left_q <= select_2648;
+      census_columns_values_1_cell_3_right_q <= select_2649;
+      census_columns_values_1_cell_3_mask_q <= select_2650;
+      census_columns_values_1_cell_4_left_q <= select_2651;
+      census_columns_values_1_cell_4_right_q <= select_2652;
+      census_columns_values_1_cell_4_mask_q <= select_2653;
+      census_columns_values_2_cell_0_left_q <= select_2654;
+      census_columns_values_2_cell_0_right_q <= select_2655;
+      census_columns_values_2_cell_0_mask_q <= select_2656;
+      census_columns_values_2_cell_1_left_q <= select_2657;
+      census_columns_values_2_cell_1_right_q <= select_2658;
+      census_columns_values_2_cell_1_mask_q <= select_2659;
+      census_columns_values_2_cell_2_left_q <= select_2660;
+      census_columns_values_2_cell_2_right_q <= select_2661;
+      census_columns_values_2_cell_2_mask_q <= select_2662;
+      census_columns_values_2_cell_3_left_q <= select_2663;
+      census_columns_values_2_cell_3_right_q <= select_2664;
+      census_columns_values_2_cell_3_mask_q <= select_2665;
+      census_columns_values_2_cell_4_left_q <= select_2666;
+      census_columns_values_2_cell_4_right_q <= select_2667;
+      census_columns_values_2_cell_4_mask_q <= select_2668;
+      census_columns_values_3_cell_0_mask_q <= select_2669;
+      census_columns_values_3_cell_1_left_q <= select_2670;
+      census_columns_values_3_cell_1_right_q <= select_2671;
+      census_columns_values_3_cell_1_mask_q <= select_2672;
+      census_columns_values_3_cell_2_mask_q <= select_2673;
+      census_columns_values_3_cell_3_left_q <= select_2674;
+      census_columns_values_3_cell_3_right_q <= select_2675;
+      census_columns_values_3_cell_3_mask_q <= select_2676;
+      census_columns_values_3_cell_4_mask_q <= select_2677;
+      sharpness_last_mean_0_q <= and_525_s2_q ? select_531 : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_525_s2_q ? select_535 : sharpness_last_mean_1_q;
     end
   end
 
@@ -5067,135 +5419,142 @@ module horopter_agreement (
   logic patches_summed_first_s3_q;
   logic patches_summed_last_s3_q;
   logic [4:0] patches_summed_down_by_s3_q;
+  logic patches_frame_ended_s3_q;
   logic [2:0] region_row_s3_q;
   logic region_fresh_s3_q;
   logic centres_values_1_textured_s3_q;
   logic centres_values_1_of_skin_s3_q;
-  logic [2:0] select_479_s3_q;
-  logic [6:0] select_481_s3_q;
+  logic [2:0] select_489_s3_q;
+  logic [6:0] select_491_s3_q;
   logic [6:0] column_s3_q;
-  logic and_513_s3_q;
-  logic and_515_s3_q;
+  logic and_523_s3_q;
+  logic and_525_s3_q;
   logic [8:0] grey_s3_q;
-  logic equal_518_s3_q;
+  logic equal_528_s3_q;
   logic [8:0] grey_2_s3_q;
   logic whole_2_s3_q;
-  logic less_549_s3_q;
-  logic less_550_s3_q;
-  logic less_551_s3_q;
-  logic less_552_s3_q;
-  logic less_553_s3_q;
-  logic less_554_s3_q;
-  logic less_555_s3_q;
-  logic less_556_s3_q;
-  logic less_557_s3_q;
-  logic less_558_s3_q;
-  logic less_559_s3_q;
-  logic less_560_s3_q;
-  logic less_561_s3_q;
-  logic less_562_s3_q;
-  logic less_563_s3_q;
-  logic less_564_s3_q;
-  logic less_565_s3_q;
-  logic less_566_s3_q;
-  logic less_567_s3_q;
-  logic less_568_s3_q;
-  logic less_569_s3_q;
-  logic less_570_s3_q;
-  logic less_571_s3_q;
-  logic less_572_s3_q;
-  logic and_580_s3_q;
-  logic and_605_s3_q;
-  logic and_606_s3_q;
-  logic [11:0] sum_621_s3_q;
-  logic [9:0] sum_624_s3_q;
-  logic equal_1954_s3_q;
-  logic not_1955_s3_q;
-  logic equal_1995_s3_q;
+  logic equal_545_s3_q;
+  logic equal_549_s3_q;
+  logic not_550_s3_q;
+  logic less_627_s3_q;
+  logic less_628_s3_q;
+  logic less_629_s3_q;
+  logic less_630_s3_q;
+  logic less_631_s3_q;
+  logic less_632_s3_q;
+  logic less_633_s3_q;
+  logic less_634_s3_q;
+  logic less_635_s3_q;
+  logic less_636_s3_q;
+  logic less_637_s3_q;
+  logic less_638_s3_q;
+  logic less_639_s3_q;
+  logic less_640_s3_q;
+  logic less_641_s3_q;
+  logic less_642_s3_q;
+  logic less_643_s3_q;
+  logic less_644_s3_q;
+  logic less_645_s3_q;
+  logic less_646_s3_q;
+  logic less_647_s3_q;
+  logic less_648_s3_q;
+  logic less_649_s3_q;
+  logic less_650_s3_q;
+  logic and_658_s3_q;
+  logic and_683_s3_q;
+  logic and_684_s3_q;
+  logic [11:0] sum_699_s3_q;
+  logic [9:0] sum_702_s3_q;
+  logic and_710_s3_q;
+  logic and_714_s3_q;
+  logic less_715_s3_q;
+  logic less_719_s3_q;
+  logic less_721_s3_q;
+  logic equal_2056_s3_q;
   logic all_s3_q;
-  logic [1:0] sum_2001_s3_q;
-  logic equal_2003_s3_q;
-  logic equal_2005_s3_q;
-  logic equal_2007_s3_q;
-  logic equal_2009_s3_q;
-  logic equal_2011_s3_q;
-  logic equal_2013_s3_q;
-  logic equal_2015_s3_q;
-  logic equal_2017_s3_q;
-  logic less_2026_s3_q;
-  logic or_2030_s3_q;
-  logic equal_2050_s3_q;
-  logic and_2060_s3_q;
-  logic and_2063_s3_q;
-  logic select_2080_s3_q;
-  logic equal_2081_s3_q;
-  logic and_2089_s3_q;
-  logic equal_2091_s3_q;
-  logic equal_2119_s3_q;
-  logic select_2157_s3_q;
-  logic and_2164_s3_q;
-  logic equal_2165_s3_q;
-  logic equal_2167_s3_q;
-  logic and_2180_s3_q;
-  logic [4:0] select_2195_s3_q;
-  logic select_2201_s3_q;
-  logic [3:0] select_2242_s3_q;
-  logic less_2328_s3_q;
-  logic equal_2329_s3_q;
-  logic not_2330_s3_q;
-  logic equal_2331_s3_q;
-  logic or_2349_s3_q;
-  logic or_2352_s3_q;
-  logic or_2355_s3_q;
-  logic not_2357_s3_q;
+  logic [1:0] sum_2062_s3_q;
+  logic equal_2064_s3_q;
+  logic equal_2066_s3_q;
+  logic equal_2068_s3_q;
+  logic equal_2070_s3_q;
+  logic equal_2072_s3_q;
+  logic equal_2074_s3_q;
+  logic equal_2076_s3_q;
+  logic equal_2078_s3_q;
+  logic less_2087_s3_q;
+  logic or_2091_s3_q;
+  logic equal_2111_s3_q;
+  logic and_2121_s3_q;
+  logic and_2124_s3_q;
+  logic select_2141_s3_q;
+  logic equal_2142_s3_q;
+  logic and_2150_s3_q;
+  logic equal_2152_s3_q;
+  logic select_2217_s3_q;
+  logic and_2224_s3_q;
+  logic equal_2225_s3_q;
+  logic equal_2227_s3_q;
+  logic and_2240_s3_q;
+  logic [4:0] select_2255_s3_q;
+  logic select_2261_s3_q;
+  logic [3:0] select_2302_s3_q;
+  logic less_2388_s3_q;
+  logic equal_2389_s3_q;
+  logic not_2390_s3_q;
+  logic equal_2391_s3_q;
+  logic or_2410_s3_q;
+  logic or_2413_s3_q;
+  logic or_2416_s3_q;
+  logic not_2418_s3_q;
   logic textured_s3_q;
   logic explained_s3_q;
-  logic and_2384_s3_q;
-  logic and_2389_s3_q;
-  logic and_2423_s3_q;
-  logic less_2424_s3_q;
+  logic and_2445_s3_q;
+  logic and_2450_s3_q;
+  logic and_2484_s3_q;
+  logic less_2485_s3_q;
   logic [5:0] index_2_s3_q;
-  logic [7:0] sum_2429_s3_q;
+  logic [7:0] sum_2490_s3_q;
   logic [2:0] textured_2_s3_q;
-  logic or_2447_s3_q;
-  logic or_2450_s3_q;
-  logic or_2453_s3_q;
+  logic or_2508_s3_q;
+  logic or_2511_s3_q;
+  logic or_2514_s3_q;
   logic [2:0] shown_2_s3_q;
   logic [2:0] near_2_s3_q;
-  logic and_2503_s3_q;
-  logic [11:0] sum_2632_s3_q;
-  logic [9:0] sum_2635_s3_q;
-  logic equal_2643_s3_q;
+  logic and_2564_s3_q;
+  logic [11:0] sum_2693_s3_q;
+  logic [9:0] sum_2696_s3_q;
+  logic equal_2704_s3_q;
+  logic equal_2733_s3_q;
   logic [8:0] contrast_s3_q;
   logic [8:0] contrast_2_s3_q;
-  logic and_2872_s3_q;
-  logic and_2878_s3_q;
+  logic and_2993_s3_q;
+  logic and_2999_s3_q;
   logic [2:0] explained_2_s3_q;
-  logic and_2940_s3_q;
-  logic and_2974_s3_q;
-  logic and_3008_s3_q;
-  logic and_3009_s3_q;
+  logic and_3061_s3_q;
+  logic and_3095_s3_q;
+  logic and_3153_s3_q;
+  logic and_3154_s3_q;
   logic [7:0] residual_s3_q;
-  logic and_3045_s3_q;
-  logic and_3059_s3_q;
-  logic equal_3102_s3_q;
-  logic parity_3481_s3_q;
-  logic parity_3610_s3_q;
-  logic parity_3672_s3_q;
-  logic xor_3700_s3_q;
-  logic parity_3712_s3_q;
-  logic or_3716_s3_q;
-  logic equal_3717_s3_q;
-  logic [4:0] select_3836_s3_q;
-  logic equal_3848_s3_q;
-  logic less_3850_s3_q;
-  logic less_3851_s3_q;
-  logic or_3856_s3_q;
-  logic [7:0] select_3901_s3_q;
-  logic equal_4064_s3_q;
-  logic and_4378_s3_q;
-  logic not_4393_s3_q;
-  logic equal_4443_s3_q;
+  logic and_3190_s3_q;
+  logic and_3204_s3_q;
+  logic equal_3247_s3_q;
+  logic parity_3626_s3_q;
+  logic parity_3755_s3_q;
+  logic parity_3817_s3_q;
+  logic xor_3845_s3_q;
+  logic parity_3857_s3_q;
+  logic or_3861_s3_q;
+  logic equal_3862_s3_q;
+  logic [4:0] select_3981_s3_q;
+  logic equal_3993_s3_q;
+  logic less_3995_s3_q;
+  logic less_3996_s3_q;
+  logic or_4001_s3_q;
+  logic [7:0] select_4046_s3_q;
+  logic and_4521_s3_q;
+  logic not_4536_s3_q;
+  logic and_4579_s3_q;
+  logic equal_4589_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       saturated_s3_q <= saturated_s2_q;
@@ -5218,135 +5577,142 @@ module horopter_agreement (
       patches_summed_first_s3_q <= patches_summed_first_q;
       patches_summed_last_s3_q <= patches_summed_last_s2_q;
       patches_summed_down_by_s3_q <= patches_summed_down_by_s2_q;
+      patches_frame_ended_s3_q <= patches_frame_ended_q;
       region_row_s3_q <= region_row_q;
       region_fresh_s3_q <= region_fresh_q;
       centres_values_1_textured_s3_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s3_q <= centres_values_1_of_skin_q;
-      select_479_s3_q <= select_479_s2_q;
-      select_481_s3_q <= select_481_s2_q;
+      select_489_s3_q <= select_489_s2_q;
+      select_491_s3_q <= select_491_s2_q;
       column_s3_q <= column_s2_q;
-      and_513_s3_q <= and_513_s2_q;
-      and_515_s3_q <= and_515_s2_q;
+      and_523_s3_q <= and_523_s2_q;
+      and_525_s3_q <= and_525_s2_q;
       grey_s3_q <= grey;
-      equal_518_s3_q <= equal_518;
+      equal_528_s3_q <= equal_528;
       grey_2_s3_q <= grey_2;
       whole_2_s3_q <= whole_2;
-      less_549_s3_q <= less_549;
-      less_550_s3_q <= less_550;
-      less_551_s3_q <= less_551;
-      less_552_s3_q <= less_552;
-      less_553_s3_q <= less_553;
-      less_554_s3_q <= less_554;
-      less_555_s3_q <= less_555;
-      less_556_s3_q <= less_556;
-      less_557_s3_q <= less_557;
-      less_558_s3_q <= less_558;
-      less_559_s3_q <= less_559;
-      less_560_s3_q <= less_560;
-      less_561_s3_q <= less_561;
-      less_562_s3_q <= less_562;
-      less_563_s3_q <= less_563;
-      less_564_s3_q <= less_564;
-      less_565_s3_q <= less_565;
-      less_566_s3_q <= less_566;
-      less_567_s3_q <= less_567;
-      less_568_s3_q <= less_568;
-      less_569_s3_q <= less_569;
-      less_570_s3_q <= less_570;
-      less_571_s3_q <= less_571;
-      less_572_s3_q <= less_572;
-      and_580_s3_q <= and_580;
-      and_605_s3_q <= whole_22 & and_580;
-      and_606_s3_q <= census_columns_values_1_cell_2_mask_q & and_580;
-      sum_621_s3_q <= {1'b0, sum_617} + {2'h0, sum_620};
-      sum_624_s3_q <= {9'h0, difference_622[9]} + {1'b0, xor_623};
-      equal_1954_s3_q <= equal_1954_s2_q;
-      not_1955_s3_q <= not_1955_s2_q;
-      equal_1995_s3_q <= equal_1995;
+      equal_545_s3_q <= equal_545_s2_q;
+      equal_549_s3_q <= equal_549_s2_q;
+      not_550_s3_q <= not_550_s2_q;
+      less_627_s3_q <= less_627;
+      less_628_s3_q <= less_628;
+      less_629_s3_q <= less_629;
+      less_630_s3_q <= less_630;
+      less_631_s3_q <= less_631;
+      less_632_s3_q <= less_632;
+      less_633_s3_q <= less_633;
+      less_634_s3_q <= less_634;
+      less_635_s3_q <= less_635;
+      less_636_s3_q <= less_636;
+      less_637_s3_q <= less_637;
+      less_638_s3_q <= less_638;
+      less_639_s3_q <= less_639;
+      less_640_s3_q <= less_640;
+      less_641_s3_q <= less_641;
+      less_642_s3_q <= less_642;
+      less_643_s3_q <= less_643;
+      less_644_s3_q <= less_644;
+      less_645_s3_q <= less_645;
+      less_646_s3_q <= less_646;
+      less_647_s3_q <= less_647;
+      less_648_s3_q <= less_648;
+      less_649_s3_q <= less_649;
+      less_650_s3_q <= less_650;
+      and_658_s3_q <= and_658;
+      and_683_s3_q <= whole_22 & and_658;
+      and_684_s3_q <= census_columns_values_1_cell_2_mask_q & and_658;
+      sum_699_s3_q <= {1'b0, sum_695} + {2'h0, sum_698};
+      sum_702_s3_q <= {9'h0, difference_700[9]} + {1'b0, xor_701};
+      and_710_s3_q <= and_710;
+      and_714_s3_q <= and_714;
+      less_715_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
+      less_719_s3_q <= {{5{sum_718[6]}}, sum_718, half_grey_levels_2[3:0]} < 16'hffe1;
+      less_721_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
+      equal_2056_s3_q <= equal_2056;
       all_s3_q <= all;
-      sum_2001_s3_q <= sum_2001;
-      equal_2003_s3_q <= equal_2003;
-      equal_2005_s3_q <= equal_2005;
-      equal_2007_s3_q <= equal_2007;
-      equal_2009_s3_q <= equal_2009;
-      equal_2011_s3_q <= equal_2011;
-      equal_2013_s3_q <= equal_2013;
-      equal_2015_s3_q <= equal_2015;
-      equal_2017_s3_q <= equal_2017;
-      less_2026_s3_q <= less_2026;
-      or_2030_s3_q <= or_2030;
-      equal_2050_s3_q <= (registration_fresh_q & select_2048) == 4'h0;
-      and_2060_s3_q <= not_1955_s2_q & and_2044;
-      and_2063_s3_q <= and_2063_s2_q;
-      select_2080_s3_q <= select_2080[1];
-      equal_2081_s3_q <= equal_2081;
-      and_2089_s3_q <= and_2089;
-      equal_2091_s3_q <= equal_2091;
-      equal_2119_s3_q <= equal_2119;
-      select_2157_s3_q <= select_2157[0];
-      and_2164_s3_q <= and_2164;
-      equal_2165_s3_q <= equal_2165_s2_q;
-      equal_2167_s3_q <= equal_2167_s2_q;
-      and_2180_s3_q <= and_2164 & equal_2179;
-      select_2195_s3_q <= select_2195_s2_q;
-      select_2201_s3_q <= select_2201_s2_q;
-      select_2242_s3_q <= select_2242_s2_q;
-      less_2328_s3_q <= less_2328_s2_q;
-      equal_2329_s3_q <= equal_2329_s2_q;
-      not_2330_s3_q <= not_2330_s2_q;
-      equal_2331_s3_q <= equal_2331_s2_q;
-      or_2349_s3_q <= or_2349;
-      or_2352_s3_q <= or_2352;
-      or_2355_s3_q <= or_2355;
-      not_2357_s3_q <= not_2357;
+      sum_2062_s3_q <= sum_2062;
+      equal_2064_s3_q <= equal_2064;
+      equal_2066_s3_q <= equal_2066;
+      equal_2068_s3_q <= equal_2068;
+      equal_2070_s3_q <= equal_2070;
+      equal_2072_s3_q <= equal_2072;
+      equal_2074_s3_q <= equal_2074;
+      equal_2076_s3_q <= equal_2076;
+      equal_2078_s3_q <= equal_2078;
+      less_2087_s3_q <= less_2087;
+      or_2091_s3_q <= or_2091;
+      equal_2111_s3_q <= (registration_fresh_q & select_2109) == 4'h0;
+      and_2121_s3_q <= not_550_s2_q & and_2105;
+      and_2124_s3_q <= and_2124_s2_q;
+      select_2141_s3_q <= select_2141[1];
+      equal_2142_s3_q <= equal_2142;
+      and_2150_s3_q <= and_2150;
+      equal_2152_s3_q <= equal_2152;
+      select_2217_s3_q <= select_2217[0];
+      and_2224_s3_q <= and_2224;
+      equal_2225_s3_q <= equal_2225_s2_q;
+      equal_2227_s3_q <= equal_2227_s2_q;
+      and_2240_s3_q <= and_2224 & equal_2239;
+      select_2255_s3_q <= select_2255_s2_q;
+      select_2261_s3_q <= select_2261_s2_q;
+      select_2302_s3_q <= select_2302_s2_q;
+      less_2388_s3_q <= less_2388_s2_q;
+      equal_2389_s3_q <= equal_2389_s2_q;
+      not_2390_s3_q <= not_2390_s2_q;
+      equal_2391_s3_q <= equal_2391_s2_q;
+      or_2410_s3_q <= or_2410;
+      or_2413_s3_q <= or_2413;
+      or_2416_s3_q <= or_2416;
+      not_2418_s3_q <= not_2418;
       textured_s3_q <= textured;
       explained_s3_q <= explained;
-      and_2384_s3_q <= inside_v_s2_q & (and_2382 & and_1988);
-      and_2389_s3_q <= not_1955_s2_q & and_2364;
-      and_2423_s3_q <= and_2423;
-      less_2424_s3_q <= less_2424;
+      and_2445_s3_q <= inside_v_s2_q & (and_2443 & and_2034);
+      and_2450_s3_q <= not_550_s2_q & and_2425;
+      and_2484_s3_q <= and_2484;
+      less_2485_s3_q <= less_2485;
       index_2_s3_q <= index_2[5:0];
-      sum_2429_s3_q <= sum_2429;
+      sum_2490_s3_q <= sum_2490;
       textured_2_s3_q <= textured_2;
-      or_2447_s3_q <= or_2447;
-      or_2450_s3_q <= select_2444[7] | (~({select_2444[6], select_2444[3:2]} == 3'h0));
-      or_2453_s3_q <= select_2444[7] | (~(select_2444[6:4] == 3'h0));
+      or_2508_s3_q <= or_2508;
+      or_2511_s3_q <= select_2505[7] | (~({select_2505[6], select_2505[3:2]} == 3'h0));
+      or_2514_s3_q <= select_2505[7] | (~(select_2505[6:4] == 3'h0));
       shown_2_s3_q <= shown_2;
       near_2_s3_q <= near_2;
-      and_2503_s3_q <= and_2503;
-      sum_2632_s3_q <= {1'b0, sum_2628} + {2'h0, sum_2631};
-      sum_2635_s3_q <= {9'h0, difference_2633[9]} + {1'b0, xor_2634};
-      equal_2643_s3_q <= equal_2643_s2_q;
+      and_2564_s3_q <= and_2564;
+      sum_2693_s3_q <= {1'b0, sum_2689} + {2'h0, sum_2692};
+      sum_2696_s3_q <= {9'h0, difference_2694[9]} + {1'b0, xor_2695};
+      equal_2704_s3_q <= equal_2704_s2_q;
+      equal_2733_s3_q <= equal_2733;
       contrast_s3_q <= contrast;
       contrast_2_s3_q <= contrast_2;
-      and_2872_s3_q <= and_2872;
-      and_2878_s3_q <= and_2878;
+      and_2993_s3_q <= and_2993;
+      and_2999_s3_q <= and_2999;
       explained_2_s3_q <= explained_2;
-      and_2940_s3_q <= not_1955_s2_q & and_2939;
-      and_2974_s3_q <= not_1955_s2_q & and_2973;
-      and_3008_s3_q <= not_1955_s2_q & (so_s2_q & (half_ends & equal_3005));
-      and_3009_s3_q <= and_3009;
+      and_3061_s3_q <= not_550_s2_q & and_3060;
+      and_3095_s3_q <= not_550_s2_q & and_3094;
+      and_3153_s3_q <= not_550_s2_q & (so_s2_q & (half_ends & equal_3150));
+      and_3154_s3_q <= and_3154;
       residual_s3_q <= residual[7:0];
-      and_3045_s3_q <= and_3045;
-      and_3059_s3_q <= and_3009 & less_3058;
-      equal_3102_s3_q <= (registration_fresh_q & select_3100) == 4'h0;
-      parity_3481_s3_q <= ^{xor_3477, xor_3440, select_3407[44:36], other[44:36]};
-      parity_3610_s3_q <= parity_3610;
-      parity_3672_s3_q <= parity_3672;
-      xor_3700_s3_q <= parity_3687 ^ parity_3699;
-      parity_3712_s3_q <= ^{or_3709, or_3705, and_3701};
-      or_3716_s3_q <= (or_3705 & or_3709) | (and_3701 & (or_3705 | or_3709));
-      equal_3717_s3_q <= equal_3717_s2_q;
-      select_3836_s3_q <= select_3836[14:10];
-      equal_3848_s3_q <= select_3805[3:0] == 4'h0;
-      less_3850_s3_q <= {difference_3849, 3'h0} < {3'h0, sum_3397};
-      less_3851_s3_q <= select_3846 < select_3836[9:0];
-      or_3856_s3_q <= (sum_3397 < 10'h39) | ({1'b0, sum_3397[9:1]} < select_3836[9:0]);
-      select_3901_s3_q <= select_3901;
-      equal_4064_s3_q <= equal_4064;
-      and_4378_s3_q <= and_2503 & ({sum_2429, index_2[5:0]} == {sum_2416, index[5:0]});
-      not_4393_s3_q <= ~proven_q;
-      equal_4443_s3_q <= (registration_fresh_q & select_4441) == 4'h0;
+      and_3190_s3_q <= and_3190;
+      and_3204_s3_q <= and_3154 & less_3203;
+      equal_3247_s3_q <= (registration_fresh_q & select_3245) == 4'h0;
+      parity_3626_s3_q <= ^{xor_3622, xor_3585, select_3552[44:36], other[44:36]};
+      parity_3755_s3_q <= parity_3755;
+      parity_3817_s3_q <= parity_3817;
+      xor_3845_s3_q <= parity_3832 ^ parity_3844;
+      parity_3857_s3_q <= ^{or_3854, or_3850, and_3846};
+      or_3861_s3_q <= (or_3850 & or_3854) | (and_3846 & (or_3850 | or_3854));
+      equal_3862_s3_q <= equal_3862_s2_q;
+      select_3981_s3_q <= select_3981[14:10];
+      equal_3993_s3_q <= select_3950[3:0] == 4'h0;
+      less_3995_s3_q <= {difference_3994, 3'h0} < {3'h0, sum_3542};
+      less_3996_s3_q <= select_3991 < select_3981[9:0];
+      or_4001_s3_q <= (sum_3542 < 10'h39) | ({1'b0, sum_3542[9:1]} < select_3981[9:0]);
+      select_4046_s3_q <= select_4046;
+      and_4521_s3_q <= and_2564 & ({sum_2490, index_2[5:0]} == {sum_2477, index[5:0]});
+      not_4536_s3_q <= ~proven_q;
+      and_4579_s3_q <= and_4579;
+      equal_4589_s3_q <= (registration_fresh_q & select_4587) == 4'h0;
     end
   end
 
@@ -5468,7 +5834,6 @@ module horopter_agreement (
   logic patches_partly_q;
   logic [6:0] patches_clear_limit_q;
   logic patches_complete_q;
-  logic patches_frame_ended_q;
   logic patches_round_ends_q;
   logic [2:0] patches_found_q;
   logic patches_doubted_q;
@@ -5526,1268 +5891,1266 @@ module horopter_agreement (
   logic [4:0] box_nearer_sum_sums_values_0_q;
   logic seen_q;
   logic nearer_q;
-  // hls/stages/census.hpp:270
+  // hls/stages/census.hpp:272
   logic [11:0] texture;
-  assign texture = sum_621_s3_q + {2'h0, sum_624_s3_q};
-  // hls/stages/census.hpp:281
-  logic [12:0] sum_626;
-  assign sum_626 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-  logic [13:0] sum_628;
-  assign sum_628 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_626});
-  // hls/stages/census.hpp:303
-  logic less_629;
-  assign less_629 = 9'h4 < sum_628[13:5];
-  logic and_630;
-  assign and_630 = and_580_s3_q & less_629;
+  assign texture = sum_699_s3_q + {2'h0, sum_702_s3_q};
+  // hls/stages/census.hpp:283
+  logic [12:0] sum_704;
+  assign sum_704 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+  logic [13:0] sum_706;
+  assign sum_706 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_704});
+  // hls/stages/census.hpp:305
+  logic less_707;
+  assign less_707 = 9'h4 < sum_706[13:5];
+  logic and_708;
+  assign and_708 = and_658_s3_q & less_707;
+  // hls/stages/moments.hpp:30
+  logic and_720;
+  assign and_720 = (and_683_s3_q & and_710_s3_q) & less_719_s3_q;
   // hls/stages/registration.hpp:265
-  logic equal_2052;
-  assign equal_2052 = sum_2001_s3_q == 2'h0;
+  logic equal_2113;
+  assign equal_2113 = sum_2062_s3_q == 2'h0;
   // hls/stages/registration.hpp:263
   logic [6:0] down;
-  assign down = sum_2001_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_2062_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:265
-  logic [13:0] select_2054;
-  assign select_2054 = equal_2052 ? registration_half_across_q : {{7{down[6]}}, down};
-  logic [19:0] sum_2055;
-  assign sum_2055 = (equal_2050_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_2054[13]}}, select_2054};
+  logic [13:0] select_2115;
+  assign select_2115 = equal_2113 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_2116;
+  assign sum_2116 = (equal_2111_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_2115[13]}}, select_2115};
   // hls/stages/registration.hpp:264
   logic [6:0] up;
-  assign up = sum_2001_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_2062_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:266
-  logic [6:0] select_2058;
-  assign select_2058 = equal_2052 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_2059;
-  assign sum_2059 = (equal_2050_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_2058[6]}}, select_2058};
+  logic [6:0] select_2119;
+  assign select_2119 = equal_2113 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_2120;
+  assign sum_2120 = (equal_2111_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_2119[6]}}, select_2119};
   // hls/stages/patches.hpp:352
-  logic [22:0] select_2181;
-  assign select_2181 = and_2180_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2157_s3_q} : patches_choices_rdata_q;
+  logic [22:0] select_2241;
+  assign select_2241 = and_2240_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2217_s3_q} : patches_choices_rdata_q;
   // hls/stages/patches.hpp:127
-  logic select_2183;
-  assign select_2183 = equal_2081_s3_q ? patches_place_0_valid_q : (select_2080_s3_q ? patches_place_0_valid_q : select_2181[0]);
+  logic select_2243;
+  assign select_2243 = equal_2142_s3_q ? patches_place_0_valid_q : (select_2141_s3_q ? patches_place_0_valid_q : select_2241[0]);
   // hls/stages/patches.hpp:353
-  logic [21:0] select_2184;
-  assign select_2184 = select_2080_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2181[22:1];
+  logic [21:0] select_2244;
+  assign select_2244 = select_2141_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2241[22:1];
   // hls/stages/patches.hpp:127
-  logic [7:0] select_2185;
-  assign select_2185 = equal_2081_s3_q ? patches_place_0_column_q : select_2184[7:0];
-  logic [5:0] select_2186;
-  assign select_2186 = equal_2081_s3_q ? patches_place_0_shift_q : select_2184[13:8];
+  logic [7:0] select_2245;
+  assign select_2245 = equal_2142_s3_q ? patches_place_0_column_q : select_2244[7:0];
+  logic [5:0] select_2246;
+  assign select_2246 = equal_2142_s3_q ? patches_place_0_shift_q : select_2244[13:8];
   // hls/stages/patches.hpp:323
-  logic [7:0] sum_2187;
-  assign sum_2187 = select_2185 + {{2{select_2186[5]}}, select_2186};
+  logic [7:0] sum_2247;
+  assign sum_2247 = select_2245 + {{2{select_2246[5]}}, select_2246};
   // hls/stages/patches.hpp:324
-  logic [6:0] sum_2188;
-  assign sum_2188 = sum_2187[7:1] + 7'h7f;
+  logic [6:0] sum_2248;
+  assign sum_2248 = sum_2247[7:1] + 7'h7f;
   // hls/stages/patches.hpp:131
-  logic equal_2189;
-  assign equal_2189 = {sum_2188[6], select_481_s3_q, select_479_s3_q} == {1'b0, sum_2188[5:0], sum_2187[0], 3'h4};
+  logic equal_2249;
+  assign equal_2249 = {sum_2248[6], select_491_s3_q, select_489_s3_q} == {1'b0, sum_2248[5:0], sum_2247[0], 3'h4};
   // hls/stages/patches.hpp:133
-  logic or_2191;
-  assign or_2191 = and_2063_s3_q | (select_2183 & equal_2189);
-  // hls/stages/agreement.hpp:270
-  logic [4:0] select_2192;
-  assign select_2192 = or_2191 ? 5'h0 : patches_right_next_0_q[4:0];
+  logic or_2251;
+  assign or_2251 = and_2124_s3_q | (select_2243 & equal_2249);
+  // hls/stages/agreement.hpp:276
+  logic [4:0] select_2252;
+  assign select_2252 = or_2251 ? 5'h0 : patches_right_next_0_q[4:0];
   // hls/stages/patches.hpp:133
-  logic [5:0] select_2202;
-  assign select_2202 = or_2191 ? {and_2063_s3_q, 5'h0} : patches_right_next_0_q;
+  logic [5:0] select_2262;
+  assign select_2262 = or_2251 ? {and_2124_s3_q, 5'h0} : patches_right_next_0_q;
   // hls/stages/patches.hpp:137
-  logic and_2204;
-  assign and_2204 = select_2201_s3_q & (~select_2202[5]);
+  logic and_2264;
+  assign and_2264 = select_2261_s3_q & (~select_2262[5]);
   // hls/stages/patches.hpp:127
-  logic select_2212;
-  assign select_2212 = equal_2081_s3_q ? patches_place_1_valid_q : (select_2080_s3_q ? select_2181[0] : patches_place_1_valid_q);
+  logic select_2272;
+  assign select_2272 = equal_2142_s3_q ? patches_place_1_valid_q : (select_2141_s3_q ? select_2241[0] : patches_place_1_valid_q);
   // hls/stages/patches.hpp:353
-  logic [21:0] select_2213;
-  assign select_2213 = select_2080_s3_q ? select_2181[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  logic [21:0] select_2273;
+  assign select_2273 = select_2141_s3_q ? select_2241[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:127
-  logic [7:0] select_2214;
-  assign select_2214 = equal_2081_s3_q ? patches_place_1_column_q : select_2213[7:0];
-  logic [5:0] select_2215;
-  assign select_2215 = equal_2081_s3_q ? patches_place_1_shift_q : select_2213[13:8];
+  logic [7:0] select_2274;
+  assign select_2274 = equal_2142_s3_q ? patches_place_1_column_q : select_2273[7:0];
+  logic [5:0] select_2275;
+  assign select_2275 = equal_2142_s3_q ? patches_place_1_shift_q : select_2273[13:8];
   // hls/stages/patches.hpp:323
-  logic [7:0] sum_2216;
-  assign sum_2216 = select_2214 + {{2{select_2215[5]}}, select_2215};
+  logic [7:0] sum_2276;
+  assign sum_2276 = select_2274 + {{2{select_2275[5]}}, select_2275};
   // hls/stages/patches.hpp:324
-  logic [6:0] sum_2217;
-  assign sum_2217 = sum_2216[7:1] + 7'h7f;
+  logic [6:0] sum_2277;
+  assign sum_2277 = sum_2276[7:1] + 7'h7f;
   // hls/stages/patches.hpp:131
-  logic equal_2218;
-  assign equal_2218 = {sum_2217[6], select_481_s3_q, select_479_s3_q} == {1'b0, sum_2217[5:0], sum_2216[0], 3'h4};
+  logic equal_2278;
+  assign equal_2278 = {sum_2277[6], select_491_s3_q, select_489_s3_q} == {1'b0, sum_2277[5:0], sum_2276[0], 3'h4};
   // hls/stages/patches.hpp:133
-  logic or_2220;
-  assign or_2220 = and_2063_s3_q | (select_2212 & equal_2218);
-  // hls/stages/agreement.hpp:270
-  logic [4:0] select_2221;
-  assign select_2221 = or_2220 ? 5'h0 : patches_right_next_1_q[4:0];
+  logic or_2280;
+  assign or_2280 = and_2124_s3_q | (select_2272 & equal_2278);
+  // hls/stages/agreement.hpp:276
+  logic [4:0] select_2281;
+  assign select_2281 = or_2280 ? 5'h0 : patches_right_next_1_q[4:0];
   // hls/stages/patches.hpp:133
-  logic [5:0] select_2222;
-  assign select_2222 = or_2220 ? {and_2063_s3_q, 5'h0} : patches_right_next_1_q;
+  logic [5:0] select_2282;
+  assign select_2282 = or_2280 ? {and_2124_s3_q, 5'h0} : patches_right_next_1_q;
   // hls/stages/patches.hpp:137
-  logic and_2224;
-  assign and_2224 = select_2201_s3_q & (~select_2222[5]);
+  logic and_2284;
+  assign and_2284 = select_2261_s3_q & (~select_2282[5]);
   // hls/stages/patches.hpp:319
-  logic [7:0] sum_2231;
-  assign sum_2231 = select_2185 + 8'hff;
+  logic [7:0] sum_2291;
+  assign sum_2291 = select_2245 + 8'hff;
   // hls/stages/patches.hpp:132
-  logic equal_2232;
-  assign equal_2232 = {sum_2231[7], select_481_s3_q, select_479_s3_q} == {1'b0, sum_2231[6:0], 3'h4};
+  logic equal_2292;
+  assign equal_2292 = {sum_2291[7], select_491_s3_q, select_489_s3_q} == {1'b0, sum_2291[6:0], 3'h4};
   // hls/stages/patches.hpp:134
-  logic or_2234;
-  assign or_2234 = and_2063_s3_q | (select_2183 & equal_2232);
-  logic [4:0] select_2235;
-  assign select_2235 = or_2234 ? {and_2063_s3_q, 4'h0} : patches_left_next_0_q;
+  logic or_2294;
+  assign or_2294 = and_2124_s3_q | (select_2243 & equal_2292);
+  logic [4:0] select_2295;
+  assign select_2295 = or_2294 ? {and_2124_s3_q, 4'h0} : patches_left_next_0_q;
   // hls/stages/patches.hpp:319
-  logic [7:0] sum_2236;
-  assign sum_2236 = select_2214 + 8'hff;
+  logic [7:0] sum_2296;
+  assign sum_2296 = select_2274 + 8'hff;
   // hls/stages/patches.hpp:132
-  logic equal_2237;
-  assign equal_2237 = {sum_2236[7], select_481_s3_q, select_479_s3_q} == {1'b0, sum_2236[6:0], 3'h4};
+  logic equal_2297;
+  assign equal_2297 = {sum_2296[7], select_491_s3_q, select_489_s3_q} == {1'b0, sum_2296[6:0], 3'h4};
   // hls/stages/patches.hpp:134
-  logic [4:0] select_2240;
-  assign select_2240 = (and_2063_s3_q | (select_2212 & equal_2237)) ? {and_2063_s3_q, 4'h0} : patches_left_next_1_q;
+  logic [4:0] select_2300;
+  assign select_2300 = (and_2124_s3_q | (select_2272 & equal_2297)) ? {and_2124_s3_q, 4'h0} : patches_left_next_1_q;
   // hls/stages/patches.hpp:142
   logic [3:0] column_7;
-  assign column_7 = select_2235[4] ? select_2240[3:0] : select_2235[3:0];
-  // hls/stages/agreement.hpp:270
-  logic select_2243;
-  assign select_2243 = or_2234 ? and_2063_s3_q : patches_left_next_0_q[4];
+  assign column_7 = select_2295[4] ? select_2300[3:0] : select_2295[3:0];
+  // hls/stages/agreement.hpp:276
+  logic select_2303;
+  assign select_2303 = or_2294 ? and_2124_s3_q : patches_left_next_0_q[4];
   // hls/stages/patches.hpp:142
-  logic and_2249;
-  assign and_2249 = (select_2201_s3_q & (select_2195_s3_q[3] ^ select_2195_s3_q[4])) & ((~select_2235[4]) | (~select_2240[4]));
+  logic and_2309;
+  assign and_2309 = (select_2261_s3_q & (select_2255_s3_q[3] ^ select_2255_s3_q[4])) & ((~select_2295[4]) | (~select_2300[4]));
   // hls/stages/patches.hpp:184
-  logic less_2340;
-  assign less_2340 = patches_sums_values_0_q < patches_best_differing_q;
+  logic less_2400;
+  assign less_2400 = patches_sums_values_0_q < patches_best_differing_q;
   // hls/stages/patches.hpp:185
-  logic not_2341;
-  assign not_2341 = ~less_2340;
-  logic [1:0] select_2342;
-  assign select_2342 = patches_summed_first_s3_q ? 2'h2 : {less_2340, not_2341};
-  logic [12:0] select_2343;
-  assign select_2343 = select_2342[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
-  logic [14:0] select_2344;
-  assign select_2344 = select_2342[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
-  logic [14:0] select_2345;
-  assign select_2345 = select_2342[1] ? {select_2343[12:8], patches_sums_values_0_q[9:8], select_2343[7:0]} : select_2344;
-  // hls/stages/agreement.hpp:890
-  logic [6:0] select_2370;
-  assign select_2370 = segment_started_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:891
-  logic [6:0] sum_2371;
-  assign sum_2371 = {6'h0, textured_s3_q} + select_2370;
-  // hls/stages/agreement.hpp:1037
-  logic [9:0] sum_2373;
-  assign sum_2373 = {3'h0, sum_2371} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
-  // hls/stages/agreement.hpp:890
-  logic [6:0] select_2375;
-  assign select_2375 = segment_started_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:891
-  logic [6:0] sum_2376;
-  assign sum_2376 = {6'h0, explained_s3_q} + select_2375;
-  // hls/stages/agreement.hpp:1038
-  logic [9:0] sum_2378;
-  assign sum_2378 = {3'h0, sum_2376} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
-  // hls/stages/agreement.hpp:890
-  logic [6:0] select_2385;
-  assign select_2385 = segment_started_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:892
-  logic [6:0] sum_2386;
-  assign sum_2386 = {6'h0, and_2384_s3_q} + select_2385;
-  // hls/stages/agreement.hpp:1039
-  logic [9:0] sum_2388;
-  assign sum_2388 = {3'h0, sum_2386} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
-  // hls/stages/agreement.hpp:1070
-  logic [2:0] select_2438;
-  assign select_2438 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2439;
-  assign difference_2439 = {1'b0, textured_2_s3_q} - {1'b0, select_2438};
+  logic not_2401;
+  assign not_2401 = ~less_2400;
+  logic [1:0] select_2402;
+  assign select_2402 = patches_summed_first_s3_q ? 2'h2 : {less_2400, not_2401};
+  logic [12:0] select_2404;
+  assign select_2404 = select_2402[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
+  logic [14:0] select_2405;
+  assign select_2405 = select_2402[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
+  logic [14:0] select_2406;
+  assign select_2406 = (select_2402 == 2'h2) ? {select_2404[12:8], patches_sums_values_0_q[9:8], select_2404[7:0]} : select_2405;
+  // hls/stages/agreement.hpp:900
+  logic [6:0] select_2431;
+  assign select_2431 = segment_started_q ? segment_textured_q : 7'h0;
+  // hls/stages/agreement.hpp:901
+  logic [6:0] sum_2432;
+  assign sum_2432 = {6'h0, textured_s3_q} + select_2431;
+  // hls/stages/agreement.hpp:1061
+  logic [9:0] sum_2434;
+  assign sum_2434 = {3'h0, sum_2432} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
+  // hls/stages/agreement.hpp:900
+  logic [6:0] select_2436;
+  assign select_2436 = segment_started_q ? segment_explained_q : 7'h0;
+  // hls/stages/agreement.hpp:901
+  logic [6:0] sum_2437;
+  assign sum_2437 = {6'h0, explained_s3_q} + select_2436;
+  // hls/stages/agreement.hpp:1062
+  logic [9:0] sum_2439;
+  assign sum_2439 = {3'h0, sum_2437} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
+  // hls/stages/agreement.hpp:900
+  logic [6:0] select_2446;
+  assign select_2446 = segment_started_q ? segment_nearer_q : 7'h0;
+  // hls/stages/agreement.hpp:902
+  logic [6:0] sum_2447;
+  assign sum_2447 = {6'h0, and_2445_s3_q} + select_2446;
+  // hls/stages/agreement.hpp:1063
+  logic [9:0] sum_2449;
+  assign sum_2449 = {3'h0, sum_2447} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
+  // hls/stages/agreement.hpp:1094
+  logic [2:0] select_2499;
+  assign select_2499 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2500;
+  assign difference_2500 = {1'b0, textured_2_s3_q} - {1'b0, select_2499};
   logic [4:0] t;
-  assign t = {difference_2439[3], difference_2439} + (equal_2119_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1076
-  logic equal_2442;
-  assign equal_2442 = t[4:1] == 4'h0;
-  // hls/stages/agreement.hpp:1077
-  logic not_2454;
-  assign not_2454 = ~region_row_s3_q[2];
-  logic [2:0] select_2455;
-  assign select_2455 = region_row_s3_q[1] ? {1'b0, not_2454, 1'b0} : {region_row_s3_q[2], 1'b0, not_2454};
-  logic [5:0] select_2456;
-  assign select_2456 = region_row_s3_q[0] ? {select_2455[2], 1'b0, select_2455[1], 1'b0, select_2455[0], 1'b0} : {1'b0, select_2455[2], 1'b0, select_2455[1], 1'b0, select_2455[0]};
-  logic [11:0] select_2457;
-  assign select_2457 = or_2453_s3_q ? {select_2456[5], 1'b0, select_2456[4], 1'b0, select_2456[3], 1'b0, select_2456[2], 1'b0, select_2456[1], 1'b0, select_2456[0], 1'b0} : {1'b0, select_2456[5], 1'b0, select_2456[4], 1'b0, select_2456[3], 1'b0, select_2456[2], 1'b0, select_2456[1], 1'b0, select_2456[0]};
-  logic [23:0] select_2458;
-  assign select_2458 = or_2450_s3_q ? {select_2457[11], 1'b0, select_2457[10], 1'b0, select_2457[9], 1'b0, select_2457[8], 1'b0, select_2457[7], 1'b0, select_2457[6], 1'b0, select_2457[5], 1'b0, select_2457[4], 1'b0, select_2457[3], 1'b0, select_2457[2], 1'b0, select_2457[1], 1'b0, select_2457[0], 1'b0} : {1'b0, select_2457[11], 1'b0, select_2457[10], 1'b0, select_2457[9], 1'b0, select_2457[8], 1'b0, select_2457[7], 1'b0, select_2457[6], 1'b0, select_2457[5], 1'b0, select_2457[4], 1'b0, select_2457[3], 1'b0, select_2457[2], 1'b0, select_2457[1], 1'b0, select_2457[0]};
-  logic [47:0] select_2459;
-  assign select_2459 = or_2447_s3_q ? {select_2458[23], 1'b0, select_2458[22], 1'b0, select_2458[21], 1'b0, select_2458[20], 1'b0, select_2458[19], 1'b0, select_2458[18], 1'b0, select_2458[17], 1'b0, select_2458[16], 1'b0, select_2458[15], 1'b0, select_2458[14], 1'b0, select_2458[13], 1'b0, select_2458[12], 1'b0, select_2458[11], 1'b0, select_2458[10], 1'b0, select_2458[9], 1'b0, select_2458[8], 1'b0, select_2458[7], 1'b0, select_2458[6], 1'b0, select_2458[5], 1'b0, select_2458[4], 1'b0, select_2458[3], 1'b0, select_2458[2], 1'b0, select_2458[1], 1'b0, select_2458[0], 1'b0} : {1'b0, select_2458[23], 1'b0, select_2458[22], 1'b0, select_2458[21], 1'b0, select_2458[20], 1'b0, select_2458[19], 1'b0, select_2458[18], 1'b0, select_2458[17], 1'b0, select_2458[16], 1'b0, select_2458[15], 1'b0, select_2458[14], 1'b0, select_2458[13], 1'b0, select_2458[12], 1'b0, select_2458[11], 1'b0, select_2458[10], 1'b0, select_2458[9], 1'b0, select_2458[8], 1'b0, select_2458[7], 1'b0, select_2458[6], 1'b0, select_2458[5], 1'b0, select_2458[4], 1'b0, select_2458[3], 1'b0, select_2458[2], 1'b0, select_2458[1], 1'b0, select_2458[0]};
-  // hls/stages/agreement.hpp:1009
-  logic and_2463;
-  assign and_2463 = good_known_q & (~((good_q & select_2459) == 48'h0));
-  // hls/stages/agreement.hpp:1072
-  logic [2:0] select_2472;
-  assign select_2472 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2473;
-  assign difference_2473 = {1'b0, shown_2_s3_q} - {1'b0, select_2472};
+  assign t = {difference_2500[3], difference_2500} + (equal_545_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1100
+  logic equal_2503;
+  assign equal_2503 = t[4:1] == 4'h0;
+  // hls/stages/agreement.hpp:1101
+  logic not_2515;
+  assign not_2515 = ~region_row_s3_q[2];
+  logic [2:0] select_2516;
+  assign select_2516 = region_row_s3_q[1] ? {1'b0, not_2515, 1'b0} : {region_row_s3_q[2], 1'b0, not_2515};
+  logic [5:0] select_2517;
+  assign select_2517 = region_row_s3_q[0] ? {select_2516[2], 1'b0, select_2516[1], 1'b0, select_2516[0], 1'b0} : {1'b0, select_2516[2], 1'b0, select_2516[1], 1'b0, select_2516[0]};
+  logic [11:0] select_2518;
+  assign select_2518 = or_2514_s3_q ? {select_2517[5], 1'b0, select_2517[4], 1'b0, select_2517[3], 1'b0, select_2517[2], 1'b0, select_2517[1], 1'b0, select_2517[0], 1'b0} : {1'b0, select_2517[5], 1'b0, select_2517[4], 1'b0, select_2517[3], 1'b0, select_2517[2], 1'b0, select_2517[1], 1'b0, select_2517[0]};
+  logic [23:0] select_2519;
+  assign select_2519 = or_2511_s3_q ? {select_2518[11], 1'b0, select_2518[10], 1'b0, select_2518[9], 1'b0, select_2518[8], 1'b0, select_2518[7], 1'b0, select_2518[6], 1'b0, select_2518[5], 1'b0, select_2518[4], 1'b0, select_2518[3], 1'b0, select_2518[2], 1'b0, select_2518[1], 1'b0, select_2518[0], 1'b0} : {1'b0, select_2518[11], 1'b0, select_2518[10], 1'b0, select_2518[9], 1'b0, select_2518[8], 1'b0, select_2518[7], 1'b0, select_2518[6], 1'b0, select_2518[5], 1'b0, select_2518[4], 1'b0, select_2518[3], 1'b0, select_2518[2], 1'b0, select_2518[1], 1'b0, select_2518[0]};
+  logic [47:0] select_2520;
+  assign select_2520 = or_2508_s3_q ? {select_2519[23], 1'b0, select_2519[22], 1'b0, select_2519[21], 1'b0, select_2519[20], 1'b0, select_2519[19], 1'b0, select_2519[18], 1'b0, select_2519[17], 1'b0, select_2519[16], 1'b0, select_2519[15], 1'b0, select_2519[14], 1'b0, select_2519[13], 1'b0, select_2519[12], 1'b0, select_2519[11], 1'b0, select_2519[10], 1'b0, select_2519[9], 1'b0, select_2519[8], 1'b0, select_2519[7], 1'b0, select_2519[6], 1'b0, select_2519[5], 1'b0, select_2519[4], 1'b0, select_2519[3], 1'b0, select_2519[2], 1'b0, select_2519[1], 1'b0, select_2519[0], 1'b0} : {1'b0, select_2519[23], 1'b0, select_2519[22], 1'b0, select_2519[21], 1'b0, select_2519[20], 1'b0, select_2519[19], 1'b0, select_2519[18], 1'b0, select_2519[17], 1'b0, select_2519[16], 1'b0, select_2519[15], 1'b0, select_2519[14], 1'b0, select_2519[13], 1'b0, select_2519[12], 1'b0, select_2519[11], 1'b0, select_2519[10], 1'b0, select_2519[9], 1'b0, select_2519[8], 1'b0, select_2519[7], 1'b0, select_2519[6], 1'b0, select_2519[5], 1'b0, select_2519[4], 1'b0, select_2519[3], 1'b0, select_2519[2], 1'b0, select_2519[1], 1'b0, select_2519[0]};
+  // hls/stages/agreement.hpp:1030
+  logic and_2524;
+  assign and_2524 = good_known_q & (~((good_q & select_2520) == 48'h0));
+  // hls/stages/agreement.hpp:1096
+  logic [2:0] select_2533;
+  assign select_2533 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2534;
+  assign difference_2534 = {1'b0, shown_2_s3_q} - {1'b0, select_2533};
   logic [4:0] around;
-  assign around = {difference_2473[3], difference_2473} + (equal_2119_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1079
-  logic [5:0] sum_2476;
-  assign sum_2476 = {1'b0, around} + {2'h0, around[4:1]};
+  assign around = {difference_2534[3], difference_2534} + (equal_545_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1103
+  logic [5:0] sum_2537;
+  assign sum_2537 = {1'b0, around} + {2'h0, around[4:1]};
   logic is_seen;
-  assign is_seen = equal_2442 ? and_2463 : (~({sum_2476, around[0]} < {2'h0, t}));
-  // hls/stages/agreement.hpp:1073
-  logic [2:0] select_2488;
-  assign select_2488 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2489;
-  assign difference_2489 = {1'b0, near_2_s3_q} - {1'b0, select_2488};
+  assign is_seen = equal_2503 ? and_2524 : (~({sum_2537, around[0]} < {2'h0, t}));
+  // hls/stages/agreement.hpp:1097
+  logic [2:0] select_2549;
+  assign select_2549 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2550;
+  assign difference_2550 = {1'b0, near_2_s3_q} - {1'b0, select_2549};
   logic [4:0] n;
-  assign n = {difference_2489[3], difference_2489} + (equal_2119_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1088
-  logic and_2493;
-  assign and_2493 = is_seen & ({1'b0, around[4:1]} < n);
-  // hls/stages/agreement.hpp:270
-  logic [8:0] select_2527;
-  assign select_2527 = sample_pair_whole_s3_q ? (and_513_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2529;
-  assign select_2529 = sample_pair_whole_s3_q ? (and_513_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2531;
-  assign select_2531 = sample_pair_whole_s3_q ? (and_513_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2533;
-  assign select_2533 = sample_pair_whole_s3_q ? (and_513_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
-  // hls/stages/census.hpp:208
-  logic [9:0] sum_2538;
-  assign sum_2538 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
-  logic [9:0] difference_2539;
-  assign difference_2539 = {1'b0, sum_2538[9:1]} - {1'b0, averager_quarter_1_0_q};
+  assign n = {difference_2550[3], difference_2550} + (equal_545_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1112
+  logic and_2554;
+  assign and_2554 = is_seen & ({1'b0, around[4:1]} < n);
+  // hls/stages/agreement.hpp:276
+  logic [8:0] select_2588;
+  assign select_2588 = sample_pair_whole_s3_q ? (and_523_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2590;
+  assign select_2590 = sample_pair_whole_s3_q ? (and_523_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2592;
+  assign select_2592 = sample_pair_whole_s3_q ? (and_523_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2594;
+  assign select_2594 = sample_pair_whole_s3_q ? (and_523_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:209
-  logic [9:0] xor_2540;
-  assign xor_2540 = {difference_2539[8:0], sum_2538[0]} ^ {10{difference_2539[9]}};
+  logic [9:0] sum_2599;
+  assign sum_2599 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
+  logic [9:0] difference_2600;
+  assign difference_2600 = {1'b0, sum_2599[9:1]} - {1'b0, averager_quarter_1_0_q};
+  // hls/stages/census.hpp:210
+  logic [9:0] xor_2601;
+  assign xor_2601 = {difference_2600[8:0], sum_2599[0]} ^ {10{difference_2600[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2539[9]} + {1'b0, xor_2540};
-  // hls/stages/census.hpp:210
+  assign size = {10'h0, difference_2600[9]} + {1'b0, xor_2601};
+  // hls/stages/census.hpp:211
   logic [13:0] detail;
-  assign detail = {3'h0, size} + (equal_518_s3_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:270
-  logic [13:0] select_2545;
-  assign select_2545 = sample_pair_whole_s3_q ? (and_513_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
-  // hls/stages/census.hpp:208
-  logic [9:0] sum_2546;
-  assign sum_2546 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
-  logic [9:0] difference_2547;
-  assign difference_2547 = {1'b0, sum_2546[9:1]} - {1'b0, averager_quarter_1_1_q};
+  assign detail = {3'h0, size} + (equal_528_s3_q ? 14'h0 : averager_detail_0_q);
+  // hls/stages/agreement.hpp:276
+  logic [13:0] select_2606;
+  assign select_2606 = sample_pair_whole_s3_q ? (and_523_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:209
-  logic [9:0] xor_2548;
-  assign xor_2548 = {difference_2547[8:0], sum_2546[0]} ^ {10{difference_2547[9]}};
-  logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2547[9]} + {1'b0, xor_2548};
+  logic [9:0] sum_2607;
+  assign sum_2607 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
+  logic [9:0] difference_2608;
+  assign difference_2608 = {1'b0, sum_2607[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:210
+  logic [9:0] xor_2609;
+  assign xor_2609 = {difference_2608[8:0], sum_2607[0]} ^ {10{difference_2608[9]}};
+  logic [10:0] size_2;
+  assign size_2 = {10'h0, difference_2608[9]} + {1'b0, xor_2609};
+  // hls/stages/census.hpp:211
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2} + (equal_518_s3_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:270
-  logic [13:0] select_2553;
-  assign select_2553 = sample_pair_whole_s3_q ? (and_513_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/census.hpp:272
-  logic [11:0] sum_2636;
-  assign sum_2636 = sum_2632_s3_q + {2'h0, sum_2635_s3_q};
-  // hls/stages/agreement.hpp:514
-  logic [11:0] select_2638;
-  assign select_2638 = and_515_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2639;
-  assign select_2639 = and_515_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [11:0] select_2640;
-  assign select_2640 = and_515_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_2641;
-  assign select_2641 = and_515_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
-  // hls/stages/census.hpp:282
-  logic [12:0] sum_2644;
-  assign sum_2644 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2636};
-  logic [13:0] sum_2646;
-  assign sum_2646 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2644});
-  // hls/stages/census.hpp:305
-  logic and_2648;
-  assign and_2648 = and_605_s3_q & (9'h4 < sum_2646[13:5]);
-  // hls/stages/census.hpp:306
-  logic and_2649;
-  assign and_2649 = and_605_s3_q & less_629;
-  // hls/stages/census.hpp:307
-  logic [19:0] sum_2650;
-  assign sum_2650 = census_left_misses_q + {{17{and_2649}}, and_2648, 1'b0, and_2648};
-  // hls/stages/agreement.hpp:514
-  logic [19:0] select_2652;
-  assign select_2652 = and_515_s3_q ? (equal_2643_s3_q ? 20'h0 : sum_2650) : census_left_misses_q;
-  // hls/stages/agreement.hpp:270
-  logic [27:0] select_2657;
-  assign select_2657 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
-  // hls/stages/agreement.hpp:514
-  logic select_2660;
-  assign select_2660 = and_515_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
-  // hls/stages/census.hpp:355
-  logic and_2663;
-  assign and_2663 = whole_2_s3_q & (~(column_s3_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:451
-  logic and_2669;
-  assign and_2669 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
-  logic and_2670;
-  assign and_2670 = and_2663 & and_2669;
-  // hls/stages/census.hpp:354
-  logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2657[13:0]};
-  // hls/stages/census.hpp:356
-  logic [12:0] select_2672;
-  assign select_2672 = and_2670 ? detail_3[14:2] : 13'h0;
-  // hls/stages/census.hpp:357
-  logic [23:0] select_2674;
-  assign select_2674 = equal_2643_s3_q ? {11'h0, select_2672} : (sharpness_sums_detail_0_q + {11'h0, select_2672});
-  // hls/stages/agreement.hpp:451
-  logic and_2681;
-  assign and_2681 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
-  logic and_2682;
-  assign and_2682 = and_2663 & and_2681;
-  // hls/stages/census.hpp:354
-  logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2657[27:14]};
-  // hls/stages/census.hpp:356
-  logic [12:0] select_2684;
-  assign select_2684 = and_2682 ? detail_4[14:2] : 13'h0;
-  // hls/stages/census.hpp:357
-  logic [23:0] select_2686;
-  assign select_2686 = equal_2643_s3_q ? {11'h0, select_2684} : (sharpness_sums_detail_1_q + {11'h0, select_2684});
-  logic [8:0] select_2689;
-  assign select_2689 = and_2670 ? contrast_s3_q : 9'h0;
-  logic [23:0] sum_2690;
-  assign sum_2690 = (equal_2643_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2689};
-  logic [8:0] select_2693;
-  assign select_2693 = and_2682 ? contrast_2_s3_q : 9'h0;
-  logic [23:0] sum_2694;
-  assign sum_2694 = (equal_2643_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2693};
-  // hls/stages/agreement.hpp:209
-  logic equal_2696;
-  assign equal_2696 = x_s3_q[7:3] == 5'h0;
-  // hls/stages/census.hpp:370
-  logic less_2697;
-  assign less_2697 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
-  // hls/stages/census.hpp:409
-  logic less_2698;
-  assign less_2698 = x_s3_q[4:0] < 5'h3;
-  logic not_2699;
-  assign not_2699 = ~x_s3_q[1];
-  logic [2:0] select_2700;
-  assign select_2700 = x_s3_q[0] ? {1'b0, not_2699, 1'b0} : {x_s3_q[1], 1'b0, not_2699};
-  logic [5:0] select_2701;
-  assign select_2701 = slot_s3_q[2] ? {select_2700[2], 1'b0, select_2700[1], 1'b0, select_2700[0], 1'b0} : {1'b0, select_2700[2], 1'b0, select_2700[1], 1'b0, select_2700[0]};
+  assign detail_2 = {3'h0, size_2} + (equal_528_s3_q ? 14'h0 : averager_detail_1_q);
+  // hls/stages/agreement.hpp:276
+  logic [13:0] select_2614;
+  assign select_2614 = sample_pair_whole_s3_q ? (and_523_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  // hls/stages/census.hpp:274
+  logic [11:0] sum_2697;
+  assign sum_2697 = sum_2693_s3_q + {2'h0, sum_2696_s3_q};
+  // hls/stages/agreement.hpp:520
+  logic [11:0] select_2699;
+  assign select_2699 = and_525_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2700;
+  assign select_2700 = and_525_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2701;
+  assign select_2701 = and_525_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
   logic [11:0] select_2702;
-  assign select_2702 = slot_s3_q[1] ? {select_2701[5], 1'b0, select_2701[4], 1'b0, select_2701[3], 1'b0, select_2701[2], 1'b0, select_2701[1], 1'b0, select_2701[0], 1'b0} : {1'b0, select_2701[5], 1'b0, select_2701[4], 1'b0, select_2701[3], 1'b0, select_2701[2], 1'b0, select_2701[1], 1'b0, select_2701[0]};
-  logic [23:0] select_2703;
-  assign select_2703 = slot_s3_q[0] ? {select_2702[11], 1'b0, select_2702[10], 1'b0, select_2702[9], 1'b0, select_2702[8], 1'b0, select_2702[7], 1'b0, select_2702[6], 1'b0, select_2702[5], 1'b0, select_2702[4], 1'b0, select_2702[3], 1'b0, select_2702[2], 1'b0, select_2702[1], 1'b0, select_2702[0], 1'b0} : {1'b0, select_2702[11], 1'b0, select_2702[10], 1'b0, select_2702[9], 1'b0, select_2702[8], 1'b0, select_2702[7], 1'b0, select_2702[6], 1'b0, select_2702[5], 1'b0, select_2702[4], 1'b0, select_2702[3], 1'b0, select_2702[2], 1'b0, select_2702[1], 1'b0, select_2702[0]};
-  // hls/stages/census.hpp:372
-  logic and_2707;
-  assign and_2707 = less_2698 & (~((sharpness_sums_contrast_1_q & select_2703) == 24'h0));
-  // hls/stages/census.hpp:377
-  logic [17:0] select_2709;
-  assign select_2709 = (less_2697 & and_2707) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
-  logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2709};
-  // hls/stages/agreement.hpp:213
-  logic [17:0] select_2712;
-  assign select_2712 = equal_2696 ? (less_2697 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  // hls/stages/census.hpp:372
-  logic and_2717;
-  assign and_2717 = less_2698 & (~((sharpness_sums_contrast_0_q & select_2703) == 24'h0));
-  // hls/stages/census.hpp:377
-  logic [17:0] select_2719;
-  assign select_2719 = (less_2697 & and_2717) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
-  logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2719};
-  // hls/stages/agreement.hpp:213
-  logic [17:0] select_2722;
-  assign select_2722 = equal_2696 ? (less_2697 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2724;
-  assign select_2724 = equal_2696 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2726;
-  assign select_2726 = equal_2696 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2728;
-  assign select_2728 = equal_2696 ? {sharpness_comparing_contrast_0_q[0], and_2717} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2730;
-  assign select_2730 = equal_2696 ? {sharpness_comparing_contrast_1_q[0], and_2707} : sharpness_comparing_contrast_1_q;
+  assign select_2702 = and_525_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  // hls/stages/census.hpp:284
+  logic [12:0] sum_2705;
+  assign sum_2705 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2697};
+  logic [13:0] sum_2707;
+  assign sum_2707 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2705});
+  // hls/stages/census.hpp:311
+  logic and_2709;
+  assign and_2709 = and_683_s3_q & (9'h4 < sum_2707[13:5]);
+  // hls/stages/census.hpp:312
+  logic and_2710;
+  assign and_2710 = and_683_s3_q & less_707;
+  // hls/stages/census.hpp:313
+  logic [19:0] sum_2711;
+  assign sum_2711 = census_left_misses_q + {{17{and_2710}}, and_2709, 1'b0, and_2709};
+  // hls/stages/agreement.hpp:520
+  logic [19:0] select_2713;
+  assign select_2713 = and_525_s3_q ? (equal_2704_s3_q ? 20'h0 : sum_2711) : census_left_misses_q;
+  // hls/stages/agreement.hpp:276
+  logic [27:0] select_2778;
+  assign select_2778 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
+  // hls/stages/agreement.hpp:520
+  logic select_2781;
+  assign select_2781 = and_525_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  // hls/stages/census.hpp:361
+  logic and_2784;
+  assign and_2784 = whole_2_s3_q & (~(column_s3_q[6:1] == 6'h0));
+  // hls/stages/agreement.hpp:457
+  logic and_2790;
+  assign and_2790 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
+  logic and_2791;
+  assign and_2791 = and_2784 & and_2790;
+  // hls/stages/census.hpp:360
+  logic [14:0] detail_3;
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2778[13:0]};
+  // hls/stages/census.hpp:362
+  logic [12:0] select_2793;
+  assign select_2793 = and_2791 ? detail_3[14:2] : 13'h0;
+  // hls/stages/census.hpp:363
+  logic [23:0] select_2795;
+  assign select_2795 = equal_2704_s3_q ? {11'h0, select_2793} : (sharpness_sums_detail_0_q + {11'h0, select_2793});
+  // hls/stages/agreement.hpp:457
+  logic and_2802;
+  assign and_2802 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
+  logic and_2803;
+  assign and_2803 = and_2784 & and_2802;
+  // hls/stages/census.hpp:360
+  logic [14:0] detail_4;
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2778[27:14]};
+  // hls/stages/census.hpp:362
+  logic [12:0] select_2805;
+  assign select_2805 = and_2803 ? detail_4[14:2] : 13'h0;
+  // hls/stages/census.hpp:363
+  logic [23:0] select_2807;
+  assign select_2807 = equal_2704_s3_q ? {11'h0, select_2805} : (sharpness_sums_detail_1_q + {11'h0, select_2805});
+  logic [8:0] select_2810;
+  assign select_2810 = and_2791 ? contrast_s3_q : 9'h0;
+  logic [23:0] sum_2811;
+  assign sum_2811 = (equal_2704_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2810};
+  logic [8:0] select_2814;
+  assign select_2814 = and_2803 ? contrast_2_s3_q : 9'h0;
+  logic [23:0] sum_2815;
+  assign sum_2815 = (equal_2704_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2814};
+  // hls/stages/agreement.hpp:211
+  logic equal_2817;
+  assign equal_2817 = x_s3_q[7:3] == 5'h0;
+  // hls/stages/census.hpp:376
+  logic less_2818;
+  assign less_2818 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
+  // hls/stages/census.hpp:415
+  logic less_2819;
+  assign less_2819 = x_s3_q[4:0] < 5'h3;
+  logic not_2820;
+  assign not_2820 = ~x_s3_q[1];
+  logic [2:0] select_2821;
+  assign select_2821 = x_s3_q[0] ? {1'b0, not_2820, 1'b0} : {x_s3_q[1], 1'b0, not_2820};
+  logic [5:0] select_2822;
+  assign select_2822 = slot_s3_q[2] ? {select_2821[2], 1'b0, select_2821[1], 1'b0, select_2821[0], 1'b0} : {1'b0, select_2821[2], 1'b0, select_2821[1], 1'b0, select_2821[0]};
+  logic [11:0] select_2823;
+  assign select_2823 = slot_s3_q[1] ? {select_2822[5], 1'b0, select_2822[4], 1'b0, select_2822[3], 1'b0, select_2822[2], 1'b0, select_2822[1], 1'b0, select_2822[0], 1'b0} : {1'b0, select_2822[5], 1'b0, select_2822[4], 1'b0, select_2822[3], 1'b0, select_2822[2], 1'b0, select_2822[1], 1'b0, select_2822[0]};
+  logic [23:0] select_2824;
+  assign select_2824 = slot_s3_q[0] ? {select_2823[11], 1'b0, select_2823[10], 1'b0, select_2823[9], 1'b0, select_2823[8], 1'b0, select_2823[7], 1'b0, select_2823[6], 1'b0, select_2823[5], 1'b0, select_2823[4], 1'b0, select_2823[3], 1'b0, select_2823[2], 1'b0, select_2823[1], 1'b0, select_2823[0], 1'b0} : {1'b0, select_2823[11], 1'b0, select_2823[10], 1'b0, select_2823[9], 1'b0, select_2823[8], 1'b0, select_2823[7], 1'b0, select_2823[6], 1'b0, select_2823[5], 1'b0, select_2823[4], 1'b0, select_2823[3], 1'b0, select_2823[2], 1'b0, select_2823[1], 1'b0, select_2823[0]};
+  // hls/stages/census.hpp:378
+  logic and_2828;
+  assign and_2828 = less_2819 & (~((sharpness_sums_contrast_1_q & select_2824) == 24'h0));
   // hls/stages/census.hpp:383
+  logic [17:0] select_2830;
+  assign select_2830 = (less_2818 & and_2828) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [18:0] sum;
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2830};
+  // hls/stages/agreement.hpp:216
+  logic [17:0] select_2833;
+  assign select_2833 = equal_2817 ? (less_2818 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  // hls/stages/census.hpp:378
+  logic and_2838;
+  assign and_2838 = less_2819 & (~((sharpness_sums_contrast_0_q & select_2824) == 24'h0));
+  // hls/stages/census.hpp:383
+  logic [17:0] select_2840;
+  assign select_2840 = (less_2818 & and_2838) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [18:0] sum_2;
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2840};
+  // hls/stages/agreement.hpp:216
+  logic [17:0] select_2843;
+  assign select_2843 = equal_2817 ? (less_2818 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2845;
+  assign select_2845 = equal_2817 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2847;
+  assign select_2847 = equal_2817 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2849;
+  assign select_2849 = equal_2817 ? {sharpness_comparing_contrast_0_q[0], and_2838} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2851;
+  assign select_2851 = equal_2817 ? {sharpness_comparing_contrast_1_q[0], and_2828} : sharpness_comparing_contrast_1_q;
+  // hls/stages/census.hpp:389
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
-  // hls/stages/agreement.hpp:213
-  logic select_2735;
-  assign select_2735 = drew_q ? (equal_2696 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
-  // hls/stages/census.hpp:383
+  // hls/stages/agreement.hpp:216
+  logic select_2856;
+  assign select_2856 = drew_q ? (equal_2817 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  // hls/stages/census.hpp:389
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
-  // hls/stages/agreement.hpp:213
-  logic select_2739;
-  assign select_2739 = drew_q ? (equal_2696 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
-  // hls/stages/census.hpp:369
-  logic equal_2740;
-  assign equal_2740 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
-  // hls/stages/census.hpp:385
-  logic xor_2741;
-  assign xor_2741 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2744;
-  assign select_2744 = (equal_2740 | xor_2741) ? (five_times[0] & xor_2741) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:213
-  logic select_2746;
-  assign select_2746 = drew_q ? (equal_2696 ? select_2744 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:385
-  logic xor_2747;
-  assign xor_2747 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2750;
-  assign select_2750 = (equal_2740 | xor_2747) ? (five_times_2[0] & xor_2747) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:213
-  logic select_2752;
-  assign select_2752 = drew_q ? (equal_2696 ? select_2750 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/census.hpp:386
-  logic xor_2753;
-  assign xor_2753 = sharpness_comparing_contrast_0_q[1] ^ and_2707;
-  logic select_2756;
-  assign select_2756 = (equal_2740 | xor_2753) ? (and_2707 & xor_2753) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/agreement.hpp:213
-  logic select_2758;
-  assign select_2758 = drew_q ? (equal_2696 ? select_2756 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:386
-  logic xor_2759;
-  assign xor_2759 = sharpness_comparing_contrast_1_q[1] ^ and_2717;
-  logic select_2762;
-  assign select_2762 = (equal_2740 | xor_2759) ? (and_2717 & xor_2759) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:213
-  logic select_2764;
-  assign select_2764 = drew_q ? (equal_2696 ? select_2762 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:914
-  logic [13:0] select_2880;
-  assign select_2880 = and_2872_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2878_s3_q});
-  // hls/stages/agreement.hpp:780
-  logic and_2883;
-  assign and_2883 = not_1955_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
-  logic and_2888;
-  assign and_2888 = not_1955_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
-  logic and_2893;
-  assign and_2893 = not_1955_s3_q & (drew_q & (ends_cell_s3_q & and_2384_s3_q));
-  // hls/stages/agreement.hpp:1081
-  logic not_2897;
-  assign not_2897 = ~(x_s3_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:1071
-  logic [2:0] select_2906;
-  assign select_2906 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2907;
-  assign difference_2907 = {1'b0, explained_2_s3_q} - {1'b0, select_2906};
+  // hls/stages/agreement.hpp:216
+  logic select_2860;
+  assign select_2860 = drew_q ? (equal_2817 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  // hls/stages/census.hpp:375
+  logic equal_2861;
+  assign equal_2861 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
+  // hls/stages/census.hpp:391
+  logic xor_2862;
+  assign xor_2862 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic select_2865;
+  assign select_2865 = (equal_2861 | xor_2862) ? (five_times[0] & xor_2862) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/agreement.hpp:216
+  logic select_2867;
+  assign select_2867 = drew_q ? (equal_2817 ? select_2865 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:391
+  logic xor_2868;
+  assign xor_2868 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2871;
+  assign select_2871 = (equal_2861 | xor_2868) ? (five_times_2[0] & xor_2868) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/agreement.hpp:216
+  logic select_2873;
+  assign select_2873 = drew_q ? (equal_2817 ? select_2871 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/census.hpp:392
+  logic xor_2874;
+  assign xor_2874 = sharpness_comparing_contrast_0_q[1] ^ and_2828;
+  logic select_2877;
+  assign select_2877 = (equal_2861 | xor_2874) ? (and_2828 & xor_2874) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/agreement.hpp:216
+  logic select_2879;
+  assign select_2879 = drew_q ? (equal_2817 ? select_2877 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:392
+  logic xor_2880;
+  assign xor_2880 = sharpness_comparing_contrast_1_q[1] ^ and_2838;
+  logic select_2883;
+  assign select_2883 = (equal_2861 | xor_2880) ? (and_2838 & xor_2880) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:216
+  logic select_2885;
+  assign select_2885 = drew_q ? (equal_2817 ? select_2883 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:926
+  logic [13:0] select_3001;
+  assign select_3001 = and_2993_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2999_s3_q});
+  // hls/stages/agreement.hpp:788
+  logic and_3004;
+  assign and_3004 = not_550_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
+  logic and_3009;
+  assign and_3009 = not_550_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
+  logic and_3014;
+  assign and_3014 = not_550_s3_q & (drew_q & (ends_cell_s3_q & and_2445_s3_q));
+  // hls/stages/agreement.hpp:1105
+  logic not_3018;
+  assign not_3018 = ~(x_s3_q[7:1] == 7'h0);
+  // hls/stages/agreement.hpp:1095
+  logic [2:0] select_3027;
+  assign select_3027 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_3028;
+  assign difference_3028 = {1'b0, explained_2_s3_q} - {1'b0, select_3027};
   logic [4:0] e;
-  assign e = {difference_2907[3], difference_2907} + (equal_2119_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1078
-  logic [5:0] sum_2910;
-  assign sum_2910 = {1'b0, e} + {2'h0, e[4:1]};
-  // hls/stages/agreement.hpp:1082
-  logic not_2914;
-  assign not_2914 = ~(equal_2442 ? and_2463 : (~({sum_2910, e[0]} < {2'h0, t})));
-  // hls/stages/agreement.hpp:780
-  logic and_2917;
-  assign and_2917 = ends_cell_s3_q & (not_2897 & (centres_values_1_textured_s3_q & not_2914));
-  logic and_2919;
-  assign and_2919 = not_1955_s3_q & (drew_q & and_2917);
-  // hls/stages/agreement.hpp:1108
-  logic less_2922;
-  assign less_2922 = region_row_s3_q < x_s3_q[5:3];
-  logic [9:0] select_2923;
-  assign select_2923 = less_2922 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_2926;
-  assign select_2926 = less_2922 ? 10'h0 : regions_rdata_q[19:10];
-  // hls/stages/agreement.hpp:1109
-  logic [10:0] sum_2927;
-  assign sum_2927 = {1'b0, select_2926} + {3'h0, select_2926[9:2]};
-  logic and_2929;
-  assign and_2929 = (~(select_2923[9:4] == 6'h0)) & ({sum_2927, select_2926[1:0]} < {3'h0, select_2923});
-  // hls/stages/agreement.hpp:1118
-  logic [9:0] select_2932;
-  assign select_2932 = x_s3_q[6] ? (equal_1995_s3_q ? 10'h0 : (and_2929 ? select_2923 : 10'h0)) : 10'h0;
-  // hls/stages/agreement.hpp:780
-  logic [9:0] select_2933;
-  assign select_2933 = equal_1954_s3_q ? select_2932 : 10'h0;
-  // hls/stages/agreement.hpp:914
-  logic [13:0] select_2935;
-  assign select_2935 = and_2872_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2933});
-  logic [13:0] select_2942;
-  assign select_2942 = and_2872_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2940_s3_q});
-  // hls/stages/agreement.hpp:1086
-  logic and_2944;
-  assign and_2944 = not_2897 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
-  // hls/stages/agreement.hpp:780
-  logic and_2947;
-  assign and_2947 = not_1955_s3_q & (drew_q & (ends_cell_s3_q & and_2944));
-  // hls/stages/agreement.hpp:914
-  logic [13:0] select_2949;
-  assign select_2949 = and_2872_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2947});
-  // hls/stages/agreement.hpp:1086
-  logic and_2951;
-  assign and_2951 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_2914);
-  // hls/stages/agreement.hpp:780
-  logic and_2955;
-  assign and_2955 = not_1955_s3_q & (drew_q & (ends_cell_s3_q & (not_2897 & and_2951)));
-  // hls/stages/agreement.hpp:914
-  logic [13:0] select_2957;
-  assign select_2957 = and_2872_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2955});
-  logic [13:0] select_2976;
-  assign select_2976 = and_2872_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2974_s3_q});
-  // hls/stages/agreement.hpp:780
-  logic [7:0] select_3027;
-  assign select_3027 = drew_q ? (equal_2091_s3_q ? (and_3009_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_3028;
-  assign select_3028 = equal_1954_s3_q ? 8'h0 : select_3027;
-  // hls/stages/registration.hpp:134
-  logic [13:0] select_3030;
-  assign select_3030 = and_3008_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3028[7]}}, select_3028});
-  // hls/stages/agreement.hpp:780
-  logic and_3033;
-  assign and_3033 = not_1955_s3_q & (drew_q & (and_3009_s3_q & equal_2091_s3_q));
-  // hls/stages/registration.hpp:134
-  logic [5:0] select_3035;
-  assign select_3035 = and_3008_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3033});
-  // hls/stages/registration.hpp:107
-  logic and_3037;
-  assign and_3037 = and_3009_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/agreement.hpp:780
-  logic [1:0] select_3039;
-  assign select_3039 = drew_q ? (equal_2091_s3_q ? {and_3037, and_3009_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3040;
-  assign select_3040 = equal_1954_s3_q ? 2'h0 : select_3039;
-  // hls/stages/registration.hpp:184
-  logic [6:0] sum_3041;
-  assign sum_3041 = registration_half_votes_down_q + {{5{select_3040[1]}}, select_3040};
-  // hls/stages/agreement.hpp:780
-  logic [1:0] select_3047;
-  assign select_3047 = drew_q ? (equal_2091_s3_q ? {and_3045_s3_q, and_3009_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3048;
-  assign select_3048 = equal_1954_s3_q ? 2'h0 : select_3047;
-  // hls/stages/registration.hpp:185
-  logic [6:0] sum_3049;
-  assign sum_3049 = registration_half_votes_up_q + {{5{select_3048[1]}}, select_3048};
-  // hls/stages/registration.hpp:107
-  logic and_3052;
-  assign and_3052 = and_3009_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
-  // hls/stages/agreement.hpp:780
-  logic [1:0] select_3054;
-  assign select_3054 = drew_q ? (equal_2091_s3_q ? {and_3052, and_3009_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3055;
-  assign select_3055 = equal_1954_s3_q ? 2'h0 : select_3054;
-  // hls/stages/registration.hpp:184
-  logic [6:0] sum_3056;
-  assign sum_3056 = registration_half_half_votes_down_q + {{5{select_3055[1]}}, select_3055};
-  // hls/stages/agreement.hpp:780
-  logic [1:0] select_3061;
-  assign select_3061 = drew_q ? (equal_2091_s3_q ? {and_3059_s3_q, and_3009_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3062;
-  assign select_3062 = equal_1954_s3_q ? 2'h0 : select_3061;
-  // hls/stages/registration.hpp:185
-  logic [6:0] sum_3063;
-  assign sum_3063 = registration_half_half_votes_up_q + {{5{select_3062[1]}}, select_3062};
-  // hls/stages/agreement.hpp:780
-  logic and_3097;
-  assign and_3097 = equal_1954_s3_q & (x_s3_q[6] & (not_2357_s3_q & less_2026_s3_q));
+  assign e = {difference_3028[3], difference_3028} + (equal_545_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1102
+  logic [5:0] sum_3031;
+  assign sum_3031 = {1'b0, e} + {2'h0, e[4:1]};
   // hls/stages/agreement.hpp:1106
-  logic [11:0] select_3104;
-  assign select_3104 = or_2030_s3_q ? 12'h0 : (equal_3102_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1118
-  logic [11:0] select_3107;
-  assign select_3107 = x_s3_q[6] ? (equal_1995_s3_q ? 12'h0 : (less_2026_s3_q ? select_3104 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:780
-  logic [11:0] select_3108;
-  assign select_3108 = equal_1954_s3_q ? select_3107 : 12'h0;
-  // hls/stages/registration.hpp:153
-  logic and_3109;
-  assign and_3109 = x_s3_q[1] & all_s3_q;
-  // hls/stages/agreement.hpp:1118
-  logic and_3112;
-  assign and_3112 = not_2357_s3_q & (less_2026_s3_q & ({and_3109, x_s3_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:780
-  logic and_3114;
-  assign and_3114 = equal_1954_s3_q & (x_s3_q[6] & and_3112);
-  // hls/stages/registration.hpp:252
-  logic [13:0] sum_3116;
-  assign sum_3116 = {{2{select_3108[11]}}, select_3108} + (and_3114 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:1106
-  logic [11:0] select_3119;
-  assign select_3119 = or_2030_s3_q ? 12'h0 : (equal_3102_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1118
-  logic [11:0] select_3122;
-  assign select_3122 = x_s3_q[6] ? (equal_1995_s3_q ? 12'h0 : (less_2026_s3_q ? select_3119 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:780
-  logic [11:0] select_3123;
-  assign select_3123 = equal_1954_s3_q ? select_3122 : 12'h0;
-  // hls/stages/registration.hpp:253
-  logic [13:0] sum_3125;
-  assign sum_3125 = {{2{select_3123[11]}}, select_3123} + (and_3114 ? 14'h0 : registration_up_q);
-  // hls/stages/registration.hpp:150
-  logic not_3127;
-  assign not_3127 = ~all_s3_q;
-  // hls/stages/agreement.hpp:1118
-  logic and_3130;
-  assign and_3130 = not_2357_s3_q & (less_2026_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3127, 1'b0}));
-  // hls/stages/agreement.hpp:780
-  logic and_3136;
-  assign and_3136 = equal_1954_s3_q & (x_s3_q[6] & (not_2357_s3_q & (less_2026_s3_q & all_s3_q)));
-  // hls/stages/registration.hpp:246
-  logic not_3137;
-  assign not_3137 = ~and_3136;
-  logic less_3138;
-  assign less_3138 = $signed({9'h1, {2{not_3137}}, and_3136}) < $signed(registration_up_q[13:2]);
-  logic select_3139;
-  assign select_3139 = (equal_1954_s3_q & (x_s3_q[6] & and_3130)) ? less_3138 : registration_enough_q;
-  // hls/stages/agreement.hpp:1118
-  logic and_3143;
-  assign and_3143 = x_s3_q[6] & (not_2357_s3_q & (less_2026_s3_q & (x_s3_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:780
-  logic and_3144;
-  assign and_3144 = equal_1954_s3_q & and_3143;
-  // hls/stages/registration.hpp:242
-  logic less_3145;
-  assign less_3145 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_3147;
-  assign less_3147 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/registration.hpp:159
-  logic equal_3149;
-  assign equal_3149 = x_s3_q[2:0] == 3'h7;
-  // hls/stages/agreement.hpp:780
-  logic and_3153;
-  assign and_3153 = equal_1954_s3_q & (x_s3_q[6] & (not_2357_s3_q & (less_2026_s3_q & equal_3149)));
-  // hls/stages/agreement.hpp:1118
-  logic and_3160;
-  assign and_3160 = x_s3_q[6] & (not_2357_s3_q & (less_2026_s3_q & (x_s3_q[5:0] == 6'h0)));
-  // hls/stages/registration.hpp:157
-  logic equal_3163;
-  assign equal_3163 = x_s3_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1118
-  logic and_3166;
-  assign and_3166 = not_2357_s3_q & (less_2026_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3163));
-  // hls/stages/registration.hpp:244
-  logic and_3170;
-  assign and_3170 = (equal_1954_s3_q & (x_s3_q[6] & and_3166)) & (less_3147 | less_3145);
-  // hls/stages/agreement.hpp:1118
-  logic and_3175;
-  assign and_3175 = not_2357_s3_q & (less_2026_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3163)));
-  // hls/stages/registration.hpp:244
+  logic not_3035;
+  assign not_3035 = ~(equal_2503 ? and_2524 : (~({sum_3031, e[0]} < {2'h0, t})));
+  // hls/stages/agreement.hpp:788
+  logic and_3038;
+  assign and_3038 = ends_cell_s3_q & (not_3018 & (centres_values_1_textured_s3_q & not_3035));
+  logic and_3040;
+  assign and_3040 = not_550_s3_q & (drew_q & and_3038);
+  // hls/stages/agreement.hpp:1132
+  logic less_3043;
+  assign less_3043 = region_row_s3_q < x_s3_q[5:3];
+  logic [9:0] select_3044;
+  assign select_3044 = less_3043 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_3047;
+  assign select_3047 = less_3043 ? 10'h0 : regions_rdata_q[19:10];
+  // hls/stages/agreement.hpp:1133
+  logic [10:0] sum_3048;
+  assign sum_3048 = {1'b0, select_3047} + {3'h0, select_3047[9:2]};
+  logic and_3050;
+  assign and_3050 = (~(select_3044[9:4] == 6'h0)) & ({sum_3048, select_3047[1:0]} < {3'h0, select_3044});
+  // hls/stages/agreement.hpp:1142
+  logic [9:0] select_3053;
+  assign select_3053 = x_s3_q[6] ? (equal_2056_s3_q ? 10'h0 : (and_3050 ? select_3044 : 10'h0)) : 10'h0;
+  // hls/stages/agreement.hpp:788
+  logic [9:0] select_3054;
+  assign select_3054 = equal_549_s3_q ? select_3053 : 10'h0;
+  // hls/stages/agreement.hpp:926
+  logic [13:0] select_3056;
+  assign select_3056 = and_2993_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3054});
+  logic [13:0] select_3063;
+  assign select_3063 = and_2993_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3061_s3_q});
+  // hls/stages/agreement.hpp:1110
+  logic and_3065;
+  assign and_3065 = not_3018 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
+  // hls/stages/agreement.hpp:788
+  logic and_3068;
+  assign and_3068 = not_550_s3_q & (drew_q & (ends_cell_s3_q & and_3065));
+  // hls/stages/agreement.hpp:926
+  logic [13:0] select_3070;
+  assign select_3070 = and_2993_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3068});
+  // hls/stages/agreement.hpp:1110
+  logic and_3072;
+  assign and_3072 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_3035);
+  // hls/stages/agreement.hpp:788
+  logic and_3076;
+  assign and_3076 = not_550_s3_q & (drew_q & (ends_cell_s3_q & (not_3018 & and_3072)));
+  // hls/stages/agreement.hpp:926
+  logic [13:0] select_3078;
+  assign select_3078 = and_2993_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3076});
+  logic [13:0] select_3097;
+  assign select_3097 = and_2993_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_3095_s3_q});
+  // hls/stages/agreement.hpp:788
+  logic [7:0] select_3172;
+  assign select_3172 = drew_q ? (equal_2152_s3_q ? (and_3154_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_3173;
+  assign select_3173 = equal_549_s3_q ? 8'h0 : select_3172;
+  // hls/stages/registration.hpp:134
+  logic [13:0] select_3175;
+  assign select_3175 = and_3153_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3173[7]}}, select_3173});
+  // hls/stages/agreement.hpp:788
   logic and_3178;
-  assign and_3178 = registration_votes_up_q & registration_other_down_q;
-  logic select_3180;
-  assign select_3180 = registration_votes_down_q ? (registration_other_up_q | and_3178) : and_3178;
-  // hls/stages/registration.hpp:138
+  assign and_3178 = not_550_s3_q & (drew_q & (and_3154_s3_q & equal_2152_s3_q));
+  // hls/stages/registration.hpp:134
+  logic [5:0] select_3180;
+  assign select_3180 = and_3153_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3178});
+  // hls/stages/registration.hpp:107
   logic and_3182;
-  assign and_3182 = (equal_1954_s3_q & (x_s3_q[6] & and_3175)) & (registration_other_enough_q & select_3180);
+  assign and_3182 = and_3154_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
+  // hls/stages/agreement.hpp:788
+  logic [1:0] select_3184;
+  assign select_3184 = drew_q ? (equal_2152_s3_q ? {and_3182, and_3154_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3185;
+  assign select_3185 = equal_549_s3_q ? 2'h0 : select_3184;
+  // hls/stages/registration.hpp:184
+  logic [6:0] sum_3186;
+  assign sum_3186 = registration_half_votes_down_q + {{5{select_3185[1]}}, select_3185};
+  // hls/stages/agreement.hpp:788
+  logic [1:0] select_3192;
+  assign select_3192 = drew_q ? (equal_2152_s3_q ? {and_3190_s3_q, and_3154_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3193;
+  assign select_3193 = equal_549_s3_q ? 2'h0 : select_3192;
+  // hls/stages/registration.hpp:185
+  logic [6:0] sum_3194;
+  assign sum_3194 = registration_half_votes_up_q + {{5{select_3193[1]}}, select_3193};
+  // hls/stages/registration.hpp:107
+  logic and_3197;
+  assign and_3197 = and_3154_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
+  // hls/stages/agreement.hpp:788
+  logic [1:0] select_3199;
+  assign select_3199 = drew_q ? (equal_2152_s3_q ? {and_3197, and_3154_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3200;
+  assign select_3200 = equal_549_s3_q ? 2'h0 : select_3199;
+  // hls/stages/registration.hpp:184
+  logic [6:0] sum_3201;
+  assign sum_3201 = registration_half_half_votes_down_q + {{5{select_3200[1]}}, select_3200};
+  // hls/stages/agreement.hpp:788
+  logic [1:0] select_3206;
+  assign select_3206 = drew_q ? (equal_2152_s3_q ? {and_3204_s3_q, and_3154_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3207;
+  assign select_3207 = equal_549_s3_q ? 2'h0 : select_3206;
+  // hls/stages/registration.hpp:185
+  logic [6:0] sum_3208;
+  assign sum_3208 = registration_half_half_votes_up_q + {{5{select_3207[1]}}, select_3207};
+  // hls/stages/agreement.hpp:788
+  logic and_3242;
+  assign and_3242 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q & less_2087_s3_q));
+  // hls/stages/agreement.hpp:1130
+  logic [11:0] select_3249;
+  assign select_3249 = or_2091_s3_q ? 12'h0 : (equal_3247_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:1142
+  logic [11:0] select_3252;
+  assign select_3252 = x_s3_q[6] ? (equal_2056_s3_q ? 12'h0 : (less_2087_s3_q ? select_3249 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:788
+  logic [11:0] select_3253;
+  assign select_3253 = equal_549_s3_q ? select_3252 : 12'h0;
+  // hls/stages/registration.hpp:153
+  logic and_3254;
+  assign and_3254 = x_s3_q[1] & all_s3_q;
+  // hls/stages/agreement.hpp:1142
+  logic and_3257;
+  assign and_3257 = not_2418_s3_q & (less_2087_s3_q & ({and_3254, x_s3_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:788
+  logic and_3259;
+  assign and_3259 = equal_549_s3_q & (x_s3_q[6] & and_3257);
+  // hls/stages/registration.hpp:252
+  logic [13:0] sum_3261;
+  assign sum_3261 = {{2{select_3253[11]}}, select_3253} + (and_3259 ? 14'h0 : registration_down_q);
+  // hls/stages/agreement.hpp:1130
+  logic [11:0] select_3264;
+  assign select_3264 = or_2091_s3_q ? 12'h0 : (equal_3247_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:1142
+  logic [11:0] select_3267;
+  assign select_3267 = x_s3_q[6] ? (equal_2056_s3_q ? 12'h0 : (less_2087_s3_q ? select_3264 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:788
+  logic [11:0] select_3268;
+  assign select_3268 = equal_549_s3_q ? select_3267 : 12'h0;
+  // hls/stages/registration.hpp:253
+  logic [13:0] sum_3270;
+  assign sum_3270 = {{2{select_3268[11]}}, select_3268} + (and_3259 ? 14'h0 : registration_up_q);
+  // hls/stages/registration.hpp:150
+  logic not_3272;
+  assign not_3272 = ~all_s3_q;
+  // hls/stages/agreement.hpp:1142
+  logic and_3275;
+  assign and_3275 = not_2418_s3_q & (less_2087_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3272, 1'b0}));
+  // hls/stages/agreement.hpp:788
+  logic and_3281;
+  assign and_3281 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q & (less_2087_s3_q & all_s3_q)));
+  // hls/stages/registration.hpp:246
+  logic not_3282;
+  assign not_3282 = ~and_3281;
+  logic less_3283;
+  assign less_3283 = $signed({9'h1, {2{not_3282}}, and_3281}) < $signed(registration_up_q[13:2]);
+  logic select_3284;
+  assign select_3284 = (equal_549_s3_q & (x_s3_q[6] & and_3275)) ? less_3283 : registration_enough_q;
+  // hls/stages/agreement.hpp:1142
+  logic and_3288;
+  assign and_3288 = x_s3_q[6] & (not_2418_s3_q & (less_2087_s3_q & (x_s3_q[2:0] == 3'h4)));
+  // hls/stages/agreement.hpp:788
+  logic and_3289;
+  assign and_3289 = equal_549_s3_q & and_3288;
+  // hls/stages/registration.hpp:242
+  logic less_3290;
+  assign less_3290 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_3292;
+  assign less_3292 = $signed(14'h0) < $signed(registration_up_q);
+  // hls/stages/registration.hpp:159
+  logic equal_3294;
+  assign equal_3294 = x_s3_q[2:0] == 3'h7;
+  // hls/stages/agreement.hpp:788
+  logic and_3298;
+  assign and_3298 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q & (less_2087_s3_q & equal_3294)));
+  // hls/stages/agreement.hpp:1142
+  logic and_3305;
+  assign and_3305 = x_s3_q[6] & (not_2418_s3_q & (less_2087_s3_q & (x_s3_q[5:0] == 6'h0)));
+  // hls/stages/registration.hpp:157
+  logic equal_3308;
+  assign equal_3308 = x_s3_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:1142
+  logic and_3311;
+  assign and_3311 = not_2418_s3_q & (less_2087_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3308));
+  // hls/stages/registration.hpp:244
+  logic and_3315;
+  assign and_3315 = (equal_549_s3_q & (x_s3_q[6] & and_3311)) & (less_3292 | less_3290);
+  // hls/stages/agreement.hpp:1142
+  logic and_3320;
+  assign and_3320 = not_2418_s3_q & (less_2087_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3308)));
+  // hls/stages/registration.hpp:244
+  logic and_3323;
+  assign and_3323 = registration_votes_up_q & registration_other_down_q;
+  logic select_3325;
+  assign select_3325 = registration_votes_down_q ? (registration_other_up_q | and_3323) : and_3323;
+  // hls/stages/registration.hpp:138
+  logic and_3327;
+  assign and_3327 = (equal_549_s3_q & (x_s3_q[6] & and_3320)) & (registration_other_enough_q & select_3325);
   // hls/stages/registration.hpp:245
-  logic or_3185;
-  assign or_3185 = registration_moved_q | (registration_enough_q & (and_3170 | and_3182));
-  // hls/stages/agreement.hpp:270
-  logic [7:0] select_3270;
-  assign select_3270 = sample_pair_whole_s3_q ? (equal_2081_s3_q ? patches_place_0_slope_q : select_2184[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3275;
-  assign select_3275 = sample_pair_whole_s3_q ? (equal_2081_s3_q ? patches_place_1_slope_q : select_2213[21:14]) : patches_place_1_slope_q;
+  logic or_3330;
+  assign or_3330 = registration_moved_q | (registration_enough_q & (and_3315 | and_3327));
+  // hls/stages/agreement.hpp:276
+  logic [7:0] select_3415;
+  assign select_3415 = sample_pair_whole_s3_q ? (equal_2142_s3_q ? patches_place_0_slope_q : select_2244[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3420;
+  assign select_3420 = sample_pair_whole_s3_q ? (equal_2142_s3_q ? patches_place_1_slope_q : select_2273[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:127
-  logic select_3277;
-  assign select_3277 = equal_2081_s3_q ? patches_valid_0_q : (select_2080_s3_q ? patches_valid_0_q : select_2181[0]);
-  // hls/stages/agreement.hpp:270
-  logic select_3280;
-  assign select_3280 = sample_pair_whole_s3_q ? (and_2204 ? (sample_present_s3_q & select_3277) : select_3277) : patches_valid_0_q;
+  logic select_3422;
+  assign select_3422 = equal_2142_s3_q ? patches_valid_0_q : (select_2141_s3_q ? patches_valid_0_q : select_2241[0]);
+  // hls/stages/agreement.hpp:276
+  logic select_3425;
+  assign select_3425 = sample_pair_whole_s3_q ? (and_2264 ? (sample_present_s3_q & select_3422) : select_3422) : patches_valid_0_q;
   // hls/stages/patches.hpp:127
-  logic select_3282;
-  assign select_3282 = equal_2081_s3_q ? patches_valid_1_q : (select_2080_s3_q ? select_2181[0] : patches_valid_1_q);
-  // hls/stages/agreement.hpp:270
-  logic select_3285;
-  assign select_3285 = sample_pair_whole_s3_q ? (and_2224 ? (sample_present_s3_q & select_3282) : select_3282) : patches_valid_1_q;
-  logic [5:0] select_3288;
-  assign select_3288 = sample_pair_whole_s3_q ? (select_2202[5] ? {1'b1, select_2202[4:0]} : (select_2202 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3291;
-  assign select_3291 = sample_pair_whole_s3_q ? (select_2222[5] ? {1'b1, select_2222[4:0]} : (select_2222 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3294;
-  assign select_3294 = sample_pair_whole_s3_q ? (select_2235[4] ? {1'b1, select_2235[3:0]} : (select_2235 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3297;
-  assign select_3297 = sample_pair_whole_s3_q ? (select_2240[4] ? {1'b1, select_2240[3:0]} : (select_2240 + 5'h1)) : patches_left_next_1_q;
+  logic select_3427;
+  assign select_3427 = equal_2142_s3_q ? patches_valid_1_q : (select_2141_s3_q ? select_2241[0] : patches_valid_1_q);
+  // hls/stages/agreement.hpp:276
+  logic select_3430;
+  assign select_3430 = sample_pair_whole_s3_q ? (and_2284 ? (sample_present_s3_q & select_3427) : select_3427) : patches_valid_1_q;
+  logic [5:0] select_3433;
+  assign select_3433 = sample_pair_whole_s3_q ? (select_2262[5] ? {1'b1, select_2262[4:0]} : (select_2262 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3436;
+  assign select_3436 = sample_pair_whole_s3_q ? (select_2282[5] ? {1'b1, select_2282[4:0]} : (select_2282 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3439;
+  assign select_3439 = sample_pair_whole_s3_q ? (select_2295[4] ? {1'b1, select_2295[3:0]} : (select_2295 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3442;
+  assign select_3442 = sample_pair_whole_s3_q ? (select_2300[4] ? {1'b1, select_2300[3:0]} : (select_2300 + 5'h1)) : patches_left_next_1_q;
   // hls/stages/patches.hpp:520
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3716_s3_q, parity_3712_s3_q, xor_3700_s3_q, parity_3672_s3_q, parity_3610_s3_q, parity_3481_s3_q} + (equal_3717_s3_q ? 10'h0 : patches_sums_values_16_q);
+  assign sum_3 = {4'h0, or_3861_s3_q, parity_3857_s3_q, xor_3845_s3_q, parity_3817_s3_q, parity_3755_s3_q, parity_3626_s3_q} + (equal_3862_s3_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/patches.hpp:184
-  logic [9:0] select_3721;
-  assign select_3721 = equal_2165_s3_q ? patches_sums_values_0_q : (equal_2167_s3_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3722;
-  assign select_3722 = equal_2167_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3724;
-  assign select_3724 = equal_2167_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
-  logic [9:0] select_3726;
-  assign select_3726 = equal_2167_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
-  logic [9:0] select_3728;
-  assign select_3728 = equal_2167_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
-  logic [9:0] select_3730;
-  assign select_3730 = equal_2167_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
-  logic [9:0] select_3732;
-  assign select_3732 = equal_2167_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
-  logic [9:0] select_3734;
-  assign select_3734 = equal_2167_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
-  logic [9:0] select_3736;
-  assign select_3736 = equal_2167_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
-  logic [9:0] select_3738;
-  assign select_3738 = equal_2167_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
-  logic [9:0] select_3740;
-  assign select_3740 = equal_2167_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
-  logic [9:0] select_3742;
-  assign select_3742 = equal_2167_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
-  logic [9:0] select_3744;
-  assign select_3744 = equal_2167_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
-  logic [9:0] select_3746;
-  assign select_3746 = equal_2167_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
-  logic [9:0] select_3748;
-  assign select_3748 = equal_2167_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
-  logic [9:0] select_3750;
-  assign select_3750 = equal_2167_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
-  logic [9:0] select_3752;
-  assign select_3752 = equal_2167_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  logic [9:0] select_3866;
+  assign select_3866 = equal_2225_s3_q ? patches_sums_values_0_q : (equal_2227_s3_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3867;
+  assign select_3867 = equal_2227_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3869;
+  assign select_3869 = equal_2227_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3871;
+  assign select_3871 = equal_2227_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  logic [9:0] select_3873;
+  assign select_3873 = equal_2227_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  logic [9:0] select_3875;
+  assign select_3875 = equal_2227_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  logic [9:0] select_3877;
+  assign select_3877 = equal_2227_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  logic [9:0] select_3879;
+  assign select_3879 = equal_2227_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  logic [9:0] select_3881;
+  assign select_3881 = equal_2227_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  logic [9:0] select_3883;
+  assign select_3883 = equal_2227_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  logic [9:0] select_3885;
+  assign select_3885 = equal_2227_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3887;
+  assign select_3887 = equal_2227_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3889;
+  assign select_3889 = equal_2227_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3891;
+  assign select_3891 = equal_2227_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3893;
+  assign select_3893 = equal_2227_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3895;
+  assign select_3895 = equal_2227_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3897;
+  assign select_3897 = equal_2227_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
   // hls/stages/patches.hpp:594
-  logic or_3857;
-  assign or_3857 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_3856_s3_q;
-  logic or_3860;
-  assign or_3860 = equal_3848_s3_q | (less_3850_s3_q | (less_3851_s3_q | or_3857));
+  logic or_4002;
+  assign or_4002 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_4001_s3_q;
+  logic or_4005;
+  assign or_4005 = equal_3993_s3_q | (less_3995_s3_q | (less_3996_s3_q | or_4002));
   // hls/stages/patches.hpp:574
-  logic not_3861;
-  assign not_3861 = ~or_3860;
+  logic not_4006;
+  assign not_4006 = ~or_4005;
   // hls/stages/patches.hpp:555
-  logic and_3862;
-  assign and_3862 = equal_2331_s3_q & not_3861;
+  logic and_4007;
+  assign and_4007 = equal_2391_s3_q & not_4006;
   // hls/stages/patches.hpp:184
-  logic and_3865;
-  assign and_3865 = equal_2165_s3_q & (less_2328_s3_q ? (not_2330_s3_q & and_3862) : and_3862);
+  logic and_4010;
+  assign and_4010 = equal_2225_s3_q & (less_2388_s3_q ? (not_2390_s3_q & and_4007) : and_4007);
   // hls/stages/patches.hpp:652
-  logic not_3866;
-  assign not_3866 = ~patches_lower_s3_q;
+  logic not_4011;
+  assign not_4011 = ~patches_lower_s3_q;
   // hls/stages/patches.hpp:555
-  logic and_3868;
-  assign and_3868 = equal_2331_s3_q & (patches_second_s3_q & not_3861);
+  logic and_4013;
+  assign and_4013 = equal_2391_s3_q & (patches_second_s3_q & not_4006);
   // hls/stages/patches.hpp:184
-  logic and_3871;
-  assign and_3871 = equal_2165_s3_q & (less_2328_s3_q ? (not_2330_s3_q & and_3868) : and_3868);
+  logic and_4016;
+  assign and_4016 = equal_2225_s3_q & (less_2388_s3_q ? (not_2390_s3_q & and_4013) : and_4013);
   // hls/stages/patches.hpp:652
-  logic not_3872;
-  assign not_3872 = ~and_3871;
+  logic not_4017;
+  assign not_4017 = ~and_4016;
   // hls/stages/patches.hpp:188
-  logic and_3874;
-  assign and_3874 = and_3865 & (not_3866 & not_3872);
-  // hls/stages/patches.hpp:654
-  logic [7:0] sum_3876;
-  assign sum_3876 = {7'h0, and_3874} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
-  // hls/stages/patches.hpp:592
-  logic [7:0] select_3902;
-  assign select_3902 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
-  // hls/stages/patches.hpp:591
-  logic [5:0] select_3903;
-  assign select_3903 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_3904;
-  assign sum_3904 = {2'h0, select_3836_s3_q[4:3]} + 4'hf;
-  logic [6:0] sum_3905;
-  assign sum_3905 = {select_3903[5], select_3903} + {{3{sum_3904[3]}}, sum_3904};
-  // hls/stages/patches.hpp:592
-  logic [17:0] product_3906;
-  assign product_3906 = $signed({{10{select_3902[7]}}, select_3902}) * $signed({{8{sum_3905[6]}}, sum_3905, select_3836_s3_q[2:0]});
-  // hls/stages/patches.hpp:593
-  logic [13:0] difference_3907;
-  assign difference_3907 = {{6{select_3901_s3_q[7]}}, select_3901_s3_q} - {product_3906[17], product_3906[17:5]};
-  // hls/stages/patches.hpp:599
-  logic less_3908;
-  assign less_3908 = $signed({{7{difference_3878[6]}}, difference_3878}) < $signed(difference_3907);
-  // hls/stages/patches.hpp:555
-  logic and_3911;
-  assign and_3911 = equal_2331_s3_q & (not_3861 & (~less_3908));
-  // hls/stages/patches.hpp:184
-  logic and_3914;
-  assign and_3914 = equal_2165_s3_q & (less_2328_s3_q ? (not_2330_s3_q & and_3911) : and_3911);
-  // hls/stages/patches.hpp:655
-  logic and_3915;
-  assign and_3915 = and_3914 & and_3874;
-  logic [7:0] sum_3916;
-  assign sum_3916 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3915};
-  // hls/stages/patches.hpp:555
-  logic and_3920;
-  assign and_3920 = not_3861 & (~($signed(difference_3907) < $signed({8'h0, cfg_patch_limit_i})));
-  logic and_3921;
-  assign and_3921 = equal_2331_s3_q & and_3920;
-  // hls/stages/patches.hpp:184
-  logic and_3924;
-  assign and_3924 = equal_2165_s3_q & (less_2328_s3_q ? (not_2330_s3_q & and_3921) : and_3921);
-  // hls/stages/patches.hpp:656
-  logic and_3925;
-  assign and_3925 = and_3924 & and_3874;
-  logic [7:0] sum_3926;
-  assign sum_3926 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3925};
-  // hls/stages/patches.hpp:188
-  logic and_3928;
-  assign and_3928 = and_3865 & (and_3871 & not_3866);
-  // hls/stages/patches.hpp:654
-  logic [7:0] sum_3930;
-  assign sum_3930 = {7'h0, and_3928} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:655
-  logic and_3932;
-  assign and_3932 = and_3914 & and_3928;
-  logic [7:0] sum_3933;
-  assign sum_3933 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3932};
-  // hls/stages/patches.hpp:656
-  logic and_3935;
-  assign and_3935 = and_3924 & and_3928;
-  logic [7:0] sum_3936;
-  assign sum_3936 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3935};
-  // hls/stages/patches.hpp:188
-  logic and_3938;
-  assign and_3938 = and_3865 & (patches_lower_s3_q & not_3872);
-  // hls/stages/patches.hpp:654
-  logic [7:0] sum_3940;
-  assign sum_3940 = {7'h0, and_3938} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:655
-  logic and_3942;
-  assign and_3942 = and_3914 & and_3938;
-  logic [7:0] sum_3943;
-  assign sum_3943 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3942};
-  // hls/stages/patches.hpp:656
-  logic and_3945;
-  assign and_3945 = and_3924 & and_3938;
-  logic [7:0] sum_3946;
-  assign sum_3946 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3945};
-  // hls/stages/patches.hpp:188
-  logic and_3948;
-  assign and_3948 = and_3865 & (patches_lower_s3_q & and_3871);
-  // hls/stages/patches.hpp:654
-  logic [7:0] sum_3950;
-  assign sum_3950 = {7'h0, and_3948} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
-  // hls/stages/patches.hpp:655
-  logic and_3952;
-  assign and_3952 = and_3914 & and_3948;
-  logic [7:0] sum_3953;
-  assign sum_3953 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3952};
-  // hls/stages/patches.hpp:656
-  logic and_3955;
-  assign and_3955 = and_3924 & and_3948;
-  logic [7:0] sum_3956;
-  assign sum_3956 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3955};
-  // hls/stages/agreement.hpp:1195
-  logic equal_3957;
-  assign equal_3957 = x_s3_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1106
-  logic less_3958;
-  assign less_3958 = x_s3_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:780
-  logic and_3962;
-  assign and_3962 = equal_1954_s3_q & (x_s3_q[6] & (not_2357_s3_q & (equal_3957 & less_3958)));
-  // hls/stages/agreement.hpp:1118
-  logic and_3967;
-  assign and_3967 = x_s3_q[6] & (not_2357_s3_q & (less_3958 & (x_s3_q[2:0] == 3'h1)));
-  // hls/stages/agreement.hpp:780
-  logic and_3968;
-  assign and_3968 = equal_1954_s3_q & and_3967;
-  // hls/stages/patches.hpp:618
-  logic [7:0] or_3970;
-  assign or_3970 = (and_3962 ? patches_quarters_0_places_q : 8'h0) | (and_3968 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/agreement.hpp:1118
-  logic and_3974;
-  assign and_3974 = x_s3_q[6] & (not_2357_s3_q & (less_3958 & (x_s3_q[2:0] == 3'h2)));
-  // hls/stages/agreement.hpp:780
-  logic and_3975;
-  assign and_3975 = equal_1954_s3_q & and_3974;
-  // hls/stages/agreement.hpp:1118
-  logic and_3981;
-  assign and_3981 = x_s3_q[6] & (not_2357_s3_q & (less_3958 & (x_s3_q[2:0] == 3'h3)));
-  // hls/stages/agreement.hpp:780
-  logic and_3982;
-  assign and_3982 = equal_1954_s3_q & and_3981;
-  // hls/stages/patches.hpp:618
-  logic [7:0] or_3984;
-  assign or_3984 = (or_3970 | (and_3975 ? patches_quarters_2_places_q : 8'h0)) | (and_3982 ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/patches.hpp:199
-  logic select_3988;
-  assign select_3988 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
-  // hls/stages/agreement.hpp:780
-  logic and_3992;
-  assign and_3992 = equal_1954_s3_q & (x_s3_q[6] & (not_2357_s3_q & (less_3958 & select_3988)));
-  // hls/stages/patches.hpp:619
-  logic [7:0] select_3994;
-  assign select_3994 = and_3962 ? (and_3992 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
-  logic [7:0] select_3996;
-  assign select_3996 = and_3968 ? (and_3992 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_3999;
-  assign select_3999 = and_3975 ? (and_3992 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_4002;
-  assign select_4002 = and_3982 ? (and_3992 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
-  // hls/stages/patches.hpp:620
-  logic [7:0] select_4005;
-  assign select_4005 = and_3962 ? (and_3992 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
-  logic [7:0] select_4007;
-  assign select_4007 = and_3968 ? (and_3992 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_4010;
-  assign select_4010 = and_3975 ? (and_3992 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_4013;
-  assign select_4013 = and_3982 ? (and_3992 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
-  // hls/stages/patches.hpp:202
-  logic [4:0] sum_4015;
-  assign sum_4015 = {2'h0, x_s3_q[2:0]} + 5'h1f;
-  // hls/stages/agreement.hpp:1118
   logic and_4019;
-  assign and_4019 = x_s3_q[6] & (not_2357_s3_q & (less_3958 & (sum_4015[4:2] == 3'h0)));
-  // hls/stages/agreement.hpp:780
-  logic and_4020;
-  assign and_4020 = equal_1954_s3_q & and_4019;
-  // hls/stages/patches.hpp:615
-  logic [7:0] select_4023;
-  assign select_4023 = and_4020 ? (patches_word_places_q + (and_3968 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_4026;
-  assign select_4026 = and_4020 ? (patches_word_up_q + (and_3968 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] select_4029;
-  assign select_4029 = and_4020 ? (patches_word_down_q + (and_3968 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
-  // hls/stages/patches.hpp:601
-  logic [5:0] select_4033;
-  assign select_4033 = ($signed(difference_3907[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3907[5:0];
-  logic [5:0] select_4034;
-  assign select_4034 = ($signed(14'h10) < $signed(difference_3907)) ? 6'h10 : select_4033;
+  assign and_4019 = and_4010 & (not_4011 & not_4017);
+  // hls/stages/patches.hpp:654
+  logic [7:0] sum_4021;
+  assign sum_4021 = {7'h0, and_4019} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  // hls/stages/patches.hpp:592
+  logic [7:0] select_4047;
+  assign select_4047 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  // hls/stages/patches.hpp:591
+  logic [5:0] select_4048;
+  assign select_4048 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_4049;
+  assign sum_4049 = {2'h0, select_3981_s3_q[4:3]} + 4'hf;
+  logic [6:0] sum_4050;
+  assign sum_4050 = {select_4048[5], select_4048} + {{3{sum_4049[3]}}, sum_4049};
+  // hls/stages/patches.hpp:592
+  logic [17:0] product_4051;
+  assign product_4051 = $signed({{10{select_4047[7]}}, select_4047}) * $signed({{8{sum_4050[6]}}, sum_4050, select_3981_s3_q[2:0]});
+  // hls/stages/patches.hpp:593
+  logic [13:0] difference_4052;
+  assign difference_4052 = {{6{select_4046_s3_q[7]}}, select_4046_s3_q} - {product_4051[17], product_4051[17:5]};
+  // hls/stages/patches.hpp:599
+  logic less_4053;
+  assign less_4053 = $signed({{7{difference_4023[6]}}, difference_4023}) < $signed(difference_4052);
   // hls/stages/patches.hpp:555
-  logic [5:0] select_4036;
-  assign select_4036 = equal_2331_s3_q ? (or_3860 ? 6'h0 : select_4034) : 6'h0;
-  logic [5:0] select_4038;
-  assign select_4038 = less_2328_s3_q ? (equal_2329_s3_q ? 6'h0 : select_4036) : select_4036;
-  // hls/stages/patches.hpp:658
-  logic [5:0] select_4040;
-  assign select_4040 = and_3865 ? (equal_2165_s3_q ? select_4038 : 6'h0) : 6'h0;
-  logic [11:0] sum_4041;
-  assign sum_4041 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_4040[5]}}, select_4040};
-  // hls/stages/agreement.hpp:780
-  logic and_4045;
-  assign and_4045 = equal_1954_s3_q & (x_s3_q[6] & (not_2357_s3_q & (equal_3149 & less_3958)));
-  // hls/stages/agreement.hpp:1118
-  logic and_4049;
-  assign and_4049 = x_s3_q[6] & (not_2357_s3_q & (less_3958 & (x_s3_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:780
-  logic and_4050;
-  assign and_4050 = equal_1954_s3_q & and_4049;
-  // hls/stages/patches.hpp:642
-  logic [7:0] select_4052;
-  assign select_4052 = and_4045 ? (and_4050 ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:644
-  logic or_4056;
-  assign or_4056 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:645
-  logic or_4059;
-  assign or_4059 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
-  // hls/stages/patches.hpp:646
-  logic [8:0] sum_4060;
-  assign sum_4060 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
-  // hls/stages/patches.hpp:641
-  logic select_4062;
-  assign select_4062 = and_4045 ? (and_4050 ? patches_enough_q : patches_complete_q) : patches_complete_q;
-  // hls/stages/agreement.hpp:780
-  logic and_4067;
-  assign and_4067 = equal_1954_s3_q & ((x_s3_q[6:0] == 7'h70) & (~equal_4064_s3_q));
-  // hls/stages/patches.hpp:188
-  logic and_4069;
-  assign and_4069 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:641
-  logic [2:0] select_4071;
-  assign select_4071 = and_4050 ? {and_4069, patches_found_q[2:1]} : (and_4045 ? {and_4069, patches_found_q[2:1]} : patches_found_q);
-  // hls/stages/patches.hpp:640
-  logic or_4075;
-  assign or_4075 = patches_partly_q | (patches_doubted_q & (~and_4050));
-  // hls/stages/patches.hpp:641
-  logic select_4078;
-  assign select_4078 = and_4045 ? (and_4050 ? or_4075 : (and_4045 ? or_4075 : patches_doubted_q)) : patches_doubted_q;
-  // hls/stages/patches.hpp:639
-  logic select_4079;
-  assign select_4079 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
-  // hls/stages/patches.hpp:628
-  logic [7:0] select_4083;
-  assign select_4083 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
-  // hls/stages/patches.hpp:600
-  logic [10:0] sum_4085;
-  assign sum_4085 = {sum_3905[6], sum_3905, select_3836_s3_q[2:0]} + 11'h1;
-  // hls/stages/patches.hpp:555
-  logic and_4088;
-  assign and_4088 = equal_2331_s3_q & (not_3861 & ({{5{sum_4085[10]}}, sum_4085} < 16'h3));
+  logic and_4056;
+  assign and_4056 = equal_2391_s3_q & (not_4006 & (~less_4053));
   // hls/stages/patches.hpp:184
-  logic and_4091;
-  assign and_4091 = equal_2165_s3_q & (less_2328_s3_q ? (not_2330_s3_q & and_4088) : and_4088);
+  logic and_4059;
+  assign and_4059 = equal_2225_s3_q & (less_2388_s3_q ? (not_2390_s3_q & and_4056) : and_4056);
+  // hls/stages/patches.hpp:655
+  logic and_4060;
+  assign and_4060 = and_4059 & and_4019;
+  logic [7:0] sum_4061;
+  assign sum_4061 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_4060};
+  // hls/stages/patches.hpp:555
+  logic and_4065;
+  assign and_4065 = not_4006 & (~($signed(difference_4052) < $signed({8'h0, cfg_patch_limit_i})));
+  logic and_4066;
+  assign and_4066 = equal_2391_s3_q & and_4065;
+  // hls/stages/patches.hpp:184
+  logic and_4069;
+  assign and_4069 = equal_2225_s3_q & (less_2388_s3_q ? (not_2390_s3_q & and_4066) : and_4066);
+  // hls/stages/patches.hpp:656
+  logic and_4070;
+  assign and_4070 = and_4069 & and_4019;
+  logic [7:0] sum_4071;
+  assign sum_4071 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_4070};
   // hls/stages/patches.hpp:188
-  logic and_4092;
-  assign and_4092 = and_3865 & and_4091;
-  // hls/stages/patches.hpp:659
-  logic [7:0] sum_4093;
-  assign sum_4093 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_4092};
-  // hls/stages/patches.hpp:649
-  logic [12:0] product_4094;
-  assign product_4094 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_4052};
+  logic and_4073;
+  assign and_4073 = and_4010 & (and_4016 & not_4011);
+  // hls/stages/patches.hpp:654
+  logic [7:0] sum_4075;
+  assign sum_4075 = {7'h0, and_4073} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:655
+  logic and_4077;
+  assign and_4077 = and_4059 & and_4073;
+  logic [7:0] sum_4078;
+  assign sum_4078 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_4077};
+  // hls/stages/patches.hpp:656
+  logic and_4080;
+  assign and_4080 = and_4069 & and_4073;
+  logic [7:0] sum_4081;
+  assign sum_4081 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_4080};
   // hls/stages/patches.hpp:188
+  logic and_4083;
+  assign and_4083 = and_4010 & (patches_lower_s3_q & not_4017);
+  // hls/stages/patches.hpp:654
+  logic [7:0] sum_4085;
+  assign sum_4085 = {7'h0, and_4083} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:655
+  logic and_4087;
+  assign and_4087 = and_4059 & and_4083;
+  logic [7:0] sum_4088;
+  assign sum_4088 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_4087};
+  // hls/stages/patches.hpp:656
+  logic and_4090;
+  assign and_4090 = and_4069 & and_4083;
+  logic [7:0] sum_4091;
+  assign sum_4091 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_4090};
+  // hls/stages/patches.hpp:188
+  logic and_4093;
+  assign and_4093 = and_4010 & (patches_lower_s3_q & and_4016);
+  // hls/stages/patches.hpp:654
+  logic [7:0] sum_4095;
+  assign sum_4095 = {7'h0, and_4093} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:655
+  logic and_4097;
+  assign and_4097 = and_4059 & and_4093;
+  logic [7:0] sum_4098;
+  assign sum_4098 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_4097};
+  // hls/stages/patches.hpp:656
   logic and_4100;
-  assign and_4100 = (~(patches_on_skin_q[7:2] == 6'h0)) & (patches_on_skin_most_q < patches_on_skin_q);
-  logic select_4105;
-  assign select_4105 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  assign and_4100 = and_4069 & and_4093;
+  logic [7:0] sum_4101;
+  assign sum_4101 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_4100};
+  // hls/stages/agreement.hpp:1222
+  logic equal_4102;
+  assign equal_4102 = x_s3_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:1130
+  logic less_4103;
+  assign less_4103 = x_s3_q[5:3] < 3'h3;
+  // hls/stages/agreement.hpp:788
+  logic and_4107;
+  assign and_4107 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q & (equal_4102 & less_4103)));
+  // hls/stages/agreement.hpp:1142
+  logic and_4112;
+  assign and_4112 = x_s3_q[6] & (not_2418_s3_q & (less_4103 & (x_s3_q[2:0] == 3'h1)));
+  // hls/stages/agreement.hpp:788
+  logic and_4113;
+  assign and_4113 = equal_549_s3_q & and_4112;
+  // hls/stages/patches.hpp:618
+  logic [7:0] or_4115;
+  assign or_4115 = (and_4107 ? patches_quarters_0_places_q : 8'h0) | (and_4113 ? patches_quarters_1_places_q : 8'h0);
+  // hls/stages/agreement.hpp:1142
+  logic and_4119;
+  assign and_4119 = x_s3_q[6] & (not_2418_s3_q & (less_4103 & (x_s3_q[2:0] == 3'h2)));
+  // hls/stages/agreement.hpp:788
+  logic and_4120;
+  assign and_4120 = equal_549_s3_q & and_4119;
+  // hls/stages/agreement.hpp:1142
+  logic and_4126;
+  assign and_4126 = x_s3_q[6] & (not_2418_s3_q & (less_4103 & (x_s3_q[2:0] == 3'h3)));
+  // hls/stages/agreement.hpp:788
+  logic and_4127;
+  assign and_4127 = equal_549_s3_q & and_4126;
+  // hls/stages/patches.hpp:618
+  logic [7:0] or_4129;
+  assign or_4129 = (or_4115 | (and_4120 ? patches_quarters_2_places_q : 8'h0)) | (and_4127 ? patches_quarters_3_places_q : 8'h0);
+  // hls/stages/patches.hpp:199
+  logic select_4133;
+  assign select_4133 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
+  // hls/stages/agreement.hpp:788
+  logic and_4137;
+  assign and_4137 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q & (less_4103 & select_4133)));
+  // hls/stages/patches.hpp:619
+  logic [7:0] select_4139;
+  assign select_4139 = and_4107 ? (and_4137 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_4141;
+  assign select_4141 = and_4113 ? (and_4137 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_4144;
+  assign select_4144 = and_4120 ? (and_4137 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_4147;
+  assign select_4147 = and_4127 ? (and_4137 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  // hls/stages/patches.hpp:620
+  logic [7:0] select_4150;
+  assign select_4150 = and_4107 ? (and_4137 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_4152;
+  assign select_4152 = and_4113 ? (and_4137 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_4155;
+  assign select_4155 = and_4120 ? (and_4137 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_4158;
+  assign select_4158 = and_4127 ? (and_4137 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  // hls/stages/patches.hpp:202
+  logic [4:0] sum_4160;
+  assign sum_4160 = {2'h0, x_s3_q[2:0]} + 5'h1f;
+  // hls/stages/agreement.hpp:1142
+  logic and_4164;
+  assign and_4164 = x_s3_q[6] & (not_2418_s3_q & (less_4103 & (sum_4160[4:2] == 3'h0)));
+  // hls/stages/agreement.hpp:788
+  logic and_4165;
+  assign and_4165 = equal_549_s3_q & and_4164;
+  // hls/stages/patches.hpp:615
+  logic [7:0] select_4168;
+  assign select_4168 = and_4165 ? (patches_word_places_q + (and_4113 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_4171;
+  assign select_4171 = and_4165 ? (patches_word_up_q + (and_4113 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] select_4174;
+  assign select_4174 = and_4165 ? (patches_word_down_q + (and_4113 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  // hls/stages/patches.hpp:601
+  logic [5:0] select_4178;
+  assign select_4178 = ($signed(difference_4052[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_4052[5:0];
+  logic [5:0] select_4179;
+  assign select_4179 = ($signed(14'h10) < $signed(difference_4052)) ? 6'h10 : select_4178;
+  // hls/stages/patches.hpp:555
+  logic [5:0] select_4181;
+  assign select_4181 = equal_2391_s3_q ? (or_4005 ? 6'h0 : select_4179) : 6'h0;
+  logic [5:0] select_4183;
+  assign select_4183 = less_2388_s3_q ? (equal_2389_s3_q ? 6'h0 : select_4181) : select_4181;
+  // hls/stages/patches.hpp:658
+  logic [5:0] select_4185;
+  assign select_4185 = and_4010 ? (equal_2225_s3_q ? select_4183 : 6'h0) : 6'h0;
+  logic [11:0] sum_4186;
+  assign sum_4186 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_4185[5]}}, select_4185};
+  // hls/stages/agreement.hpp:788
+  logic and_4190;
+  assign and_4190 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q & (equal_3294 & less_4103)));
+  // hls/stages/agreement.hpp:1142
+  logic and_4194;
+  assign and_4194 = x_s3_q[6] & (not_2418_s3_q & (less_4103 & (x_s3_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:788
+  logic and_4195;
+  assign and_4195 = equal_549_s3_q & and_4194;
+  // hls/stages/patches.hpp:642
+  logic [7:0] select_4197;
+  assign select_4197 = and_4190 ? (and_4195 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  // hls/stages/patches.hpp:644
+  logic or_4201;
+  assign or_4201 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  // hls/stages/patches.hpp:645
+  logic or_4204;
+  assign or_4204 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  // hls/stages/patches.hpp:646
+  logic [8:0] sum_4205;
+  assign sum_4205 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  // hls/stages/patches.hpp:641
+  logic select_4207;
+  assign select_4207 = and_4190 ? (and_4195 ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  // hls/stages/patches.hpp:188
+  logic and_4212;
+  assign and_4212 = patches_enough_q & patches_mostly_q;
+  // hls/stages/patches.hpp:641
+  logic [2:0] select_4214;
+  assign select_4214 = and_4195 ? {and_4212, patches_found_q[2:1]} : (and_4190 ? {and_4212, patches_found_q[2:1]} : patches_found_q);
+  // hls/stages/patches.hpp:640
+  logic or_4218;
+  assign or_4218 = patches_partly_q | (patches_doubted_q & (~and_4195));
+  // hls/stages/patches.hpp:641
+  logic select_4221;
+  assign select_4221 = and_4190 ? (and_4195 ? or_4218 : (and_4190 ? or_4218 : patches_doubted_q)) : patches_doubted_q;
+  // hls/stages/patches.hpp:639
+  logic select_4222;
+  assign select_4222 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  // hls/stages/patches.hpp:628
+  logic [7:0] select_4226;
+  assign select_4226 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  // hls/stages/patches.hpp:600
+  logic [10:0] sum_4228;
+  assign sum_4228 = {sum_4050[6], sum_4050, select_3981_s3_q[2:0]} + 11'h1;
+  // hls/stages/patches.hpp:555
+  logic and_4231;
+  assign and_4231 = equal_2391_s3_q & (not_4006 & ({{5{sum_4228[10]}}, sum_4228} < 16'h3));
+  // hls/stages/patches.hpp:184
+  logic and_4234;
+  assign and_4234 = equal_2225_s3_q & (less_2388_s3_q ? (not_2390_s3_q & and_4231) : and_4231);
+  // hls/stages/patches.hpp:188
+  logic and_4235;
+  assign and_4235 = and_4010 & and_4234;
+  // hls/stages/patches.hpp:659
+  logic [7:0] sum_4236;
+  assign sum_4236 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_4235};
+  // hls/stages/patches.hpp:649
+  logic [12:0] product_4237;
+  assign product_4237 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_4197};
+  // hls/stages/patches.hpp:188
+  logic and_4243;
+  assign and_4243 = (~(patches_on_skin_q[7:2] == 6'h0)) & (patches_on_skin_most_q < patches_on_skin_q);
+  logic select_4248;
+  assign select_4248 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:629
-  logic or_4109;
-  assign or_4109 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  logic or_4252;
+  assign or_4252 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
   // hls/stages/patches.hpp:630
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
   // hls/stages/patches.hpp:631
-  logic select_4116;
-  assign select_4116 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  logic select_4259;
+  assign select_4259 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:632
-  logic and_4122;
-  assign and_4122 = patches_frame_ended_q & (~patches_age_q[9]);
-  logic [9:0] sum_4123;
-  assign sum_4123 = patches_age_q + {9'h0, and_4122};
-  logic [9:0] select_4126;
-  assign select_4126 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4123)) : sum_4123;
-  // hls/stages/agreement.hpp:1160
-  logic or_4183;
-  assign or_4183 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1189
-  logic equal_4185;
-  assign equal_4185 = x_s3_q[6:3] == 4'h7;
-  // hls/stages/agreement.hpp:1198
+  logic and_4265;
+  assign and_4265 = patches_frame_ended_s3_q & (~patches_age_q[9]);
+  logic [9:0] sum_4266;
+  assign sum_4266 = patches_age_q + {9'h0, and_4265};
+  logic [9:0] select_4269;
+  assign select_4269 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4266)) : sum_4266;
+  // hls/stages/agreement.hpp:1187
+  logic or_4326;
+  assign or_4326 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  // hls/stages/agreement.hpp:1216
+  logic equal_4328;
+  assign equal_4328 = x_s3_q[6:3] == 4'h7;
+  // hls/stages/agreement.hpp:1225
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
-  // hls/stages/agreement.hpp:1199
-  logic select_4191;
-  assign select_4191 = (equal_4185 & equal_3957) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1111
-  logic [10:0] sum_4194;
-  assign sum_4194 = {1'b0, select_2926} + {2'h0, select_2926[9:1]};
-  logic select_4197;
-  assign select_4197 = (select_2923[9:3] == 7'h0) ? ((~or_4183) & (~select_4191)) : (~({sum_4194, select_2926[0]} < {2'h0, select_2923}));
-  // hls/stages/agreement.hpp:1118
-  logic [47:0] select_4199;
-  assign select_4199 = x_s3_q[6] ? (equal_1995_s3_q ? good_q : {select_4197, good_q[47:1]}) : good_q;
-  // hls/stages/agreement.hpp:780
-  logic select_4203;
-  assign select_4203 = equal_1954_s3_q ? ((x_s3_q[6] & good_known_q) | equal_4064_s3_q) : good_known_q;
-  // hls/stages/agreement.hpp:1189
-  logic equal_4204;
-  assign equal_4204 = x_s3_q[6:3] == 4'ha;
-  logic equal_4206;
-  assign equal_4206 = x_s3_q[6:3] == 4'hc;
-  logic equal_4207;
-  assign equal_4207 = x_s3_q[6:3] == 4'hb;
-  logic equal_4208;
-  assign equal_4208 = x_s3_q[6:3] == 4'h9;
-  logic equal_4209;
-  assign equal_4209 = x_s3_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1101
-  logic [13:0] select_4211;
-  assign select_4211 = equal_4208 ? counts_skin_unproven_q : (equal_4209 ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_4213;
-  assign select_4213 = equal_4207 ? counts_regions_bad_q : (equal_4204 ? counts_nearer_q : select_4211);
+  // hls/stages/agreement.hpp:1226
+  logic select_4334;
+  assign select_4334 = (equal_4328 & equal_4102) ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:1135
+  logic [10:0] sum_4337;
+  assign sum_4337 = {1'b0, select_3047} + {2'h0, select_3047[9:1]};
+  logic select_4340;
+  assign select_4340 = (select_3044[9:3] == 7'h0) ? ((~or_4326) & (~select_4334)) : (~({sum_4337, select_3047[0]} < {2'h0, select_3044}));
+  // hls/stages/agreement.hpp:1142
+  logic [47:0] select_4342;
+  assign select_4342 = x_s3_q[6] ? (equal_2056_s3_q ? good_q : {select_4340, good_q[47:1]}) : good_q;
+  // hls/stages/agreement.hpp:788
+  logic select_4346;
+  assign select_4346 = equal_549_s3_q ? ((x_s3_q[6] & good_known_q) | equal_2733_s3_q) : good_known_q;
+  // hls/stages/agreement.hpp:1216
+  logic equal_4347;
+  assign equal_4347 = x_s3_q[6:3] == 4'ha;
+  logic equal_4349;
+  assign equal_4349 = x_s3_q[6:3] == 4'hc;
+  logic equal_4350;
+  assign equal_4350 = x_s3_q[6:3] == 4'hb;
+  logic equal_4351;
+  assign equal_4351 = x_s3_q[6:3] == 4'h9;
+  logic equal_4352;
+  assign equal_4352 = x_s3_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:1125
+  logic [13:0] select_4354;
+  assign select_4354 = equal_4351 ? counts_skin_unproven_q : (equal_4352 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_4356;
+  assign select_4356 = equal_4350 ? counts_regions_bad_q : (equal_4347 ? counts_nearer_q : select_4354);
   logic [13:0] before_v_6;
-  assign before_v_6 = equal_4206 ? counts_on_skin_q : select_4213;
-  // hls/stages/agreement.hpp:1194
+  assign before_v_6 = equal_4349 ? counts_on_skin_q : select_4356;
+  // hls/stages/agreement.hpp:1221
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_6};
-  // hls/stages/agreement.hpp:1202
-  logic select_4216;
-  assign select_4216 = (equal_4204 & equal_3957) ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1120
-  logic not_4217;
-  assign not_4217 = ~hidden_for_q[7];
-  logic [7:0] select_4219;
-  assign select_4219 = select_4216 ? (hidden_for_q + {7'h0, not_4217}) : 8'h0;
-  // hls/stages/agreement.hpp:780
-  logic [7:0] select_4221;
-  assign select_4221 = equal_1954_s3_q ? (equal_4064_s3_q ? select_4219 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:1203
-  logic [13:0] select_4222;
-  assign select_4222 = equal_3957 ? 14'h0 : product_q;
-  // hls/stages/agreement.hpp:1101
-  logic [7:0] select_4224;
-  assign select_4224 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_4226;
-  assign select_4226 = equal_4209 ? cfg_unproven_skin_limit_i : (equal_4185 ? cfg_unproven_limit_i : select_4224);
-  logic [7:0] select_4228;
-  assign select_4228 = equal_4204 ? cfg_regions_limit_i : (equal_4208 ? cfg_hidden_limit_i : select_4226);
+  // hls/stages/agreement.hpp:1229
+  logic select_4359;
+  assign select_4359 = (equal_4347 & equal_4102) ? over[14] : hides_q;
+  // hls/stages/agreement.hpp:1147
+  logic not_4360;
+  assign not_4360 = ~hidden_for_q[7];
+  logic [7:0] select_4362;
+  assign select_4362 = select_4359 ? (hidden_for_q + {7'h0, not_4360}) : 8'h0;
+  // hls/stages/agreement.hpp:788
+  logic [7:0] select_4364;
+  assign select_4364 = equal_549_s3_q ? (equal_2733_s3_q ? select_4362 : hidden_for_q) : hidden_for_q;
+  // hls/stages/agreement.hpp:1230
+  logic [13:0] select_4365;
+  assign select_4365 = equal_4102 ? 14'h0 : product_q;
+  // hls/stages/agreement.hpp:1125
+  logic [7:0] select_4367;
+  assign select_4367 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_4369;
+  assign select_4369 = equal_4352 ? cfg_unproven_skin_limit_i : (equal_4328 ? cfg_unproven_limit_i : select_4367);
+  logic [7:0] select_4371;
+  assign select_4371 = equal_4347 ? cfg_regions_limit_i : (equal_4351 ? cfg_hidden_limit_i : select_4369);
   logic [7:0] limit;
-  assign limit = equal_4206 ? cfg_regions_limit_i : (equal_4207 ? {cfg_on_skin_limit_i, 3'h0} : select_4228);
-  // hls/stages/agreement.hpp:1203
-  logic not_4231;
-  assign not_4231 = ~x_s3_q[2];
-  logic [3:0] select_4232;
-  assign select_4232 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4231, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4231};
-  logic [7:0] select_4233;
-  assign select_4233 = x_s3_q[0] ? {select_4232[3], 1'b0, select_4232[2], 1'b0, select_4232[1], 1'b0, select_4232[0], 1'b0} : {1'b0, select_4232[3], 1'b0, select_4232[2], 1'b0, select_4232[1], 1'b0, select_4232[0]};
-  // hls/stages/agreement.hpp:1101
-  logic [13:0] select_4237;
-  assign select_4237 = equal_4208 ? counts_skin_supervised_q : (equal_4209 ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] select_4239;
-  assign select_4239 = equal_4207 ? counts_skin_textured_q : (equal_4204 ? counts_textured_q : select_4237);
+  assign limit = equal_4349 ? cfg_regions_limit_i : (equal_4350 ? {cfg_on_skin_limit_i, 3'h0} : select_4371);
+  // hls/stages/agreement.hpp:1230
+  logic not_4374;
+  assign not_4374 = ~x_s3_q[2];
+  logic [3:0] select_4375;
+  assign select_4375 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4374, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4374};
+  logic [7:0] select_4376;
+  assign select_4376 = x_s3_q[0] ? {select_4375[3], 1'b0, select_4375[2], 1'b0, select_4375[1], 1'b0, select_4375[0], 1'b0} : {1'b0, select_4375[3], 1'b0, select_4375[2], 1'b0, select_4375[1], 1'b0, select_4375[0]};
+  // hls/stages/agreement.hpp:1125
+  logic [13:0] select_4380;
+  assign select_4380 = equal_4351 ? counts_skin_supervised_q : (equal_4352 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_4382;
+  assign select_4382 = equal_4350 ? counts_skin_textured_q : (equal_4347 ? counts_textured_q : select_4380);
   logic [13:0] of;
-  assign of = equal_4206 ? counts_textured_q : select_4239;
-  // hls/stages/agreement.hpp:1203
-  logic [13:0] select_4241;
-  assign select_4241 = ((limit & select_4233) == 8'h0) ? 14'h0 : of;
+  assign of = equal_4349 ? counts_textured_q : select_4382;
+  // hls/stages/agreement.hpp:1230
+  logic [13:0] select_4384;
+  assign select_4384 = ((limit & select_4376) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_4222} + {1'b0, select_4241};
-  // hls/stages/agreement.hpp:780
-  logic select_4246;
-  assign select_4246 = equal_1954_s3_q ? (equal_3957 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:1200
-  logic and_4251;
-  assign and_4251 = too_much_q & (~(equal_4209 & equal_3957));
-  // hls/stages/agreement.hpp:1201
-  logic select_4256;
-  assign select_4256 = (over[14] & equal_3957) ? (and_4251 | ((equal_4209 | equal_4208) | (x_s3_q[6:3] == 4'hf))) : and_4251;
-  // hls/stages/agreement.hpp:1101
-  logic and_4261;
-  assign and_4261 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
-  // hls/stages/agreement.hpp:1203
-  logic select_4262;
-  assign select_4262 = (equal_4206 & equal_3957) ? and_4261 : overlooks_q;
-  // hls/stages/agreement.hpp:780
-  logic [2:0] select_4264;
-  assign select_4264 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
-  logic [2:0] select_4266;
-  assign select_4266 = equal_1954_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4264 : box_textured_columns_values_0_q);
-  logic [2:0] select_4267;
-  assign select_4267 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_4269;
-  assign select_4269 = equal_1954_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4267 : box_textured_columns_values_1_q);
-  logic [2:0] select_4270;
-  assign select_4270 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [2:0] select_4272;
-  assign select_4272 = equal_1954_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4270 : box_textured_columns_values_2_q);
-  logic [2:0] select_4273;
-  assign select_4273 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_4275;
-  assign select_4275 = equal_1954_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4273 : box_textured_columns_values_3_q);
-  logic [2:0] select_4276;
-  assign select_4276 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_4278;
-  assign select_4278 = equal_1954_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4276 : box_textured_columns_values_4_q);
-  logic [4:0] select_4280;
-  assign select_4280 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_4282;
-  assign select_4282 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
-  logic [2:0] select_4284;
-  assign select_4284 = equal_1954_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4282 : box_explained_columns_values_0_q);
-  logic [2:0] select_4285;
-  assign select_4285 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [2:0] select_4287;
-  assign select_4287 = equal_1954_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4285 : box_explained_columns_values_1_q);
-  logic [2:0] select_4288;
-  assign select_4288 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
-  logic [2:0] select_4290;
-  assign select_4290 = equal_1954_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4288 : box_explained_columns_values_2_q);
-  logic [2:0] select_4291;
-  assign select_4291 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [2:0] select_4293;
-  assign select_4293 = equal_1954_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4291 : box_explained_columns_values_3_q);
-  logic [2:0] select_4294;
-  assign select_4294 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [2:0] select_4296;
-  assign select_4296 = equal_1954_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4294 : box_explained_columns_values_4_q);
-  logic [4:0] select_4298;
-  assign select_4298 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_4299;
-  assign select_4299 = equal_1954_s3_q ? box_explained_sum_sums_values_0_q : select_4298;
-  logic [2:0] select_4301;
-  assign select_4301 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
-  logic [2:0] select_4303;
-  assign select_4303 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
-  logic [2:0] select_4305;
-  assign select_4305 = equal_1954_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4303 : box_shown_columns_values_1_q);
-  logic [2:0] select_4306;
-  assign select_4306 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
-  logic [2:0] select_4308;
-  assign select_4308 = equal_1954_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4306 : box_shown_columns_values_2_q);
-  logic [2:0] select_4309;
-  assign select_4309 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [2:0] select_4311;
-  assign select_4311 = equal_1954_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4309 : box_shown_columns_values_3_q);
-  logic [2:0] select_4312;
-  assign select_4312 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_4314;
-  assign select_4314 = equal_1954_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4312 : box_shown_columns_values_4_q);
-  logic [4:0] select_4316;
-  assign select_4316 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_4319;
-  assign select_4319 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_4321;
-  assign select_4321 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [2:0] select_4323;
-  assign select_4323 = equal_1954_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4321 : box_nearer_columns_values_1_q);
-  logic [2:0] select_4324;
-  assign select_4324 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [2:0] select_4326;
-  assign select_4326 = equal_1954_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4324 : box_nearer_columns_values_2_q);
-  logic [2:0] select_4327;
-  assign select_4327 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [2:0] select_4329;
-  assign select_4329 = equal_1954_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4327 : box_nearer_columns_values_3_q);
-  logic [2:0] select_4330;
-  assign select_4330 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_4332;
-  assign select_4332 = equal_1954_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4330 : box_nearer_columns_values_4_q);
-  logic [4:0] select_4334;
-  assign select_4334 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:1279
-  logic [1:0] select_4379;
-  assign select_4379 = and_4378_s3_q ? {and_2493, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:1280
-  logic and_4380;
-  assign and_4380 = proven_q & less_4368;
-  // hls/stages/agreement.hpp:431
-  logic select_4383;
-  assign select_4383 = and_2423_s3_q ? (less_2424_s3_q ? (select_4379[0] & and_4380) : seen_q) : seen_q;
-  logic select_4386;
-  assign select_4386 = and_2423_s3_q ? (less_2424_s3_q ? (select_4379[1] & and_4380) : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:1211
-  logic or_4394;
-  assign or_4394 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4393_s3_q;
-  // hls/stages/agreement.hpp:1213
-  logic not_4402;
-  assign not_4402 = ~(or_4183 | not_4387);
-  // hls/stages/agreement.hpp:780
-  logic and_4406;
-  assign and_4406 = equal_1954_s3_q & (equal_4064_s3_q & (not_4402 & (select_4191 | select_4256)));
-  logic and_4409;
-  assign and_4409 = equal_4064_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
-  // hls/stages/agreement.hpp:1122
-  logic or_4413;
-  assign or_4413 = select_2746 | (select_2758 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:780
-  logic and_4420;
-  assign and_4420 = equal_1954_s3_q & (equal_4064_s3_q & (not_4402 & (select_2752 | select_2764)));
-  // hls/stages/agreement.hpp:1122
-  logic and_4425;
-  assign and_4425 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4219 < cfg_hidden_frames_i));
-  logic select_4431;
-  assign select_4431 = (not_4387 | (select_4262 & not_4096)) ? cfg_prove_i : patches_overlooked_q;
-  // hls/stages/agreement.hpp:780
-  logic and_4437;
-  assign and_4437 = equal_1954_s3_q & (x_s3_q[6] & (not_2357_s3_q | (4'hc < x_s3_q[5:2])));
-  // hls/stages/agreement.hpp:1116
-  logic [31:0] select_4445;
-  assign select_4445 = equal_2017_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4443_s3_q ? registration_sums_rdata_q : 32'h0);
-  logic [31:0] select_4446;
-  assign select_4446 = equal_2015_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4445;
-  logic [31:0] select_4447;
-  assign select_4447 = equal_2013_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4446;
-  logic [31:0] select_4448;
-  assign select_4448 = equal_2011_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4447;
-  logic [31:0] select_4449;
-  assign select_4449 = equal_2009_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4448;
-  logic [31:0] select_4450;
-  assign select_4450 = equal_2007_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4449;
-  logic [31:0] select_4451;
-  assign select_4451 = equal_2005_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4450;
-  logic [31:0] select_4452;
-  assign select_4452 = equal_2003_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4451;
-  // hls/stages/agreement.hpp:1114
-  logic [9:0] select_4453;
-  assign select_4453 = less_2922 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:1118
-  logic [31:0] select_4454;
-  assign select_4454 = equal_1995_s3_q ? select_4452 : {2'h0, select_4453, select_2926, select_2923};
+  assign sum_4 = {1'b0, select_4365} + {1'b0, select_4384};
+  // hls/stages/agreement.hpp:788
+  logic select_4389;
+  assign select_4389 = equal_549_s3_q ? (equal_4102 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
+  // hls/stages/agreement.hpp:1227
+  logic and_4394;
+  assign and_4394 = too_much_q & (~(equal_4352 & equal_4102));
+  // hls/stages/agreement.hpp:1228
+  logic select_4399;
+  assign select_4399 = (over[14] & equal_4102) ? (and_4394 | ((equal_4352 | equal_4351) | (x_s3_q[6:3] == 4'hf))) : and_4394;
+  // hls/stages/agreement.hpp:1125
+  logic and_4404;
+  assign and_4404 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  // hls/stages/agreement.hpp:1230
+  logic select_4405;
+  assign select_4405 = (equal_4349 & equal_4102) ? and_4404 : overlooks_q;
+  // hls/stages/agreement.hpp:788
+  logic [2:0] select_4407;
+  assign select_4407 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic [2:0] select_4409;
+  assign select_4409 = equal_549_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4407 : box_textured_columns_values_0_q);
+  logic [2:0] select_4410;
+  assign select_4410 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_4412;
+  assign select_4412 = equal_549_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4410 : box_textured_columns_values_1_q);
+  logic [2:0] select_4413;
+  assign select_4413 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_4415;
+  assign select_4415 = equal_549_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4413 : box_textured_columns_values_2_q);
+  logic [2:0] select_4416;
+  assign select_4416 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_4418;
+  assign select_4418 = equal_549_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4416 : box_textured_columns_values_3_q);
+  logic [2:0] select_4419;
+  assign select_4419 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_4421;
+  assign select_4421 = equal_549_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4419 : box_textured_columns_values_4_q);
+  logic [4:0] select_4423;
+  assign select_4423 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [2:0] select_4425;
+  assign select_4425 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  logic [2:0] select_4427;
+  assign select_4427 = equal_549_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4425 : box_explained_columns_values_0_q);
+  logic [2:0] select_4428;
+  assign select_4428 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_4430;
+  assign select_4430 = equal_549_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4428 : box_explained_columns_values_1_q);
+  logic [2:0] select_4431;
+  assign select_4431 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_4433;
+  assign select_4433 = equal_549_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4431 : box_explained_columns_values_2_q);
+  logic [2:0] select_4434;
+  assign select_4434 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_4436;
+  assign select_4436 = equal_549_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4434 : box_explained_columns_values_3_q);
+  logic [2:0] select_4437;
+  assign select_4437 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_4439;
+  assign select_4439 = equal_549_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4437 : box_explained_columns_values_4_q);
+  logic [4:0] select_4441;
+  assign select_4441 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [2:0] select_4444;
+  assign select_4444 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_4446;
+  assign select_4446 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4448;
+  assign select_4448 = equal_549_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4446 : box_shown_columns_values_1_q);
+  logic [2:0] select_4449;
+  assign select_4449 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_4451;
+  assign select_4451 = equal_549_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4449 : box_shown_columns_values_2_q);
+  logic [2:0] select_4452;
+  assign select_4452 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_4454;
+  assign select_4454 = equal_549_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4452 : box_shown_columns_values_3_q);
+  logic [2:0] select_4455;
+  assign select_4455 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4457;
+  assign select_4457 = equal_549_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4455 : box_shown_columns_values_4_q);
+  logic [4:0] select_4459;
+  assign select_4459 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [2:0] select_4462;
+  assign select_4462 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_4464;
+  assign select_4464 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4466;
+  assign select_4466 = equal_549_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4464 : box_nearer_columns_values_1_q);
+  logic [2:0] select_4467;
+  assign select_4467 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4469;
+  assign select_4469 = equal_549_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4467 : box_nearer_columns_values_2_q);
+  logic [2:0] select_4470;
+  assign select_4470 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4472;
+  assign select_4472 = equal_549_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4470 : box_nearer_columns_values_3_q);
+  logic [2:0] select_4473;
+  assign select_4473 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4475;
+  assign select_4475 = equal_549_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4473 : box_nearer_columns_values_4_q);
+  logic [4:0] select_4477;
+  assign select_4477 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:1307
+  logic [1:0] select_4522;
+  assign select_4522 = and_4521_s3_q ? {and_2554, is_seen} : map_rdata_q;
+  // hls/stages/agreement.hpp:1308
+  logic and_4523;
+  assign and_4523 = proven_q & less_4511;
+  // hls/stages/agreement.hpp:437
+  logic select_4526;
+  assign select_4526 = and_2484_s3_q ? (less_2485_s3_q ? (select_4522[0] & and_4523) : seen_q) : seen_q;
+  logic select_4529;
+  assign select_4529 = and_2484_s3_q ? (less_2485_s3_q ? (select_4522[1] & and_4523) : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:1238
+  logic or_4537;
+  assign or_4537 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4536_s3_q;
+  // hls/stages/agreement.hpp:1240
+  logic not_4545;
+  assign not_4545 = ~(or_4326 | not_4530);
+  // hls/stages/agreement.hpp:788
+  logic and_4549;
+  assign and_4549 = equal_549_s3_q & (equal_2733_s3_q & (not_4545 & (select_4334 | select_4399)));
+  logic and_4552;
+  assign and_4552 = equal_2733_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  // hls/stages/agreement.hpp:1149
+  logic or_4556;
+  assign or_4556 = select_2867 | (select_2879 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  // hls/stages/agreement.hpp:788
+  logic and_4563;
+  assign and_4563 = equal_549_s3_q & (equal_2733_s3_q & (not_4545 & (select_2873 | select_2885)));
+  // hls/stages/agreement.hpp:1149
+  logic and_4568;
+  assign and_4568 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4362 < cfg_hidden_frames_i));
+  logic select_4574;
+  assign select_4574 = (not_4530 | (select_4405 & not_4239)) ? cfg_prove_i : patches_overlooked_q;
+  // hls/stages/agreement.hpp:788
+  logic and_4583;
+  assign and_4583 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q | (4'hc < x_s3_q[5:2])));
+  // hls/stages/agreement.hpp:1140
+  logic [31:0] select_4591;
+  assign select_4591 = equal_2078_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4589_s3_q ? registration_sums_rdata_q : 32'h0);
+  logic [31:0] select_4592;
+  assign select_4592 = equal_2076_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4591;
+  logic [31:0] select_4593;
+  assign select_4593 = equal_2074_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4592;
+  logic [31:0] select_4594;
+  assign select_4594 = equal_2072_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4593;
+  logic [31:0] select_4595;
+  assign select_4595 = equal_2070_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4594;
+  logic [31:0] select_4596;
+  assign select_4596 = equal_2068_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4595;
+  logic [31:0] select_4597;
+  assign select_4597 = equal_2066_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4596;
+  logic [31:0] select_4598;
+  assign select_4598 = equal_2064_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4597;
+  // hls/stages/agreement.hpp:1138
+  logic [9:0] select_4599;
+  assign select_4599 = less_3043 ? 10'h0 : regions_rdata_q[29:20];
+  // hls/stages/agreement.hpp:1142
+  logic [31:0] select_4600;
+  assign select_4600 = equal_2056_s3_q ? select_4598 : {2'h0, select_4599, select_3047, select_3044};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
   assign fresh_waddr = column_s3_q;
   logic fresh_we;
-  assign fresh_we = s3_en & and_515_s3_q;
-  logic [28:0] fresh_wdata;
-  assign fresh_wdata = {census_columns_values_1_cell_2_of_skin_s3_q, and_630, and_606_s3_q, and_605_s3_q, and_580_s3_q, less_572_s3_q, less_571_s3_q, less_570_s3_q, less_569_s3_q, less_568_s3_q, less_567_s3_q, less_566_s3_q, less_565_s3_q, less_564_s3_q, less_563_s3_q, less_562_s3_q, less_561_s3_q, less_560_s3_q, less_559_s3_q, less_558_s3_q, less_557_s3_q, less_556_s3_q, less_555_s3_q, less_554_s3_q, less_553_s3_q, less_552_s3_q, less_551_s3_q, less_550_s3_q, less_549_s3_q};
+  assign fresh_we = s3_en & and_525_s3_q;
+  logic [32:0] fresh_wdata;
+  assign fresh_wdata = {less_721_s3_q, and_720, less_715_s3_q, and_714_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_708, and_684_s3_q, and_683_s3_q, and_658_s3_q, less_650_s3_q, less_649_s3_q, less_648_s3_q, less_647_s3_q, less_646_s3_q, less_645_s3_q, less_644_s3_q, less_643_s3_q, less_642_s3_q, less_641_s3_q, less_640_s3_q, less_639_s3_q, less_638_s3_q, less_637_s3_q, less_636_s3_q, less_635_s3_q, less_634_s3_q, less_633_s3_q, less_632_s3_q, less_631_s3_q, less_630_s3_q, less_629_s3_q, less_628_s3_q, less_627_s3_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (fresh_we) fresh_mem[fresh_waddr] <= {^fresh_wdata, fresh_wdata};
   end
@@ -6826,11 +7189,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_2001_s3_q, lower_half_s3_q, registration_of_right_s3_q};
+  assign registration_sums_waddr = {sum_2062_s3_q, lower_half_s3_q, registration_of_right_s3_q};
   logic registration_sums_we;
-  assign registration_sums_we = s3_en & and_2060_s3_q;
+  assign registration_sums_we = s3_en & and_2121_s3_q;
   logic [31:0] registration_sums_wdata;
-  assign registration_sums_wdata = {sum_2059, sum_2055};
+  assign registration_sums_wdata = {sum_2120, sum_2116};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {^registration_sums_wdata, registration_sums_wdata};
   end
@@ -6848,11 +7211,11 @@ module horopter_agreement (
 
   // Memory patches_choices, write
   logic [5:0] patches_choices_waddr;
-  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_2089_s3_q};
+  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_2150_s3_q};
   logic patches_choices_we;
-  assign patches_choices_we = s3_en & and_2164_s3_q;
+  assign patches_choices_we = s3_en & and_2224_s3_q;
   logic [22:0] patches_choices_wdata;
-  assign patches_choices_wdata = {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2157_s3_q};
+  assign patches_choices_wdata = {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2217_s3_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {^patches_choices_wdata, patches_choices_wdata};
   end
@@ -6868,9 +7231,9 @@ module horopter_agreement (
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
-  assign patches_right_0_waddr = {select_2195_s3_q, select_2192};
+  assign patches_right_0_waddr = {select_2255_s3_q, select_2252};
   logic patches_right_0_we;
-  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_2204);
+  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_2264);
   logic [7:0] patches_right_0_wdata;
   assign patches_right_0_wdata = sample_pair_pixel_1_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -6909,9 +7272,9 @@ module horopter_agreement (
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_2195_s3_q, select_2221};
+  assign patches_right_1_waddr = {select_2255_s3_q, select_2281};
   logic patches_right_1_we;
-  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_2224);
+  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_2284);
   logic [7:0] patches_right_1_wdata;
   assign patches_right_1_wdata = sample_pair_pixel_1_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -6950,9 +7313,9 @@ module horopter_agreement (
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_2243, select_2242_s3_q, column_7};
+  assign patches_left_waddr = {select_2303, select_2302_s3_q, column_7};
   logic patches_left_we;
-  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_2249);
+  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_2309);
   logic [7:0] patches_left_wdata;
   assign patches_left_wdata = sample_pair_pixel_0_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -6995,7 +7358,7 @@ module horopter_agreement (
   logic patches_rows_we;
   assign patches_rows_we = s3_en & patches_summed_last_s3_q;
   logic [14:0] patches_rows_wdata;
-  assign patches_rows_wdata = select_2345;
+  assign patches_rows_wdata = select_2406;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= {^patches_rows_wdata, patches_rows_wdata};
   end
@@ -7026,11 +7389,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s3_q, or_2355_s3_q, or_2352_s3_q, or_2349_s3_q};
+  assign regions_waddr = {region_row_s3_q, or_2416_s3_q, or_2413_s3_q, or_2410_s3_q};
   logic regions_we;
-  assign regions_we = s3_en & and_2389_s3_q;
+  assign regions_we = s3_en & and_2450_s3_q;
   logic [29:0] regions_wdata;
-  assign regions_wdata = {sum_2388, sum_2378, sum_2373};
+  assign regions_wdata = {sum_2449, sum_2439, sum_2434};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (regions_we) regions_mem[regions_waddr] <= {^regions_wdata, regions_wdata};
   end
@@ -7046,11 +7409,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_2429_s3_q, index_2_s3_q};
+  assign map_waddr = {sum_2490_s3_q, index_2_s3_q};
   logic map_we;
-  assign map_we = s3_en & and_2503_s3_q;
+  assign map_we = s3_en & and_2564_s3_q;
   logic [1:0] map_wdata;
-  assign map_wdata = {and_2493, is_seen};
+  assign map_wdata = {and_2554, is_seen};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (map_we) map_mem[map_waddr] <= {^map_wdata, map_wdata};
   end
@@ -7169,7 +7532,6 @@ module horopter_agreement (
       patches_partly_q <= 1'b0;
       patches_clear_limit_q <= 7'h0;
       patches_complete_q <= 1'b0;
-      patches_frame_ended_q <= 1'b0;
       patches_round_ends_q <= 1'b0;
       patches_found_q <= 3'h0;
       patches_doubted_q <= 1'b0;
@@ -7204,141 +7566,140 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s3_en) begin
-      census_left_misses_q <= select_2652;
-      sharpness_before_last_mask_q <= select_2660;
-      sharpness_sums_detail_0_q <= and_515_s3_q ? select_2674 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_515_s3_q ? select_2686 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_515_s3_q ? sum_2690 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_515_s3_q ? sum_2694 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2712 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2722 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2724 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2726 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2728 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2730 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2735;
-      sharpness_comparing_carry_1_q <= select_2739;
-      sharpness_comparing_less_detail_0_q <= select_2746;
-      sharpness_comparing_less_detail_1_q <= select_2752;
-      sharpness_comparing_less_contrast_0_q <= select_2758;
-      sharpness_comparing_less_contrast_1_q <= select_2764;
-      counts_supervised_q <= select_2880;
-      counts_textured_q <= and_2872_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_2883});
-      counts_explained_q <= and_2872_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_2888});
-      counts_nearer_q <= and_2872_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2893});
-      counts_unproven_q <= and_2872_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2919});
-      counts_regions_bad_q <= select_2935;
-      counts_skin_supervised_q <= select_2942;
-      counts_skin_textured_q <= select_2949;
-      counts_skin_unproven_q <= select_2957;
-      counts_on_skin_q <= select_2976;
-      registration_half_across_q <= select_3030;
-      registration_half_measured_q <= select_3035;
-      registration_half_votes_down_q <= and_3008_s3_q ? 7'h0 : sum_3041;
-      registration_half_votes_up_q <= and_3008_s3_q ? 7'h0 : sum_3049;
-      registration_half_half_votes_down_q <= and_3008_s3_q ? 7'h0 : sum_3056;
-      registration_half_half_votes_up_q <= and_3008_s3_q ? 7'h0 : sum_3063;
-      registration_down_q <= and_3097 ? sum_3116 : registration_down_q;
-      registration_up_q <= and_3097 ? sum_3125 : registration_up_q;
-      registration_enough_q <= select_3139;
-      registration_votes_down_q <= and_3144 ? less_3145 : registration_votes_down_q;
-      registration_votes_up_q <= and_3144 ? less_3147 : registration_votes_up_q;
-      registration_other_enough_q <= and_3153 ? select_3139 : registration_other_enough_q;
-      registration_other_down_q <= and_3153 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_3153 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_1954_s3_q & and_3160)) & or_3185;
-      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_2183 : patches_place_0_valid_q;
-      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_2185 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_2186 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3270;
-      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_2212 : patches_place_1_valid_q;
-      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_2214 : patches_place_1_column_q;
-      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_2215 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3275;
-      patches_valid_0_q <= select_3280;
-      patches_valid_1_q <= select_3285;
-      patches_right_next_0_q <= select_3288;
-      patches_right_next_1_q <= select_3291;
-      patches_left_next_0_q <= select_3294;
-      patches_left_next_1_q <= select_3297;
-      patches_sums_values_0_q <= select_3721;
-      patches_sums_values_1_q <= equal_2165_s3_q ? patches_sums_values_1_q : select_3722;
-      patches_sums_values_2_q <= equal_2165_s3_q ? patches_sums_values_2_q : select_3724;
-      patches_sums_values_3_q <= equal_2165_s3_q ? patches_sums_values_3_q : select_3726;
-      patches_sums_values_4_q <= equal_2165_s3_q ? patches_sums_values_4_q : select_3728;
-      patches_sums_values_5_q <= equal_2165_s3_q ? patches_sums_values_5_q : select_3730;
-      patches_sums_values_6_q <= equal_2165_s3_q ? patches_sums_values_6_q : select_3732;
-      patches_sums_values_7_q <= equal_2165_s3_q ? patches_sums_values_7_q : select_3734;
-      patches_sums_values_8_q <= equal_2165_s3_q ? patches_sums_values_8_q : select_3736;
-      patches_sums_values_9_q <= equal_2165_s3_q ? patches_sums_values_9_q : select_3738;
-      patches_sums_values_10_q <= equal_2165_s3_q ? patches_sums_values_10_q : select_3740;
-      patches_sums_values_11_q <= equal_2165_s3_q ? patches_sums_values_11_q : select_3742;
-      patches_sums_values_12_q <= equal_2165_s3_q ? patches_sums_values_12_q : select_3744;
-      patches_sums_values_13_q <= equal_2165_s3_q ? patches_sums_values_13_q : select_3746;
-      patches_sums_values_14_q <= equal_2165_s3_q ? patches_sums_values_14_q : select_3748;
-      patches_sums_values_15_q <= equal_2165_s3_q ? patches_sums_values_15_q : select_3750;
-      patches_sums_values_16_q <= equal_2165_s3_q ? patches_sums_values_16_q : select_3752;
-      patches_best_differing_q <= select_2345[9:0];
-      patches_best_column_q <= select_2345[14:10];
-      patches_quarters_0_places_q <= sum_3876;
-      patches_quarters_0_up_q <= sum_3916;
-      patches_quarters_0_down_q <= sum_3926;
-      patches_quarters_1_places_q <= sum_3930;
-      patches_quarters_1_up_q <= sum_3933;
-      patches_quarters_1_down_q <= sum_3936;
-      patches_quarters_2_places_q <= sum_3940;
-      patches_quarters_2_up_q <= sum_3943;
-      patches_quarters_2_down_q <= sum_3946;
-      patches_quarters_3_places_q <= sum_3950;
-      patches_quarters_3_up_q <= sum_3953;
-      patches_quarters_3_down_q <= sum_3956;
-      patches_word_places_q <= or_3984;
-      patches_word_up_q <= ((select_3994 | select_3996) | select_3999) | select_4002;
-      patches_word_down_q <= ((select_4005 | select_4007) | select_4010) | select_4013;
-      patches_sum_places_q <= select_4023;
-      patches_sum_up_q <= select_4026;
-      patches_sum_down_q <= select_4029;
-      patches_across_q <= sum_4041;
-      patches_places_q <= select_4052;
+      census_left_misses_q <= select_2713;
+      sharpness_before_last_mask_q <= select_2781;
+      sharpness_sums_detail_0_q <= and_525_s3_q ? select_2795 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_525_s3_q ? select_2807 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_525_s3_q ? sum_2811 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_525_s3_q ? sum_2815 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2833 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2843 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2845 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2847 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2849 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2851 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2856;
+      sharpness_comparing_carry_1_q <= select_2860;
+      sharpness_comparing_less_detail_0_q <= select_2867;
+      sharpness_comparing_less_detail_1_q <= select_2873;
+      sharpness_comparing_less_contrast_0_q <= select_2879;
+      sharpness_comparing_less_contrast_1_q <= select_2885;
+      counts_supervised_q <= select_3001;
+      counts_textured_q <= and_2993_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_3004});
+      counts_explained_q <= and_2993_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_3009});
+      counts_nearer_q <= and_2993_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_3014});
+      counts_unproven_q <= and_2993_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_3040});
+      counts_regions_bad_q <= select_3056;
+      counts_skin_supervised_q <= select_3063;
+      counts_skin_textured_q <= select_3070;
+      counts_skin_unproven_q <= select_3078;
+      counts_on_skin_q <= select_3097;
+      registration_half_across_q <= select_3175;
+      registration_half_measured_q <= select_3180;
+      registration_half_votes_down_q <= and_3153_s3_q ? 7'h0 : sum_3186;
+      registration_half_votes_up_q <= and_3153_s3_q ? 7'h0 : sum_3194;
+      registration_half_half_votes_down_q <= and_3153_s3_q ? 7'h0 : sum_3201;
+      registration_half_half_votes_up_q <= and_3153_s3_q ? 7'h0 : sum_3208;
+      registration_down_q <= and_3242 ? sum_3261 : registration_down_q;
+      registration_up_q <= and_3242 ? sum_3270 : registration_up_q;
+      registration_enough_q <= select_3284;
+      registration_votes_down_q <= and_3289 ? less_3290 : registration_votes_down_q;
+      registration_votes_up_q <= and_3289 ? less_3292 : registration_votes_up_q;
+      registration_other_enough_q <= and_3298 ? select_3284 : registration_other_enough_q;
+      registration_other_down_q <= and_3298 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_3298 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_549_s3_q & and_3305)) & or_3330;
+      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_2243 : patches_place_0_valid_q;
+      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_2245 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_2246 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_3415;
+      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_2272 : patches_place_1_valid_q;
+      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_2274 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_2275 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_3420;
+      patches_valid_0_q <= select_3425;
+      patches_valid_1_q <= select_3430;
+      patches_right_next_0_q <= select_3433;
+      patches_right_next_1_q <= select_3436;
+      patches_left_next_0_q <= select_3439;
+      patches_left_next_1_q <= select_3442;
+      patches_sums_values_0_q <= select_3866;
+      patches_sums_values_1_q <= equal_2225_s3_q ? patches_sums_values_1_q : select_3867;
+      patches_sums_values_2_q <= equal_2225_s3_q ? patches_sums_values_2_q : select_3869;
+      patches_sums_values_3_q <= equal_2225_s3_q ? patches_sums_values_3_q : select_3871;
+      patches_sums_values_4_q <= equal_2225_s3_q ? patches_sums_values_4_q : select_3873;
+      patches_sums_values_5_q <= equal_2225_s3_q ? patches_sums_values_5_q : select_3875;
+      patches_sums_values_6_q <= equal_2225_s3_q ? patches_sums_values_6_q : select_3877;
+      patches_sums_values_7_q <= equal_2225_s3_q ? patches_sums_values_7_q : select_3879;
+      patches_sums_values_8_q <= equal_2225_s3_q ? patches_sums_values_8_q : select_3881;
+      patches_sums_values_9_q <= equal_2225_s3_q ? patches_sums_values_9_q : select_3883;
+      patches_sums_values_10_q <= equal_2225_s3_q ? patches_sums_values_10_q : select_3885;
+      patches_sums_values_11_q <= equal_2225_s3_q ? patches_sums_values_11_q : select_3887;
+      patches_sums_values_12_q <= equal_2225_s3_q ? patches_sums_values_12_q : select_3889;
+      patches_sums_values_13_q <= equal_2225_s3_q ? patches_sums_values_13_q : select_3891;
+      patches_sums_values_14_q <= equal_2225_s3_q ? patches_sums_values_14_q : select_3893;
+      patches_sums_values_15_q <= equal_2225_s3_q ? patches_sums_values_15_q : select_3895;
+      patches_sums_values_16_q <= equal_2225_s3_q ? patches_sums_values_16_q : select_3897;
+      patches_best_differing_q <= select_2406[9:0];
+      patches_best_column_q <= select_2406[14:10];
+      patches_quarters_0_places_q <= sum_4021;
+      patches_quarters_0_up_q <= sum_4061;
+      patches_quarters_0_down_q <= sum_4071;
+      patches_quarters_1_places_q <= sum_4075;
+      patches_quarters_1_up_q <= sum_4078;
+      patches_quarters_1_down_q <= sum_4081;
+      patches_quarters_2_places_q <= sum_4085;
+      patches_quarters_2_up_q <= sum_4088;
+      patches_quarters_2_down_q <= sum_4091;
+      patches_quarters_3_places_q <= sum_4095;
+      patches_quarters_3_up_q <= sum_4098;
+      patches_quarters_3_down_q <= sum_4101;
+      patches_word_places_q <= or_4129;
+      patches_word_up_q <= ((select_4139 | select_4141) | select_4144) | select_4147;
+      patches_word_down_q <= ((select_4150 | select_4152) | select_4155) | select_4158;
+      patches_sum_places_q <= select_4168;
+      patches_sum_up_q <= select_4171;
+      patches_sum_down_q <= select_4174;
+      patches_across_q <= sum_4186;
+      patches_places_q <= select_4197;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_4056;
-      patches_partly_q <= or_4059;
-      patches_clear_limit_q <= sum_4060[8:2];
-      patches_complete_q <= select_4062;
-      patches_frame_ended_q <= and_4067;
-      patches_round_ends_q <= patches_complete_q & and_4067;
-      patches_found_q <= and_4045 ? select_4071 : patches_found_q;
-      patches_doubted_q <= select_4078;
-      patches_doubted_before_q <= select_4079;
+      patches_mostly_q <= or_4201;
+      patches_partly_q <= or_4204;
+      patches_clear_limit_q <= sum_4205[8:2];
+      patches_complete_q <= select_4207;
+      patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
+      patches_found_q <= and_4190 ? select_4214 : patches_found_q;
+      patches_doubted_q <= select_4221;
+      patches_doubted_before_q <= select_4222;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_4083;
-      patches_on_skin_q <= sum_4093;
-      patches_on_skin_most_q <= product_4094[12:5];
-      patches_large_q <= not_4096 & and_4100;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_4105;
-      patches_spoiled_q <= or_4109;
+      patches_round_on_skin_q <= select_4226;
+      patches_on_skin_q <= sum_4236;
+      patches_on_skin_most_q <= product_4237[12:5];
+      patches_large_q <= not_4239 & and_4243;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_4248;
+      patches_spoiled_q <= or_4252;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_4116;
+      patches_moved_q <= select_4259;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_4126;
-      segment_textured_q <= select_2370 + {6'h0, and_2883};
-      segment_explained_q <= select_2375 + {6'h0, and_2888};
-      segment_nearer_q <= select_2385 + {6'h0, and_2893};
+      patches_age_q <= select_4269;
+      segment_textured_q <= select_2431 + {6'h0, and_3004};
+      segment_explained_q <= select_2436 + {6'h0, and_3009};
+      segment_nearer_q <= select_2446 + {6'h0, and_3014};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_1954_s3_q ? select_4199 : good_q;
-      good_known_q <= select_4203;
-      hidden_for_q <= select_4221;
-      product_q <= equal_1954_s3_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_4246;
-      disagree_q <= equal_1954_s3_q ? select_4191 : disagree_q;
-      too_much_q <= equal_1954_s3_q ? select_4256 : too_much_q;
-      hides_q <= equal_1954_s3_q ? select_4216 : hides_q;
-      overlooks_q <= equal_1954_s3_q ? select_4262 : overlooks_q;
-      seen_q <= select_4383;
-      nearer_q <= select_4386;
+      good_q <= equal_549_s3_q ? select_4342 : good_q;
+      good_known_q <= select_4346;
+      hidden_for_q <= select_4364;
+      product_q <= equal_549_s3_q ? sum_4[14:1] : product_q;
+      product_rest_q <= select_4389;
+      disagree_q <= equal_549_s3_q ? select_4334 : disagree_q;
+      too_much_q <= equal_549_s3_q ? select_4399 : too_much_q;
+      hides_q <= equal_549_s3_q ? select_4359 : hides_q;
+      overlooks_q <= equal_549_s3_q ? select_4405 : overlooks_q;
+      seen_q <= select_4526;
+      nearer_q <= select_4529;
     end
   end
 
@@ -7390,45 +7751,45 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
       left_pixel_q <= left_pixel_q;
-      averager_quarter_1_0_q <= select_2527;
-      averager_quarter_1_1_q <= select_2529;
-      averager_quarter_2_0_q <= select_2531;
-      averager_quarter_2_1_q <= select_2533;
-      averager_detail_0_q <= select_2545;
-      averager_detail_1_q <= select_2553;
-      census_changes_values_0_left_q <= and_515_s3_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_515_s3_q ? sum_2636 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2638;
-      census_changes_values_1_right_q <= select_2639;
-      census_changes_values_2_left_q <= select_2640;
-      census_changes_values_2_right_q <= select_2641;
-      sharpness_last_mask_q <= and_515_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_515_s3_q ? select_2657[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_515_s3_q ? select_2657[27:14] : sharpness_last_detail_1_q;
-      box_textured_columns_values_0_q <= select_4266;
-      box_textured_columns_values_1_q <= select_4269;
-      box_textured_columns_values_2_q <= select_4272;
-      box_textured_columns_values_3_q <= select_4275;
-      box_textured_columns_values_4_q <= select_4278;
-      box_textured_sum_sums_values_0_q <= equal_1954_s3_q ? box_textured_sum_sums_values_0_q : select_4280;
-      box_explained_columns_values_0_q <= select_4284;
-      box_explained_columns_values_1_q <= select_4287;
-      box_explained_columns_values_2_q <= select_4290;
-      box_explained_columns_values_3_q <= select_4293;
-      box_explained_columns_values_4_q <= select_4296;
-      box_explained_sum_sums_values_0_q <= select_4299;
-      box_shown_columns_values_0_q <= equal_1954_s3_q ? box_shown_columns_values_0_q : select_4301;
-      box_shown_columns_values_1_q <= select_4305;
-      box_shown_columns_values_2_q <= select_4308;
-      box_shown_columns_values_3_q <= select_4311;
-      box_shown_columns_values_4_q <= select_4314;
-      box_shown_sum_sums_values_0_q <= equal_1954_s3_q ? box_shown_sum_sums_values_0_q : select_4316;
-      box_nearer_columns_values_0_q <= equal_1954_s3_q ? box_nearer_columns_values_0_q : select_4319;
-      box_nearer_columns_values_1_q <= select_4323;
-      box_nearer_columns_values_2_q <= select_4326;
-      box_nearer_columns_values_3_q <= select_4329;
-      box_nearer_columns_values_4_q <= select_4332;
-      box_nearer_sum_sums_values_0_q <= equal_1954_s3_q ? box_nearer_sum_sums_values_0_q : select_4334;
+      averager_quarter_1_0_q <= select_2588;
+      averager_quarter_1_1_q <= select_2590;
+      averager_quarter_2_0_q <= select_2592;
+      averager_quarter_2_1_q <= select_2594;
+      averager_detail_0_q <= select_2606;
+      averager_detail_1_q <= select_2614;
+      census_changes_values_0_left_q <= and_525_s3_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_525_s3_q ? sum_2697 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2699;
+      census_changes_values_1_right_q <= select_2700;
+      census_changes_values_2_left_q <= select_2701;
+      census_changes_values_2_right_q <= select_2702;
+      sharpness_last_mask_q <= and_525_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
+      sharpness_last_detail_0_q <= and_525_s3_q ? select_2778[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_525_s3_q ? select_2778[27:14] : sharpness_last_detail_1_q;
+      box_textured_columns_values_0_q <= select_4409;
+      box_textured_columns_values_1_q <= select_4412;
+      box_textured_columns_values_2_q <= select_4415;
+      box_textured_columns_values_3_q <= select_4418;
+      box_textured_columns_values_4_q <= select_4421;
+      box_textured_sum_sums_values_0_q <= equal_549_s3_q ? box_textured_sum_sums_values_0_q : select_4423;
+      box_explained_columns_values_0_q <= select_4427;
+      box_explained_columns_values_1_q <= select_4430;
+      box_explained_columns_values_2_q <= select_4433;
+      box_explained_columns_values_3_q <= select_4436;
+      box_explained_columns_values_4_q <= select_4439;
+      box_explained_sum_sums_values_0_q <= equal_549_s3_q ? box_explained_sum_sums_values_0_q : select_4441;
+      box_shown_columns_values_0_q <= equal_549_s3_q ? box_shown_columns_values_0_q : select_4444;
+      box_shown_columns_values_1_q <= select_4448;
+      box_shown_columns_values_2_q <= select_4451;
+      box_shown_columns_values_3_q <= select_4454;
+      box_shown_columns_values_4_q <= select_4457;
+      box_shown_sum_sums_values_0_q <= equal_549_s3_q ? box_shown_sum_sums_values_0_q : select_4459;
+      box_nearer_columns_values_0_q <= equal_549_s3_q ? box_nearer_columns_values_0_q : select_4462;
+      box_nearer_columns_values_1_q <= select_4466;
+      box_nearer_columns_values_2_q <= select_4469;
+      box_nearer_columns_values_3_q <= select_4472;
+      box_nearer_columns_values_4_q <= select_4475;
+      box_nearer_sum_sums_values_0_q <= equal_549_s3_q ? box_nearer_sum_sums_values_0_q : select_4477;
     end
   end
 
@@ -7438,20 +7799,21 @@ module horopter_agreement (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic and_4363_s4_q;
-  logic or_4388_s4_q;
-  logic and_4389_s4_q;
-  logic and_4397_s4_q;
-  logic and_4400_s4_q;
-  logic and_4406_s4_q;
-  logic and_4410_s4_q;
-  logic and_4416_s4_q;
-  logic and_4420_s4_q;
-  logic and_4428_s4_q;
-  logic and_4433_s4_q;
-  logic and_4437_s4_q;
-  logic [5:0] select_4439_s4_q;
-  logic [31:0] select_4456_s4_q;
+  logic and_4506_s4_q;
+  logic or_4531_s4_q;
+  logic and_4532_s4_q;
+  logic and_4540_s4_q;
+  logic and_4543_s4_q;
+  logic and_4549_s4_q;
+  logic and_4553_s4_q;
+  logic and_4559_s4_q;
+  logic and_4563_s4_q;
+  logic and_4571_s4_q;
+  logic and_4576_s4_q;
+  logic and_4579_s4_q;
+  logic and_4583_s4_q;
+  logic [5:0] select_4585_s4_q;
+  logic [31:0] select_4602_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_0_q;
@@ -7460,25 +7822,26 @@ module horopter_agreement (
       mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= line_ended_q;
-      and_4363_s4_q <= said_q;
-      or_4388_s4_q <= not_4387 | select_4383;
-      and_4389_s4_q <= cfg_prove_i & select_4386;
-      and_4397_s4_q <= equal_1954_s3_q & (equal_4064_s3_q & (cfg_prove_i & or_4394));
-      and_4400_s4_q <= equal_1954_s3_q & (equal_4064_s3_q & (cfg_prove_i & or_4183));
-      and_4406_s4_q <= and_4406;
-      and_4410_s4_q <= equal_1954_s3_q & and_4409;
-      and_4416_s4_q <= equal_1954_s3_q & (equal_4064_s3_q & (not_4402 & or_4413));
-      and_4420_s4_q <= and_4420;
-      and_4428_s4_q <= equal_1954_s3_q & (equal_4064_s3_q & (cfg_prove_i & and_4425));
-      and_4433_s4_q <= equal_1954_s3_q & (equal_4064_s3_q & select_4431);
-      and_4437_s4_q <= and_4437;
-      select_4439_s4_q <= equal_1954_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
-      select_4456_s4_q <= equal_1954_s3_q ? (x_s3_q[6] ? select_4454 : 32'h0) : 32'h0;
+      and_4506_s4_q <= said_q;
+      or_4531_s4_q <= not_4530 | select_4526;
+      and_4532_s4_q <= cfg_prove_i & select_4529;
+      and_4540_s4_q <= equal_549_s3_q & (equal_2733_s3_q & (cfg_prove_i & or_4537));
+      and_4543_s4_q <= equal_549_s3_q & (equal_2733_s3_q & (cfg_prove_i & or_4326));
+      and_4549_s4_q <= and_4549;
+      and_4553_s4_q <= equal_549_s3_q & and_4552;
+      and_4559_s4_q <= equal_549_s3_q & (equal_2733_s3_q & (not_4545 & or_4556));
+      and_4563_s4_q <= and_4563;
+      and_4571_s4_q <= equal_549_s3_q & (equal_2733_s3_q & (cfg_prove_i & and_4568));
+      and_4576_s4_q <= equal_549_s3_q & (equal_2733_s3_q & select_4574);
+      and_4579_s4_q <= and_4579_s3_q;
+      and_4583_s4_q <= and_4583;
+      select_4585_s4_q <= equal_549_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
+      select_4602_s4_q <= equal_549_s3_q ? (x_s3_q[6] ? select_4600 : 32'h0) : 32'h0;
     end
   end
 
   // Parity ------------------------------------------------------------------------------------------------------------
-  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (averager_memory_error | census_memory_error | fresh_error | left_error | right_codes_error | best_left_error | best_right_error | shown_right_error | registration_sums_error | patches_choices_error | patches_right_0_error | patches_right_1_error | patches_left_error | patches_columns_above_error | patches_right_codes_error | patches_left_codes_error | patches_rows_error | regions_error | seen_columns_error | map_error);
+  always_ff @(posedge clk_i) parity_error_o <= rst_ni & (averager_memory_error | census_memory_error | moments_memory_error | fresh_error | left_error | right_codes_error | best_left_error | best_right_error | shown_right_error | left_turns_error | right_turns_error | registration_sums_error | patches_choices_error | patches_right_0_error | patches_right_1_error | patches_left_error | patches_columns_above_error | patches_right_codes_error | patches_left_codes_error | patches_rows_error | regions_error | seen_columns_error | map_error);
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign pixel_0_o = pixel_0_s4_q;
@@ -7487,20 +7850,21 @@ module horopter_agreement (
   assign mask_o = mask_s4_q;
   assign marks_first_o = marks_first_s4_q;
   assign marks_last_o = marks_last_s4_q;
-  assign marks_seen_o = or_4388_s4_q;
-  assign marks_nearer_o = and_4389_s4_q;
-  assign verdict_valid_o = and_4363_s4_q;
-  assign verdict_unproven_yet_o = and_4397_s4_q;
-  assign verdict_untextured_o = and_4400_s4_q;
-  assign verdict_disagree_o = and_4406_s4_q;
-  assign verdict_moved_o = and_4410_s4_q;
-  assign verdict_unsharp_left_o = and_4416_s4_q;
-  assign verdict_unsharp_right_o = and_4420_s4_q;
-  assign verdict_hidden_o = and_4428_s4_q;
-  assign verdict_overlooked_o = and_4433_s4_q;
-  assign frame_valid_o = and_4437_s4_q;
-  assign frame_index_o = select_4439_s4_q;
-  assign frame_word_o = select_4456_s4_q;
+  assign marks_seen_o = or_4531_s4_q;
+  assign marks_nearer_o = and_4532_s4_q;
+  assign verdict_valid_o = and_4506_s4_q;
+  assign verdict_unproven_yet_o = and_4540_s4_q;
+  assign verdict_untextured_o = and_4543_s4_q;
+  assign verdict_disagree_o = and_4549_s4_q;
+  assign verdict_moved_o = and_4553_s4_q;
+  assign verdict_unsharp_left_o = and_4559_s4_q;
+  assign verdict_unsharp_right_o = and_4563_s4_q;
+  assign verdict_hidden_o = and_4571_s4_q;
+  assign verdict_overlooked_o = and_4576_s4_q;
+  assign verdict_out_of_step_o = and_4579_s4_q;
+  assign frame_valid_o = and_4583_s4_q;
+  assign frame_index_o = select_4585_s4_q;
+  assign frame_word_o = select_4602_s4_q;
   assign valid_o = valid_s4_q;
 
   always_ff @(posedge clk_i) begin
@@ -7519,6 +7883,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_4094[4:0], sum_4060[1:0], sum_4015[1:0], product_3906[4:0], sum_2998[0], difference_2963[1:0], detail_4[1:0], detail_3[1:0], sum_2646[4:0], sum_2105[0], sum_2101[0], sum_628[4:0], cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], product_4237[4:0], sum_4205[1:0], sum_4160[1:0], product_4051[4:0], sum_3143[0], difference_3084[1:0], detail_4[1:0], detail_3[1:0], sum_2707[4:0], sum_2166[0], sum_2162[0], sum_706[4:0], cfg_width_i[2:0]};
 
 endmodule

@@ -64,6 +64,7 @@ module horopter_stages #(
   output logic agreement_verdict_unsharp_right_o,
   output logic agreement_verdict_hidden_o,
   output logic agreement_verdict_overlooked_o,
+  output logic agreement_verdict_out_of_step_o,
   output logic agreement_frame_valid_o,
   output logic [5:0] agreement_frame_index_o,
   output logic [31:0] agreement_frame_word_o,
@@ -227,6 +228,7 @@ module horopter_stages #(
     .verdict_unsharp_right_o(agreement_verdict_unsharp_right_o),
     .verdict_hidden_o(agreement_verdict_hidden_o),
     .verdict_overlooked_o(agreement_verdict_overlooked_o),
+    .verdict_out_of_step_o(agreement_verdict_out_of_step_o),
     .frame_valid_o(agreement_frame_valid),
     .frame_index_o(agreement_frame_index_o),
     .frame_word_o(agreement_frame_word_o)

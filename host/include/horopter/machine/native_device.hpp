@@ -77,6 +77,7 @@ class NativeDevice : public Device {
 
   std::array<std::optional<Table>, 15> tables_;
   int active_slot_ = registers::kNoSlot;  ///< of the first of `pending_`, from its arrival on, or of the frame before
+  bool same_table_ = false;               ///< as the frame before it
   Faults frame_faults_pending_;           ///< of the control side since the last frame
   bool uploading_ = false;
   int upload_slot_ = registers::kNoSlot;

@@ -19,7 +19,7 @@ struct RegisterField {
 };
 
 // clang-format off
-inline constexpr std::array<RegisterField, 259> kRegisterFields = {{
+inline constexpr std::array<RegisterField, 261> kRegisterFields = {{
     {0x000, "value", {0, 32}, "0x484F524F"},
     {0x004, "minor", {0, 16}, "Counts compatible additions."},
     {0x004, "major", {16, 16}, "Counts incompatible changes."},
@@ -149,6 +149,7 @@ inline constexpr std::array<RegisterField, 259> kRegisterFields = {{
     {0x0E4, "contactors", {18, 1}, "feedback_i did not follow safe_o for FEEDBACK clocks: a contactor does not drop or does not pull in, or a broken wire."},
     {0x0E4, "teaching", {19, 1}, "BLOCKS.teach is set: the machine learns, and does not watch."},
     {0x0E4, "overlooked", {20, 1}, "More of the cells, or of a round's places, lie on the skin than REGISTRATION.on_skin, and there is no alarm: what blinds the rule, as haze, a drop on a lens or coarse pictures, does not blind this."},
+    {0x0E4, "out_of_step", {21, 1}, "The cameras do not show the same moment: a motion began or ended in one image alone. Until one begins in both at once (hls/stages/moments.hpp)."},
     {0x0E8, "base_word64", {0, 16}, "Index of its first 64-bit word."},
     {0x0E8, "end_word64", {16, 16}, "Index after the last one, modulo 65536: it takes (end - base) modulo 65536 words, and all 65536 where that is 0."},
     {0x100, "value", {0, 32}, "0 = none yet."},
@@ -213,6 +214,7 @@ inline constexpr std::array<RegisterField, 259> kRegisterFields = {{
     {0x12C, "contactors", {18, 1}, "feedback_i did not follow safe_o for FEEDBACK clocks: a contactor does not drop or does not pull in, or a broken wire."},
     {0x12C, "teaching", {19, 1}, "BLOCKS.teach is set: the machine learns, and does not watch."},
     {0x12C, "overlooked", {20, 1}, "More of the cells, or of a round's places, lie on the skin than REGISTRATION.on_skin, and there is no alarm: what blinds the rule, as haze, a drop on a lens or coarse pictures, does not blind this."},
+    {0x12C, "out_of_step", {21, 1}, "The cameras do not show the same moment: a motion began or ended in one image alone. Until one begins in both at once (hls/stages/moments.hpp)."},
     {0x130, "prove", {0, 1}, "1 = clear is earned. 0 = a pixel is clear where images do not agree; nothing else is checked."},
     {0x130, "nearer_below", {1, 1}, "1 = shifts below 0 are nearer to the cameras than the skin."},
     {0x130, "nearer_above", {2, 1}, "1 = shifts above 0 are."},

@@ -47,7 +47,7 @@ inline constexpr std::uint32_t kAddress = 0x004;
 inline constexpr Access kAccess = Access::kReadOnly;
 /// Counts compatible additions.
 inline constexpr Field kMinor{0, 16};
-inline constexpr std::uint32_t kMinorValue = 0x7;
+inline constexpr std::uint32_t kMinorValue = 0x8;
 /// Counts incompatible changes.
 inline constexpr Field kMajor{16, 16};
 inline constexpr std::uint32_t kMajorValue = 0x2;
@@ -602,6 +602,9 @@ inline constexpr Field kTeaching{19, 1};
 /// More of the cells, or of a round's places, lie on the skin than REGISTRATION.on_skin, and there is no alarm: what
 /// blinds the rule, as haze, a drop on a lens or coarse pictures, does not blind this.
 inline constexpr Field kOverlooked{20, 1};
+/// The cameras do not show the same moment: a motion began or ended in one image alone. Until one begins in both at
+/// once (hls/stages/moments.hpp).
+inline constexpr Field kOutOfStep{21, 1};
 }  // namespace faults_machine
 
 /// Where the table in MAP_SLOT lies in the pool; 0 without a table. Means nothing in the 100 clocks after the third
@@ -833,6 +836,9 @@ inline constexpr Field kTeaching{19, 1};
 /// More of the cells, or of a round's places, lie on the skin than REGISTRATION.on_skin, and there is no alarm: what
 /// blinds the rule, as haze, a drop on a lens or coarse pictures, does not blind this.
 inline constexpr Field kOverlooked{20, 1};
+/// The cameras do not show the same moment: a motion began or ended in one image alone. Until one begins in both at
+/// once (hls/stages/moments.hpp).
+inline constexpr Field kOutOfStep{21, 1};
 }  // namespace frame_faults_machine
 
 /// Whether both cameras see the same world, compared coarsely over all depths. Locked while CONTROL.enable is 1.
@@ -1255,6 +1261,7 @@ enum class Fault : std::uint8_t {
   contactors = 50,
   teaching = 51,
   overlooked = 52,
+  out_of_step = 53,
 };
 
 struct NamedFault {
@@ -1262,7 +1269,7 @@ struct NamedFault {
   std::string_view name;
 };
 
-inline constexpr std::array<NamedFault, 49> kFaults = {{
+inline constexpr std::array<NamedFault, 50> kFaults = {{
     {Fault::left_short_line, "left_short_line"},
     {Fault::left_long_line, "left_long_line"},
     {Fault::left_missing_line, "left_missing_line"},
@@ -1312,6 +1319,7 @@ inline constexpr std::array<NamedFault, 49> kFaults = {{
     {Fault::contactors, "contactors"},
     {Fault::teaching, "teaching"},
     {Fault::overlooked, "overlooked"},
+    {Fault::out_of_step, "out_of_step"},
 }};
 
 /// One line of the register map.

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// moments: a part of `agreement`. Do both cameras show the same moment? If one is a frame late, what moves is at another
+// place in its image. Along the row that looks like another distance; but when a motion begins, or ends, cells change in
+// one image alone.
+//
+// A cell *turns* where the step from its mean to the next one's in the row was strong in the frame before, and now is 0
+// or the other way round. Neither gain nor offset of a camera, nor noise, turns it. Compared are explained cells with their
+// partners, where both had a strong step and the left one was explained in the frame before, too: what comes into one view
+// before the other has no partner, and what it uncovers in one view had none. The cameras are out of step where so many
+// turn in the one image, and not a quarter as many in the other; and from then on, until many turn in both at once, of
+// whom hardly any had turned in the frame before: a motion begins, and both see it.
+//
+// Memory: the step of each cell, 2 bits of each camera.
+#pragma once
+
+#include <array>
+
+#include "stages/stream.hpp"
+
+namespace horopter::stages {
+
+/// From the mean of a cell to the next one's in the row.
+struct Step {
+  bool strong = false;
+  bool rises = false;
+};
+template <int BITS>
+Step step_of(bool there, s<BITS> half_grey_levels) {
+  constexpr int strong = 16;
+  return {there && (half_grey_levels >= strong || half_grey_levels <= -strong), half_grey_levels > 0};
+}
+
+/// Of a cell, since the frame before.
+struct Turn {
+  bool strong = false;  // there was a strong step
+  bool turned = false;
+};
+
+/// CELLS: of a frame.
+template <int CELLS>
+class Moments {
+  static constexpr int least = 12;  // cells
+
+ public:
+  using Turns = std::array<Turn, 2>;
+  using Count = u<14>;
+
+  void begin_step() { memory_.begin_step(); }
+
+  /// Of the left and the right cell at the same place, in the order of the rows. `explained`: the left one is.
+  Turns take(bool first, bool explained, const Step& left, const Step& right) {
+    place_ = first ? Place(0) : Place(place_ + lit<1>());
+    Turns turns;
+    if (place_ >= CELLS) return turns;
+    const Steps before = memory_.read(place_);
+    Steps now;
+    now.step[0] = left;
+    now.step[1] = right;
+    for (std::size_t i = 0; i < 2; ++i) {
+      turns[i].strong = has_before_ && before.step[i].strong;
+      turns[i].turned = turns[i].strong && before.step[i].rises != now.step[i].rises;
+      turned_[i] = Count((first ? Count(0) : turned_[i]) + u<1>(turns[i].turned));
+    }
+    now.step[0].strong = left.strong && explained;
+    memory_.write(place_, now);
+    return turns;
+  }
+
+  /// All cells of a frame have come. `pairs`: so many of the explained cells, and of their partners, turned where both were
+  /// strong. After a change of the mapping table the right image is another one: nothing is said.
+  void end_frame(const std::array<Count, 2>& pairs, bool watched, bool same_table) {
+    const Count most_before = before_[0] > before_[1] ? before_[0] : before_[1];
+    const std::array<bool, 2> begins{many(pairs[0], most_before), many(pairs[1], most_before)};
+    bool alone = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Count& of_other = turned_[1 - i];
+      alone = alone || (many(pairs[i], of_other) && (begins[i] || many(before_[1 - i], of_other)));
+    }
+    const bool together = begins[0] && begins[1];
+    if (same_table) out_of_step_ = alone || (out_of_step_ && !together);
+    if (!watched) out_of_step_ = false;
+    before_ = turned_;
+    has_before_ = true;
+  }
+  [[nodiscard]] bool out_of_step() const { return out_of_step_; }
+
+ private:
+  using Place = u<bits_for(CELLS) + 1>;
+  struct Steps {
+    std::array<Step, 2> step{};
+  };
+
+  static bool many(const Count& these, const Count& those) { return these >= shl<2>(those) + lit<least>(); }
+
+  RAM<Steps, CELLS, min_row_beats> memory_;
+  Place place_{0};
+  std::array<Count, 2> turned_{};  // in this frame, of all cells
+  std::array<Count, 2> before_{};  // in the frame before
+  bool has_before_ = false;        // there is one
+  bool out_of_step_ = false;
+};
+
+}  // namespace horopter::stages
