@@ -285,6 +285,10 @@ TEST_CASE("one camera a frame late is out of step from the first motion on, unti
     CHECK_FALSE(says(0, way_px));
     CHECK(says(0, 2 * way_px));
   }
+  SECTION("the right camera is turned about its vertical axis") {
+    for (int i = 0; i < 2; ++i)
+      CHECK(frame(*stage, config, view(0, 0), view(way_px - kBehind_px, 0)).verdict.out_of_step);
+  }
   SECTION("not asked") {
     auto off = config;
     off.prove = 0;

@@ -71,7 +71,8 @@ constexpr auto kRows = std::to_array<Row>({
     {"moved", false, "", "Look whether a camera was knocked or its lens turned; fix it, and calibrate anew."},
     {"out_of_step", false,
      "The cameras do not show the same moment: something began or stopped to move in one of them alone.",
-     "Look whether both cameras are triggered together. It ends when something begins to move that both cameras see."},
+     "Look whether both cameras are triggered together, and whether one of them was turned. It ends when something begins to move that both "
+     "cameras see."},
     {"overlooked", false, "Something large seems to be on the skin, and the pictures are too poor to show what.",
      "Look whether something is on the skin. Clean both lenses, and look at focus and compression of both cameras."},
     {"hidden", false, "For long, something nearer to the cameras has stood before too much of the skin.",
