@@ -360,6 +360,7 @@ class Agreement {
   using Age = u<std::max(window, box) + 1>;
   static_assert(columns + half_window + gap < 256 && rows < 128);
   using OfImage = Registration<columns, rows, gap, !fast>;
+  using OfMoments = Moments<columns * rows>;
   using OfPatches = Patches<P, cell, gap, AT_ONCE>;
   using Shift = typename OfImage::Shift;
   static constexpr int slots = OfImage::slots;  // beats of a cell where a row concludes
@@ -1000,9 +1001,9 @@ class Agreement {
   void match(const Looked& looked, const Step& left, const Step& right) {
     if (looked.explained) shown_right_.write(looked.partner, Shown{true, looked.nearer});
     if (!looked.inside) return;
-    const auto turns = moments_.take(row_ == 0 && x_ == 0, looked.explained, left, right);
-    left_turns_.write(x_, turns[0]);
-    right_turns_.write(x_, turns[1]);
+    const auto turned = moments_.take(row_ == 0 && x_ == 0, looked.explained, left, right);
+    left_turns_.write(x_, turned[0]);
+    right_turns_.write(x_, turned[1]);
   }
 
   void conclude(const Looked& looked, const Config& config, bool next_region) {
@@ -1139,9 +1140,10 @@ class Agreement {
     } else {
       out.frame = {place >= FrameWord::first_of_frame, place, word(place)};
     }
+    moments_.look({counts_.turned_left, counts_.turned_right});
     if (k == words_begin) {
       patches_.end_frame();
-      moments_.end_frame({counts_.turned_left, counts_.turned_right}, config.prove != 0, config.same_table != 0);
+      moments_.end_frame(config.prove != 0, config.same_table != 0);
     }
     if (k != finish_ends) return;
     hidden_for_ = hides_ ? u<8>(hidden_for_ + u<1>(!hidden_for_.bit(7))) : u<8>(0);
@@ -1338,7 +1340,7 @@ class Agreement {
   Raster raster_;
   CellAverager<cell, P.result_width()> averager_;
   CellCensus<columns> census_;
-  Moments<columns * rows> moments_;
+  OfMoments moments_;
   Sharpness sharpness_;
   u<5> rows_passed_above_{0};  // bit n: n rows of cells have passed
   // The sweep.

@@ -67,16 +67,17 @@ class Moments {
   }
 
   /// All cells of a frame have come. `pairs`: so many of the explained cells, and of their partners, turned where both were
-  /// strong. After a change of the mapping table the right image is another one: nothing is said.
-  void end_frame(const std::array<Count, 2>& pairs, bool watched, bool same_table) {
-    const Count most_before = before_[0] > before_[1] ? before_[0] : before_[1];
-    const std::array<bool, 2> begins{many(pairs[0], most_before), many(pairs[1], most_before)};
-    bool alone = false;
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Count& of_other = turned_[1 - i];
-      alone = alone || (many(pairs[i], of_other) && (begins[i] || many(before_[1 - i], of_other)));
-    }
-    const bool together = begins[0] && begins[1];
+  /// strong. Two beats later the frame may end.
+  void look(const std::array<Count, 2>& pairs) {
+    left_ = change(pairs[0], turned_[1], before_[1]);
+    right_ = change(pairs[1], turned_[0], before_[0]);
+    most_before_ = select(before_[0] > before_[1], before_[0], before_[1]);
+  }
+  /// Then out_of_step() is known. After a change of the mapping table the right image is another one: nothing is said.
+  void end_frame(bool watched, bool same_table) {
+    const bool alone =
+        (left_.alone && (left_.begins || left_.other_stops)) || (right_.alone && (right_.begins || right_.other_stops));
+    const bool together = left_.begins && right_.begins;
     if (same_table) out_of_step_ = alone || (out_of_step_ && !together);
     if (!watched) out_of_step_ = false;
     before_ = turned_;
@@ -90,6 +91,16 @@ class Moments {
     std::array<Step, 2> step{};
   };
 
+  /// Of one camera, in this frame.
+  struct Change {
+    bool begins = false;  // to move
+    bool alone = false;
+    bool other_stops = false;
+  };
+  Change change(const Count& pairs, const Count& other, const Count& other_before) const {
+    return {many(pairs, most_before_), many(pairs, other), many(other_before, other)};
+  }
+
   static bool many(const Count& these, const Count& those) { return these >= shl<2>(those) + lit<least>(); }
 
   RAM<Steps, CELLS, min_row_beats> memory_;
@@ -97,6 +108,8 @@ class Moments {
   std::array<Count, 2> turned_{};  // in this frame, of all cells
   std::array<Count, 2> before_{};  // in the frame before
   bool has_before_ = false;        // there is one
+  Count most_before_{0};
+  Change left_, right_;
   bool out_of_step_ = false;
 };
 

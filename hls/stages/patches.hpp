@@ -339,7 +339,8 @@ class Patches {
     const Offer offer = offer_;
     offer_ = Offer{};
     const bool takes = offer.place.valid && !fixed_;
-    const Choice now = takes ? offer.place : choice_;
+    Choice now = choice_;
+    if (takes) now = offer.place;
     if (offer.ends_half && chooses_) choices_.write(cat(choosing_band_, offer.right), now);
     choice_ = now;
     choice_.valid = now.valid && !offer.ends_half;
