@@ -1140,11 +1140,11 @@ class Agreement {
     } else {
       out.frame = {place >= FrameWord::first_of_frame, place, word(place)};
     }
-    moments_.look({counts_.turned_left, counts_.turned_right});
     if (k == words_begin) {
       patches_.end_frame();
       moments_.end_frame(config.prove != 0, config.same_table != 0);
     }
+    moments_.look({counts_.turned_left, counts_.turned_right});
     if (k != finish_ends) return;
     hidden_for_ = hides_ ? u<8>(hidden_for_ + u<1>(!hidden_for_.bit(7))) : u<8>(0);
     good_known_ = true;

@@ -45,24 +45,37 @@ class Moments {
   using Turns = std::array<Turn, 2>;
   using Count = u<14>;
 
-  void begin_step() { memory_.begin_step(); }
+  void begin_step() {
+    memory_.begin_step();
+    // Every beat, from registers: the way from beat to beat is short.
+    out_of_step_ = begins_alone_ || (out_of_step_ && !ends_);
+    begins_alone_ = ends_ = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+      turned_[i] = Count((starts_ ? Count(0) : turned_[i]) + u<1>(turns_[i]));
+      turns_[i] = false;
+    }
+    place_ = starts_ ? Place(1) : Place(place_ + u<1>(taken_));
+    starts_ = taken_ = false;
+  }
 
   /// Of the left and the right cell at the same place, in the order of the rows. `explained`: the left one is.
   Turns take(bool first, bool explained, const Step& left, const Step& right) {
-    place_ = first ? Place(0) : Place(place_ + lit<1>());
+    const Place place = select(first, Place(0), place_);
+    starts_ = first;
+    taken_ = true;
     Turns turns;
-    if (place_ >= CELLS) return turns;
-    const Steps before = memory_.read(place_);
+    if (place >= CELLS) return turns;
+    const Steps before = memory_.read(place);
     Steps now;
     now.step[0] = left;
     now.step[1] = right;
     for (std::size_t i = 0; i < 2; ++i) {
       turns[i].strong = has_before_ && before.step[i].strong;
       turns[i].turned = turns[i].strong && before.step[i].rises != now.step[i].rises;
-      turned_[i] = Count((first ? Count(0) : turned_[i]) + u<1>(turns[i].turned));
+      turns_[i] = turns[i].turned;
     }
     now.step[0].strong = left.strong && explained;
-    memory_.write(place_, now);
+    memory_.write(place, now);
     return turns;
   }
 
@@ -73,13 +86,13 @@ class Moments {
     right_ = change(pairs[1], turned_[0], before_[0]);
     most_before_ = select(before_[0] > before_[1], before_[0], before_[1]);
   }
-  /// Then out_of_step() is known. After a change of the mapping table the right image is another one: nothing is said.
+  /// A beat later out_of_step() is known. After a change of the mapping table the right image is another one: nothing is
+  /// said.
   void end_frame(bool watched, bool same_table) {
     const bool alone =
         (left_.alone && (left_.begins || left_.other_stops)) || (right_.alone && (right_.begins || right_.other_stops));
-    const bool together = left_.begins && right_.begins;
-    if (same_table) out_of_step_ = alone || (out_of_step_ && !together);
-    if (!watched) out_of_step_ = false;
+    begins_alone_ = watched && same_table && alone;
+    ends_ = !watched || (same_table && left_.begins && right_.begins);
     before_ = turned_;
     has_before_ = true;
   }
@@ -104,13 +117,17 @@ class Moments {
   static bool many(const Count& these, const Count& those) { return these >= shl<2>(those) + lit<least>(); }
 
   RAM<Steps, CELLS, min_row_beats> memory_;
-  Place place_{0};
+  Place place_{0};                 // of the next cell
   std::array<Count, 2> turned_{};  // in this frame, of all cells
   std::array<Count, 2> before_{};  // in the frame before
   bool has_before_ = false;        // there is one
   Count most_before_{0};
   Change left_, right_;
   bool out_of_step_ = false;
+  // Of the beat before: it took a cell, the first of a frame.
+  bool taken_ = false, starts_ = false;
+  std::array<bool, 2> turns_{};               // the cell of the beat before
+  bool begins_alone_ = false, ends_ = false;  // with the next beat
 };
 
 }  // namespace horopter::stages

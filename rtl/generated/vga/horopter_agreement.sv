@@ -3,7 +3,7 @@
 //
 // Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
 // loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
-// State 3046 bits, pipeline 862 bits, memories 127160 bits.
+// State 3060 bits, pipeline 862 bits, memories 127160 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -77,20 +77,20 @@ module horopter_agreement (
   // Of the configuration alone: not pipelined.
   logic [7:0] last;
   assign last = {1'b0, cfg_width_i[9:3]} + 8'hff;
-  logic [5:0] sum_2979;
-  assign sum_2979 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_4023;
-  assign difference_4023 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_4239;
-  assign not_4239 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_4296;
-  assign difference_4296 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_4511;
-  assign less_4511 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_4512;
-  assign sum_4512 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic not_4530;
-  assign not_4530 = ~cfg_prove_i;
+  logic [5:0] sum_2984;
+  assign sum_2984 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_4028;
+  assign difference_4028 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_4244;
+  assign not_4244 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [6:0] difference_4301;
+  assign difference_4301 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_4516;
+  assign less_4516 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_4517;
+  assign sum_4517 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic not_4535;
+  assign not_4535 = ~cfg_prove_i;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -156,389 +156,389 @@ module horopter_agreement (
   logic [4:0] patches_column_q;
   logic patches_column_ends_q;
   // hls/stages/census.hpp:36
-  logic [2:0] select_489;
-  assign select_489 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
-  logic [6:0] select_491;
-  assign select_491 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
+  logic [2:0] select_490;
+  assign select_490 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
+  logic [6:0] select_492;
+  assign select_492 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
   // hls/stages/census.hpp:116
-  logic [8:0] select_494;
-  assign select_494 = ({select_491, select_489} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
-  // hls/stages/census.hpp:117
   logic [8:0] select_495;
-  assign select_495 = select_489[0] ? averager_place_q : select_494;
+  assign select_495 = ({select_492, select_490} == 10'h0) ? 9'h0 : (averager_place_q + 9'h1);
+  // hls/stages/census.hpp:117
+  logic [8:0] select_496;
+  assign select_496 = select_490[0] ? averager_place_q : select_495;
   // hls/stages/census.hpp:42
-  logic or_496;
-  assign or_496 = sample_pair_first_q | raster_at_live_q;
-  // hls/stages/agreement.hpp:417
-  logic and_499;
-  assign and_499 = (select_489[0] & or_496) & (select_495[8:6] < 3'h5);
+  logic or_497;
+  assign or_497 = sample_pair_first_q | raster_at_live_q;
+  // hls/stages/agreement.hpp:418
+  logic and_500;
+  assign and_500 = (select_490[0] & or_497) & (select_496[8:6] < 3'h5);
   // hls/stages/census.hpp:42
-  logic [2:0] select_504;
-  assign select_504 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  logic [2:0] select_505;
+  assign select_505 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
   // hls/stages/agreement.hpp:276
   logic [6:0] column;
-  assign column = sample_pair_whole_q ? select_491 : 7'h0;
+  assign column = sample_pair_whole_q ? select_492 : 7'h0;
   // hls/stages/census.hpp:51
-  logic equal_521;
-  assign equal_521 = select_489 == 3'h7;
-  // hls/stages/census.hpp:54
   logic equal_522;
-  assign equal_522 = select_504 == 3'h7;
+  assign equal_522 = select_490 == 3'h7;
+  // hls/stages/census.hpp:54
+  logic equal_523;
+  assign equal_523 = select_505 == 3'h7;
   // hls/stages/census.hpp:127
-  logic and_523;
-  assign and_523 = equal_522 & and_499;
+  logic and_524;
+  assign and_524 = equal_523 & and_500;
   // hls/stages/agreement.hpp:276
-  logic and_525;
-  assign and_525 = sample_pair_whole_q & (equal_521 & and_523);
+  logic and_526;
+  assign and_526 = sample_pair_whole_q & (equal_522 & and_524);
   // hls/stages/agreement.hpp:196
   logic so;
   assign so = run_phase_q == 3'h6;
-  // hls/stages/agreement.hpp:623
-  logic equal_553;
-  assign equal_553 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:594
-  logic or_554;
-  assign or_554 = so | equal_553;
-  // hls/stages/agreement.hpp:592
-  logic [7:0] sum_555;
-  assign sum_555 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
-  // hls/stages/agreement.hpp:594
-  logic [7:0] select_556;
-  assign select_556 = run_shift_q[5] ? x_q : sum_555;
-  logic less_557;
-  assign less_557 = {1'b0, last_q} < select_556;
+  // hls/stages/agreement.hpp:624
+  logic equal_554;
+  assign equal_554 = run_phase_q == 3'h5;
+  // hls/stages/agreement.hpp:595
+  logic or_555;
+  assign or_555 = so | equal_554;
+  // hls/stages/agreement.hpp:593
+  logic [7:0] sum_556;
+  assign sum_556 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+  // hls/stages/agreement.hpp:595
+  logic [7:0] select_557;
+  assign select_557 = run_shift_q[5] ? x_q : sum_556;
+  logic less_558;
+  assign less_558 = {1'b0, last_q} < select_557;
   // hls/stages/agreement.hpp:226
-  logic not_558;
-  assign not_558 = ~less_557;
-  // hls/stages/agreement.hpp:614
-  logic equal_568;
-  assign equal_568 = run_phase_q == 3'h3;
+  logic not_559;
+  assign not_559 = ~less_558;
   // hls/stages/agreement.hpp:615
   logic equal_569;
-  assign equal_569 = run_phase_q == 3'h2;
+  assign equal_569 = run_phase_q == 3'h3;
+  // hls/stages/agreement.hpp:616
+  logic equal_570;
+  assign equal_570 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:149
-  logic and_570;
-  assign and_570 = equal_569 & not_558;
-  logic select_572;
-  assign select_572 = or_554 ? not_558 : (equal_568 ? not_558 : and_570);
-  // hls/stages/agreement.hpp:798
+  logic and_571;
+  assign and_571 = equal_570 & not_559;
+  logic select_573;
+  assign select_573 = or_555 ? not_559 : (equal_569 ? not_559 : and_571);
+  // hls/stages/agreement.hpp:799
   logic [7:0] x;
   assign x = x_q + 8'hfd;
   // hls/stages/agreement.hpp:149
-  logic and_590;
-  assign and_590 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_556)));
   logic and_591;
-  assign and_591 = equal_568 & and_590;
-  logic select_592;
-  assign select_592 = or_554 ? not_558 : and_591;
-  // hls/stages/agreement.hpp:821
+  assign and_591 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_557)));
+  logic and_592;
+  assign and_592 = equal_569 & and_591;
+  logic select_593;
+  assign select_593 = or_555 ? not_559 : and_592;
+  // hls/stages/agreement.hpp:822
   logic [6:0] right;
-  assign right = sum_555[6:0] + 7'h7d;
-  // hls/stages/agreement.hpp:594
-  logic not_622;
-  assign not_622 = ~or_554;
+  assign right = sum_556[6:0] + 7'h7d;
+  // hls/stages/agreement.hpp:595
+  logic not_623;
+  assign not_623 = ~or_555;
   // hls/stages/agreement.hpp:149
-  logic and_625;
-  assign and_625 = not_622 & ((~equal_568) & and_570);
+  logic and_626;
+  assign and_626 = not_623 & ((~equal_569) & and_571);
   // hls/stages/census.hpp:42
-  logic [5:0] select_652;
-  assign select_652 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
+  logic [5:0] select_653;
+  assign select_653 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:276
   logic [5:0] row;
-  assign row = sample_pair_whole_q ? select_652 : 6'h0;
+  assign row = sample_pair_whole_q ? select_653 : 6'h0;
   // hls/stages/patches.hpp:122
-  logic and_2124;
-  assign and_2124 = (select_489 == 3'h0) & (select_491 == 7'h0);
-  // hls/stages/patches.hpp:391
-  logic not_2125;
-  assign not_2125 = ~patches_begins_q;
+  logic and_2125;
+  assign and_2125 = (select_490 == 3'h0) & (select_492 == 7'h0);
+  // hls/stages/patches.hpp:392
+  logic not_2126;
+  assign not_2126 = ~patches_begins_q;
   // hls/stages/census.hpp:32
-  logic not_2128;
-  assign not_2128 = ~sample_pair_first_q;
-  // hls/stages/patches.hpp:361
-  logic and_2129;
-  assign and_2129 = patches_capturing_q & not_2128;
-  // hls/stages/patches.hpp:363
-  logic equal_2130;
-  assign equal_2130 = {or_496, select_504} == 4'hc;
+  logic not_2129;
+  assign not_2129 = ~sample_pair_first_q;
+  // hls/stages/patches.hpp:362
+  logic and_2130;
+  assign and_2130 = patches_capturing_q & not_2129;
+  // hls/stages/patches.hpp:364
+  logic equal_2131;
+  assign equal_2131 = {or_497, select_505} == 4'hc;
   // hls/stages/patches.hpp:311
-  logic equal_2132;
-  assign equal_2132 = patches_band_rows_rows_to_next_q == 4'h0;
+  logic equal_2133;
+  assign equal_2133 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/patches.hpp:125
-  logic and_2137;
-  assign and_2137 = (not_2125 & (patches_work_q == 3'h0)) & (~(and_2129 | ((~equal_2130) | (~equal_2132))));
-  // hls/stages/patches.hpp:529
-  logic equal_2225;
-  assign equal_2225 = patches_work_q == 3'h4;
-  // hls/stages/patches.hpp:507
-  logic not_2226;
-  assign not_2226 = ~equal_2225;
-  // hls/stages/patches.hpp:500
-  logic equal_2227;
-  assign equal_2227 = patches_work_q == 3'h3;
-  // hls/stages/patches.hpp:453
-  logic not_2228;
-  assign not_2228 = ~equal_2227;
-  // hls/stages/patches.hpp:494
+  logic and_2138;
+  assign and_2138 = (not_2126 & (patches_work_q == 3'h0)) & (~(and_2130 | ((~equal_2131) | (~equal_2133))));
+  // hls/stages/patches.hpp:530
   logic equal_2229;
-  assign equal_2229 = patches_work_q == 3'h2;
-  // hls/stages/patches.hpp:167
-  logic equal_2230;
-  assign equal_2230 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:529
-  logic or_2231;
-  assign or_2231 = equal_2229 | equal_2230;
-  // hls/stages/patches.hpp:455
+  assign equal_2229 = patches_work_q == 3'h4;
+  // hls/stages/patches.hpp:508
+  logic not_2230;
+  assign not_2230 = ~equal_2229;
+  // hls/stages/patches.hpp:501
+  logic equal_2231;
+  assign equal_2231 = patches_work_q == 3'h3;
+  // hls/stages/patches.hpp:454
   logic not_2232;
-  assign not_2232 = ~patches_second_q;
-  // hls/stages/patches.hpp:372
-  logic [4:0] select_2254;
-  assign select_2254 = and_2137 ? 5'h0 : (patches_row_q + 5'h1);
-  // hls/stages/patches.hpp:126
-  logic [4:0] select_2255;
-  assign select_2255 = and_2124 ? select_2254 : patches_row_q;
-  // hls/stages/patches.hpp:125
-  logic and_2257;
-  assign and_2257 = and_2129 & (patches_row_q == 5'h1f);
-  // hls/stages/patches.hpp:126
-  logic select_2261;
-  assign select_2261 = and_2124 ? (and_2137 | (and_2129 & (~and_2257))) : patches_capturing_q;
-  // hls/stages/patches.hpp:184
-  logic and_2269;
-  assign and_2269 = not_2226 & (not_2228 & (or_2231 & (patches_second_q & equal_2230)));
+  assign not_2232 = ~equal_2231;
+  // hls/stages/patches.hpp:495
+  logic equal_2233;
+  assign equal_2233 = patches_work_q == 3'h2;
   // hls/stages/patches.hpp:167
-  logic not_2286;
-  assign not_2286 = ~equal_2230;
+  logic equal_2234;
+  assign equal_2234 = patches_work_q == 3'h1;
+  // hls/stages/patches.hpp:530
+  logic or_2235;
+  assign or_2235 = equal_2233 | equal_2234;
+  // hls/stages/patches.hpp:456
+  logic not_2236;
+  assign not_2236 = ~patches_second_q;
+  // hls/stages/patches.hpp:373
+  logic [4:0] select_2258;
+  assign select_2258 = and_2138 ? 5'h0 : (patches_row_q + 5'h1);
+  // hls/stages/patches.hpp:126
+  logic [4:0] select_2259;
+  assign select_2259 = and_2125 ? select_2258 : patches_row_q;
+  // hls/stages/patches.hpp:125
+  logic and_2261;
+  assign and_2261 = and_2130 & (patches_row_q == 5'h1f);
+  // hls/stages/patches.hpp:126
+  logic select_2265;
+  assign select_2265 = and_2125 ? (and_2138 | (and_2130 & (~and_2261))) : patches_capturing_q;
+  // hls/stages/patches.hpp:184
+  logic and_2273;
+  assign and_2273 = not_2230 & (not_2232 & (or_2235 & (patches_second_q & equal_2234)));
+  // hls/stages/patches.hpp:167
+  logic not_2290;
+  assign not_2290 = ~equal_2234;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2302;
-  assign select_2302 = and_2124 ? {select_2254[4], select_2254[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
-  // hls/stages/patches.hpp:453
-  logic and_2312;
-  assign and_2312 = not_2226 & (or_2231 & not_2228);
+  logic [3:0] select_2306;
+  assign select_2306 = and_2125 ? {select_2258[4], select_2258[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  // hls/stages/patches.hpp:454
+  logic and_2316;
+  assign and_2316 = not_2230 & (or_2235 & not_2232);
   // hls/stages/agreement.hpp:276
-  logic [2:0] select_2569;
-  assign select_2569 = sample_pair_whole_q ? (sample_last_q ? (select_504 + 3'h1) : select_504) : raster_at_y_q;
-  logic [6:0] select_2571;
-  assign select_2571 = sample_pair_whole_q ? (select_491 + {6'h0, equal_521}) : raster_at_column_q;
-  logic [5:0] select_2574;
-  assign select_2574 = sample_pair_whole_q ? (sample_last_q ? (select_652 + {5'h0, equal_522}) : select_652) : raster_at_row_q;
-  logic select_2578;
-  assign select_2578 = sample_pair_whole_q ? (sample_last_q ? (or_496 & (~raster_final_row_q)) : or_496) : raster_at_live_q;
+  logic [2:0] select_2573;
+  assign select_2573 = sample_pair_whole_q ? (sample_last_q ? (select_505 + 3'h1) : select_505) : raster_at_y_q;
+  logic [6:0] select_2575;
+  assign select_2575 = sample_pair_whole_q ? (select_492 + {6'h0, equal_522}) : raster_at_column_q;
+  logic [5:0] select_2578;
+  assign select_2578 = sample_pair_whole_q ? (sample_last_q ? (select_653 + {5'h0, equal_523}) : select_653) : raster_at_row_q;
+  logic select_2582;
+  assign select_2582 = sample_pair_whole_q ? (sample_last_q ? (or_497 & (~raster_final_row_q)) : or_497) : raster_at_live_q;
   // hls/stages/census.hpp:50
-  logic [8:0] select_2580;
-  assign select_2580 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [8:0] select_2584;
+  assign select_2584 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:276
-  logic select_2584;
-  assign select_2584 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
-  // hls/stages/agreement.hpp:459
-  logic equal_2888;
-  assign equal_2888 = {last[7], column} == {1'b0, last[6:0]};
-  // hls/stages/agreement.hpp:464
-  logic and_2889;
-  assign and_2889 = and_525 & equal_2888;
-  // hls/stages/agreement.hpp:523
-  logic select_2892;
-  assign select_2892 = (and_2889 | (~ends_cell_q)) ? and_2889 : ends_q;
-  // hls/stages/agreement.hpp:529
+  logic select_2588;
+  assign select_2588 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  // hls/stages/agreement.hpp:460
+  logic equal_2893;
+  assign equal_2893 = {last[7], column} == {1'b0, last[6:0]};
+  // hls/stages/agreement.hpp:465
+  logic and_2894;
+  assign and_2894 = and_526 & equal_2893;
+  // hls/stages/agreement.hpp:524
+  logic select_2897;
+  assign select_2897 = (and_2894 | (~ends_cell_q)) ? and_2894 : ends_q;
+  // hls/stages/agreement.hpp:530
   logic [2:0] now;
-  assign now = select_2892 ? (and_2889 ? 3'h1 : following_phase_q) : run_phase_q;
-  // hls/stages/agreement.hpp:534
-  logic [5:0] select_2896;
-  assign select_2896 = select_2892 ? (and_2889 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2899;
-  assign select_2899 = select_2892 ? (following_last_shift_q & (~and_2889)) : run_last_shift_q;
-  // hls/stages/agreement.hpp:607
-  logic and_2902;
-  assign and_2902 = run_last_shift_q & equal_568;
-  // hls/stages/agreement.hpp:616
+  assign now = select_2897 ? (and_2894 ? 3'h1 : following_phase_q) : run_phase_q;
+  // hls/stages/agreement.hpp:535
+  logic [5:0] select_2901;
+  assign select_2901 = select_2897 ? (and_2894 ? 6'h0 : following_shift_q) : run_shift_q;
   logic select_2904;
-  assign select_2904 = equal_568 ? (~run_last_shift_q) : equal_569;
-  // hls/stages/agreement.hpp:620
-  logic equal_2905;
-  assign equal_2905 = run_phase_q == 3'h1;
-  logic not_2908;
-  assign not_2908 = ~select_2904;
-  // hls/stages/agreement.hpp:623
+  assign select_2904 = select_2897 ? (following_last_shift_q & (~and_2894)) : run_last_shift_q;
+  // hls/stages/agreement.hpp:608
+  logic and_2907;
+  assign and_2907 = run_last_shift_q & equal_569;
+  // hls/stages/agreement.hpp:617
+  logic select_2909;
+  assign select_2909 = equal_569 ? (~run_last_shift_q) : equal_570;
+  // hls/stages/agreement.hpp:621
   logic equal_2910;
-  assign equal_2910 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:607
-  logic and_2911;
-  assign and_2911 = final_row_q & so;
-  // hls/stages/agreement.hpp:620
-  logic [1:0] select_2912;
-  assign select_2912 = equal_2910 ? 2'h1 : {2{and_2911}};
-  logic [2:0] select_2914;
-  assign select_2914 = (and_2902 | (select_2904 | equal_2905)) ? (equal_2905 ? 3'h2 : {not_2908, {2{select_2904}}}) : (equal_553 ? 3'h6 : {select_2912[0], select_2912});
-  // hls/stages/agreement.hpp:607
-  logic and_2917;
-  assign and_2917 = select_2904 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
-  // hls/stages/agreement.hpp:630
+  assign equal_2910 = run_phase_q == 3'h1;
+  logic not_2913;
+  assign not_2913 = ~select_2909;
+  // hls/stages/agreement.hpp:624
+  logic equal_2915;
+  assign equal_2915 = run_phase_q == 3'h4;
+  // hls/stages/agreement.hpp:608
+  logic and_2916;
+  assign and_2916 = final_row_q & so;
+  // hls/stages/agreement.hpp:621
+  logic [1:0] select_2917;
+  assign select_2917 = equal_2915 ? 2'h1 : {2{and_2916}};
+  logic [2:0] select_2919;
+  assign select_2919 = (and_2907 | (select_2909 | equal_2910)) ? (equal_2910 ? 3'h2 : {not_2913, {2{select_2909}}}) : (equal_554 ? 3'h6 : {select_2917[0], select_2917});
+  // hls/stages/agreement.hpp:608
+  logic and_2922;
+  assign and_2922 = select_2909 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  // hls/stages/agreement.hpp:631
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2920;
-  assign select_2920 = (plan_shift_q[5] & select_2904) ? value : 7'h0;
-  logic [1:0] or_2921;
-  assign or_2921 = {2{so}} | select_2920[5:4];
-  // hls/stages/agreement.hpp:633
-  logic [7:0] or_2925;
-  assign or_2925 = (select_2904 ? plan_columns_q : 8'h0) | ((equal_2905 | equal_2910) ? whole_q : 8'h0);
+  logic [6:0] select_2925;
+  assign select_2925 = (plan_shift_q[5] & select_2909) ? value : 7'h0;
   logic [1:0] or_2926;
-  assign or_2926 = {2{and_2902}} | or_2925[3:2];
+  assign or_2926 = {2{so}} | select_2925[5:4];
   // hls/stages/agreement.hpp:634
-  logic [7:0] or_2928;
-  assign or_2928 = {or_2925[7:4], or_2926, or_2925[1:0]} | (equal_553 ? drawn_q : 8'h0);
-  logic [4:0] or_2929;
-  assign or_2929 = {5{so}} | {or_2928[6], or_2928[3:0]};
-  // hls/stages/agreement.hpp:640
-  logic not_2933;
-  assign not_2933 = ~run_shift_q[5];
-  logic [7:0] select_2936;
-  assign select_2936 = equal_568 ? ({{7{not_2933}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
-  // hls/stages/agreement.hpp:523
-  logic [6:0] select_2940;
-  assign select_2940 = and_2889 ? 7'h0 : following_lowest_q;
-  // hls/stages/agreement.hpp:526
-  logic [7:0] select_2942;
-  assign select_2942 = select_2892 ? {select_2940[6], select_2940} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2945;
-  assign select_2945 = select_2892 ? (and_2889 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_2953;
-  assign select_2953 = and_525 ? (equal_2888 ? ((6'he < column[6:1]) ? 7'h1d : column) : least_q) : least_q;
-  logic [7:0] select_2956;
-  assign select_2956 = and_525 ? (equal_2888 ? ({1'b0, cfg_width_i[9:3]} + 8'hb) : whole_q) : whole_q;
-  logic [7:0] select_2959;
-  assign select_2959 = and_525 ? (equal_2888 ? ({1'b0, cfg_width_i[9:3]} + 8'h3) : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:531
-  logic select_2970;
-  assign select_2970 = (ends_cell_q | select_2892) ? (~(now == 3'h6)) : (equal_568 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:526
-  logic and_2974;
-  assign and_2974 = (~select_2892) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
-  // hls/stages/agreement.hpp:476
-  logic [6:0] sum_2975;
-  assign sum_2975 = {1'b0, row} + 7'h1;
-  // hls/stages/agreement.hpp:460
-  logic select_2977;
-  assign select_2977 = equal_2888 ? ({sum_2975[6], cfg_height_i[8:3]} == {1'b0, sum_2975[5:0]}) : final_row_q;
+  logic [7:0] or_2930;
+  assign or_2930 = (select_2909 ? plan_columns_q : 8'h0) | ((equal_2910 | equal_2915) ? whole_q : 8'h0);
+  logic [1:0] or_2931;
+  assign or_2931 = {2{and_2907}} | or_2930[3:2];
+  // hls/stages/agreement.hpp:635
+  logic [7:0] or_2933;
+  assign or_2933 = {or_2930[7:4], or_2931, or_2930[1:0]} | (equal_554 ? drawn_q : 8'h0);
+  logic [4:0] or_2934;
+  assign or_2934 = {5{so}} | {or_2933[6], or_2933[3:0]};
+  // hls/stages/agreement.hpp:641
+  logic not_2938;
+  assign not_2938 = ~run_shift_q[5];
+  logic [7:0] select_2941;
+  assign select_2941 = equal_569 ? ({{7{not_2938}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  // hls/stages/agreement.hpp:524
+  logic [6:0] select_2945;
+  assign select_2945 = and_2894 ? 7'h0 : following_lowest_q;
+  // hls/stages/agreement.hpp:527
+  logic [7:0] select_2947;
+  assign select_2947 = select_2897 ? {select_2945[6], select_2945} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2950;
+  assign select_2950 = select_2897 ? (and_2894 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  // hls/stages/agreement.hpp:521
+  logic [6:0] select_2958;
+  assign select_2958 = and_526 ? (equal_2893 ? ((6'he < column[6:1]) ? 7'h1d : column) : least_q) : least_q;
+  logic [7:0] select_2961;
+  assign select_2961 = and_526 ? (equal_2893 ? ({1'b0, cfg_width_i[9:3]} + 8'hb) : whole_q) : whole_q;
+  logic [7:0] select_2964;
+  assign select_2964 = and_526 ? (equal_2893 ? ({1'b0, cfg_width_i[9:3]} + 8'h3) : drawn_q) : drawn_q;
+  // hls/stages/agreement.hpp:532
+  logic select_2975;
+  assign select_2975 = (ends_cell_q | select_2897) ? (~(now == 3'h6)) : (equal_569 | (slot_q == 3'h6));
+  // hls/stages/agreement.hpp:527
+  logic and_2979;
+  assign and_2979 = (~select_2897) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  // hls/stages/agreement.hpp:477
+  logic [6:0] sum_2980;
+  assign sum_2980 = {1'b0, row} + 7'h1;
+  // hls/stages/agreement.hpp:461
+  logic select_2982;
+  assign select_2982 = equal_2893 ? ({sum_2980[6], cfg_height_i[8:3]} == {1'b0, sum_2980[5:0]}) : final_row_q;
   // hls/stages/patches.hpp:317
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
-  logic [3:0] select_3336;
-  assign select_3336 = and_2124 ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
+  logic [3:0] select_3341;
+  assign select_3341 = and_2125 ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_3337;
-  assign select_3337 = sample_pair_whole_q ? select_3336 : patches_phase_q;
-  // hls/stages/patches.hpp:372
-  logic and_3338;
-  assign and_3338 = not_2128 & equal_2130;
-  logic [8:0] select_3339;
-  assign select_3339 = and_3338 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_3340;
-  assign select_3340 = and_3338 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_3341;
-  assign select_3341 = sample_pair_first_q ? select_3339 : select_3340;
+  logic [3:0] select_3342;
+  assign select_3342 = sample_pair_whole_q ? select_3341 : patches_phase_q;
+  // hls/stages/patches.hpp:373
+  logic and_3343;
+  assign and_3343 = not_2129 & equal_2131;
+  logic [8:0] select_3344;
+  assign select_3344 = and_3343 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_3345;
+  assign select_3345 = and_3343 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_3346;
+  assign select_3346 = sample_pair_first_q ? select_3344 : select_3345;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_3343;
-  assign select_3343 = sample_pair_whole_q ? (and_2124 ? select_3341[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_3345;
-  assign select_3345 = sample_pair_whole_q ? (and_2124 ? select_3341[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
   logic [3:0] select_3348;
-  assign select_3348 = sample_pair_whole_q ? (equal_2132 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  assign select_3348 = sample_pair_whole_q ? (and_2125 ? select_3346[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
   logic [4:0] select_3350;
-  assign select_3350 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_2132}) : patches_next_band_number_q;
+  assign select_3350 = sample_pair_whole_q ? (and_2125 ? select_3346[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_3353;
+  assign select_3353 = sample_pair_whole_q ? (equal_2133 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_3355;
+  assign select_3355 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_2133}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:330
-  logic equal_3351;
-  assign equal_3351 = phase[3:1] == 3'h0;
-  // hls/stages/patches.hpp:331
-  logic not_3352;
-  assign not_3352 = ~equal_3351;
-  // hls/stages/agreement.hpp:276
-  logic [3:0] select_3354;
-  assign select_3354 = sample_pair_whole_q ? (phase + {not_3352, 1'b1, not_3352, equal_3351}) : patches_first_band_rows_to_next_q;
-  // hls/stages/agreement.hpp:470
   logic equal_3356;
-  assign equal_3356 = row == 6'h3;
-  // hls/stages/patches.hpp:87
-  logic [3:0] select_3360;
-  assign select_3360 = equal_3356 ? ((select_3337 == 4'h6) ? 4'h0 : (select_3337 + 4'h1)) : patches_choosing_rows_to_next_q;
+  assign equal_3356 = phase[3:1] == 3'h0;
+  // hls/stages/patches.hpp:331
+  logic not_3357;
+  assign not_3357 = ~equal_3356;
+  // hls/stages/agreement.hpp:276
+  logic [3:0] select_3359;
+  assign select_3359 = sample_pair_whole_q ? (phase + {not_3357, 1'b1, not_3357, equal_3356}) : patches_first_band_rows_to_next_q;
+  // hls/stages/agreement.hpp:471
   logic equal_3361;
-  assign equal_3361 = select_3360 == 4'h0;
-  // hls/stages/agreement.hpp:460
-  logic [3:0] select_3364;
-  assign select_3364 = equal_2888 ? (equal_3361 ? 4'h6 : (select_3360 + 4'hf)) : patches_choosing_rows_to_next_q;
+  assign equal_3361 = row == 6'h3;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_3366;
-  assign select_3366 = equal_3356 ? 5'h0 : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:460
-  logic [4:0] select_3368;
-  assign select_3368 = equal_2888 ? (select_3366 + {4'h0, equal_3361}) : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:520
-  logic select_3373;
-  assign select_3373 = and_525 ? (equal_2888 ? ((6'h2 < row) & equal_3361) : patches_chooses_q) : patches_chooses_q;
-  logic [4:0] select_3375;
-  assign select_3375 = and_525 ? (equal_2888 ? select_3366 : patches_choosing_band_q) : patches_choosing_band_q;
-  // hls/stages/patches.hpp:370
-  logic or_3399;
-  assign or_3399 = select_491[0] | select_652[5];
-  logic [7:0] sum_3400;
-  assign sum_3400 = {1'b0, select_491[2:1], or_3399, select_652[4:1]} + 8'h1;
-  logic less_3401;
-  assign less_3401 = {sum_3400, select_652[0], select_504, 1'b0} < {4'h0, cfg_height_i};
+  logic [3:0] select_3365;
+  assign select_3365 = equal_3361 ? ((select_3342 == 4'h6) ? 4'h0 : (select_3342 + 4'h1)) : patches_choosing_rows_to_next_q;
+  logic equal_3366;
+  assign equal_3366 = select_3365 == 4'h0;
+  // hls/stages/agreement.hpp:461
+  logic [3:0] select_3369;
+  assign select_3369 = equal_2893 ? (equal_3366 ? 4'h6 : (select_3365 + 4'hf)) : patches_choosing_rows_to_next_q;
+  // hls/stages/patches.hpp:87
+  logic [4:0] select_3371;
+  assign select_3371 = equal_3361 ? 5'h0 : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:461
+  logic [4:0] select_3373;
+  assign select_3373 = equal_2893 ? (select_3371 + {4'h0, equal_3366}) : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:521
+  logic select_3378;
+  assign select_3378 = and_526 ? (equal_2893 ? ((6'h2 < row) & equal_3366) : patches_chooses_q) : patches_chooses_q;
+  logic [4:0] select_3380;
+  assign select_3380 = and_526 ? (equal_2893 ? select_3371 : patches_choosing_band_q) : patches_choosing_band_q;
+  // hls/stages/patches.hpp:371
+  logic or_3404;
+  assign or_3404 = select_492[0] | select_653[5];
+  logic [7:0] sum_3405;
+  assign sum_3405 = {1'b0, select_492[2:1], or_3404, select_653[4:1]} + 8'h1;
+  logic less_3406;
+  assign less_3406 = {sum_3405, select_653[0], select_505, 1'b0} < {4'h0, cfg_height_i};
   // hls/stages/patches.hpp:126
-  logic select_3404;
-  assign select_3404 = and_2124 ? (and_2137 ? (~less_3401) : patches_lower_q) : patches_lower_q;
-  // hls/stages/patches.hpp:392
-  logic or_3443;
-  assign or_3443 = patches_begins_q | patches_ends_q;
-  // hls/stages/patches.hpp:394
+  logic select_3409;
+  assign select_3409 = and_2125 ? (and_2138 ? (~less_3406) : patches_lower_q) : patches_lower_q;
+  // hls/stages/patches.hpp:393
+  logic or_3448;
+  assign or_3448 = patches_begins_q | patches_ends_q;
+  // hls/stages/patches.hpp:395
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:187
-  logic and_3449;
-  assign and_3449 = equal_2225 & not_2232;
-  // hls/stages/patches.hpp:398
-  logic and_3450;
-  assign and_3450 = not_2286 & and_3449;
-  logic [1:0] select_3452;
-  assign select_3452 = equal_2227 ? 2'h0 : (equal_2229 ? 2'h3 : {equal_2230, and_3450});
+  logic and_3454;
+  assign and_3454 = equal_2229 & not_2236;
+  // hls/stages/patches.hpp:399
+  logic and_3455;
+  assign and_3455 = not_2290 & and_3454;
+  logic [1:0] select_3457;
+  assign select_3457 = equal_2231 ? 2'h0 : (equal_2233 ? 2'h3 : {equal_2234, and_3455});
   // hls/stages/patches.hpp:279
-  logic equal_3454;
-  assign equal_3454 = patches_following_q == 3'h4;
+  logic equal_3459;
+  assign equal_3459 = patches_following_q == 3'h4;
   // hls/stages/patches.hpp:277
-  logic not_3455;
-  assign not_3455 = ~equal_3454;
+  logic not_3460;
+  assign not_3460 = ~equal_3459;
   // hls/stages/patches.hpp:279
-  logic equal_3456;
-  assign equal_3456 = patches_following_q == 3'h3;
+  logic equal_3461;
+  assign equal_3461 = patches_following_q == 3'h3;
   // hls/stages/patches.hpp:275
-  logic not_3457;
-  assign not_3457 = ~equal_3456;
+  logic not_3462;
+  assign not_3462 = ~equal_3461;
   // hls/stages/patches.hpp:283
-  logic not_3459;
-  assign not_3459 = ~(patches_following_q == 3'h2);
-  logic and_3462;
-  assign and_3462 = (~(patches_following_q == 3'h1)) & not_3459;
-  // hls/stages/patches.hpp:396
-  logic [1:0] select_3463;
-  assign select_3463 = equal_3456 ? 2'h2 : {and_3462, not_3459};
-  logic [3:0] select_3464;
-  assign select_3464 = equal_3454 ? 4'h2 : {select_3463, {2{not_3457}}};
-  // hls/stages/patches.hpp:404
-  logic not_3467;
-  assign not_3467 = ~or_3443;
-  // hls/stages/patches.hpp:393
+  logic not_3464;
+  assign not_3464 = ~(patches_following_q == 3'h2);
+  logic and_3467;
+  assign and_3467 = (~(patches_following_q == 3'h1)) & not_3464;
+  // hls/stages/patches.hpp:397
+  logic [1:0] select_3468;
+  assign select_3468 = equal_3461 ? 2'h2 : {and_3467, not_3464};
+  logic [3:0] select_3469;
+  assign select_3469 = equal_3459 ? 4'h2 : {select_3468, {2{not_3462}}};
+  // hls/stages/patches.hpp:405
+  logic not_3472;
+  assign not_3472 = ~or_3448;
+  // hls/stages/patches.hpp:394
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
-  // hls/stages/patches.hpp:405
-  logic [11:0] select_3472;
-  assign select_3472 = or_3443 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  // hls/stages/patches.hpp:406
+  logic [11:0] select_3477;
+  assign select_3477 = or_3448 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/patches.hpp:187
-  logic [4:0] select_3474;
-  assign select_3474 = or_3443 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  logic [4:0] select_3479;
+  assign select_3479 = or_3448 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
-  // Memory fresh, 80 x 33 and parity, DISTANCE 12, hls/stages/agreement.hpp:1371; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory fresh, 80 x 33 and parity, DISTANCE 12, hls/stages/agreement.hpp:1373; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [33:0] fresh_mem [0:79];
@@ -548,7 +548,7 @@ module horopter_agreement (
   logic [6:0] fresh_raddr;
   assign fresh_raddr = x_q[6:0];
   logic fresh_re;
-  assign fresh_re = s0_en & and_625;
+  assign fresh_re = s0_en & and_626;
   logic [33:0] fresh_word_q;
   always_ff @(posedge clk_i) begin
     if (fresh_re) fresh_word_q <= fresh_mem[fresh_raddr];
@@ -559,7 +559,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) fresh_read_q <= rst_ni & fresh_re;
   assign fresh_error = fresh_read_q & ^fresh_word_q;
 
-  // Memory left, 80 x 85 and parity, DISTANCE 12, hls/stages/agreement.hpp:1372; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 85 and parity, DISTANCE 12, hls/stages/agreement.hpp:1374; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [85:0] left_mem [0:79];
@@ -569,7 +569,7 @@ module horopter_agreement (
   logic [6:0] left_raddr;
   assign left_raddr = x_q[6:0];
   logic left_re;
-  assign left_re = s0_en & select_572;
+  assign left_re = s0_en & select_573;
   logic [85:0] left_word_q;
   always_ff @(posedge clk_i) begin
     if (left_re) left_word_q <= left_mem[left_raddr];
@@ -580,7 +580,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) left_read_q <= rst_ni & left_re;
   assign left_error = left_read_q & ^left_word_q;
 
-  // Memory right_codes, 80 x 99 and parity, DISTANCE 12, hls/stages/agreement.hpp:1373; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 99 and parity, DISTANCE 12, hls/stages/agreement.hpp:1375; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [99:0] right_codes_mem [0:79];
@@ -588,9 +588,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) right_codes_mem[i] = 100'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = or_554 ? x_q[6:0] : (equal_568 ? sum_555[6:0] : x_q[6:0]);
+  assign right_codes_raddr = or_555 ? x_q[6:0] : (equal_569 ? sum_556[6:0] : x_q[6:0]);
   logic right_codes_re;
-  assign right_codes_re = s0_en & select_572;
+  assign right_codes_re = s0_en & select_573;
   logic [99:0] right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (right_codes_re) right_codes_word_q <= right_codes_mem[right_codes_raddr];
@@ -601,7 +601,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) right_codes_read_q <= rst_ni & right_codes_re;
   assign right_codes_error = right_codes_read_q & ^right_codes_word_q;
 
-  // Memory best_left, 80 x 62 and parity, DISTANCE 12, hls/stages/agreement.hpp:1374; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 80 x 62 and parity, DISTANCE 12, hls/stages/agreement.hpp:1376; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [62:0] best_left_mem [0:79];
@@ -609,9 +609,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_left_mem[i] = 63'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = or_554 ? x_q[6:0] : x[6:0];
+  assign best_left_raddr = or_555 ? x_q[6:0] : x[6:0];
   logic best_left_re;
-  assign best_left_re = s0_en & select_592;
+  assign best_left_re = s0_en & select_593;
   logic [62:0] best_left_word_q;
   always_ff @(posedge clk_i) begin
     if (best_left_re) best_left_word_q <= best_left_mem[best_left_raddr];
@@ -622,7 +622,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) best_left_read_q <= rst_ni & best_left_re;
   assign best_left_error = best_left_read_q & ^best_left_word_q;
 
-  // Memory patches_right_0, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:774; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory patches_right_0, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:775; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] patches_right_0_mem [0:1023];
@@ -632,7 +632,7 @@ module horopter_agreement (
   logic [9:0] patches_right_0_raddr;
   assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
   logic patches_right_0_re;
-  assign patches_right_0_re = s0_en & (not_2226 & (not_2228 & (or_2231 & (equal_2230 & not_2232))));
+  assign patches_right_0_re = s0_en & (not_2230 & (not_2232 & (or_2235 & (equal_2234 & not_2236))));
   logic [8:0] patches_right_0_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_right_0_re) patches_right_0_word_q <= patches_right_0_mem[patches_right_0_raddr];
@@ -643,7 +643,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_right_0_read_q <= rst_ni & patches_right_0_re;
   assign patches_right_0_error = patches_right_0_read_q & ^patches_right_0_word_q;
 
-  // Memory patches_right_1, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:774; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory patches_right_1, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:775; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] patches_right_1_mem [0:1023];
@@ -653,7 +653,7 @@ module horopter_agreement (
   logic [9:0] patches_right_1_raddr;
   assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
   logic patches_right_1_re;
-  assign patches_right_1_re = s0_en & and_2269;
+  assign patches_right_1_re = s0_en & and_2273;
   logic [8:0] patches_right_1_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_right_1_re) patches_right_1_word_q <= patches_right_1_mem[patches_right_1_raddr];
@@ -664,7 +664,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_right_1_read_q <= rst_ni & patches_right_1_re;
   assign patches_right_1_error = patches_right_1_read_q & ^patches_right_1_word_q;
 
-  // Memory patches_left, 512 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:775; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory patches_left, 512 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:776; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] patches_left_mem [0:511];
@@ -674,7 +674,7 @@ module horopter_agreement (
   logic [8:0] patches_left_raddr;
   assign patches_left_raddr = {patches_second_q, patches_code_row_q[3:0], patches_column_q[3:0]};
   logic patches_left_re;
-  assign patches_left_re = s0_en & (not_2226 & (not_2228 & (not_2286 & or_2231)));
+  assign patches_left_re = s0_en & (not_2230 & (not_2232 & (not_2290 & or_2235)));
   logic [8:0] patches_left_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_left_re) patches_left_word_q <= patches_left_mem[patches_left_raddr];
@@ -685,7 +685,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_left_read_q <= rst_ni & patches_left_re;
   assign patches_left_error = patches_left_read_q & ^patches_left_word_q;
 
-  // Memory patches_columns_above, 32 x 32 and parity, DISTANCE 12, hls/stages/patches.hpp:786; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory patches_columns_above, 32 x 32 and parity, DISTANCE 12, hls/stages/patches.hpp:787; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -696,7 +696,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_raddr;
   assign patches_columns_above_raddr = patches_column_q;
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s0_en & and_2312;
+  assign patches_columns_above_re = s0_en & and_2316;
   logic [32:0] patches_columns_above_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_columns_above_re) patches_columns_above_word_q <= patches_columns_above_mem[patches_columns_above_raddr];
@@ -776,64 +776,64 @@ module horopter_agreement (
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_489 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_2569;
-      raster_at_column_q <= select_2571;
-      raster_at_row_q <= select_2574;
-      raster_at_live_q <= select_2578;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2580 : raster_rows_left_q;
+      raster_at_x_q <= sample_pair_whole_q ? (select_490 + 3'h1) : raster_at_x_q;
+      raster_at_y_q <= select_2573;
+      raster_at_column_q <= select_2575;
+      raster_at_row_q <= select_2578;
+      raster_at_live_q <= select_2582;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2584 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2584;
-      averager_place_q <= sample_pair_whole_q ? select_495 : averager_place_q;
+      raster_final_row_q <= select_2588;
+      averager_place_q <= sample_pair_whole_q ? select_496 : averager_place_q;
       run_phase_q <= now;
-      run_shift_q <= select_2896;
-      run_last_shift_q <= select_2899;
-      run_span_q <= select_2892 ? (and_2889 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2914;
-      following_shift_q <= select_2904 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2917;
+      run_shift_q <= select_2901;
+      run_last_shift_q <= select_2904;
+      run_span_q <= select_2897 ? (and_2894 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2919;
+      following_shift_q <= select_2909 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2922;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2920[6], or_2921, select_2920[3:0]};
-      following_columns_q <= {or_2928[7], or_2929[4], or_2928[5:4], or_2929[3:0]};
-      plan_shift_q <= equal_568 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2936;
+      following_lowest_q <= {select_2925[6], or_2926, select_2925[3:0]};
+      following_columns_q <= {or_2933[7], or_2934[4], or_2933[5:4], or_2934[3:0]};
+      plan_shift_q <= equal_569 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
+      plan_span_q <= select_2941;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2942;
-      columns_left_q <= select_2945;
-      last_q <= and_525 ? (equal_2888 ? column : last_q) : last_q;
-      least_q <= select_2953;
-      whole_q <= select_2956;
-      drawn_q <= select_2959;
-      age_q <= select_2892 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2892 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2970;
-      ends_q <= and_2974;
-      final_row_q <= and_525 ? select_2977 : final_row_q;
+      x_q <= select_2947;
+      columns_left_q <= select_2950;
+      last_q <= and_526 ? (equal_2893 ? column : last_q) : last_q;
+      least_q <= select_2958;
+      whole_q <= select_2961;
+      drawn_q <= select_2964;
+      age_q <= select_2897 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2897 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2975;
+      ends_q <= and_2979;
+      final_row_q <= and_526 ? select_2982 : final_row_q;
       shift_first_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      patches_phase_q <= select_3337;
-      patches_band_rows_rows_to_next_q <= select_3343;
-      patches_band_rows_number_q <= select_3345;
-      patches_next_band_rows_to_next_q <= select_3348;
-      patches_next_band_number_q <= select_3350;
-      patches_first_band_rows_to_next_q <= select_3354;
-      patches_first_band_number_q <= sample_pair_whole_q ? equal_3351 : patches_first_band_number_q;
-      patches_choosing_rows_to_next_q <= and_525 ? select_3364 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_525 ? select_3368 : patches_choosing_number_q;
-      patches_chooses_q <= select_3373;
-      patches_choosing_band_q <= select_3375;
-      patches_capturing_q <= sample_pair_whole_q ? select_2261 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_q ? select_3404 : patches_lower_q;
-      patches_row_q <= sample_pair_whole_q ? select_2255 : patches_row_q;
-      patches_work_q <= or_3443 ? following : patches_work_q;
-      patches_second_q <= not_2125 & (patches_second_q | (patches_ends_q & equal_2225));
-      patches_following_q <= equal_2225 ? {2'h0, and_3449} : {equal_2227, select_3452};
-      patches_following_beats_q <= {select_3464, not_3455};
-      patches_begins_q <= sample_pair_whole_q & (and_2124 & and_2257);
-      patches_ends_q <= not_3467 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3472;
-      patches_code_row_q <= select_3474;
-      patches_column_q <= or_3443 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3467 & (patches_column_q == 5'h1e);
+      patches_phase_q <= select_3342;
+      patches_band_rows_rows_to_next_q <= select_3348;
+      patches_band_rows_number_q <= select_3350;
+      patches_next_band_rows_to_next_q <= select_3353;
+      patches_next_band_number_q <= select_3355;
+      patches_first_band_rows_to_next_q <= select_3359;
+      patches_first_band_number_q <= sample_pair_whole_q ? equal_3356 : patches_first_band_number_q;
+      patches_choosing_rows_to_next_q <= and_526 ? select_3369 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_526 ? select_3373 : patches_choosing_number_q;
+      patches_chooses_q <= select_3378;
+      patches_choosing_band_q <= select_3380;
+      patches_capturing_q <= sample_pair_whole_q ? select_2265 : patches_capturing_q;
+      patches_lower_q <= sample_pair_whole_q ? select_3409 : patches_lower_q;
+      patches_row_q <= sample_pair_whole_q ? select_2259 : patches_row_q;
+      patches_work_q <= or_3448 ? following : patches_work_q;
+      patches_second_q <= not_2126 & (patches_second_q | (patches_ends_q & equal_2229));
+      patches_following_q <= equal_2229 ? {2'h0, and_3454} : {equal_2231, select_3457};
+      patches_following_beats_q <= {select_3469, not_3460};
+      patches_begins_q <= sample_pair_whole_q & (and_2125 & and_2261);
+      patches_ends_q <= not_3472 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3477;
+      patches_code_row_q <= select_3479;
+      patches_column_q <= or_3448 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3472 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -857,45 +857,45 @@ module horopter_agreement (
   logic patches_second_s1_q;
   logic [4:0] patches_code_row_s1_q;
   logic [4:0] patches_column_s1_q;
-  logic [2:0] select_489_s1_q;
-  logic [6:0] select_491_s1_q;
-  logic [8:0] select_495_s1_q;
-  logic and_499_s1_q;
-  logic equal_505_s1_q;
+  logic [2:0] select_490_s1_q;
+  logic [6:0] select_492_s1_q;
+  logic [8:0] select_496_s1_q;
+  logic and_500_s1_q;
+  logic equal_506_s1_q;
   logic [6:0] column_s1_q;
-  logic and_523_s1_q;
-  logic and_525_s1_q;
-  logic equal_549_s1_q;
+  logic and_524_s1_q;
+  logic and_526_s1_q;
+  logic equal_550_s1_q;
   logic so_s1_q;
-  logic equal_553_s1_q;
-  logic or_554_s1_q;
-  logic less_557_s1_q;
-  logic not_558_s1_q;
-  logic equal_568_s1_q;
+  logic equal_554_s1_q;
+  logic or_555_s1_q;
+  logic less_558_s1_q;
+  logic not_559_s1_q;
+  logic equal_569_s1_q;
   logic [6:0] x_s1_2_q;
-  logic select_592_s1_q;
+  logic select_593_s1_q;
   logic [6:0] right_s1_q;
-  logic and_625_s1_q;
+  logic and_626_s1_q;
   logic [5:0] row_s1_q;
-  logic and_2010_s1_q;
-  logic equal_2011_s1_q;
-  logic and_2124_s1_q;
-  logic and_2137_s1_q;
-  logic equal_2225_s1_q;
-  logic not_2226_s1_q;
-  logic equal_2227_s1_q;
-  logic not_2228_s1_q;
+  logic and_2011_s1_q;
+  logic equal_2012_s1_q;
+  logic and_2125_s1_q;
+  logic and_2138_s1_q;
   logic equal_2229_s1_q;
-  logic equal_2230_s1_q;
-  logic or_2231_s1_q;
-  logic [4:0] select_2255_s1_q;
-  logic select_2261_s1_q;
-  logic [3:0] select_2302_s1_q;
-  logic and_2312_s1_q;
-  logic equal_2888_s1_q;
-  logic and_2889_s1_q;
-  logic or_3443_s1_q;
-  logic not_3467_s1_q;
+  logic not_2230_s1_q;
+  logic equal_2231_s1_q;
+  logic not_2232_s1_q;
+  logic equal_2233_s1_q;
+  logic equal_2234_s1_q;
+  logic or_2235_s1_q;
+  logic [4:0] select_2259_s1_q;
+  logic select_2265_s1_q;
+  logic [3:0] select_2306_s1_q;
+  logic and_2316_s1_q;
+  logic equal_2893_s1_q;
+  logic and_2894_s1_q;
+  logic or_3448_s1_q;
+  logic not_3472_s1_q;
   always_ff @(posedge clk_i) begin
     if (s0_en) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -918,45 +918,45 @@ module horopter_agreement (
       patches_second_s1_q <= patches_second_q;
       patches_code_row_s1_q <= patches_code_row_q;
       patches_column_s1_q <= patches_column_q;
-      select_489_s1_q <= select_489;
-      select_491_s1_q <= select_491;
-      select_495_s1_q <= select_495;
-      and_499_s1_q <= and_499;
-      equal_505_s1_q <= select_504 == 3'h0;
+      select_490_s1_q <= select_490;
+      select_492_s1_q <= select_492;
+      select_496_s1_q <= select_496;
+      and_500_s1_q <= and_500;
+      equal_506_s1_q <= select_505 == 3'h0;
       column_s1_q <= column;
-      and_523_s1_q <= and_523;
-      and_525_s1_q <= and_525;
-      equal_549_s1_q <= run_phase_q == 3'h7;
+      and_524_s1_q <= and_524;
+      and_526_s1_q <= and_526;
+      equal_550_s1_q <= run_phase_q == 3'h7;
       so_s1_q <= so;
-      equal_553_s1_q <= equal_553;
-      or_554_s1_q <= or_554;
-      less_557_s1_q <= less_557;
-      not_558_s1_q <= not_558;
-      equal_568_s1_q <= equal_568;
+      equal_554_s1_q <= equal_554;
+      or_555_s1_q <= or_555;
+      less_558_s1_q <= less_558;
+      not_559_s1_q <= not_559;
+      equal_569_s1_q <= equal_569;
       x_s1_2_q <= x[6:0];
-      select_592_s1_q <= select_592;
+      select_593_s1_q <= select_593;
       right_s1_q <= right;
-      and_625_s1_q <= and_625;
+      and_626_s1_q <= and_626;
       row_s1_q <= row;
-      and_2010_s1_q <= not_622 & and_591;
-      equal_2011_s1_q <= {x[7], last_q} == {1'b0, x[6:0]};
-      and_2124_s1_q <= and_2124;
-      and_2137_s1_q <= and_2137;
-      equal_2225_s1_q <= equal_2225;
-      not_2226_s1_q <= not_2226;
-      equal_2227_s1_q <= equal_2227;
-      not_2228_s1_q <= not_2228;
+      and_2011_s1_q <= not_623 & and_592;
+      equal_2012_s1_q <= {x[7], last_q} == {1'b0, x[6:0]};
+      and_2125_s1_q <= and_2125;
+      and_2138_s1_q <= and_2138;
       equal_2229_s1_q <= equal_2229;
-      equal_2230_s1_q <= equal_2230;
-      or_2231_s1_q <= or_2231;
-      select_2255_s1_q <= select_2255;
-      select_2261_s1_q <= select_2261;
-      select_2302_s1_q <= select_2302;
-      and_2312_s1_q <= and_2312;
-      equal_2888_s1_q <= equal_2888;
-      and_2889_s1_q <= and_2889;
-      or_3443_s1_q <= or_3443;
-      not_3467_s1_q <= not_3467;
+      not_2230_s1_q <= not_2230;
+      equal_2231_s1_q <= equal_2231;
+      not_2232_s1_q <= not_2232;
+      equal_2233_s1_q <= equal_2233;
+      equal_2234_s1_q <= equal_2234;
+      or_2235_s1_q <= or_2235;
+      select_2259_s1_q <= select_2259;
+      select_2265_s1_q <= select_2265;
+      select_2306_s1_q <= select_2306;
+      and_2316_s1_q <= and_2316;
+      equal_2893_s1_q <= equal_2893;
+      and_2894_s1_q <= and_2894;
+      or_3448_s1_q <= or_3448;
+      not_3472_s1_q <= not_3472;
     end
   end
 
@@ -1030,1189 +1030,1189 @@ module horopter_agreement (
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
   // hls/stages/census.hpp:120
-  logic and_500;
-  assign and_500 = sample_pair_whole_s1_q & and_499_s1_q;
-  // hls/stages/agreement.hpp:668
-  logic equal_544;
-  assign equal_544 = row_q == 6'h0;
-  // hls/stages/patches.hpp:106
+  logic and_501;
+  assign and_501 = sample_pair_whole_s1_q & and_500_s1_q;
+  // hls/stages/agreement.hpp:669
   logic equal_545;
-  assign equal_545 = x_s1_q == 8'h0;
+  assign equal_545 = row_q == 6'h0;
+  // hls/stages/patches.hpp:106
+  logic equal_546;
+  assign equal_546 = x_s1_q == 8'h0;
   // hls/stages/agreement.hpp:259
-  logic and_546;
-  assign and_546 = equal_544 & equal_545;
+  logic and_547;
+  assign and_547 = equal_545 & equal_546;
   // hls/stages/moments.hpp:52
-  logic [13:0] sum_547;
-  assign sum_547 = moments_place_q + 14'h1;
-  // hls/stages/agreement.hpp:1003
-  logic [12:0] select_548;
-  assign select_548 = and_546 ? 13'h0 : sum_547[12:0];
-  // hls/stages/agreement.hpp:1009
-  logic not_550;
-  assign not_550 = ~equal_549_s1_q;
+  logic [13:0] sum_548;
+  assign sum_548 = moments_place_q + 14'h1;
+  // hls/stages/agreement.hpp:1004
+  logic [12:0] select_549;
+  assign select_549 = and_547 ? 13'h0 : sum_548[12:0];
+  // hls/stages/agreement.hpp:1010
+  logic not_551;
+  assign not_551 = ~equal_550_s1_q;
   // hls/stages/agreement.hpp:201
-  logic not_552;
-  assign not_552 = ~so_s1_q;
+  logic not_553;
+  assign not_553 = ~so_s1_q;
   // hls/stages/agreement.hpp:226
   logic inside_v;
-  assign inside_v = or_554_s1_q & not_558_s1_q;
+  assign inside_v = or_555_s1_q & not_559_s1_q;
   // hls/stages/moments.hpp:52
-  logic [13:0] select_560;
-  assign select_560 = and_546 ? 14'h0 : sum_547;
+  logic [13:0] select_561;
+  assign select_561 = and_547 ? 14'h0 : sum_548;
   // hls/stages/moments.hpp:54
-  logic less_561;
-  assign less_561 = 8'h4a < select_560[13:6];
-  // hls/stages/moments.hpp:90
-  logic not_562;
-  assign not_562 = ~less_561;
-  // hls/stages/agreement.hpp:788
-  logic and_566;
-  assign and_566 = not_550 & (not_552 & (equal_553_s1_q & (inside_v & not_562)));
-  // hls/stages/agreement.hpp:975
-  logic and_582;
-  assign and_582 = (or_554_s1_q & (left_rdata_q[67] & not_558_s1_q)) & (~(row_q[5:3] == 3'h0));
-  // hls/stages/agreement.hpp:966
+  logic less_562;
+  assign less_562 = 8'h4a < select_561[13:6];
+  // hls/stages/moments.hpp:91
+  logic not_563;
+  assign not_563 = ~less_562;
+  // hls/stages/agreement.hpp:789
+  logic and_567;
+  assign and_567 = not_551 & (not_553 & (equal_554_s1_q & (inside_v & not_563)));
+  // hls/stages/agreement.hpp:976
+  logic and_583;
+  assign and_583 = (or_555_s1_q & (left_rdata_q[67] & not_559_s1_q)) & (~(row_q[5:3] == 3'h0));
+  // hls/stages/agreement.hpp:967
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
-  // hls/stages/agreement.hpp:967
+  // hls/stages/agreement.hpp:968
   logic [7:0] found;
   assign found = x_s1_q + {{2{shift[5]}}, shift};
-  // hls/stages/agreement.hpp:968
-  logic [6:0] select_601;
-  assign select_601 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
-  // hls/stages/agreement.hpp:668
-  logic not_722;
-  assign not_722 = ~equal_544;
-  // hls/stages/agreement.hpp:671
-  logic and_723;
-  assign and_723 = left_rdata_q[12] & not_722;
-  logic and_724;
-  assign and_724 = left_rdata_q[30] & not_722;
-  logic and_725;
-  assign and_725 = left_rdata_q[48] & not_722;
-  logic and_726;
-  assign and_726 = left_rdata_q[66] & not_722;
+  // hls/stages/agreement.hpp:969
+  logic [6:0] select_602;
+  assign select_602 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
+  // hls/stages/agreement.hpp:669
+  logic not_723;
+  assign not_723 = ~equal_545;
   // hls/stages/agreement.hpp:672
+  logic and_724;
+  assign and_724 = left_rdata_q[12] & not_723;
+  logic and_725;
+  assign and_725 = left_rdata_q[30] & not_723;
+  logic and_726;
+  assign and_726 = left_rdata_q[48] & not_723;
   logic and_727;
-  assign and_727 = right_codes_rdata_q[12] & not_722;
+  assign and_727 = left_rdata_q[66] & not_723;
+  // hls/stages/agreement.hpp:673
   logic and_728;
-  assign and_728 = right_codes_rdata_q[27] & not_722;
+  assign and_728 = right_codes_rdata_q[12] & not_723;
   logic and_729;
-  assign and_729 = right_codes_rdata_q[42] & not_722;
+  assign and_729 = right_codes_rdata_q[27] & not_723;
   logic and_730;
-  assign and_730 = right_codes_rdata_q[57] & not_722;
+  assign and_730 = right_codes_rdata_q[42] & not_723;
   logic and_731;
-  assign and_731 = right_codes_rdata_q[72] & not_722;
+  assign and_731 = right_codes_rdata_q[57] & not_723;
   logic and_732;
-  assign and_732 = right_codes_rdata_q[85] & not_722;
+  assign and_732 = right_codes_rdata_q[72] & not_723;
+  logic and_733;
+  assign and_733 = right_codes_rdata_q[85] & not_723;
   // hls/stages/agreement.hpp:221
-  logic and_737;
-  assign and_737 = left_rdata_q[48] & not_558_s1_q;
   logic and_738;
-  assign and_738 = right_codes_rdata_q[42] & not_558_s1_q;
-  logic [11:0] select_739;
-  assign select_739 = less_557_s1_q ? 12'h0 : left_rdata_q[47:36];
+  assign and_738 = left_rdata_q[48] & not_559_s1_q;
+  logic and_739;
+  assign and_739 = right_codes_rdata_q[42] & not_559_s1_q;
   logic [11:0] select_740;
-  assign select_740 = less_557_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_744;
-  assign select_744 = and_737 ? (and_738 ? (~(select_739 ^ select_740)) : 12'h0) : 12'h0;
+  assign select_740 = less_558_s1_q ? 12'h0 : left_rdata_q[47:36];
+  logic [11:0] select_741;
+  assign select_741 = less_558_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_745;
+  assign select_745 = and_738 ? (and_739 ? (~(select_740 ^ select_741)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_750;
-  assign parity_750 = ^select_744[5:3];
-  logic parity_753;
-  assign parity_753 = ^select_744[8:6];
-  logic parity_756;
-  assign parity_756 = ^select_744[11:3];
+  logic parity_751;
+  assign parity_751 = ^select_745[5:3];
+  logic parity_754;
+  assign parity_754 = ^select_745[8:6];
+  logic parity_757;
+  assign parity_757 = ^select_745[11:3];
   // hls/stages/agreement.hpp:221
-  logic and_760;
-  assign and_760 = left_rdata_q[66] & not_558_s1_q;
   logic and_761;
-  assign and_761 = right_codes_rdata_q[57] & not_558_s1_q;
-  logic [11:0] select_762;
-  assign select_762 = less_557_s1_q ? 12'h0 : left_rdata_q[65:54];
+  assign and_761 = left_rdata_q[66] & not_559_s1_q;
+  logic and_762;
+  assign and_762 = right_codes_rdata_q[57] & not_559_s1_q;
   logic [11:0] select_763;
-  assign select_763 = less_557_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_767;
-  assign select_767 = and_760 ? (and_761 ? (~(select_762 ^ select_763)) : 12'h0) : 12'h0;
+  assign select_763 = less_558_s1_q ? 12'h0 : left_rdata_q[65:54];
+  logic [11:0] select_764;
+  assign select_764 = less_558_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_768;
+  assign select_768 = and_761 ? (and_762 ? (~(select_763 ^ select_764)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_770;
-  assign parity_770 = ^select_767[8:6];
-  logic parity_773;
-  assign parity_773 = ^select_767[11:9];
+  logic parity_771;
+  assign parity_771 = ^select_768[8:6];
+  logic parity_774;
+  assign parity_774 = ^select_768[11:9];
   // hls/stages/agreement.hpp:221
-  logic and_777;
-  assign and_777 = left_rdata_q[84] & not_558_s1_q;
   logic and_778;
-  assign and_778 = right_codes_rdata_q[72] & not_558_s1_q;
-  logic [11:0] select_779;
-  assign select_779 = less_557_s1_q ? 12'h0 : left_rdata_q[83:72];
+  assign and_778 = left_rdata_q[84] & not_559_s1_q;
+  logic and_779;
+  assign and_779 = right_codes_rdata_q[72] & not_559_s1_q;
   logic [11:0] select_780;
-  assign select_780 = less_557_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_784;
-  assign select_784 = and_777 ? (and_778 ? (~(select_779 ^ select_780)) : 12'h0) : 12'h0;
+  assign select_780 = less_558_s1_q ? 12'h0 : left_rdata_q[83:72];
+  logic [11:0] select_781;
+  assign select_781 = less_558_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_785;
+  assign select_785 = and_778 ? (and_779 ? (~(select_780 ^ select_781)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_790;
-  assign parity_790 = ^select_784[2:0];
-  logic parity_793;
-  assign parity_793 = ^select_784[5:3];
-  logic parity_796;
-  assign parity_796 = ^select_784[8:0];
-  logic parity_802;
-  assign parity_802 = ^select_784[11:9];
-  logic parity_805;
-  assign parity_805 = ^select_767[2:0];
-  logic parity_808;
-  assign parity_808 = ^{select_784[11:9], select_767[5:0]};
-  logic parity_811;
-  assign parity_811 = ^{select_784, select_767, select_744[2:0]};
-  logic xor_812;
-  assign xor_812 = parity_756 ^ parity_811;
+  logic parity_791;
+  assign parity_791 = ^select_785[2:0];
+  logic parity_794;
+  assign parity_794 = ^select_785[5:3];
+  logic parity_797;
+  assign parity_797 = ^select_785[8:0];
+  logic parity_803;
+  assign parity_803 = ^select_785[11:9];
+  logic parity_806;
+  assign parity_806 = ^select_768[2:0];
+  logic parity_809;
+  assign parity_809 = ^{select_785[11:9], select_768[5:0]};
+  logic parity_812;
+  assign parity_812 = ^{select_785, select_768, select_745[2:0]};
+  logic xor_813;
+  assign xor_813 = parity_757 ^ parity_812;
   // hls/stages/count_bits.hpp:23
-  logic or_816;
-  assign or_816 = (select_744[1:0] == 2'h3) | (select_744[2] & (select_744[0] | select_744[1]));
+  logic or_817;
+  assign or_817 = (select_745[1:0] == 2'h3) | (select_745[2] & (select_745[0] | select_745[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_820;
-  assign or_820 = (select_767[7:6] == 2'h3) | (select_767[8] & (select_767[6] | select_767[7]));
-  logic or_824;
-  assign or_824 = (select_767[10:9] == 2'h3) | (select_767[11] & (select_767[9] | select_767[10]));
+  logic or_821;
+  assign or_821 = (select_768[7:6] == 2'h3) | (select_768[8] & (select_768[6] | select_768[7]));
+  logic or_825;
+  assign or_825 = (select_768[10:9] == 2'h3) | (select_768[11] & (select_768[9] | select_768[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_832;
-  assign or_832 = (select_784[7:6] == 2'h3) | (select_784[8] & (~(select_784[7:6] == 2'h0)));
+  logic or_833;
+  assign or_833 = (select_785[7:6] == 2'h3) | (select_785[8] & (~(select_785[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_836;
-  assign or_836 = (select_784[1:0] == 2'h3) | (select_784[2] & (select_784[0] | select_784[1]));
-  logic or_840;
-  assign or_840 = (select_784[4:3] == 2'h3) | (select_784[5] & (select_784[3] | select_784[4]));
+  logic or_837;
+  assign or_837 = (select_785[1:0] == 2'h3) | (select_785[2] & (select_785[0] | select_785[1]));
+  logic or_841;
+  assign or_841 = (select_785[4:3] == 2'h3) | (select_785[5] & (select_785[3] | select_785[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_843;
-  assign parity_843 = ^{or_840, or_836, or_832};
+  logic parity_844;
+  assign parity_844 = ^{or_841, or_837, or_833};
   // hls/stages/count_bits.hpp:23
-  logic or_847;
-  assign or_847 = (select_767[4:3] == 2'h3) | (select_767[5] & (select_767[3] | select_767[4]));
+  logic or_848;
+  assign or_848 = (select_768[4:3] == 2'h3) | (select_768[5] & (select_768[3] | select_768[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_851;
-  assign or_851 = (select_784[10:9] == 2'h3) | (select_784[11] & (select_784[9] | select_784[10]));
-  logic or_855;
-  assign or_855 = (select_767[1:0] == 2'h3) | (select_767[2] & (select_767[0] | select_767[1]));
+  logic or_852;
+  assign or_852 = (select_785[10:9] == 2'h3) | (select_785[11] & (select_785[9] | select_785[10]));
+  logic or_856;
+  assign or_856 = (select_768[1:0] == 2'h3) | (select_768[2] & (select_768[0] | select_768[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_858;
-  assign parity_858 = ^{or_855, or_851, or_847};
-  logic parity_861;
-  assign parity_861 = ^{or_855, or_851, or_847, or_840, or_836, or_832, or_824, or_820, or_816};
+  logic parity_859;
+  assign parity_859 = ^{or_856, or_852, or_848};
+  logic parity_862;
+  assign parity_862 = ^{or_856, or_852, or_848, or_841, or_837, or_833, or_825, or_821, or_817};
   // hls/stages/count_bits.hpp:25
-  logic and_862;
-  assign and_862 = parity_756 & parity_811;
-  logic or_866;
-  assign or_866 = (parity_750 & parity_753) | ((^select_744[11:9]) & (parity_750 | parity_753));
-  logic and_869;
-  assign and_869 = (^{select_767[11:6], select_744[2:0]}) & (parity_796 | parity_808);
-  logic or_870;
-  assign or_870 = (parity_796 & parity_808) | and_869;
+  logic and_863;
+  assign and_863 = parity_757 & parity_812;
+  logic or_867;
+  assign or_867 = (parity_751 & parity_754) | ((^select_745[11:9]) & (parity_751 | parity_754));
+  logic and_870;
+  assign and_870 = (^{select_768[11:6], select_745[2:0]}) & (parity_797 | parity_809);
+  logic or_871;
+  assign or_871 = (parity_797 & parity_809) | and_870;
   // hls/stages/count_bits.hpp:23
-  logic or_877;
-  assign or_877 = (select_744[10:9] == 2'h3) | (select_744[11] & (select_744[9] | select_744[10]));
+  logic or_878;
+  assign or_878 = (select_745[10:9] == 2'h3) | (select_745[11] & (select_745[9] | select_745[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_881;
-  assign or_881 = (select_744[4:3] == 2'h3) | (select_744[5] & (select_744[3] | select_744[4]));
-  logic or_885;
-  assign or_885 = (select_744[7:6] == 2'h3) | (select_744[8] & (select_744[6] | select_744[7]));
+  logic or_882;
+  assign or_882 = (select_745[4:3] == 2'h3) | (select_745[5] & (select_745[3] | select_745[4]));
+  logic or_886;
+  assign or_886 = (select_745[7:6] == 2'h3) | (select_745[8] & (select_745[6] | select_745[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_888;
-  assign parity_888 = ^{or_885, or_881, or_877};
+  logic parity_889;
+  assign parity_889 = ^{or_886, or_882, or_878};
   // hls/stages/count_bits.hpp:25
-  logic or_892;
-  assign or_892 = (parity_770 & parity_773) | ((^select_744[2:0]) & (parity_770 | parity_773));
-  logic or_896;
-  assign or_896 = (parity_790 & parity_793) | ((^select_784[8:6]) & (parity_790 | parity_793));
-  logic or_900;
-  assign or_900 = (parity_802 & parity_805) | ((^select_767[5:3]) & (parity_802 | parity_805));
+  logic or_893;
+  assign or_893 = (parity_771 & parity_774) | ((^select_745[2:0]) & (parity_771 | parity_774));
+  logic or_897;
+  assign or_897 = (parity_791 & parity_794) | ((^select_785[8:6]) & (parity_791 | parity_794));
+  logic or_901;
+  assign or_901 = (parity_803 & parity_806) | ((^select_768[5:3]) & (parity_803 | parity_806));
   // hls/stages/count_bits.hpp:24
-  logic parity_903;
-  assign parity_903 = ^{or_900, or_896, or_892};
-  logic parity_906;
-  assign parity_906 = ^{or_900, or_896, or_892, or_885, or_881, or_877, or_870, or_866, and_862};
-  logic xor_907;
-  assign xor_907 = parity_861 ^ parity_906;
+  logic parity_904;
+  assign parity_904 = ^{or_901, or_897, or_893};
+  logic parity_907;
+  assign parity_907 = ^{or_901, or_897, or_893, or_886, or_882, or_878, or_871, or_867, and_863};
+  logic xor_908;
+  assign xor_908 = parity_862 ^ parity_907;
   // hls/stages/count_bits.hpp:25
-  logic and_908;
-  assign and_908 = parity_861 & parity_906;
-  logic or_912;
-  assign or_912 = (parity_843 & parity_858) | ((^{or_824, or_820, or_816}) & (parity_843 | parity_858));
-  logic or_916;
-  assign or_916 = (parity_888 & parity_903) | ((^{or_870, or_866, and_862}) & (parity_888 | parity_903));
-  logic or_923;
-  assign or_923 = (or_820 & or_824) | (or_816 & (or_820 | or_824));
-  logic or_927;
-  assign or_927 = (or_836 & or_840) | (or_832 & (or_836 | or_840));
-  logic or_931;
-  assign or_931 = (or_851 & or_855) | (or_847 & (or_851 | or_855));
+  logic and_909;
+  assign and_909 = parity_862 & parity_907;
+  logic or_913;
+  assign or_913 = (parity_844 & parity_859) | ((^{or_825, or_821, or_817}) & (parity_844 | parity_859));
+  logic or_917;
+  assign or_917 = (parity_889 & parity_904) | ((^{or_871, or_867, and_863}) & (parity_889 | parity_904));
+  logic or_924;
+  assign or_924 = (or_821 & or_825) | (or_817 & (or_821 | or_825));
+  logic or_928;
+  assign or_928 = (or_837 & or_841) | (or_833 & (or_837 | or_841));
+  logic or_932;
+  assign or_932 = (or_852 & or_856) | (or_848 & (or_852 | or_856));
   // hls/stages/count_bits.hpp:24
-  logic parity_934;
-  assign parity_934 = ^{or_931, or_927, or_923};
+  logic parity_935;
+  assign parity_935 = ^{or_932, or_928, or_924};
   // hls/stages/count_bits.hpp:25
-  logic or_938;
-  assign or_938 = (or_866 & or_870) | (and_862 & (or_866 | or_870));
-  logic or_942;
-  assign or_942 = (or_881 & or_885) | (or_877 & (or_881 | or_885));
-  logic or_946;
-  assign or_946 = (or_896 & or_900) | (or_892 & (or_896 | or_900));
+  logic or_939;
+  assign or_939 = (or_867 & or_871) | (and_863 & (or_867 | or_871));
+  logic or_943;
+  assign or_943 = (or_882 & or_886) | (or_878 & (or_882 | or_886));
+  logic or_947;
+  assign or_947 = (or_897 & or_901) | (or_893 & (or_897 | or_901));
   // hls/stages/count_bits.hpp:24
-  logic parity_949;
-  assign parity_949 = ^{or_946, or_942, or_938};
-  logic parity_952;
-  assign parity_952 = ^{or_946, or_942, or_938, or_931, or_927, or_923, or_916, or_912, and_908};
+  logic parity_950;
+  assign parity_950 = ^{or_947, or_943, or_939};
+  logic parity_953;
+  assign parity_953 = ^{or_947, or_943, or_939, or_932, or_928, or_924, or_917, or_913, and_909};
   // hls/stages/count_bits.hpp:25
-  logic or_956;
-  assign or_956 = (parity_934 & parity_949) | ((^{or_916, or_912, and_908}) & (parity_934 | parity_949));
-  logic or_960;
-  assign or_960 = (or_912 & or_916) | (and_908 & (or_912 | or_916));
-  logic or_964;
-  assign or_964 = (or_927 & or_931) | (or_923 & (or_927 | or_931));
-  logic or_968;
-  assign or_968 = (or_942 & or_946) | (or_938 & (or_942 | or_946));
+  logic or_957;
+  assign or_957 = (parity_935 & parity_950) | ((^{or_917, or_913, and_909}) & (parity_935 | parity_950));
+  logic or_961;
+  assign or_961 = (or_913 & or_917) | (and_909 & (or_913 | or_917));
+  logic or_965;
+  assign or_965 = (or_928 & or_932) | (or_924 & (or_928 | or_932));
+  logic or_969;
+  assign or_969 = (or_943 & or_947) | (or_939 & (or_943 | or_947));
   // hls/stages/count_bits.hpp:24
-  logic parity_973;
-  assign parity_973 = ^{or_968, or_964, or_960, or_956};
+  logic parity_974;
+  assign parity_974 = ^{or_969, or_965, or_961, or_957};
   // hls/stages/count_bits.hpp:25
-  logic or_977;
-  assign or_977 = (or_964 & or_968) | (or_960 & (or_964 | or_968));
-  logic and_978;
-  assign and_978 = or_956 & (^{or_968, or_964, or_960});
+  logic or_978;
+  assign or_978 = (or_965 & or_969) | (or_961 & (or_965 | or_969));
+  logic and_979;
+  assign and_979 = or_957 & (^{or_969, or_965, or_961});
   // hls/stages/count_bits.hpp:24
-  logic xor_979;
-  assign xor_979 = or_977 ^ and_978;
+  logic xor_980;
+  assign xor_980 = or_978 ^ and_979;
   // hls/stages/count_bits.hpp:27
-  logic and_980;
-  assign and_980 = or_977 & and_978;
+  logic and_981;
+  assign and_981 = or_978 & and_979;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_981;
-  assign select_981 = equal_568_s1_q ? {and_980, xor_979, parity_973, parity_952, xor_907, xor_812} : 6'h0;
+  logic [5:0] select_982;
+  assign select_982 = equal_569_s1_q ? {and_981, xor_980, parity_974, parity_953, xor_908, xor_813} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_554_s1_q ? 6'h0 : select_981;
-  // hls/stages/agreement.hpp:778
-  logic [5:0] select_983;
-  assign select_983 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  logic [6:0] difference_984;
-  assign difference_984 = {1'b0, column_2} - {1'b0, select_983};
-  logic [7:0] sum_986;
-  assign sum_986 = {difference_984[6], difference_984} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_990;
-  assign select_990 = and_737 ? (and_761 ? (~(select_739 ^ select_763)) : 12'h0) : 12'h0;
+  assign column_2 = or_555_s1_q ? 6'h0 : select_982;
+  // hls/stages/agreement.hpp:779
+  logic [5:0] select_984;
+  assign select_984 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [6:0] difference_985;
+  assign difference_985 = {1'b0, column_2} - {1'b0, select_984};
+  logic [7:0] sum_987;
+  assign sum_987 = {difference_985[6], difference_985} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_991;
+  assign select_991 = and_738 ? (and_762 ? (~(select_740 ^ select_764)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_996;
-  assign parity_996 = ^select_990[5:3];
-  logic parity_999;
-  assign parity_999 = ^select_990[8:6];
-  logic parity_1002;
-  assign parity_1002 = ^select_990[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1009;
-  assign select_1009 = and_760 ? (and_778 ? (~(select_762 ^ select_780)) : 12'h0) : 12'h0;
+  logic parity_997;
+  assign parity_997 = ^select_991[5:3];
+  logic parity_1000;
+  assign parity_1000 = ^select_991[8:6];
+  logic parity_1003;
+  assign parity_1003 = ^select_991[11:3];
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_1010;
+  assign select_1010 = and_761 ? (and_779 ? (~(select_763 ^ select_781)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1012;
-  assign parity_1012 = ^select_1009[8:6];
-  logic parity_1015;
-  assign parity_1015 = ^select_1009[11:9];
+  logic parity_1013;
+  assign parity_1013 = ^select_1010[8:6];
+  logic parity_1016;
+  assign parity_1016 = ^select_1010[11:9];
   // hls/stages/agreement.hpp:221
-  logic and_1019;
-  assign and_1019 = right_codes_rdata_q[85] & not_558_s1_q;
-  logic [11:0] select_1020;
-  assign select_1020 = less_557_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1024;
-  assign select_1024 = and_777 ? (and_1019 ? (~(select_779 ^ select_1020)) : 12'h0) : 12'h0;
+  logic and_1020;
+  assign and_1020 = right_codes_rdata_q[85] & not_559_s1_q;
+  logic [11:0] select_1021;
+  assign select_1021 = less_558_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_1025;
+  assign select_1025 = and_778 ? (and_1020 ? (~(select_780 ^ select_1021)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1030;
-  assign parity_1030 = ^select_1024[2:0];
-  logic parity_1033;
-  assign parity_1033 = ^select_1024[5:3];
-  logic parity_1036;
-  assign parity_1036 = ^select_1024[8:0];
-  logic parity_1042;
-  assign parity_1042 = ^select_1024[11:9];
-  logic parity_1045;
-  assign parity_1045 = ^select_1009[2:0];
-  logic parity_1048;
-  assign parity_1048 = ^{select_1024[11:9], select_1009[5:0]};
-  logic parity_1051;
-  assign parity_1051 = ^{select_1024, select_1009, select_990[2:0]};
-  logic xor_1052;
-  assign xor_1052 = parity_1002 ^ parity_1051;
+  logic parity_1031;
+  assign parity_1031 = ^select_1025[2:0];
+  logic parity_1034;
+  assign parity_1034 = ^select_1025[5:3];
+  logic parity_1037;
+  assign parity_1037 = ^select_1025[8:0];
+  logic parity_1043;
+  assign parity_1043 = ^select_1025[11:9];
+  logic parity_1046;
+  assign parity_1046 = ^select_1010[2:0];
+  logic parity_1049;
+  assign parity_1049 = ^{select_1025[11:9], select_1010[5:0]};
+  logic parity_1052;
+  assign parity_1052 = ^{select_1025, select_1010, select_991[2:0]};
+  logic xor_1053;
+  assign xor_1053 = parity_1003 ^ parity_1052;
   // hls/stages/count_bits.hpp:23
-  logic or_1056;
-  assign or_1056 = (select_990[1:0] == 2'h3) | (select_990[2] & (select_990[0] | select_990[1]));
+  logic or_1057;
+  assign or_1057 = (select_991[1:0] == 2'h3) | (select_991[2] & (select_991[0] | select_991[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1060;
-  assign or_1060 = (select_1009[7:6] == 2'h3) | (select_1009[8] & (select_1009[6] | select_1009[7]));
-  logic or_1064;
-  assign or_1064 = (select_1009[10:9] == 2'h3) | (select_1009[11] & (select_1009[9] | select_1009[10]));
+  logic or_1061;
+  assign or_1061 = (select_1010[7:6] == 2'h3) | (select_1010[8] & (select_1010[6] | select_1010[7]));
+  logic or_1065;
+  assign or_1065 = (select_1010[10:9] == 2'h3) | (select_1010[11] & (select_1010[9] | select_1010[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1072;
-  assign or_1072 = (select_1024[7:6] == 2'h3) | (select_1024[8] & (~(select_1024[7:6] == 2'h0)));
+  logic or_1073;
+  assign or_1073 = (select_1025[7:6] == 2'h3) | (select_1025[8] & (~(select_1025[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1076;
-  assign or_1076 = (select_1024[1:0] == 2'h3) | (select_1024[2] & (select_1024[0] | select_1024[1]));
-  logic or_1080;
-  assign or_1080 = (select_1024[4:3] == 2'h3) | (select_1024[5] & (select_1024[3] | select_1024[4]));
+  logic or_1077;
+  assign or_1077 = (select_1025[1:0] == 2'h3) | (select_1025[2] & (select_1025[0] | select_1025[1]));
+  logic or_1081;
+  assign or_1081 = (select_1025[4:3] == 2'h3) | (select_1025[5] & (select_1025[3] | select_1025[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1083;
-  assign parity_1083 = ^{or_1080, or_1076, or_1072};
+  logic parity_1084;
+  assign parity_1084 = ^{or_1081, or_1077, or_1073};
   // hls/stages/count_bits.hpp:23
-  logic or_1087;
-  assign or_1087 = (select_1009[4:3] == 2'h3) | (select_1009[5] & (select_1009[3] | select_1009[4]));
+  logic or_1088;
+  assign or_1088 = (select_1010[4:3] == 2'h3) | (select_1010[5] & (select_1010[3] | select_1010[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1091;
-  assign or_1091 = (select_1024[10:9] == 2'h3) | (select_1024[11] & (select_1024[9] | select_1024[10]));
-  logic or_1095;
-  assign or_1095 = (select_1009[1:0] == 2'h3) | (select_1009[2] & (select_1009[0] | select_1009[1]));
+  logic or_1092;
+  assign or_1092 = (select_1025[10:9] == 2'h3) | (select_1025[11] & (select_1025[9] | select_1025[10]));
+  logic or_1096;
+  assign or_1096 = (select_1010[1:0] == 2'h3) | (select_1010[2] & (select_1010[0] | select_1010[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1098;
-  assign parity_1098 = ^{or_1095, or_1091, or_1087};
-  logic parity_1101;
-  assign parity_1101 = ^{or_1095, or_1091, or_1087, or_1080, or_1076, or_1072, or_1064, or_1060, or_1056};
+  logic parity_1099;
+  assign parity_1099 = ^{or_1096, or_1092, or_1088};
+  logic parity_1102;
+  assign parity_1102 = ^{or_1096, or_1092, or_1088, or_1081, or_1077, or_1073, or_1065, or_1061, or_1057};
   // hls/stages/count_bits.hpp:25
-  logic and_1102;
-  assign and_1102 = parity_1002 & parity_1051;
-  logic or_1106;
-  assign or_1106 = (parity_996 & parity_999) | ((^select_990[11:9]) & (parity_996 | parity_999));
-  logic and_1109;
-  assign and_1109 = (^{select_1009[11:6], select_990[2:0]}) & (parity_1036 | parity_1048);
-  logic or_1110;
-  assign or_1110 = (parity_1036 & parity_1048) | and_1109;
+  logic and_1103;
+  assign and_1103 = parity_1003 & parity_1052;
+  logic or_1107;
+  assign or_1107 = (parity_997 & parity_1000) | ((^select_991[11:9]) & (parity_997 | parity_1000));
+  logic and_1110;
+  assign and_1110 = (^{select_1010[11:6], select_991[2:0]}) & (parity_1037 | parity_1049);
+  logic or_1111;
+  assign or_1111 = (parity_1037 & parity_1049) | and_1110;
   // hls/stages/count_bits.hpp:23
-  logic or_1117;
-  assign or_1117 = (select_990[10:9] == 2'h3) | (select_990[11] & (select_990[9] | select_990[10]));
+  logic or_1118;
+  assign or_1118 = (select_991[10:9] == 2'h3) | (select_991[11] & (select_991[9] | select_991[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1121;
-  assign or_1121 = (select_990[4:3] == 2'h3) | (select_990[5] & (select_990[3] | select_990[4]));
-  logic or_1125;
-  assign or_1125 = (select_990[7:6] == 2'h3) | (select_990[8] & (select_990[6] | select_990[7]));
+  logic or_1122;
+  assign or_1122 = (select_991[4:3] == 2'h3) | (select_991[5] & (select_991[3] | select_991[4]));
+  logic or_1126;
+  assign or_1126 = (select_991[7:6] == 2'h3) | (select_991[8] & (select_991[6] | select_991[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1128;
-  assign parity_1128 = ^{or_1125, or_1121, or_1117};
+  logic parity_1129;
+  assign parity_1129 = ^{or_1126, or_1122, or_1118};
   // hls/stages/count_bits.hpp:25
-  logic or_1132;
-  assign or_1132 = (parity_1012 & parity_1015) | ((^select_990[2:0]) & (parity_1012 | parity_1015));
-  logic or_1136;
-  assign or_1136 = (parity_1030 & parity_1033) | ((^select_1024[8:6]) & (parity_1030 | parity_1033));
-  logic or_1140;
-  assign or_1140 = (parity_1042 & parity_1045) | ((^select_1009[5:3]) & (parity_1042 | parity_1045));
+  logic or_1133;
+  assign or_1133 = (parity_1013 & parity_1016) | ((^select_991[2:0]) & (parity_1013 | parity_1016));
+  logic or_1137;
+  assign or_1137 = (parity_1031 & parity_1034) | ((^select_1025[8:6]) & (parity_1031 | parity_1034));
+  logic or_1141;
+  assign or_1141 = (parity_1043 & parity_1046) | ((^select_1010[5:3]) & (parity_1043 | parity_1046));
   // hls/stages/count_bits.hpp:24
-  logic parity_1143;
-  assign parity_1143 = ^{or_1140, or_1136, or_1132};
-  logic parity_1146;
-  assign parity_1146 = ^{or_1140, or_1136, or_1132, or_1125, or_1121, or_1117, or_1110, or_1106, and_1102};
-  logic xor_1147;
-  assign xor_1147 = parity_1101 ^ parity_1146;
+  logic parity_1144;
+  assign parity_1144 = ^{or_1141, or_1137, or_1133};
+  logic parity_1147;
+  assign parity_1147 = ^{or_1141, or_1137, or_1133, or_1126, or_1122, or_1118, or_1111, or_1107, and_1103};
+  logic xor_1148;
+  assign xor_1148 = parity_1102 ^ parity_1147;
   // hls/stages/count_bits.hpp:25
-  logic and_1148;
-  assign and_1148 = parity_1101 & parity_1146;
-  logic or_1152;
-  assign or_1152 = (parity_1083 & parity_1098) | ((^{or_1064, or_1060, or_1056}) & (parity_1083 | parity_1098));
-  logic or_1156;
-  assign or_1156 = (parity_1128 & parity_1143) | ((^{or_1110, or_1106, and_1102}) & (parity_1128 | parity_1143));
-  logic or_1163;
-  assign or_1163 = (or_1060 & or_1064) | (or_1056 & (or_1060 | or_1064));
-  logic or_1167;
-  assign or_1167 = (or_1076 & or_1080) | (or_1072 & (or_1076 | or_1080));
-  logic or_1171;
-  assign or_1171 = (or_1091 & or_1095) | (or_1087 & (or_1091 | or_1095));
+  logic and_1149;
+  assign and_1149 = parity_1102 & parity_1147;
+  logic or_1153;
+  assign or_1153 = (parity_1084 & parity_1099) | ((^{or_1065, or_1061, or_1057}) & (parity_1084 | parity_1099));
+  logic or_1157;
+  assign or_1157 = (parity_1129 & parity_1144) | ((^{or_1111, or_1107, and_1103}) & (parity_1129 | parity_1144));
+  logic or_1164;
+  assign or_1164 = (or_1061 & or_1065) | (or_1057 & (or_1061 | or_1065));
+  logic or_1168;
+  assign or_1168 = (or_1077 & or_1081) | (or_1073 & (or_1077 | or_1081));
+  logic or_1172;
+  assign or_1172 = (or_1092 & or_1096) | (or_1088 & (or_1092 | or_1096));
   // hls/stages/count_bits.hpp:24
-  logic parity_1174;
-  assign parity_1174 = ^{or_1171, or_1167, or_1163};
+  logic parity_1175;
+  assign parity_1175 = ^{or_1172, or_1168, or_1164};
   // hls/stages/count_bits.hpp:25
-  logic or_1178;
-  assign or_1178 = (or_1106 & or_1110) | (and_1102 & (or_1106 | or_1110));
-  logic or_1182;
-  assign or_1182 = (or_1121 & or_1125) | (or_1117 & (or_1121 | or_1125));
-  logic or_1186;
-  assign or_1186 = (or_1136 & or_1140) | (or_1132 & (or_1136 | or_1140));
+  logic or_1179;
+  assign or_1179 = (or_1107 & or_1111) | (and_1103 & (or_1107 | or_1111));
+  logic or_1183;
+  assign or_1183 = (or_1122 & or_1126) | (or_1118 & (or_1122 | or_1126));
+  logic or_1187;
+  assign or_1187 = (or_1137 & or_1141) | (or_1133 & (or_1137 | or_1141));
   // hls/stages/count_bits.hpp:24
-  logic parity_1189;
-  assign parity_1189 = ^{or_1186, or_1182, or_1178};
-  logic parity_1192;
-  assign parity_1192 = ^{or_1186, or_1182, or_1178, or_1171, or_1167, or_1163, or_1156, or_1152, and_1148};
+  logic parity_1190;
+  assign parity_1190 = ^{or_1187, or_1183, or_1179};
+  logic parity_1193;
+  assign parity_1193 = ^{or_1187, or_1183, or_1179, or_1172, or_1168, or_1164, or_1157, or_1153, and_1149};
   // hls/stages/count_bits.hpp:25
-  logic or_1196;
-  assign or_1196 = (parity_1174 & parity_1189) | ((^{or_1156, or_1152, and_1148}) & (parity_1174 | parity_1189));
-  logic or_1200;
-  assign or_1200 = (or_1152 & or_1156) | (and_1148 & (or_1152 | or_1156));
-  logic or_1204;
-  assign or_1204 = (or_1167 & or_1171) | (or_1163 & (or_1167 | or_1171));
-  logic or_1208;
-  assign or_1208 = (or_1182 & or_1186) | (or_1178 & (or_1182 | or_1186));
+  logic or_1197;
+  assign or_1197 = (parity_1175 & parity_1190) | ((^{or_1157, or_1153, and_1149}) & (parity_1175 | parity_1190));
+  logic or_1201;
+  assign or_1201 = (or_1153 & or_1157) | (and_1149 & (or_1153 | or_1157));
+  logic or_1205;
+  assign or_1205 = (or_1168 & or_1172) | (or_1164 & (or_1168 | or_1172));
+  logic or_1209;
+  assign or_1209 = (or_1183 & or_1187) | (or_1179 & (or_1183 | or_1187));
   // hls/stages/count_bits.hpp:24
-  logic parity_1213;
-  assign parity_1213 = ^{or_1208, or_1204, or_1200, or_1196};
+  logic parity_1214;
+  assign parity_1214 = ^{or_1209, or_1205, or_1201, or_1197};
   // hls/stages/count_bits.hpp:25
-  logic or_1217;
-  assign or_1217 = (or_1204 & or_1208) | (or_1200 & (or_1204 | or_1208));
-  logic and_1218;
-  assign and_1218 = or_1196 & (^{or_1208, or_1204, or_1200});
+  logic or_1218;
+  assign or_1218 = (or_1205 & or_1209) | (or_1201 & (or_1205 | or_1209));
+  logic and_1219;
+  assign and_1219 = or_1197 & (^{or_1209, or_1205, or_1201});
   // hls/stages/count_bits.hpp:24
-  logic xor_1219;
-  assign xor_1219 = or_1217 ^ and_1218;
+  logic xor_1220;
+  assign xor_1220 = or_1218 ^ and_1219;
   // hls/stages/count_bits.hpp:27
-  logic and_1220;
-  assign and_1220 = or_1217 & and_1218;
+  logic and_1221;
+  assign and_1221 = or_1218 & and_1219;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1221;
-  assign select_1221 = equal_568_s1_q ? {and_1220, xor_1219, parity_1213, parity_1192, xor_1147, xor_1052} : 6'h0;
+  logic [5:0] select_1222;
+  assign select_1222 = equal_569_s1_q ? {and_1221, xor_1220, parity_1214, parity_1193, xor_1148, xor_1053} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_554_s1_q ? 6'h0 : select_1221;
-  // hls/stages/agreement.hpp:778
-  logic [5:0] select_1223;
-  assign select_1223 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1224;
-  assign difference_1224 = {1'b0, column_3} - {1'b0, select_1223};
-  logic [7:0] sum_1226;
-  assign sum_1226 = {difference_1224[6], difference_1224} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
+  assign column_3 = or_555_s1_q ? 6'h0 : select_1222;
+  // hls/stages/agreement.hpp:779
+  logic [5:0] select_1224;
+  assign select_1224 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1225;
+  assign difference_1225 = {1'b0, column_3} - {1'b0, select_1224};
+  logic [7:0] sum_1227;
+  assign sum_1227 = {difference_1225[6], difference_1225} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:221
-  logic and_1227;
-  assign and_1227 = right_codes_rdata_q[27] & not_558_s1_q;
-  logic [11:0] select_1228;
-  assign select_1228 = less_557_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1232;
-  assign select_1232 = and_737 ? (and_1227 ? (~(select_739 ^ select_1228)) : 12'h0) : 12'h0;
+  logic and_1228;
+  assign and_1228 = right_codes_rdata_q[27] & not_559_s1_q;
+  logic [11:0] select_1229;
+  assign select_1229 = less_558_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_1233;
+  assign select_1233 = and_738 ? (and_1228 ? (~(select_740 ^ select_1229)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1238;
-  assign parity_1238 = ^select_1232[5:3];
-  logic parity_1241;
-  assign parity_1241 = ^select_1232[8:6];
-  logic parity_1244;
-  assign parity_1244 = ^select_1232[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1251;
-  assign select_1251 = and_760 ? (and_738 ? (~(select_762 ^ select_740)) : 12'h0) : 12'h0;
+  logic parity_1239;
+  assign parity_1239 = ^select_1233[5:3];
+  logic parity_1242;
+  assign parity_1242 = ^select_1233[8:6];
+  logic parity_1245;
+  assign parity_1245 = ^select_1233[11:3];
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_1252;
+  assign select_1252 = and_761 ? (and_739 ? (~(select_763 ^ select_741)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1254;
-  assign parity_1254 = ^select_1251[8:6];
-  logic parity_1257;
-  assign parity_1257 = ^select_1251[11:9];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1264;
-  assign select_1264 = and_777 ? (and_761 ? (~(select_779 ^ select_763)) : 12'h0) : 12'h0;
+  logic parity_1255;
+  assign parity_1255 = ^select_1252[8:6];
+  logic parity_1258;
+  assign parity_1258 = ^select_1252[11:9];
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_1265;
+  assign select_1265 = and_778 ? (and_762 ? (~(select_780 ^ select_764)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1270;
-  assign parity_1270 = ^select_1264[2:0];
-  logic parity_1273;
-  assign parity_1273 = ^select_1264[5:3];
-  logic parity_1276;
-  assign parity_1276 = ^select_1264[8:0];
-  logic parity_1282;
-  assign parity_1282 = ^select_1264[11:9];
-  logic parity_1285;
-  assign parity_1285 = ^select_1251[2:0];
-  logic parity_1288;
-  assign parity_1288 = ^{select_1264[11:9], select_1251[5:0]};
-  logic parity_1291;
-  assign parity_1291 = ^{select_1264, select_1251, select_1232[2:0]};
-  logic xor_1292;
-  assign xor_1292 = parity_1244 ^ parity_1291;
+  logic parity_1271;
+  assign parity_1271 = ^select_1265[2:0];
+  logic parity_1274;
+  assign parity_1274 = ^select_1265[5:3];
+  logic parity_1277;
+  assign parity_1277 = ^select_1265[8:0];
+  logic parity_1283;
+  assign parity_1283 = ^select_1265[11:9];
+  logic parity_1286;
+  assign parity_1286 = ^select_1252[2:0];
+  logic parity_1289;
+  assign parity_1289 = ^{select_1265[11:9], select_1252[5:0]};
+  logic parity_1292;
+  assign parity_1292 = ^{select_1265, select_1252, select_1233[2:0]};
+  logic xor_1293;
+  assign xor_1293 = parity_1245 ^ parity_1292;
   // hls/stages/count_bits.hpp:23
-  logic or_1296;
-  assign or_1296 = (select_1232[1:0] == 2'h3) | (select_1232[2] & (select_1232[0] | select_1232[1]));
+  logic or_1297;
+  assign or_1297 = (select_1233[1:0] == 2'h3) | (select_1233[2] & (select_1233[0] | select_1233[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1300;
-  assign or_1300 = (select_1251[7:6] == 2'h3) | (select_1251[8] & (select_1251[6] | select_1251[7]));
-  logic or_1304;
-  assign or_1304 = (select_1251[10:9] == 2'h3) | (select_1251[11] & (select_1251[9] | select_1251[10]));
+  logic or_1301;
+  assign or_1301 = (select_1252[7:6] == 2'h3) | (select_1252[8] & (select_1252[6] | select_1252[7]));
+  logic or_1305;
+  assign or_1305 = (select_1252[10:9] == 2'h3) | (select_1252[11] & (select_1252[9] | select_1252[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1312;
-  assign or_1312 = (select_1264[7:6] == 2'h3) | (select_1264[8] & (~(select_1264[7:6] == 2'h0)));
+  logic or_1313;
+  assign or_1313 = (select_1265[7:6] == 2'h3) | (select_1265[8] & (~(select_1265[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1316;
-  assign or_1316 = (select_1264[1:0] == 2'h3) | (select_1264[2] & (select_1264[0] | select_1264[1]));
-  logic or_1320;
-  assign or_1320 = (select_1264[4:3] == 2'h3) | (select_1264[5] & (select_1264[3] | select_1264[4]));
+  logic or_1317;
+  assign or_1317 = (select_1265[1:0] == 2'h3) | (select_1265[2] & (select_1265[0] | select_1265[1]));
+  logic or_1321;
+  assign or_1321 = (select_1265[4:3] == 2'h3) | (select_1265[5] & (select_1265[3] | select_1265[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1323;
-  assign parity_1323 = ^{or_1320, or_1316, or_1312};
+  logic parity_1324;
+  assign parity_1324 = ^{or_1321, or_1317, or_1313};
   // hls/stages/count_bits.hpp:23
-  logic or_1327;
-  assign or_1327 = (select_1251[4:3] == 2'h3) | (select_1251[5] & (select_1251[3] | select_1251[4]));
+  logic or_1328;
+  assign or_1328 = (select_1252[4:3] == 2'h3) | (select_1252[5] & (select_1252[3] | select_1252[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1331;
-  assign or_1331 = (select_1264[10:9] == 2'h3) | (select_1264[11] & (select_1264[9] | select_1264[10]));
-  logic or_1335;
-  assign or_1335 = (select_1251[1:0] == 2'h3) | (select_1251[2] & (select_1251[0] | select_1251[1]));
+  logic or_1332;
+  assign or_1332 = (select_1265[10:9] == 2'h3) | (select_1265[11] & (select_1265[9] | select_1265[10]));
+  logic or_1336;
+  assign or_1336 = (select_1252[1:0] == 2'h3) | (select_1252[2] & (select_1252[0] | select_1252[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1338;
-  assign parity_1338 = ^{or_1335, or_1331, or_1327};
-  logic parity_1341;
-  assign parity_1341 = ^{or_1335, or_1331, or_1327, or_1320, or_1316, or_1312, or_1304, or_1300, or_1296};
+  logic parity_1339;
+  assign parity_1339 = ^{or_1336, or_1332, or_1328};
+  logic parity_1342;
+  assign parity_1342 = ^{or_1336, or_1332, or_1328, or_1321, or_1317, or_1313, or_1305, or_1301, or_1297};
   // hls/stages/count_bits.hpp:25
-  logic and_1342;
-  assign and_1342 = parity_1244 & parity_1291;
-  logic or_1346;
-  assign or_1346 = (parity_1238 & parity_1241) | ((^select_1232[11:9]) & (parity_1238 | parity_1241));
-  logic and_1349;
-  assign and_1349 = (^{select_1251[11:6], select_1232[2:0]}) & (parity_1276 | parity_1288);
-  logic or_1350;
-  assign or_1350 = (parity_1276 & parity_1288) | and_1349;
+  logic and_1343;
+  assign and_1343 = parity_1245 & parity_1292;
+  logic or_1347;
+  assign or_1347 = (parity_1239 & parity_1242) | ((^select_1233[11:9]) & (parity_1239 | parity_1242));
+  logic and_1350;
+  assign and_1350 = (^{select_1252[11:6], select_1233[2:0]}) & (parity_1277 | parity_1289);
+  logic or_1351;
+  assign or_1351 = (parity_1277 & parity_1289) | and_1350;
   // hls/stages/count_bits.hpp:23
-  logic or_1357;
-  assign or_1357 = (select_1232[10:9] == 2'h3) | (select_1232[11] & (select_1232[9] | select_1232[10]));
+  logic or_1358;
+  assign or_1358 = (select_1233[10:9] == 2'h3) | (select_1233[11] & (select_1233[9] | select_1233[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1361;
-  assign or_1361 = (select_1232[4:3] == 2'h3) | (select_1232[5] & (select_1232[3] | select_1232[4]));
-  logic or_1365;
-  assign or_1365 = (select_1232[7:6] == 2'h3) | (select_1232[8] & (select_1232[6] | select_1232[7]));
+  logic or_1362;
+  assign or_1362 = (select_1233[4:3] == 2'h3) | (select_1233[5] & (select_1233[3] | select_1233[4]));
+  logic or_1366;
+  assign or_1366 = (select_1233[7:6] == 2'h3) | (select_1233[8] & (select_1233[6] | select_1233[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1368;
-  assign parity_1368 = ^{or_1365, or_1361, or_1357};
+  logic parity_1369;
+  assign parity_1369 = ^{or_1366, or_1362, or_1358};
   // hls/stages/count_bits.hpp:25
-  logic or_1372;
-  assign or_1372 = (parity_1254 & parity_1257) | ((^select_1232[2:0]) & (parity_1254 | parity_1257));
-  logic or_1376;
-  assign or_1376 = (parity_1270 & parity_1273) | ((^select_1264[8:6]) & (parity_1270 | parity_1273));
-  logic or_1380;
-  assign or_1380 = (parity_1282 & parity_1285) | ((^select_1251[5:3]) & (parity_1282 | parity_1285));
+  logic or_1373;
+  assign or_1373 = (parity_1255 & parity_1258) | ((^select_1233[2:0]) & (parity_1255 | parity_1258));
+  logic or_1377;
+  assign or_1377 = (parity_1271 & parity_1274) | ((^select_1265[8:6]) & (parity_1271 | parity_1274));
+  logic or_1381;
+  assign or_1381 = (parity_1283 & parity_1286) | ((^select_1252[5:3]) & (parity_1283 | parity_1286));
   // hls/stages/count_bits.hpp:24
-  logic parity_1383;
-  assign parity_1383 = ^{or_1380, or_1376, or_1372};
-  logic parity_1386;
-  assign parity_1386 = ^{or_1380, or_1376, or_1372, or_1365, or_1361, or_1357, or_1350, or_1346, and_1342};
-  logic xor_1387;
-  assign xor_1387 = parity_1341 ^ parity_1386;
+  logic parity_1384;
+  assign parity_1384 = ^{or_1381, or_1377, or_1373};
+  logic parity_1387;
+  assign parity_1387 = ^{or_1381, or_1377, or_1373, or_1366, or_1362, or_1358, or_1351, or_1347, and_1343};
+  logic xor_1388;
+  assign xor_1388 = parity_1342 ^ parity_1387;
   // hls/stages/count_bits.hpp:25
-  logic and_1388;
-  assign and_1388 = parity_1341 & parity_1386;
-  logic or_1392;
-  assign or_1392 = (parity_1323 & parity_1338) | ((^{or_1304, or_1300, or_1296}) & (parity_1323 | parity_1338));
-  logic or_1396;
-  assign or_1396 = (parity_1368 & parity_1383) | ((^{or_1350, or_1346, and_1342}) & (parity_1368 | parity_1383));
-  logic or_1403;
-  assign or_1403 = (or_1300 & or_1304) | (or_1296 & (or_1300 | or_1304));
-  logic or_1407;
-  assign or_1407 = (or_1316 & or_1320) | (or_1312 & (or_1316 | or_1320));
-  logic or_1411;
-  assign or_1411 = (or_1331 & or_1335) | (or_1327 & (or_1331 | or_1335));
+  logic and_1389;
+  assign and_1389 = parity_1342 & parity_1387;
+  logic or_1393;
+  assign or_1393 = (parity_1324 & parity_1339) | ((^{or_1305, or_1301, or_1297}) & (parity_1324 | parity_1339));
+  logic or_1397;
+  assign or_1397 = (parity_1369 & parity_1384) | ((^{or_1351, or_1347, and_1343}) & (parity_1369 | parity_1384));
+  logic or_1404;
+  assign or_1404 = (or_1301 & or_1305) | (or_1297 & (or_1301 | or_1305));
+  logic or_1408;
+  assign or_1408 = (or_1317 & or_1321) | (or_1313 & (or_1317 | or_1321));
+  logic or_1412;
+  assign or_1412 = (or_1332 & or_1336) | (or_1328 & (or_1332 | or_1336));
   // hls/stages/count_bits.hpp:24
-  logic parity_1414;
-  assign parity_1414 = ^{or_1411, or_1407, or_1403};
+  logic parity_1415;
+  assign parity_1415 = ^{or_1412, or_1408, or_1404};
   // hls/stages/count_bits.hpp:25
-  logic or_1418;
-  assign or_1418 = (or_1346 & or_1350) | (and_1342 & (or_1346 | or_1350));
-  logic or_1422;
-  assign or_1422 = (or_1361 & or_1365) | (or_1357 & (or_1361 | or_1365));
-  logic or_1426;
-  assign or_1426 = (or_1376 & or_1380) | (or_1372 & (or_1376 | or_1380));
+  logic or_1419;
+  assign or_1419 = (or_1347 & or_1351) | (and_1343 & (or_1347 | or_1351));
+  logic or_1423;
+  assign or_1423 = (or_1362 & or_1366) | (or_1358 & (or_1362 | or_1366));
+  logic or_1427;
+  assign or_1427 = (or_1377 & or_1381) | (or_1373 & (or_1377 | or_1381));
   // hls/stages/count_bits.hpp:24
-  logic parity_1429;
-  assign parity_1429 = ^{or_1426, or_1422, or_1418};
-  logic parity_1432;
-  assign parity_1432 = ^{or_1426, or_1422, or_1418, or_1411, or_1407, or_1403, or_1396, or_1392, and_1388};
+  logic parity_1430;
+  assign parity_1430 = ^{or_1427, or_1423, or_1419};
+  logic parity_1433;
+  assign parity_1433 = ^{or_1427, or_1423, or_1419, or_1412, or_1408, or_1404, or_1397, or_1393, and_1389};
   // hls/stages/count_bits.hpp:25
-  logic or_1436;
-  assign or_1436 = (parity_1414 & parity_1429) | ((^{or_1396, or_1392, and_1388}) & (parity_1414 | parity_1429));
-  logic or_1440;
-  assign or_1440 = (or_1392 & or_1396) | (and_1388 & (or_1392 | or_1396));
-  logic or_1444;
-  assign or_1444 = (or_1407 & or_1411) | (or_1403 & (or_1407 | or_1411));
-  logic or_1448;
-  assign or_1448 = (or_1422 & or_1426) | (or_1418 & (or_1422 | or_1426));
+  logic or_1437;
+  assign or_1437 = (parity_1415 & parity_1430) | ((^{or_1397, or_1393, and_1389}) & (parity_1415 | parity_1430));
+  logic or_1441;
+  assign or_1441 = (or_1393 & or_1397) | (and_1389 & (or_1393 | or_1397));
+  logic or_1445;
+  assign or_1445 = (or_1408 & or_1412) | (or_1404 & (or_1408 | or_1412));
+  logic or_1449;
+  assign or_1449 = (or_1423 & or_1427) | (or_1419 & (or_1423 | or_1427));
   // hls/stages/count_bits.hpp:24
-  logic parity_1453;
-  assign parity_1453 = ^{or_1448, or_1444, or_1440, or_1436};
+  logic parity_1454;
+  assign parity_1454 = ^{or_1449, or_1445, or_1441, or_1437};
   // hls/stages/count_bits.hpp:25
-  logic or_1457;
-  assign or_1457 = (or_1444 & or_1448) | (or_1440 & (or_1444 | or_1448));
-  logic and_1458;
-  assign and_1458 = or_1436 & (^{or_1448, or_1444, or_1440});
+  logic or_1458;
+  assign or_1458 = (or_1445 & or_1449) | (or_1441 & (or_1445 | or_1449));
+  logic and_1459;
+  assign and_1459 = or_1437 & (^{or_1449, or_1445, or_1441});
   // hls/stages/count_bits.hpp:24
-  logic xor_1459;
-  assign xor_1459 = or_1457 ^ and_1458;
+  logic xor_1460;
+  assign xor_1460 = or_1458 ^ and_1459;
   // hls/stages/count_bits.hpp:27
-  logic and_1460;
-  assign and_1460 = or_1457 & and_1458;
+  logic and_1461;
+  assign and_1461 = or_1458 & and_1459;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1461;
-  assign select_1461 = equal_568_s1_q ? {and_1460, xor_1459, parity_1453, parity_1432, xor_1387, xor_1292} : 6'h0;
+  logic [5:0] select_1462;
+  assign select_1462 = equal_569_s1_q ? {and_1461, xor_1460, parity_1454, parity_1433, xor_1388, xor_1293} : 6'h0;
   logic [5:0] column_4;
-  assign column_4 = or_554_s1_q ? 6'h0 : select_1461;
-  // hls/stages/agreement.hpp:778
-  logic [5:0] select_1463;
-  assign select_1463 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1464;
-  assign difference_1464 = {1'b0, column_4} - {1'b0, select_1463};
-  logic [7:0] sum_1466;
-  assign sum_1466 = {difference_1464[6], difference_1464} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1474;
-  assign select_1474 = and_737 ? (and_778 ? (~(select_739 ^ select_780)) : 12'h0) : 12'h0;
+  assign column_4 = or_555_s1_q ? 6'h0 : select_1462;
+  // hls/stages/agreement.hpp:779
+  logic [5:0] select_1464;
+  assign select_1464 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1465;
+  assign difference_1465 = {1'b0, column_4} - {1'b0, select_1464};
+  logic [7:0] sum_1467;
+  assign sum_1467 = {difference_1465[6], difference_1465} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_1475;
+  assign select_1475 = and_738 ? (and_779 ? (~(select_740 ^ select_781)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1480;
-  assign parity_1480 = ^select_1474[5:3];
-  logic parity_1483;
-  assign parity_1483 = ^select_1474[8:6];
-  logic parity_1486;
-  assign parity_1486 = ^select_1474[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1493;
-  assign select_1493 = and_760 ? (and_1019 ? (~(select_762 ^ select_1020)) : 12'h0) : 12'h0;
+  logic parity_1481;
+  assign parity_1481 = ^select_1475[5:3];
+  logic parity_1484;
+  assign parity_1484 = ^select_1475[8:6];
+  logic parity_1487;
+  assign parity_1487 = ^select_1475[11:3];
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_1494;
+  assign select_1494 = and_761 ? (and_1020 ? (~(select_763 ^ select_1021)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1496;
-  assign parity_1496 = ^select_1493[8:6];
-  logic parity_1499;
-  assign parity_1499 = ^select_1493[11:9];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] xor_1505;
-  assign xor_1505 = select_779 ^ (less_557_s1_q ? 12'h0 : right_codes_rdata_q[97:86]);
-  logic [11:0] select_1508;
-  assign select_1508 = and_777 ? ((right_codes_rdata_q[98] & not_558_s1_q) ? (~xor_1505) : 12'h0) : 12'h0;
+  logic parity_1497;
+  assign parity_1497 = ^select_1494[8:6];
+  logic parity_1500;
+  assign parity_1500 = ^select_1494[11:9];
+  // hls/stages/agreement.hpp:685
+  logic [11:0] xor_1506;
+  assign xor_1506 = select_780 ^ (less_558_s1_q ? 12'h0 : right_codes_rdata_q[97:86]);
+  logic [11:0] select_1509;
+  assign select_1509 = and_778 ? ((right_codes_rdata_q[98] & not_559_s1_q) ? (~xor_1506) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1514;
-  assign parity_1514 = ^select_1508[2:0];
-  logic parity_1517;
-  assign parity_1517 = ^select_1508[5:3];
-  logic parity_1520;
-  assign parity_1520 = ^select_1508[8:0];
-  logic parity_1526;
-  assign parity_1526 = ^select_1508[11:9];
-  logic parity_1529;
-  assign parity_1529 = ^select_1493[2:0];
-  logic parity_1532;
-  assign parity_1532 = ^{select_1508[11:9], select_1493[5:0]};
-  logic parity_1535;
-  assign parity_1535 = ^{select_1508, select_1493, select_1474[2:0]};
-  logic xor_1536;
-  assign xor_1536 = parity_1486 ^ parity_1535;
+  logic parity_1515;
+  assign parity_1515 = ^select_1509[2:0];
+  logic parity_1518;
+  assign parity_1518 = ^select_1509[5:3];
+  logic parity_1521;
+  assign parity_1521 = ^select_1509[8:0];
+  logic parity_1527;
+  assign parity_1527 = ^select_1509[11:9];
+  logic parity_1530;
+  assign parity_1530 = ^select_1494[2:0];
+  logic parity_1533;
+  assign parity_1533 = ^{select_1509[11:9], select_1494[5:0]};
+  logic parity_1536;
+  assign parity_1536 = ^{select_1509, select_1494, select_1475[2:0]};
+  logic xor_1537;
+  assign xor_1537 = parity_1487 ^ parity_1536;
   // hls/stages/count_bits.hpp:23
-  logic or_1540;
-  assign or_1540 = (select_1474[1:0] == 2'h3) | (select_1474[2] & (select_1474[0] | select_1474[1]));
+  logic or_1541;
+  assign or_1541 = (select_1475[1:0] == 2'h3) | (select_1475[2] & (select_1475[0] | select_1475[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1544;
-  assign or_1544 = (select_1493[7:6] == 2'h3) | (select_1493[8] & (select_1493[6] | select_1493[7]));
-  logic or_1548;
-  assign or_1548 = (select_1493[10:9] == 2'h3) | (select_1493[11] & (select_1493[9] | select_1493[10]));
+  logic or_1545;
+  assign or_1545 = (select_1494[7:6] == 2'h3) | (select_1494[8] & (select_1494[6] | select_1494[7]));
+  logic or_1549;
+  assign or_1549 = (select_1494[10:9] == 2'h3) | (select_1494[11] & (select_1494[9] | select_1494[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1556;
-  assign or_1556 = (select_1508[7:6] == 2'h3) | (select_1508[8] & (~(select_1508[7:6] == 2'h0)));
+  logic or_1557;
+  assign or_1557 = (select_1509[7:6] == 2'h3) | (select_1509[8] & (~(select_1509[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1560;
-  assign or_1560 = (select_1508[1:0] == 2'h3) | (select_1508[2] & (select_1508[0] | select_1508[1]));
-  logic or_1564;
-  assign or_1564 = (select_1508[4:3] == 2'h3) | (select_1508[5] & (select_1508[3] | select_1508[4]));
+  logic or_1561;
+  assign or_1561 = (select_1509[1:0] == 2'h3) | (select_1509[2] & (select_1509[0] | select_1509[1]));
+  logic or_1565;
+  assign or_1565 = (select_1509[4:3] == 2'h3) | (select_1509[5] & (select_1509[3] | select_1509[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1567;
-  assign parity_1567 = ^{or_1564, or_1560, or_1556};
+  logic parity_1568;
+  assign parity_1568 = ^{or_1565, or_1561, or_1557};
   // hls/stages/count_bits.hpp:23
-  logic or_1571;
-  assign or_1571 = (select_1493[4:3] == 2'h3) | (select_1493[5] & (select_1493[3] | select_1493[4]));
+  logic or_1572;
+  assign or_1572 = (select_1494[4:3] == 2'h3) | (select_1494[5] & (select_1494[3] | select_1494[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1575;
-  assign or_1575 = (select_1508[10:9] == 2'h3) | (select_1508[11] & (select_1508[9] | select_1508[10]));
-  logic or_1579;
-  assign or_1579 = (select_1493[1:0] == 2'h3) | (select_1493[2] & (select_1493[0] | select_1493[1]));
+  logic or_1576;
+  assign or_1576 = (select_1509[10:9] == 2'h3) | (select_1509[11] & (select_1509[9] | select_1509[10]));
+  logic or_1580;
+  assign or_1580 = (select_1494[1:0] == 2'h3) | (select_1494[2] & (select_1494[0] | select_1494[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1582;
-  assign parity_1582 = ^{or_1579, or_1575, or_1571};
-  logic parity_1585;
-  assign parity_1585 = ^{or_1579, or_1575, or_1571, or_1564, or_1560, or_1556, or_1548, or_1544, or_1540};
+  logic parity_1583;
+  assign parity_1583 = ^{or_1580, or_1576, or_1572};
+  logic parity_1586;
+  assign parity_1586 = ^{or_1580, or_1576, or_1572, or_1565, or_1561, or_1557, or_1549, or_1545, or_1541};
   // hls/stages/count_bits.hpp:25
-  logic and_1586;
-  assign and_1586 = parity_1486 & parity_1535;
-  logic or_1590;
-  assign or_1590 = (parity_1480 & parity_1483) | ((^select_1474[11:9]) & (parity_1480 | parity_1483));
-  logic and_1593;
-  assign and_1593 = (^{select_1493[11:6], select_1474[2:0]}) & (parity_1520 | parity_1532);
-  logic or_1594;
-  assign or_1594 = (parity_1520 & parity_1532) | and_1593;
+  logic and_1587;
+  assign and_1587 = parity_1487 & parity_1536;
+  logic or_1591;
+  assign or_1591 = (parity_1481 & parity_1484) | ((^select_1475[11:9]) & (parity_1481 | parity_1484));
+  logic and_1594;
+  assign and_1594 = (^{select_1494[11:6], select_1475[2:0]}) & (parity_1521 | parity_1533);
+  logic or_1595;
+  assign or_1595 = (parity_1521 & parity_1533) | and_1594;
   // hls/stages/count_bits.hpp:23
-  logic or_1601;
-  assign or_1601 = (select_1474[10:9] == 2'h3) | (select_1474[11] & (select_1474[9] | select_1474[10]));
+  logic or_1602;
+  assign or_1602 = (select_1475[10:9] == 2'h3) | (select_1475[11] & (select_1475[9] | select_1475[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1605;
-  assign or_1605 = (select_1474[4:3] == 2'h3) | (select_1474[5] & (select_1474[3] | select_1474[4]));
-  logic or_1609;
-  assign or_1609 = (select_1474[7:6] == 2'h3) | (select_1474[8] & (select_1474[6] | select_1474[7]));
+  logic or_1606;
+  assign or_1606 = (select_1475[4:3] == 2'h3) | (select_1475[5] & (select_1475[3] | select_1475[4]));
+  logic or_1610;
+  assign or_1610 = (select_1475[7:6] == 2'h3) | (select_1475[8] & (select_1475[6] | select_1475[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1612;
-  assign parity_1612 = ^{or_1609, or_1605, or_1601};
+  logic parity_1613;
+  assign parity_1613 = ^{or_1610, or_1606, or_1602};
   // hls/stages/count_bits.hpp:25
-  logic or_1616;
-  assign or_1616 = (parity_1496 & parity_1499) | ((^select_1474[2:0]) & (parity_1496 | parity_1499));
-  logic or_1620;
-  assign or_1620 = (parity_1514 & parity_1517) | ((^select_1508[8:6]) & (parity_1514 | parity_1517));
-  logic or_1624;
-  assign or_1624 = (parity_1526 & parity_1529) | ((^select_1493[5:3]) & (parity_1526 | parity_1529));
+  logic or_1617;
+  assign or_1617 = (parity_1497 & parity_1500) | ((^select_1475[2:0]) & (parity_1497 | parity_1500));
+  logic or_1621;
+  assign or_1621 = (parity_1515 & parity_1518) | ((^select_1509[8:6]) & (parity_1515 | parity_1518));
+  logic or_1625;
+  assign or_1625 = (parity_1527 & parity_1530) | ((^select_1494[5:3]) & (parity_1527 | parity_1530));
   // hls/stages/count_bits.hpp:24
-  logic parity_1627;
-  assign parity_1627 = ^{or_1624, or_1620, or_1616};
-  logic parity_1630;
-  assign parity_1630 = ^{or_1624, or_1620, or_1616, or_1609, or_1605, or_1601, or_1594, or_1590, and_1586};
-  logic xor_1631;
-  assign xor_1631 = parity_1585 ^ parity_1630;
+  logic parity_1628;
+  assign parity_1628 = ^{or_1625, or_1621, or_1617};
+  logic parity_1631;
+  assign parity_1631 = ^{or_1625, or_1621, or_1617, or_1610, or_1606, or_1602, or_1595, or_1591, and_1587};
+  logic xor_1632;
+  assign xor_1632 = parity_1586 ^ parity_1631;
   // hls/stages/count_bits.hpp:25
-  logic and_1632;
-  assign and_1632 = parity_1585 & parity_1630;
-  logic or_1636;
-  assign or_1636 = (parity_1567 & parity_1582) | ((^{or_1548, or_1544, or_1540}) & (parity_1567 | parity_1582));
-  logic or_1640;
-  assign or_1640 = (parity_1612 & parity_1627) | ((^{or_1594, or_1590, and_1586}) & (parity_1612 | parity_1627));
-  logic or_1647;
-  assign or_1647 = (or_1544 & or_1548) | (or_1540 & (or_1544 | or_1548));
-  logic or_1651;
-  assign or_1651 = (or_1560 & or_1564) | (or_1556 & (or_1560 | or_1564));
-  logic or_1655;
-  assign or_1655 = (or_1575 & or_1579) | (or_1571 & (or_1575 | or_1579));
+  logic and_1633;
+  assign and_1633 = parity_1586 & parity_1631;
+  logic or_1637;
+  assign or_1637 = (parity_1568 & parity_1583) | ((^{or_1549, or_1545, or_1541}) & (parity_1568 | parity_1583));
+  logic or_1641;
+  assign or_1641 = (parity_1613 & parity_1628) | ((^{or_1595, or_1591, and_1587}) & (parity_1613 | parity_1628));
+  logic or_1648;
+  assign or_1648 = (or_1545 & or_1549) | (or_1541 & (or_1545 | or_1549));
+  logic or_1652;
+  assign or_1652 = (or_1561 & or_1565) | (or_1557 & (or_1561 | or_1565));
+  logic or_1656;
+  assign or_1656 = (or_1576 & or_1580) | (or_1572 & (or_1576 | or_1580));
   // hls/stages/count_bits.hpp:24
-  logic parity_1658;
-  assign parity_1658 = ^{or_1655, or_1651, or_1647};
+  logic parity_1659;
+  assign parity_1659 = ^{or_1656, or_1652, or_1648};
   // hls/stages/count_bits.hpp:25
-  logic or_1662;
-  assign or_1662 = (or_1590 & or_1594) | (and_1586 & (or_1590 | or_1594));
-  logic or_1666;
-  assign or_1666 = (or_1605 & or_1609) | (or_1601 & (or_1605 | or_1609));
-  logic or_1670;
-  assign or_1670 = (or_1620 & or_1624) | (or_1616 & (or_1620 | or_1624));
+  logic or_1663;
+  assign or_1663 = (or_1591 & or_1595) | (and_1587 & (or_1591 | or_1595));
+  logic or_1667;
+  assign or_1667 = (or_1606 & or_1610) | (or_1602 & (or_1606 | or_1610));
+  logic or_1671;
+  assign or_1671 = (or_1621 & or_1625) | (or_1617 & (or_1621 | or_1625));
   // hls/stages/count_bits.hpp:24
-  logic parity_1673;
-  assign parity_1673 = ^{or_1670, or_1666, or_1662};
-  logic parity_1676;
-  assign parity_1676 = ^{or_1670, or_1666, or_1662, or_1655, or_1651, or_1647, or_1640, or_1636, and_1632};
+  logic parity_1674;
+  assign parity_1674 = ^{or_1671, or_1667, or_1663};
+  logic parity_1677;
+  assign parity_1677 = ^{or_1671, or_1667, or_1663, or_1656, or_1652, or_1648, or_1641, or_1637, and_1633};
   // hls/stages/count_bits.hpp:25
-  logic or_1680;
-  assign or_1680 = (parity_1658 & parity_1673) | ((^{or_1640, or_1636, and_1632}) & (parity_1658 | parity_1673));
-  logic or_1684;
-  assign or_1684 = (or_1636 & or_1640) | (and_1632 & (or_1636 | or_1640));
-  logic or_1688;
-  assign or_1688 = (or_1651 & or_1655) | (or_1647 & (or_1651 | or_1655));
-  logic or_1692;
-  assign or_1692 = (or_1666 & or_1670) | (or_1662 & (or_1666 | or_1670));
+  logic or_1681;
+  assign or_1681 = (parity_1659 & parity_1674) | ((^{or_1641, or_1637, and_1633}) & (parity_1659 | parity_1674));
+  logic or_1685;
+  assign or_1685 = (or_1637 & or_1641) | (and_1633 & (or_1637 | or_1641));
+  logic or_1689;
+  assign or_1689 = (or_1652 & or_1656) | (or_1648 & (or_1652 | or_1656));
+  logic or_1693;
+  assign or_1693 = (or_1667 & or_1671) | (or_1663 & (or_1667 | or_1671));
   // hls/stages/count_bits.hpp:24
-  logic parity_1697;
-  assign parity_1697 = ^{or_1692, or_1688, or_1684, or_1680};
+  logic parity_1698;
+  assign parity_1698 = ^{or_1693, or_1689, or_1685, or_1681};
   // hls/stages/count_bits.hpp:25
-  logic or_1701;
-  assign or_1701 = (or_1688 & or_1692) | (or_1684 & (or_1688 | or_1692));
-  logic and_1702;
-  assign and_1702 = or_1680 & (^{or_1692, or_1688, or_1684});
+  logic or_1702;
+  assign or_1702 = (or_1689 & or_1693) | (or_1685 & (or_1689 | or_1693));
+  logic and_1703;
+  assign and_1703 = or_1681 & (^{or_1693, or_1689, or_1685});
   // hls/stages/count_bits.hpp:24
-  logic xor_1703;
-  assign xor_1703 = or_1701 ^ and_1702;
+  logic xor_1704;
+  assign xor_1704 = or_1702 ^ and_1703;
   // hls/stages/count_bits.hpp:27
-  logic and_1704;
-  assign and_1704 = or_1701 & and_1702;
+  logic and_1705;
+  assign and_1705 = or_1702 & and_1703;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1705;
-  assign select_1705 = equal_568_s1_q ? {and_1704, xor_1703, parity_1697, parity_1676, xor_1631, xor_1536} : 6'h0;
+  logic [5:0] select_1706;
+  assign select_1706 = equal_569_s1_q ? {and_1705, xor_1704, parity_1698, parity_1677, xor_1632, xor_1537} : 6'h0;
   logic [5:0] column_5;
-  assign column_5 = or_554_s1_q ? 6'h0 : select_1705;
-  // hls/stages/agreement.hpp:778
-  logic [5:0] select_1707;
-  assign select_1707 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1708;
-  assign difference_1708 = {1'b0, column_5} - {1'b0, select_1707};
-  logic [7:0] sum_1710;
-  assign sum_1710 = {difference_1708[6], difference_1708} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:684
-  logic [11:0] not_1714;
-  assign not_1714 = ~(select_739 ^ (less_557_s1_q ? 12'h0 : right_codes_rdata_q[11:0]));
-  logic [11:0] select_1716;
-  assign select_1716 = and_737 ? ((right_codes_rdata_q[12] & not_558_s1_q) ? not_1714 : 12'h0) : 12'h0;
+  assign column_5 = or_555_s1_q ? 6'h0 : select_1706;
+  // hls/stages/agreement.hpp:779
+  logic [5:0] select_1708;
+  assign select_1708 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1709;
+  assign difference_1709 = {1'b0, column_5} - {1'b0, select_1708};
+  logic [7:0] sum_1711;
+  assign sum_1711 = {difference_1709[6], difference_1709} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:685
+  logic [11:0] not_1715;
+  assign not_1715 = ~(select_740 ^ (less_558_s1_q ? 12'h0 : right_codes_rdata_q[11:0]));
+  logic [11:0] select_1717;
+  assign select_1717 = and_738 ? ((right_codes_rdata_q[12] & not_559_s1_q) ? not_1715 : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1722;
-  assign parity_1722 = ^select_1716[5:3];
-  logic parity_1725;
-  assign parity_1725 = ^select_1716[8:6];
-  logic parity_1728;
-  assign parity_1728 = ^select_1716[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1735;
-  assign select_1735 = and_760 ? (and_1227 ? (~(select_762 ^ select_1228)) : 12'h0) : 12'h0;
+  logic parity_1723;
+  assign parity_1723 = ^select_1717[5:3];
+  logic parity_1726;
+  assign parity_1726 = ^select_1717[8:6];
+  logic parity_1729;
+  assign parity_1729 = ^select_1717[11:3];
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_1736;
+  assign select_1736 = and_761 ? (and_1228 ? (~(select_763 ^ select_1229)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1738;
-  assign parity_1738 = ^select_1735[8:6];
-  logic parity_1741;
-  assign parity_1741 = ^select_1735[11:9];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1748;
-  assign select_1748 = and_777 ? (and_738 ? (~(select_779 ^ select_740)) : 12'h0) : 12'h0;
+  logic parity_1739;
+  assign parity_1739 = ^select_1736[8:6];
+  logic parity_1742;
+  assign parity_1742 = ^select_1736[11:9];
+  // hls/stages/agreement.hpp:685
+  logic [11:0] select_1749;
+  assign select_1749 = and_778 ? (and_739 ? (~(select_780 ^ select_741)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1754;
-  assign parity_1754 = ^select_1748[2:0];
-  logic parity_1757;
-  assign parity_1757 = ^select_1748[5:3];
-  logic parity_1760;
-  assign parity_1760 = ^select_1748[8:0];
-  logic parity_1766;
-  assign parity_1766 = ^select_1748[11:9];
-  logic parity_1769;
-  assign parity_1769 = ^select_1735[2:0];
-  logic parity_1772;
-  assign parity_1772 = ^{select_1748[11:9], select_1735[5:0]};
-  logic parity_1775;
-  assign parity_1775 = ^{select_1748, select_1735, select_1716[2:0]};
-  logic xor_1776;
-  assign xor_1776 = parity_1728 ^ parity_1775;
+  logic parity_1755;
+  assign parity_1755 = ^select_1749[2:0];
+  logic parity_1758;
+  assign parity_1758 = ^select_1749[5:3];
+  logic parity_1761;
+  assign parity_1761 = ^select_1749[8:0];
+  logic parity_1767;
+  assign parity_1767 = ^select_1749[11:9];
+  logic parity_1770;
+  assign parity_1770 = ^select_1736[2:0];
+  logic parity_1773;
+  assign parity_1773 = ^{select_1749[11:9], select_1736[5:0]};
+  logic parity_1776;
+  assign parity_1776 = ^{select_1749, select_1736, select_1717[2:0]};
+  logic xor_1777;
+  assign xor_1777 = parity_1729 ^ parity_1776;
   // hls/stages/count_bits.hpp:23
-  logic or_1780;
-  assign or_1780 = (select_1716[1:0] == 2'h3) | (select_1716[2] & (select_1716[0] | select_1716[1]));
+  logic or_1781;
+  assign or_1781 = (select_1717[1:0] == 2'h3) | (select_1717[2] & (select_1717[0] | select_1717[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1784;
-  assign or_1784 = (select_1735[7:6] == 2'h3) | (select_1735[8] & (select_1735[6] | select_1735[7]));
-  logic or_1788;
-  assign or_1788 = (select_1735[10:9] == 2'h3) | (select_1735[11] & (select_1735[9] | select_1735[10]));
+  logic or_1785;
+  assign or_1785 = (select_1736[7:6] == 2'h3) | (select_1736[8] & (select_1736[6] | select_1736[7]));
+  logic or_1789;
+  assign or_1789 = (select_1736[10:9] == 2'h3) | (select_1736[11] & (select_1736[9] | select_1736[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1796;
-  assign or_1796 = (select_1748[7:6] == 2'h3) | (select_1748[8] & (~(select_1748[7:6] == 2'h0)));
+  logic or_1797;
+  assign or_1797 = (select_1749[7:6] == 2'h3) | (select_1749[8] & (~(select_1749[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1800;
-  assign or_1800 = (select_1748[1:0] == 2'h3) | (select_1748[2] & (select_1748[0] | select_1748[1]));
-  logic or_1804;
-  assign or_1804 = (select_1748[4:3] == 2'h3) | (select_1748[5] & (select_1748[3] | select_1748[4]));
+  logic or_1801;
+  assign or_1801 = (select_1749[1:0] == 2'h3) | (select_1749[2] & (select_1749[0] | select_1749[1]));
+  logic or_1805;
+  assign or_1805 = (select_1749[4:3] == 2'h3) | (select_1749[5] & (select_1749[3] | select_1749[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1807;
-  assign parity_1807 = ^{or_1804, or_1800, or_1796};
+  logic parity_1808;
+  assign parity_1808 = ^{or_1805, or_1801, or_1797};
   // hls/stages/count_bits.hpp:23
-  logic or_1811;
-  assign or_1811 = (select_1735[4:3] == 2'h3) | (select_1735[5] & (select_1735[3] | select_1735[4]));
+  logic or_1812;
+  assign or_1812 = (select_1736[4:3] == 2'h3) | (select_1736[5] & (select_1736[3] | select_1736[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1815;
-  assign or_1815 = (select_1748[10:9] == 2'h3) | (select_1748[11] & (select_1748[9] | select_1748[10]));
-  logic or_1819;
-  assign or_1819 = (select_1735[1:0] == 2'h3) | (select_1735[2] & (select_1735[0] | select_1735[1]));
+  logic or_1816;
+  assign or_1816 = (select_1749[10:9] == 2'h3) | (select_1749[11] & (select_1749[9] | select_1749[10]));
+  logic or_1820;
+  assign or_1820 = (select_1736[1:0] == 2'h3) | (select_1736[2] & (select_1736[0] | select_1736[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1822;
-  assign parity_1822 = ^{or_1819, or_1815, or_1811};
-  logic parity_1825;
-  assign parity_1825 = ^{or_1819, or_1815, or_1811, or_1804, or_1800, or_1796, or_1788, or_1784, or_1780};
+  logic parity_1823;
+  assign parity_1823 = ^{or_1820, or_1816, or_1812};
+  logic parity_1826;
+  assign parity_1826 = ^{or_1820, or_1816, or_1812, or_1805, or_1801, or_1797, or_1789, or_1785, or_1781};
   // hls/stages/count_bits.hpp:25
-  logic and_1826;
-  assign and_1826 = parity_1728 & parity_1775;
-  logic or_1830;
-  assign or_1830 = (parity_1722 & parity_1725) | ((^select_1716[11:9]) & (parity_1722 | parity_1725));
-  logic and_1833;
-  assign and_1833 = (^{select_1735[11:6], select_1716[2:0]}) & (parity_1760 | parity_1772);
-  logic or_1834;
-  assign or_1834 = (parity_1760 & parity_1772) | and_1833;
+  logic and_1827;
+  assign and_1827 = parity_1729 & parity_1776;
+  logic or_1831;
+  assign or_1831 = (parity_1723 & parity_1726) | ((^select_1717[11:9]) & (parity_1723 | parity_1726));
+  logic and_1834;
+  assign and_1834 = (^{select_1736[11:6], select_1717[2:0]}) & (parity_1761 | parity_1773);
+  logic or_1835;
+  assign or_1835 = (parity_1761 & parity_1773) | and_1834;
   // hls/stages/count_bits.hpp:23
-  logic or_1841;
-  assign or_1841 = (select_1716[10:9] == 2'h3) | (select_1716[11] & (select_1716[9] | select_1716[10]));
+  logic or_1842;
+  assign or_1842 = (select_1717[10:9] == 2'h3) | (select_1717[11] & (select_1717[9] | select_1717[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1845;
-  assign or_1845 = (select_1716[4:3] == 2'h3) | (select_1716[5] & (select_1716[3] | select_1716[4]));
-  logic or_1849;
-  assign or_1849 = (select_1716[7:6] == 2'h3) | (select_1716[8] & (select_1716[6] | select_1716[7]));
+  logic or_1846;
+  assign or_1846 = (select_1717[4:3] == 2'h3) | (select_1717[5] & (select_1717[3] | select_1717[4]));
+  logic or_1850;
+  assign or_1850 = (select_1717[7:6] == 2'h3) | (select_1717[8] & (select_1717[6] | select_1717[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1852;
-  assign parity_1852 = ^{or_1849, or_1845, or_1841};
+  logic parity_1853;
+  assign parity_1853 = ^{or_1850, or_1846, or_1842};
   // hls/stages/count_bits.hpp:25
-  logic or_1856;
-  assign or_1856 = (parity_1738 & parity_1741) | ((^select_1716[2:0]) & (parity_1738 | parity_1741));
-  logic or_1860;
-  assign or_1860 = (parity_1754 & parity_1757) | ((^select_1748[8:6]) & (parity_1754 | parity_1757));
-  logic or_1864;
-  assign or_1864 = (parity_1766 & parity_1769) | ((^select_1735[5:3]) & (parity_1766 | parity_1769));
+  logic or_1857;
+  assign or_1857 = (parity_1739 & parity_1742) | ((^select_1717[2:0]) & (parity_1739 | parity_1742));
+  logic or_1861;
+  assign or_1861 = (parity_1755 & parity_1758) | ((^select_1749[8:6]) & (parity_1755 | parity_1758));
+  logic or_1865;
+  assign or_1865 = (parity_1767 & parity_1770) | ((^select_1736[5:3]) & (parity_1767 | parity_1770));
   // hls/stages/count_bits.hpp:24
-  logic parity_1867;
-  assign parity_1867 = ^{or_1864, or_1860, or_1856};
-  logic parity_1870;
-  assign parity_1870 = ^{or_1864, or_1860, or_1856, or_1849, or_1845, or_1841, or_1834, or_1830, and_1826};
-  logic xor_1871;
-  assign xor_1871 = parity_1825 ^ parity_1870;
+  logic parity_1868;
+  assign parity_1868 = ^{or_1865, or_1861, or_1857};
+  logic parity_1871;
+  assign parity_1871 = ^{or_1865, or_1861, or_1857, or_1850, or_1846, or_1842, or_1835, or_1831, and_1827};
+  logic xor_1872;
+  assign xor_1872 = parity_1826 ^ parity_1871;
   // hls/stages/count_bits.hpp:25
-  logic and_1872;
-  assign and_1872 = parity_1825 & parity_1870;
-  logic or_1876;
-  assign or_1876 = (parity_1807 & parity_1822) | ((^{or_1788, or_1784, or_1780}) & (parity_1807 | parity_1822));
-  logic or_1880;
-  assign or_1880 = (parity_1852 & parity_1867) | ((^{or_1834, or_1830, and_1826}) & (parity_1852 | parity_1867));
-  logic or_1887;
-  assign or_1887 = (or_1784 & or_1788) | (or_1780 & (or_1784 | or_1788));
-  logic or_1891;
-  assign or_1891 = (or_1800 & or_1804) | (or_1796 & (or_1800 | or_1804));
-  logic or_1895;
-  assign or_1895 = (or_1815 & or_1819) | (or_1811 & (or_1815 | or_1819));
+  logic and_1873;
+  assign and_1873 = parity_1826 & parity_1871;
+  logic or_1877;
+  assign or_1877 = (parity_1808 & parity_1823) | ((^{or_1789, or_1785, or_1781}) & (parity_1808 | parity_1823));
+  logic or_1881;
+  assign or_1881 = (parity_1853 & parity_1868) | ((^{or_1835, or_1831, and_1827}) & (parity_1853 | parity_1868));
+  logic or_1888;
+  assign or_1888 = (or_1785 & or_1789) | (or_1781 & (or_1785 | or_1789));
+  logic or_1892;
+  assign or_1892 = (or_1801 & or_1805) | (or_1797 & (or_1801 | or_1805));
+  logic or_1896;
+  assign or_1896 = (or_1816 & or_1820) | (or_1812 & (or_1816 | or_1820));
   // hls/stages/count_bits.hpp:24
-  logic parity_1898;
-  assign parity_1898 = ^{or_1895, or_1891, or_1887};
+  logic parity_1899;
+  assign parity_1899 = ^{or_1896, or_1892, or_1888};
   // hls/stages/count_bits.hpp:25
-  logic or_1902;
-  assign or_1902 = (or_1830 & or_1834) | (and_1826 & (or_1830 | or_1834));
-  logic or_1906;
-  assign or_1906 = (or_1845 & or_1849) | (or_1841 & (or_1845 | or_1849));
-  logic or_1910;
-  assign or_1910 = (or_1860 & or_1864) | (or_1856 & (or_1860 | or_1864));
+  logic or_1903;
+  assign or_1903 = (or_1831 & or_1835) | (and_1827 & (or_1831 | or_1835));
+  logic or_1907;
+  assign or_1907 = (or_1846 & or_1850) | (or_1842 & (or_1846 | or_1850));
+  logic or_1911;
+  assign or_1911 = (or_1861 & or_1865) | (or_1857 & (or_1861 | or_1865));
   // hls/stages/count_bits.hpp:24
-  logic parity_1913;
-  assign parity_1913 = ^{or_1910, or_1906, or_1902};
-  logic parity_1916;
-  assign parity_1916 = ^{or_1910, or_1906, or_1902, or_1895, or_1891, or_1887, or_1880, or_1876, and_1872};
+  logic parity_1914;
+  assign parity_1914 = ^{or_1911, or_1907, or_1903};
+  logic parity_1917;
+  assign parity_1917 = ^{or_1911, or_1907, or_1903, or_1896, or_1892, or_1888, or_1881, or_1877, and_1873};
   // hls/stages/count_bits.hpp:25
-  logic or_1920;
-  assign or_1920 = (parity_1898 & parity_1913) | ((^{or_1880, or_1876, and_1872}) & (parity_1898 | parity_1913));
-  logic or_1924;
-  assign or_1924 = (or_1876 & or_1880) | (and_1872 & (or_1876 | or_1880));
-  logic or_1928;
-  assign or_1928 = (or_1891 & or_1895) | (or_1887 & (or_1891 | or_1895));
-  logic or_1932;
-  assign or_1932 = (or_1906 & or_1910) | (or_1902 & (or_1906 | or_1910));
+  logic or_1921;
+  assign or_1921 = (parity_1899 & parity_1914) | ((^{or_1881, or_1877, and_1873}) & (parity_1899 | parity_1914));
+  logic or_1925;
+  assign or_1925 = (or_1877 & or_1881) | (and_1873 & (or_1877 | or_1881));
+  logic or_1929;
+  assign or_1929 = (or_1892 & or_1896) | (or_1888 & (or_1892 | or_1896));
+  logic or_1933;
+  assign or_1933 = (or_1907 & or_1911) | (or_1903 & (or_1907 | or_1911));
   // hls/stages/count_bits.hpp:24
-  logic parity_1937;
-  assign parity_1937 = ^{or_1932, or_1928, or_1924, or_1920};
+  logic parity_1938;
+  assign parity_1938 = ^{or_1933, or_1929, or_1925, or_1921};
   // hls/stages/count_bits.hpp:25
-  logic or_1941;
-  assign or_1941 = (or_1928 & or_1932) | (or_1924 & (or_1928 | or_1932));
-  logic and_1942;
-  assign and_1942 = or_1920 & (^{or_1932, or_1928, or_1924});
+  logic or_1942;
+  assign or_1942 = (or_1929 & or_1933) | (or_1925 & (or_1929 | or_1933));
+  logic and_1943;
+  assign and_1943 = or_1921 & (^{or_1933, or_1929, or_1925});
   // hls/stages/count_bits.hpp:24
-  logic xor_1943;
-  assign xor_1943 = or_1941 ^ and_1942;
+  logic xor_1944;
+  assign xor_1944 = or_1942 ^ and_1943;
   // hls/stages/count_bits.hpp:27
-  logic and_1944;
-  assign and_1944 = or_1941 & and_1942;
+  logic and_1945;
+  assign and_1945 = or_1942 & and_1943;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1945;
-  assign select_1945 = equal_568_s1_q ? {and_1944, xor_1943, parity_1937, parity_1916, xor_1871, xor_1776} : 6'h0;
+  logic [5:0] select_1946;
+  assign select_1946 = equal_569_s1_q ? {and_1945, xor_1944, parity_1938, parity_1917, xor_1872, xor_1777} : 6'h0;
   logic [5:0] column_6;
-  assign column_6 = or_554_s1_q ? 6'h0 : select_1945;
-  // hls/stages/agreement.hpp:778
-  logic [5:0] select_1947;
-  assign select_1947 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1948;
-  assign difference_1948 = {1'b0, column_6} - {1'b0, select_1947};
-  logic [7:0] sum_1950;
-  assign sum_1950 = {difference_1948[6], difference_1948} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:788
-  logic and_2021;
-  assign and_2021 = ends_cell_s1_q & inside_v;
-  logic and_2023;
-  assign and_2023 = not_550 & (so_s1_q & and_2021);
-  logic [6:0] select_2027;
-  assign select_2027 = so_s1_q ? x_s1_q[6:0] : (or_554_s1_q ? (less_557_s1_q ? 7'h0 : select_601) : 7'h0);
+  assign column_6 = or_555_s1_q ? 6'h0 : select_1946;
+  // hls/stages/agreement.hpp:779
+  logic [5:0] select_1948;
+  assign select_1948 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1949;
+  assign difference_1949 = {1'b0, column_6} - {1'b0, select_1948};
+  logic [7:0] sum_1951;
+  assign sum_1951 = {difference_1949[6], difference_1949} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:789
+  logic and_2022;
+  assign and_2022 = ends_cell_s1_q & inside_v;
+  logic and_2024;
+  assign and_2024 = not_551 & (so_s1_q & and_2022);
+  logic [6:0] select_2028;
+  assign select_2028 = so_s1_q ? x_s1_q[6:0] : (or_555_s1_q ? (less_558_s1_q ? 7'h0 : select_602) : 7'h0);
   // hls/stages/agreement.hpp:247
-  logic or_2031;
-  assign or_2031 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  logic or_2032;
+  assign or_2032 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
   // hls/stages/agreement.hpp:149
-  logic and_2040;
-  assign and_2040 = or_554_s1_q & (slot_s1_q[2] & not_558_s1_q);
+  logic and_2041;
+  assign and_2041 = or_555_s1_q & (slot_s1_q[2] & not_559_s1_q);
   // hls/stages/registration.hpp:218
-  logic [16:0] select_2156;
-  assign select_2156 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_2157;
+  assign select_2157 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
-  assign change = ($signed(10'h0) < $signed(select_2156[16:7])) ? 8'h7f : select_2156[7:0];
+  assign change = ($signed(10'h0) < $signed(select_2157[16:7])) ? 8'h7f : select_2157[7:0];
   // hls/stages/patches.hpp:172
   logic [7:0] pixel;
-  assign pixel = equal_2230_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
+  assign pixel = equal_2234_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
-  assign pixel_2 = equal_2230_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
-  // hls/stages/patches.hpp:495
-  logic less_2318;
-  assign less_2318 = 5'he < patches_along_q;
+  assign pixel_2 = equal_2234_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
   // hls/stages/patches.hpp:496
-  logic or_2319;
-  assign or_2319 = equal_2229_s1_q | less_2318;
-  // hls/stages/patches.hpp:499
+  logic less_2322;
+  assign less_2322 = 5'he < patches_along_q;
+  // hls/stages/patches.hpp:497
+  logic or_2323;
+  assign or_2323 = equal_2233_s1_q | less_2322;
+  // hls/stages/patches.hpp:500
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
-  logic select_2324;
-  assign select_2324 = equal_2229_s1_q ? patches_column_s1_q[0] : (or_2319 ? (patches_along_q == 5'h10) : (~new_row));
-  logic not_2325;
-  assign not_2325 = ~or_2319;
-  // hls/stages/patches.hpp:496
-  logic [4:0] sum_2326;
-  assign sum_2326 = patches_down_by_q + {1'b0, patches_match_row_q};
-  // hls/stages/patches.hpp:498
-  logic [4:0] select_2329;
-  assign select_2329 = or_2319 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_2326) + 5'h1) : sum_2326;
-  // hls/stages/patches.hpp:500
-  logic [4:0] select_2330;
-  assign select_2330 = equal_2229_s1_q ? 5'h0 : select_2329;
-  logic or_2331;
-  assign or_2331 = equal_2229_s1_q | equal_2227_s1_q;
-  // hls/stages/patches.hpp:476
-  logic equal_2333;
-  assign equal_2333 = patches_column_s1_q == 5'h1f;
+  logic select_2328;
+  assign select_2328 = equal_2233_s1_q ? patches_column_s1_q[0] : (or_2323 ? (patches_along_q == 5'h10) : (~new_row));
+  logic not_2329;
+  assign not_2329 = ~or_2323;
+  // hls/stages/patches.hpp:497
+  logic [4:0] sum_2330;
+  assign sum_2330 = patches_down_by_q + {1'b0, patches_match_row_q};
+  // hls/stages/patches.hpp:499
+  logic [4:0] select_2333;
+  assign select_2333 = or_2323 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_2330) + 5'h1) : sum_2330;
+  // hls/stages/patches.hpp:501
+  logic [4:0] select_2334;
+  assign select_2334 = equal_2233_s1_q ? 5'h0 : select_2333;
+  logic or_2335;
+  assign or_2335 = equal_2233_s1_q | equal_2231_s1_q;
+  // hls/stages/patches.hpp:477
+  logic equal_2337;
+  assign equal_2337 = patches_column_s1_q == 5'h1f;
   logic of_row;
   assign of_row = patches_column_s1_q == 5'h11;
-  logic equal_2335;
-  assign equal_2335 = patches_column_s1_q == 5'h18;
-  // hls/stages/patches.hpp:478
-  logic and_2337;
-  assign and_2337 = of_row & (~equal_2335);
+  logic equal_2339;
+  assign equal_2339 = patches_column_s1_q == 5'h18;
+  // hls/stages/patches.hpp:479
+  logic and_2341;
+  assign and_2341 = of_row & (~equal_2339);
   logic [1:0] of_row_2;
-  assign of_row_2 = equal_2333 ? 2'h3 : {equal_2335, and_2337};
-  // hls/stages/patches.hpp:464
-  logic [8:0] sum_2340;
-  assign sum_2340 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
-  logic [8:0] sum_2341;
-  assign sum_2341 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
-  logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_2340, pixel_2[0]} - {1'b0, sum_2341, patches_columns_above_rdata_q[24]};
-  // hls/stages/patches.hpp:466
-  logic [11:0] sum_2343;
-  assign sum_2343 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_2344;
-  assign sum_2344 = {{4{down_2[10]}}, down_2[10:2]} + {sum_2343[11], sum_2343};
-  logic [13:0] sum_2345;
-  assign sum_2345 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_2344, down_2[1]};
-  logic [12:0] sum_2346;
-  assign sum_2346 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2345[13:1];
-  logic [14:0] sum_2347;
-  assign sum_2347 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2346, sum_2345[0], down_2[0]};
-  // hls/stages/patches.hpp:462
-  logic [8:0] sum_2350;
-  assign sum_2350 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
-  logic [9:0] sum_2351;
-  assign sum_2351 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_2350};
-  logic [10:0] sum_2352;
-  assign sum_2352 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2351, patches_columns_above_rdata_q[25]};
-  logic [9:0] sum_2353;
-  assign sum_2353 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2352[10:1];
-  // hls/stages/patches.hpp:463
-  logic [11:0] smooth;
-  assign smooth = {sum_2353, sum_2352[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  assign of_row_2 = equal_2337 ? 2'h3 : {equal_2339, and_2341};
   // hls/stages/patches.hpp:465
-  logic [12:0] sum_2355;
-  assign sum_2355 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
-  logic [12:0] sum_2356;
-  assign sum_2356 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_2357;
-  assign difference_2357 = {1'b0, sum_2355, smooth[0]} - {1'b0, sum_2356, patches_smooth_values_3_q[0]};
-  // hls/stages/patches.hpp:477
-  logic or_2363;
-  assign or_2363 = (((patches_column_s1_q == 5'ha) | of_row) | equal_2335) | equal_2333;
-  // hls/stages/patches.hpp:472
-  logic and_2368;
-  assign and_2368 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
-  // hls/stages/patches.hpp:184
+  logic [8:0] sum_2344;
+  assign sum_2344 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
+  logic [8:0] sum_2345;
+  assign sum_2345 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
+  logic [10:0] down_2;
+  assign down_2 = {1'b0, sum_2344, pixel_2[0]} - {1'b0, sum_2345, patches_columns_above_rdata_q[24]};
+  // hls/stages/patches.hpp:467
+  logic [11:0] sum_2347;
+  assign sum_2347 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_2348;
+  assign sum_2348 = {{4{down_2[10]}}, down_2[10:2]} + {sum_2347[11], sum_2347};
+  logic [13:0] sum_2349;
+  assign sum_2349 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_2348, down_2[1]};
+  logic [12:0] sum_2350;
+  assign sum_2350 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2349[13:1];
+  logic [14:0] sum_2351;
+  assign sum_2351 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2350, sum_2349[0], down_2[0]};
+  // hls/stages/patches.hpp:463
+  logic [8:0] sum_2354;
+  assign sum_2354 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
+  logic [9:0] sum_2355;
+  assign sum_2355 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_2354};
+  logic [10:0] sum_2356;
+  assign sum_2356 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2355, patches_columns_above_rdata_q[25]};
+  logic [9:0] sum_2357;
+  assign sum_2357 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2356[10:1];
+  // hls/stages/patches.hpp:464
+  logic [11:0] smooth;
+  assign smooth = {sum_2357, sum_2356[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  // hls/stages/patches.hpp:466
+  logic [12:0] sum_2359;
+  assign sum_2359 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
+  logic [12:0] sum_2360;
+  assign sum_2360 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_2361;
+  assign difference_2361 = {1'b0, sum_2359, smooth[0]} - {1'b0, sum_2360, patches_smooth_values_3_q[0]};
+  // hls/stages/patches.hpp:478
+  logic or_2367;
+  assign or_2367 = (((patches_column_s1_q == 5'ha) | of_row) | equal_2339) | equal_2337;
+  // hls/stages/patches.hpp:473
   logic and_2372;
-  assign and_2372 = not_2228_s1_q & (or_2231_s1_q & (or_2363 & (equal_2230_s1_q & and_2368)));
+  assign and_2372 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
+  // hls/stages/patches.hpp:184
+  logic and_2376;
+  assign and_2376 = not_2232_s1_q & (or_2235_s1_q & (or_2367 & (equal_2234_s1_q & and_2372)));
   // hls/stages/patches.hpp:172
-  logic and_2382;
-  assign and_2382 = (~(equal_2230_s1_q | (~and_2368))) & (~patches_column_s1_q[4]);
-  // hls/stages/patches.hpp:184
   logic and_2386;
-  assign and_2386 = not_2228_s1_q & (or_2231_s1_q & (and_2382 & (patches_column_s1_q == 5'hf)));
-  // hls/stages/patches.hpp:541
-  logic less_2388;
-  assign less_2388 = patches_step_q[4:0] < 5'h11;
-  logic equal_2389;
-  assign equal_2389 = patches_step_q[6:5] == 2'h0;
-  logic not_2390;
-  assign not_2390 = ~equal_2389;
-  logic equal_2391;
-  assign equal_2391 = patches_step_q[6:5] == 2'h3;
-  logic not_2392;
-  assign not_2392 = ~equal_2391;
-  // hls/stages/patches.hpp:555
-  logic select_2395;
-  assign select_2395 = equal_2391 ? (less_2388 & (less_2388 & not_2392)) : less_2388;
+  assign and_2386 = (~(equal_2234_s1_q | (~and_2372))) & (~patches_column_s1_q[4]);
   // hls/stages/patches.hpp:184
-  logic and_2398;
-  assign and_2398 = equal_2225_s1_q & (less_2388 ? (not_2390 & select_2395) : select_2395);
+  logic and_2390;
+  assign and_2390 = not_2232_s1_q & (or_2235_s1_q & (and_2386 & (patches_column_s1_q == 5'hf)));
+  // hls/stages/patches.hpp:542
+  logic less_2392;
+  assign less_2392 = patches_step_q[4:0] < 5'h11;
+  logic equal_2393;
+  assign equal_2393 = patches_step_q[6:5] == 2'h0;
+  logic not_2394;
+  assign not_2394 = ~equal_2393;
+  logic equal_2395;
+  assign equal_2395 = patches_step_q[6:5] == 2'h3;
+  logic not_2396;
+  assign not_2396 = ~equal_2395;
+  // hls/stages/patches.hpp:556
+  logic select_2399;
+  assign select_2399 = equal_2395 ? (less_2392 & (less_2392 & not_2396)) : less_2392;
+  // hls/stages/patches.hpp:184
+  logic and_2402;
+  assign and_2402 = equal_2229_s1_q & (less_2392 ? (not_2394 & select_2399) : select_2399);
   // hls/stages/division.hpp:34
-  logic [5:0] sum_2420;
-  assign sum_2420 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:456
-  logic [5:0] or_2703;
-  assign or_2703 = column_s1_q[5:0] | row_s1_q;
-  // hls/stages/agreement.hpp:788
-  logic [13:0] select_2716;
-  assign select_2716 = equal_553_s1_q ? (inside_v ? select_560 : moments_place_q) : moments_place_q;
-  logic [13:0] select_2718;
-  assign select_2718 = equal_549_s1_q ? moments_place_q : (so_s1_q ? moments_place_q : select_2716);
-  // hls/stages/agreement.hpp:460
-  logic select_2982;
-  assign select_2982 = equal_2888_s1_q ? (~({row_s1_q, 1'b0} < {sum_2979, cfg_height_i[3]})) : lower_half_q;
-  // hls/stages/agreement.hpp:520
-  logic and_3226;
-  assign and_3226 = and_525_s1_q & (equal_2888_s1_q & (row_s1_q[5:2] == 4'h0));
+  logic [5:0] sum_2424;
+  assign sum_2424 = region_across_rest_q[8:3] + 6'h1;
+  // hls/stages/agreement.hpp:457
+  logic [5:0] or_2707;
+  assign or_2707 = column_s1_q[5:0] | row_s1_q;
+  // hls/stages/agreement.hpp:789
+  logic [13:0] select_2720;
+  assign select_2720 = equal_554_s1_q ? (inside_v ? select_561 : moments_place_q) : moments_place_q;
+  logic [13:0] select_2722;
+  assign select_2722 = equal_550_s1_q ? moments_place_q : (so_s1_q ? moments_place_q : select_2720);
+  // hls/stages/agreement.hpp:461
+  logic select_2987;
+  assign select_2987 = equal_2893_s1_q ? (~({row_s1_q, 1'b0} < {sum_2984, cfg_height_i[3]})) : lower_half_q;
+  // hls/stages/agreement.hpp:521
+  logic and_3231;
+  assign and_3231 = and_526_s1_q & (equal_2893_s1_q & (row_s1_q[5:2] == 4'h0));
   // hls/stages/registration.hpp:128
-  logic and_3227;
-  assign and_3227 = and_2889_s1_q & and_3226;
+  logic and_3232;
+  assign and_3232 = and_2894_s1_q & and_3231;
   // hls/stages/registration.hpp:127
-  logic and_3229;
-  assign and_3229 = and_2889_s1_q & (~and_3226);
+  logic and_3234;
+  assign and_3234 = and_2894_s1_q & (~and_3231);
   // hls/stages/registration.hpp:129
-  logic [15:0] select_3230;
-  assign select_3230 = and_3229 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_3235;
+  assign select_3235 = and_3234 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_3232;
-  assign select_3232 = and_3227 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3230[15]}}, select_3230});
+  logic [23:0] select_3237;
+  assign select_3237 = and_3232 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3235[15]}}, select_3235});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_3233;
-  assign select_3233 = and_3229 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_3238;
+  assign select_3238 = and_3234 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_3233[15]}}, select_3233};
+  assign both = registration_slope_change_q + {{12{select_3238[15]}}, select_3238};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_3235;
-  assign select_3235 = and_3227 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_3240;
+  assign select_3240 = and_3232 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:149
-  logic and_3236;
-  assign and_3236 = ends_cell_s1_q & so_s1_q;
+  logic and_3241;
+  assign and_3241 = ends_cell_s1_q & so_s1_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_8;
-  assign column_8 = registration_slope_q + (and_3236 ? registration_slope_change_q : 28'h0);
+  assign column_8 = registration_slope_q + (and_3241 ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:187
-  logic select_3482;
-  assign select_3482 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3487;
+  assign select_3487 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/patches.hpp:184
-  logic [11:0] select_3485;
-  assign select_3485 = equal_2227_s1_q ? patches_smooth_values_0_q : (or_2231_s1_q ? smooth : patches_smooth_values_0_q);
-  logic [11:0] select_3487;
-  assign select_3487 = or_2231_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
-  logic [11:0] select_3489;
-  assign select_3489 = equal_2225_s1_q ? patches_smooth_values_1_q : (equal_2227_s1_q ? patches_smooth_values_1_q : select_3487);
   logic [11:0] select_3490;
-  assign select_3490 = or_2231_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  assign select_3490 = equal_2231_s1_q ? patches_smooth_values_0_q : (or_2235_s1_q ? smooth : patches_smooth_values_0_q);
   logic [11:0] select_3492;
-  assign select_3492 = equal_2225_s1_q ? patches_smooth_values_2_q : (equal_2227_s1_q ? patches_smooth_values_2_q : select_3490);
-  logic [11:0] select_3493;
-  assign select_3493 = or_2231_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  assign select_3492 = or_2235_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3494;
+  assign select_3494 = equal_2229_s1_q ? patches_smooth_values_1_q : (equal_2231_s1_q ? patches_smooth_values_1_q : select_3492);
   logic [11:0] select_3495;
-  assign select_3495 = equal_2225_s1_q ? patches_smooth_values_3_q : (equal_2227_s1_q ? patches_smooth_values_3_q : select_3493);
-  logic [10:0] select_3497;
-  assign select_3497 = equal_2227_s1_q ? patches_down_values_0_q : (or_2231_s1_q ? down_2 : patches_down_values_0_q);
-  logic [10:0] select_3500;
-  assign select_3500 = equal_2227_s1_q ? patches_down_values_1_q : (or_2231_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
-  logic [10:0] select_3503;
-  assign select_3503 = equal_2227_s1_q ? patches_down_values_2_q : (or_2231_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
-  logic [10:0] select_3506;
-  assign select_3506 = equal_2227_s1_q ? patches_down_values_3_q : (or_2231_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
+  assign select_3495 = or_2235_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3497;
+  assign select_3497 = equal_2229_s1_q ? patches_smooth_values_2_q : (equal_2231_s1_q ? patches_smooth_values_2_q : select_3495);
+  logic [11:0] select_3498;
+  assign select_3498 = or_2235_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3500;
+  assign select_3500 = equal_2229_s1_q ? patches_smooth_values_3_q : (equal_2231_s1_q ? patches_smooth_values_3_q : select_3498);
+  logic [10:0] select_3502;
+  assign select_3502 = equal_2231_s1_q ? patches_down_values_0_q : (or_2235_s1_q ? down_2 : patches_down_values_0_q);
+  logic [10:0] select_3505;
+  assign select_3505 = equal_2231_s1_q ? patches_down_values_1_q : (or_2235_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
+  logic [10:0] select_3508;
+  assign select_3508 = equal_2231_s1_q ? patches_down_values_2_q : (or_2235_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
+  logic [10:0] select_3511;
+  assign select_3511 = equal_2231_s1_q ? patches_down_values_3_q : (or_2235_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
   // hls/stages/patches.hpp:175
-  logic and_3543;
-  assign and_3543 = patches_along_ends_q & patches_match_row_ends_q;
-  // hls/stages/patches.hpp:412
-  logic [4:0] select_3548;
-  assign select_3548 = or_3443_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
-  // hls/stages/patches.hpp:414
-  logic [3:0] select_3550;
-  assign select_3550 = and_3543 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  logic and_3548;
+  assign and_3548 = patches_along_ends_q & patches_match_row_ends_q;
+  // hls/stages/patches.hpp:413
+  logic [4:0] select_3553;
+  assign select_3553 = or_3448_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  // hls/stages/patches.hpp:415
+  logic [3:0] select_3555;
+  assign select_3555 = and_3548 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/patches.hpp:184
-  logic [4:0] select_3906;
-  assign select_3906 = equal_2225_s1_q ? patches_summed_down_by_q : (equal_2227_s1_q ? patches_down_by_q : patches_summed_down_by_q);
-  // hls/stages/patches.hpp:551
-  logic and_3939;
-  assign and_3939 = less_2388 & (patches_step_q[6:5] == 2'h1);
-  // hls/stages/patches.hpp:555
-  logic select_3942;
-  assign select_3942 = equal_2391 ? (less_2388 ? (not_2392 & and_3939) : and_3939) : and_3939;
+  logic [4:0] select_3911;
+  assign select_3911 = equal_2229_s1_q ? patches_summed_down_by_q : (equal_2231_s1_q ? patches_down_by_q : patches_summed_down_by_q);
+  // hls/stages/patches.hpp:552
+  logic and_3944;
+  assign and_3944 = less_2392 & (patches_step_q[6:5] == 2'h1);
+  // hls/stages/patches.hpp:556
+  logic select_3947;
+  assign select_3947 = equal_2395 ? (less_2392 ? (not_2396 & and_3944) : and_3944) : and_3944;
   // hls/stages/patches.hpp:184
-  logic select_3945;
-  assign select_3945 = equal_2225_s1_q ? (less_2388 ? (not_2390 & select_3942) : select_3942) : patches_read_searches_q;
+  logic select_3950;
+  assign select_3950 = equal_2229_s1_q ? (less_2392 ? (not_2394 & select_3947) : select_3947) : patches_read_searches_q;
   // hls/stages/agreement.hpp:205
-  logic [8:0] select_4286;
-  assign select_4286 = so_s1_q ? (and_3236 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
-  // hls/stages/division.hpp:35
-  logic [8:0] sum_4288;
-  assign sum_4288 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
-  // hls/stages/division.hpp:36
-  logic [8:0] select_4289;
-  assign select_4289 = sum_2420[5] ? {1'b1, sum_2420[4:0], region_across_rest_q[2:0]} : sum_4288;
-  // hls/stages/agreement.hpp:460
   logic [8:0] select_4291;
-  assign select_4291 = equal_2888_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_4294;
-  assign select_4294 = equal_2888_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  assign select_4291 = so_s1_q ? (and_3241 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_4293;
+  assign sum_4293 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_4294;
+  assign select_4294 = sum_2424[5] ? {1'b1, sum_2424[4:0], region_across_rest_q[2:0]} : sum_4293;
+  // hls/stages/agreement.hpp:461
+  logic [8:0] select_4296;
+  assign select_4296 = equal_2893_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_4299;
+  assign select_4299 = equal_2893_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
 
   // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:227; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -2222,9 +2222,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 320; i++) averager_memory_mem[i] = 27'h0;
 `endif
   logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_495_s1_q;
+  assign averager_memory_raddr = select_496_s1_q;
   logic averager_memory_re;
-  assign averager_memory_re = s1_en & and_500;
+  assign averager_memory_re = s1_en & and_501;
   logic [26:0] averager_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (averager_memory_re) averager_memory_word_q <= averager_memory_mem[averager_memory_raddr];
@@ -2245,7 +2245,7 @@ module horopter_agreement (
   logic [6:0] census_memory_raddr;
   assign census_memory_raddr = column_s1_q;
   logic census_memory_re;
-  assign census_memory_re = s1_en & and_525_s1_q;
+  assign census_memory_re = s1_en & and_526_s1_q;
   logic [78:0] census_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (census_memory_re) census_memory_word_q <= census_memory_mem[census_memory_raddr];
@@ -2256,7 +2256,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) census_memory_read_q <= rst_ni & census_memory_re;
   assign census_memory_error = census_memory_read_q & ^census_memory_word_q;
 
-  // Memory moments_memory, 4800 x 4 and parity, DISTANCE 16, hls/stages/moments.hpp:95; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory moments_memory, 4800 x 4 and parity, DISTANCE 16, hls/stages/moments.hpp:106; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [4:0] moments_memory_mem [0:4799];
@@ -2264,9 +2264,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 4800; i++) moments_memory_mem[i] = 5'h0;
 `endif
   logic [12:0] moments_memory_raddr;
-  assign moments_memory_raddr = select_548;
+  assign moments_memory_raddr = select_549;
   logic moments_memory_re;
-  assign moments_memory_re = s1_en & and_566;
+  assign moments_memory_re = s1_en & and_567;
   logic [4:0] moments_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (moments_memory_re) moments_memory_word_q <= moments_memory_mem[moments_memory_raddr];
@@ -2277,7 +2277,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) moments_memory_read_q <= rst_ni & moments_memory_re;
   assign moments_memory_error = moments_memory_read_q & ^moments_memory_word_q;
 
-  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1375; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1377; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] best_right_mem [0:79];
@@ -2285,9 +2285,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_right_mem[i] = 30'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_554_s1_q ? select_601 : right_s1_q;
+  assign best_right_raddr = or_555_s1_q ? select_602 : right_s1_q;
   logic best_right_re;
-  assign best_right_re = s1_en & select_592_s1_q;
+  assign best_right_re = s1_en & select_593_s1_q;
   logic [29:0] best_right_word_q;
   always_ff @(posedge clk_i) begin
     if (best_right_re) best_right_word_q <= best_right_mem[best_right_raddr];
@@ -2298,7 +2298,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) best_right_read_q <= rst_ni & best_right_re;
   assign best_right_error = best_right_read_q & ^best_right_word_q;
 
-  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1376; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1378; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] shown_right_mem [0:79];
@@ -2308,7 +2308,7 @@ module horopter_agreement (
   logic [6:0] shown_right_raddr;
   assign shown_right_raddr = x_s1_q[6:0];
   logic shown_right_re;
-  assign shown_right_re = s1_en & and_2023;
+  assign shown_right_re = s1_en & and_2024;
   logic [2:0] shown_right_word_q;
   always_ff @(posedge clk_i) begin
     if (shown_right_re) shown_right_word_q <= shown_right_mem[shown_right_raddr];
@@ -2319,7 +2319,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) shown_right_read_q <= rst_ni & shown_right_re;
   assign shown_right_error = shown_right_read_q & ^shown_right_word_q;
 
-  // Memory left_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1377; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory left_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1379; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] left_turns_mem [0:79];
@@ -2329,7 +2329,7 @@ module horopter_agreement (
   logic [6:0] left_turns_raddr;
   assign left_turns_raddr = x_s1_q[6:0];
   logic left_turns_re;
-  assign left_turns_re = s1_en & and_2040;
+  assign left_turns_re = s1_en & and_2041;
   logic [2:0] left_turns_word_q;
   always_ff @(posedge clk_i) begin
     if (left_turns_re) left_turns_word_q <= left_turns_mem[left_turns_raddr];
@@ -2340,7 +2340,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) left_turns_read_q <= rst_ni & left_turns_re;
   assign left_turns_error = left_turns_read_q & ^left_turns_word_q;
 
-  // Memory right_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1377; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory right_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1379; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] right_turns_mem [0:79];
@@ -2348,9 +2348,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) right_turns_mem[i] = 3'h0;
 `endif
   logic [6:0] right_turns_raddr;
-  assign right_turns_raddr = select_601;
+  assign right_turns_raddr = select_602;
   logic right_turns_re;
-  assign right_turns_re = s1_en & and_2040;
+  assign right_turns_re = s1_en & and_2041;
   logic [2:0] right_turns_word_q;
   always_ff @(posedge clk_i) begin
     if (right_turns_re) right_turns_word_q <= right_turns_mem[right_turns_raddr];
@@ -2361,7 +2361,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) right_turns_read_q <= rst_ni & right_turns_re;
   assign right_turns_error = right_turns_read_q & ^right_turns_word_q;
 
-  // Memory patches_right_codes, 112 x 28 and parity, DISTANCE 12, hls/stages/patches.hpp:791; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory patches_right_codes, 112 x 28 and parity, DISTANCE 12, hls/stages/patches.hpp:792; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] patches_right_codes_mem [0:111];
@@ -2369,9 +2369,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 29'h0;
 `endif
   logic [6:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = {select_2330, not_2325, select_2324};
+  assign patches_right_codes_raddr = {select_2334, not_2329, select_2328};
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s1_en & or_2331;
+  assign patches_right_codes_re = s1_en & or_2335;
   logic [28:0] patches_right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_right_codes_re) patches_right_codes_word_q <= patches_right_codes_mem[patches_right_codes_raddr];
@@ -2382,7 +2382,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_right_codes_read_q <= rst_ni & patches_right_codes_re;
   assign patches_right_codes_error = patches_right_codes_read_q & ^patches_right_codes_word_q;
 
-  // Memory patches_left_codes, 12 x 48 and parity, DISTANCE 12, hls/stages/patches.hpp:792; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory patches_left_codes, 12 x 48 and parity, DISTANCE 12, hls/stages/patches.hpp:793; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2393,7 +2393,7 @@ module horopter_agreement (
   logic [3:0] patches_left_codes_raddr;
   assign patches_left_codes_raddr = patches_match_row_q;
   logic patches_left_codes_re;
-  assign patches_left_codes_re = s1_en & (not_2226_s1_q & (new_row & equal_2227_s1_q));
+  assign patches_left_codes_re = s1_en & (not_2230_s1_q & (new_row & equal_2231_s1_q));
   logic [48:0] patches_left_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_left_codes_re) patches_left_codes_word_q <= patches_left_codes_mem[patches_left_codes_raddr];
@@ -2404,7 +2404,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_left_codes_read_q <= rst_ni & patches_left_codes_re;
   assign patches_left_codes_error = patches_left_codes_read_q & ^patches_left_codes_word_q;
 
-  // Memory patches_rows, 17 x 15 and parity, DISTANCE 12, hls/stages/patches.hpp:806; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
+  // Memory patches_rows, 17 x 15 and parity, DISTANCE 12, hls/stages/patches.hpp:807; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2415,7 +2415,7 @@ module horopter_agreement (
   logic [4:0] patches_rows_raddr;
   assign patches_rows_raddr = patches_step_q[4:0];
   logic patches_rows_re;
-  assign patches_rows_re = s1_en & and_2398;
+  assign patches_rows_re = s1_en & and_2402;
   logic [15:0] patches_rows_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_rows_re) patches_rows_word_q <= patches_rows_mem[patches_rows_raddr];
@@ -2426,7 +2426,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_rows_read_q <= rst_ni & patches_rows_re;
   assign patches_rows_error = patches_rows_read_q & ^patches_rows_word_q;
 
-  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1404; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1406; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [18:0] seen_columns_mem [0:79];
@@ -2436,7 +2436,7 @@ module horopter_agreement (
   logic [6:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s1_q[6:0];
   logic seen_columns_re;
-  assign seen_columns_re = s1_en & and_2023;
+  assign seen_columns_re = s1_en & and_2024;
   logic [18:0] seen_columns_word_q;
   always_ff @(posedge clk_i) begin
     if (seen_columns_re) seen_columns_word_q <= seen_columns_mem[seen_columns_raddr];
@@ -2451,9 +2451,9 @@ module horopter_agreement (
   logic [6:0] left_waddr;
   assign left_waddr = x_s1_q[6:0];
   logic left_we;
-  assign left_we = s1_en & and_625_s1_q;
+  assign left_we = s1_en & and_626_s1_q;
   logic [84:0] left_wdata;
-  assign left_wdata = {and_726, left_rdata_q[65:49], and_725, left_rdata_q[47:31], and_724, left_rdata_q[29:13], and_723, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+  assign left_wdata = {and_727, left_rdata_q[65:49], and_726, left_rdata_q[47:31], and_725, left_rdata_q[29:13], and_724, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (left_we) left_mem[left_waddr] <= {^left_wdata, left_wdata};
   end
@@ -2473,9 +2473,9 @@ module horopter_agreement (
   logic [6:0] right_codes_waddr;
   assign right_codes_waddr = x_s1_q[6:0];
   logic right_codes_we;
-  assign right_codes_we = s1_en & and_625_s1_q;
+  assign right_codes_we = s1_en & and_626_s1_q;
   logic [98:0] right_codes_wdata;
-  assign right_codes_wdata = {and_732, right_codes_rdata_q[84:73], and_731, right_codes_rdata_q[71:60], and_730, right_codes_rdata_q[56:43], and_729, right_codes_rdata_q[41:28], and_728, right_codes_rdata_q[26:13], and_727, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
+  assign right_codes_wdata = {and_733, right_codes_rdata_q[84:73], and_732, right_codes_rdata_q[71:60], and_731, right_codes_rdata_q[56:43], and_730, right_codes_rdata_q[41:28], and_729, right_codes_rdata_q[26:13], and_728, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (right_codes_we) right_codes_mem[right_codes_waddr] <= {^right_codes_wdata, right_codes_wdata};
   end
@@ -2495,7 +2495,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_waddr;
   assign patches_columns_above_waddr = patches_column_s1_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s1_en & and_2312_s1_q;
+  assign patches_columns_above_we = s1_en & and_2316_s1_q;
   logic [31:0] patches_columns_above_wdata;
   assign patches_columns_above_wdata = {patches_columns_above_rdata_q[23:0], pixel_2};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -2542,34 +2542,34 @@ module horopter_agreement (
       columns_begin_rest_q <= 9'h0;
       columns_begin_back_q <= 8'h0;
     end else if (s1_en) begin
-      moments_place_q <= select_2718;
-      row_q <= and_525_s1_q ? (equal_2888_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_525_s1_q ? select_2982 : lower_half_q;
-      registration_slope_row_q <= select_3232;
-      registration_slope_change_q <= select_3235;
+      moments_place_q <= select_2722;
+      row_q <= and_526_s1_q ? (equal_2893_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_526_s1_q ? select_2987 : lower_half_q;
+      registration_slope_row_q <= select_3237;
+      registration_slope_change_q <= select_3240;
       registration_slope_q <= so_s1_q ? column_8 : {registration_slope_row_q, 4'h0};
-      patches_along_ends_q <= not_3467_s1_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3467_s1_q & select_3482;
-      patches_smooth_values_0_q <= equal_2225_s1_q ? patches_smooth_values_0_q : select_3485;
-      patches_smooth_values_1_q <= select_3489;
-      patches_smooth_values_2_q <= select_3492;
-      patches_smooth_values_3_q <= select_3495;
-      patches_down_values_0_q <= equal_2225_s1_q ? patches_down_values_0_q : select_3497;
-      patches_down_values_1_q <= equal_2225_s1_q ? patches_down_values_1_q : select_3500;
-      patches_down_values_2_q <= equal_2225_s1_q ? patches_down_values_2_q : select_3503;
-      patches_down_values_3_q <= equal_2225_s1_q ? patches_down_values_3_q : select_3506;
-      patches_down_by_q <= or_3443_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3543});
-      patches_along_q <= select_3548;
-      patches_match_row_q <= or_3443_s1_q ? 4'h0 : select_3550;
-      patches_summed_last_q <= not_2226_s1_q & (equal_2227_s1_q & and_3543);
-      patches_summed_down_by_q <= select_3906;
-      patches_step_q <= or_3443_s1_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3945;
-      region_across_rest_q <= select_4286;
+      patches_along_ends_q <= not_3472_s1_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3472_s1_q & select_3487;
+      patches_smooth_values_0_q <= equal_2229_s1_q ? patches_smooth_values_0_q : select_3490;
+      patches_smooth_values_1_q <= select_3494;
+      patches_smooth_values_2_q <= select_3497;
+      patches_smooth_values_3_q <= select_3500;
+      patches_down_values_0_q <= equal_2229_s1_q ? patches_down_values_0_q : select_3502;
+      patches_down_values_1_q <= equal_2229_s1_q ? patches_down_values_1_q : select_3505;
+      patches_down_values_2_q <= equal_2229_s1_q ? patches_down_values_2_q : select_3508;
+      patches_down_values_3_q <= equal_2229_s1_q ? patches_down_values_3_q : select_3511;
+      patches_down_by_q <= or_3448_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3548});
+      patches_along_q <= select_3553;
+      patches_match_row_q <= or_3448_s1_q ? 4'h0 : select_3555;
+      patches_summed_last_q <= not_2230_s1_q & (equal_2231_s1_q & and_3548);
+      patches_summed_down_by_q <= select_3911;
+      patches_step_q <= or_3448_s1_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3950;
+      region_across_rest_q <= select_4291;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_4289;
-      columns_begin_rest_q <= and_525_s1_q ? select_4291 : columns_begin_rest_q;
-      columns_begin_back_q <= and_525_s1_q ? select_4294 : columns_begin_back_q;
+      region_across_next_q <= select_4294;
+      columns_begin_rest_q <= and_526_s1_q ? select_4296 : columns_begin_rest_q;
+      columns_begin_back_q <= and_526_s1_q ? select_4299 : columns_begin_back_q;
     end
   end
 
@@ -2627,7 +2627,7 @@ module horopter_agreement (
       middle_sum_columns_values_4_q <= middle_sum_columns_values_3_q;
       middle_sum_columns_values_5_q <= middle_sum_columns_values_4_q;
       middle_sum_columns_values_6_q <= middle_sum_columns_values_5_q;
-      middle_sum_sum_sums_values_0_q <= sum_986;
+      middle_sum_sum_sums_values_0_q <= sum_987;
       sums_0_columns_values_0_q <= column_3;
       sums_0_columns_values_1_q <= sums_0_columns_values_0_q;
       sums_0_columns_values_2_q <= sums_0_columns_values_1_q;
@@ -2635,7 +2635,7 @@ module horopter_agreement (
       sums_0_columns_values_4_q <= sums_0_columns_values_3_q;
       sums_0_columns_values_5_q <= sums_0_columns_values_4_q;
       sums_0_columns_values_6_q <= sums_0_columns_values_5_q;
-      sums_0_sum_sums_values_0_q <= sum_1226;
+      sums_0_sum_sums_values_0_q <= sum_1227;
       sums_1_columns_values_0_q <= column_4;
       sums_1_columns_values_1_q <= sums_1_columns_values_0_q;
       sums_1_columns_values_2_q <= sums_1_columns_values_1_q;
@@ -2643,7 +2643,7 @@ module horopter_agreement (
       sums_1_columns_values_4_q <= sums_1_columns_values_3_q;
       sums_1_columns_values_5_q <= sums_1_columns_values_4_q;
       sums_1_columns_values_6_q <= sums_1_columns_values_5_q;
-      sums_1_sum_sums_values_0_q <= sum_1466;
+      sums_1_sum_sums_values_0_q <= sum_1467;
       sums_2_columns_values_0_q <= column_5;
       sums_2_columns_values_1_q <= sums_2_columns_values_0_q;
       sums_2_columns_values_2_q <= sums_2_columns_values_1_q;
@@ -2651,7 +2651,7 @@ module horopter_agreement (
       sums_2_columns_values_4_q <= sums_2_columns_values_3_q;
       sums_2_columns_values_5_q <= sums_2_columns_values_4_q;
       sums_2_columns_values_6_q <= sums_2_columns_values_5_q;
-      sums_2_sum_sums_values_0_q <= sum_1710;
+      sums_2_sum_sums_values_0_q <= sum_1711;
       sums_3_columns_values_0_q <= column_6;
       sums_3_columns_values_1_q <= sums_3_columns_values_0_q;
       sums_3_columns_values_2_q <= sums_3_columns_values_1_q;
@@ -2659,7 +2659,7 @@ module horopter_agreement (
       sums_3_columns_values_4_q <= sums_3_columns_values_3_q;
       sums_3_columns_values_5_q <= sums_3_columns_values_4_q;
       sums_3_columns_values_6_q <= sums_3_columns_values_5_q;
-      sums_3_sum_sums_values_0_q <= sum_1950;
+      sums_3_sum_sums_values_0_q <= sum_1951;
     end
   end
 
@@ -2691,84 +2691,84 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s2_q;
   logic [4:0] patches_step_s2_q;
   logic patches_read_searches_s2_q;
-  logic [2:0] select_489_s2_q;
-  logic [6:0] select_491_s2_q;
-  logic [8:0] select_495_s2_q;
-  logic and_499_s2_q;
+  logic [2:0] select_490_s2_q;
+  logic [6:0] select_492_s2_q;
+  logic [8:0] select_496_s2_q;
   logic and_500_s2_q;
-  logic equal_505_s2_q;
+  logic and_501_s2_q;
+  logic equal_506_s2_q;
   logic [6:0] column_s2_q;
-  logic and_523_s2_q;
-  logic and_525_s2_q;
-  logic equal_545_s2_q;
-  logic and_546_s2_q;
-  logic [12:0] select_548_s2_q;
-  logic equal_549_s2_q;
-  logic not_550_s2_q;
+  logic and_524_s2_q;
+  logic and_526_s2_q;
+  logic equal_546_s2_q;
+  logic and_547_s2_q;
+  logic [12:0] select_549_s2_q;
+  logic equal_550_s2_q;
+  logic not_551_s2_q;
   logic so_s2_q;
-  logic not_552_s2_q;
-  logic equal_553_s2_q;
-  logic or_554_s2_q;
-  logic less_557_s2_q;
-  logic not_558_s2_q;
+  logic not_553_s2_q;
+  logic equal_554_s2_q;
+  logic or_555_s2_q;
+  logic less_558_s2_q;
+  logic not_559_s2_q;
   logic inside_v_s2_q;
-  logic less_561_s2_q;
-  logic not_562_s2_q;
-  logic and_566_s2_q;
-  logic and_575_s2_q;
-  logic and_583_s2_q;
+  logic less_562_s2_q;
+  logic not_563_s2_q;
+  logic and_567_s2_q;
+  logic and_576_s2_q;
+  logic and_584_s2_q;
   logic [6:0] x_s2_2_q;
   logic [61:0] best_left_rdata_s2_q;
   logic [6:0] right_s2_q;
-  logic and_614_s2_q;
-  logic and_619_s2_q;
-  logic and_621_s2_q;
-  logic equal_654_s2_q;
-  logic and_2010_s2_q;
-  logic equal_2011_s2_q;
-  logic and_2021_s2_q;
-  logic and_2023_s2_q;
-  logic [6:0] select_2027_s2_q;
-  logic or_2031_s2_q;
-  logic and_2124_s2_q;
-  logic and_2137_s2_q;
-  logic less_2151_s2_q;
+  logic and_615_s2_q;
+  logic and_620_s2_q;
+  logic and_622_s2_q;
+  logic equal_655_s2_q;
+  logic and_2011_s2_q;
+  logic equal_2012_s2_q;
+  logic and_2022_s2_q;
+  logic and_2024_s2_q;
+  logic [6:0] select_2028_s2_q;
+  logic or_2032_s2_q;
+  logic and_2125_s2_q;
+  logic and_2138_s2_q;
+  logic less_2152_s2_q;
   logic [7:0] change_s2_q;
-  logic equal_2225_s2_q;
-  logic equal_2227_s2_q;
-  logic equal_2230_s2_q;
-  logic or_2231_s2_q;
-  logic [4:0] select_2255_s2_q;
-  logic select_2261_s2_q;
-  logic [3:0] select_2302_s2_q;
-  logic less_2318_s2_q;
+  logic equal_2229_s2_q;
+  logic equal_2231_s2_q;
+  logic equal_2234_s2_q;
+  logic or_2235_s2_q;
+  logic [4:0] select_2259_s2_q;
+  logic select_2265_s2_q;
+  logic [3:0] select_2306_s2_q;
+  logic less_2322_s2_q;
   logic new_row_s2_q;
-  logic or_2331_s2_q;
+  logic or_2335_s2_q;
   logic [1:0] of_row_2_s2_q;
-  logic less_2348_s2_q;
-  logic less_2349_s2_q;
-  logic less_2358_s2_q;
-  logic less_2359_s2_q;
-  logic and_2373_s2_q;
-  logic and_2382_s2_q;
-  logic and_2387_s2_q;
-  logic less_2388_s2_q;
-  logic equal_2389_s2_q;
-  logic not_2390_s2_q;
-  logic equal_2391_s2_q;
-  logic not_2392_s2_q;
-  logic sum_2420_s2_q;
-  logic and_2441_s2_q;
-  logic and_2558_s2_q;
-  logic equal_2704_s2_q;
-  logic equal_2888_s2_q;
-  logic and_2995_s2_q;
-  logic equal_3080_s2_q;
-  logic less_3519_s2_q;
-  logic equal_3862_s2_q;
-  logic equal_3946_s2_q;
-  logic less_4274_s2_q;
-  logic equal_4492_s2_q;
+  logic less_2352_s2_q;
+  logic less_2353_s2_q;
+  logic less_2362_s2_q;
+  logic less_2363_s2_q;
+  logic and_2377_s2_q;
+  logic and_2386_s2_q;
+  logic and_2391_s2_q;
+  logic less_2392_s2_q;
+  logic equal_2393_s2_q;
+  logic not_2394_s2_q;
+  logic equal_2395_s2_q;
+  logic not_2396_s2_q;
+  logic sum_2424_s2_q;
+  logic and_2445_s2_q;
+  logic and_2562_s2_q;
+  logic equal_2708_s2_q;
+  logic equal_2893_s2_q;
+  logic and_3000_s2_q;
+  logic equal_3085_s2_q;
+  logic less_3524_s2_q;
+  logic equal_3867_s2_q;
+  logic equal_3951_s2_q;
+  logic less_4279_s2_q;
+  logic equal_4497_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -2799,84 +2799,84 @@ module horopter_agreement (
       patches_summed_down_by_s2_q <= patches_summed_down_by_q;
       patches_step_s2_q <= patches_step_q[4:0];
       patches_read_searches_s2_q <= patches_read_searches_q;
-      select_489_s2_q <= select_489_s1_q;
-      select_491_s2_q <= select_491_s1_q;
-      select_495_s2_q <= select_495_s1_q;
-      and_499_s2_q <= and_499_s1_q;
-      and_500_s2_q <= and_500;
-      equal_505_s2_q <= equal_505_s1_q;
+      select_490_s2_q <= select_490_s1_q;
+      select_492_s2_q <= select_492_s1_q;
+      select_496_s2_q <= select_496_s1_q;
+      and_500_s2_q <= and_500_s1_q;
+      and_501_s2_q <= and_501;
+      equal_506_s2_q <= equal_506_s1_q;
       column_s2_q <= column_s1_q;
-      and_523_s2_q <= and_523_s1_q;
-      and_525_s2_q <= and_525_s1_q;
-      equal_545_s2_q <= equal_545;
-      and_546_s2_q <= and_546;
-      select_548_s2_q <= select_548;
-      equal_549_s2_q <= equal_549_s1_q;
-      not_550_s2_q <= not_550;
+      and_524_s2_q <= and_524_s1_q;
+      and_526_s2_q <= and_526_s1_q;
+      equal_546_s2_q <= equal_546;
+      and_547_s2_q <= and_547;
+      select_549_s2_q <= select_549;
+      equal_550_s2_q <= equal_550_s1_q;
+      not_551_s2_q <= not_551;
       so_s2_q <= so_s1_q;
-      not_552_s2_q <= not_552;
-      equal_553_s2_q <= equal_553_s1_q;
-      or_554_s2_q <= or_554_s1_q;
-      less_557_s2_q <= less_557_s1_q;
-      not_558_s2_q <= not_558_s1_q;
+      not_553_s2_q <= not_553;
+      equal_554_s2_q <= equal_554_s1_q;
+      or_555_s2_q <= or_555_s1_q;
+      less_558_s2_q <= less_558_s1_q;
+      not_559_s2_q <= not_559_s1_q;
       inside_v_s2_q <= inside_v;
-      less_561_s2_q <= less_561;
-      not_562_s2_q <= not_562;
-      and_566_s2_q <= and_566;
-      and_575_s2_q <= or_554_s1_q & (left_rdata_q[70] & not_558_s1_q);
-      and_583_s2_q <= (or_554_s1_q & (left_rdata_q[68] & not_558_s1_q)) & and_582;
+      less_562_s2_q <= less_562;
+      not_563_s2_q <= not_563;
+      and_567_s2_q <= and_567;
+      and_576_s2_q <= or_555_s1_q & (left_rdata_q[70] & not_559_s1_q);
+      and_584_s2_q <= (or_555_s1_q & (left_rdata_q[68] & not_559_s1_q)) & and_583;
       x_s2_2_q <= x_s1_2_q;
       best_left_rdata_s2_q <= best_left_rdata_q;
       right_s2_q <= right_s1_q;
-      and_614_s2_q <= or_554_s1_q & (left_rdata_q[71] & not_558_s1_q);
-      and_619_s2_q <= or_554_s1_q & (right_codes_rdata_q[58] & not_558_s1_q);
-      and_621_s2_q <= or_554_s1_q & (right_codes_rdata_q[59] & not_558_s1_q);
-      equal_654_s2_q <= row_s1_q == 6'h0;
-      and_2010_s2_q <= and_2010_s1_q;
-      equal_2011_s2_q <= equal_2011_s1_q;
-      and_2021_s2_q <= and_2021;
-      and_2023_s2_q <= and_2023;
-      select_2027_s2_q <= select_2027;
-      or_2031_s2_q <= or_2031;
-      and_2124_s2_q <= and_2124_s1_q;
-      and_2137_s2_q <= and_2137_s1_q;
-      less_2151_s2_q <= 5'h4 < row_q[5:1];
+      and_615_s2_q <= or_555_s1_q & (left_rdata_q[71] & not_559_s1_q);
+      and_620_s2_q <= or_555_s1_q & (right_codes_rdata_q[58] & not_559_s1_q);
+      and_622_s2_q <= or_555_s1_q & (right_codes_rdata_q[59] & not_559_s1_q);
+      equal_655_s2_q <= row_s1_q == 6'h0;
+      and_2011_s2_q <= and_2011_s1_q;
+      equal_2012_s2_q <= equal_2012_s1_q;
+      and_2022_s2_q <= and_2022;
+      and_2024_s2_q <= and_2024;
+      select_2028_s2_q <= select_2028;
+      or_2032_s2_q <= or_2032;
+      and_2125_s2_q <= and_2125_s1_q;
+      and_2138_s2_q <= and_2138_s1_q;
+      less_2152_s2_q <= 5'h4 < row_q[5:1];
       change_s2_q <= change;
-      equal_2225_s2_q <= equal_2225_s1_q;
-      equal_2227_s2_q <= equal_2227_s1_q;
-      equal_2230_s2_q <= equal_2230_s1_q;
-      or_2231_s2_q <= or_2231_s1_q;
-      select_2255_s2_q <= select_2255_s1_q;
-      select_2261_s2_q <= select_2261_s1_q;
-      select_2302_s2_q <= select_2302_s1_q;
-      less_2318_s2_q <= less_2318;
+      equal_2229_s2_q <= equal_2229_s1_q;
+      equal_2231_s2_q <= equal_2231_s1_q;
+      equal_2234_s2_q <= equal_2234_s1_q;
+      or_2235_s2_q <= or_2235_s1_q;
+      select_2259_s2_q <= select_2259_s1_q;
+      select_2265_s2_q <= select_2265_s1_q;
+      select_2306_s2_q <= select_2306_s1_q;
+      less_2322_s2_q <= less_2322;
       new_row_s2_q <= new_row;
-      or_2331_s2_q <= or_2331;
+      or_2335_s2_q <= or_2335;
       of_row_2_s2_q <= of_row_2;
-      less_2348_s2_q <= $signed(15'h100) < $signed(sum_2347);
-      less_2349_s2_q <= $signed(sum_2347[14:8]) < $signed(7'h7f);
-      less_2358_s2_q <= $signed(15'h100) < $signed(difference_2357);
-      less_2359_s2_q <= $signed(difference_2357[14:8]) < $signed(7'h7f);
-      and_2373_s2_q <= not_2226_s1_q & and_2372;
-      and_2382_s2_q <= and_2382;
-      and_2387_s2_q <= not_2226_s1_q & and_2386;
-      less_2388_s2_q <= less_2388;
-      equal_2389_s2_q <= equal_2389;
-      not_2390_s2_q <= not_2390;
-      equal_2391_s2_q <= equal_2391;
-      not_2392_s2_q <= not_2392;
-      sum_2420_s2_q <= sum_2420[5];
-      and_2441_s2_q <= or_554_s1_q & (left_rdata_q[69] & not_558_s1_q);
-      and_2558_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
-      equal_2704_s2_q <= {column_s1_q[6], or_2703} == 7'h0;
-      equal_2888_s2_q <= equal_2888_s1_q;
-      and_2995_s2_q <= or_554_s1_q & (not_558_s1_q & and_582);
-      equal_3080_s2_q <= shift == 6'h0;
-      less_3519_s2_q <= 4'he < patches_column_s1_q[4:1];
-      equal_3862_s2_q <= patches_match_row_q == 4'h0;
-      equal_3946_s2_q <= patches_step_q[6:5] == 2'h2;
-      less_4274_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_4492_s2_q <= row_s1_q[5:3] == 3'h0;
+      less_2352_s2_q <= $signed(15'h100) < $signed(sum_2351);
+      less_2353_s2_q <= $signed(sum_2351[14:8]) < $signed(7'h7f);
+      less_2362_s2_q <= $signed(15'h100) < $signed(difference_2361);
+      less_2363_s2_q <= $signed(difference_2361[14:8]) < $signed(7'h7f);
+      and_2377_s2_q <= not_2230_s1_q & and_2376;
+      and_2386_s2_q <= and_2386;
+      and_2391_s2_q <= not_2230_s1_q & and_2390;
+      less_2392_s2_q <= less_2392;
+      equal_2393_s2_q <= equal_2393;
+      not_2394_s2_q <= not_2394;
+      equal_2395_s2_q <= equal_2395;
+      not_2396_s2_q <= not_2396;
+      sum_2424_s2_q <= sum_2424[5];
+      and_2445_s2_q <= or_555_s1_q & (left_rdata_q[69] & not_559_s1_q);
+      and_2562_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
+      equal_2708_s2_q <= {column_s1_q[6], or_2707} == 7'h0;
+      equal_2893_s2_q <= equal_2893_s1_q;
+      and_3000_s2_q <= or_555_s1_q & (not_559_s1_q & and_583);
+      equal_3085_s2_q <= shift == 6'h0;
+      less_3524_s2_q <= 4'he < patches_column_s1_q[4:1];
+      equal_3867_s2_q <= patches_match_row_q == 4'h0;
+      equal_3951_s2_q <= patches_step_q[6:5] == 2'h2;
+      less_4279_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_4497_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
@@ -2954,6 +2954,7 @@ module horopter_agreement (
   logic [13:0] moments_before_0_q;
   logic [13:0] moments_before_1_q;
   logic moments_has_before_q;
+  logic [13:0] moments_most_before_q;
   logic moments_out_of_step_q;
   logic [8:0] sharpness_last_mean_0_q;
   logic [8:0] sharpness_last_mean_1_q;
@@ -3033,161 +3034,161 @@ module horopter_agreement (
   logic was_next_row_q;
   logic [12:0] seen_base_q;
   // hls/stages/census.hpp:113
-  logic [11:0] select_503;
-  assign select_503 = select_489_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  logic [11:0] select_504;
+  assign select_504 = select_490_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
   // hls/stages/census.hpp:122
-  logic [11:0] sum_507;
-  assign sum_507 = select_503 + (equal_505_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
+  logic [11:0] sum_508;
+  assign sum_508 = select_504 + (equal_506_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
   // hls/stages/census.hpp:113
-  logic [11:0] sum_509;
-  assign sum_509 = {4'h0, sample_pair_pixel_1_q} + (select_489_s2_q[0] ? averager_running_1_q : 12'h0);
+  logic [11:0] sum_510;
+  assign sum_510 = {4'h0, sample_pair_pixel_1_q} + (select_490_s2_q[0] ? averager_running_1_q : 12'h0);
   // hls/stages/census.hpp:122
-  logic [11:0] sum_511;
-  assign sum_511 = sum_509 + (equal_505_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
-  // hls/stages/agreement.hpp:417
+  logic [11:0] sum_512;
+  assign sum_512 = sum_510 + (equal_506_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
+  // hls/stages/agreement.hpp:418
   logic whole;
-  assign whole = select_489_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
+  assign whole = select_490_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
   // hls/stages/census.hpp:123
-  logic and_515;
-  assign and_515 = whole & (averager_memory_rdata_q[24] | equal_505_s2_q);
-  // hls/stages/agreement.hpp:417
+  logic and_516;
+  assign and_516 = whole & (averager_memory_rdata_q[24] | equal_506_s2_q);
+  // hls/stages/agreement.hpp:418
   logic all_of_skin;
-  assign all_of_skin = select_489_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  assign all_of_skin = select_490_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
   // hls/stages/census.hpp:124
-  logic and_519;
-  assign and_519 = all_of_skin & (averager_memory_rdata_q[25] | equal_505_s2_q);
+  logic and_520;
+  assign and_520 = all_of_skin & (averager_memory_rdata_q[25] | equal_506_s2_q);
   // hls/stages/census.hpp:207
   logic [8:0] grey;
-  assign grey = and_499_s2_q ? sum_507[11:3] : 9'h0;
+  assign grey = and_500_s2_q ? sum_508[11:3] : 9'h0;
   // hls/stages/census.hpp:127
-  logic equal_528;
-  assign equal_528 = select_489_s2_q == 3'h1;
+  logic equal_529;
+  assign equal_529 = select_490_s2_q == 3'h1;
   // hls/stages/census.hpp:208
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_528 ? 11'h0 : averager_total_0_q);
+  assign total = {2'h0, grey} + (equal_529 ? 11'h0 : averager_total_0_q);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_531;
-  assign select_531 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
+  logic [8:0] select_532;
+  assign select_532 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
   // hls/stages/census.hpp:207
   logic [8:0] grey_2;
-  assign grey_2 = and_499_s2_q ? sum_511[11:3] : 9'h0;
+  assign grey_2 = and_500_s2_q ? sum_512[11:3] : 9'h0;
   // hls/stages/census.hpp:208
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_528 ? 11'h0 : averager_total_1_q);
+  assign total_2 = {2'h0, grey_2} + (equal_529 ? 11'h0 : averager_total_1_q);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_535;
-  assign select_535 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
+  logic [8:0] select_536;
+  assign select_536 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
   // hls/stages/census.hpp:207
-  logic and_536;
-  assign and_536 = and_499_s2_q & and_515;
+  logic and_537;
+  assign and_537 = and_500_s2_q & and_516;
   // hls/stages/census.hpp:127
-  logic select_538;
-  assign select_538 = equal_528 ? and_536 : (averager_mask_q & and_536);
+  logic select_539;
+  assign select_539 = equal_529 ? and_537 : (averager_mask_q & and_537);
   // hls/stages/agreement.hpp:276
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s2_q & select_538;
+  assign whole_2 = sample_pair_whole_s2_q & select_539;
   // hls/stages/census.hpp:207
-  logic and_540;
-  assign and_540 = and_499_s2_q & and_519;
+  logic and_541;
+  assign and_541 = and_500_s2_q & and_520;
   // hls/stages/census.hpp:127
-  logic select_542;
-  assign select_542 = equal_528 ? and_540 : (averager_of_skin_q & and_540);
+  logic select_543;
+  assign select_543 = equal_529 ? and_541 : (averager_of_skin_q & and_541);
   // hls/stages/agreement.hpp:276
-  logic and_543;
-  assign and_543 = sample_pair_whole_s2_q & select_542;
-  // hls/stages/agreement.hpp:978
-  logic select_596;
-  assign select_596 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  logic and_544;
+  assign and_544 = sample_pair_whole_s2_q & select_543;
   // hls/stages/agreement.hpp:979
+  logic select_597;
+  assign select_597 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  // hls/stages/agreement.hpp:980
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:992
-  logic [8:0] difference_606;
-  assign difference_606 = {2'h0, chosen} - {1'b0, x_s2_q};
   // hls/stages/agreement.hpp:993
-  logic [9:0] sum_607;
-  assign sum_607 = {difference_606[8], difference_606} + 10'h1;
+  logic [8:0] difference_607;
+  assign difference_607 = {2'h0, chosen} - {1'b0, x_s2_q};
+  // hls/stages/agreement.hpp:994
+  logic [9:0] sum_608;
+  assign sum_608 = {difference_607[8], difference_607} + 10'h1;
   // hls/stages/agreement.hpp:247
-  logic and_609;
-  assign and_609 = (and_583_s2_q & select_596) & ({{22{sum_607[9]}}, sum_607} < 32'h3);
+  logic and_610;
+  assign and_610 = (and_584_s2_q & select_597) & ({{22{sum_608[9]}}, sum_608} < 32'h3);
   // hls/stages/agreement.hpp:149
-  logic and_611;
-  assign and_611 = or_554_s2_q & (not_558_s2_q & and_609);
-  // hls/stages/moments.hpp:64
   logic and_612;
-  assign and_612 = and_575_s2_q & and_611;
+  assign and_612 = or_555_s2_q & (not_559_s2_q & and_610);
+  // hls/stages/moments.hpp:64
+  logic and_613;
+  assign and_613 = and_576_s2_q & and_612;
   // hls/stages/census.hpp:296
-  logic less_627;
-  assign less_627 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_628;
-  assign less_628 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
+  assign less_628 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_629;
-  assign less_629 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_629 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_630;
-  assign less_630 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_630 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_631;
-  assign less_631 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_631 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_632;
-  assign less_632 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_632 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_633;
-  assign less_633 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_633 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_634;
-  assign less_634 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_634 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_635;
-  assign less_635 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_635 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_636;
-  assign less_636 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_636 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_637;
-  assign less_637 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_637 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_638;
-  assign less_638 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:297
+  assign less_638 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_639;
-  assign less_639 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_639 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:297
   logic less_640;
-  assign less_640 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_640 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_641;
-  assign less_641 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_641 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_642;
-  assign less_642 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_642 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_643;
-  assign less_643 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_643 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_644;
-  assign less_644 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_644 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_645;
-  assign less_645 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_645 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_646;
-  assign less_646 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_646 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   logic less_647;
-  assign less_647 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_647 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_648;
-  assign less_648 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_648 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_649;
-  assign less_649 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_649 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_650;
-  assign less_650 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:455
-  logic equal_651;
-  assign equal_651 = column_s2_q == 7'h0;
-  logic [3:0] select_655;
-  assign select_655 = equal_654_s2_q ? 4'h0 : rows_passed_above_q[3:0];
+  assign less_650 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_651;
+  assign less_651 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   // hls/stages/agreement.hpp:456
-  logic [4:0] select_656;
-  assign select_656 = equal_651 ? {select_655, 1'b1} : rows_passed_above_q;
+  logic equal_652;
+  assign equal_652 = column_s2_q == 7'h0;
+  logic [3:0] select_656;
+  assign select_656 = equal_655_s2_q ? 4'h0 : rows_passed_above_q[3:0];
+  // hls/stages/agreement.hpp:457
+  logic [4:0] select_657;
+  assign select_657 = equal_652 ? {select_656, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:278
-  logic [3:0] select_657;
-  assign select_657 = equal_651 ? 4'h0 : census_filled_q;
+  logic [3:0] select_658;
+  assign select_658 = equal_652 ? 4'h0 : census_filled_q;
   // hls/stages/census.hpp:301
-  logic and_658;
-  assign and_658 = select_656[4] & select_657[3];
+  logic and_659;
+  assign and_659 = select_657[4] & select_658[3];
   // hls/stages/census.hpp:288
-  logic and_660;
-  assign and_660 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
-  logic and_662;
-  assign and_662 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_660);
-  // hls/stages/agreement.hpp:456
+  logic and_661;
+  assign and_661 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
+  logic and_663;
+  assign and_663 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_661);
+  // hls/stages/agreement.hpp:457
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_662;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_663;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_q & whole_3;
   logic whole_5;
@@ -3227,1006 +3228,1008 @@ module horopter_agreement (
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
   // hls/stages/census.hpp:272
-  logic [9:0] difference_685;
-  assign difference_685 = {1'b0, select_531} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [8:0] xor_686;
-  assign xor_686 = difference_685[8:0] ^ {9{difference_685[9]}};
-  logic [9:0] sum_687;
-  assign sum_687 = {9'h0, difference_685[9]} + {1'b0, xor_686};
-  logic [9:0] difference_688;
-  assign difference_688 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [8:0] xor_689;
-  assign xor_689 = difference_688[8:0] ^ {9{difference_688[9]}};
-  logic [9:0] sum_690;
-  assign sum_690 = {9'h0, difference_688[9]} + {1'b0, xor_689};
-  logic [9:0] difference_692;
-  assign difference_692 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [8:0] xor_693;
-  assign xor_693 = difference_692[8:0] ^ {9{difference_692[9]}};
-  logic [9:0] sum_694;
-  assign sum_694 = {9'h0, difference_692[9]} + {1'b0, xor_693};
-  logic [10:0] sum_695;
-  assign sum_695 = ({1'b0, sum_687} + {1'b0, sum_690}) + {1'b0, sum_694};
-  logic [9:0] difference_696;
-  assign difference_696 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [8:0] xor_697;
-  assign xor_697 = difference_696[8:0] ^ {9{difference_696[9]}};
-  logic [9:0] sum_698;
-  assign sum_698 = {9'h0, difference_696[9]} + {1'b0, xor_697};
-  logic [9:0] difference_700;
-  assign difference_700 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  logic [8:0] xor_701;
-  assign xor_701 = difference_700[8:0] ^ {9{difference_700[9]}};
-  // hls/stages/agreement.hpp:456
-  logic and_709;
-  assign and_709 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
+  logic [9:0] difference_686;
+  assign difference_686 = {1'b0, select_532} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [8:0] xor_687;
+  assign xor_687 = difference_686[8:0] ^ {9{difference_686[9]}};
+  logic [9:0] sum_688;
+  assign sum_688 = {9'h0, difference_686[9]} + {1'b0, xor_687};
+  logic [9:0] difference_689;
+  assign difference_689 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [8:0] xor_690;
+  assign xor_690 = difference_689[8:0] ^ {9{difference_689[9]}};
+  logic [9:0] sum_691;
+  assign sum_691 = {9'h0, difference_689[9]} + {1'b0, xor_690};
+  logic [9:0] difference_693;
+  assign difference_693 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [8:0] xor_694;
+  assign xor_694 = difference_693[8:0] ^ {9{difference_693[9]}};
+  logic [9:0] sum_695;
+  assign sum_695 = {9'h0, difference_693[9]} + {1'b0, xor_694};
+  logic [10:0] sum_696;
+  assign sum_696 = ({1'b0, sum_688} + {1'b0, sum_691}) + {1'b0, sum_695};
+  logic [9:0] difference_697;
+  assign difference_697 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [8:0] xor_698;
+  assign xor_698 = difference_697[8:0] ^ {9{difference_697[9]}};
+  logic [9:0] sum_699;
+  assign sum_699 = {9'h0, difference_697[9]} + {1'b0, xor_698};
+  logic [9:0] difference_701;
+  assign difference_701 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [8:0] xor_702;
+  assign xor_702 = difference_701[8:0] ^ {9{difference_701[9]}};
+  // hls/stages/agreement.hpp:457
   logic and_710;
-  assign and_710 = and_658 & and_709;
+  assign and_710 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
+  logic and_711;
+  assign and_711 = and_659 & and_710;
   // hls/stages/census.hpp:308
   logic [9:0] half_grey_levels;
   assign half_grey_levels = {1'b0, census_columns_values_0_cell_2_left_q} - {1'b0, census_columns_values_1_cell_2_left_q};
   // hls/stages/moments.hpp:30
-  logic [6:0] sum_712;
-  assign sum_712 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
+  logic [6:0] sum_713;
+  assign sum_713 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
   // hls/stages/census.hpp:308
-  logic and_714;
-  assign and_714 = and_710 & ({{5{sum_712[6]}}, sum_712, half_grey_levels[3:0]} < 16'hffe1);
+  logic and_715;
+  assign and_715 = and_711 & ({{5{sum_713[6]}}, sum_713, half_grey_levels[3:0]} < 16'hffe1);
   // hls/stages/census.hpp:309
   logic [9:0] half_grey_levels_2;
   assign half_grey_levels_2 = {1'b0, census_columns_values_0_cell_2_right_q} - {1'b0, census_columns_values_1_cell_2_right_q};
   // hls/stages/moments.hpp:30
-  logic [6:0] sum_718;
-  assign sum_718 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
-  // hls/stages/agreement.hpp:807
-  logic or_734;
-  assign or_734 = shift_first_s2_q | (~shift_not_right_q);
+  logic [6:0] sum_719;
+  assign sum_719 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
   // hls/stages/agreement.hpp:808
-  logic select_736;
-  assign select_736 = or_734 ? shift_first_s2_q : (~age_s2_q[0]);
-  // hls/stages/agreement.hpp:751
-  logic less_1467;
-  assign less_1467 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
-  logic [7:0] select_1468;
-  assign select_1468 = less_1467 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic less_1469;
-  assign less_1469 = middle_sum_sum_sums_values_0_q < select_1468;
-  logic [7:0] select_1470;
-  assign select_1470 = less_1469 ? select_1468 : middle_sum_sum_sums_values_0_q;
-  logic less_1951;
-  assign less_1951 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
-  logic [7:0] select_1952;
-  assign select_1952 = less_1951 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
-  logic less_1953;
-  assign less_1953 = select_1470 < select_1952;
-  // hls/stages/agreement.hpp:801
-  logic [7:0] of_best;
-  assign of_best = shift_allowed_q ? (less_1953 ? select_1952 : select_1470) : 8'h0;
-  // hls/stages/agreement.hpp:808
-  logic or_1957;
-  assign or_1957 = select_736 | (best_left_rdata_s2_q[16:9] < of_best);
-  // hls/stages/agreement.hpp:813
-  logic [5:0] select_1958;
-  assign select_1958 = or_1957 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
+  logic or_735;
+  assign or_735 = shift_first_s2_q | (~shift_not_right_q);
+  // hls/stages/agreement.hpp:809
+  logic select_737;
+  assign select_737 = or_735 ? shift_first_s2_q : (~age_s2_q[0]);
   // hls/stages/agreement.hpp:752
-  logic or_1960;
-  assign or_1960 = less_1467 | (~less_1469);
-  logic [2:0] select_1961;
-  assign select_1961 = less_1953 ? {less_1951, 2'h0} : {1'b0, or_1960, less_1469};
-  // hls/stages/agreement.hpp:813
+  logic less_1468;
+  assign less_1468 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
+  logic [7:0] select_1469;
+  assign select_1469 = less_1468 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic less_1470;
+  assign less_1470 = middle_sum_sum_sums_values_0_q < select_1469;
+  logic [7:0] select_1471;
+  assign select_1471 = less_1470 ? select_1469 : middle_sum_sum_sums_values_0_q;
+  logic less_1952;
+  assign less_1952 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
+  logic [7:0] select_1953;
+  assign select_1953 = less_1952 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
+  logic less_1954;
+  assign less_1954 = select_1471 < select_1953;
+  // hls/stages/agreement.hpp:802
+  logic [7:0] of_best;
+  assign of_best = shift_allowed_q ? (less_1954 ? select_1953 : select_1471) : 8'h0;
+  // hls/stages/agreement.hpp:809
+  logic or_1958;
+  assign or_1958 = select_737 | (best_left_rdata_s2_q[16:9] < of_best);
+  // hls/stages/agreement.hpp:814
+  logic [5:0] select_1959;
+  assign select_1959 = or_1958 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
+  // hls/stages/agreement.hpp:753
+  logic or_1961;
+  assign or_1961 = less_1468 | (~less_1470);
   logic [2:0] select_1962;
-  assign select_1962 = or_1957 ? select_1961 : best_left_rdata_s2_q[8:6];
-  logic [7:0] select_1963;
-  assign select_1963 = or_1957 ? of_best : best_left_rdata_s2_q[16:9];
-  // hls/stages/agreement.hpp:810
-  logic equal_1964;
-  assign equal_1964 = select_1961 == 3'h1;
-  logic or_1967;
-  assign or_1967 = equal_1964 | (~(select_1961 == 3'h2));
-  logic [7:0] select_1969;
-  assign select_1969 = or_1967 ? middle_sum_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  assign select_1962 = less_1954 ? {less_1952, 2'h0} : {1'b0, or_1961, less_1470};
+  // hls/stages/agreement.hpp:814
+  logic [2:0] select_1963;
+  assign select_1963 = or_1958 ? select_1962 : best_left_rdata_s2_q[8:6];
+  logic [7:0] select_1964;
+  assign select_1964 = or_1958 ? of_best : best_left_rdata_s2_q[16:9];
+  // hls/stages/agreement.hpp:811
+  logic equal_1965;
+  assign equal_1965 = select_1962 == 3'h1;
+  logic or_1968;
+  assign or_1968 = equal_1965 | (~(select_1962 == 3'h2));
   logic [7:0] select_1970;
-  assign select_1970 = equal_1964 ? (or_1967 ? sums_2_sum_sums_values_0_q : {7'h0, shift_not_right_q}) : select_1969;
-  // hls/stages/agreement.hpp:813
+  assign select_1970 = or_1968 ? middle_sum_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
   logic [7:0] select_1971;
-  assign select_1971 = or_1957 ? select_1970 : best_left_rdata_s2_q[24:17];
-  // hls/stages/agreement.hpp:810
+  assign select_1971 = equal_1965 ? (or_1968 ? sums_2_sum_sums_values_0_q : {7'h0, shift_not_right_q}) : select_1970;
+  // hls/stages/agreement.hpp:814
   logic [7:0] select_1972;
-  assign select_1972 = or_1967 ? sums_3_sum_sums_values_0_q : sums_1_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:813
-  logic [7:0] select_1974;
-  assign select_1974 = or_1957 ? (equal_1964 ? select_1969 : select_1972) : best_left_rdata_s2_q[32:25];
-  // hls/stages/agreement.hpp:779
+  assign select_1972 = or_1958 ? select_1971 : best_left_rdata_s2_q[24:17];
+  // hls/stages/agreement.hpp:811
+  logic [7:0] select_1973;
+  assign select_1973 = or_1968 ? sums_3_sum_sums_values_0_q : sums_1_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:814
+  logic [7:0] select_1975;
+  assign select_1975 = or_1958 ? (equal_1965 ? select_1970 : select_1973) : best_left_rdata_s2_q[32:25];
+  // hls/stages/agreement.hpp:780
   logic [5:0] before_v;
   assign before_v = age_s2_q[0] ? middle_sum_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1976;
-  assign sum_1976 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
+  // hls/stages/agreement.hpp:781
   logic [6:0] sum_1977;
-  assign sum_1977 = {1'b0, before_v} + sum_1976;
-  // hls/stages/agreement.hpp:779
+  assign sum_1977 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
+  logic [6:0] sum_1978;
+  assign sum_1978 = {1'b0, before_v} + sum_1977;
+  // hls/stages/agreement.hpp:780
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[0] ? sums_0_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1979;
-  assign sum_1979 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
+  // hls/stages/agreement.hpp:781
   logic [6:0] sum_1980;
-  assign sum_1980 = {1'b0, before_v_2} + sum_1979;
-  // hls/stages/agreement.hpp:779
+  assign sum_1980 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
+  logic [6:0] sum_1981;
+  assign sum_1981 = {1'b0, before_v_2} + sum_1980;
+  // hls/stages/agreement.hpp:780
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[0] ? sums_1_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1982;
-  assign sum_1982 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
+  // hls/stages/agreement.hpp:781
   logic [6:0] sum_1983;
-  assign sum_1983 = {1'b0, before_v_3} + sum_1982;
-  // hls/stages/agreement.hpp:751
-  logic [6:0] select_1985;
-  assign select_1985 = (sum_1980 < sum_1983) ? sum_1983 : sum_1980;
-  logic [6:0] select_1987;
-  assign select_1987 = (sum_1977 < select_1985) ? select_1985 : sum_1977;
-  // hls/stages/agreement.hpp:779
+  assign sum_1983 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
+  logic [6:0] sum_1984;
+  assign sum_1984 = {1'b0, before_v_3} + sum_1983;
+  // hls/stages/agreement.hpp:752
+  logic [6:0] select_1986;
+  assign select_1986 = (sum_1981 < sum_1984) ? sum_1984 : sum_1981;
+  logic [6:0] select_1988;
+  assign select_1988 = (sum_1978 < select_1986) ? select_1986 : sum_1978;
+  // hls/stages/agreement.hpp:780
   logic [5:0] before_v_4;
   assign before_v_4 = age_s2_q[0] ? sums_2_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1989;
-  assign sum_1989 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
+  // hls/stages/agreement.hpp:781
   logic [6:0] sum_1990;
-  assign sum_1990 = {1'b0, before_v_4} + sum_1989;
-  // hls/stages/agreement.hpp:779
+  assign sum_1990 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
+  logic [6:0] sum_1991;
+  assign sum_1991 = {1'b0, before_v_4} + sum_1990;
+  // hls/stages/agreement.hpp:780
   logic [5:0] before_v_5;
   assign before_v_5 = age_s2_q[0] ? sums_3_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1992;
-  assign sum_1992 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
+  // hls/stages/agreement.hpp:781
   logic [6:0] sum_1993;
-  assign sum_1993 = {1'b0, before_v_5} + sum_1992;
-  // hls/stages/agreement.hpp:751
-  logic [6:0] select_1995;
-  assign select_1995 = (sum_1990 < sum_1993) ? sum_1993 : sum_1990;
-  // hls/stages/agreement.hpp:802
+  assign sum_1993 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
+  logic [6:0] sum_1994;
+  assign sum_1994 = {1'b0, before_v_5} + sum_1993;
+  // hls/stages/agreement.hpp:752
+  logic [6:0] select_1996;
+  assign select_1996 = (sum_1991 < sum_1994) ? sum_1994 : sum_1991;
+  // hls/stages/agreement.hpp:803
   logic [6:0] of_near;
-  assign of_near = shift_allowed_q ? ((select_1987 < select_1995) ? select_1995 : select_1987) : 7'h0;
-  // hls/stages/agreement.hpp:813
-  logic less_1999;
-  assign less_1999 = best_left_rdata_s2_q[39:33] < of_near;
-  // hls/stages/agreement.hpp:817
-  logic [6:0] select_2001;
-  assign select_2001 = select_736 ? of_near : (less_1999 ? of_near : best_left_rdata_s2_q[39:33]);
-  logic [5:0] select_2003;
-  assign select_2003 = select_736 ? run_shift_s2_q : (less_1999 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
-  logic [7:0] select_2006;
-  assign select_2006 = (run_shift_s2_q == 6'h3f) ? of_best : (select_736 ? 8'h0 : best_left_rdata_s2_q[53:46]);
+  assign of_near = shift_allowed_q ? ((select_1988 < select_1996) ? select_1996 : select_1988) : 7'h0;
+  // hls/stages/agreement.hpp:814
+  logic less_2000;
+  assign less_2000 = best_left_rdata_s2_q[39:33] < of_near;
   // hls/stages/agreement.hpp:818
-  logic [7:0] select_2009;
-  assign select_2009 = (run_shift_s2_q == 6'h1) ? of_best : (select_736 ? 8'h0 : best_left_rdata_s2_q[61:54]);
-  // hls/stages/agreement.hpp:823
-  logic select_2012;
-  assign select_2012 = or_734 ? shift_first_s2_q : equal_2011_s2_q;
+  logic [6:0] select_2002;
+  assign select_2002 = select_737 ? of_near : (less_2000 ? of_near : best_left_rdata_s2_q[39:33]);
+  logic [5:0] select_2004;
+  assign select_2004 = select_737 ? run_shift_s2_q : (less_2000 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
+  logic [7:0] select_2007;
+  assign select_2007 = (run_shift_s2_q == 6'h3f) ? of_best : (select_737 ? 8'h0 : best_left_rdata_s2_q[53:46]);
+  // hls/stages/agreement.hpp:819
+  logic [7:0] select_2010;
+  assign select_2010 = (run_shift_s2_q == 6'h1) ? of_best : (select_737 ? 8'h0 : best_left_rdata_s2_q[61:54]);
   // hls/stages/agreement.hpp:824
-  logic or_2014;
-  assign or_2014 = select_2012 | (best_right_rdata_q[7:0] < of_best);
-  // hls/stages/agreement.hpp:828
-  logic [7:0] select_2015;
-  assign select_2015 = or_2014 ? of_best : best_right_rdata_q[7:0];
-  logic [6:0] select_2016;
-  assign select_2016 = or_2014 ? x_s2_2_q : best_right_rdata_q[14:8];
-  logic or_2018;
-  assign or_2018 = select_2012 | (best_right_rdata_q[21:15] < of_near);
-  // hls/stages/agreement.hpp:832
-  logic [6:0] select_2019;
-  assign select_2019 = or_2018 ? of_near : best_right_rdata_q[21:15];
+  logic select_2013;
+  assign select_2013 = or_735 ? shift_first_s2_q : equal_2012_s2_q;
+  // hls/stages/agreement.hpp:825
+  logic or_2015;
+  assign or_2015 = select_2013 | (best_right_rdata_q[7:0] < of_best);
+  // hls/stages/agreement.hpp:829
+  logic [7:0] select_2016;
+  assign select_2016 = or_2015 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_2017;
+  assign select_2017 = or_2015 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_2019;
+  assign or_2019 = select_2013 | (best_right_rdata_q[21:15] < of_near);
+  // hls/stages/agreement.hpp:833
   logic [6:0] select_2020;
-  assign select_2020 = or_2018 ? x_s2_2_q : best_right_rdata_q[28:22];
+  assign select_2020 = or_2019 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_2021;
+  assign select_2021 = or_2019 ? x_s2_2_q : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:149
-  logic and_2034;
-  assign and_2034 = or_554_s2_q & (not_558_s2_q & (and_609 & or_2031_s2_q));
-  // hls/stages/agreement.hpp:788
   logic and_2035;
-  assign and_2035 = not_552_s2_q & and_2034;
-  logic and_2038;
-  assign and_2038 = not_550_s2_q & (so_s2_q ? and_2021_s2_q : (equal_553_s2_q & and_611));
+  assign and_2035 = or_555_s2_q & (not_559_s2_q & (and_610 & or_2032_s2_q));
+  // hls/stages/agreement.hpp:789
+  logic and_2036;
+  assign and_2036 = not_553_s2_q & and_2035;
+  logic and_2039;
+  assign and_2039 = not_551_s2_q & (so_s2_q ? and_2022_s2_q : (equal_554_s2_q & and_612));
   // hls/stages/moments.hpp:60
-  logic and_2042;
-  assign and_2042 = moments_has_before_q & moments_memory_rdata_q[0];
-  // hls/stages/agreement.hpp:1003
   logic and_2043;
-  assign and_2043 = not_562_s2_q & and_2042;
-  logic and_2045;
-  assign and_2045 = and_2042 & (moments_memory_rdata_q[1] ^ and_614_s2_q);
+  assign and_2043 = moments_has_before_q & moments_memory_rdata_q[0];
+  // hls/stages/agreement.hpp:1004
+  logic and_2044;
+  assign and_2044 = not_563_s2_q & and_2043;
   logic and_2046;
-  assign and_2046 = not_562_s2_q & and_2045;
-  // hls/stages/agreement.hpp:788
-  logic and_2049;
-  assign and_2049 = not_550_s2_q & (not_552_s2_q & (equal_553_s2_q & inside_v_s2_q));
+  assign and_2046 = and_2043 & (moments_memory_rdata_q[1] ^ and_615_s2_q);
+  logic and_2047;
+  assign and_2047 = not_563_s2_q & and_2046;
+  // hls/stages/agreement.hpp:789
+  logic and_2050;
+  assign and_2050 = not_551_s2_q & (not_553_s2_q & (equal_554_s2_q & inside_v_s2_q));
   // hls/stages/moments.hpp:60
-  logic and_2051;
-  assign and_2051 = moments_has_before_q & moments_memory_rdata_q[2];
-  // hls/stages/agreement.hpp:1003
   logic and_2052;
-  assign and_2052 = not_562_s2_q & and_2051;
+  assign and_2052 = moments_has_before_q & moments_memory_rdata_q[2];
+  // hls/stages/agreement.hpp:1004
+  logic and_2053;
+  assign and_2053 = not_563_s2_q & and_2052;
   // hls/stages/moments.hpp:61
-  logic and_2054;
-  assign and_2054 = and_2051 & (moments_memory_rdata_q[3] ^ and_621_s2_q);
-  // hls/stages/agreement.hpp:1003
   logic and_2055;
-  assign and_2055 = not_562_s2_q & and_2054;
-  // hls/stages/agreement.hpp:1128
-  logic equal_2056;
-  assign equal_2056 = x_s2_q[6:4] == 3'h7;
-  // hls/stages/agreement.hpp:1177
+  assign and_2055 = and_2052 & (moments_memory_rdata_q[3] ^ and_622_s2_q);
+  // hls/stages/agreement.hpp:1004
+  logic and_2056;
+  assign and_2056 = not_563_s2_q & and_2055;
+  // hls/stages/agreement.hpp:1129
+  logic equal_2057;
+  assign equal_2057 = x_s2_q[6:4] == 3'h7;
+  // hls/stages/agreement.hpp:1179
   logic [1:0] quarter;
   assign quarter = x_s2_q[1:0] + 2'h1;
   // hls/stages/registration.hpp:147
   logic all;
   assign all = x_s2_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:1129
-  logic [1:0] select_2059;
-  assign select_2059 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
-  // hls/stages/agreement.hpp:1142
-  logic [3:0] select_2061;
-  assign select_2061 = equal_2056 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_2059});
+  // hls/stages/agreement.hpp:1130
+  logic [1:0] select_2060;
+  assign select_2060 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
+  // hls/stages/agreement.hpp:1143
+  logic [3:0] select_2062;
+  assign select_2062 = equal_2057 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_2060});
   // hls/stages/registration.hpp:107
-  logic [1:0] sum_2062;
-  assign sum_2062 = slot_s2_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:788
-  logic [3:0] select_2063;
-  assign select_2063 = equal_549_s2_q ? select_2061 : {sum_2062, lower_half_s2_q, registration_of_right_q};
+  logic [1:0] sum_2063;
+  assign sum_2063 = slot_s2_q[1:0] + 2'h3;
+  // hls/stages/agreement.hpp:789
+  logic [3:0] select_2064;
+  assign select_2064 = equal_550_s2_q ? select_2062 : {sum_2063, lower_half_s2_q, registration_of_right_q};
   // hls/stages/patches.hpp:210
-  logic equal_2064;
-  assign equal_2064 = x_s2_q[5:0] == 6'h3f;
-  logic equal_2066;
-  assign equal_2066 = x_s2_q[5:0] == 6'h3e;
-  logic equal_2068;
-  assign equal_2068 = x_s2_q[5:0] == 6'h3d;
-  logic equal_2070;
-  assign equal_2070 = x_s2_q[5:0] == 6'h3c;
-  logic equal_2072;
-  assign equal_2072 = x_s2_q[5:0] == 6'h3b;
-  logic equal_2074;
-  assign equal_2074 = x_s2_q[5:0] == 6'h36;
-  logic equal_2076;
-  assign equal_2076 = x_s2_q[5:0] == 6'h35;
-  logic equal_2078;
-  assign equal_2078 = x_s2_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1177
-  logic and_2082;
-  assign and_2082 = (~equal_2072) & ((~equal_2074) & ((~equal_2076) & (~equal_2078)));
-  logic and_2086;
-  assign and_2086 = (~equal_2064) & ((~equal_2066) & ((~equal_2068) & ((~equal_2070) & and_2082)));
-  // hls/stages/agreement.hpp:1129
-  logic less_2087;
-  assign less_2087 = x_s2_q[5:0] < 6'h29;
+  logic equal_2065;
+  assign equal_2065 = x_s2_q[5:0] == 6'h3f;
+  logic equal_2067;
+  assign equal_2067 = x_s2_q[5:0] == 6'h3e;
+  logic equal_2069;
+  assign equal_2069 = x_s2_q[5:0] == 6'h3d;
+  logic equal_2071;
+  assign equal_2071 = x_s2_q[5:0] == 6'h3c;
+  logic equal_2073;
+  assign equal_2073 = x_s2_q[5:0] == 6'h3b;
+  logic equal_2075;
+  assign equal_2075 = x_s2_q[5:0] == 6'h36;
+  logic equal_2077;
+  assign equal_2077 = x_s2_q[5:0] == 6'h35;
+  logic equal_2079;
+  assign equal_2079 = x_s2_q[5:0] == 6'h34;
+  // hls/stages/agreement.hpp:1179
+  logic and_2083;
+  assign and_2083 = (~equal_2073) & ((~equal_2075) & ((~equal_2077) & (~equal_2079)));
+  logic and_2087;
+  assign and_2087 = (~equal_2065) & ((~equal_2067) & ((~equal_2069) & ((~equal_2071) & and_2083)));
+  // hls/stages/agreement.hpp:1130
+  logic less_2088;
+  assign less_2088 = x_s2_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
   logic [1:0] kind;
   assign kind = all ? {1'b0, x_s2_q[2]} : x_s2_q[2:1];
   // hls/stages/registration.hpp:160
-  logic or_2091;
-  assign or_2091 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:1009
-  logic [5:0] sum_2096;
-  assign sum_2096 = {1'b0, last_s2_q[6:2]} + 6'h1;
+  logic or_2092;
+  assign or_2092 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
+  // hls/stages/agreement.hpp:1010
+  logic [5:0] sum_2097;
+  assign sum_2097 = {1'b0, last_s2_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:262
   logic right_2;
-  assign right_2 = inside_v_s2_q & ({1'b0, sum_2096, last_s2_q[1]} < x_s2_q);
+  assign right_2 = inside_v_s2_q & ({1'b0, sum_2097, last_s2_q[1]} < x_s2_q);
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = inside_v_s2_q ? (right_2 & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:107
-  logic [4:0] sum_2102;
-  assign sum_2102 = {2'h0, slot_s2_q} + 5'h1f;
-  logic and_2104;
-  assign and_2104 = half_ends & ({{3{sum_2102[4]}}, sum_2102} < 8'h3);
-  // hls/stages/agreement.hpp:788
+  logic [4:0] sum_2103;
+  assign sum_2103 = {2'h0, slot_s2_q} + 5'h1f;
   logic and_2105;
-  assign and_2105 = so_s2_q & and_2104;
-  logic select_2106;
-  assign select_2106 = equal_549_s2_q ? (x_s2_q[6] & (equal_2056 ? and_2086 : (less_2087 & (~or_2091)))) : and_2105;
+  assign and_2105 = half_ends & ({{3{sum_2103[4]}}, sum_2103} < 8'h3);
+  // hls/stages/agreement.hpp:789
+  logic and_2106;
+  assign and_2106 = so_s2_q & and_2105;
+  logic select_2107;
+  assign select_2107 = equal_550_s2_q ? (x_s2_q[6] & (equal_2057 ? and_2087 : (less_2088 & (~or_2092)))) : and_2106;
   // hls/stages/registration.hpp:258
-  logic not_2108;
-  assign not_2108 = ~lower_half_s2_q;
-  logic [3:0] select_2109;
-  assign select_2109 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_2108, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_2108};
-  // hls/stages/patches.hpp:372
-  logic [1:0] select_2138;
-  assign select_2138 = and_2137_s2_q ? 2'h1 : patches_fetch_q;
-  logic [4:0] select_2139;
-  assign select_2139 = and_2137_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
+  logic not_2109;
+  assign not_2109 = ~lower_half_s2_q;
+  logic [3:0] select_2110;
+  assign select_2110 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_2109, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_2109};
+  // hls/stages/patches.hpp:373
+  logic [1:0] select_2139;
+  assign select_2139 = and_2138_s2_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_2140;
+  assign select_2140 = and_2138_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
   // hls/stages/agreement.hpp:276
-  logic [5:0] select_2140;
-  assign select_2140 = and_2124_s2_q ? {select_2139, select_2138[1]} : {patches_band_q, patches_fetch_q[1]};
+  logic [5:0] select_2141;
+  assign select_2141 = and_2125_s2_q ? {select_2140, select_2139[1]} : {patches_band_q, patches_fetch_q[1]};
   // hls/stages/patches.hpp:126
-  logic [1:0] select_2141;
-  assign select_2141 = and_2124_s2_q ? select_2138 : patches_fetch_q;
-  logic equal_2142;
-  assign equal_2142 = select_2141 == 2'h0;
+  logic [1:0] select_2142;
+  assign select_2142 = and_2125_s2_q ? select_2139 : patches_fetch_q;
+  logic equal_2143;
+  assign equal_2143 = select_2142 == 2'h0;
   // hls/stages/patches.hpp:103
   logic right_3;
   assign right_3 = {2'h0, last_s2_q[6:1]} < x_s2_q;
-  // hls/stages/agreement.hpp:788
-  logic and_2150;
-  assign and_2150 = not_550_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
+  // hls/stages/agreement.hpp:789
+  logic and_2151;
+  assign and_2151 = not_551_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
   // hls/stages/registration.hpp:83
-  logic equal_2152;
-  assign equal_2152 = slot_s2_q == 3'h7;
+  logic equal_2153;
+  assign equal_2153 = slot_s2_q == 3'h7;
   // hls/stages/agreement.hpp:149
   logic [5:0] b;
-  assign b = or_554_s2_q ? (less_557_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
+  assign b = or_555_s2_q ? (less_558_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
   // hls/stages/registration.hpp:89
   logic [7:0] a;
-  assign a = equal_2152 ? registration_slope_here_q : change_s2_q;
+  assign a = equal_2153 ? registration_slope_here_q : change_s2_q;
   // hls/stages/registration.hpp:211
-  logic [6:0] select_2160;
-  assign select_2160 = b[0] ? a[7:1] : 7'h0;
-  logic [7:0] select_2161;
-  assign select_2161 = b[1] ? a : 8'h0;
-  logic [8:0] sum_2162;
-  assign sum_2162 = {{2{select_2160[6]}}, select_2160} + {select_2161[7], select_2161};
+  logic [6:0] select_2161;
+  assign select_2161 = b[0] ? a[7:1] : 7'h0;
+  logic [7:0] select_2162;
+  assign select_2162 = b[1] ? a : 8'h0;
+  logic [8:0] sum_2163;
+  assign sum_2163 = {{2{select_2161[6]}}, select_2161} + {select_2162[7], select_2162};
   // hls/stages/registration.hpp:212
-  logic [7:0] select_2163;
-  assign select_2163 = b[2] ? a : 8'h0;
   logic [7:0] select_2164;
-  assign select_2164 = b[3] ? a : 8'h0;
-  logic [8:0] sum_2165;
-  assign sum_2165 = {{2{select_2163[7]}}, select_2163[7:1]} + {select_2164[7], select_2164};
+  assign select_2164 = b[2] ? a : 8'h0;
+  logic [7:0] select_2165;
+  assign select_2165 = b[3] ? a : 8'h0;
+  logic [8:0] sum_2166;
+  assign sum_2166 = {{2{select_2164[7]}}, select_2164[7:1]} + {select_2165[7], select_2165};
   // hls/stages/registration.hpp:214
-  logic [10:0] sum_2166;
-  assign sum_2166 = {{3{sum_2162[8]}}, sum_2162[8:1]} + {sum_2165[8], sum_2165, select_2163[0]};
+  logic [10:0] sum_2167;
+  assign sum_2167 = {{3{sum_2163[8]}}, sum_2163[8:1]} + {sum_2166[8], sum_2166, select_2164[0]};
   // hls/stages/registration.hpp:213
-  logic [7:0] select_2167;
-  assign select_2167 = b[4] ? a : 8'h0;
   logic [7:0] select_2168;
-  assign select_2168 = b[5] ? a : 8'h0;
-  logic [8:0] difference_2169;
-  assign difference_2169 = {{2{select_2167[7]}}, select_2167[7:1]} - {select_2168[7], select_2168};
+  assign select_2168 = b[4] ? a : 8'h0;
+  logic [7:0] select_2169;
+  assign select_2169 = b[5] ? a : 8'h0;
+  logic [8:0] difference_2170;
+  assign difference_2170 = {{2{select_2168[7]}}, select_2168[7:1]} - {select_2169[7], select_2169};
   // hls/stages/registration.hpp:214
-  logic [9:0] sum_2170;
-  assign sum_2170 = {difference_2169, select_2167[0]} + {sum_2166[10], sum_2166[10:2]};
+  logic [9:0] sum_2171;
+  assign sum_2171 = {difference_2170, select_2168[0]} + {sum_2167[10], sum_2167[10:2]};
   // hls/stages/registration.hpp:107
   logic [10:0] expected;
-  assign expected = equal_2152 ? {sum_2170, sum_2166[1]} : registration_expected_q;
+  assign expected = equal_2153 ? {sum_2171, sum_2167[1]} : registration_expected_q;
   // hls/stages/patches.hpp:98
-  logic [9:0] sum_2172;
-  assign sum_2172 = {expected[10], expected[10:2]} + 10'h5;
+  logic [9:0] sum_2173;
+  assign sum_2173 = {expected[10], expected[10:2]} + 10'h5;
   // hls/stages/agreement.hpp:262
-  logic and_2175;
-  assign and_2175 = less_2151_s2_q & (and_611 & ({{4{sum_2172[9]}}, sum_2172, expected[1:0]} < 16'h29));
+  logic and_2176;
+  assign and_2176 = less_2152_s2_q & (and_612 & ({{4{sum_2173[9]}}, sum_2173, expected[1:0]} < 16'h29));
   // hls/stages/patches.hpp:104
-  logic and_2179;
-  assign and_2179 = ({3'h0, last_s2_q[6:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
+  logic and_2180;
+  assign and_2180 = ({3'h0, last_s2_q[6:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
   // hls/stages/patches.hpp:102
-  logic [9:0] sum_2185;
-  assign sum_2185 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
+  logic [9:0] sum_2186;
+  assign sum_2186 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
   // hls/stages/patches.hpp:106
-  logic [9:0] sum_2187;
-  assign sum_2187 = {sum_2185[9], sum_2185[9:1]} + 10'h1;
-  // hls/stages/agreement.hpp:1018
-  logic and_2190;
-  assign and_2190 = ($signed(9'h0) < $signed(sum_2185[9:1])) & (~($signed({4'h0, last_s2_q}) < $signed({sum_2187, sum_2185[0]})));
+  logic [9:0] sum_2188;
+  assign sum_2188 = {sum_2186[9], sum_2186[9:1]} + 10'h1;
+  // hls/stages/agreement.hpp:1019
   logic and_2191;
-  assign and_2191 = (~(and_2179 | (equal_545_s2_q | (~(x_s2_q < {1'b0, last_s2_q}))))) & and_2190;
-  // hls/stages/agreement.hpp:788
-  logic and_2195;
-  assign and_2195 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2175 & and_2191)));
+  assign and_2191 = ($signed(9'h0) < $signed(sum_2186[9:1])) & (~($signed({4'h0, last_s2_q}) < $signed({sum_2188, sum_2186[0]})));
+  logic and_2192;
+  assign and_2192 = (~(and_2180 | (equal_546_s2_q | (~(x_s2_q < {1'b0, last_s2_q}))))) & and_2191;
+  // hls/stages/agreement.hpp:789
   logic and_2196;
-  assign and_2196 = not_550_s2_q & and_2195;
+  assign and_2196 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2176 & and_2192)));
+  logic and_2197;
+  assign and_2197 = not_551_s2_q & and_2196;
   // hls/stages/patches.hpp:156
-  logic and_2198;
-  assign and_2198 = and_2196 & (~patches_fixed_q);
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_2201;
-  assign select_2201 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2202;
-  assign select_2202 = equal_549_s2_q ? 8'h0 : select_2201;
-  logic [5:0] select_2205;
-  assign select_2205 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
-  logic [5:0] select_2206;
-  assign select_2206 = equal_549_s2_q ? 6'h0 : select_2205;
+  logic and_2199;
+  assign and_2199 = and_2197 & (~patches_fixed_q);
+  // hls/stages/patches.hpp:344
+  logic select_2200;
+  assign select_2200 = and_2199 ? and_2197 : patches_choice_valid_q;
+  // hls/stages/agreement.hpp:789
+  logic [7:0] select_2203;
+  assign select_2203 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
+  // hls/stages/patches.hpp:344
+  logic [7:0] select_2205;
+  assign select_2205 = and_2199 ? (equal_550_s2_q ? 8'h0 : select_2203) : patches_choice_column_q;
+  // hls/stages/agreement.hpp:789
+  logic [5:0] select_2208;
+  assign select_2208 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
+  // hls/stages/patches.hpp:344
+  logic [5:0] select_2210;
+  assign select_2210 = and_2199 ? (equal_550_s2_q ? 6'h0 : select_2208) : patches_choice_shift_q;
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_2207;
-  assign sum_2207 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_2170[9]}}, sum_2170[9:2]};
+  logic [12:0] sum_2211;
+  assign sum_2211 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_2171[9]}}, sum_2171[9:2]};
   // hls/stages/registration.hpp:218
-  logic [7:0] select_2210;
-  assign select_2210 = ($signed(sum_2207[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2207[7:0];
+  logic [7:0] select_2214;
+  assign select_2214 = ($signed(sum_2211[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2211[7:0];
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
-  assign slope = equal_2152 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2207[12:7])) ? 8'h7f : select_2210);
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_2215;
-  assign select_2215 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2216;
-  assign select_2216 = equal_549_s2_q ? 8'h0 : select_2215;
-  // hls/stages/patches.hpp:342
-  logic [22:0] select_2217;
-  assign select_2217 = and_2198 ? {select_2216, select_2206, select_2202, and_2196} : {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, patches_choice_valid_q};
+  assign slope = equal_2153 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2211[12:7])) ? 8'h7f : select_2214);
+  // hls/stages/agreement.hpp:789
+  logic [7:0] select_2219;
+  assign select_2219 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
+  // hls/stages/patches.hpp:344
+  logic [7:0] select_2221;
+  assign select_2221 = and_2199 ? (equal_550_s2_q ? 8'h0 : select_2219) : patches_choice_slope_q;
   // hls/stages/patches.hpp:113
-  logic equal_2218;
-  assign equal_2218 = x_s2_q == {1'b0, last_s2_q};
-  // hls/stages/agreement.hpp:788
-  logic and_2222;
-  assign and_2222 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2179 | equal_2218)));
-  logic and_2223;
-  assign and_2223 = not_550_s2_q & and_2222;
-  // hls/stages/patches.hpp:343
-  logic and_2224;
-  assign and_2224 = patches_chooses_s2_q & and_2223;
+  logic equal_2222;
+  assign equal_2222 = x_s2_q == {1'b0, last_s2_q};
+  // hls/stages/agreement.hpp:789
+  logic and_2226;
+  assign and_2226 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2180 | equal_2222)));
+  logic and_2227;
+  assign and_2227 = not_551_s2_q & and_2226;
+  // hls/stages/patches.hpp:344
+  logic and_2228;
+  assign and_2228 = patches_chooses_s2_q & and_2227;
   // hls/stages/patches.hpp:126
-  logic [4:0] select_2238;
-  assign select_2238 = and_2124_s2_q ? select_2139 : patches_band_q;
-  // hls/stages/patches.hpp:352
-  logic equal_2239;
-  assign equal_2239 = {patches_choosing_band_s2_q, and_2150} == {select_2238, select_2141[1]};
-  // hls/stages/patches.hpp:481
-  logic [2:0] sum_2339;
-  assign sum_2339 = patches_code_row_s2_q[4:2] + 3'h7;
-  // hls/stages/patches.hpp:485
-  logic [1:0] sum_2377;
-  assign sum_2377 = patches_code_row_s2_q[3:2] + 2'h3;
+  logic [4:0] select_2242;
+  assign select_2242 = and_2125_s2_q ? select_2140 : patches_band_q;
+  // hls/stages/patches.hpp:353
+  logic equal_2243;
+  assign equal_2243 = {patches_choosing_band_s2_q, and_2151} == {select_2242, select_2142[1]};
+  // hls/stages/patches.hpp:482
+  logic [2:0] sum_2343;
+  assign sum_2343 = patches_code_row_s2_q[4:2] + 3'h7;
+  // hls/stages/patches.hpp:486
+  logic [1:0] sum_2381;
+  assign sum_2381 = patches_code_row_s2_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:205
-  logic [7:0] select_2407;
-  assign select_2407 = so_s2_q ? region_columns_q : 8'h1;
+  logic [7:0] select_2411;
+  assign select_2411 = so_s2_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:1051
+  logic or_2414;
+  assign or_2414 = select_2411[7] | (~({select_2411[5], select_2411[3], select_2411[1]} == 3'h0));
   // hls/stages/agreement.hpp:1050
-  logic or_2410;
-  assign or_2410 = select_2407[7] | (~({select_2407[5], select_2407[3], select_2407[1]} == 3'h0));
+  logic or_2417;
+  assign or_2417 = select_2411[7] | (~({select_2411[6], select_2411[3:2]} == 3'h0));
   // hls/stages/agreement.hpp:1049
-  logic or_2413;
-  assign or_2413 = select_2407[7] | (~({select_2407[6], select_2407[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:1048
-  logic or_2416;
-  assign or_2416 = select_2407[7] | (~(select_2407[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:788
-  logic [5:0] select_2417;
-  assign select_2417 = equal_549_s2_q ? x_s2_q[5:0] : {region_row_q, or_2416, or_2413, or_2410};
-  // hls/stages/agreement.hpp:1128
-  logic not_2418;
-  assign not_2418 = ~equal_2056;
-  // hls/stages/agreement.hpp:1058
-  logic or_2422;
-  assign or_2422 = (~sum_2420_s2_q) | equal_2218;
-  // hls/stages/agreement.hpp:788
-  logic and_2425;
-  assign and_2425 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_2422));
+  logic or_2420;
+  assign or_2420 = select_2411[7] | (~(select_2411[6:4] == 3'h0));
+  // hls/stages/agreement.hpp:789
+  logic [5:0] select_2421;
+  assign select_2421 = equal_550_s2_q ? x_s2_q[5:0] : {region_row_q, or_2420, or_2417, or_2414};
+  // hls/stages/agreement.hpp:1129
+  logic not_2422;
+  assign not_2422 = ~equal_2057;
+  // hls/stages/agreement.hpp:1059
+  logic or_2426;
+  assign or_2426 = (~sum_2424_s2_q) | equal_2222;
+  // hls/stages/agreement.hpp:789
+  logic and_2429;
+  assign and_2429 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_2426));
   // hls/stages/agreement.hpp:262
   logic textured;
-  assign textured = inside_v_s2_q & (or_554_s2_q & (not_558_s2_q & and_583_s2_q));
+  assign textured = inside_v_s2_q & (or_555_s2_q & (not_559_s2_q & and_584_s2_q));
   logic explained;
-  assign explained = inside_v_s2_q & and_611;
+  assign explained = inside_v_s2_q & and_612;
   // hls/stages/agreement.hpp:149
-  logic and_2443;
-  assign and_2443 = or_554_s2_q & (not_558_s2_q & and_2441_s2_q);
+  logic and_2447;
+  assign and_2447 = or_555_s2_q & (not_559_s2_q & and_2445_s2_q);
   // hls/stages/agreement.hpp:262
-  logic and_2452;
-  assign and_2452 = inside_v_s2_q & and_2443;
-  // hls/stages/agreement.hpp:1014
-  logic select_2453;
-  assign select_2453 = slot_s2_q[2] ? shown_shown_q : and_611;
+  logic and_2456;
+  assign and_2456 = inside_v_s2_q & and_2447;
+  // hls/stages/agreement.hpp:1015
+  logic select_2457;
+  assign select_2457 = slot_s2_q[2] ? shown_shown_q : and_612;
   // hls/stages/agreement.hpp:262
   logic shown;
-  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2453);
-  // hls/stages/agreement.hpp:1014
-  logic select_2456;
-  assign select_2456 = slot_s2_q[2] ? shown_nearer_q : and_2034;
+  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2457);
+  // hls/stages/agreement.hpp:1015
+  logic select_2460;
+  assign select_2460 = slot_s2_q[2] ? shown_nearer_q : and_2035;
   // hls/stages/agreement.hpp:262
   logic near;
-  assign near = inside_v_s2_q & (select_2453 ? select_2456 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:1274
-  logic or_2459;
-  assign or_2459 = marks_first_s2_q | line_ended_q;
+  assign near = inside_v_s2_q & (select_2457 ? select_2460 : shown_right_rdata_q[1]);
   // hls/stages/agreement.hpp:1276
-  logic [16:0] select_2461;
-  assign select_2461 = marks_first_s2_q ? 17'h1 : (or_2459 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1275
-  logic [8:0] select_2463;
-  assign select_2463 = or_2459 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1283
-  logic select_2465;
-  assign select_2465 = cfg_compete_i ? (or_2459 & select_2461[16]) : (select_2463[8] & select_2461[9]);
-  // hls/stages/agreement.hpp:435
+  logic or_2463;
+  assign or_2463 = marks_first_s2_q | line_ended_q;
+  // hls/stages/agreement.hpp:1278
+  logic [16:0] select_2465;
+  assign select_2465 = marks_first_s2_q ? 17'h1 : (or_2463 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:1277
+  logic [8:0] select_2467;
+  assign select_2467 = or_2463 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:1285
+  logic select_2469;
+  assign select_2469 = cfg_compete_i ? (or_2463 & select_2465[16]) : (select_2467[8] & select_2465[9]);
+  // hls/stages/agreement.hpp:436
   logic next_row;
-  assign next_row = select_2465 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1290
-  logic [6:0] select_2468;
-  assign select_2468 = next_row ? cfg_width_i[9:3] : 7'h0;
-  logic [12:0] select_2470;
-  assign select_2470 = marks_first_s2_q ? 13'h0 : (seen_base_q + {6'h0, select_2468});
-  // hls/stages/agreement.hpp:1300
-  logic equal_2471;
-  assign equal_2471 = seen_x_q == 3'h7;
-  logic [7:0] select_2473;
-  assign select_2473 = select_2465 ? 8'h0 : (seen_column_q + {7'h0, equal_2471});
-  // hls/stages/agreement.hpp:1307
+  assign next_row = select_2469 & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1292
+  logic [6:0] select_2472;
+  assign select_2472 = next_row ? cfg_width_i[9:3] : 7'h0;
+  logic [12:0] select_2474;
+  assign select_2474 = marks_first_s2_q ? 13'h0 : (seen_base_q + {6'h0, select_2472});
+  // hls/stages/agreement.hpp:1302
+  logic equal_2475;
+  assign equal_2475 = seen_x_q == 3'h7;
+  logic [7:0] select_2477;
+  assign select_2477 = select_2469 ? 8'h0 : (seen_column_q + {7'h0, equal_2475});
+  // hls/stages/agreement.hpp:1309
   logic [12:0] index;
-  assign index = select_2470 + {5'h0, select_2473};
-  // hls/stages/agreement.hpp:1274
-  logic select_2476;
-  assign select_2476 = marks_first_s2_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1260
-  logic [7:0] sum_2477;
-  assign sum_2477 = {1'b0, select_2476, 2'h0, select_2476, 1'b0, {2{select_2476}}} + {1'b0, index[12:6]};
-  // hls/stages/agreement.hpp:1273
-  logic not_2478;
-  assign not_2478 = ~marks_first_s2_q;
-  // hls/stages/agreement.hpp:435
-  logic and_2480;
-  assign and_2480 = not_2478 & (began_q | select_2465);
-  // hls/stages/agreement.hpp:1301
-  logic [2:0] select_2482;
-  assign select_2482 = select_2465 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:1306
+  assign index = select_2474 + {5'h0, select_2477};
+  // hls/stages/agreement.hpp:1276
+  logic select_2480;
+  assign select_2480 = marks_first_s2_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  // hls/stages/agreement.hpp:1262
+  logic [7:0] sum_2481;
+  assign sum_2481 = {1'b0, select_2480, 2'h0, select_2480, 1'b0, {2{select_2480}}} + {1'b0, index[12:6]};
+  // hls/stages/agreement.hpp:1275
+  logic not_2482;
+  assign not_2482 = ~marks_first_s2_q;
+  // hls/stages/agreement.hpp:436
   logic and_2484;
-  assign and_2484 = and_2480 & (select_2482 == 3'h0);
-  logic less_2485;
-  assign less_2485 = select_2473 < {1'b0, cfg_width_i[9:3]};
-  // hls/stages/agreement.hpp:1111
-  logic [7:0] sum_2488;
-  assign sum_2488 = {2'h0, x_s2_q[7:2]} + 8'hff;
+  assign and_2484 = not_2482 & (began_q | select_2469);
+  // hls/stages/agreement.hpp:1303
+  logic [2:0] select_2486;
+  assign select_2486 = select_2469 ? 3'h0 : (seen_x_q + 3'h1);
+  // hls/stages/agreement.hpp:1308
+  logic and_2488;
+  assign and_2488 = and_2484 & (select_2486 == 3'h0);
+  logic less_2489;
+  assign less_2489 = select_2477 < {1'b0, cfg_width_i[9:3]};
+  // hls/stages/agreement.hpp:1112
+  logic [7:0] sum_2492;
+  assign sum_2492 = {2'h0, x_s2_q[7:2]} + 8'hff;
   logic [12:0] index_2;
-  assign index_2 = {{3{sum_2488[7]}}, sum_2488, x_s2_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1260
-  logic [7:0] sum_2490;
-  assign sum_2490 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
-  // hls/stages/agreement.hpp:1030
-  logic and_2491;
-  assign and_2491 = seen_columns_rdata_q[14] & inside_v_s2_q;
-  logic and_2492;
-  assign and_2492 = seen_columns_rdata_q[10] & inside_v_s2_q;
-  logic and_2493;
-  assign and_2493 = seen_columns_rdata_q[5] & inside_v_s2_q;
-  logic and_2494;
-  assign and_2494 = seen_columns_rdata_q[0] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1087
-  logic [1:0] sum_2496;
-  assign sum_2496 = {1'b0, and_2493} + ({1'b0, textured} + {1'b0, and_2494});
+  assign index_2 = {{3{sum_2492[7]}}, sum_2492, x_s2_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:1262
+  logic [7:0] sum_2494;
+  assign sum_2494 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
+  // hls/stages/agreement.hpp:1031
+  logic and_2495;
+  assign and_2495 = seen_columns_rdata_q[14] & inside_v_s2_q;
+  logic and_2496;
+  assign and_2496 = seen_columns_rdata_q[10] & inside_v_s2_q;
+  logic and_2497;
+  assign and_2497 = seen_columns_rdata_q[5] & inside_v_s2_q;
+  logic and_2498;
+  assign and_2498 = seen_columns_rdata_q[0] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1088
+  logic [1:0] sum_2500;
+  assign sum_2500 = {1'b0, and_2497} + ({1'b0, textured} + {1'b0, and_2498});
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2491} + ({2'h0, and_2492} + {1'b0, sum_2496});
-  // hls/stages/agreement.hpp:1030
-  logic [7:0] select_2505;
-  assign select_2505 = inside_v_s2_q ? (sum_2420_s2_q ? select_2407 : {select_2407[6:0], 1'b0}) : select_2407;
-  // hls/stages/agreement.hpp:1050
-  logic or_2508;
-  assign or_2508 = select_2505[7] | (~({select_2505[5], select_2505[3], select_2505[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1030
-  logic and_2525;
-  assign and_2525 = seen_columns_rdata_q[16] & inside_v_s2_q;
-  logic and_2526;
-  assign and_2526 = seen_columns_rdata_q[12] & inside_v_s2_q;
-  logic and_2527;
-  assign and_2527 = seen_columns_rdata_q[8] & inside_v_s2_q;
-  logic and_2528;
-  assign and_2528 = seen_columns_rdata_q[3] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1089
-  logic [1:0] sum_2530;
-  assign sum_2530 = {1'b0, and_2527} + ({1'b0, shown} + {1'b0, and_2528});
-  logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2525} + ({2'h0, and_2526} + {1'b0, sum_2530});
-  // hls/stages/agreement.hpp:1030
-  logic and_2541;
-  assign and_2541 = seen_columns_rdata_q[17] & inside_v_s2_q;
-  logic and_2542;
-  assign and_2542 = seen_columns_rdata_q[13] & inside_v_s2_q;
-  logic and_2543;
-  assign and_2543 = seen_columns_rdata_q[9] & inside_v_s2_q;
-  logic and_2544;
-  assign and_2544 = seen_columns_rdata_q[4] & inside_v_s2_q;
+  assign textured_2 = {2'h0, and_2495} + ({2'h0, and_2496} + {1'b0, sum_2500});
+  // hls/stages/agreement.hpp:1031
+  logic [7:0] select_2509;
+  assign select_2509 = inside_v_s2_q ? (sum_2424_s2_q ? select_2411 : {select_2411[6:0], 1'b0}) : select_2411;
+  // hls/stages/agreement.hpp:1051
+  logic or_2512;
+  assign or_2512 = select_2509[7] | (~({select_2509[5], select_2509[3], select_2509[1]} == 3'h0));
+  // hls/stages/agreement.hpp:1031
+  logic and_2529;
+  assign and_2529 = seen_columns_rdata_q[16] & inside_v_s2_q;
+  logic and_2530;
+  assign and_2530 = seen_columns_rdata_q[12] & inside_v_s2_q;
+  logic and_2531;
+  assign and_2531 = seen_columns_rdata_q[8] & inside_v_s2_q;
+  logic and_2532;
+  assign and_2532 = seen_columns_rdata_q[3] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1090
-  logic [1:0] sum_2546;
-  assign sum_2546 = {1'b0, and_2543} + ({1'b0, near} + {1'b0, and_2544});
+  logic [1:0] sum_2534;
+  assign sum_2534 = {1'b0, and_2531} + ({1'b0, shown} + {1'b0, and_2532});
+  logic [2:0] shown_2;
+  assign shown_2 = {2'h0, and_2529} + ({2'h0, and_2530} + {1'b0, sum_2534});
+  // hls/stages/agreement.hpp:1031
+  logic and_2545;
+  assign and_2545 = seen_columns_rdata_q[17] & inside_v_s2_q;
+  logic and_2546;
+  assign and_2546 = seen_columns_rdata_q[13] & inside_v_s2_q;
+  logic and_2547;
+  assign and_2547 = seen_columns_rdata_q[9] & inside_v_s2_q;
+  logic and_2548;
+  assign and_2548 = seen_columns_rdata_q[4] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1091
+  logic [1:0] sum_2550;
+  assign sum_2550 = {1'b0, and_2547} + ({1'b0, near} + {1'b0, and_2548});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2541} + ({2'h0, and_2542} + {1'b0, sum_2546});
-  // hls/stages/agreement.hpp:788
-  logic and_2562;
-  assign and_2562 = ends_cell_s2_q & (and_2558_s2_q & (~({sum_2096, last_s2_q[1:0]} < x_s2_q)));
-  logic and_2564;
-  assign and_2564 = not_550_s2_q & (so_s2_q & and_2562);
+  assign near_2 = {2'h0, and_2545} + ({2'h0, and_2546} + {1'b0, sum_2550});
+  // hls/stages/agreement.hpp:789
+  logic and_2566;
+  assign and_2566 = ends_cell_s2_q & (and_2562_s2_q & (~({sum_2097, last_s2_q[1:0]} < x_s2_q)));
+  logic and_2568;
+  assign and_2568 = not_551_s2_q & (so_s2_q & and_2566);
   // hls/stages/agreement.hpp:276
-  logic [10:0] select_2596;
-  assign select_2596 = sample_pair_whole_s2_q ? (and_523_s2_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2598;
-  assign select_2598 = sample_pair_whole_s2_q ? (and_523_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2617;
-  assign select_2617 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_2619;
-  assign select_2619 = sample_pair_whole_s2_q ? (and_523_s2_q ? select_538 : averager_mask_q) : averager_mask_q;
+  logic [10:0] select_2600;
+  assign select_2600 = sample_pair_whole_s2_q ? (and_524_s2_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2602;
+  assign select_2602 = sample_pair_whole_s2_q ? (and_524_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
   logic select_2621;
-  assign select_2621 = sample_pair_whole_s2_q ? (and_523_s2_q ? select_542 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:520
-  logic [8:0] select_2622;
-  assign select_2622 = and_525_s2_q ? select_531 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2623;
-  assign select_2623 = and_525_s2_q ? select_535 : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2625;
-  assign select_2625 = and_525_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
+  assign select_2621 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2623;
+  assign select_2623 = sample_pair_whole_s2_q ? (and_524_s2_q ? select_539 : averager_mask_q) : averager_mask_q;
+  logic select_2625;
+  assign select_2625 = sample_pair_whole_s2_q ? (and_524_s2_q ? select_543 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/agreement.hpp:521
   logic [8:0] select_2626;
-  assign select_2626 = and_525_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2627;
-  assign select_2627 = and_525_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_2628;
-  assign select_2628 = and_525_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
+  assign select_2626 = and_526_s2_q ? select_532 : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2627;
+  assign select_2627 = and_526_s2_q ? select_536 : census_columns_values_0_cell_0_right_q;
   logic [8:0] select_2629;
-  assign select_2629 = and_525_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2630;
-  assign select_2630 = and_525_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  assign select_2629 = and_526_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_2630;
+  assign select_2630 = and_526_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
   logic select_2631;
-  assign select_2631 = and_525_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  assign select_2631 = and_526_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
   logic [8:0] select_2632;
-  assign select_2632 = and_525_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
+  assign select_2632 = and_526_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
   logic [8:0] select_2633;
-  assign select_2633 = and_525_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  assign select_2633 = and_526_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
   logic select_2634;
-  assign select_2634 = and_525_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_2635;
-  assign select_2635 = and_525_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  assign select_2634 = and_526_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2635;
+  assign select_2635 = and_526_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
   logic [8:0] select_2636;
-  assign select_2636 = and_525_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2637;
-  assign select_2637 = and_525_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_2638;
-  assign select_2638 = and_525_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  assign select_2636 = and_526_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_2637;
+  assign select_2637 = and_526_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2638;
+  assign select_2638 = and_526_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
   logic [8:0] select_2639;
-  assign select_2639 = and_525_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_2640;
-  assign select_2640 = and_525_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic [8:0] select_2641;
-  assign select_2641 = and_525_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  assign select_2639 = and_526_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2640;
+  assign select_2640 = and_526_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2641;
+  assign select_2641 = and_526_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
   logic [8:0] select_2642;
-  assign select_2642 = and_525_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_2643;
-  assign select_2643 = and_525_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
-  logic [8:0] select_2644;
-  assign select_2644 = and_525_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  assign select_2642 = and_526_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2643;
+  assign select_2643 = and_526_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2644;
+  assign select_2644 = and_526_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
   logic [8:0] select_2645;
-  assign select_2645 = and_525_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2646;
-  assign select_2646 = and_525_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  assign select_2645 = and_526_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_2646;
+  assign select_2646 = and_526_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
   logic select_2647;
-  assign select_2647 = and_525_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  assign select_2647 = and_526_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
   logic [8:0] select_2648;
-  assign select_2648 = and_525_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  assign select_2648 = and_526_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
   logic [8:0] select_2649;
-  assign select_2649 = and_525_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  assign select_2649 = and_526_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
   logic select_2650;
-  assign select_2650 = and_525_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
-  logic [8:0] select_2651;
-  assign select_2651 = and_525_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  assign select_2650 = and_526_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2651;
+  assign select_2651 = and_526_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
   logic [8:0] select_2652;
-  assign select_2652 = and_525_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2653;
-  assign select_2653 = and_525_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
-  logic [8:0] select_2654;
-  assign select_2654 = and_525_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  assign select_2652 = and_526_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_2653;
+  assign select_2653 = and_526_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2654;
+  assign select_2654 = and_526_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
   logic [8:0] select_2655;
-  assign select_2655 = and_525_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_2656;
-  assign select_2656 = and_525_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic [8:0] select_2657;
-  assign select_2657 = and_525_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  assign select_2655 = and_526_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2656;
+  assign select_2656 = and_526_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2657;
+  assign select_2657 = and_526_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
   logic [8:0] select_2658;
-  assign select_2658 = and_525_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_2659;
-  assign select_2659 = and_525_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  logic [8:0] select_2660;
-  assign select_2660 = and_525_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  assign select_2658 = and_526_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2659;
+  assign select_2659 = and_526_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2660;
+  assign select_2660 = and_526_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
   logic [8:0] select_2661;
-  assign select_2661 = and_525_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_2662;
-  assign select_2662 = and_525_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic [8:0] select_2663;
-  assign select_2663 = and_525_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  assign select_2661 = and_526_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2662;
+  assign select_2662 = and_526_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2663;
+  assign select_2663 = and_526_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
   logic [8:0] select_2664;
-  assign select_2664 = and_525_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_2665;
-  assign select_2665 = and_525_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
-  logic [8:0] select_2666;
-  assign select_2666 = and_525_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  assign select_2664 = and_526_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2665;
+  assign select_2665 = and_526_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2666;
+  assign select_2666 = and_526_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
   logic [8:0] select_2667;
-  assign select_2667 = and_525_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic select_2668;
-  assign select_2668 = and_525_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  assign select_2667 = and_526_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2668;
+  assign select_2668 = and_526_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
   logic select_2669;
-  assign select_2669 = and_525_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  assign select_2669 = and_526_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
   logic [8:0] select_2670;
-  assign select_2670 = and_525_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  assign select_2670 = and_526_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
   logic [8:0] select_2671;
-  assign select_2671 = and_525_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  assign select_2671 = and_526_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
   logic select_2672;
-  assign select_2672 = and_525_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  assign select_2672 = and_526_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
   logic select_2673;
-  assign select_2673 = and_525_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  assign select_2673 = and_526_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
   logic [8:0] select_2674;
-  assign select_2674 = and_525_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  assign select_2674 = and_526_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
   logic [8:0] select_2675;
-  assign select_2675 = and_525_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  assign select_2675 = and_526_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
   logic select_2676;
-  assign select_2676 = and_525_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  assign select_2676 = and_526_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
   logic select_2677;
-  assign select_2677 = and_525_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  assign select_2677 = and_526_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2678;
+  assign select_2678 = and_526_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2679;
+  assign select_2679 = and_526_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2680;
+  assign select_2680 = and_526_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2681;
+  assign select_2681 = and_526_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:274
-  logic [9:0] difference_2679;
-  assign difference_2679 = {1'b0, select_535} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2680;
-  assign xor_2680 = difference_2679[8:0] ^ {9{difference_2679[9]}};
-  logic [9:0] sum_2681;
-  assign sum_2681 = {9'h0, difference_2679[9]} + {1'b0, xor_2680};
-  logic [9:0] difference_2682;
-  assign difference_2682 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2683;
-  assign xor_2683 = difference_2682[8:0] ^ {9{difference_2682[9]}};
-  logic [9:0] sum_2684;
-  assign sum_2684 = {9'h0, difference_2682[9]} + {1'b0, xor_2683};
+  logic [9:0] difference_2683;
+  assign difference_2683 = {1'b0, select_536} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2684;
+  assign xor_2684 = difference_2683[8:0] ^ {9{difference_2683[9]}};
+  logic [9:0] sum_2685;
+  assign sum_2685 = {9'h0, difference_2683[9]} + {1'b0, xor_2684};
   logic [9:0] difference_2686;
-  assign difference_2686 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  assign difference_2686 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
   logic [8:0] xor_2687;
   assign xor_2687 = difference_2686[8:0] ^ {9{difference_2686[9]}};
   logic [9:0] sum_2688;
   assign sum_2688 = {9'h0, difference_2686[9]} + {1'b0, xor_2687};
-  logic [10:0] sum_2689;
-  assign sum_2689 = ({1'b0, sum_2681} + {1'b0, sum_2684}) + {1'b0, sum_2688};
   logic [9:0] difference_2690;
-  assign difference_2690 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  assign difference_2690 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
   logic [8:0] xor_2691;
   assign xor_2691 = difference_2690[8:0] ^ {9{difference_2690[9]}};
   logic [9:0] sum_2692;
   assign sum_2692 = {9'h0, difference_2690[9]} + {1'b0, xor_2691};
+  logic [10:0] sum_2693;
+  assign sum_2693 = ({1'b0, sum_2685} + {1'b0, sum_2688}) + {1'b0, sum_2692};
   logic [9:0] difference_2694;
-  assign difference_2694 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  assign difference_2694 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
   logic [8:0] xor_2695;
   assign xor_2695 = difference_2694[8:0] ^ {9{difference_2694[9]}};
-  // hls/stages/agreement.hpp:1003
-  logic [13:0] select_2721;
-  assign select_2721 = less_561_s2_q ? moments_turned_0_q : ({13'h0, and_2045} + (and_546_s2_q ? 14'h0 : moments_turned_0_q));
-  // hls/stages/agreement.hpp:788
-  logic [13:0] select_2723;
-  assign select_2723 = equal_553_s2_q ? (inside_v_s2_q ? select_2721 : moments_turned_0_q) : moments_turned_0_q;
+  logic [9:0] sum_2696;
+  assign sum_2696 = {9'h0, difference_2694[9]} + {1'b0, xor_2695};
+  logic [9:0] difference_2698;
+  assign difference_2698 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2699;
+  assign xor_2699 = difference_2698[8:0] ^ {9{difference_2698[9]}};
+  // hls/stages/agreement.hpp:1004
   logic [13:0] select_2725;
-  assign select_2725 = equal_549_s2_q ? moments_turned_0_q : (so_s2_q ? moments_turned_0_q : select_2723);
-  // hls/stages/agreement.hpp:1003
-  logic [13:0] select_2728;
-  assign select_2728 = less_561_s2_q ? moments_turned_1_q : ({13'h0, and_2054} + (and_546_s2_q ? 14'h0 : moments_turned_1_q));
-  // hls/stages/agreement.hpp:788
-  logic [13:0] select_2730;
-  assign select_2730 = equal_553_s2_q ? (inside_v_s2_q ? select_2728 : moments_turned_1_q) : moments_turned_1_q;
+  assign select_2725 = less_562_s2_q ? moments_turned_0_q : ({13'h0, and_2046} + (and_547_s2_q ? 14'h0 : moments_turned_0_q));
+  // hls/stages/agreement.hpp:789
+  logic [13:0] select_2727;
+  assign select_2727 = equal_554_s2_q ? (inside_v_s2_q ? select_2725 : moments_turned_0_q) : moments_turned_0_q;
+  logic [13:0] select_2729;
+  assign select_2729 = equal_550_s2_q ? moments_turned_0_q : (so_s2_q ? moments_turned_0_q : select_2727);
+  // hls/stages/agreement.hpp:1004
   logic [13:0] select_2732;
-  assign select_2732 = equal_549_s2_q ? moments_turned_1_q : (so_s2_q ? moments_turned_1_q : select_2730);
-  // hls/stages/agreement.hpp:1147
-  logic equal_2733;
-  assign equal_2733 = x_s2_q[6:0] == 7'h7f;
-  logic equal_2734;
-  assign equal_2734 = x_s2_q[6:0] == 7'h70;
-  // hls/stages/agreement.hpp:788
+  assign select_2732 = less_562_s2_q ? moments_turned_1_q : ({13'h0, and_2055} + (and_547_s2_q ? 14'h0 : moments_turned_1_q));
+  // hls/stages/agreement.hpp:789
+  logic [13:0] select_2734;
+  assign select_2734 = equal_554_s2_q ? (inside_v_s2_q ? select_2732 : moments_turned_1_q) : moments_turned_1_q;
   logic [13:0] select_2736;
-  assign select_2736 = equal_2733 ? moments_before_0_q : (equal_2734 ? moments_turned_0_q : moments_before_0_q);
-  logic [13:0] select_2739;
-  assign select_2739 = equal_2733 ? moments_before_1_q : (equal_2734 ? moments_turned_1_q : moments_before_1_q);
-  logic select_2742;
-  assign select_2742 = equal_2733 ? moments_has_before_q : (moments_has_before_q | equal_2734);
-  // hls/stages/moments.hpp:72
-  logic [13:0] most_before;
-  assign most_before = (moments_before_1_q < moments_before_0_q) ? moments_before_0_q : moments_before_1_q;
-  // hls/stages/moments.hpp:93
-  logic [14:0] sum_2746;
-  assign sum_2746 = {1'b0, most_before} + 15'h3;
-  logic not_2748;
-  assign not_2748 = ~({3'h0, counts_turned_left_q[13:2]} < sum_2746);
-  logic [14:0] sum_2749;
-  assign sum_2749 = {1'b0, moments_turned_1_q} + 15'h3;
-  logic less_2750;
-  assign less_2750 = {3'h0, counts_turned_left_q[13:2]} < sum_2749;
-  // hls/stages/moments.hpp:77
-  logic select_2755;
-  assign select_2755 = (not_2748 | less_2750) ? (~less_2750) : (~({3'h0, moments_before_1_q[13:2]} < sum_2749));
-  // hls/stages/moments.hpp:93
-  logic not_2757;
-  assign not_2757 = ~({3'h0, counts_turned_right_q[13:2]} < sum_2746);
-  logic [14:0] sum_2758;
-  assign sum_2758 = {1'b0, moments_turned_0_q} + 15'h3;
-  logic less_2759;
-  assign less_2759 = {3'h0, counts_turned_right_q[13:2]} < sum_2758;
-  // hls/stages/agreement.hpp:1144
-  logic select_2764;
-  assign select_2764 = (not_2757 | less_2759) ? (~less_2759) : (~({3'h0, moments_before_0_q[13:2]} < sum_2758));
+  assign select_2736 = equal_550_s2_q ? moments_turned_1_q : (so_s2_q ? moments_turned_1_q : select_2734);
+  // hls/stages/agreement.hpp:1149
+  logic equal_2737;
+  assign equal_2737 = x_s2_q[6:0] == 7'h7f;
+  logic equal_2738;
+  assign equal_2738 = x_s2_q[6:0] == 7'h70;
+  // hls/stages/agreement.hpp:789
+  logic [13:0] select_2740;
+  assign select_2740 = equal_2737 ? moments_before_0_q : (equal_2738 ? moments_turned_0_q : moments_before_0_q);
+  logic [13:0] select_2743;
+  assign select_2743 = equal_2737 ? moments_before_1_q : (equal_2738 ? moments_turned_1_q : moments_before_1_q);
+  logic select_2746;
+  assign select_2746 = equal_2737 ? moments_has_before_q : (moments_has_before_q | equal_2738);
+  // hls/stages/moments.hpp:74
+  logic [13:0] select_2749;
+  assign select_2749 = (moments_before_1_q < moments_before_0_q) ? moments_before_0_q : moments_before_1_q;
+  // hls/stages/moments.hpp:104
+  logic [14:0] sum_2751;
+  assign sum_2751 = {1'b0, moments_turned_1_q} + 15'h3;
+  logic [14:0] sum_2753;
+  assign sum_2753 = {1'b0, moments_turned_0_q} + 15'h3;
+  logic less_2754;
+  assign less_2754 = {3'h0, counts_turned_right_q[13:2]} < sum_2753;
+  logic [14:0] sum_2756;
+  assign sum_2756 = {1'b0, moments_most_before_q} + 15'h3;
+  logic not_2758;
+  assign not_2758 = ~({3'h0, counts_turned_right_q[13:2]} < sum_2756);
+  // hls/stages/moments.hpp:79
+  logic or_2761;
+  assign or_2761 = not_2758 | (~({3'h0, moments_before_0_q[13:2]} < sum_2753));
+  // hls/stages/moments.hpp:104
+  logic not_2764;
+  assign not_2764 = ~({3'h0, counts_turned_left_q[13:2]} < sum_2756);
+  // hls/stages/moments.hpp:79
+  logic or_2767;
+  assign or_2767 = not_2764 | (~({3'h0, moments_before_1_q[13:2]} < sum_2751));
   // hls/stages/moments.hpp:80
-  logic or_2769;
-  assign or_2769 = (select_2755 | select_2764) | (moments_out_of_step_q & (~(not_2748 & not_2757)));
+  logic select_2770;
+  assign select_2770 = ({3'h0, counts_turned_left_q[13:2]} < sum_2751) ? ((~less_2754) & or_2761) : ((less_2754 | or_2767) ? or_2767 : or_2761);
   // hls/stages/moments.hpp:82
-  logic and_2771;
-  assign and_2771 = cfg_prove_i & (cfg_same_table_i ? or_2769 : moments_out_of_step_q);
-  // hls/stages/agreement.hpp:788
-  logic select_2773;
-  assign select_2773 = equal_2733 ? moments_out_of_step_q : (equal_2734 ? and_2771 : moments_out_of_step_q);
+  logic select_2775;
+  assign select_2775 = cfg_same_table_i ? (select_2770 | (moments_out_of_step_q & (~(not_2764 & not_2758)))) : moments_out_of_step_q;
+  // hls/stages/agreement.hpp:789
+  logic select_2778;
+  assign select_2778 = equal_2737 ? moments_out_of_step_q : (equal_2738 ? (cfg_prove_i & select_2775) : moments_out_of_step_q);
   // hls/stages/census.hpp:359
-  logic [9:0] difference_2785;
-  assign difference_2785 = {1'b0, select_531} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2790;
+  assign difference_2790 = {1'b0, select_532} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2785[9]} + (difference_2785[8:0] ^ {9{difference_2785[9]}});
-  logic [9:0] difference_2797;
-  assign difference_2797 = {1'b0, select_535} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_2790[9]} + (difference_2790[8:0] ^ {9{difference_2790[9]}});
+  logic [9:0] difference_2802;
+  assign difference_2802 = {1'b0, select_536} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2797[9]} + (difference_2797[8:0] ^ {9{difference_2797[9]}});
-  // hls/stages/agreement.hpp:788
-  logic not_2985;
-  assign not_2985 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_2986;
-  assign less_2986 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
-  // hls/stages/agreement.hpp:520
-  logic and_2993;
-  assign and_2993 = and_525_s2_q & (equal_654_s2_q & equal_2888_s2_q);
-  // hls/stages/agreement.hpp:788
-  logic and_2999;
-  assign and_2999 = not_550_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_2995_s2_q)));
-  // hls/stages/agreement.hpp:1030
-  logic and_3019;
-  assign and_3019 = seen_columns_rdata_q[15] & inside_v_s2_q;
-  logic and_3020;
-  assign and_3020 = seen_columns_rdata_q[11] & inside_v_s2_q;
-  logic and_3021;
-  assign and_3021 = seen_columns_rdata_q[7] & inside_v_s2_q;
-  logic and_3022;
-  assign and_3022 = seen_columns_rdata_q[2] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1088
-  logic [1:0] sum_3024;
-  assign sum_3024 = {1'b0, and_3021} + ({1'b0, explained} + {1'b0, and_3022});
+  assign contrast_2 = {8'h0, difference_2802[9]} + (difference_2802[8:0] ^ {9{difference_2802[9]}});
+  // hls/stages/agreement.hpp:789
+  logic not_2990;
+  assign not_2990 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_2991;
+  assign less_2991 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  // hls/stages/agreement.hpp:521
+  logic and_2998;
+  assign and_2998 = and_526_s2_q & (equal_655_s2_q & equal_2893_s2_q);
+  // hls/stages/agreement.hpp:789
+  logic and_3004;
+  assign and_3004 = not_551_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_3000_s2_q)));
+  // hls/stages/agreement.hpp:1031
+  logic and_3024;
+  assign and_3024 = seen_columns_rdata_q[15] & inside_v_s2_q;
+  logic and_3025;
+  assign and_3025 = seen_columns_rdata_q[11] & inside_v_s2_q;
+  logic and_3026;
+  assign and_3026 = seen_columns_rdata_q[7] & inside_v_s2_q;
+  logic and_3027;
+  assign and_3027 = seen_columns_rdata_q[2] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1089
+  logic [1:0] sum_3029;
+  assign sum_3029 = {1'b0, and_3026} + ({1'b0, explained} + {1'b0, and_3027});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_3019} + ({2'h0, and_3020} + {1'b0, sum_3024});
-  // hls/stages/agreement.hpp:788
-  logic and_3060;
-  assign and_3060 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2995_s2_q & and_2443)));
-  // hls/stages/agreement.hpp:986
+  assign explained_2 = {2'h0, and_3024} + ({2'h0, and_3025} + {1'b0, sum_3029});
+  // hls/stages/agreement.hpp:789
+  logic and_3065;
+  assign and_3065 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_3000_s2_q & and_2447)));
+  // hls/stages/agreement.hpp:987
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
-  // hls/stages/agreement.hpp:987
+  // hls/stages/agreement.hpp:988
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
-  // hls/stages/agreement.hpp:988
-  logic [7:0] difference_3084;
-  assign difference_3084 = best_left_rdata_s2_q[16:9] - lower;
-  logic less_3087;
-  assign less_3087 = {2'h0, difference_3084[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
+  // hls/stages/agreement.hpp:989
+  logic [7:0] difference_3089;
+  assign difference_3089 = best_left_rdata_s2_q[16:9] - lower;
+  logic less_3092;
+  assign less_3092 = {2'h0, difference_3089[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
   // hls/stages/agreement.hpp:247
-  logic and_3090;
-  assign and_3090 = not_558_s2_q & (((and_2441_s2_q & and_609) & equal_3080_s2_q) & (~less_3087));
-  // hls/stages/agreement.hpp:788
-  logic and_3094;
-  assign and_3094 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_554_s2_q & and_3090)));
-  // hls/stages/agreement.hpp:149
+  logic and_3095;
+  assign and_3095 = not_559_s2_q & (((and_2445_s2_q & and_610) & equal_3085_s2_q) & (~less_3092));
+  // hls/stages/agreement.hpp:789
   logic and_3099;
-  assign and_3099 = not_558_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
-  // hls/stages/agreement.hpp:247
-  logic and_3101;
-  assign and_3101 = not_558_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
+  assign and_3099 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_555_s2_q & and_3095)));
   // hls/stages/agreement.hpp:149
-  logic [1:0] select_3102;
-  assign select_3102 = or_554_s2_q ? {and_3101, and_3099} : 2'h0;
+  logic and_3104;
+  assign and_3104 = not_559_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
   // hls/stages/agreement.hpp:247
-  logic [1:0] select_3104;
-  assign select_3104 = less_557_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
+  logic and_3106;
+  assign and_3106 = not_559_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
   // hls/stages/agreement.hpp:149
-  logic [1:0] select_3105;
-  assign select_3105 = or_554_s2_q ? select_3104 : 2'h0;
-  // hls/stages/agreement.hpp:1027
-  logic and_3107;
-  assign and_3107 = and_611 & (select_3102[0] & select_3105[0]);
-  // hls/stages/agreement.hpp:788
-  logic and_3111;
-  assign and_3111 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3102[1] & and_3107)));
+  logic [1:0] select_3107;
+  assign select_3107 = or_555_s2_q ? {and_3106, and_3104} : 2'h0;
+  // hls/stages/agreement.hpp:247
+  logic [1:0] select_3109;
+  assign select_3109 = less_558_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
+  // hls/stages/agreement.hpp:149
+  logic [1:0] select_3110;
+  assign select_3110 = or_555_s2_q ? select_3109 : 2'h0;
+  // hls/stages/agreement.hpp:1028
   logic and_3112;
-  assign and_3112 = not_550_s2_q & and_3111;
-  logic and_3118;
-  assign and_3118 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3105[1] & and_3107)));
-  logic and_3119;
-  assign and_3119 = not_550_s2_q & and_3118;
+  assign and_3112 = and_612 & (select_3107[0] & select_3110[0]);
+  // hls/stages/agreement.hpp:789
+  logic and_3116;
+  assign and_3116 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3107[1] & and_3112)));
+  logic and_3117;
+  assign and_3117 = not_551_s2_q & and_3116;
+  logic and_3123;
+  assign and_3123 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3110[1] & and_3112)));
+  logic and_3124;
+  assign and_3124 = not_551_s2_q & and_3123;
   // hls/stages/registration.hpp:76
-  logic less_3122;
-  assign less_3122 = slot_s2_q < 3'h3;
+  logic less_3127;
+  assign less_3127 = slot_s2_q < 3'h3;
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_3124;
-  assign select_3124 = or_554_s2_q ? (less_557_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
-  logic [7:0] select_3126;
-  assign select_3126 = or_554_s2_q ? (less_557_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
-  logic [7:0] select_3128;
-  assign select_3128 = or_554_s2_q ? (less_557_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  logic [7:0] select_3129;
+  assign select_3129 = or_555_s2_q ? (less_558_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_3131;
+  assign select_3131 = or_555_s2_q ? (less_558_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_3133;
+  assign select_3133 = or_555_s2_q ? (less_558_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_3126} - {1'b0, select_3128};
+  assign rise_2 = {1'b0, select_3131} - {1'b0, select_3133};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_3130;
-  assign select_3130 = rise_2[8] ? select_3126 : select_3128;
+  logic [7:0] select_3135;
+  assign select_3135 = rise_2[8] ? select_3131 : select_3133;
   logic [8:0] fall;
-  assign fall = {1'b0, select_3124} - {1'b0, select_3130};
+  assign fall = {1'b0, select_3129} - {1'b0, select_3135};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:37
-  logic not_3133;
-  assign not_3133 = ~registration_displacement_over_q[9];
+  logic not_3138;
+  assign not_3138 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_3122 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_3133};
+  assign left = less_3127 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_3138};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_3135;
-  assign xor_3135 = rise_2[7:0] ^ {8{rise_2[8]}};
+  logic [7:0] xor_3140;
+  assign xor_3140 = rise_2[7:0] ^ {8{rise_2[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_3135};
+  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_3140};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_3141;
-  assign select_3141 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_3146;
+  assign select_3146 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_3122 ? {taken, 1'b1} : {not_3133, select_3141, not_3133};
+  assign taken_2 = less_3127 ? {taken, 1'b1} : {not_3138, select_3146, not_3138};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_3143;
-  assign sum_3143 = {left, 1'b1} + {taken_2, less_3122};
+  logic [10:0] sum_3148;
+  assign sum_3148 = {left, 1'b1} + {taken_2, less_3127};
   // hls/stages/agreement.hpp:257
-  logic [4:0] select_3145;
-  assign select_3145 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_3147;
-  assign select_3147 = equal_549_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
-  logic [10:0] select_3149;
-  assign select_3149 = equal_549_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
+  logic [4:0] select_3150;
+  assign select_3150 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  // hls/stages/agreement.hpp:789
+  logic [7:0] select_3152;
+  assign select_3152 = equal_550_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
+  logic [10:0] select_3154;
+  assign select_3154 = equal_550_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_3150;
-  assign equal_3150 = slot_s2_q == 3'h4;
+  logic equal_3155;
+  assign equal_3155 = slot_s2_q == 3'h4;
   // hls/stages/agreement.hpp:262
-  logic and_3154;
-  assign and_3154 = and_611 & less_2151_s2_q;
+  logic and_3159;
+  assign and_3159 = and_612 & less_2152_s2_q;
   // hls/stages/agreement.hpp:149
-  logic [2:0] select_3156;
-  assign select_3156 = or_554_s2_q ? (less_557_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
+  logic [2:0] select_3161;
+  assign select_3161 = or_555_s2_q ? (less_558_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_3160;
-  assign sum_3160 = select_3156[2:1] + 2'h3;
+  logic [1:0] sum_3165;
+  assign sum_3165 = select_3161[2:1] + 2'h3;
   // hls/stages/registration.hpp:102
-  logic [7:0] select_3163;
-  assign select_3163 = (select_3126 < select_3128) ? ({sum_3160, select_3156[0], 5'h0} - {3'h0, select_3145}) : {sum_3160, select_3156[0], select_3145};
-  logic [7:0] select_3164;
-  assign select_3164 = ((select_3156 == 3'h0) | (select_3156 == 3'h4)) ? {sum_3160, select_3156[0], 5'h0} : select_3163;
+  logic [7:0] select_3168;
+  assign select_3168 = (select_3131 < select_3133) ? ({sum_3165, select_3161[0], 5'h0} - {3'h0, select_3150}) : {sum_3165, select_3161[0], select_3150};
+  logic [7:0] select_3169;
+  assign select_3169 = ((select_3161 == 3'h0) | (select_3161 == 3'h4)) ? {sum_3165, select_3161[0], 5'h0} : select_3168;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_3164[7]}}, select_3164} - {sum_2170[9], sum_2170, sum_2166[1]};
+  assign value_2 = {{4{select_3169[7]}}, select_3169} - {sum_2171[9], sum_2171, sum_2167[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_3167;
-  assign select_3167 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_3172;
+  assign select_3172 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_3167[11:7])) ? 12'h7f : select_3167;
+  assign residual = ($signed(5'h0) < $signed(select_3172[11:7])) ? 12'h7f : select_3172;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_3188;
-  assign difference_3188 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_3193;
+  assign difference_3193 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_3190;
-  assign and_3190 = and_3154 & ($signed(difference_3188) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_3195;
+  assign and_3195 = and_3159 & ($signed(difference_3193) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_3203;
-  assign less_3203 = $signed(difference_3188) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:788
-  logic select_3211;
-  assign select_3211 = so_s2_q ? (equal_3150 ? right_2 : registration_of_right_q) : registration_of_right_q;
-  logic select_3214;
-  assign select_3214 = so_s2_q ? (equal_2152 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
+  logic less_3208;
+  assign less_3208 = $signed(difference_3193) < $signed({7'h0, cfg_moved_half_limit_i});
+  // hls/stages/agreement.hpp:789
+  logic select_3216;
+  assign select_3216 = so_s2_q ? (equal_3155 ? right_2 : registration_of_right_q) : registration_of_right_q;
+  logic select_3219;
+  assign select_3219 = so_s2_q ? (equal_2153 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_3219;
-  assign select_3219 = (sum_2062 == 2'h2) ? (registration_fresh_q & (~select_2109)) : registration_fresh_q;
-  // hls/stages/agreement.hpp:788
-  logic [3:0] select_3221;
-  assign select_3221 = so_s2_q ? (and_2104 ? select_3219 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_3224;
+  assign select_3224 = (sum_2063 == 2'h2) ? (registration_fresh_q & (~select_2110)) : registration_fresh_q;
+  // hls/stages/agreement.hpp:789
+  logic [3:0] select_3226;
+  assign select_3226 = so_s2_q ? (and_2105 ? select_3224 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_3223;
-  assign select_3223 = and_2993 ? 4'hf : (equal_549_s2_q ? registration_fresh_q : select_3221);
-  // hls/stages/agreement.hpp:1129
+  logic [3:0] select_3228;
+  assign select_3228 = and_2998 ? 4'hf : (equal_550_s2_q ? registration_fresh_q : select_3226);
+  // hls/stages/agreement.hpp:1130
   logic [1:0] quarter_2;
-  assign quarter_2 = all ? x_s2_q[1:0] : select_2059;
+  assign quarter_2 = all ? x_s2_q[1:0] : select_2060;
   // hls/stages/registration.hpp:258
-  logic not_3244;
-  assign not_3244 = ~quarter_2[1];
-  logic [3:0] select_3245;
-  assign select_3245 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3244, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3244};
+  logic not_3249;
+  assign not_3249 = ~quarter_2[1];
+  logic [3:0] select_3250;
+  assign select_3250 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3249, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3249};
   // hls/stages/patches.hpp:91
-  logic parity_3379;
-  assign parity_3379 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
-  // hls/stages/agreement.hpp:460
-  logic [15:0] select_3380;
-  assign select_3380 = equal_2888_s2_q ? {patches_chance_q[14:0], parity_3379} : patches_chance_q;
-  // hls/stages/patches.hpp:344
-  logic not_3382;
-  assign not_3382 = ~and_2223;
+  logic parity_3384;
+  assign parity_3384 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  // hls/stages/agreement.hpp:461
+  logic [15:0] select_3385;
+  assign select_3385 = equal_2893_s2_q ? {patches_chance_q[14:0], parity_3384} : patches_chance_q;
+  // hls/stages/patches.hpp:345
+  logic not_3387;
+  assign not_3387 = ~and_2227;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
@@ -4234,510 +4237,510 @@ module horopter_agreement (
   logic [5:0] further;
   assign further = last_s2_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
   // hls/stages/patches.hpp:110
-  logic [5:0] select_3385;
-  assign select_3385 = right_3 ? last_s2_q[6:1] : 6'h0;
+  logic [5:0] select_3390;
+  assign select_3390 = right_3 ? last_s2_q[6:1] : 6'h0;
   logic [6:0] from;
-  assign from = {1'b0, further} + {1'b0, select_3385};
-  // hls/stages/agreement.hpp:788
-  logic and_3391;
-  assign and_3391 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {1'b0, from}))));
+  assign from = {1'b0, further} + {1'b0, select_3390};
+  // hls/stages/agreement.hpp:789
+  logic and_3396;
+  assign and_3396 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {1'b0, from}))));
   // hls/stages/patches.hpp:156
-  logic and_3395;
-  assign and_3395 = not_3382 & (patches_fixed_q | ((not_550_s2_q & and_3391) & and_2198));
-  // hls/stages/patches.hpp:353
-  logic not_3408;
-  assign not_3408 = ~select_2141[1];
+  logic and_3400;
+  assign and_3400 = not_3387 & (patches_fixed_q | ((not_551_s2_q & and_3396) & and_2199));
+  // hls/stages/patches.hpp:354
+  logic not_3413;
+  assign not_3413 = ~select_2142[1];
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3410;
-  assign select_3410 = sample_pair_whole_s2_q ? (equal_2142 ? select_2141 : {not_3408, 1'b0}) : patches_fetch_q;
-  // hls/stages/patches.hpp:517
+  logic [1:0] select_3415;
+  assign select_3415 = sample_pair_whole_s2_q ? (equal_2143 ? select_2142 : {not_3413, 1'b0}) : patches_fetch_q;
+  // hls/stages/patches.hpp:518
   logic [55:0] other;
   assign other = new_row_s2_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
   // hls/stages/patches.hpp:184
-  logic [51:0] select_3509;
-  assign select_3509 = or_2231_s2_q ? {less_2359_s2_q, less_2358_s2_q, less_2349_s2_q, less_2348_s2_q, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_3511;
-  assign select_3511 = equal_2225_s2_q ? patches_codes_at_q : (equal_2227_s2_q ? other[55:4] : select_3509);
-  // hls/stages/patches.hpp:500
+  logic [51:0] select_3514;
+  assign select_3514 = or_2235_s2_q ? {less_2363_s2_q, less_2362_s2_q, less_2353_s2_q, less_2352_s2_q, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3516;
+  assign select_3516 = equal_2229_s2_q ? patches_codes_at_q : (equal_2231_s2_q ? other[55:4] : select_3514);
+  // hls/stages/patches.hpp:501
   logic [27:0] word;
-  assign word = or_2331_s2_q ? patches_right_codes_rdata_q : 28'h0;
-  // hls/stages/patches.hpp:516
-  logic [27:0] select_3514;
-  assign select_3514 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
-  // hls/stages/patches.hpp:184
-  logic [27:0] select_3516;
-  assign select_3516 = equal_2227_s2_q ? (new_row_s2_q ? word : select_3514) : patches_codes_further_q;
-  // hls/stages/patches.hpp:518
-  logic [55:0] select_3518;
-  assign select_3518 = less_2318_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:488
-  logic [55:0] select_3520;
-  assign select_3520 = less_3519_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:184
-  logic [55:0] select_3522;
-  assign select_3522 = or_2231_s2_q ? (equal_2230_s2_q ? patches_next_codes_q : select_3520) : patches_next_codes_q;
-  logic [55:0] select_3524;
-  assign select_3524 = equal_2225_s2_q ? patches_next_codes_q : (equal_2227_s2_q ? select_3518 : select_3522);
-  // hls/stages/count_bits.hpp:24
-  logic parity_3529;
-  assign parity_3529 = ^{less_2359_s2_q, less_2358_s2_q, less_2349_s2_q, less_2348_s2_q};
-  // hls/stages/count_bits.hpp:25
-  logic or_3533;
-  assign or_3533 = ({less_2349_s2_q, less_2348_s2_q} == 2'h3) | (less_2358_s2_q & (less_2349_s2_q | less_2348_s2_q));
-  logic and_3534;
-  assign and_3534 = less_2359_s2_q & (^{less_2358_s2_q, less_2349_s2_q, less_2348_s2_q});
-  // hls/stages/count_bits.hpp:24
-  logic xor_3535;
-  assign xor_3535 = or_3533 ^ and_3534;
-  // hls/stages/count_bits.hpp:27
-  logic and_3536;
-  assign and_3536 = or_3533 & and_3534;
-  // hls/stages/patches.hpp:184
-  logic [2:0] select_3538;
-  assign select_3538 = or_2231_s2_q ? (and_2382_s2_q ? {and_3536, xor_3535, parity_3529} : 3'h0) : 3'h0;
-  // hls/stages/patches.hpp:167
-  logic [9:0] sum_3542;
-  assign sum_3542 = {7'h0, patches_set_q} + (equal_2230_s2_q ? 10'h0 : patches_size_q);
+  assign word = or_2335_s2_q ? patches_right_codes_rdata_q : 28'h0;
   // hls/stages/patches.hpp:517
-  logic [47:0] select_3552;
-  assign select_3552 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  logic [27:0] select_3519;
+  assign select_3519 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
   // hls/stages/patches.hpp:184
-  logic [47:0] select_3554;
-  assign select_3554 = equal_2225_s2_q ? patches_left_row_q : (equal_2227_s2_q ? select_3552 : patches_left_row_q);
+  logic [27:0] select_3521;
+  assign select_3521 = equal_2231_s2_q ? (new_row_s2_q ? word : select_3519) : patches_codes_further_q;
   // hls/stages/patches.hpp:519
+  logic [55:0] select_3523;
+  assign select_3523 = less_2322_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:489
+  logic [55:0] select_3525;
+  assign select_3525 = less_3524_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:184
+  logic [55:0] select_3527;
+  assign select_3527 = or_2235_s2_q ? (equal_2234_s2_q ? patches_next_codes_q : select_3525) : patches_next_codes_q;
+  logic [55:0] select_3529;
+  assign select_3529 = equal_2229_s2_q ? patches_next_codes_q : (equal_2231_s2_q ? select_3523 : select_3527);
+  // hls/stages/count_bits.hpp:24
+  logic parity_3534;
+  assign parity_3534 = ^{less_2363_s2_q, less_2362_s2_q, less_2353_s2_q, less_2352_s2_q};
+  // hls/stages/count_bits.hpp:25
+  logic or_3538;
+  assign or_3538 = ({less_2353_s2_q, less_2352_s2_q} == 2'h3) | (less_2362_s2_q & (less_2353_s2_q | less_2352_s2_q));
+  logic and_3539;
+  assign and_3539 = less_2363_s2_q & (^{less_2362_s2_q, less_2353_s2_q, less_2352_s2_q});
+  // hls/stages/count_bits.hpp:24
+  logic xor_3540;
+  assign xor_3540 = or_3538 ^ and_3539;
+  // hls/stages/count_bits.hpp:27
+  logic and_3541;
+  assign and_3541 = or_3538 & and_3539;
+  // hls/stages/patches.hpp:184
+  logic [2:0] select_3543;
+  assign select_3543 = or_2235_s2_q ? (and_2386_s2_q ? {and_3541, xor_3540, parity_3534} : 3'h0) : 3'h0;
+  // hls/stages/patches.hpp:167
+  logic [9:0] sum_3547;
+  assign sum_3547 = {7'h0, patches_set_q} + (equal_2234_s2_q ? 10'h0 : patches_size_q);
+  // hls/stages/patches.hpp:518
+  logic [47:0] select_3557;
+  assign select_3557 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  // hls/stages/patches.hpp:184
+  logic [47:0] select_3559;
+  assign select_3559 = equal_2229_s2_q ? patches_left_row_q : (equal_2231_s2_q ? select_3557 : patches_left_row_q);
+  // hls/stages/patches.hpp:520
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3552;
+  assign bits = other[47:0] ^ select_3557;
   // hls/stages/count_bits.hpp:24
-  logic xor_3558;
-  assign xor_3558 = bits[17] ^ (^{select_3552[16:15], other[16:15]});
-  logic xor_3561;
-  assign xor_3561 = bits[11] ^ (^{select_3552[10:9], other[10:9]});
-  logic xor_3564;
-  assign xor_3564 = bits[14] ^ (^{select_3552[13:12], other[13:12]});
-  logic xor_3567;
-  assign xor_3567 = xor_3558 ^ (^{select_3552[14:9], other[14:9]});
-  logic xor_3570;
-  assign xor_3570 = bits[47] ^ (^{select_3552[46:45], other[46:45]});
-  logic xor_3573;
-  assign xor_3573 = bits[8] ^ (^{select_3552[7:6], other[7:6]});
-  logic xor_3576;
-  assign xor_3576 = bits[2] ^ (^{select_3552[1:0], other[1:0]});
-  logic xor_3579;
-  assign xor_3579 = bits[5] ^ (^{select_3552[4:3], other[4:3]});
-  logic xor_3582;
-  assign xor_3582 = xor_3573 ^ (^{select_3552[5:0], other[5:0]});
-  logic parity_3584;
-  assign parity_3584 = ^{select_3552[47:45], select_3552[8:0], other[47:45], other[8:0]};
-  logic xor_3585;
-  assign xor_3585 = xor_3567 ^ parity_3584;
-  logic xor_3588;
-  assign xor_3588 = bits[44] ^ (^{select_3552[43:42], other[43:42]});
-  logic xor_3591;
-  assign xor_3591 = bits[38] ^ (^{select_3552[37:36], other[37:36]});
-  logic xor_3594;
-  assign xor_3594 = bits[41] ^ (^{select_3552[40:39], other[40:39]});
-  logic xor_3600;
-  assign xor_3600 = bits[26] ^ (^{select_3552[25:24], other[25:24]});
-  logic xor_3603;
-  assign xor_3603 = bits[20] ^ (^{select_3552[19:18], other[19:18]});
-  logic xor_3606;
-  assign xor_3606 = bits[23] ^ (^{select_3552[22:21], other[22:21]});
-  logic xor_3609;
-  assign xor_3609 = xor_3600 ^ (^{select_3552[23:18], other[23:18]});
-  logic xor_3612;
-  assign xor_3612 = bits[35] ^ (^{select_3552[34:33], other[34:33]});
-  logic xor_3615;
-  assign xor_3615 = bits[29] ^ (^{select_3552[28:27], other[28:27]});
-  logic xor_3618;
-  assign xor_3618 = bits[32] ^ (^{select_3552[31:30], other[31:30]});
-  logic xor_3621;
-  assign xor_3621 = xor_3612 ^ (^{select_3552[32:27], other[32:27]});
-  logic xor_3622;
-  assign xor_3622 = xor_3609 ^ xor_3621;
+  logic xor_3563;
+  assign xor_3563 = bits[17] ^ (^{select_3557[16:15], other[16:15]});
+  logic xor_3566;
+  assign xor_3566 = bits[11] ^ (^{select_3557[10:9], other[10:9]});
+  logic xor_3569;
+  assign xor_3569 = bits[14] ^ (^{select_3557[13:12], other[13:12]});
+  logic xor_3572;
+  assign xor_3572 = xor_3563 ^ (^{select_3557[14:9], other[14:9]});
+  logic xor_3575;
+  assign xor_3575 = bits[47] ^ (^{select_3557[46:45], other[46:45]});
+  logic xor_3578;
+  assign xor_3578 = bits[8] ^ (^{select_3557[7:6], other[7:6]});
+  logic xor_3581;
+  assign xor_3581 = bits[2] ^ (^{select_3557[1:0], other[1:0]});
+  logic xor_3584;
+  assign xor_3584 = bits[5] ^ (^{select_3557[4:3], other[4:3]});
+  logic xor_3587;
+  assign xor_3587 = xor_3578 ^ (^{select_3557[5:0], other[5:0]});
+  logic parity_3589;
+  assign parity_3589 = ^{select_3557[47:45], select_3557[8:0], other[47:45], other[8:0]};
+  logic xor_3590;
+  assign xor_3590 = xor_3572 ^ parity_3589;
+  logic xor_3593;
+  assign xor_3593 = bits[44] ^ (^{select_3557[43:42], other[43:42]});
+  logic xor_3596;
+  assign xor_3596 = bits[38] ^ (^{select_3557[37:36], other[37:36]});
+  logic xor_3599;
+  assign xor_3599 = bits[41] ^ (^{select_3557[40:39], other[40:39]});
+  logic xor_3605;
+  assign xor_3605 = bits[26] ^ (^{select_3557[25:24], other[25:24]});
+  logic xor_3608;
+  assign xor_3608 = bits[20] ^ (^{select_3557[19:18], other[19:18]});
+  logic xor_3611;
+  assign xor_3611 = bits[23] ^ (^{select_3557[22:21], other[22:21]});
+  logic xor_3614;
+  assign xor_3614 = xor_3605 ^ (^{select_3557[23:18], other[23:18]});
+  logic xor_3617;
+  assign xor_3617 = bits[35] ^ (^{select_3557[34:33], other[34:33]});
+  logic xor_3620;
+  assign xor_3620 = bits[29] ^ (^{select_3557[28:27], other[28:27]});
+  logic xor_3623;
+  assign xor_3623 = bits[32] ^ (^{select_3557[31:30], other[31:30]});
+  logic xor_3626;
+  assign xor_3626 = xor_3617 ^ (^{select_3557[32:27], other[32:27]});
+  logic xor_3627;
+  assign xor_3627 = xor_3614 ^ xor_3626;
   // hls/stages/count_bits.hpp:25
-  logic or_3630;
-  assign or_3630 = (xor_3561 & xor_3564) | (xor_3558 & (xor_3561 | xor_3564));
-  logic or_3634;
-  assign or_3634 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3638;
-  assign or_3638 = (xor_3576 & xor_3579) | (xor_3573 & (xor_3576 | xor_3579));
+  logic or_3635;
+  assign or_3635 = (xor_3566 & xor_3569) | (xor_3563 & (xor_3566 | xor_3569));
+  logic or_3639;
+  assign or_3639 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+  logic or_3643;
+  assign or_3643 = (xor_3581 & xor_3584) | (xor_3578 & (xor_3581 | xor_3584));
   // hls/stages/count_bits.hpp:23
-  logic or_3645;
-  assign or_3645 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  logic or_3650;
+  assign or_3650 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
   // hls/stages/count_bits.hpp:25
-  logic or_3649;
-  assign or_3649 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-  logic or_3653;
-  assign or_3653 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+  logic or_3654;
+  assign or_3654 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  logic or_3658;
+  assign or_3658 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3656;
-  assign parity_3656 = ^{or_3653, or_3649, or_3645};
+  logic parity_3661;
+  assign parity_3661 = ^{or_3658, or_3654, or_3650};
   // hls/stages/count_bits.hpp:23
-  logic or_3660;
-  assign or_3660 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+  logic or_3665;
+  assign or_3665 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
   // hls/stages/count_bits.hpp:25
-  logic or_3664;
-  assign or_3664 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-  logic or_3668;
-  assign or_3668 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+  logic or_3669;
+  assign or_3669 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3673;
+  assign or_3673 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3671;
-  assign parity_3671 = ^{or_3668, or_3664, or_3660};
-  logic parity_3674;
-  assign parity_3674 = ^{or_3668, or_3664, or_3660, or_3653, or_3649, or_3645, or_3638, or_3634, or_3630};
+  logic parity_3676;
+  assign parity_3676 = ^{or_3673, or_3669, or_3665};
+  logic parity_3679;
+  assign parity_3679 = ^{or_3673, or_3669, or_3665, or_3658, or_3654, or_3650, or_3643, or_3639, or_3635};
   // hls/stages/count_bits.hpp:23
-  logic or_3678;
-  assign or_3678 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  logic or_3683;
+  assign or_3683 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
   // hls/stages/count_bits.hpp:25
-  logic or_3682;
-  assign or_3682 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3686;
-  assign or_3686 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+  logic or_3687;
+  assign or_3687 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3691;
+  assign or_3691 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
   // hls/stages/count_bits.hpp:23
-  logic or_3694;
-  assign or_3694 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+  logic or_3699;
+  assign or_3699 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_3698;
-  assign or_3698 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-  logic or_3702;
-  assign or_3702 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+  logic or_3703;
+  assign or_3703 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  logic or_3707;
+  assign or_3707 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3705;
-  assign parity_3705 = ^{or_3702, or_3698, or_3694};
+  logic parity_3710;
+  assign parity_3710 = ^{or_3707, or_3703, or_3699};
   // hls/stages/count_bits.hpp:23
-  logic or_3709;
-  assign or_3709 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+  logic or_3714;
+  assign or_3714 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
   // hls/stages/count_bits.hpp:25
-  logic or_3713;
-  assign or_3713 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-  logic or_3717;
-  assign or_3717 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  logic or_3718;
+  assign or_3718 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3722;
+  assign or_3722 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3720;
-  assign parity_3720 = ^{or_3717, or_3713, or_3709};
-  logic parity_3723;
-  assign parity_3723 = ^{or_3717, or_3713, or_3709, or_3702, or_3698, or_3694, or_3686, or_3682, or_3678};
+  logic parity_3725;
+  assign parity_3725 = ^{or_3722, or_3718, or_3714};
+  logic parity_3728;
+  assign parity_3728 = ^{or_3722, or_3718, or_3714, or_3707, or_3703, or_3699, or_3691, or_3687, or_3683};
   // hls/stages/count_bits.hpp:25
-  logic or_3727;
-  assign or_3727 = (xor_3591 & xor_3594) | (xor_3588 & (xor_3591 | xor_3594));
-  logic or_3731;
-  assign or_3731 = (xor_3603 & xor_3606) | (xor_3600 & (xor_3603 | xor_3606));
-  logic or_3735;
-  assign or_3735 = (xor_3615 & xor_3618) | (xor_3612 & (xor_3615 | xor_3618));
+  logic or_3732;
+  assign or_3732 = (xor_3596 & xor_3599) | (xor_3593 & (xor_3596 | xor_3599));
+  logic or_3736;
+  assign or_3736 = (xor_3608 & xor_3611) | (xor_3605 & (xor_3608 | xor_3611));
+  logic or_3740;
+  assign or_3740 = (xor_3620 & xor_3623) | (xor_3617 & (xor_3620 | xor_3623));
   // hls/stages/count_bits.hpp:24
-  logic parity_3738;
-  assign parity_3738 = ^{or_3735, or_3731, or_3727};
+  logic parity_3743;
+  assign parity_3743 = ^{or_3740, or_3736, or_3732};
   // hls/stages/count_bits.hpp:25
-  logic and_3739;
-  assign and_3739 = xor_3585 & (^{xor_3622, select_3552[44:36], other[44:36]});
-  logic or_3743;
-  assign or_3743 = (xor_3570 & xor_3582) | (xor_3567 & (xor_3570 | xor_3582));
-  logic and_3746;
-  assign and_3746 = (xor_3588 ^ (^{select_3552[41:36], other[41:36]})) & (xor_3609 | xor_3621);
-  logic or_3747;
-  assign or_3747 = (xor_3609 & xor_3621) | and_3746;
+  logic and_3744;
+  assign and_3744 = xor_3590 & (^{xor_3627, select_3557[44:36], other[44:36]});
+  logic or_3748;
+  assign or_3748 = (xor_3575 & xor_3587) | (xor_3572 & (xor_3575 | xor_3587));
+  logic and_3751;
+  assign and_3751 = (xor_3593 ^ (^{select_3557[41:36], other[41:36]})) & (xor_3614 | xor_3626);
+  logic or_3752;
+  assign or_3752 = (xor_3614 & xor_3626) | and_3751;
   // hls/stages/count_bits.hpp:24
-  logic parity_3750;
-  assign parity_3750 = ^{or_3747, or_3743, and_3739};
-  logic parity_3753;
-  assign parity_3753 = ^{or_3747, or_3743, and_3739, or_3735, or_3731, or_3727, or_3717, or_3713, or_3709, or_3702, or_3698, or_3694, or_3686, or_3682, or_3678};
   logic parity_3755;
-  assign parity_3755 = ^{or_3747, or_3743, and_3739, or_3735, or_3731, or_3727, or_3717, or_3713, or_3709, or_3702, or_3698, or_3694, or_3686, or_3682, or_3678, or_3668, or_3664, or_3660, or_3653, or_3649, or_3645, or_3638, or_3634, or_3630};
+  assign parity_3755 = ^{or_3752, or_3748, and_3744};
+  logic parity_3758;
+  assign parity_3758 = ^{or_3752, or_3748, and_3744, or_3740, or_3736, or_3732, or_3722, or_3718, or_3714, or_3707, or_3703, or_3699, or_3691, or_3687, or_3683};
+  logic parity_3760;
+  assign parity_3760 = ^{or_3752, or_3748, and_3744, or_3740, or_3736, or_3732, or_3722, or_3718, or_3714, or_3707, or_3703, or_3699, or_3691, or_3687, or_3683, or_3673, or_3669, or_3665, or_3658, or_3654, or_3650, or_3643, or_3639, or_3635};
   // hls/stages/count_bits.hpp:25
-  logic and_3756;
-  assign and_3756 = parity_3674 & parity_3753;
-  logic or_3760;
-  assign or_3760 = (parity_3656 & parity_3671) | ((^{or_3638, or_3634, or_3630}) & (parity_3656 | parity_3671));
-  logic or_3764;
-  assign or_3764 = (parity_3738 & parity_3750) | (parity_3723 & (parity_3738 | parity_3750));
-  logic or_3771;
-  assign or_3771 = (parity_3705 & parity_3720) | ((^{or_3686, or_3682, or_3678}) & (parity_3705 | parity_3720));
-  logic or_3775;
-  assign or_3775 = (or_3731 & or_3735) | (or_3727 & (or_3731 | or_3735));
-  logic or_3779;
-  assign or_3779 = (or_3743 & or_3747) | (and_3739 & (or_3743 | or_3747));
+  logic and_3761;
+  assign and_3761 = parity_3679 & parity_3758;
+  logic or_3765;
+  assign or_3765 = (parity_3661 & parity_3676) | ((^{or_3643, or_3639, or_3635}) & (parity_3661 | parity_3676));
+  logic or_3769;
+  assign or_3769 = (parity_3743 & parity_3755) | (parity_3728 & (parity_3743 | parity_3755));
+  logic or_3776;
+  assign or_3776 = (parity_3710 & parity_3725) | ((^{or_3691, or_3687, or_3683}) & (parity_3710 | parity_3725));
+  logic or_3780;
+  assign or_3780 = (or_3736 & or_3740) | (or_3732 & (or_3736 | or_3740));
+  logic or_3784;
+  assign or_3784 = (or_3748 & or_3752) | (and_3744 & (or_3748 | or_3752));
   // hls/stages/count_bits.hpp:23
-  logic or_3786;
-  assign or_3786 = (or_3682 & or_3686) | (or_3678 & (or_3682 | or_3686));
+  logic or_3791;
+  assign or_3791 = (or_3687 & or_3691) | (or_3683 & (or_3687 | or_3691));
   // hls/stages/count_bits.hpp:25
-  logic or_3790;
-  assign or_3790 = (or_3698 & or_3702) | (or_3694 & (or_3698 | or_3702));
-  logic or_3794;
-  assign or_3794 = (or_3713 & or_3717) | (or_3709 & (or_3713 | or_3717));
+  logic or_3795;
+  assign or_3795 = (or_3703 & or_3707) | (or_3699 & (or_3703 | or_3707));
+  logic or_3799;
+  assign or_3799 = (or_3718 & or_3722) | (or_3714 & (or_3718 | or_3722));
   // hls/stages/count_bits.hpp:24
-  logic parity_3797;
-  assign parity_3797 = ^{or_3794, or_3790, or_3786};
+  logic parity_3802;
+  assign parity_3802 = ^{or_3799, or_3795, or_3791};
   // hls/stages/count_bits.hpp:23
-  logic or_3801;
-  assign or_3801 = (or_3634 & or_3638) | (or_3630 & (or_3634 | or_3638));
+  logic or_3806;
+  assign or_3806 = (or_3639 & or_3643) | (or_3635 & (or_3639 | or_3643));
   // hls/stages/count_bits.hpp:25
-  logic or_3805;
-  assign or_3805 = (or_3649 & or_3653) | (or_3645 & (or_3649 | or_3653));
-  logic or_3809;
-  assign or_3809 = (or_3664 & or_3668) | (or_3660 & (or_3664 | or_3668));
+  logic or_3810;
+  assign or_3810 = (or_3654 & or_3658) | (or_3650 & (or_3654 | or_3658));
+  logic or_3814;
+  assign or_3814 = (or_3669 & or_3673) | (or_3665 & (or_3669 | or_3673));
   // hls/stages/count_bits.hpp:24
-  logic parity_3812;
-  assign parity_3812 = ^{or_3809, or_3805, or_3801};
-  logic parity_3815;
-  assign parity_3815 = ^{or_3809, or_3805, or_3801, or_3794, or_3790, or_3786, or_3779, or_3775, or_3771};
   logic parity_3817;
-  assign parity_3817 = ^{or_3809, or_3805, or_3801, or_3794, or_3790, or_3786, or_3779, or_3775, or_3771, or_3764, or_3760, and_3756};
+  assign parity_3817 = ^{or_3814, or_3810, or_3806};
+  logic parity_3820;
+  assign parity_3820 = ^{or_3814, or_3810, or_3806, or_3799, or_3795, or_3791, or_3784, or_3780, or_3776};
+  logic parity_3822;
+  assign parity_3822 = ^{or_3814, or_3810, or_3806, or_3799, or_3795, or_3791, or_3784, or_3780, or_3776, or_3769, or_3765, and_3761};
   // hls/stages/count_bits.hpp:25
-  logic or_3821;
-  assign or_3821 = (or_3775 & or_3779) | (or_3771 & (or_3775 | or_3779));
-  logic or_3825;
-  assign or_3825 = (or_3790 & or_3794) | (or_3786 & (or_3790 | or_3794));
-  logic or_3829;
-  assign or_3829 = (or_3805 & or_3809) | (or_3801 & (or_3805 | or_3809));
+  logic or_3826;
+  assign or_3826 = (or_3780 & or_3784) | (or_3776 & (or_3780 | or_3784));
+  logic or_3830;
+  assign or_3830 = (or_3795 & or_3799) | (or_3791 & (or_3795 | or_3799));
+  logic or_3834;
+  assign or_3834 = (or_3810 & or_3814) | (or_3806 & (or_3810 | or_3814));
   // hls/stages/count_bits.hpp:24
-  logic parity_3832;
-  assign parity_3832 = ^{or_3829, or_3825, or_3821};
+  logic parity_3837;
+  assign parity_3837 = ^{or_3834, or_3830, or_3826};
   // hls/stages/count_bits.hpp:25
-  logic and_3833;
-  assign and_3833 = (^{or_3764, or_3760, and_3756}) & parity_3815;
-  logic or_3837;
-  assign or_3837 = (or_3760 & or_3764) | (and_3756 & (or_3760 | or_3764));
-  logic or_3841;
-  assign or_3841 = (parity_3797 & parity_3812) | ((^{or_3779, or_3775, or_3771}) & (parity_3797 | parity_3812));
+  logic and_3838;
+  assign and_3838 = (^{or_3769, or_3765, and_3761}) & parity_3820;
+  logic or_3842;
+  assign or_3842 = (or_3765 & or_3769) | (and_3761 & (or_3765 | or_3769));
+  logic or_3846;
+  assign or_3846 = (parity_3802 & parity_3817) | ((^{or_3784, or_3780, or_3776}) & (parity_3802 | parity_3817));
   // hls/stages/count_bits.hpp:24
-  logic parity_3844;
-  assign parity_3844 = ^{or_3841, or_3837, and_3833};
+  logic parity_3849;
+  assign parity_3849 = ^{or_3846, or_3842, and_3838};
   // hls/stages/count_bits.hpp:25
-  logic and_3846;
-  assign and_3846 = parity_3832 & parity_3844;
-  logic or_3850;
-  assign or_3850 = (or_3825 & or_3829) | (or_3821 & (or_3825 | or_3829));
-  logic or_3854;
-  assign or_3854 = (or_3837 & or_3841) | (and_3833 & (or_3837 | or_3841));
+  logic and_3851;
+  assign and_3851 = parity_3837 & parity_3849;
+  logic or_3855;
+  assign or_3855 = (or_3830 & or_3834) | (or_3826 & (or_3830 | or_3834));
+  logic or_3859;
+  assign or_3859 = (or_3842 & or_3846) | (and_3838 & (or_3842 | or_3846));
   // hls/stages/patches.hpp:184
-  logic [4:0] select_3899;
-  assign select_3899 = equal_2227_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
-  logic select_3902;
-  assign select_3902 = equal_2225_s2_q ? patches_summed_first_q : (equal_2227_s2_q ? new_row_s2_q : patches_summed_first_q);
-  // hls/stages/patches.hpp:551
-  logic [9:0] select_3909;
-  assign select_3909 = less_2388_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
-  // hls/stages/patches.hpp:555
-  logic [9:0] select_3912;
-  assign select_3912 = equal_2391_s2_q ? (less_2388_s2_q ? (equal_2391_s2_q ? 10'h0 : select_3909) : 10'h0) : select_3909;
-  logic [9:0] select_3914;
-  assign select_3914 = less_2388_s2_q ? (equal_2389_s2_q ? 10'h0 : select_3912) : select_3912;
-  // hls/stages/patches.hpp:551
-  logic [4:0] select_3916;
-  assign select_3916 = less_2388_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
-  // hls/stages/patches.hpp:555
-  logic [4:0] select_3919;
-  assign select_3919 = equal_2391_s2_q ? (less_2388_s2_q ? (equal_2391_s2_q ? 5'h0 : select_3916) : 5'h0) : select_3916;
-  logic [4:0] select_3921;
-  assign select_3921 = less_2388_s2_q ? (equal_2389_s2_q ? 5'h0 : select_3919) : select_3919;
-  // hls/stages/patches.hpp:551
-  logic [4:0] select_3923;
-  assign select_3923 = less_2388_s2_q ? patches_step_s2_q : 5'h0;
-  // hls/stages/patches.hpp:555
-  logic [4:0] select_3926;
-  assign select_3926 = equal_2391_s2_q ? (less_2388_s2_q ? (equal_2391_s2_q ? 5'h0 : select_3923) : 5'h0) : select_3923;
-  logic [4:0] select_3928;
-  assign select_3928 = less_2388_s2_q ? (equal_2389_s2_q ? 5'h0 : select_3926) : select_3926;
-  // hls/stages/patches.hpp:551
-  logic and_3931;
-  assign and_3931 = less_2388_s2_q & (patches_step_s2_q == 5'h0);
-  // hls/stages/patches.hpp:555
-  logic select_3934;
-  assign select_3934 = equal_2391_s2_q ? (less_2388_s2_q ? (not_2392_s2_q & and_3931) : and_3931) : and_3931;
-  // hls/stages/patches.hpp:184
-  logic select_3937;
-  assign select_3937 = equal_2225_s2_q ? (less_2388_s2_q ? (not_2390_s2_q & select_3934) : select_3934) : patches_read_first_q;
-  // hls/stages/patches.hpp:178
-  logic or_3948;
-  assign or_3948 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3949;
-  assign and_3949 = patches_read_searches_s2_q & or_3948;
-  // hls/stages/patches.hpp:535
-  logic [4:0] select_3950;
-  assign select_3950 = and_3949 ? patches_read_at_q : patches_peak_row_q;
-  // hls/stages/patches.hpp:542
-  logic [5:0] away;
-  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3950};
-  // hls/stages/patches.hpp:551
-  logic and_3954;
-  assign and_3954 = less_2388_s2_q & (equal_3946_s2_q & (away == 6'h3f));
-  // hls/stages/patches.hpp:555
-  logic select_3957;
-  assign select_3957 = equal_2391_s2_q ? (less_2388_s2_q ? (not_2392_s2_q & and_3954) : and_3954) : and_3954;
-  // hls/stages/patches.hpp:184
-  logic select_3960;
-  assign select_3960 = equal_2225_s2_q ? (less_2388_s2_q ? (not_2390_s2_q & select_3957) : select_3957) : patches_read_above_q;
-  // hls/stages/patches.hpp:551
-  logic and_3963;
-  assign and_3963 = less_2388_s2_q & (equal_3946_s2_q & (away == 6'h1));
-  // hls/stages/patches.hpp:555
-  logic select_3966;
-  assign select_3966 = equal_2391_s2_q ? (less_2388_s2_q ? (not_2392_s2_q & and_3963) : and_3963) : and_3963;
-  // hls/stages/patches.hpp:184
-  logic select_3969;
-  assign select_3969 = equal_2225_s2_q ? (less_2388_s2_q ? (not_2390_s2_q & select_3966) : select_3966) : patches_read_below_q;
-  // hls/stages/patches.hpp:548
-  logic [6:0] sum_3970;
-  assign sum_3970 = {away[5], away} + 7'h7d;
-  // hls/stages/patches.hpp:549
-  logic [9:0] select_3973;
-  assign select_3973 = (equal_3946_s2_q & ({sum_3970[6], sum_3970} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
-  // hls/stages/patches.hpp:551
-  logic [9:0] select_3974;
-  assign select_3974 = less_2388_s2_q ? select_3973 : 10'h3ff;
+  logic [4:0] select_3904;
+  assign select_3904 = equal_2231_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
+  logic select_3907;
+  assign select_3907 = equal_2229_s2_q ? patches_summed_first_q : (equal_2231_s2_q ? new_row_s2_q : patches_summed_first_q);
   // hls/stages/patches.hpp:552
-  logic [9:0] select_3976;
-  assign select_3976 = less_2388_s2_q ? (equal_2391_s2_q ? 10'h3ff : select_3974) : 10'h3ff;
-  // hls/stages/patches.hpp:555
-  logic [9:0] select_3977;
-  assign select_3977 = equal_2391_s2_q ? select_3976 : select_3974;
-  logic [9:0] select_3979;
-  assign select_3979 = less_2388_s2_q ? (equal_2389_s2_q ? 10'h3ff : select_3977) : select_3977;
-  // hls/stages/patches.hpp:534
-  logic [14:0] select_3981;
-  assign select_3981 = and_3949 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  logic [9:0] select_3914;
+  assign select_3914 = less_2392_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
+  // hls/stages/patches.hpp:556
+  logic [9:0] select_3917;
+  assign select_3917 = equal_2395_s2_q ? (less_2392_s2_q ? (equal_2395_s2_q ? 10'h0 : select_3914) : 10'h0) : select_3914;
+  logic [9:0] select_3919;
+  assign select_3919 = less_2392_s2_q ? (equal_2393_s2_q ? 10'h0 : select_3917) : select_3917;
+  // hls/stages/patches.hpp:552
+  logic [4:0] select_3921;
+  assign select_3921 = less_2392_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
+  // hls/stages/patches.hpp:556
+  logic [4:0] select_3924;
+  assign select_3924 = equal_2395_s2_q ? (less_2392_s2_q ? (equal_2395_s2_q ? 5'h0 : select_3921) : 5'h0) : select_3921;
+  logic [4:0] select_3926;
+  assign select_3926 = less_2392_s2_q ? (equal_2393_s2_q ? 5'h0 : select_3924) : select_3924;
+  // hls/stages/patches.hpp:552
+  logic [4:0] select_3928;
+  assign select_3928 = less_2392_s2_q ? patches_step_s2_q : 5'h0;
+  // hls/stages/patches.hpp:556
+  logic [4:0] select_3931;
+  assign select_3931 = equal_2395_s2_q ? (less_2392_s2_q ? (equal_2395_s2_q ? 5'h0 : select_3928) : 5'h0) : select_3928;
+  logic [4:0] select_3933;
+  assign select_3933 = less_2392_s2_q ? (equal_2393_s2_q ? 5'h0 : select_3931) : select_3931;
+  // hls/stages/patches.hpp:552
+  logic and_3936;
+  assign and_3936 = less_2392_s2_q & (patches_step_s2_q == 5'h0);
+  // hls/stages/patches.hpp:556
+  logic select_3939;
+  assign select_3939 = equal_2395_s2_q ? (less_2392_s2_q ? (not_2396_s2_q & and_3936) : and_3936) : and_3936;
   // hls/stages/patches.hpp:184
-  logic [9:0] select_3982;
-  assign select_3982 = equal_2225_s2_q ? select_3981[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3983;
-  assign select_3983 = equal_2225_s2_q ? select_3981[14:10] : patches_peak_best_column_q;
+  logic select_3942;
+  assign select_3942 = equal_2229_s2_q ? (less_2392_s2_q ? (not_2394_s2_q & select_3939) : select_3939) : patches_read_first_q;
+  // hls/stages/patches.hpp:178
+  logic or_3953;
+  assign or_3953 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3954;
+  assign and_3954 = patches_read_searches_s2_q & or_3953;
   // hls/stages/patches.hpp:536
-  logic [9:0] select_3985;
-  assign select_3985 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
-  // hls/stages/patches.hpp:537
+  logic [4:0] select_3955;
+  assign select_3955 = and_3954 ? patches_read_at_q : patches_peak_row_q;
+  // hls/stages/patches.hpp:543
+  logic [5:0] away;
+  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3955};
+  // hls/stages/patches.hpp:552
+  logic and_3959;
+  assign and_3959 = less_2392_s2_q & (equal_3951_s2_q & (away == 6'h3f));
+  // hls/stages/patches.hpp:556
+  logic select_3962;
+  assign select_3962 = equal_2395_s2_q ? (less_2392_s2_q ? (not_2396_s2_q & and_3959) : and_3959) : and_3959;
+  // hls/stages/patches.hpp:184
+  logic select_3965;
+  assign select_3965 = equal_2229_s2_q ? (less_2392_s2_q ? (not_2394_s2_q & select_3962) : select_3962) : patches_read_above_q;
+  // hls/stages/patches.hpp:552
+  logic and_3968;
+  assign and_3968 = less_2392_s2_q & (equal_3951_s2_q & (away == 6'h1));
+  // hls/stages/patches.hpp:556
+  logic select_3971;
+  assign select_3971 = equal_2395_s2_q ? (less_2392_s2_q ? (not_2396_s2_q & and_3968) : and_3968) : and_3968;
+  // hls/stages/patches.hpp:184
+  logic select_3974;
+  assign select_3974 = equal_2229_s2_q ? (less_2392_s2_q ? (not_2394_s2_q & select_3971) : select_3971) : patches_read_below_q;
+  // hls/stages/patches.hpp:549
+  logic [6:0] sum_3975;
+  assign sum_3975 = {away[5], away} + 7'h7d;
+  // hls/stages/patches.hpp:550
+  logic [9:0] select_3978;
+  assign select_3978 = (equal_3951_s2_q & ({sum_3975[6], sum_3975} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  // hls/stages/patches.hpp:552
+  logic [9:0] select_3979;
+  assign select_3979 = less_2392_s2_q ? select_3978 : 10'h3ff;
+  // hls/stages/patches.hpp:553
+  logic [9:0] select_3981;
+  assign select_3981 = less_2392_s2_q ? (equal_2395_s2_q ? 10'h3ff : select_3979) : 10'h3ff;
+  // hls/stages/patches.hpp:556
+  logic [9:0] select_3982;
+  assign select_3982 = equal_2395_s2_q ? select_3981 : select_3979;
+  logic [9:0] select_3984;
+  assign select_3984 = less_2392_s2_q ? (equal_2393_s2_q ? 10'h3ff : select_3982) : select_3982;
+  // hls/stages/patches.hpp:535
+  logic [14:0] select_3986;
+  assign select_3986 = and_3954 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  // hls/stages/patches.hpp:184
   logic [9:0] select_3987;
-  assign select_3987 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
-  // hls/stages/patches.hpp:538
+  assign select_3987 = equal_2229_s2_q ? select_3986[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3988;
+  assign select_3988 = equal_2229_s2_q ? select_3986[14:10] : patches_peak_best_column_q;
+  // hls/stages/patches.hpp:537
   logic [9:0] select_3990;
-  assign select_3990 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
-  logic [9:0] select_3991;
-  assign select_3991 = patches_read_first_q ? patches_read_far_q : select_3990;
-  // hls/stages/patches.hpp:589
-  logic [9:0] difference_3994;
-  assign difference_3994 = select_3991 - select_3981[9:0];
-  // hls/stages/patches.hpp:574
-  logic less_4024;
-  assign less_4024 = select_3985 < select_3987;
-  // hls/stages/patches.hpp:580
-  logic [1:0] sum_4025;
-  assign sum_4025 = select_3950[4:3] + 2'h3;
+  assign select_3990 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
+  // hls/stages/patches.hpp:538
+  logic [9:0] select_3992;
+  assign select_3992 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  // hls/stages/patches.hpp:539
+  logic [9:0] select_3995;
+  assign select_3995 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
+  logic [9:0] select_3996;
+  assign select_3996 = patches_read_first_q ? patches_read_far_q : select_3995;
+  // hls/stages/patches.hpp:590
+  logic [9:0] difference_3999;
+  assign difference_3999 = select_3996 - select_3986[9:0];
   // hls/stages/patches.hpp:575
-  logic [9:0] high;
-  assign high = less_4024 ? select_3987 : select_3985;
-  logic [9:0] low;
-  assign low = (select_3987 < select_3985) ? select_3987 : select_3985;
+  logic less_4029;
+  assign less_4029 = select_3990 < select_3992;
+  // hls/stages/patches.hpp:581
+  logic [1:0] sum_4030;
+  assign sum_4030 = select_3955[4:3] + 2'h3;
   // hls/stages/patches.hpp:576
+  logic [9:0] high;
+  assign high = less_4029 ? select_3992 : select_3990;
+  logic [9:0] low;
+  assign low = (select_3992 < select_3990) ? select_3992 : select_3990;
+  // hls/stages/patches.hpp:577
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall_2;
-  assign fall_2 = high - select_3981[9:0];
-  // hls/stages/patches.hpp:578
-  logic not_4032;
-  assign not_4032 = ~({eight, 3'h0} < {3'h0, fall_2});
-  logic [10:0] sum_4033;
-  assign sum_4033 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
-  logic not_4035;
-  assign not_4035 = ~({eight, 3'h0} < {1'b0, sum_4033, fall_2[0]});
-  logic [1:0] sum_4036;
-  assign sum_4036 = {1'b0, not_4032} + {1'b0, not_4035};
+  assign fall_2 = high - select_3986[9:0];
   // hls/stages/patches.hpp:579
-  logic [10:0] sum_4037;
-  assign sum_4037 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
-  logic not_4039;
-  assign not_4039 = ~({eight, 3'h0} < {sum_4037, fall_2[1:0]});
-  logic not_4042;
-  assign not_4042 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
-  logic [1:0] sum_4043;
-  assign sum_4043 = {1'b0, not_4039} + {1'b0, not_4042};
-  // hls/stages/patches.hpp:578
+  logic not_4037;
+  assign not_4037 = ~({eight, 3'h0} < {3'h0, fall_2});
+  logic [10:0] sum_4038;
+  assign sum_4038 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
+  logic not_4040;
+  assign not_4040 = ~({eight, 3'h0} < {1'b0, sum_4038, fall_2[0]});
+  logic [1:0] sum_4041;
+  assign sum_4041 = {1'b0, not_4037} + {1'b0, not_4040};
+  // hls/stages/patches.hpp:580
+  logic [10:0] sum_4042;
+  assign sum_4042 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
+  logic not_4044;
+  assign not_4044 = ~({eight, 3'h0} < {sum_4042, fall_2[1:0]});
+  logic not_4047;
+  assign not_4047 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
+  logic [1:0] sum_4048;
+  assign sum_4048 = {1'b0, not_4044} + {1'b0, not_4047};
+  // hls/stages/patches.hpp:579
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_4036} + {1'b0, sum_4043};
-  // hls/stages/patches.hpp:581
-  logic [7:0] select_4046;
-  assign select_4046 = less_4024 ? ({sum_4025, select_3950[2:0], 3'h0} - {5'h0, fraction}) : {sum_4025, select_3950[2:0], fraction};
-  // hls/stages/agreement.hpp:788
-  logic select_4271;
-  assign select_4271 = equal_549_s2_q ? shown_shown_q : (so_s2_q ? select_2453 : shown_shown_q);
-  logic select_4273;
-  assign select_4273 = equal_549_s2_q ? shown_nearer_q : (so_s2_q ? select_2456 : shown_nearer_q);
+  assign fraction = {1'b0, sum_4041} + {1'b0, sum_4048};
+  // hls/stages/patches.hpp:582
+  logic [7:0] select_4051;
+  assign select_4051 = less_4029 ? ({sum_4030, select_3955[2:0], 3'h0} - {5'h0, fraction}) : {sum_4030, select_3955[2:0], fraction};
+  // hls/stages/agreement.hpp:789
+  logic select_4276;
+  assign select_4276 = equal_550_s2_q ? shown_shown_q : (so_s2_q ? select_2457 : shown_shown_q);
+  logic select_4278;
+  assign select_4278 = equal_550_s2_q ? shown_nearer_q : (so_s2_q ? select_2460 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_4275;
-  assign sum_4275 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:460
-  logic [2:0] select_4277;
-  assign select_4277 = less_4274_s2_q ? (sum_4275[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_4279;
-  assign select_4279 = equal_2888_s2_q ? (equal_654_s2_q ? 3'h0 : select_4277) : region_row_q;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_4284;
-  assign select_4284 = equal_549_s2_q ? select_2407 : (so_s2_q ? (ends_cell_s2_q ? select_2505 : select_2407) : 8'h1);
-  // hls/stages/agreement.hpp:460
-  logic [8:0] select_4298;
-  assign select_4298 = equal_654_s2_q ? {{2{difference_4296[6]}}, difference_4296} : (less_4274_s2_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:520
-  logic [8:0] select_4300;
-  assign select_4300 = and_525_s2_q ? (equal_2888_s2_q ? select_4298 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:460
-  logic [6:0] select_4302;
-  assign select_4302 = equal_654_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_4304;
-  assign select_4304 = and_525_s2_q ? (equal_2888_s2_q ? select_4302 : region_down_back_q) : region_down_back_q;
+  logic [7:0] sum_4280;
+  assign sum_4280 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/agreement.hpp:461
+  logic [2:0] select_4282;
+  assign select_4282 = less_4279_s2_q ? (sum_4280[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_4284;
+  assign select_4284 = equal_2893_s2_q ? (equal_655_s2_q ? 3'h0 : select_4282) : region_row_q;
+  // hls/stages/agreement.hpp:789
+  logic [7:0] select_4289;
+  assign select_4289 = equal_550_s2_q ? select_2411 : (so_s2_q ? (ends_cell_s2_q ? select_2509 : select_2411) : 8'h1);
+  // hls/stages/agreement.hpp:461
+  logic [8:0] select_4303;
+  assign select_4303 = equal_655_s2_q ? {{2{difference_4301[6]}}, difference_4301} : (less_4279_s2_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:521
+  logic [8:0] select_4305;
+  assign select_4305 = and_526_s2_q ? (equal_2893_s2_q ? select_4303 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:461
+  logic [6:0] select_4307;
+  assign select_4307 = equal_655_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:521
+  logic [6:0] select_4309;
+  assign select_4309 = and_526_s2_q ? (equal_2893_s2_q ? select_4307 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4305;
-  assign sum_4305 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_4310;
+  assign sum_4310 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4306;
-  assign select_4306 = sum_4275[7] ? {1'b1, sum_4275[6:0], region_down_rest_q[0]} : sum_4305;
+  logic [8:0] select_4311;
+  assign select_4311 = sum_4280[7] ? {1'b1, sum_4280[6:0], region_down_rest_q[0]} : sum_4310;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_4275[7];
-  // hls/stages/agreement.hpp:460
-  logic select_4310;
-  assign select_4310 = equal_2888_s2_q ? (equal_654_s2_q | (less_4274_s2_q ? next : region_fresh_q)) : region_fresh_q;
+  assign next = ~sum_4280[7];
+  // hls/stages/agreement.hpp:461
+  logic select_4315;
+  assign select_4315 = equal_2893_s2_q ? (equal_655_s2_q | (less_4279_s2_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:205
-  logic or_4315;
-  assign or_4315 = segment_starts_q | not_552_s2_q;
-  // hls/stages/agreement.hpp:1030
-  logic select_4318;
-  assign select_4318 = inside_v_s2_q ? (sum_2420_s2_q ? (equal_2218 & or_2422) : or_2422) : or_4315;
-  // hls/stages/agreement.hpp:788
-  logic select_4321;
-  assign select_4321 = equal_549_s2_q ? or_4315 : (so_s2_q ? (ends_cell_s2_q ? select_4318 : or_4315) : or_4315);
-  logic select_4480;
-  assign select_4480 = so_s2_q ? (ends_cell_s2_q ? and_2493 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4483;
-  assign select_4483 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic or_4320;
+  assign or_4320 = segment_starts_q | not_553_s2_q;
+  // hls/stages/agreement.hpp:1031
+  logic select_4323;
+  assign select_4323 = inside_v_s2_q ? (sum_2424_s2_q ? (equal_2222 & or_2426) : or_2426) : or_4320;
+  // hls/stages/agreement.hpp:789
+  logic select_4326;
+  assign select_4326 = equal_550_s2_q ? or_4320 : (so_s2_q ? (ends_cell_s2_q ? select_4323 : or_4320) : or_4320);
   logic select_4485;
-  assign select_4485 = equal_549_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4483 : centres_values_0_of_skin_q);
-  logic select_4486;
-  assign select_4486 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  assign select_4485 = so_s2_q ? (ends_cell_s2_q ? and_2497 : centres_values_0_textured_q) : centres_values_0_textured_q;
   logic select_4488;
-  assign select_4488 = equal_549_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4486 : centres_values_1_textured_q);
-  logic select_4489;
-  assign select_4489 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  assign select_4488 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4490;
+  assign select_4490 = equal_550_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4488 : centres_values_0_of_skin_q);
   logic select_4491;
-  assign select_4491 = equal_549_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4489 : centres_values_1_of_skin_q);
-  // hls/stages/agreement.hpp:460
-  logic [12:0] select_4495;
-  assign select_4495 = equal_2888_s2_q ? (equal_4492_s2_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_4498;
-  assign select_4498 = and_525_s2_q ? (equal_2888_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:1299
-  logic [2:0] select_4509;
-  assign select_4509 = select_2465 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:435
-  logic [7:0] select_4515;
-  assign select_4515 = marks_first_s2_q ? (less_4511 ? {sum_4512, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:788
-  logic and_4579;
-  assign and_4579 = equal_549_s2_q & (equal_2733 & (cfg_prove_i & moments_out_of_step_q));
+  assign select_4491 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4493;
+  assign select_4493 = equal_550_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4491 : centres_values_1_textured_q);
+  logic select_4494;
+  assign select_4494 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4496;
+  assign select_4496 = equal_550_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4494 : centres_values_1_of_skin_q);
+  // hls/stages/agreement.hpp:461
+  logic [12:0] select_4500;
+  assign select_4500 = equal_2893_s2_q ? (equal_4497_s2_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  // hls/stages/agreement.hpp:521
+  logic [6:0] select_4503;
+  assign select_4503 = and_526_s2_q ? (equal_2893_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
+  // hls/stages/agreement.hpp:1301
+  logic [2:0] select_4514;
+  assign select_4514 = select_2469 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
+  // hls/stages/agreement.hpp:436
+  logic [7:0] select_4520;
+  assign select_4520 = marks_first_s2_q ? (less_4516 ? {sum_4517, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  // hls/stages/agreement.hpp:789
+  logic and_4584;
+  assign and_4584 = equal_550_s2_q & (equal_2737 & (cfg_prove_i & moments_out_of_step_q));
   // hls/stages/registration.hpp:258
-  logic not_4586;
-  assign not_4586 = ~quarter[1];
-  logic [3:0] select_4587;
-  assign select_4587 = quarter[0] ? {quarter[1], 1'b0, not_4586, 1'b0} : {1'b0, quarter[1], 1'b0, not_4586};
+  logic not_4591;
+  assign not_4591 = ~quarter[1];
+  logic [3:0] select_4592;
+  assign select_4592 = quarter[0] ? {quarter[1], 1'b0, not_4591, 1'b0} : {1'b0, quarter[1], 1'b0, not_4591};
 
   // Memory registration_sums, 12 x 32 and parity, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4748,9 +4751,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 33'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_2063;
+  assign registration_sums_raddr = select_2064;
   logic registration_sums_re;
-  assign registration_sums_re = s2_en & select_2106;
+  assign registration_sums_re = s2_en & select_2107;
   logic [32:0] registration_sums_word_q;
   always_ff @(posedge clk_i) begin
     if (registration_sums_re) registration_sums_word_q <= registration_sums_mem[registration_sums_raddr];
@@ -4761,7 +4764,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) registration_sums_read_q <= rst_ni & registration_sums_re;
   assign registration_sums_error = registration_sums_read_q & ^registration_sums_word_q;
 
-  // Memory patches_choices, 64 x 23 and parity, DISTANCE 12, hls/stages/patches.hpp:762; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory patches_choices, 64 x 23 and parity, DISTANCE 12, hls/stages/patches.hpp:763; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4770,9 +4773,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 24'h0;
 `endif
   logic [5:0] patches_choices_raddr;
-  assign patches_choices_raddr = select_2140;
+  assign patches_choices_raddr = select_2141;
   logic patches_choices_re;
-  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_2142));
+  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_2143));
   logic [23:0] patches_choices_word_q;
   always_ff @(posedge clk_i) begin
     if (patches_choices_re) patches_choices_word_q <= patches_choices_mem[patches_choices_raddr];
@@ -4783,7 +4786,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_choices_read_q <= rst_ni & patches_choices_re;
   assign patches_choices_error = patches_choices_read_q & ^patches_choices_word_q;
 
-  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1397; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1399; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4792,9 +4795,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 31'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_2417;
+  assign regions_raddr = select_2421;
   logic regions_re;
-  assign regions_re = s2_en & (equal_549_s2_q ? (x_s2_q[6] & not_2418) : and_2425);
+  assign regions_re = s2_en & (equal_550_s2_q ? (x_s2_q[6] & not_2422) : and_2429);
   logic [30:0] regions_word_q;
   always_ff @(posedge clk_i) begin
     if (regions_re) regions_word_q <= regions_mem[regions_raddr];
@@ -4805,7 +4808,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) regions_read_q <= rst_ni & regions_re;
   assign regions_error = regions_read_q & ^regions_word_q;
 
-  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1408; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1410; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] map_mem [0:9599];
@@ -4813,9 +4816,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 9600; i++) map_mem[i] = 3'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_2477, index[5:0]};
+  assign map_raddr = {sum_2481, index[5:0]};
   logic map_re;
-  assign map_re = s2_en & (and_2484 & less_2485);
+  assign map_re = s2_en & (and_2488 & less_2489);
   logic [2:0] map_word_q;
   always_ff @(posedge clk_i) begin
     if (map_re) map_word_q <= map_mem[map_raddr];
@@ -4828,11 +4831,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_495_s2_q;
+  assign averager_memory_waddr = select_496_s2_q;
   logic averager_memory_we;
-  assign averager_memory_we = s2_en & and_500_s2_q;
+  assign averager_memory_we = s2_en & and_501_s2_q;
   logic [25:0] averager_memory_wdata;
-  assign averager_memory_wdata = {and_519, and_515, sum_511, sum_507};
+  assign averager_memory_wdata = {and_520, and_516, sum_512, sum_508};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {^averager_memory_wdata, averager_memory_wdata};
   end
@@ -4852,9 +4855,9 @@ module horopter_agreement (
   logic [6:0] census_memory_waddr;
   assign census_memory_waddr = column_s2_q;
   logic census_memory_we;
-  assign census_memory_we = s2_en & and_525_s2_q;
+  assign census_memory_we = s2_en & and_526_s2_q;
   logic [77:0] census_memory_wdata;
-  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_543, whole_2, select_535, select_531};
+  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_544, whole_2, select_536, select_532};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (census_memory_we) census_memory_mem[census_memory_waddr] <= {^census_memory_wdata, census_memory_wdata};
   end
@@ -4872,11 +4875,11 @@ module horopter_agreement (
 
   // Memory moments_memory, write
   logic [12:0] moments_memory_waddr;
-  assign moments_memory_waddr = select_548_s2_q;
+  assign moments_memory_waddr = select_549_s2_q;
   logic moments_memory_we;
-  assign moments_memory_we = s2_en & and_566_s2_q;
+  assign moments_memory_we = s2_en & and_567_s2_q;
   logic [3:0] moments_memory_wdata;
-  assign moments_memory_wdata = {and_621_s2_q, and_619_s2_q, and_614_s2_q, and_612};
+  assign moments_memory_wdata = {and_622_s2_q, and_620_s2_q, and_615_s2_q, and_613};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {^moments_memory_wdata, moments_memory_wdata};
   end
@@ -4896,9 +4899,9 @@ module horopter_agreement (
   logic [6:0] best_left_waddr;
   assign best_left_waddr = x_s2_2_q;
   logic best_left_we;
-  assign best_left_we = s2_en & and_2010_s2_q;
+  assign best_left_we = s2_en & and_2011_s2_q;
   logic [61:0] best_left_wdata;
-  assign best_left_wdata = {select_2009, select_2006, select_2003, select_2001, select_1974, select_1971, select_1963, select_1962, select_1958};
+  assign best_left_wdata = {select_2010, select_2007, select_2004, select_2002, select_1975, select_1972, select_1964, select_1963, select_1959};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_left_we) best_left_mem[best_left_waddr] <= {^best_left_wdata, best_left_wdata};
   end
@@ -4931,9 +4934,9 @@ module horopter_agreement (
   logic [6:0] best_right_waddr;
   assign best_right_waddr = right_s2_q;
   logic best_right_we;
-  assign best_right_we = s2_en & and_2010_s2_q;
+  assign best_right_we = s2_en & and_2011_s2_q;
   logic [28:0] best_right_wdata;
-  assign best_right_wdata = {select_2020, select_2019, select_2016, select_2015};
+  assign best_right_wdata = {select_2021, select_2020, select_2017, select_2016};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_right_we) best_right_mem[best_right_waddr] <= {^best_right_wdata, best_right_wdata};
   end
@@ -4951,11 +4954,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_2027_s2_q;
+  assign shown_right_waddr = select_2028_s2_q;
   logic shown_right_we;
-  assign shown_right_we = s2_en & and_2038;
+  assign shown_right_we = s2_en & and_2039;
   logic [1:0] shown_right_wdata;
-  assign shown_right_wdata = {and_2035, not_552_s2_q};
+  assign shown_right_wdata = {and_2036, not_553_s2_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (shown_right_we) shown_right_mem[shown_right_waddr] <= {^shown_right_wdata, shown_right_wdata};
   end
@@ -4975,9 +4978,9 @@ module horopter_agreement (
   logic [6:0] left_turns_waddr;
   assign left_turns_waddr = x_s2_q[6:0];
   logic left_turns_we;
-  assign left_turns_we = s2_en & and_2049;
+  assign left_turns_we = s2_en & and_2050;
   logic [1:0] left_turns_wdata;
-  assign left_turns_wdata = {and_2046, and_2043};
+  assign left_turns_wdata = {and_2047, and_2044};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (left_turns_we) left_turns_mem[left_turns_waddr] <= {^left_turns_wdata, left_turns_wdata};
   end
@@ -4997,9 +5000,9 @@ module horopter_agreement (
   logic [6:0] right_turns_waddr;
   assign right_turns_waddr = x_s2_q[6:0];
   logic right_turns_we;
-  assign right_turns_we = s2_en & and_2049;
+  assign right_turns_we = s2_en & and_2050;
   logic [1:0] right_turns_wdata;
-  assign right_turns_wdata = {and_2055, and_2052};
+  assign right_turns_wdata = {and_2056, and_2053};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (right_turns_we) right_turns_mem[right_turns_waddr] <= {^right_turns_wdata, right_turns_wdata};
   end
@@ -5017,11 +5020,11 @@ module horopter_agreement (
 
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_2339, patches_code_row_s2_q[1:0], of_row_2_s2_q};
+  assign patches_right_codes_waddr = {sum_2343, patches_code_row_s2_q[1:0], of_row_2_s2_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s2_en & and_2373_s2_q;
+  assign patches_right_codes_we = s2_en & and_2377_s2_q;
   logic [27:0] patches_right_codes_wdata;
-  assign patches_right_codes_wdata = {less_2359_s2_q, less_2358_s2_q, less_2349_s2_q, less_2348_s2_q, patches_codes_at_q[51:28]};
+  assign patches_right_codes_wdata = {less_2363_s2_q, less_2362_s2_q, less_2353_s2_q, less_2352_s2_q, patches_codes_at_q[51:28]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {^patches_right_codes_wdata, patches_right_codes_wdata};
   end
@@ -5039,11 +5042,11 @@ module horopter_agreement (
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_2377, patches_code_row_s2_q[1:0]};
+  assign patches_left_codes_waddr = {sum_2381, patches_code_row_s2_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s2_en & and_2387_s2_q;
+  assign patches_left_codes_we = s2_en & and_2391_s2_q;
   logic [47:0] patches_left_codes_wdata;
-  assign patches_left_codes_wdata = {less_2359_s2_q, less_2358_s2_q, less_2349_s2_q, less_2348_s2_q, patches_codes_at_q[51:8]};
+  assign patches_left_codes_wdata = {less_2363_s2_q, less_2362_s2_q, less_2353_s2_q, less_2352_s2_q, patches_codes_at_q[51:8]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {^patches_left_codes_wdata, patches_left_codes_wdata};
   end
@@ -5063,9 +5066,9 @@ module horopter_agreement (
   logic [6:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s2_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s2_en & and_2023_s2_q;
+  assign seen_columns_we = s2_en & and_2024_s2_q;
   logic [17:0] seen_columns_wdata;
-  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2452, textured};
+  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2456, textured};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {^seen_columns_wdata, seen_columns_wdata};
   end
@@ -5096,6 +5099,7 @@ module horopter_agreement (
       moments_before_0_q <= 14'h0;
       moments_before_1_q <= 14'h0;
       moments_has_before_q <= 1'b0;
+      moments_most_before_q <= 14'h0;
       moments_out_of_step_q <= 1'b0;
       rows_passed_above_q <= 5'h0;
       shift_allowed_q <= 1'b0;
@@ -5177,91 +5181,92 @@ module horopter_agreement (
       sample_pair_pixel_1_q <= pixel_1_s2_q;
       sample_of_skin_q <= mask_s2_q;
       averager_running_mask_q <= sample_pair_whole_s2_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2617;
-      averager_mask_q <= select_2619;
-      averager_of_skin_q <= select_2621;
-      census_filled_q <= and_525_s2_q ? {select_657[2:0], 1'b1} : census_filled_q;
-      moments_turned_0_q <= select_2725;
-      moments_turned_1_q <= select_2732;
-      moments_before_0_q <= equal_549_s2_q ? select_2736 : moments_before_0_q;
-      moments_before_1_q <= equal_549_s2_q ? select_2739 : moments_before_1_q;
-      moments_has_before_q <= equal_549_s2_q ? select_2742 : moments_has_before_q;
-      moments_out_of_step_q <= equal_549_s2_q ? select_2773 : moments_out_of_step_q;
-      rows_passed_above_q <= and_525_s2_q ? select_656 : rows_passed_above_q;
-      shift_allowed_q <= not_2985 & (~less_2986);
+      averager_running_of_skin_q <= select_2621;
+      averager_mask_q <= select_2623;
+      averager_of_skin_q <= select_2625;
+      census_filled_q <= and_526_s2_q ? {select_658[2:0], 1'b1} : census_filled_q;
+      moments_turned_0_q <= select_2729;
+      moments_turned_1_q <= select_2736;
+      moments_before_0_q <= equal_550_s2_q ? select_2740 : moments_before_0_q;
+      moments_before_1_q <= equal_550_s2_q ? select_2743 : moments_before_1_q;
+      moments_has_before_q <= equal_550_s2_q ? select_2746 : moments_has_before_q;
+      moments_most_before_q <= equal_550_s2_q ? select_2749 : moments_most_before_q;
+      moments_out_of_step_q <= equal_550_s2_q ? select_2778 : moments_out_of_step_q;
+      rows_passed_above_q <= and_526_s2_q ? select_657 : rows_passed_above_q;
+      shift_allowed_q <= not_2990 & (~less_2991);
       shift_not_right_q <= $signed(run_shift_s2_q) < $signed(6'h1);
-      counts_turned_left_q <= and_2993 ? 14'h0 : (counts_turned_left_q + {13'h0, and_3112});
-      counts_turned_right_q <= and_2993 ? 14'h0 : (counts_turned_right_q + {13'h0, and_3119});
-      registration_displacement_over_q <= so_s2_q ? sum_3143[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_3145;
-      registration_slope_here_q <= select_3147;
-      registration_expected_q <= select_3149;
-      registration_of_right_q <= equal_549_s2_q ? registration_of_right_q : select_3211;
-      registration_was_inside_q <= equal_549_s2_q ? registration_was_inside_q : select_3214;
-      registration_fresh_q <= select_3223;
-      patches_chance_q <= and_525_s2_q ? select_3380 : patches_chance_q;
-      patches_fixed_q <= and_3395;
-      patches_choice_valid_q <= and_2223 ? (select_2217[0] & not_3382) : select_2217[0];
-      patches_choice_column_q <= select_2217[8:1];
-      patches_choice_shift_q <= select_2217[14:9];
-      patches_choice_slope_q <= select_2217[22:15];
-      patches_band_q <= sample_pair_whole_s2_q ? select_2238 : patches_band_q;
-      patches_fetch_q <= select_3410;
-      patches_codes_at_q <= select_3511;
-      patches_codes_further_q <= equal_2225_s2_q ? patches_codes_further_q : select_3516;
-      patches_next_codes_q <= select_3524;
-      patches_set_q <= equal_2225_s2_q ? 3'h0 : (equal_2227_s2_q ? 3'h0 : select_3538);
-      patches_size_q <= sum_3542;
-      patches_left_row_q <= select_3554;
-      patches_summed_row_column_q <= equal_2225_s2_q ? patches_summed_row_column_q : select_3899;
-      patches_summed_first_q <= select_3902;
-      patches_read_row_differing_q <= equal_2225_s2_q ? select_3914 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_2225_s2_q ? select_3921 : patches_read_row_column_q;
-      patches_read_at_q <= equal_2225_s2_q ? select_3928 : patches_read_at_q;
-      patches_read_first_q <= select_3937;
-      patches_read_above_q <= select_3960;
-      patches_read_below_q <= select_3969;
-      patches_read_far_q <= equal_2225_s2_q ? select_3979 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_3982;
-      patches_peak_best_column_q <= select_3983;
-      patches_peak_row_q <= equal_2225_s2_q ? select_3950 : patches_peak_row_q;
-      patches_peak_above_q <= equal_2225_s2_q ? select_3985 : patches_peak_above_q;
-      patches_peak_below_q <= equal_2225_s2_q ? select_3987 : patches_peak_below_q;
-      patches_peak_far_q <= equal_2225_s2_q ? select_3991 : patches_peak_far_q;
-      patches_frame_ended_q <= equal_549_s2_q & (equal_2734 & (~equal_2733));
-      shown_shown_q <= select_4271;
-      shown_nearer_q <= select_4273;
-      region_row_q <= and_525_s2_q ? select_4279 : region_row_q;
+      counts_turned_left_q <= and_2998 ? 14'h0 : (counts_turned_left_q + {13'h0, and_3117});
+      counts_turned_right_q <= and_2998 ? 14'h0 : (counts_turned_right_q + {13'h0, and_3124});
+      registration_displacement_over_q <= so_s2_q ? sum_3148[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_3150;
+      registration_slope_here_q <= select_3152;
+      registration_expected_q <= select_3154;
+      registration_of_right_q <= equal_550_s2_q ? registration_of_right_q : select_3216;
+      registration_was_inside_q <= equal_550_s2_q ? registration_was_inside_q : select_3219;
+      registration_fresh_q <= select_3228;
+      patches_chance_q <= and_526_s2_q ? select_3385 : patches_chance_q;
+      patches_fixed_q <= and_3400;
+      patches_choice_valid_q <= and_2227 ? (select_2200 & not_3387) : select_2200;
+      patches_choice_column_q <= select_2205;
+      patches_choice_shift_q <= select_2210;
+      patches_choice_slope_q <= select_2221;
+      patches_band_q <= sample_pair_whole_s2_q ? select_2242 : patches_band_q;
+      patches_fetch_q <= select_3415;
+      patches_codes_at_q <= select_3516;
+      patches_codes_further_q <= equal_2229_s2_q ? patches_codes_further_q : select_3521;
+      patches_next_codes_q <= select_3529;
+      patches_set_q <= equal_2229_s2_q ? 3'h0 : (equal_2231_s2_q ? 3'h0 : select_3543);
+      patches_size_q <= sum_3547;
+      patches_left_row_q <= select_3559;
+      patches_summed_row_column_q <= equal_2229_s2_q ? patches_summed_row_column_q : select_3904;
+      patches_summed_first_q <= select_3907;
+      patches_read_row_differing_q <= equal_2229_s2_q ? select_3919 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_2229_s2_q ? select_3926 : patches_read_row_column_q;
+      patches_read_at_q <= equal_2229_s2_q ? select_3933 : patches_read_at_q;
+      patches_read_first_q <= select_3942;
+      patches_read_above_q <= select_3965;
+      patches_read_below_q <= select_3974;
+      patches_read_far_q <= equal_2229_s2_q ? select_3984 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_3987;
+      patches_peak_best_column_q <= select_3988;
+      patches_peak_row_q <= equal_2229_s2_q ? select_3955 : patches_peak_row_q;
+      patches_peak_above_q <= equal_2229_s2_q ? select_3990 : patches_peak_above_q;
+      patches_peak_below_q <= equal_2229_s2_q ? select_3992 : patches_peak_below_q;
+      patches_peak_far_q <= equal_2229_s2_q ? select_3996 : patches_peak_far_q;
+      patches_frame_ended_q <= equal_550_s2_q & (equal_2738 & (~equal_2737));
+      shown_shown_q <= select_4276;
+      shown_nearer_q <= select_4278;
+      region_row_q <= and_526_s2_q ? select_4284 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_4284;
-      region_down_rest_q <= select_4300;
-      region_down_back_q <= select_4304;
-      region_down_next_q <= select_4306;
-      region_fresh_q <= and_525_s2_q ? select_4310 : region_fresh_q;
-      segment_starts_q <= select_4321;
-      centres_values_0_textured_q <= equal_549_s2_q ? centres_values_0_textured_q : select_4480;
-      centres_values_0_of_skin_q <= select_4485;
-      centres_values_1_textured_q <= select_4488;
-      centres_values_1_of_skin_q <= select_4491;
-      map_row_q <= and_525_s2_q ? select_4495 : map_row_q;
-      map_width_q <= select_4498;
+      region_columns_q <= select_4289;
+      region_down_rest_q <= select_4305;
+      region_down_back_q <= select_4309;
+      region_down_next_q <= select_4311;
+      region_fresh_q <= and_526_s2_q ? select_4315 : region_fresh_q;
+      segment_starts_q <= select_4326;
+      centres_values_0_textured_q <= equal_550_s2_q ? centres_values_0_textured_q : select_4485;
+      centres_values_0_of_skin_q <= select_4490;
+      centres_values_1_textured_q <= select_4493;
+      centres_values_1_of_skin_q <= select_4496;
+      map_row_q <= and_526_s2_q ? select_4500 : map_row_q;
+      map_width_q <= select_4503;
       write_half_q <= marks_first_s2_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_2476;
-      done_q <= not_2478 & ((~drew_q) & (done_q | said_q));
+      read_half_q <= select_2480;
+      done_q <= not_2482 & ((~drew_q) & (done_q | said_q));
       proven_q <= marks_first_s2_q ? done_q : proven_q;
       drew_q <= so_s2_q;
-      said_q <= equal_549_s2_q & equal_2733;
-      rows_passed_q <= select_2461;
-      columns_passed_q <= {select_2463[7:0], or_2459};
+      said_q <= equal_550_s2_q & equal_2737;
+      rows_passed_q <= select_2465;
+      columns_passed_q <= {select_2467[7:0], or_2463};
       line_ended_q <= marks_last_s2_q;
-      began_q <= and_2480;
-      seen_x_q <= select_2482;
-      seen_y_q <= marks_first_s2_q ? 3'h0 : select_4509;
-      seen_column_q <= select_2473;
-      seen_rows_left_q <= select_4515;
+      began_q <= and_2484;
+      seen_x_q <= select_2486;
+      seen_y_q <= marks_first_s2_q ? 3'h0 : select_4514;
+      seen_column_q <= select_2477;
+      seen_rows_left_q <= select_4520;
       at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= select_2470;
+      seen_base_q <= select_2474;
     end
   end
 
@@ -5334,68 +5339,68 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      averager_running_0_q <= sample_pair_whole_s2_q ? select_503 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s2_q ? sum_509 : averager_running_1_q;
-      averager_total_0_q <= select_2596;
-      averager_total_1_q <= select_2598;
-      census_columns_values_0_cell_0_left_q <= select_2622;
-      census_columns_values_0_cell_0_right_q <= select_2623;
-      census_columns_values_0_cell_0_mask_q <= and_525_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2625;
-      census_columns_values_0_cell_1_right_q <= select_2626;
-      census_columns_values_0_cell_1_mask_q <= select_2627;
-      census_columns_values_0_cell_2_left_q <= select_2628;
-      census_columns_values_0_cell_2_right_q <= select_2629;
-      census_columns_values_0_cell_2_mask_q <= select_2630;
-      census_columns_values_0_cell_2_of_skin_q <= select_2631;
-      census_columns_values_0_cell_3_left_q <= select_2632;
-      census_columns_values_0_cell_3_right_q <= select_2633;
-      census_columns_values_0_cell_3_mask_q <= select_2634;
-      census_columns_values_0_cell_4_left_q <= select_2635;
-      census_columns_values_0_cell_4_right_q <= select_2636;
-      census_columns_values_0_cell_4_mask_q <= select_2637;
-      census_columns_values_1_cell_0_left_q <= select_2638;
-      census_columns_values_1_cell_0_right_q <= select_2639;
-      census_columns_values_1_cell_0_mask_q <= select_2640;
-      census_columns_values_1_cell_1_left_q <= select_2641;
-      census_columns_values_1_cell_1_right_q <= select_2642;
-      census_columns_values_1_cell_1_mask_q <= select_2643;
-      census_columns_values_1_cell_2_left_q <= select_2644;
-      census_columns_values_1_cell_2_right_q <= select_2645;
-      census_columns_values_1_cell_2_mask_q <= select_2646;
-      census_columns_values_1_cell_2_of_skin_q <= select_2647;
-      census_columns_values_1_cell_3_left_q <= select_2648;
-      census_columns_values_1_cell_3_right_q <= select_2649;
-      census_columns_values_1_cell_3_mask_q <= select_2650;
-      census_columns_values_1_cell_4_left_q <= select_2651;
-      census_columns_values_1_cell_4_right_q <= select_2652;
-      census_columns_values_1_cell_4_mask_q <= select_2653;
-      census_columns_values_2_cell_0_left_q <= select_2654;
-      census_columns_values_2_cell_0_right_q <= select_2655;
-      census_columns_values_2_cell_0_mask_q <= select_2656;
-      census_columns_values_2_cell_1_left_q <= select_2657;
-      census_columns_values_2_cell_1_right_q <= select_2658;
-      census_columns_values_2_cell_1_mask_q <= select_2659;
-      census_columns_values_2_cell_2_left_q <= select_2660;
-      census_columns_values_2_cell_2_right_q <= select_2661;
-      census_columns_values_2_cell_2_mask_q <= select_2662;
-      census_columns_values_2_cell_3_left_q <= select_2663;
-      census_columns_values_2_cell_3_right_q <= select_2664;
-      census_columns_values_2_cell_3_mask_q <= select_2665;
-      census_columns_values_2_cell_4_left_q <= select_2666;
-      census_columns_values_2_cell_4_right_q <= select_2667;
-      census_columns_values_2_cell_4_mask_q <= select_2668;
-      census_columns_values_3_cell_0_mask_q <= select_2669;
-      census_columns_values_3_cell_1_left_q <= select_2670;
-      census_columns_values_3_cell_1_right_q <= select_2671;
-      census_columns_values_3_cell_1_mask_q <= select_2672;
-      census_columns_values_3_cell_2_mask_q <= select_2673;
-      census_columns_values_3_cell_3_left_q <= select_2674;
-      census_columns_values_3_cell_3_right_q <= select_2675;
-      census_columns_values_3_cell_3_mask_q <= select_2676;
-      census_columns_values_3_cell_4_mask_q <= select_2677;
-      sharpness_last_mean_0_q <= and_525_s2_q ? select_531 : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_525_s2_q ? select_535 : sharpness_last_mean_1_q;
+      averager_running_0_q <= sample_pair_whole_s2_q ? select_504 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s2_q ? sum_510 : averager_running_1_q;
+      averager_total_0_q <= select_2600;
+      averager_total_1_q <= select_2602;
+      census_columns_values_0_cell_0_left_q <= select_2626;
+      census_columns_values_0_cell_0_right_q <= select_2627;
+      census_columns_values_0_cell_0_mask_q <= and_526_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
+      census_columns_values_0_cell_1_left_q <= select_2629;
+      census_columns_values_0_cell_1_right_q <= select_2630;
+      census_columns_values_0_cell_1_mask_q <= select_2631;
+      census_columns_values_0_cell_2_left_q <= select_2632;
+      census_columns_values_0_cell_2_right_q <= select_2633;
+      census_columns_values_0_cell_2_mask_q <= select_2634;
+      census_columns_values_0_cell_2_of_skin_q <= select_2635;
+      census_columns_values_0_cell_3_left_q <= select_2636;
+      census_columns_values_0_cell_3_right_q <= select_2637;
+      census_columns_values_0_cell_3_mask_q <= select_2638;
+      census_columns_values_0_cell_4_left_q <= select_2639;
+      census_columns_values_0_cell_4_right_q <= select_2640;
+      census_columns_values_0_cell_4_mask_q <= select_2641;
+      census_columns_values_1_cell_0_left_q <= select_2642;
+      census_columns_values_1_cell_0_right_q <= select_2643;
+      census_columns_values_1_cell_0_mask_q <= select_2644;
+      census_columns_values_1_cell_1_left_q <= select_2645;
+      census_columns_values_1_cell_1_right_q <= select_2646;
+      census_columns_values_1_cell_1_mask_q <= select_2647;
+      census_columns_values_1_cell_2_left_q <= select_2648;
+      census_columns_values_1_cell_2_right_q <= select_2649;
+      census_columns_values_1_cell_2_mask_q <= select_2650;
+      census_columns_values_1_cell_2_of_skin_q <= select_2651;
+      census_columns_values_1_cell_3_left_q <= select_2652;
+      census_columns_values_1_cell_3_right_q <= select_2653;
+      census_columns_values_1_cell_3_mask_q <= select_2654;
+      census_columns_values_1_cell_4_left_q <= select_2655;
+      census_columns_values_1_cell_4_right_q <= select_2656;
+      census_columns_values_1_cell_4_mask_q <= select_2657;
+      census_columns_values_2_cell_0_left_q <= select_2658;
+      census_columns_values_2_cell_0_right_q <= select_2659;
+      census_columns_values_2_cell_0_mask_q <= select_2660;
+      census_columns_values_2_cell_1_left_q <= select_2661;
+      census_columns_values_2_cell_1_right_q <= select_2662;
+      census_columns_values_2_cell_1_mask_q <= select_2663;
+      census_columns_values_2_cell_2_left_q <= select_2664;
+      census_columns_values_2_cell_2_right_q <= select_2665;
+      census_columns_values_2_cell_2_mask_q <= select_2666;
+      census_columns_values_2_cell_3_left_q <= select_2667;
+      census_columns_values_2_cell_3_right_q <= select_2668;
+      census_columns_values_2_cell_3_mask_q <= select_2669;
+      census_columns_values_2_cell_4_left_q <= select_2670;
+      census_columns_values_2_cell_4_right_q <= select_2671;
+      census_columns_values_2_cell_4_mask_q <= select_2672;
+      census_columns_values_3_cell_0_mask_q <= select_2673;
+      census_columns_values_3_cell_1_left_q <= select_2674;
+      census_columns_values_3_cell_1_right_q <= select_2675;
+      census_columns_values_3_cell_1_mask_q <= select_2676;
+      census_columns_values_3_cell_2_mask_q <= select_2677;
+      census_columns_values_3_cell_3_left_q <= select_2678;
+      census_columns_values_3_cell_3_right_q <= select_2679;
+      census_columns_values_3_cell_3_mask_q <= select_2680;
+      census_columns_values_3_cell_4_mask_q <= select_2681;
+      sharpness_last_mean_0_q <= and_526_s2_q ? select_532 : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_526_s2_q ? select_536 : sharpness_last_mean_1_q;
     end
   end
 
@@ -5424,19 +5429,18 @@ module horopter_agreement (
   logic region_fresh_s3_q;
   logic centres_values_1_textured_s3_q;
   logic centres_values_1_of_skin_s3_q;
-  logic [2:0] select_489_s3_q;
-  logic [6:0] select_491_s3_q;
+  logic [2:0] select_490_s3_q;
+  logic [6:0] select_492_s3_q;
   logic [6:0] column_s3_q;
-  logic and_523_s3_q;
-  logic and_525_s3_q;
+  logic and_524_s3_q;
+  logic and_526_s3_q;
   logic [8:0] grey_s3_q;
-  logic equal_528_s3_q;
+  logic equal_529_s3_q;
   logic [8:0] grey_2_s3_q;
   logic whole_2_s3_q;
-  logic equal_545_s3_q;
-  logic equal_549_s3_q;
-  logic not_550_s3_q;
-  logic less_627_s3_q;
+  logic equal_546_s3_q;
+  logic equal_550_s3_q;
+  logic not_551_s3_q;
   logic less_628_s3_q;
   logic less_629_s3_q;
   logic less_630_s3_q;
@@ -5460,101 +5464,102 @@ module horopter_agreement (
   logic less_648_s3_q;
   logic less_649_s3_q;
   logic less_650_s3_q;
-  logic and_658_s3_q;
-  logic and_683_s3_q;
+  logic less_651_s3_q;
+  logic and_659_s3_q;
   logic and_684_s3_q;
-  logic [11:0] sum_699_s3_q;
-  logic [9:0] sum_702_s3_q;
-  logic and_710_s3_q;
-  logic and_714_s3_q;
-  logic less_715_s3_q;
-  logic less_719_s3_q;
-  logic less_721_s3_q;
-  logic equal_2056_s3_q;
+  logic and_685_s3_q;
+  logic [11:0] sum_700_s3_q;
+  logic [9:0] sum_703_s3_q;
+  logic and_711_s3_q;
+  logic and_715_s3_q;
+  logic less_716_s3_q;
+  logic less_720_s3_q;
+  logic less_722_s3_q;
+  logic equal_2057_s3_q;
   logic all_s3_q;
-  logic [1:0] sum_2062_s3_q;
-  logic equal_2064_s3_q;
-  logic equal_2066_s3_q;
-  logic equal_2068_s3_q;
-  logic equal_2070_s3_q;
-  logic equal_2072_s3_q;
-  logic equal_2074_s3_q;
-  logic equal_2076_s3_q;
-  logic equal_2078_s3_q;
-  logic less_2087_s3_q;
-  logic or_2091_s3_q;
-  logic equal_2111_s3_q;
-  logic and_2121_s3_q;
-  logic and_2124_s3_q;
-  logic select_2141_s3_q;
-  logic equal_2142_s3_q;
-  logic and_2150_s3_q;
-  logic equal_2152_s3_q;
-  logic select_2217_s3_q;
-  logic and_2224_s3_q;
-  logic equal_2225_s3_q;
-  logic equal_2227_s3_q;
-  logic and_2240_s3_q;
-  logic [4:0] select_2255_s3_q;
-  logic select_2261_s3_q;
-  logic [3:0] select_2302_s3_q;
-  logic less_2388_s3_q;
-  logic equal_2389_s3_q;
-  logic not_2390_s3_q;
-  logic equal_2391_s3_q;
-  logic or_2410_s3_q;
-  logic or_2413_s3_q;
-  logic or_2416_s3_q;
-  logic not_2418_s3_q;
+  logic [1:0] sum_2063_s3_q;
+  logic equal_2065_s3_q;
+  logic equal_2067_s3_q;
+  logic equal_2069_s3_q;
+  logic equal_2071_s3_q;
+  logic equal_2073_s3_q;
+  logic equal_2075_s3_q;
+  logic equal_2077_s3_q;
+  logic equal_2079_s3_q;
+  logic less_2088_s3_q;
+  logic or_2092_s3_q;
+  logic equal_2112_s3_q;
+  logic and_2122_s3_q;
+  logic and_2125_s3_q;
+  logic select_2142_s3_q;
+  logic equal_2143_s3_q;
+  logic and_2151_s3_q;
+  logic equal_2153_s3_q;
+  logic select_2200_s3_q;
+  logic and_2228_s3_q;
+  logic equal_2229_s3_q;
+  logic equal_2231_s3_q;
+  logic and_2244_s3_q;
+  logic [4:0] select_2259_s3_q;
+  logic select_2265_s3_q;
+  logic [3:0] select_2306_s3_q;
+  logic less_2392_s3_q;
+  logic equal_2393_s3_q;
+  logic not_2394_s3_q;
+  logic equal_2395_s3_q;
+  logic or_2414_s3_q;
+  logic or_2417_s3_q;
+  logic or_2420_s3_q;
+  logic not_2422_s3_q;
   logic textured_s3_q;
   logic explained_s3_q;
-  logic and_2445_s3_q;
-  logic and_2450_s3_q;
-  logic and_2484_s3_q;
-  logic less_2485_s3_q;
+  logic and_2449_s3_q;
+  logic and_2454_s3_q;
+  logic and_2488_s3_q;
+  logic less_2489_s3_q;
   logic [5:0] index_2_s3_q;
-  logic [7:0] sum_2490_s3_q;
+  logic [7:0] sum_2494_s3_q;
   logic [2:0] textured_2_s3_q;
-  logic or_2508_s3_q;
-  logic or_2511_s3_q;
-  logic or_2514_s3_q;
+  logic or_2512_s3_q;
+  logic or_2515_s3_q;
+  logic or_2518_s3_q;
   logic [2:0] shown_2_s3_q;
   logic [2:0] near_2_s3_q;
-  logic and_2564_s3_q;
-  logic [11:0] sum_2693_s3_q;
-  logic [9:0] sum_2696_s3_q;
-  logic equal_2704_s3_q;
-  logic equal_2733_s3_q;
+  logic and_2568_s3_q;
+  logic [11:0] sum_2697_s3_q;
+  logic [9:0] sum_2700_s3_q;
+  logic equal_2708_s3_q;
+  logic equal_2737_s3_q;
   logic [8:0] contrast_s3_q;
   logic [8:0] contrast_2_s3_q;
-  logic and_2993_s3_q;
-  logic and_2999_s3_q;
+  logic and_2998_s3_q;
+  logic and_3004_s3_q;
   logic [2:0] explained_2_s3_q;
-  logic and_3061_s3_q;
-  logic and_3095_s3_q;
-  logic and_3153_s3_q;
-  logic and_3154_s3_q;
+  logic and_3066_s3_q;
+  logic and_3100_s3_q;
+  logic and_3158_s3_q;
+  logic and_3159_s3_q;
   logic [7:0] residual_s3_q;
-  logic and_3190_s3_q;
-  logic and_3204_s3_q;
-  logic equal_3247_s3_q;
-  logic parity_3626_s3_q;
-  logic parity_3755_s3_q;
-  logic parity_3817_s3_q;
-  logic xor_3845_s3_q;
-  logic parity_3857_s3_q;
-  logic or_3861_s3_q;
-  logic equal_3862_s3_q;
-  logic [4:0] select_3981_s3_q;
-  logic equal_3993_s3_q;
-  logic less_3995_s3_q;
-  logic less_3996_s3_q;
-  logic or_4001_s3_q;
-  logic [7:0] select_4046_s3_q;
-  logic and_4521_s3_q;
-  logic not_4536_s3_q;
-  logic and_4579_s3_q;
-  logic equal_4589_s3_q;
+  logic and_3195_s3_q;
+  logic and_3209_s3_q;
+  logic equal_3252_s3_q;
+  logic parity_3631_s3_q;
+  logic parity_3760_s3_q;
+  logic parity_3822_s3_q;
+  logic xor_3850_s3_q;
+  logic parity_3862_s3_q;
+  logic or_3866_s3_q;
+  logic equal_3867_s3_q;
+  logic [4:0] select_3986_s3_q;
+  logic equal_3998_s3_q;
+  logic less_4000_s3_q;
+  logic less_4001_s3_q;
+  logic or_4006_s3_q;
+  logic [7:0] select_4051_s3_q;
+  logic and_4526_s3_q;
+  logic not_4541_s3_q;
+  logic and_4584_s3_q;
+  logic equal_4594_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
       saturated_s3_q <= saturated_s2_q;
@@ -5582,19 +5587,18 @@ module horopter_agreement (
       region_fresh_s3_q <= region_fresh_q;
       centres_values_1_textured_s3_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s3_q <= centres_values_1_of_skin_q;
-      select_489_s3_q <= select_489_s2_q;
-      select_491_s3_q <= select_491_s2_q;
+      select_490_s3_q <= select_490_s2_q;
+      select_492_s3_q <= select_492_s2_q;
       column_s3_q <= column_s2_q;
-      and_523_s3_q <= and_523_s2_q;
-      and_525_s3_q <= and_525_s2_q;
+      and_524_s3_q <= and_524_s2_q;
+      and_526_s3_q <= and_526_s2_q;
       grey_s3_q <= grey;
-      equal_528_s3_q <= equal_528;
+      equal_529_s3_q <= equal_529;
       grey_2_s3_q <= grey_2;
       whole_2_s3_q <= whole_2;
-      equal_545_s3_q <= equal_545_s2_q;
-      equal_549_s3_q <= equal_549_s2_q;
-      not_550_s3_q <= not_550_s2_q;
-      less_627_s3_q <= less_627;
+      equal_546_s3_q <= equal_546_s2_q;
+      equal_550_s3_q <= equal_550_s2_q;
+      not_551_s3_q <= not_551_s2_q;
       less_628_s3_q <= less_628;
       less_629_s3_q <= less_629;
       less_630_s3_q <= less_630;
@@ -5618,101 +5622,102 @@ module horopter_agreement (
       less_648_s3_q <= less_648;
       less_649_s3_q <= less_649;
       less_650_s3_q <= less_650;
-      and_658_s3_q <= and_658;
-      and_683_s3_q <= whole_22 & and_658;
-      and_684_s3_q <= census_columns_values_1_cell_2_mask_q & and_658;
-      sum_699_s3_q <= {1'b0, sum_695} + {2'h0, sum_698};
-      sum_702_s3_q <= {9'h0, difference_700[9]} + {1'b0, xor_701};
-      and_710_s3_q <= and_710;
-      and_714_s3_q <= and_714;
-      less_715_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
-      less_719_s3_q <= {{5{sum_718[6]}}, sum_718, half_grey_levels_2[3:0]} < 16'hffe1;
-      less_721_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
-      equal_2056_s3_q <= equal_2056;
+      less_651_s3_q <= less_651;
+      and_659_s3_q <= and_659;
+      and_684_s3_q <= whole_22 & and_659;
+      and_685_s3_q <= census_columns_values_1_cell_2_mask_q & and_659;
+      sum_700_s3_q <= {1'b0, sum_696} + {2'h0, sum_699};
+      sum_703_s3_q <= {9'h0, difference_701[9]} + {1'b0, xor_702};
+      and_711_s3_q <= and_711;
+      and_715_s3_q <= and_715;
+      less_716_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
+      less_720_s3_q <= {{5{sum_719[6]}}, sum_719, half_grey_levels_2[3:0]} < 16'hffe1;
+      less_722_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
+      equal_2057_s3_q <= equal_2057;
       all_s3_q <= all;
-      sum_2062_s3_q <= sum_2062;
-      equal_2064_s3_q <= equal_2064;
-      equal_2066_s3_q <= equal_2066;
-      equal_2068_s3_q <= equal_2068;
-      equal_2070_s3_q <= equal_2070;
-      equal_2072_s3_q <= equal_2072;
-      equal_2074_s3_q <= equal_2074;
-      equal_2076_s3_q <= equal_2076;
-      equal_2078_s3_q <= equal_2078;
-      less_2087_s3_q <= less_2087;
-      or_2091_s3_q <= or_2091;
-      equal_2111_s3_q <= (registration_fresh_q & select_2109) == 4'h0;
-      and_2121_s3_q <= not_550_s2_q & and_2105;
-      and_2124_s3_q <= and_2124_s2_q;
-      select_2141_s3_q <= select_2141[1];
-      equal_2142_s3_q <= equal_2142;
-      and_2150_s3_q <= and_2150;
-      equal_2152_s3_q <= equal_2152;
-      select_2217_s3_q <= select_2217[0];
-      and_2224_s3_q <= and_2224;
-      equal_2225_s3_q <= equal_2225_s2_q;
-      equal_2227_s3_q <= equal_2227_s2_q;
-      and_2240_s3_q <= and_2224 & equal_2239;
-      select_2255_s3_q <= select_2255_s2_q;
-      select_2261_s3_q <= select_2261_s2_q;
-      select_2302_s3_q <= select_2302_s2_q;
-      less_2388_s3_q <= less_2388_s2_q;
-      equal_2389_s3_q <= equal_2389_s2_q;
-      not_2390_s3_q <= not_2390_s2_q;
-      equal_2391_s3_q <= equal_2391_s2_q;
-      or_2410_s3_q <= or_2410;
-      or_2413_s3_q <= or_2413;
-      or_2416_s3_q <= or_2416;
-      not_2418_s3_q <= not_2418;
+      sum_2063_s3_q <= sum_2063;
+      equal_2065_s3_q <= equal_2065;
+      equal_2067_s3_q <= equal_2067;
+      equal_2069_s3_q <= equal_2069;
+      equal_2071_s3_q <= equal_2071;
+      equal_2073_s3_q <= equal_2073;
+      equal_2075_s3_q <= equal_2075;
+      equal_2077_s3_q <= equal_2077;
+      equal_2079_s3_q <= equal_2079;
+      less_2088_s3_q <= less_2088;
+      or_2092_s3_q <= or_2092;
+      equal_2112_s3_q <= (registration_fresh_q & select_2110) == 4'h0;
+      and_2122_s3_q <= not_551_s2_q & and_2106;
+      and_2125_s3_q <= and_2125_s2_q;
+      select_2142_s3_q <= select_2142[1];
+      equal_2143_s3_q <= equal_2143;
+      and_2151_s3_q <= and_2151;
+      equal_2153_s3_q <= equal_2153;
+      select_2200_s3_q <= select_2200;
+      and_2228_s3_q <= and_2228;
+      equal_2229_s3_q <= equal_2229_s2_q;
+      equal_2231_s3_q <= equal_2231_s2_q;
+      and_2244_s3_q <= and_2228 & equal_2243;
+      select_2259_s3_q <= select_2259_s2_q;
+      select_2265_s3_q <= select_2265_s2_q;
+      select_2306_s3_q <= select_2306_s2_q;
+      less_2392_s3_q <= less_2392_s2_q;
+      equal_2393_s3_q <= equal_2393_s2_q;
+      not_2394_s3_q <= not_2394_s2_q;
+      equal_2395_s3_q <= equal_2395_s2_q;
+      or_2414_s3_q <= or_2414;
+      or_2417_s3_q <= or_2417;
+      or_2420_s3_q <= or_2420;
+      not_2422_s3_q <= not_2422;
       textured_s3_q <= textured;
       explained_s3_q <= explained;
-      and_2445_s3_q <= inside_v_s2_q & (and_2443 & and_2034);
-      and_2450_s3_q <= not_550_s2_q & and_2425;
-      and_2484_s3_q <= and_2484;
-      less_2485_s3_q <= less_2485;
+      and_2449_s3_q <= inside_v_s2_q & (and_2447 & and_2035);
+      and_2454_s3_q <= not_551_s2_q & and_2429;
+      and_2488_s3_q <= and_2488;
+      less_2489_s3_q <= less_2489;
       index_2_s3_q <= index_2[5:0];
-      sum_2490_s3_q <= sum_2490;
+      sum_2494_s3_q <= sum_2494;
       textured_2_s3_q <= textured_2;
-      or_2508_s3_q <= or_2508;
-      or_2511_s3_q <= select_2505[7] | (~({select_2505[6], select_2505[3:2]} == 3'h0));
-      or_2514_s3_q <= select_2505[7] | (~(select_2505[6:4] == 3'h0));
+      or_2512_s3_q <= or_2512;
+      or_2515_s3_q <= select_2509[7] | (~({select_2509[6], select_2509[3:2]} == 3'h0));
+      or_2518_s3_q <= select_2509[7] | (~(select_2509[6:4] == 3'h0));
       shown_2_s3_q <= shown_2;
       near_2_s3_q <= near_2;
-      and_2564_s3_q <= and_2564;
-      sum_2693_s3_q <= {1'b0, sum_2689} + {2'h0, sum_2692};
-      sum_2696_s3_q <= {9'h0, difference_2694[9]} + {1'b0, xor_2695};
-      equal_2704_s3_q <= equal_2704_s2_q;
-      equal_2733_s3_q <= equal_2733;
+      and_2568_s3_q <= and_2568;
+      sum_2697_s3_q <= {1'b0, sum_2693} + {2'h0, sum_2696};
+      sum_2700_s3_q <= {9'h0, difference_2698[9]} + {1'b0, xor_2699};
+      equal_2708_s3_q <= equal_2708_s2_q;
+      equal_2737_s3_q <= equal_2737;
       contrast_s3_q <= contrast;
       contrast_2_s3_q <= contrast_2;
-      and_2993_s3_q <= and_2993;
-      and_2999_s3_q <= and_2999;
+      and_2998_s3_q <= and_2998;
+      and_3004_s3_q <= and_3004;
       explained_2_s3_q <= explained_2;
-      and_3061_s3_q <= not_550_s2_q & and_3060;
-      and_3095_s3_q <= not_550_s2_q & and_3094;
-      and_3153_s3_q <= not_550_s2_q & (so_s2_q & (half_ends & equal_3150));
-      and_3154_s3_q <= and_3154;
+      and_3066_s3_q <= not_551_s2_q & and_3065;
+      and_3100_s3_q <= not_551_s2_q & and_3099;
+      and_3158_s3_q <= not_551_s2_q & (so_s2_q & (half_ends & equal_3155));
+      and_3159_s3_q <= and_3159;
       residual_s3_q <= residual[7:0];
-      and_3190_s3_q <= and_3190;
-      and_3204_s3_q <= and_3154 & less_3203;
-      equal_3247_s3_q <= (registration_fresh_q & select_3245) == 4'h0;
-      parity_3626_s3_q <= ^{xor_3622, xor_3585, select_3552[44:36], other[44:36]};
-      parity_3755_s3_q <= parity_3755;
-      parity_3817_s3_q <= parity_3817;
-      xor_3845_s3_q <= parity_3832 ^ parity_3844;
-      parity_3857_s3_q <= ^{or_3854, or_3850, and_3846};
-      or_3861_s3_q <= (or_3850 & or_3854) | (and_3846 & (or_3850 | or_3854));
-      equal_3862_s3_q <= equal_3862_s2_q;
-      select_3981_s3_q <= select_3981[14:10];
-      equal_3993_s3_q <= select_3950[3:0] == 4'h0;
-      less_3995_s3_q <= {difference_3994, 3'h0} < {3'h0, sum_3542};
-      less_3996_s3_q <= select_3991 < select_3981[9:0];
-      or_4001_s3_q <= (sum_3542 < 10'h39) | ({1'b0, sum_3542[9:1]} < select_3981[9:0]);
-      select_4046_s3_q <= select_4046;
-      and_4521_s3_q <= and_2564 & ({sum_2490, index_2[5:0]} == {sum_2477, index[5:0]});
-      not_4536_s3_q <= ~proven_q;
-      and_4579_s3_q <= and_4579;
-      equal_4589_s3_q <= (registration_fresh_q & select_4587) == 4'h0;
+      and_3195_s3_q <= and_3195;
+      and_3209_s3_q <= and_3159 & less_3208;
+      equal_3252_s3_q <= (registration_fresh_q & select_3250) == 4'h0;
+      parity_3631_s3_q <= ^{xor_3627, xor_3590, select_3557[44:36], other[44:36]};
+      parity_3760_s3_q <= parity_3760;
+      parity_3822_s3_q <= parity_3822;
+      xor_3850_s3_q <= parity_3837 ^ parity_3849;
+      parity_3862_s3_q <= ^{or_3859, or_3855, and_3851};
+      or_3866_s3_q <= (or_3855 & or_3859) | (and_3851 & (or_3855 | or_3859));
+      equal_3867_s3_q <= equal_3867_s2_q;
+      select_3986_s3_q <= select_3986[14:10];
+      equal_3998_s3_q <= select_3955[3:0] == 4'h0;
+      less_4000_s3_q <= {difference_3999, 3'h0} < {3'h0, sum_3547};
+      less_4001_s3_q <= select_3996 < select_3986[9:0];
+      or_4006_s3_q <= (sum_3547 < 10'h39) | ({1'b0, sum_3547[9:1]} < select_3986[9:0]);
+      select_4051_s3_q <= select_4051;
+      and_4526_s3_q <= and_2568 & ({sum_2494, index_2[5:0]} == {sum_2481, index[5:0]});
+      not_4541_s3_q <= ~proven_q;
+      and_4584_s3_q <= and_4584;
+      equal_4594_s3_q <= (registration_fresh_q & select_4592) == 4'h0;
     end
   end
 
@@ -5893,1264 +5898,1264 @@ module horopter_agreement (
   logic nearer_q;
   // hls/stages/census.hpp:272
   logic [11:0] texture;
-  assign texture = sum_699_s3_q + {2'h0, sum_702_s3_q};
+  assign texture = sum_700_s3_q + {2'h0, sum_703_s3_q};
   // hls/stages/census.hpp:283
-  logic [12:0] sum_704;
-  assign sum_704 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-  logic [13:0] sum_706;
-  assign sum_706 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_704});
+  logic [12:0] sum_705;
+  assign sum_705 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+  logic [13:0] sum_707;
+  assign sum_707 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_705});
   // hls/stages/census.hpp:305
-  logic less_707;
-  assign less_707 = 9'h4 < sum_706[13:5];
-  logic and_708;
-  assign and_708 = and_658_s3_q & less_707;
+  logic less_708;
+  assign less_708 = 9'h4 < sum_707[13:5];
+  logic and_709;
+  assign and_709 = and_659_s3_q & less_708;
   // hls/stages/moments.hpp:30
-  logic and_720;
-  assign and_720 = (and_683_s3_q & and_710_s3_q) & less_719_s3_q;
+  logic and_721;
+  assign and_721 = (and_684_s3_q & and_711_s3_q) & less_720_s3_q;
   // hls/stages/registration.hpp:265
-  logic equal_2113;
-  assign equal_2113 = sum_2062_s3_q == 2'h0;
+  logic equal_2114;
+  assign equal_2114 = sum_2063_s3_q == 2'h0;
   // hls/stages/registration.hpp:263
   logic [6:0] down;
-  assign down = sum_2062_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_2063_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:265
-  logic [13:0] select_2115;
-  assign select_2115 = equal_2113 ? registration_half_across_q : {{7{down[6]}}, down};
-  logic [19:0] sum_2116;
-  assign sum_2116 = (equal_2111_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_2115[13]}}, select_2115};
+  logic [13:0] select_2116;
+  assign select_2116 = equal_2114 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_2117;
+  assign sum_2117 = (equal_2112_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_2116[13]}}, select_2116};
   // hls/stages/registration.hpp:264
   logic [6:0] up;
-  assign up = sum_2062_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_2063_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:266
-  logic [6:0] select_2119;
-  assign select_2119 = equal_2113 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_2120;
-  assign sum_2120 = (equal_2111_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_2119[6]}}, select_2119};
-  // hls/stages/patches.hpp:352
-  logic [22:0] select_2241;
-  assign select_2241 = and_2240_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2217_s3_q} : patches_choices_rdata_q;
-  // hls/stages/patches.hpp:127
-  logic select_2243;
-  assign select_2243 = equal_2142_s3_q ? patches_place_0_valid_q : (select_2141_s3_q ? patches_place_0_valid_q : select_2241[0]);
+  logic [6:0] select_2120;
+  assign select_2120 = equal_2114 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_2121;
+  assign sum_2121 = (equal_2112_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_2120[6]}}, select_2120};
   // hls/stages/patches.hpp:353
-  logic [21:0] select_2244;
-  assign select_2244 = select_2141_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2241[22:1];
+  logic [22:0] select_2245;
+  assign select_2245 = and_2244_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2200_s3_q} : patches_choices_rdata_q;
   // hls/stages/patches.hpp:127
-  logic [7:0] select_2245;
-  assign select_2245 = equal_2142_s3_q ? patches_place_0_column_q : select_2244[7:0];
-  logic [5:0] select_2246;
-  assign select_2246 = equal_2142_s3_q ? patches_place_0_shift_q : select_2244[13:8];
+  logic select_2247;
+  assign select_2247 = equal_2143_s3_q ? patches_place_0_valid_q : (select_2142_s3_q ? patches_place_0_valid_q : select_2245[0]);
+  // hls/stages/patches.hpp:354
+  logic [21:0] select_2248;
+  assign select_2248 = select_2142_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2245[22:1];
+  // hls/stages/patches.hpp:127
+  logic [7:0] select_2249;
+  assign select_2249 = equal_2143_s3_q ? patches_place_0_column_q : select_2248[7:0];
+  logic [5:0] select_2250;
+  assign select_2250 = equal_2143_s3_q ? patches_place_0_shift_q : select_2248[13:8];
   // hls/stages/patches.hpp:323
-  logic [7:0] sum_2247;
-  assign sum_2247 = select_2245 + {{2{select_2246[5]}}, select_2246};
+  logic [7:0] sum_2251;
+  assign sum_2251 = select_2249 + {{2{select_2250[5]}}, select_2250};
   // hls/stages/patches.hpp:324
-  logic [6:0] sum_2248;
-  assign sum_2248 = sum_2247[7:1] + 7'h7f;
+  logic [6:0] sum_2252;
+  assign sum_2252 = sum_2251[7:1] + 7'h7f;
   // hls/stages/patches.hpp:131
-  logic equal_2249;
-  assign equal_2249 = {sum_2248[6], select_491_s3_q, select_489_s3_q} == {1'b0, sum_2248[5:0], sum_2247[0], 3'h4};
+  logic equal_2253;
+  assign equal_2253 = {sum_2252[6], select_492_s3_q, select_490_s3_q} == {1'b0, sum_2252[5:0], sum_2251[0], 3'h4};
   // hls/stages/patches.hpp:133
-  logic or_2251;
-  assign or_2251 = and_2124_s3_q | (select_2243 & equal_2249);
+  logic or_2255;
+  assign or_2255 = and_2125_s3_q | (select_2247 & equal_2253);
   // hls/stages/agreement.hpp:276
-  logic [4:0] select_2252;
-  assign select_2252 = or_2251 ? 5'h0 : patches_right_next_0_q[4:0];
+  logic [4:0] select_2256;
+  assign select_2256 = or_2255 ? 5'h0 : patches_right_next_0_q[4:0];
   // hls/stages/patches.hpp:133
-  logic [5:0] select_2262;
-  assign select_2262 = or_2251 ? {and_2124_s3_q, 5'h0} : patches_right_next_0_q;
+  logic [5:0] select_2266;
+  assign select_2266 = or_2255 ? {and_2125_s3_q, 5'h0} : patches_right_next_0_q;
   // hls/stages/patches.hpp:137
-  logic and_2264;
-  assign and_2264 = select_2261_s3_q & (~select_2262[5]);
+  logic and_2268;
+  assign and_2268 = select_2265_s3_q & (~select_2266[5]);
   // hls/stages/patches.hpp:127
-  logic select_2272;
-  assign select_2272 = equal_2142_s3_q ? patches_place_1_valid_q : (select_2141_s3_q ? select_2241[0] : patches_place_1_valid_q);
-  // hls/stages/patches.hpp:353
-  logic [21:0] select_2273;
-  assign select_2273 = select_2141_s3_q ? select_2241[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  logic select_2276;
+  assign select_2276 = equal_2143_s3_q ? patches_place_1_valid_q : (select_2142_s3_q ? select_2245[0] : patches_place_1_valid_q);
+  // hls/stages/patches.hpp:354
+  logic [21:0] select_2277;
+  assign select_2277 = select_2142_s3_q ? select_2245[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:127
-  logic [7:0] select_2274;
-  assign select_2274 = equal_2142_s3_q ? patches_place_1_column_q : select_2273[7:0];
-  logic [5:0] select_2275;
-  assign select_2275 = equal_2142_s3_q ? patches_place_1_shift_q : select_2273[13:8];
+  logic [7:0] select_2278;
+  assign select_2278 = equal_2143_s3_q ? patches_place_1_column_q : select_2277[7:0];
+  logic [5:0] select_2279;
+  assign select_2279 = equal_2143_s3_q ? patches_place_1_shift_q : select_2277[13:8];
   // hls/stages/patches.hpp:323
-  logic [7:0] sum_2276;
-  assign sum_2276 = select_2274 + {{2{select_2275[5]}}, select_2275};
+  logic [7:0] sum_2280;
+  assign sum_2280 = select_2278 + {{2{select_2279[5]}}, select_2279};
   // hls/stages/patches.hpp:324
-  logic [6:0] sum_2277;
-  assign sum_2277 = sum_2276[7:1] + 7'h7f;
+  logic [6:0] sum_2281;
+  assign sum_2281 = sum_2280[7:1] + 7'h7f;
   // hls/stages/patches.hpp:131
-  logic equal_2278;
-  assign equal_2278 = {sum_2277[6], select_491_s3_q, select_489_s3_q} == {1'b0, sum_2277[5:0], sum_2276[0], 3'h4};
+  logic equal_2282;
+  assign equal_2282 = {sum_2281[6], select_492_s3_q, select_490_s3_q} == {1'b0, sum_2281[5:0], sum_2280[0], 3'h4};
   // hls/stages/patches.hpp:133
-  logic or_2280;
-  assign or_2280 = and_2124_s3_q | (select_2272 & equal_2278);
+  logic or_2284;
+  assign or_2284 = and_2125_s3_q | (select_2276 & equal_2282);
   // hls/stages/agreement.hpp:276
-  logic [4:0] select_2281;
-  assign select_2281 = or_2280 ? 5'h0 : patches_right_next_1_q[4:0];
+  logic [4:0] select_2285;
+  assign select_2285 = or_2284 ? 5'h0 : patches_right_next_1_q[4:0];
   // hls/stages/patches.hpp:133
-  logic [5:0] select_2282;
-  assign select_2282 = or_2280 ? {and_2124_s3_q, 5'h0} : patches_right_next_1_q;
+  logic [5:0] select_2286;
+  assign select_2286 = or_2284 ? {and_2125_s3_q, 5'h0} : patches_right_next_1_q;
   // hls/stages/patches.hpp:137
-  logic and_2284;
-  assign and_2284 = select_2261_s3_q & (~select_2282[5]);
+  logic and_2288;
+  assign and_2288 = select_2265_s3_q & (~select_2286[5]);
   // hls/stages/patches.hpp:319
-  logic [7:0] sum_2291;
-  assign sum_2291 = select_2245 + 8'hff;
+  logic [7:0] sum_2295;
+  assign sum_2295 = select_2249 + 8'hff;
   // hls/stages/patches.hpp:132
-  logic equal_2292;
-  assign equal_2292 = {sum_2291[7], select_491_s3_q, select_489_s3_q} == {1'b0, sum_2291[6:0], 3'h4};
+  logic equal_2296;
+  assign equal_2296 = {sum_2295[7], select_492_s3_q, select_490_s3_q} == {1'b0, sum_2295[6:0], 3'h4};
   // hls/stages/patches.hpp:134
-  logic or_2294;
-  assign or_2294 = and_2124_s3_q | (select_2243 & equal_2292);
-  logic [4:0] select_2295;
-  assign select_2295 = or_2294 ? {and_2124_s3_q, 4'h0} : patches_left_next_0_q;
+  logic or_2298;
+  assign or_2298 = and_2125_s3_q | (select_2247 & equal_2296);
+  logic [4:0] select_2299;
+  assign select_2299 = or_2298 ? {and_2125_s3_q, 4'h0} : patches_left_next_0_q;
   // hls/stages/patches.hpp:319
-  logic [7:0] sum_2296;
-  assign sum_2296 = select_2274 + 8'hff;
+  logic [7:0] sum_2300;
+  assign sum_2300 = select_2278 + 8'hff;
   // hls/stages/patches.hpp:132
-  logic equal_2297;
-  assign equal_2297 = {sum_2296[7], select_491_s3_q, select_489_s3_q} == {1'b0, sum_2296[6:0], 3'h4};
+  logic equal_2301;
+  assign equal_2301 = {sum_2300[7], select_492_s3_q, select_490_s3_q} == {1'b0, sum_2300[6:0], 3'h4};
   // hls/stages/patches.hpp:134
-  logic [4:0] select_2300;
-  assign select_2300 = (and_2124_s3_q | (select_2272 & equal_2297)) ? {and_2124_s3_q, 4'h0} : patches_left_next_1_q;
+  logic [4:0] select_2304;
+  assign select_2304 = (and_2125_s3_q | (select_2276 & equal_2301)) ? {and_2125_s3_q, 4'h0} : patches_left_next_1_q;
   // hls/stages/patches.hpp:142
   logic [3:0] column_7;
-  assign column_7 = select_2295[4] ? select_2300[3:0] : select_2295[3:0];
+  assign column_7 = select_2299[4] ? select_2304[3:0] : select_2299[3:0];
   // hls/stages/agreement.hpp:276
-  logic select_2303;
-  assign select_2303 = or_2294 ? and_2124_s3_q : patches_left_next_0_q[4];
+  logic select_2307;
+  assign select_2307 = or_2298 ? and_2125_s3_q : patches_left_next_0_q[4];
   // hls/stages/patches.hpp:142
-  logic and_2309;
-  assign and_2309 = (select_2261_s3_q & (select_2255_s3_q[3] ^ select_2255_s3_q[4])) & ((~select_2295[4]) | (~select_2300[4]));
+  logic and_2313;
+  assign and_2313 = (select_2265_s3_q & (select_2259_s3_q[3] ^ select_2259_s3_q[4])) & ((~select_2299[4]) | (~select_2304[4]));
   // hls/stages/patches.hpp:184
-  logic less_2400;
-  assign less_2400 = patches_sums_values_0_q < patches_best_differing_q;
+  logic less_2404;
+  assign less_2404 = patches_sums_values_0_q < patches_best_differing_q;
   // hls/stages/patches.hpp:185
-  logic not_2401;
-  assign not_2401 = ~less_2400;
-  logic [1:0] select_2402;
-  assign select_2402 = patches_summed_first_s3_q ? 2'h2 : {less_2400, not_2401};
-  logic [12:0] select_2404;
-  assign select_2404 = select_2402[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
-  logic [14:0] select_2405;
-  assign select_2405 = select_2402[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
-  logic [14:0] select_2406;
-  assign select_2406 = (select_2402 == 2'h2) ? {select_2404[12:8], patches_sums_values_0_q[9:8], select_2404[7:0]} : select_2405;
-  // hls/stages/agreement.hpp:900
-  logic [6:0] select_2431;
-  assign select_2431 = segment_started_q ? segment_textured_q : 7'h0;
+  logic not_2405;
+  assign not_2405 = ~less_2404;
+  logic [1:0] select_2406;
+  assign select_2406 = patches_summed_first_s3_q ? 2'h2 : {less_2404, not_2405};
+  logic [12:0] select_2408;
+  assign select_2408 = select_2406[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
+  logic [14:0] select_2409;
+  assign select_2409 = select_2406[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
+  logic [14:0] select_2410;
+  assign select_2410 = (select_2406 == 2'h2) ? {select_2408[12:8], patches_sums_values_0_q[9:8], select_2408[7:0]} : select_2409;
   // hls/stages/agreement.hpp:901
-  logic [6:0] sum_2432;
-  assign sum_2432 = {6'h0, textured_s3_q} + select_2431;
-  // hls/stages/agreement.hpp:1061
-  logic [9:0] sum_2434;
-  assign sum_2434 = {3'h0, sum_2432} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
-  // hls/stages/agreement.hpp:900
-  logic [6:0] select_2436;
-  assign select_2436 = segment_started_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:901
-  logic [6:0] sum_2437;
-  assign sum_2437 = {6'h0, explained_s3_q} + select_2436;
-  // hls/stages/agreement.hpp:1062
-  logic [9:0] sum_2439;
-  assign sum_2439 = {3'h0, sum_2437} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
-  // hls/stages/agreement.hpp:900
-  logic [6:0] select_2446;
-  assign select_2446 = segment_started_q ? segment_nearer_q : 7'h0;
+  logic [6:0] select_2435;
+  assign select_2435 = segment_started_q ? segment_textured_q : 7'h0;
   // hls/stages/agreement.hpp:902
-  logic [6:0] sum_2447;
-  assign sum_2447 = {6'h0, and_2445_s3_q} + select_2446;
+  logic [6:0] sum_2436;
+  assign sum_2436 = {6'h0, textured_s3_q} + select_2435;
+  // hls/stages/agreement.hpp:1062
+  logic [9:0] sum_2438;
+  assign sum_2438 = {3'h0, sum_2436} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
+  // hls/stages/agreement.hpp:901
+  logic [6:0] select_2440;
+  assign select_2440 = segment_started_q ? segment_explained_q : 7'h0;
+  // hls/stages/agreement.hpp:902
+  logic [6:0] sum_2441;
+  assign sum_2441 = {6'h0, explained_s3_q} + select_2440;
   // hls/stages/agreement.hpp:1063
-  logic [9:0] sum_2449;
-  assign sum_2449 = {3'h0, sum_2447} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
-  // hls/stages/agreement.hpp:1094
-  logic [2:0] select_2499;
-  assign select_2499 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2500;
-  assign difference_2500 = {1'b0, textured_2_s3_q} - {1'b0, select_2499};
+  logic [9:0] sum_2443;
+  assign sum_2443 = {3'h0, sum_2441} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
+  // hls/stages/agreement.hpp:901
+  logic [6:0] select_2450;
+  assign select_2450 = segment_started_q ? segment_nearer_q : 7'h0;
+  // hls/stages/agreement.hpp:903
+  logic [6:0] sum_2451;
+  assign sum_2451 = {6'h0, and_2449_s3_q} + select_2450;
+  // hls/stages/agreement.hpp:1064
+  logic [9:0] sum_2453;
+  assign sum_2453 = {3'h0, sum_2451} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
+  // hls/stages/agreement.hpp:1095
+  logic [2:0] select_2503;
+  assign select_2503 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2504;
+  assign difference_2504 = {1'b0, textured_2_s3_q} - {1'b0, select_2503};
   logic [4:0] t;
-  assign t = {difference_2500[3], difference_2500} + (equal_545_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1100
-  logic equal_2503;
-  assign equal_2503 = t[4:1] == 4'h0;
+  assign t = {difference_2504[3], difference_2504} + (equal_546_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1101
-  logic not_2515;
-  assign not_2515 = ~region_row_s3_q[2];
-  logic [2:0] select_2516;
-  assign select_2516 = region_row_s3_q[1] ? {1'b0, not_2515, 1'b0} : {region_row_s3_q[2], 1'b0, not_2515};
-  logic [5:0] select_2517;
-  assign select_2517 = region_row_s3_q[0] ? {select_2516[2], 1'b0, select_2516[1], 1'b0, select_2516[0], 1'b0} : {1'b0, select_2516[2], 1'b0, select_2516[1], 1'b0, select_2516[0]};
-  logic [11:0] select_2518;
-  assign select_2518 = or_2514_s3_q ? {select_2517[5], 1'b0, select_2517[4], 1'b0, select_2517[3], 1'b0, select_2517[2], 1'b0, select_2517[1], 1'b0, select_2517[0], 1'b0} : {1'b0, select_2517[5], 1'b0, select_2517[4], 1'b0, select_2517[3], 1'b0, select_2517[2], 1'b0, select_2517[1], 1'b0, select_2517[0]};
-  logic [23:0] select_2519;
-  assign select_2519 = or_2511_s3_q ? {select_2518[11], 1'b0, select_2518[10], 1'b0, select_2518[9], 1'b0, select_2518[8], 1'b0, select_2518[7], 1'b0, select_2518[6], 1'b0, select_2518[5], 1'b0, select_2518[4], 1'b0, select_2518[3], 1'b0, select_2518[2], 1'b0, select_2518[1], 1'b0, select_2518[0], 1'b0} : {1'b0, select_2518[11], 1'b0, select_2518[10], 1'b0, select_2518[9], 1'b0, select_2518[8], 1'b0, select_2518[7], 1'b0, select_2518[6], 1'b0, select_2518[5], 1'b0, select_2518[4], 1'b0, select_2518[3], 1'b0, select_2518[2], 1'b0, select_2518[1], 1'b0, select_2518[0]};
-  logic [47:0] select_2520;
-  assign select_2520 = or_2508_s3_q ? {select_2519[23], 1'b0, select_2519[22], 1'b0, select_2519[21], 1'b0, select_2519[20], 1'b0, select_2519[19], 1'b0, select_2519[18], 1'b0, select_2519[17], 1'b0, select_2519[16], 1'b0, select_2519[15], 1'b0, select_2519[14], 1'b0, select_2519[13], 1'b0, select_2519[12], 1'b0, select_2519[11], 1'b0, select_2519[10], 1'b0, select_2519[9], 1'b0, select_2519[8], 1'b0, select_2519[7], 1'b0, select_2519[6], 1'b0, select_2519[5], 1'b0, select_2519[4], 1'b0, select_2519[3], 1'b0, select_2519[2], 1'b0, select_2519[1], 1'b0, select_2519[0], 1'b0} : {1'b0, select_2519[23], 1'b0, select_2519[22], 1'b0, select_2519[21], 1'b0, select_2519[20], 1'b0, select_2519[19], 1'b0, select_2519[18], 1'b0, select_2519[17], 1'b0, select_2519[16], 1'b0, select_2519[15], 1'b0, select_2519[14], 1'b0, select_2519[13], 1'b0, select_2519[12], 1'b0, select_2519[11], 1'b0, select_2519[10], 1'b0, select_2519[9], 1'b0, select_2519[8], 1'b0, select_2519[7], 1'b0, select_2519[6], 1'b0, select_2519[5], 1'b0, select_2519[4], 1'b0, select_2519[3], 1'b0, select_2519[2], 1'b0, select_2519[1], 1'b0, select_2519[0]};
-  // hls/stages/agreement.hpp:1030
-  logic and_2524;
-  assign and_2524 = good_known_q & (~((good_q & select_2520) == 48'h0));
-  // hls/stages/agreement.hpp:1096
-  logic [2:0] select_2533;
-  assign select_2533 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2534;
-  assign difference_2534 = {1'b0, shown_2_s3_q} - {1'b0, select_2533};
-  logic [4:0] around;
-  assign around = {difference_2534[3], difference_2534} + (equal_545_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1103
-  logic [5:0] sum_2537;
-  assign sum_2537 = {1'b0, around} + {2'h0, around[4:1]};
-  logic is_seen;
-  assign is_seen = equal_2503 ? and_2524 : (~({sum_2537, around[0]} < {2'h0, t}));
+  logic equal_2507;
+  assign equal_2507 = t[4:1] == 4'h0;
+  // hls/stages/agreement.hpp:1102
+  logic not_2519;
+  assign not_2519 = ~region_row_s3_q[2];
+  logic [2:0] select_2520;
+  assign select_2520 = region_row_s3_q[1] ? {1'b0, not_2519, 1'b0} : {region_row_s3_q[2], 1'b0, not_2519};
+  logic [5:0] select_2521;
+  assign select_2521 = region_row_s3_q[0] ? {select_2520[2], 1'b0, select_2520[1], 1'b0, select_2520[0], 1'b0} : {1'b0, select_2520[2], 1'b0, select_2520[1], 1'b0, select_2520[0]};
+  logic [11:0] select_2522;
+  assign select_2522 = or_2518_s3_q ? {select_2521[5], 1'b0, select_2521[4], 1'b0, select_2521[3], 1'b0, select_2521[2], 1'b0, select_2521[1], 1'b0, select_2521[0], 1'b0} : {1'b0, select_2521[5], 1'b0, select_2521[4], 1'b0, select_2521[3], 1'b0, select_2521[2], 1'b0, select_2521[1], 1'b0, select_2521[0]};
+  logic [23:0] select_2523;
+  assign select_2523 = or_2515_s3_q ? {select_2522[11], 1'b0, select_2522[10], 1'b0, select_2522[9], 1'b0, select_2522[8], 1'b0, select_2522[7], 1'b0, select_2522[6], 1'b0, select_2522[5], 1'b0, select_2522[4], 1'b0, select_2522[3], 1'b0, select_2522[2], 1'b0, select_2522[1], 1'b0, select_2522[0], 1'b0} : {1'b0, select_2522[11], 1'b0, select_2522[10], 1'b0, select_2522[9], 1'b0, select_2522[8], 1'b0, select_2522[7], 1'b0, select_2522[6], 1'b0, select_2522[5], 1'b0, select_2522[4], 1'b0, select_2522[3], 1'b0, select_2522[2], 1'b0, select_2522[1], 1'b0, select_2522[0]};
+  logic [47:0] select_2524;
+  assign select_2524 = or_2512_s3_q ? {select_2523[23], 1'b0, select_2523[22], 1'b0, select_2523[21], 1'b0, select_2523[20], 1'b0, select_2523[19], 1'b0, select_2523[18], 1'b0, select_2523[17], 1'b0, select_2523[16], 1'b0, select_2523[15], 1'b0, select_2523[14], 1'b0, select_2523[13], 1'b0, select_2523[12], 1'b0, select_2523[11], 1'b0, select_2523[10], 1'b0, select_2523[9], 1'b0, select_2523[8], 1'b0, select_2523[7], 1'b0, select_2523[6], 1'b0, select_2523[5], 1'b0, select_2523[4], 1'b0, select_2523[3], 1'b0, select_2523[2], 1'b0, select_2523[1], 1'b0, select_2523[0], 1'b0} : {1'b0, select_2523[23], 1'b0, select_2523[22], 1'b0, select_2523[21], 1'b0, select_2523[20], 1'b0, select_2523[19], 1'b0, select_2523[18], 1'b0, select_2523[17], 1'b0, select_2523[16], 1'b0, select_2523[15], 1'b0, select_2523[14], 1'b0, select_2523[13], 1'b0, select_2523[12], 1'b0, select_2523[11], 1'b0, select_2523[10], 1'b0, select_2523[9], 1'b0, select_2523[8], 1'b0, select_2523[7], 1'b0, select_2523[6], 1'b0, select_2523[5], 1'b0, select_2523[4], 1'b0, select_2523[3], 1'b0, select_2523[2], 1'b0, select_2523[1], 1'b0, select_2523[0]};
+  // hls/stages/agreement.hpp:1031
+  logic and_2528;
+  assign and_2528 = good_known_q & (~((good_q & select_2524) == 48'h0));
   // hls/stages/agreement.hpp:1097
-  logic [2:0] select_2549;
-  assign select_2549 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2550;
-  assign difference_2550 = {1'b0, near_2_s3_q} - {1'b0, select_2549};
+  logic [2:0] select_2537;
+  assign select_2537 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2538;
+  assign difference_2538 = {1'b0, shown_2_s3_q} - {1'b0, select_2537};
+  logic [4:0] around;
+  assign around = {difference_2538[3], difference_2538} + (equal_546_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1104
+  logic [5:0] sum_2541;
+  assign sum_2541 = {1'b0, around} + {2'h0, around[4:1]};
+  logic is_seen;
+  assign is_seen = equal_2507 ? and_2528 : (~({sum_2541, around[0]} < {2'h0, t}));
+  // hls/stages/agreement.hpp:1098
+  logic [2:0] select_2553;
+  assign select_2553 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2554;
+  assign difference_2554 = {1'b0, near_2_s3_q} - {1'b0, select_2553};
   logic [4:0] n;
-  assign n = {difference_2550[3], difference_2550} + (equal_545_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1112
-  logic and_2554;
-  assign and_2554 = is_seen & ({1'b0, around[4:1]} < n);
+  assign n = {difference_2554[3], difference_2554} + (equal_546_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1113
+  logic and_2558;
+  assign and_2558 = is_seen & ({1'b0, around[4:1]} < n);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_2588;
-  assign select_2588 = sample_pair_whole_s3_q ? (and_523_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2590;
-  assign select_2590 = sample_pair_whole_s3_q ? (and_523_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
   logic [8:0] select_2592;
-  assign select_2592 = sample_pair_whole_s3_q ? (and_523_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  assign select_2592 = sample_pair_whole_s3_q ? (and_524_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_2594;
-  assign select_2594 = sample_pair_whole_s3_q ? (and_523_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  assign select_2594 = sample_pair_whole_s3_q ? (and_524_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2596;
+  assign select_2596 = sample_pair_whole_s3_q ? (and_524_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2598;
+  assign select_2598 = sample_pair_whole_s3_q ? (and_524_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:209
-  logic [9:0] sum_2599;
-  assign sum_2599 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
-  logic [9:0] difference_2600;
-  assign difference_2600 = {1'b0, sum_2599[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_2603;
+  assign sum_2603 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
+  logic [9:0] difference_2604;
+  assign difference_2604 = {1'b0, sum_2603[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:210
-  logic [9:0] xor_2601;
-  assign xor_2601 = {difference_2600[8:0], sum_2599[0]} ^ {10{difference_2600[9]}};
+  logic [9:0] xor_2605;
+  assign xor_2605 = {difference_2604[8:0], sum_2603[0]} ^ {10{difference_2604[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2600[9]} + {1'b0, xor_2601};
+  assign size = {10'h0, difference_2604[9]} + {1'b0, xor_2605};
   // hls/stages/census.hpp:211
   logic [13:0] detail;
-  assign detail = {3'h0, size} + (equal_528_s3_q ? 14'h0 : averager_detail_0_q);
+  assign detail = {3'h0, size} + (equal_529_s3_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2606;
-  assign select_2606 = sample_pair_whole_s3_q ? (and_523_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2610;
+  assign select_2610 = sample_pair_whole_s3_q ? (and_524_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:209
-  logic [9:0] sum_2607;
-  assign sum_2607 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
-  logic [9:0] difference_2608;
-  assign difference_2608 = {1'b0, sum_2607[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_2611;
+  assign sum_2611 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
+  logic [9:0] difference_2612;
+  assign difference_2612 = {1'b0, sum_2611[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:210
-  logic [9:0] xor_2609;
-  assign xor_2609 = {difference_2608[8:0], sum_2607[0]} ^ {10{difference_2608[9]}};
+  logic [9:0] xor_2613;
+  assign xor_2613 = {difference_2612[8:0], sum_2611[0]} ^ {10{difference_2612[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2608[9]} + {1'b0, xor_2609};
+  assign size_2 = {10'h0, difference_2612[9]} + {1'b0, xor_2613};
   // hls/stages/census.hpp:211
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2} + (equal_528_s3_q ? 14'h0 : averager_detail_1_q);
+  assign detail_2 = {3'h0, size_2} + (equal_529_s3_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2614;
-  assign select_2614 = sample_pair_whole_s3_q ? (and_523_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2618;
+  assign select_2618 = sample_pair_whole_s3_q ? (and_524_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/census.hpp:274
-  logic [11:0] sum_2697;
-  assign sum_2697 = sum_2693_s3_q + {2'h0, sum_2696_s3_q};
-  // hls/stages/agreement.hpp:520
-  logic [11:0] select_2699;
-  assign select_2699 = and_525_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2700;
-  assign select_2700 = and_525_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [11:0] select_2701;
-  assign select_2701 = and_525_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_2702;
-  assign select_2702 = and_525_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  logic [11:0] sum_2701;
+  assign sum_2701 = sum_2697_s3_q + {2'h0, sum_2700_s3_q};
+  // hls/stages/agreement.hpp:521
+  logic [11:0] select_2703;
+  assign select_2703 = and_526_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2704;
+  assign select_2704 = and_526_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2705;
+  assign select_2705 = and_526_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2706;
+  assign select_2706 = and_526_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:284
-  logic [12:0] sum_2705;
-  assign sum_2705 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2697};
-  logic [13:0] sum_2707;
-  assign sum_2707 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2705});
+  logic [12:0] sum_2709;
+  assign sum_2709 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2701};
+  logic [13:0] sum_2711;
+  assign sum_2711 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2709});
   // hls/stages/census.hpp:311
-  logic and_2709;
-  assign and_2709 = and_683_s3_q & (9'h4 < sum_2707[13:5]);
+  logic and_2713;
+  assign and_2713 = and_684_s3_q & (9'h4 < sum_2711[13:5]);
   // hls/stages/census.hpp:312
-  logic and_2710;
-  assign and_2710 = and_683_s3_q & less_707;
+  logic and_2714;
+  assign and_2714 = and_684_s3_q & less_708;
   // hls/stages/census.hpp:313
-  logic [19:0] sum_2711;
-  assign sum_2711 = census_left_misses_q + {{17{and_2710}}, and_2709, 1'b0, and_2709};
-  // hls/stages/agreement.hpp:520
-  logic [19:0] select_2713;
-  assign select_2713 = and_525_s3_q ? (equal_2704_s3_q ? 20'h0 : sum_2711) : census_left_misses_q;
+  logic [19:0] sum_2715;
+  assign sum_2715 = census_left_misses_q + {{17{and_2714}}, and_2713, 1'b0, and_2713};
+  // hls/stages/agreement.hpp:521
+  logic [19:0] select_2717;
+  assign select_2717 = and_526_s3_q ? (equal_2708_s3_q ? 20'h0 : sum_2715) : census_left_misses_q;
   // hls/stages/agreement.hpp:276
-  logic [27:0] select_2778;
-  assign select_2778 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
-  // hls/stages/agreement.hpp:520
-  logic select_2781;
-  assign select_2781 = and_525_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic [27:0] select_2783;
+  assign select_2783 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
+  // hls/stages/agreement.hpp:521
+  logic select_2786;
+  assign select_2786 = and_526_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:361
-  logic and_2784;
-  assign and_2784 = whole_2_s3_q & (~(column_s3_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:457
-  logic and_2790;
-  assign and_2790 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
-  logic and_2791;
-  assign and_2791 = and_2784 & and_2790;
+  logic and_2789;
+  assign and_2789 = whole_2_s3_q & (~(column_s3_q[6:1] == 6'h0));
+  // hls/stages/agreement.hpp:458
+  logic and_2795;
+  assign and_2795 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
+  logic and_2796;
+  assign and_2796 = and_2789 & and_2795;
   // hls/stages/census.hpp:360
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2778[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2783[13:0]};
   // hls/stages/census.hpp:362
-  logic [12:0] select_2793;
-  assign select_2793 = and_2791 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2798;
+  assign select_2798 = and_2796 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:363
-  logic [23:0] select_2795;
-  assign select_2795 = equal_2704_s3_q ? {11'h0, select_2793} : (sharpness_sums_detail_0_q + {11'h0, select_2793});
-  // hls/stages/agreement.hpp:457
-  logic and_2802;
-  assign and_2802 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
-  logic and_2803;
-  assign and_2803 = and_2784 & and_2802;
+  logic [23:0] select_2800;
+  assign select_2800 = equal_2708_s3_q ? {11'h0, select_2798} : (sharpness_sums_detail_0_q + {11'h0, select_2798});
+  // hls/stages/agreement.hpp:458
+  logic and_2807;
+  assign and_2807 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
+  logic and_2808;
+  assign and_2808 = and_2789 & and_2807;
   // hls/stages/census.hpp:360
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2778[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2783[27:14]};
   // hls/stages/census.hpp:362
-  logic [12:0] select_2805;
-  assign select_2805 = and_2803 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2810;
+  assign select_2810 = and_2808 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:363
-  logic [23:0] select_2807;
-  assign select_2807 = equal_2704_s3_q ? {11'h0, select_2805} : (sharpness_sums_detail_1_q + {11'h0, select_2805});
-  logic [8:0] select_2810;
-  assign select_2810 = and_2791 ? contrast_s3_q : 9'h0;
-  logic [23:0] sum_2811;
-  assign sum_2811 = (equal_2704_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2810};
-  logic [8:0] select_2814;
-  assign select_2814 = and_2803 ? contrast_2_s3_q : 9'h0;
-  logic [23:0] sum_2815;
-  assign sum_2815 = (equal_2704_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2814};
+  logic [23:0] select_2812;
+  assign select_2812 = equal_2708_s3_q ? {11'h0, select_2810} : (sharpness_sums_detail_1_q + {11'h0, select_2810});
+  logic [8:0] select_2815;
+  assign select_2815 = and_2796 ? contrast_s3_q : 9'h0;
+  logic [23:0] sum_2816;
+  assign sum_2816 = (equal_2708_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2815};
+  logic [8:0] select_2819;
+  assign select_2819 = and_2808 ? contrast_2_s3_q : 9'h0;
+  logic [23:0] sum_2820;
+  assign sum_2820 = (equal_2708_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2819};
   // hls/stages/agreement.hpp:211
-  logic equal_2817;
-  assign equal_2817 = x_s3_q[7:3] == 5'h0;
+  logic equal_2822;
+  assign equal_2822 = x_s3_q[7:3] == 5'h0;
   // hls/stages/census.hpp:376
-  logic less_2818;
-  assign less_2818 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
+  logic less_2823;
+  assign less_2823 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
   // hls/stages/census.hpp:415
-  logic less_2819;
-  assign less_2819 = x_s3_q[4:0] < 5'h3;
-  logic not_2820;
-  assign not_2820 = ~x_s3_q[1];
-  logic [2:0] select_2821;
-  assign select_2821 = x_s3_q[0] ? {1'b0, not_2820, 1'b0} : {x_s3_q[1], 1'b0, not_2820};
-  logic [5:0] select_2822;
-  assign select_2822 = slot_s3_q[2] ? {select_2821[2], 1'b0, select_2821[1], 1'b0, select_2821[0], 1'b0} : {1'b0, select_2821[2], 1'b0, select_2821[1], 1'b0, select_2821[0]};
-  logic [11:0] select_2823;
-  assign select_2823 = slot_s3_q[1] ? {select_2822[5], 1'b0, select_2822[4], 1'b0, select_2822[3], 1'b0, select_2822[2], 1'b0, select_2822[1], 1'b0, select_2822[0], 1'b0} : {1'b0, select_2822[5], 1'b0, select_2822[4], 1'b0, select_2822[3], 1'b0, select_2822[2], 1'b0, select_2822[1], 1'b0, select_2822[0]};
-  logic [23:0] select_2824;
-  assign select_2824 = slot_s3_q[0] ? {select_2823[11], 1'b0, select_2823[10], 1'b0, select_2823[9], 1'b0, select_2823[8], 1'b0, select_2823[7], 1'b0, select_2823[6], 1'b0, select_2823[5], 1'b0, select_2823[4], 1'b0, select_2823[3], 1'b0, select_2823[2], 1'b0, select_2823[1], 1'b0, select_2823[0], 1'b0} : {1'b0, select_2823[11], 1'b0, select_2823[10], 1'b0, select_2823[9], 1'b0, select_2823[8], 1'b0, select_2823[7], 1'b0, select_2823[6], 1'b0, select_2823[5], 1'b0, select_2823[4], 1'b0, select_2823[3], 1'b0, select_2823[2], 1'b0, select_2823[1], 1'b0, select_2823[0]};
+  logic less_2824;
+  assign less_2824 = x_s3_q[4:0] < 5'h3;
+  logic not_2825;
+  assign not_2825 = ~x_s3_q[1];
+  logic [2:0] select_2826;
+  assign select_2826 = x_s3_q[0] ? {1'b0, not_2825, 1'b0} : {x_s3_q[1], 1'b0, not_2825};
+  logic [5:0] select_2827;
+  assign select_2827 = slot_s3_q[2] ? {select_2826[2], 1'b0, select_2826[1], 1'b0, select_2826[0], 1'b0} : {1'b0, select_2826[2], 1'b0, select_2826[1], 1'b0, select_2826[0]};
+  logic [11:0] select_2828;
+  assign select_2828 = slot_s3_q[1] ? {select_2827[5], 1'b0, select_2827[4], 1'b0, select_2827[3], 1'b0, select_2827[2], 1'b0, select_2827[1], 1'b0, select_2827[0], 1'b0} : {1'b0, select_2827[5], 1'b0, select_2827[4], 1'b0, select_2827[3], 1'b0, select_2827[2], 1'b0, select_2827[1], 1'b0, select_2827[0]};
+  logic [23:0] select_2829;
+  assign select_2829 = slot_s3_q[0] ? {select_2828[11], 1'b0, select_2828[10], 1'b0, select_2828[9], 1'b0, select_2828[8], 1'b0, select_2828[7], 1'b0, select_2828[6], 1'b0, select_2828[5], 1'b0, select_2828[4], 1'b0, select_2828[3], 1'b0, select_2828[2], 1'b0, select_2828[1], 1'b0, select_2828[0], 1'b0} : {1'b0, select_2828[11], 1'b0, select_2828[10], 1'b0, select_2828[9], 1'b0, select_2828[8], 1'b0, select_2828[7], 1'b0, select_2828[6], 1'b0, select_2828[5], 1'b0, select_2828[4], 1'b0, select_2828[3], 1'b0, select_2828[2], 1'b0, select_2828[1], 1'b0, select_2828[0]};
   // hls/stages/census.hpp:378
-  logic and_2828;
-  assign and_2828 = less_2819 & (~((sharpness_sums_contrast_1_q & select_2824) == 24'h0));
+  logic and_2833;
+  assign and_2833 = less_2824 & (~((sharpness_sums_contrast_1_q & select_2829) == 24'h0));
   // hls/stages/census.hpp:383
-  logic [17:0] select_2830;
-  assign select_2830 = (less_2818 & and_2828) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2835;
+  assign select_2835 = (less_2823 & and_2833) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2830};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2835};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2833;
-  assign select_2833 = equal_2817 ? (less_2818 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_2838;
+  assign select_2838 = equal_2822 ? (less_2823 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:378
-  logic and_2838;
-  assign and_2838 = less_2819 & (~((sharpness_sums_contrast_0_q & select_2824) == 24'h0));
+  logic and_2843;
+  assign and_2843 = less_2824 & (~((sharpness_sums_contrast_0_q & select_2829) == 24'h0));
   // hls/stages/census.hpp:383
-  logic [17:0] select_2840;
-  assign select_2840 = (less_2818 & and_2838) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2845;
+  assign select_2845 = (less_2823 & and_2843) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2840};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2845};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2843;
-  assign select_2843 = equal_2817 ? (less_2818 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2845;
-  assign select_2845 = equal_2817 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2847;
-  assign select_2847 = equal_2817 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2849;
-  assign select_2849 = equal_2817 ? {sharpness_comparing_contrast_0_q[0], and_2838} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2851;
-  assign select_2851 = equal_2817 ? {sharpness_comparing_contrast_1_q[0], and_2828} : sharpness_comparing_contrast_1_q;
+  logic [17:0] select_2848;
+  assign select_2848 = equal_2822 ? (less_2823 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2850;
+  assign select_2850 = equal_2822 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2852;
+  assign select_2852 = equal_2822 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2854;
+  assign select_2854 = equal_2822 ? {sharpness_comparing_contrast_0_q[0], and_2843} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2856;
+  assign select_2856 = equal_2822 ? {sharpness_comparing_contrast_1_q[0], and_2833} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:389
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2856;
-  assign select_2856 = drew_q ? (equal_2817 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2861;
+  assign select_2861 = drew_q ? (equal_2822 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:389
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2860;
-  assign select_2860 = drew_q ? (equal_2817 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
-  // hls/stages/census.hpp:375
-  logic equal_2861;
-  assign equal_2861 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
-  // hls/stages/census.hpp:391
-  logic xor_2862;
-  assign xor_2862 = sharpness_comparing_product_0_q[2] ^ five_times[0];
   logic select_2865;
-  assign select_2865 = (equal_2861 | xor_2862) ? (five_times[0] & xor_2862) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:216
-  logic select_2867;
-  assign select_2867 = drew_q ? (equal_2817 ? select_2865 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  assign select_2865 = drew_q ? (equal_2822 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  // hls/stages/census.hpp:375
+  logic equal_2866;
+  assign equal_2866 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
   // hls/stages/census.hpp:391
-  logic xor_2868;
-  assign xor_2868 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2871;
-  assign select_2871 = (equal_2861 | xor_2868) ? (five_times_2[0] & xor_2868) : sharpness_comparing_less_detail_1_q;
+  logic xor_2867;
+  assign xor_2867 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic select_2870;
+  assign select_2870 = (equal_2866 | xor_2867) ? (five_times[0] & xor_2867) : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2873;
-  assign select_2873 = drew_q ? (equal_2817 ? select_2871 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  logic select_2872;
+  assign select_2872 = drew_q ? (equal_2822 ? select_2870 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:391
+  logic xor_2873;
+  assign xor_2873 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2876;
+  assign select_2876 = (equal_2866 | xor_2873) ? (five_times_2[0] & xor_2873) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/agreement.hpp:216
+  logic select_2878;
+  assign select_2878 = drew_q ? (equal_2822 ? select_2876 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
   // hls/stages/census.hpp:392
-  logic xor_2874;
-  assign xor_2874 = sharpness_comparing_contrast_0_q[1] ^ and_2828;
-  logic select_2877;
-  assign select_2877 = (equal_2861 | xor_2874) ? (and_2828 & xor_2874) : sharpness_comparing_less_contrast_0_q;
+  logic xor_2879;
+  assign xor_2879 = sharpness_comparing_contrast_0_q[1] ^ and_2833;
+  logic select_2882;
+  assign select_2882 = (equal_2866 | xor_2879) ? (and_2833 & xor_2879) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2879;
-  assign select_2879 = drew_q ? (equal_2817 ? select_2877 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  logic select_2884;
+  assign select_2884 = drew_q ? (equal_2822 ? select_2882 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/census.hpp:392
-  logic xor_2880;
-  assign xor_2880 = sharpness_comparing_contrast_1_q[1] ^ and_2838;
-  logic select_2883;
-  assign select_2883 = (equal_2861 | xor_2880) ? (and_2838 & xor_2880) : sharpness_comparing_less_contrast_1_q;
+  logic xor_2885;
+  assign xor_2885 = sharpness_comparing_contrast_1_q[1] ^ and_2843;
+  logic select_2888;
+  assign select_2888 = (equal_2866 | xor_2885) ? (and_2843 & xor_2885) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2885;
-  assign select_2885 = drew_q ? (equal_2817 ? select_2883 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_3001;
-  assign select_3001 = and_2993_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2999_s3_q});
-  // hls/stages/agreement.hpp:788
-  logic and_3004;
-  assign and_3004 = not_550_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
+  logic select_2890;
+  assign select_2890 = drew_q ? (equal_2822 ? select_2888 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:927
+  logic [13:0] select_3006;
+  assign select_3006 = and_2998_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_3004_s3_q});
+  // hls/stages/agreement.hpp:789
   logic and_3009;
-  assign and_3009 = not_550_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
+  assign and_3009 = not_551_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
   logic and_3014;
-  assign and_3014 = not_550_s3_q & (drew_q & (ends_cell_s3_q & and_2445_s3_q));
-  // hls/stages/agreement.hpp:1105
-  logic not_3018;
-  assign not_3018 = ~(x_s3_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:1095
-  logic [2:0] select_3027;
-  assign select_3027 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_3028;
-  assign difference_3028 = {1'b0, explained_2_s3_q} - {1'b0, select_3027};
-  logic [4:0] e;
-  assign e = {difference_3028[3], difference_3028} + (equal_545_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1102
-  logic [5:0] sum_3031;
-  assign sum_3031 = {1'b0, e} + {2'h0, e[4:1]};
+  assign and_3014 = not_551_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
+  logic and_3019;
+  assign and_3019 = not_551_s3_q & (drew_q & (ends_cell_s3_q & and_2449_s3_q));
   // hls/stages/agreement.hpp:1106
-  logic not_3035;
-  assign not_3035 = ~(equal_2503 ? and_2524 : (~({sum_3031, e[0]} < {2'h0, t})));
-  // hls/stages/agreement.hpp:788
-  logic and_3038;
-  assign and_3038 = ends_cell_s3_q & (not_3018 & (centres_values_1_textured_s3_q & not_3035));
-  logic and_3040;
-  assign and_3040 = not_550_s3_q & (drew_q & and_3038);
-  // hls/stages/agreement.hpp:1132
-  logic less_3043;
-  assign less_3043 = region_row_s3_q < x_s3_q[5:3];
-  logic [9:0] select_3044;
-  assign select_3044 = less_3043 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_3047;
-  assign select_3047 = less_3043 ? 10'h0 : regions_rdata_q[19:10];
+  logic not_3023;
+  assign not_3023 = ~(x_s3_q[7:1] == 7'h0);
+  // hls/stages/agreement.hpp:1096
+  logic [2:0] select_3032;
+  assign select_3032 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_3033;
+  assign difference_3033 = {1'b0, explained_2_s3_q} - {1'b0, select_3032};
+  logic [4:0] e;
+  assign e = {difference_3033[3], difference_3033} + (equal_546_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1103
+  logic [5:0] sum_3036;
+  assign sum_3036 = {1'b0, e} + {2'h0, e[4:1]};
+  // hls/stages/agreement.hpp:1107
+  logic not_3040;
+  assign not_3040 = ~(equal_2507 ? and_2528 : (~({sum_3036, e[0]} < {2'h0, t})));
+  // hls/stages/agreement.hpp:789
+  logic and_3043;
+  assign and_3043 = ends_cell_s3_q & (not_3023 & (centres_values_1_textured_s3_q & not_3040));
+  logic and_3045;
+  assign and_3045 = not_551_s3_q & (drew_q & and_3043);
   // hls/stages/agreement.hpp:1133
-  logic [10:0] sum_3048;
-  assign sum_3048 = {1'b0, select_3047} + {3'h0, select_3047[9:2]};
-  logic and_3050;
-  assign and_3050 = (~(select_3044[9:4] == 6'h0)) & ({sum_3048, select_3047[1:0]} < {3'h0, select_3044});
-  // hls/stages/agreement.hpp:1142
-  logic [9:0] select_3053;
-  assign select_3053 = x_s3_q[6] ? (equal_2056_s3_q ? 10'h0 : (and_3050 ? select_3044 : 10'h0)) : 10'h0;
-  // hls/stages/agreement.hpp:788
-  logic [9:0] select_3054;
-  assign select_3054 = equal_549_s3_q ? select_3053 : 10'h0;
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_3056;
-  assign select_3056 = and_2993_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3054});
-  logic [13:0] select_3063;
-  assign select_3063 = and_2993_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3061_s3_q});
-  // hls/stages/agreement.hpp:1110
-  logic and_3065;
-  assign and_3065 = not_3018 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
-  // hls/stages/agreement.hpp:788
-  logic and_3068;
-  assign and_3068 = not_550_s3_q & (drew_q & (ends_cell_s3_q & and_3065));
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_3070;
-  assign select_3070 = and_2993_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3068});
-  // hls/stages/agreement.hpp:1110
-  logic and_3072;
-  assign and_3072 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_3035);
-  // hls/stages/agreement.hpp:788
-  logic and_3076;
-  assign and_3076 = not_550_s3_q & (drew_q & (ends_cell_s3_q & (not_3018 & and_3072)));
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_3078;
-  assign select_3078 = and_2993_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3076});
-  logic [13:0] select_3097;
-  assign select_3097 = and_2993_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_3095_s3_q});
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_3172;
-  assign select_3172 = drew_q ? (equal_2152_s3_q ? (and_3154_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_3173;
-  assign select_3173 = equal_549_s3_q ? 8'h0 : select_3172;
+  logic less_3048;
+  assign less_3048 = region_row_s3_q < x_s3_q[5:3];
+  logic [9:0] select_3049;
+  assign select_3049 = less_3048 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_3052;
+  assign select_3052 = less_3048 ? 10'h0 : regions_rdata_q[19:10];
+  // hls/stages/agreement.hpp:1134
+  logic [10:0] sum_3053;
+  assign sum_3053 = {1'b0, select_3052} + {3'h0, select_3052[9:2]};
+  logic and_3055;
+  assign and_3055 = (~(select_3049[9:4] == 6'h0)) & ({sum_3053, select_3052[1:0]} < {3'h0, select_3049});
+  // hls/stages/agreement.hpp:1143
+  logic [9:0] select_3058;
+  assign select_3058 = x_s3_q[6] ? (equal_2057_s3_q ? 10'h0 : (and_3055 ? select_3049 : 10'h0)) : 10'h0;
+  // hls/stages/agreement.hpp:789
+  logic [9:0] select_3059;
+  assign select_3059 = equal_550_s3_q ? select_3058 : 10'h0;
+  // hls/stages/agreement.hpp:927
+  logic [13:0] select_3061;
+  assign select_3061 = and_2998_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3059});
+  logic [13:0] select_3068;
+  assign select_3068 = and_2998_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3066_s3_q});
+  // hls/stages/agreement.hpp:1111
+  logic and_3070;
+  assign and_3070 = not_3023 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
+  // hls/stages/agreement.hpp:789
+  logic and_3073;
+  assign and_3073 = not_551_s3_q & (drew_q & (ends_cell_s3_q & and_3070));
+  // hls/stages/agreement.hpp:927
+  logic [13:0] select_3075;
+  assign select_3075 = and_2998_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3073});
+  // hls/stages/agreement.hpp:1111
+  logic and_3077;
+  assign and_3077 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_3040);
+  // hls/stages/agreement.hpp:789
+  logic and_3081;
+  assign and_3081 = not_551_s3_q & (drew_q & (ends_cell_s3_q & (not_3023 & and_3077)));
+  // hls/stages/agreement.hpp:927
+  logic [13:0] select_3083;
+  assign select_3083 = and_2998_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3081});
+  logic [13:0] select_3102;
+  assign select_3102 = and_2998_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_3100_s3_q});
+  // hls/stages/agreement.hpp:789
+  logic [7:0] select_3177;
+  assign select_3177 = drew_q ? (equal_2153_s3_q ? (and_3159_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_3178;
+  assign select_3178 = equal_550_s3_q ? 8'h0 : select_3177;
   // hls/stages/registration.hpp:134
-  logic [13:0] select_3175;
-  assign select_3175 = and_3153_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3173[7]}}, select_3173});
-  // hls/stages/agreement.hpp:788
-  logic and_3178;
-  assign and_3178 = not_550_s3_q & (drew_q & (and_3154_s3_q & equal_2152_s3_q));
+  logic [13:0] select_3180;
+  assign select_3180 = and_3158_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3178[7]}}, select_3178});
+  // hls/stages/agreement.hpp:789
+  logic and_3183;
+  assign and_3183 = not_551_s3_q & (drew_q & (and_3159_s3_q & equal_2153_s3_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_3180;
-  assign select_3180 = and_3153_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3178});
+  logic [5:0] select_3185;
+  assign select_3185 = and_3158_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3183});
   // hls/stages/registration.hpp:107
-  logic and_3182;
-  assign and_3182 = and_3154_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_3184;
-  assign select_3184 = drew_q ? (equal_2152_s3_q ? {and_3182, and_3154_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3185;
-  assign select_3185 = equal_549_s3_q ? 2'h0 : select_3184;
+  logic and_3187;
+  assign and_3187 = and_3159_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
+  // hls/stages/agreement.hpp:789
+  logic [1:0] select_3189;
+  assign select_3189 = drew_q ? (equal_2153_s3_q ? {and_3187, and_3159_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3190;
+  assign select_3190 = equal_550_s3_q ? 2'h0 : select_3189;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_3186;
-  assign sum_3186 = registration_half_votes_down_q + {{5{select_3185[1]}}, select_3185};
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_3192;
-  assign select_3192 = drew_q ? (equal_2152_s3_q ? {and_3190_s3_q, and_3154_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3193;
-  assign select_3193 = equal_549_s3_q ? 2'h0 : select_3192;
+  logic [6:0] sum_3191;
+  assign sum_3191 = registration_half_votes_down_q + {{5{select_3190[1]}}, select_3190};
+  // hls/stages/agreement.hpp:789
+  logic [1:0] select_3197;
+  assign select_3197 = drew_q ? (equal_2153_s3_q ? {and_3195_s3_q, and_3159_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3198;
+  assign select_3198 = equal_550_s3_q ? 2'h0 : select_3197;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_3194;
-  assign sum_3194 = registration_half_votes_up_q + {{5{select_3193[1]}}, select_3193};
+  logic [6:0] sum_3199;
+  assign sum_3199 = registration_half_votes_up_q + {{5{select_3198[1]}}, select_3198};
   // hls/stages/registration.hpp:107
-  logic and_3197;
-  assign and_3197 = and_3154_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_3199;
-  assign select_3199 = drew_q ? (equal_2152_s3_q ? {and_3197, and_3154_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3200;
-  assign select_3200 = equal_549_s3_q ? 2'h0 : select_3199;
+  logic and_3202;
+  assign and_3202 = and_3159_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
+  // hls/stages/agreement.hpp:789
+  logic [1:0] select_3204;
+  assign select_3204 = drew_q ? (equal_2153_s3_q ? {and_3202, and_3159_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3205;
+  assign select_3205 = equal_550_s3_q ? 2'h0 : select_3204;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_3201;
-  assign sum_3201 = registration_half_half_votes_down_q + {{5{select_3200[1]}}, select_3200};
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_3206;
-  assign select_3206 = drew_q ? (equal_2152_s3_q ? {and_3204_s3_q, and_3154_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3207;
-  assign select_3207 = equal_549_s3_q ? 2'h0 : select_3206;
+  logic [6:0] sum_3206;
+  assign sum_3206 = registration_half_half_votes_down_q + {{5{select_3205[1]}}, select_3205};
+  // hls/stages/agreement.hpp:789
+  logic [1:0] select_3211;
+  assign select_3211 = drew_q ? (equal_2153_s3_q ? {and_3209_s3_q, and_3159_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3212;
+  assign select_3212 = equal_550_s3_q ? 2'h0 : select_3211;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_3208;
-  assign sum_3208 = registration_half_half_votes_up_q + {{5{select_3207[1]}}, select_3207};
-  // hls/stages/agreement.hpp:788
-  logic and_3242;
-  assign and_3242 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q & less_2087_s3_q));
-  // hls/stages/agreement.hpp:1130
-  logic [11:0] select_3249;
-  assign select_3249 = or_2091_s3_q ? 12'h0 : (equal_3247_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1142
-  logic [11:0] select_3252;
-  assign select_3252 = x_s3_q[6] ? (equal_2056_s3_q ? 12'h0 : (less_2087_s3_q ? select_3249 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:788
-  logic [11:0] select_3253;
-  assign select_3253 = equal_549_s3_q ? select_3252 : 12'h0;
+  logic [6:0] sum_3213;
+  assign sum_3213 = registration_half_half_votes_up_q + {{5{select_3212[1]}}, select_3212};
+  // hls/stages/agreement.hpp:789
+  logic and_3247;
+  assign and_3247 = equal_550_s3_q & (x_s3_q[6] & (not_2422_s3_q & less_2088_s3_q));
+  // hls/stages/agreement.hpp:1131
+  logic [11:0] select_3254;
+  assign select_3254 = or_2092_s3_q ? 12'h0 : (equal_3252_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:1143
+  logic [11:0] select_3257;
+  assign select_3257 = x_s3_q[6] ? (equal_2057_s3_q ? 12'h0 : (less_2088_s3_q ? select_3254 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:789
+  logic [11:0] select_3258;
+  assign select_3258 = equal_550_s3_q ? select_3257 : 12'h0;
   // hls/stages/registration.hpp:153
-  logic and_3254;
-  assign and_3254 = x_s3_q[1] & all_s3_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_3257;
-  assign and_3257 = not_2418_s3_q & (less_2087_s3_q & ({and_3254, x_s3_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:788
   logic and_3259;
-  assign and_3259 = equal_549_s3_q & (x_s3_q[6] & and_3257);
+  assign and_3259 = x_s3_q[1] & all_s3_q;
+  // hls/stages/agreement.hpp:1143
+  logic and_3262;
+  assign and_3262 = not_2422_s3_q & (less_2088_s3_q & ({and_3259, x_s3_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:789
+  logic and_3264;
+  assign and_3264 = equal_550_s3_q & (x_s3_q[6] & and_3262);
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_3261;
-  assign sum_3261 = {{2{select_3253[11]}}, select_3253} + (and_3259 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:1130
-  logic [11:0] select_3264;
-  assign select_3264 = or_2091_s3_q ? 12'h0 : (equal_3247_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1142
-  logic [11:0] select_3267;
-  assign select_3267 = x_s3_q[6] ? (equal_2056_s3_q ? 12'h0 : (less_2087_s3_q ? select_3264 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:788
-  logic [11:0] select_3268;
-  assign select_3268 = equal_549_s3_q ? select_3267 : 12'h0;
+  logic [13:0] sum_3266;
+  assign sum_3266 = {{2{select_3258[11]}}, select_3258} + (and_3264 ? 14'h0 : registration_down_q);
+  // hls/stages/agreement.hpp:1131
+  logic [11:0] select_3269;
+  assign select_3269 = or_2092_s3_q ? 12'h0 : (equal_3252_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:1143
+  logic [11:0] select_3272;
+  assign select_3272 = x_s3_q[6] ? (equal_2057_s3_q ? 12'h0 : (less_2088_s3_q ? select_3269 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:789
+  logic [11:0] select_3273;
+  assign select_3273 = equal_550_s3_q ? select_3272 : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_3270;
-  assign sum_3270 = {{2{select_3268[11]}}, select_3268} + (and_3259 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_3275;
+  assign sum_3275 = {{2{select_3273[11]}}, select_3273} + (and_3264 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:150
-  logic not_3272;
-  assign not_3272 = ~all_s3_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_3275;
-  assign and_3275 = not_2418_s3_q & (less_2087_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3272, 1'b0}));
-  // hls/stages/agreement.hpp:788
-  logic and_3281;
-  assign and_3281 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q & (less_2087_s3_q & all_s3_q)));
+  logic not_3277;
+  assign not_3277 = ~all_s3_q;
+  // hls/stages/agreement.hpp:1143
+  logic and_3280;
+  assign and_3280 = not_2422_s3_q & (less_2088_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3277, 1'b0}));
+  // hls/stages/agreement.hpp:789
+  logic and_3286;
+  assign and_3286 = equal_550_s3_q & (x_s3_q[6] & (not_2422_s3_q & (less_2088_s3_q & all_s3_q)));
   // hls/stages/registration.hpp:246
-  logic not_3282;
-  assign not_3282 = ~and_3281;
-  logic less_3283;
-  assign less_3283 = $signed({9'h1, {2{not_3282}}, and_3281}) < $signed(registration_up_q[13:2]);
-  logic select_3284;
-  assign select_3284 = (equal_549_s3_q & (x_s3_q[6] & and_3275)) ? less_3283 : registration_enough_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_3288;
-  assign and_3288 = x_s3_q[6] & (not_2418_s3_q & (less_2087_s3_q & (x_s3_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:788
-  logic and_3289;
-  assign and_3289 = equal_549_s3_q & and_3288;
+  logic not_3287;
+  assign not_3287 = ~and_3286;
+  logic less_3288;
+  assign less_3288 = $signed({9'h1, {2{not_3287}}, and_3286}) < $signed(registration_up_q[13:2]);
+  logic select_3289;
+  assign select_3289 = (equal_550_s3_q & (x_s3_q[6] & and_3280)) ? less_3288 : registration_enough_q;
+  // hls/stages/agreement.hpp:1143
+  logic and_3293;
+  assign and_3293 = x_s3_q[6] & (not_2422_s3_q & (less_2088_s3_q & (x_s3_q[2:0] == 3'h4)));
+  // hls/stages/agreement.hpp:789
+  logic and_3294;
+  assign and_3294 = equal_550_s3_q & and_3293;
   // hls/stages/registration.hpp:242
-  logic less_3290;
-  assign less_3290 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_3292;
-  assign less_3292 = $signed(14'h0) < $signed(registration_up_q);
+  logic less_3295;
+  assign less_3295 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_3297;
+  assign less_3297 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_3294;
-  assign equal_3294 = x_s3_q[2:0] == 3'h7;
-  // hls/stages/agreement.hpp:788
-  logic and_3298;
-  assign and_3298 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q & (less_2087_s3_q & equal_3294)));
-  // hls/stages/agreement.hpp:1142
-  logic and_3305;
-  assign and_3305 = x_s3_q[6] & (not_2418_s3_q & (less_2087_s3_q & (x_s3_q[5:0] == 6'h0)));
+  logic equal_3299;
+  assign equal_3299 = x_s3_q[2:0] == 3'h7;
+  // hls/stages/agreement.hpp:789
+  logic and_3303;
+  assign and_3303 = equal_550_s3_q & (x_s3_q[6] & (not_2422_s3_q & (less_2088_s3_q & equal_3299)));
+  // hls/stages/agreement.hpp:1143
+  logic and_3310;
+  assign and_3310 = x_s3_q[6] & (not_2422_s3_q & (less_2088_s3_q & (x_s3_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
-  logic equal_3308;
-  assign equal_3308 = x_s3_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1142
-  logic and_3311;
-  assign and_3311 = not_2418_s3_q & (less_2087_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3308));
+  logic equal_3313;
+  assign equal_3313 = x_s3_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:1143
+  logic and_3316;
+  assign and_3316 = not_2422_s3_q & (less_2088_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3313));
   // hls/stages/registration.hpp:244
-  logic and_3315;
-  assign and_3315 = (equal_549_s3_q & (x_s3_q[6] & and_3311)) & (less_3292 | less_3290);
-  // hls/stages/agreement.hpp:1142
   logic and_3320;
-  assign and_3320 = not_2418_s3_q & (less_2087_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3308)));
+  assign and_3320 = (equal_550_s3_q & (x_s3_q[6] & and_3316)) & (less_3297 | less_3295);
+  // hls/stages/agreement.hpp:1143
+  logic and_3325;
+  assign and_3325 = not_2422_s3_q & (less_2088_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3313)));
   // hls/stages/registration.hpp:244
-  logic and_3323;
-  assign and_3323 = registration_votes_up_q & registration_other_down_q;
-  logic select_3325;
-  assign select_3325 = registration_votes_down_q ? (registration_other_up_q | and_3323) : and_3323;
+  logic and_3328;
+  assign and_3328 = registration_votes_up_q & registration_other_down_q;
+  logic select_3330;
+  assign select_3330 = registration_votes_down_q ? (registration_other_up_q | and_3328) : and_3328;
   // hls/stages/registration.hpp:138
-  logic and_3327;
-  assign and_3327 = (equal_549_s3_q & (x_s3_q[6] & and_3320)) & (registration_other_enough_q & select_3325);
+  logic and_3332;
+  assign and_3332 = (equal_550_s3_q & (x_s3_q[6] & and_3325)) & (registration_other_enough_q & select_3330);
   // hls/stages/registration.hpp:245
-  logic or_3330;
-  assign or_3330 = registration_moved_q | (registration_enough_q & (and_3315 | and_3327));
+  logic or_3335;
+  assign or_3335 = registration_moved_q | (registration_enough_q & (and_3320 | and_3332));
   // hls/stages/agreement.hpp:276
-  logic [7:0] select_3415;
-  assign select_3415 = sample_pair_whole_s3_q ? (equal_2142_s3_q ? patches_place_0_slope_q : select_2244[21:14]) : patches_place_0_slope_q;
   logic [7:0] select_3420;
-  assign select_3420 = sample_pair_whole_s3_q ? (equal_2142_s3_q ? patches_place_1_slope_q : select_2273[21:14]) : patches_place_1_slope_q;
-  // hls/stages/patches.hpp:127
-  logic select_3422;
-  assign select_3422 = equal_2142_s3_q ? patches_valid_0_q : (select_2141_s3_q ? patches_valid_0_q : select_2241[0]);
-  // hls/stages/agreement.hpp:276
-  logic select_3425;
-  assign select_3425 = sample_pair_whole_s3_q ? (and_2264 ? (sample_present_s3_q & select_3422) : select_3422) : patches_valid_0_q;
+  assign select_3420 = sample_pair_whole_s3_q ? (equal_2143_s3_q ? patches_place_0_slope_q : select_2248[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3425;
+  assign select_3425 = sample_pair_whole_s3_q ? (equal_2143_s3_q ? patches_place_1_slope_q : select_2277[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:127
   logic select_3427;
-  assign select_3427 = equal_2142_s3_q ? patches_valid_1_q : (select_2141_s3_q ? select_2241[0] : patches_valid_1_q);
+  assign select_3427 = equal_2143_s3_q ? patches_valid_0_q : (select_2142_s3_q ? patches_valid_0_q : select_2245[0]);
   // hls/stages/agreement.hpp:276
   logic select_3430;
-  assign select_3430 = sample_pair_whole_s3_q ? (and_2284 ? (sample_present_s3_q & select_3427) : select_3427) : patches_valid_1_q;
-  logic [5:0] select_3433;
-  assign select_3433 = sample_pair_whole_s3_q ? (select_2262[5] ? {1'b1, select_2262[4:0]} : (select_2262 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3436;
-  assign select_3436 = sample_pair_whole_s3_q ? (select_2282[5] ? {1'b1, select_2282[4:0]} : (select_2282 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3439;
-  assign select_3439 = sample_pair_whole_s3_q ? (select_2295[4] ? {1'b1, select_2295[3:0]} : (select_2295 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3442;
-  assign select_3442 = sample_pair_whole_s3_q ? (select_2300[4] ? {1'b1, select_2300[3:0]} : (select_2300 + 5'h1)) : patches_left_next_1_q;
-  // hls/stages/patches.hpp:520
+  assign select_3430 = sample_pair_whole_s3_q ? (and_2268 ? (sample_present_s3_q & select_3427) : select_3427) : patches_valid_0_q;
+  // hls/stages/patches.hpp:127
+  logic select_3432;
+  assign select_3432 = equal_2143_s3_q ? patches_valid_1_q : (select_2142_s3_q ? select_2245[0] : patches_valid_1_q);
+  // hls/stages/agreement.hpp:276
+  logic select_3435;
+  assign select_3435 = sample_pair_whole_s3_q ? (and_2288 ? (sample_present_s3_q & select_3432) : select_3432) : patches_valid_1_q;
+  logic [5:0] select_3438;
+  assign select_3438 = sample_pair_whole_s3_q ? (select_2266[5] ? {1'b1, select_2266[4:0]} : (select_2266 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3441;
+  assign select_3441 = sample_pair_whole_s3_q ? (select_2286[5] ? {1'b1, select_2286[4:0]} : (select_2286 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3444;
+  assign select_3444 = sample_pair_whole_s3_q ? (select_2299[4] ? {1'b1, select_2299[3:0]} : (select_2299 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3447;
+  assign select_3447 = sample_pair_whole_s3_q ? (select_2304[4] ? {1'b1, select_2304[3:0]} : (select_2304 + 5'h1)) : patches_left_next_1_q;
+  // hls/stages/patches.hpp:521
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3861_s3_q, parity_3857_s3_q, xor_3845_s3_q, parity_3817_s3_q, parity_3755_s3_q, parity_3626_s3_q} + (equal_3862_s3_q ? 10'h0 : patches_sums_values_16_q);
+  assign sum_3 = {4'h0, or_3866_s3_q, parity_3862_s3_q, xor_3850_s3_q, parity_3822_s3_q, parity_3760_s3_q, parity_3631_s3_q} + (equal_3867_s3_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/patches.hpp:184
-  logic [9:0] select_3866;
-  assign select_3866 = equal_2225_s3_q ? patches_sums_values_0_q : (equal_2227_s3_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3867;
-  assign select_3867 = equal_2227_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3869;
-  assign select_3869 = equal_2227_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
   logic [9:0] select_3871;
-  assign select_3871 = equal_2227_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
-  logic [9:0] select_3873;
-  assign select_3873 = equal_2227_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
-  logic [9:0] select_3875;
-  assign select_3875 = equal_2227_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
-  logic [9:0] select_3877;
-  assign select_3877 = equal_2227_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
-  logic [9:0] select_3879;
-  assign select_3879 = equal_2227_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
-  logic [9:0] select_3881;
-  assign select_3881 = equal_2227_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
-  logic [9:0] select_3883;
-  assign select_3883 = equal_2227_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
-  logic [9:0] select_3885;
-  assign select_3885 = equal_2227_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
-  logic [9:0] select_3887;
-  assign select_3887 = equal_2227_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
-  logic [9:0] select_3889;
-  assign select_3889 = equal_2227_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
-  logic [9:0] select_3891;
-  assign select_3891 = equal_2227_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
-  logic [9:0] select_3893;
-  assign select_3893 = equal_2227_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
-  logic [9:0] select_3895;
-  assign select_3895 = equal_2227_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
-  logic [9:0] select_3897;
-  assign select_3897 = equal_2227_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
-  // hls/stages/patches.hpp:594
-  logic or_4002;
-  assign or_4002 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_4001_s3_q;
-  logic or_4005;
-  assign or_4005 = equal_3993_s3_q | (less_3995_s3_q | (less_3996_s3_q | or_4002));
-  // hls/stages/patches.hpp:574
-  logic not_4006;
-  assign not_4006 = ~or_4005;
-  // hls/stages/patches.hpp:555
-  logic and_4007;
-  assign and_4007 = equal_2391_s3_q & not_4006;
-  // hls/stages/patches.hpp:184
-  logic and_4010;
-  assign and_4010 = equal_2225_s3_q & (less_2388_s3_q ? (not_2390_s3_q & and_4007) : and_4007);
-  // hls/stages/patches.hpp:652
+  assign select_3871 = equal_2229_s3_q ? patches_sums_values_0_q : (equal_2231_s3_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3872;
+  assign select_3872 = equal_2231_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3874;
+  assign select_3874 = equal_2231_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3876;
+  assign select_3876 = equal_2231_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  logic [9:0] select_3878;
+  assign select_3878 = equal_2231_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  logic [9:0] select_3880;
+  assign select_3880 = equal_2231_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  logic [9:0] select_3882;
+  assign select_3882 = equal_2231_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  logic [9:0] select_3884;
+  assign select_3884 = equal_2231_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  logic [9:0] select_3886;
+  assign select_3886 = equal_2231_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  logic [9:0] select_3888;
+  assign select_3888 = equal_2231_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  logic [9:0] select_3890;
+  assign select_3890 = equal_2231_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3892;
+  assign select_3892 = equal_2231_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3894;
+  assign select_3894 = equal_2231_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3896;
+  assign select_3896 = equal_2231_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3898;
+  assign select_3898 = equal_2231_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3900;
+  assign select_3900 = equal_2231_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3902;
+  assign select_3902 = equal_2231_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  // hls/stages/patches.hpp:595
+  logic or_4007;
+  assign or_4007 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_4006_s3_q;
+  logic or_4010;
+  assign or_4010 = equal_3998_s3_q | (less_4000_s3_q | (less_4001_s3_q | or_4007));
+  // hls/stages/patches.hpp:575
   logic not_4011;
-  assign not_4011 = ~patches_lower_s3_q;
-  // hls/stages/patches.hpp:555
-  logic and_4013;
-  assign and_4013 = equal_2391_s3_q & (patches_second_s3_q & not_4006);
+  assign not_4011 = ~or_4010;
+  // hls/stages/patches.hpp:556
+  logic and_4012;
+  assign and_4012 = equal_2395_s3_q & not_4011;
   // hls/stages/patches.hpp:184
-  logic and_4016;
-  assign and_4016 = equal_2225_s3_q & (less_2388_s3_q ? (not_2390_s3_q & and_4013) : and_4013);
-  // hls/stages/patches.hpp:652
-  logic not_4017;
-  assign not_4017 = ~and_4016;
+  logic and_4015;
+  assign and_4015 = equal_2229_s3_q & (less_2392_s3_q ? (not_2394_s3_q & and_4012) : and_4012);
+  // hls/stages/patches.hpp:653
+  logic not_4016;
+  assign not_4016 = ~patches_lower_s3_q;
+  // hls/stages/patches.hpp:556
+  logic and_4018;
+  assign and_4018 = equal_2395_s3_q & (patches_second_s3_q & not_4011);
+  // hls/stages/patches.hpp:184
+  logic and_4021;
+  assign and_4021 = equal_2229_s3_q & (less_2392_s3_q ? (not_2394_s3_q & and_4018) : and_4018);
+  // hls/stages/patches.hpp:653
+  logic not_4022;
+  assign not_4022 = ~and_4021;
   // hls/stages/patches.hpp:188
-  logic and_4019;
-  assign and_4019 = and_4010 & (not_4011 & not_4017);
-  // hls/stages/patches.hpp:654
-  logic [7:0] sum_4021;
-  assign sum_4021 = {7'h0, and_4019} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
-  // hls/stages/patches.hpp:592
-  logic [7:0] select_4047;
-  assign select_4047 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
-  // hls/stages/patches.hpp:591
-  logic [5:0] select_4048;
-  assign select_4048 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_4049;
-  assign sum_4049 = {2'h0, select_3981_s3_q[4:3]} + 4'hf;
-  logic [6:0] sum_4050;
-  assign sum_4050 = {select_4048[5], select_4048} + {{3{sum_4049[3]}}, sum_4049};
-  // hls/stages/patches.hpp:592
-  logic [17:0] product_4051;
-  assign product_4051 = $signed({{10{select_4047[7]}}, select_4047}) * $signed({{8{sum_4050[6]}}, sum_4050, select_3981_s3_q[2:0]});
+  logic and_4024;
+  assign and_4024 = and_4015 & (not_4016 & not_4022);
+  // hls/stages/patches.hpp:655
+  logic [7:0] sum_4026;
+  assign sum_4026 = {7'h0, and_4024} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:593
-  logic [13:0] difference_4052;
-  assign difference_4052 = {{6{select_4046_s3_q[7]}}, select_4046_s3_q} - {product_4051[17], product_4051[17:5]};
-  // hls/stages/patches.hpp:599
-  logic less_4053;
-  assign less_4053 = $signed({{7{difference_4023[6]}}, difference_4023}) < $signed(difference_4052);
-  // hls/stages/patches.hpp:555
-  logic and_4056;
-  assign and_4056 = equal_2391_s3_q & (not_4006 & (~less_4053));
-  // hls/stages/patches.hpp:184
-  logic and_4059;
-  assign and_4059 = equal_2225_s3_q & (less_2388_s3_q ? (not_2390_s3_q & and_4056) : and_4056);
-  // hls/stages/patches.hpp:655
-  logic and_4060;
-  assign and_4060 = and_4059 & and_4019;
-  logic [7:0] sum_4061;
-  assign sum_4061 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_4060};
-  // hls/stages/patches.hpp:555
-  logic and_4065;
-  assign and_4065 = not_4006 & (~($signed(difference_4052) < $signed({8'h0, cfg_patch_limit_i})));
-  logic and_4066;
-  assign and_4066 = equal_2391_s3_q & and_4065;
-  // hls/stages/patches.hpp:184
-  logic and_4069;
-  assign and_4069 = equal_2225_s3_q & (less_2388_s3_q ? (not_2390_s3_q & and_4066) : and_4066);
-  // hls/stages/patches.hpp:656
-  logic and_4070;
-  assign and_4070 = and_4069 & and_4019;
-  logic [7:0] sum_4071;
-  assign sum_4071 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_4070};
-  // hls/stages/patches.hpp:188
-  logic and_4073;
-  assign and_4073 = and_4010 & (and_4016 & not_4011);
-  // hls/stages/patches.hpp:654
-  logic [7:0] sum_4075;
-  assign sum_4075 = {7'h0, and_4073} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:655
-  logic and_4077;
-  assign and_4077 = and_4059 & and_4073;
-  logic [7:0] sum_4078;
-  assign sum_4078 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_4077};
-  // hls/stages/patches.hpp:656
-  logic and_4080;
-  assign and_4080 = and_4069 & and_4073;
-  logic [7:0] sum_4081;
-  assign sum_4081 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_4080};
-  // hls/stages/patches.hpp:188
-  logic and_4083;
-  assign and_4083 = and_4010 & (patches_lower_s3_q & not_4017);
-  // hls/stages/patches.hpp:654
-  logic [7:0] sum_4085;
-  assign sum_4085 = {7'h0, and_4083} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:655
-  logic and_4087;
-  assign and_4087 = and_4059 & and_4083;
-  logic [7:0] sum_4088;
-  assign sum_4088 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_4087};
-  // hls/stages/patches.hpp:656
-  logic and_4090;
-  assign and_4090 = and_4069 & and_4083;
-  logic [7:0] sum_4091;
-  assign sum_4091 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_4090};
-  // hls/stages/patches.hpp:188
-  logic and_4093;
-  assign and_4093 = and_4010 & (patches_lower_s3_q & and_4016);
-  // hls/stages/patches.hpp:654
-  logic [7:0] sum_4095;
-  assign sum_4095 = {7'h0, and_4093} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
-  // hls/stages/patches.hpp:655
-  logic and_4097;
-  assign and_4097 = and_4059 & and_4093;
-  logic [7:0] sum_4098;
-  assign sum_4098 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_4097};
-  // hls/stages/patches.hpp:656
-  logic and_4100;
-  assign and_4100 = and_4069 & and_4093;
-  logic [7:0] sum_4101;
-  assign sum_4101 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_4100};
-  // hls/stages/agreement.hpp:1222
-  logic equal_4102;
-  assign equal_4102 = x_s3_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1130
-  logic less_4103;
-  assign less_4103 = x_s3_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:788
-  logic and_4107;
-  assign and_4107 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q & (equal_4102 & less_4103)));
-  // hls/stages/agreement.hpp:1142
-  logic and_4112;
-  assign and_4112 = x_s3_q[6] & (not_2418_s3_q & (less_4103 & (x_s3_q[2:0] == 3'h1)));
-  // hls/stages/agreement.hpp:788
-  logic and_4113;
-  assign and_4113 = equal_549_s3_q & and_4112;
-  // hls/stages/patches.hpp:618
-  logic [7:0] or_4115;
-  assign or_4115 = (and_4107 ? patches_quarters_0_places_q : 8'h0) | (and_4113 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/agreement.hpp:1142
-  logic and_4119;
-  assign and_4119 = x_s3_q[6] & (not_2418_s3_q & (less_4103 & (x_s3_q[2:0] == 3'h2)));
-  // hls/stages/agreement.hpp:788
-  logic and_4120;
-  assign and_4120 = equal_549_s3_q & and_4119;
-  // hls/stages/agreement.hpp:1142
-  logic and_4126;
-  assign and_4126 = x_s3_q[6] & (not_2418_s3_q & (less_4103 & (x_s3_q[2:0] == 3'h3)));
-  // hls/stages/agreement.hpp:788
-  logic and_4127;
-  assign and_4127 = equal_549_s3_q & and_4126;
-  // hls/stages/patches.hpp:618
-  logic [7:0] or_4129;
-  assign or_4129 = (or_4115 | (and_4120 ? patches_quarters_2_places_q : 8'h0)) | (and_4127 ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/patches.hpp:199
-  logic select_4133;
-  assign select_4133 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
-  // hls/stages/agreement.hpp:788
-  logic and_4137;
-  assign and_4137 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q & (less_4103 & select_4133)));
-  // hls/stages/patches.hpp:619
-  logic [7:0] select_4139;
-  assign select_4139 = and_4107 ? (and_4137 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
-  logic [7:0] select_4141;
-  assign select_4141 = and_4113 ? (and_4137 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_4144;
-  assign select_4144 = and_4120 ? (and_4137 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_4147;
-  assign select_4147 = and_4127 ? (and_4137 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
-  // hls/stages/patches.hpp:620
-  logic [7:0] select_4150;
-  assign select_4150 = and_4107 ? (and_4137 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
-  logic [7:0] select_4152;
-  assign select_4152 = and_4113 ? (and_4137 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_4155;
-  assign select_4155 = and_4120 ? (and_4137 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_4158;
-  assign select_4158 = and_4127 ? (and_4137 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
-  // hls/stages/patches.hpp:202
-  logic [4:0] sum_4160;
-  assign sum_4160 = {2'h0, x_s3_q[2:0]} + 5'h1f;
-  // hls/stages/agreement.hpp:1142
-  logic and_4164;
-  assign and_4164 = x_s3_q[6] & (not_2418_s3_q & (less_4103 & (sum_4160[4:2] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_4165;
-  assign and_4165 = equal_549_s3_q & and_4164;
-  // hls/stages/patches.hpp:615
-  logic [7:0] select_4168;
-  assign select_4168 = and_4165 ? (patches_word_places_q + (and_4113 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_4171;
-  assign select_4171 = and_4165 ? (patches_word_up_q + (and_4113 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] select_4174;
-  assign select_4174 = and_4165 ? (patches_word_down_q + (and_4113 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
-  // hls/stages/patches.hpp:601
-  logic [5:0] select_4178;
-  assign select_4178 = ($signed(difference_4052[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_4052[5:0];
-  logic [5:0] select_4179;
-  assign select_4179 = ($signed(14'h10) < $signed(difference_4052)) ? 6'h10 : select_4178;
-  // hls/stages/patches.hpp:555
-  logic [5:0] select_4181;
-  assign select_4181 = equal_2391_s3_q ? (or_4005 ? 6'h0 : select_4179) : 6'h0;
-  logic [5:0] select_4183;
-  assign select_4183 = less_2388_s3_q ? (equal_2389_s3_q ? 6'h0 : select_4181) : select_4181;
-  // hls/stages/patches.hpp:658
-  logic [5:0] select_4185;
-  assign select_4185 = and_4010 ? (equal_2225_s3_q ? select_4183 : 6'h0) : 6'h0;
-  logic [11:0] sum_4186;
-  assign sum_4186 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_4185[5]}}, select_4185};
-  // hls/stages/agreement.hpp:788
-  logic and_4190;
-  assign and_4190 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q & (equal_3294 & less_4103)));
-  // hls/stages/agreement.hpp:1142
-  logic and_4194;
-  assign and_4194 = x_s3_q[6] & (not_2418_s3_q & (less_4103 & (x_s3_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_4195;
-  assign and_4195 = equal_549_s3_q & and_4194;
-  // hls/stages/patches.hpp:642
-  logic [7:0] select_4197;
-  assign select_4197 = and_4190 ? (and_4195 ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:644
-  logic or_4201;
-  assign or_4201 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:645
-  logic or_4204;
-  assign or_4204 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
-  // hls/stages/patches.hpp:646
-  logic [8:0] sum_4205;
-  assign sum_4205 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
-  // hls/stages/patches.hpp:641
-  logic select_4207;
-  assign select_4207 = and_4190 ? (and_4195 ? patches_enough_q : patches_complete_q) : patches_complete_q;
-  // hls/stages/patches.hpp:188
-  logic and_4212;
-  assign and_4212 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:641
-  logic [2:0] select_4214;
-  assign select_4214 = and_4195 ? {and_4212, patches_found_q[2:1]} : (and_4190 ? {and_4212, patches_found_q[2:1]} : patches_found_q);
-  // hls/stages/patches.hpp:640
-  logic or_4218;
-  assign or_4218 = patches_partly_q | (patches_doubted_q & (~and_4195));
-  // hls/stages/patches.hpp:641
-  logic select_4221;
-  assign select_4221 = and_4190 ? (and_4195 ? or_4218 : (and_4190 ? or_4218 : patches_doubted_q)) : patches_doubted_q;
-  // hls/stages/patches.hpp:639
-  logic select_4222;
-  assign select_4222 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
-  // hls/stages/patches.hpp:628
-  logic [7:0] select_4226;
-  assign select_4226 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  logic [7:0] select_4052;
+  assign select_4052 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  // hls/stages/patches.hpp:592
+  logic [5:0] select_4053;
+  assign select_4053 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_4054;
+  assign sum_4054 = {2'h0, select_3986_s3_q[4:3]} + 4'hf;
+  logic [6:0] sum_4055;
+  assign sum_4055 = {select_4053[5], select_4053} + {{3{sum_4054[3]}}, sum_4054};
+  // hls/stages/patches.hpp:593
+  logic [17:0] product_4056;
+  assign product_4056 = $signed({{10{select_4052[7]}}, select_4052}) * $signed({{8{sum_4055[6]}}, sum_4055, select_3986_s3_q[2:0]});
+  // hls/stages/patches.hpp:594
+  logic [13:0] difference_4057;
+  assign difference_4057 = {{6{select_4051_s3_q[7]}}, select_4051_s3_q} - {product_4056[17], product_4056[17:5]};
   // hls/stages/patches.hpp:600
-  logic [10:0] sum_4228;
-  assign sum_4228 = {sum_4050[6], sum_4050, select_3981_s3_q[2:0]} + 11'h1;
-  // hls/stages/patches.hpp:555
-  logic and_4231;
-  assign and_4231 = equal_2391_s3_q & (not_4006 & ({{5{sum_4228[10]}}, sum_4228} < 16'h3));
+  logic less_4058;
+  assign less_4058 = $signed({{7{difference_4028[6]}}, difference_4028}) < $signed(difference_4057);
+  // hls/stages/patches.hpp:556
+  logic and_4061;
+  assign and_4061 = equal_2395_s3_q & (not_4011 & (~less_4058));
   // hls/stages/patches.hpp:184
-  logic and_4234;
-  assign and_4234 = equal_2225_s3_q & (less_2388_s3_q ? (not_2390_s3_q & and_4231) : and_4231);
+  logic and_4064;
+  assign and_4064 = equal_2229_s3_q & (less_2392_s3_q ? (not_2394_s3_q & and_4061) : and_4061);
+  // hls/stages/patches.hpp:656
+  logic and_4065;
+  assign and_4065 = and_4064 & and_4024;
+  logic [7:0] sum_4066;
+  assign sum_4066 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_4065};
+  // hls/stages/patches.hpp:556
+  logic and_4070;
+  assign and_4070 = not_4011 & (~($signed(difference_4057) < $signed({8'h0, cfg_patch_limit_i})));
+  logic and_4071;
+  assign and_4071 = equal_2395_s3_q & and_4070;
+  // hls/stages/patches.hpp:184
+  logic and_4074;
+  assign and_4074 = equal_2229_s3_q & (less_2392_s3_q ? (not_2394_s3_q & and_4071) : and_4071);
+  // hls/stages/patches.hpp:657
+  logic and_4075;
+  assign and_4075 = and_4074 & and_4024;
+  logic [7:0] sum_4076;
+  assign sum_4076 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_4075};
   // hls/stages/patches.hpp:188
-  logic and_4235;
-  assign and_4235 = and_4010 & and_4234;
+  logic and_4078;
+  assign and_4078 = and_4015 & (and_4021 & not_4016);
+  // hls/stages/patches.hpp:655
+  logic [7:0] sum_4080;
+  assign sum_4080 = {7'h0, and_4078} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:656
+  logic and_4082;
+  assign and_4082 = and_4064 & and_4078;
+  logic [7:0] sum_4083;
+  assign sum_4083 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_4082};
+  // hls/stages/patches.hpp:657
+  logic and_4085;
+  assign and_4085 = and_4074 & and_4078;
+  logic [7:0] sum_4086;
+  assign sum_4086 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_4085};
+  // hls/stages/patches.hpp:188
+  logic and_4088;
+  assign and_4088 = and_4015 & (patches_lower_s3_q & not_4022);
+  // hls/stages/patches.hpp:655
+  logic [7:0] sum_4090;
+  assign sum_4090 = {7'h0, and_4088} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:656
+  logic and_4092;
+  assign and_4092 = and_4064 & and_4088;
+  logic [7:0] sum_4093;
+  assign sum_4093 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_4092};
+  // hls/stages/patches.hpp:657
+  logic and_4095;
+  assign and_4095 = and_4074 & and_4088;
+  logic [7:0] sum_4096;
+  assign sum_4096 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_4095};
+  // hls/stages/patches.hpp:188
+  logic and_4098;
+  assign and_4098 = and_4015 & (patches_lower_s3_q & and_4021);
+  // hls/stages/patches.hpp:655
+  logic [7:0] sum_4100;
+  assign sum_4100 = {7'h0, and_4098} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:656
+  logic and_4102;
+  assign and_4102 = and_4064 & and_4098;
+  logic [7:0] sum_4103;
+  assign sum_4103 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_4102};
+  // hls/stages/patches.hpp:657
+  logic and_4105;
+  assign and_4105 = and_4074 & and_4098;
+  logic [7:0] sum_4106;
+  assign sum_4106 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_4105};
+  // hls/stages/agreement.hpp:1224
+  logic equal_4107;
+  assign equal_4107 = x_s3_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:1131
+  logic less_4108;
+  assign less_4108 = x_s3_q[5:3] < 3'h3;
+  // hls/stages/agreement.hpp:789
+  logic and_4112;
+  assign and_4112 = equal_550_s3_q & (x_s3_q[6] & (not_2422_s3_q & (equal_4107 & less_4108)));
+  // hls/stages/agreement.hpp:1143
+  logic and_4117;
+  assign and_4117 = x_s3_q[6] & (not_2422_s3_q & (less_4108 & (x_s3_q[2:0] == 3'h1)));
+  // hls/stages/agreement.hpp:789
+  logic and_4118;
+  assign and_4118 = equal_550_s3_q & and_4117;
+  // hls/stages/patches.hpp:619
+  logic [7:0] or_4120;
+  assign or_4120 = (and_4112 ? patches_quarters_0_places_q : 8'h0) | (and_4118 ? patches_quarters_1_places_q : 8'h0);
+  // hls/stages/agreement.hpp:1143
+  logic and_4124;
+  assign and_4124 = x_s3_q[6] & (not_2422_s3_q & (less_4108 & (x_s3_q[2:0] == 3'h2)));
+  // hls/stages/agreement.hpp:789
+  logic and_4125;
+  assign and_4125 = equal_550_s3_q & and_4124;
+  // hls/stages/agreement.hpp:1143
+  logic and_4131;
+  assign and_4131 = x_s3_q[6] & (not_2422_s3_q & (less_4108 & (x_s3_q[2:0] == 3'h3)));
+  // hls/stages/agreement.hpp:789
+  logic and_4132;
+  assign and_4132 = equal_550_s3_q & and_4131;
+  // hls/stages/patches.hpp:619
+  logic [7:0] or_4134;
+  assign or_4134 = (or_4120 | (and_4125 ? patches_quarters_2_places_q : 8'h0)) | (and_4132 ? patches_quarters_3_places_q : 8'h0);
+  // hls/stages/patches.hpp:199
+  logic select_4138;
+  assign select_4138 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
+  // hls/stages/agreement.hpp:789
+  logic and_4142;
+  assign and_4142 = equal_550_s3_q & (x_s3_q[6] & (not_2422_s3_q & (less_4108 & select_4138)));
+  // hls/stages/patches.hpp:620
+  logic [7:0] select_4144;
+  assign select_4144 = and_4112 ? (and_4142 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_4146;
+  assign select_4146 = and_4118 ? (and_4142 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_4149;
+  assign select_4149 = and_4125 ? (and_4142 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_4152;
+  assign select_4152 = and_4132 ? (and_4142 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  // hls/stages/patches.hpp:621
+  logic [7:0] select_4155;
+  assign select_4155 = and_4112 ? (and_4142 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_4157;
+  assign select_4157 = and_4118 ? (and_4142 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_4160;
+  assign select_4160 = and_4125 ? (and_4142 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_4163;
+  assign select_4163 = and_4132 ? (and_4142 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  // hls/stages/patches.hpp:202
+  logic [4:0] sum_4165;
+  assign sum_4165 = {2'h0, x_s3_q[2:0]} + 5'h1f;
+  // hls/stages/agreement.hpp:1143
+  logic and_4169;
+  assign and_4169 = x_s3_q[6] & (not_2422_s3_q & (less_4108 & (sum_4165[4:2] == 3'h0)));
+  // hls/stages/agreement.hpp:789
+  logic and_4170;
+  assign and_4170 = equal_550_s3_q & and_4169;
+  // hls/stages/patches.hpp:616
+  logic [7:0] select_4173;
+  assign select_4173 = and_4170 ? (patches_word_places_q + (and_4118 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_4176;
+  assign select_4176 = and_4170 ? (patches_word_up_q + (and_4118 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] select_4179;
+  assign select_4179 = and_4170 ? (patches_word_down_q + (and_4118 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  // hls/stages/patches.hpp:602
+  logic [5:0] select_4183;
+  assign select_4183 = ($signed(difference_4057[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_4057[5:0];
+  logic [5:0] select_4184;
+  assign select_4184 = ($signed(14'h10) < $signed(difference_4057)) ? 6'h10 : select_4183;
+  // hls/stages/patches.hpp:556
+  logic [5:0] select_4186;
+  assign select_4186 = equal_2395_s3_q ? (or_4010 ? 6'h0 : select_4184) : 6'h0;
+  logic [5:0] select_4188;
+  assign select_4188 = less_2392_s3_q ? (equal_2393_s3_q ? 6'h0 : select_4186) : select_4186;
   // hls/stages/patches.hpp:659
-  logic [7:0] sum_4236;
-  assign sum_4236 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_4235};
-  // hls/stages/patches.hpp:649
-  logic [12:0] product_4237;
-  assign product_4237 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_4197};
+  logic [5:0] select_4190;
+  assign select_4190 = and_4015 ? (equal_2229_s3_q ? select_4188 : 6'h0) : 6'h0;
+  logic [11:0] sum_4191;
+  assign sum_4191 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_4190[5]}}, select_4190};
+  // hls/stages/agreement.hpp:789
+  logic and_4195;
+  assign and_4195 = equal_550_s3_q & (x_s3_q[6] & (not_2422_s3_q & (equal_3299 & less_4108)));
+  // hls/stages/agreement.hpp:1143
+  logic and_4199;
+  assign and_4199 = x_s3_q[6] & (not_2422_s3_q & (less_4108 & (x_s3_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:789
+  logic and_4200;
+  assign and_4200 = equal_550_s3_q & and_4199;
+  // hls/stages/patches.hpp:643
+  logic [7:0] select_4202;
+  assign select_4202 = and_4195 ? (and_4200 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  // hls/stages/patches.hpp:645
+  logic or_4206;
+  assign or_4206 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  // hls/stages/patches.hpp:646
+  logic or_4209;
+  assign or_4209 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  // hls/stages/patches.hpp:647
+  logic [8:0] sum_4210;
+  assign sum_4210 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  // hls/stages/patches.hpp:642
+  logic select_4212;
+  assign select_4212 = and_4195 ? (and_4200 ? patches_enough_q : patches_complete_q) : patches_complete_q;
   // hls/stages/patches.hpp:188
-  logic and_4243;
-  assign and_4243 = (~(patches_on_skin_q[7:2] == 6'h0)) & (patches_on_skin_most_q < patches_on_skin_q);
-  logic select_4248;
-  assign select_4248 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic and_4217;
+  assign and_4217 = patches_enough_q & patches_mostly_q;
+  // hls/stages/patches.hpp:642
+  logic [2:0] select_4219;
+  assign select_4219 = and_4200 ? {and_4217, patches_found_q[2:1]} : (and_4195 ? {and_4217, patches_found_q[2:1]} : patches_found_q);
+  // hls/stages/patches.hpp:641
+  logic or_4223;
+  assign or_4223 = patches_partly_q | (patches_doubted_q & (~and_4200));
+  // hls/stages/patches.hpp:642
+  logic select_4226;
+  assign select_4226 = and_4195 ? (and_4200 ? or_4223 : (and_4195 ? or_4223 : patches_doubted_q)) : patches_doubted_q;
+  // hls/stages/patches.hpp:640
+  logic select_4227;
+  assign select_4227 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
   // hls/stages/patches.hpp:629
-  logic or_4252;
-  assign or_4252 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  logic [7:0] select_4231;
+  assign select_4231 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  // hls/stages/patches.hpp:601
+  logic [10:0] sum_4233;
+  assign sum_4233 = {sum_4055[6], sum_4055, select_3986_s3_q[2:0]} + 11'h1;
+  // hls/stages/patches.hpp:556
+  logic and_4236;
+  assign and_4236 = equal_2395_s3_q & (not_4011 & ({{5{sum_4233[10]}}, sum_4233} < 16'h3));
+  // hls/stages/patches.hpp:184
+  logic and_4239;
+  assign and_4239 = equal_2229_s3_q & (less_2392_s3_q ? (not_2394_s3_q & and_4236) : and_4236);
+  // hls/stages/patches.hpp:188
+  logic and_4240;
+  assign and_4240 = and_4015 & and_4239;
+  // hls/stages/patches.hpp:660
+  logic [7:0] sum_4241;
+  assign sum_4241 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_4240};
+  // hls/stages/patches.hpp:650
+  logic [12:0] product_4242;
+  assign product_4242 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_4202};
+  // hls/stages/patches.hpp:188
+  logic and_4248;
+  assign and_4248 = (~(patches_on_skin_q[7:2] == 6'h0)) & (patches_on_skin_most_q < patches_on_skin_q);
+  logic select_4253;
+  assign select_4253 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:630
+  logic or_4257;
+  assign or_4257 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  // hls/stages/patches.hpp:631
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
-  // hls/stages/patches.hpp:631
-  logic select_4259;
-  assign select_4259 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:632
-  logic and_4265;
-  assign and_4265 = patches_frame_ended_s3_q & (~patches_age_q[9]);
-  logic [9:0] sum_4266;
-  assign sum_4266 = patches_age_q + {9'h0, and_4265};
-  logic [9:0] select_4269;
-  assign select_4269 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4266)) : sum_4266;
-  // hls/stages/agreement.hpp:1187
-  logic or_4326;
-  assign or_4326 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1216
-  logic equal_4328;
-  assign equal_4328 = x_s3_q[6:3] == 4'h7;
-  // hls/stages/agreement.hpp:1225
+  logic select_4264;
+  assign select_4264 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  // hls/stages/patches.hpp:633
+  logic and_4270;
+  assign and_4270 = patches_frame_ended_s3_q & (~patches_age_q[9]);
+  logic [9:0] sum_4271;
+  assign sum_4271 = patches_age_q + {9'h0, and_4270};
+  logic [9:0] select_4274;
+  assign select_4274 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4271)) : sum_4271;
+  // hls/stages/agreement.hpp:1189
+  logic or_4331;
+  assign or_4331 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  // hls/stages/agreement.hpp:1218
+  logic equal_4333;
+  assign equal_4333 = x_s3_q[6:3] == 4'h7;
+  // hls/stages/agreement.hpp:1227
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
-  // hls/stages/agreement.hpp:1226
-  logic select_4334;
-  assign select_4334 = (equal_4328 & equal_4102) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1135
-  logic [10:0] sum_4337;
-  assign sum_4337 = {1'b0, select_3047} + {2'h0, select_3047[9:1]};
-  logic select_4340;
-  assign select_4340 = (select_3044[9:3] == 7'h0) ? ((~or_4326) & (~select_4334)) : (~({sum_4337, select_3047[0]} < {2'h0, select_3044}));
-  // hls/stages/agreement.hpp:1142
-  logic [47:0] select_4342;
-  assign select_4342 = x_s3_q[6] ? (equal_2056_s3_q ? good_q : {select_4340, good_q[47:1]}) : good_q;
-  // hls/stages/agreement.hpp:788
-  logic select_4346;
-  assign select_4346 = equal_549_s3_q ? ((x_s3_q[6] & good_known_q) | equal_2733_s3_q) : good_known_q;
-  // hls/stages/agreement.hpp:1216
-  logic equal_4347;
-  assign equal_4347 = x_s3_q[6:3] == 4'ha;
-  logic equal_4349;
-  assign equal_4349 = x_s3_q[6:3] == 4'hc;
-  logic equal_4350;
-  assign equal_4350 = x_s3_q[6:3] == 4'hb;
-  logic equal_4351;
-  assign equal_4351 = x_s3_q[6:3] == 4'h9;
+  // hls/stages/agreement.hpp:1228
+  logic select_4339;
+  assign select_4339 = (equal_4333 & equal_4107) ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:1136
+  logic [10:0] sum_4342;
+  assign sum_4342 = {1'b0, select_3052} + {2'h0, select_3052[9:1]};
+  logic select_4345;
+  assign select_4345 = (select_3049[9:3] == 7'h0) ? ((~or_4331) & (~select_4339)) : (~({sum_4342, select_3052[0]} < {2'h0, select_3049}));
+  // hls/stages/agreement.hpp:1143
+  logic [47:0] select_4347;
+  assign select_4347 = x_s3_q[6] ? (equal_2057_s3_q ? good_q : {select_4345, good_q[47:1]}) : good_q;
+  // hls/stages/agreement.hpp:789
+  logic select_4351;
+  assign select_4351 = equal_550_s3_q ? ((x_s3_q[6] & good_known_q) | equal_2737_s3_q) : good_known_q;
+  // hls/stages/agreement.hpp:1218
   logic equal_4352;
-  assign equal_4352 = x_s3_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1125
-  logic [13:0] select_4354;
-  assign select_4354 = equal_4351 ? counts_skin_unproven_q : (equal_4352 ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_4356;
-  assign select_4356 = equal_4350 ? counts_regions_bad_q : (equal_4347 ? counts_nearer_q : select_4354);
+  assign equal_4352 = x_s3_q[6:3] == 4'ha;
+  logic equal_4354;
+  assign equal_4354 = x_s3_q[6:3] == 4'hc;
+  logic equal_4355;
+  assign equal_4355 = x_s3_q[6:3] == 4'hb;
+  logic equal_4356;
+  assign equal_4356 = x_s3_q[6:3] == 4'h9;
+  logic equal_4357;
+  assign equal_4357 = x_s3_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:1126
+  logic [13:0] select_4359;
+  assign select_4359 = equal_4356 ? counts_skin_unproven_q : (equal_4357 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_4361;
+  assign select_4361 = equal_4355 ? counts_regions_bad_q : (equal_4352 ? counts_nearer_q : select_4359);
   logic [13:0] before_v_6;
-  assign before_v_6 = equal_4349 ? counts_on_skin_q : select_4356;
-  // hls/stages/agreement.hpp:1221
+  assign before_v_6 = equal_4354 ? counts_on_skin_q : select_4361;
+  // hls/stages/agreement.hpp:1223
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_6};
-  // hls/stages/agreement.hpp:1229
-  logic select_4359;
-  assign select_4359 = (equal_4347 & equal_4102) ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1147
-  logic not_4360;
-  assign not_4360 = ~hidden_for_q[7];
-  logic [7:0] select_4362;
-  assign select_4362 = select_4359 ? (hidden_for_q + {7'h0, not_4360}) : 8'h0;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_4364;
-  assign select_4364 = equal_549_s3_q ? (equal_2733_s3_q ? select_4362 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:1230
-  logic [13:0] select_4365;
-  assign select_4365 = equal_4102 ? 14'h0 : product_q;
-  // hls/stages/agreement.hpp:1125
+  // hls/stages/agreement.hpp:1231
+  logic select_4364;
+  assign select_4364 = (equal_4352 & equal_4107) ? over[14] : hides_q;
+  // hls/stages/agreement.hpp:1149
+  logic not_4365;
+  assign not_4365 = ~hidden_for_q[7];
   logic [7:0] select_4367;
-  assign select_4367 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  assign select_4367 = select_4364 ? (hidden_for_q + {7'h0, not_4365}) : 8'h0;
+  // hls/stages/agreement.hpp:789
   logic [7:0] select_4369;
-  assign select_4369 = equal_4352 ? cfg_unproven_skin_limit_i : (equal_4328 ? cfg_unproven_limit_i : select_4367);
-  logic [7:0] select_4371;
-  assign select_4371 = equal_4347 ? cfg_regions_limit_i : (equal_4351 ? cfg_hidden_limit_i : select_4369);
-  logic [7:0] limit;
-  assign limit = equal_4349 ? cfg_regions_limit_i : (equal_4350 ? {cfg_on_skin_limit_i, 3'h0} : select_4371);
-  // hls/stages/agreement.hpp:1230
-  logic not_4374;
-  assign not_4374 = ~x_s3_q[2];
-  logic [3:0] select_4375;
-  assign select_4375 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4374, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4374};
+  assign select_4369 = equal_550_s3_q ? (equal_2737_s3_q ? select_4367 : hidden_for_q) : hidden_for_q;
+  // hls/stages/agreement.hpp:1232
+  logic [13:0] select_4370;
+  assign select_4370 = equal_4107 ? 14'h0 : product_q;
+  // hls/stages/agreement.hpp:1126
+  logic [7:0] select_4372;
+  assign select_4372 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_4374;
+  assign select_4374 = equal_4357 ? cfg_unproven_skin_limit_i : (equal_4333 ? cfg_unproven_limit_i : select_4372);
   logic [7:0] select_4376;
-  assign select_4376 = x_s3_q[0] ? {select_4375[3], 1'b0, select_4375[2], 1'b0, select_4375[1], 1'b0, select_4375[0], 1'b0} : {1'b0, select_4375[3], 1'b0, select_4375[2], 1'b0, select_4375[1], 1'b0, select_4375[0]};
-  // hls/stages/agreement.hpp:1125
-  logic [13:0] select_4380;
-  assign select_4380 = equal_4351 ? counts_skin_supervised_q : (equal_4352 ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] select_4382;
-  assign select_4382 = equal_4350 ? counts_skin_textured_q : (equal_4347 ? counts_textured_q : select_4380);
+  assign select_4376 = equal_4352 ? cfg_regions_limit_i : (equal_4356 ? cfg_hidden_limit_i : select_4374);
+  logic [7:0] limit;
+  assign limit = equal_4354 ? cfg_regions_limit_i : (equal_4355 ? {cfg_on_skin_limit_i, 3'h0} : select_4376);
+  // hls/stages/agreement.hpp:1232
+  logic not_4379;
+  assign not_4379 = ~x_s3_q[2];
+  logic [3:0] select_4380;
+  assign select_4380 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4379, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4379};
+  logic [7:0] select_4381;
+  assign select_4381 = x_s3_q[0] ? {select_4380[3], 1'b0, select_4380[2], 1'b0, select_4380[1], 1'b0, select_4380[0], 1'b0} : {1'b0, select_4380[3], 1'b0, select_4380[2], 1'b0, select_4380[1], 1'b0, select_4380[0]};
+  // hls/stages/agreement.hpp:1126
+  logic [13:0] select_4385;
+  assign select_4385 = equal_4356 ? counts_skin_supervised_q : (equal_4357 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_4387;
+  assign select_4387 = equal_4355 ? counts_skin_textured_q : (equal_4352 ? counts_textured_q : select_4385);
   logic [13:0] of;
-  assign of = equal_4349 ? counts_textured_q : select_4382;
-  // hls/stages/agreement.hpp:1230
-  logic [13:0] select_4384;
-  assign select_4384 = ((limit & select_4376) == 8'h0) ? 14'h0 : of;
+  assign of = equal_4354 ? counts_textured_q : select_4387;
+  // hls/stages/agreement.hpp:1232
+  logic [13:0] select_4389;
+  assign select_4389 = ((limit & select_4381) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_4365} + {1'b0, select_4384};
-  // hls/stages/agreement.hpp:788
-  logic select_4389;
-  assign select_4389 = equal_549_s3_q ? (equal_4102 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:1227
-  logic and_4394;
-  assign and_4394 = too_much_q & (~(equal_4352 & equal_4102));
-  // hls/stages/agreement.hpp:1228
-  logic select_4399;
-  assign select_4399 = (over[14] & equal_4102) ? (and_4394 | ((equal_4352 | equal_4351) | (x_s3_q[6:3] == 4'hf))) : and_4394;
-  // hls/stages/agreement.hpp:1125
-  logic and_4404;
-  assign and_4404 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  assign sum_4 = {1'b0, select_4370} + {1'b0, select_4389};
+  // hls/stages/agreement.hpp:789
+  logic select_4394;
+  assign select_4394 = equal_550_s3_q ? (equal_4107 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
+  // hls/stages/agreement.hpp:1229
+  logic and_4399;
+  assign and_4399 = too_much_q & (~(equal_4357 & equal_4107));
   // hls/stages/agreement.hpp:1230
-  logic select_4405;
-  assign select_4405 = (equal_4349 & equal_4102) ? and_4404 : overlooks_q;
-  // hls/stages/agreement.hpp:788
-  logic [2:0] select_4407;
-  assign select_4407 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
-  logic [2:0] select_4409;
-  assign select_4409 = equal_549_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4407 : box_textured_columns_values_0_q);
-  logic [2:0] select_4410;
-  assign select_4410 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic select_4404;
+  assign select_4404 = (over[14] & equal_4107) ? (and_4399 | ((equal_4357 | equal_4356) | (x_s3_q[6:3] == 4'hf))) : and_4399;
+  // hls/stages/agreement.hpp:1126
+  logic and_4409;
+  assign and_4409 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  // hls/stages/agreement.hpp:1232
+  logic select_4410;
+  assign select_4410 = (equal_4354 & equal_4107) ? and_4409 : overlooks_q;
+  // hls/stages/agreement.hpp:789
   logic [2:0] select_4412;
-  assign select_4412 = equal_549_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4410 : box_textured_columns_values_1_q);
-  logic [2:0] select_4413;
-  assign select_4413 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  assign select_4412 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic [2:0] select_4414;
+  assign select_4414 = equal_550_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4412 : box_textured_columns_values_0_q);
   logic [2:0] select_4415;
-  assign select_4415 = equal_549_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4413 : box_textured_columns_values_2_q);
-  logic [2:0] select_4416;
-  assign select_4416 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  assign select_4415 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_4417;
+  assign select_4417 = equal_550_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4415 : box_textured_columns_values_1_q);
   logic [2:0] select_4418;
-  assign select_4418 = equal_549_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4416 : box_textured_columns_values_3_q);
-  logic [2:0] select_4419;
-  assign select_4419 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  assign select_4418 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_4420;
+  assign select_4420 = equal_550_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4418 : box_textured_columns_values_2_q);
   logic [2:0] select_4421;
-  assign select_4421 = equal_549_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4419 : box_textured_columns_values_4_q);
-  logic [4:0] select_4423;
-  assign select_4423 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_4425;
-  assign select_4425 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
-  logic [2:0] select_4427;
-  assign select_4427 = equal_549_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4425 : box_explained_columns_values_0_q);
-  logic [2:0] select_4428;
-  assign select_4428 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_4421 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_4423;
+  assign select_4423 = equal_550_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4421 : box_textured_columns_values_3_q);
+  logic [2:0] select_4424;
+  assign select_4424 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_4426;
+  assign select_4426 = equal_550_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4424 : box_textured_columns_values_4_q);
+  logic [4:0] select_4428;
+  assign select_4428 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   logic [2:0] select_4430;
-  assign select_4430 = equal_549_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4428 : box_explained_columns_values_1_q);
-  logic [2:0] select_4431;
-  assign select_4431 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_4430 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  logic [2:0] select_4432;
+  assign select_4432 = equal_550_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4430 : box_explained_columns_values_0_q);
   logic [2:0] select_4433;
-  assign select_4433 = equal_549_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4431 : box_explained_columns_values_2_q);
-  logic [2:0] select_4434;
-  assign select_4434 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  assign select_4433 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_4435;
+  assign select_4435 = equal_550_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4433 : box_explained_columns_values_1_q);
   logic [2:0] select_4436;
-  assign select_4436 = equal_549_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4434 : box_explained_columns_values_3_q);
-  logic [2:0] select_4437;
-  assign select_4437 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  assign select_4436 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_4438;
+  assign select_4438 = equal_550_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4436 : box_explained_columns_values_2_q);
   logic [2:0] select_4439;
-  assign select_4439 = equal_549_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4437 : box_explained_columns_values_4_q);
-  logic [4:0] select_4441;
-  assign select_4441 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  assign select_4439 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_4441;
+  assign select_4441 = equal_550_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4439 : box_explained_columns_values_3_q);
+  logic [2:0] select_4442;
+  assign select_4442 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
   logic [2:0] select_4444;
-  assign select_4444 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
-  logic [2:0] select_4446;
-  assign select_4446 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
-  logic [2:0] select_4448;
-  assign select_4448 = equal_549_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4446 : box_shown_columns_values_1_q);
+  assign select_4444 = equal_550_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4442 : box_explained_columns_values_4_q);
+  logic [4:0] select_4446;
+  assign select_4446 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
   logic [2:0] select_4449;
-  assign select_4449 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_4449 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
   logic [2:0] select_4451;
-  assign select_4451 = equal_549_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4449 : box_shown_columns_values_2_q);
-  logic [2:0] select_4452;
-  assign select_4452 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  assign select_4451 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4453;
+  assign select_4453 = equal_550_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4451 : box_shown_columns_values_1_q);
   logic [2:0] select_4454;
-  assign select_4454 = equal_549_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4452 : box_shown_columns_values_3_q);
-  logic [2:0] select_4455;
-  assign select_4455 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  assign select_4454 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_4456;
+  assign select_4456 = equal_550_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4454 : box_shown_columns_values_2_q);
   logic [2:0] select_4457;
-  assign select_4457 = equal_549_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4455 : box_shown_columns_values_4_q);
-  logic [4:0] select_4459;
-  assign select_4459 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  assign select_4457 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_4459;
+  assign select_4459 = equal_550_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4457 : box_shown_columns_values_3_q);
+  logic [2:0] select_4460;
+  assign select_4460 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
   logic [2:0] select_4462;
-  assign select_4462 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_4464;
-  assign select_4464 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [2:0] select_4466;
-  assign select_4466 = equal_549_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4464 : box_nearer_columns_values_1_q);
+  assign select_4462 = equal_550_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4460 : box_shown_columns_values_4_q);
+  logic [4:0] select_4464;
+  assign select_4464 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
   logic [2:0] select_4467;
-  assign select_4467 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_4467 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
   logic [2:0] select_4469;
-  assign select_4469 = equal_549_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4467 : box_nearer_columns_values_2_q);
-  logic [2:0] select_4470;
-  assign select_4470 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  assign select_4469 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4471;
+  assign select_4471 = equal_550_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4469 : box_nearer_columns_values_1_q);
   logic [2:0] select_4472;
-  assign select_4472 = equal_549_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4470 : box_nearer_columns_values_3_q);
-  logic [2:0] select_4473;
-  assign select_4473 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  assign select_4472 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4474;
+  assign select_4474 = equal_550_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4472 : box_nearer_columns_values_2_q);
   logic [2:0] select_4475;
-  assign select_4475 = equal_549_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4473 : box_nearer_columns_values_4_q);
-  logic [4:0] select_4477;
-  assign select_4477 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:1307
-  logic [1:0] select_4522;
-  assign select_4522 = and_4521_s3_q ? {and_2554, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:1308
-  logic and_4523;
-  assign and_4523 = proven_q & less_4511;
-  // hls/stages/agreement.hpp:437
-  logic select_4526;
-  assign select_4526 = and_2484_s3_q ? (less_2485_s3_q ? (select_4522[0] & and_4523) : seen_q) : seen_q;
-  logic select_4529;
-  assign select_4529 = and_2484_s3_q ? (less_2485_s3_q ? (select_4522[1] & and_4523) : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:1238
-  logic or_4537;
-  assign or_4537 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4536_s3_q;
+  assign select_4475 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4477;
+  assign select_4477 = equal_550_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4475 : box_nearer_columns_values_3_q);
+  logic [2:0] select_4478;
+  assign select_4478 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4480;
+  assign select_4480 = equal_550_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4478 : box_nearer_columns_values_4_q);
+  logic [4:0] select_4482;
+  assign select_4482 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:1309
+  logic [1:0] select_4527;
+  assign select_4527 = and_4526_s3_q ? {and_2558, is_seen} : map_rdata_q;
+  // hls/stages/agreement.hpp:1310
+  logic and_4528;
+  assign and_4528 = proven_q & less_4516;
+  // hls/stages/agreement.hpp:438
+  logic select_4531;
+  assign select_4531 = and_2488_s3_q ? (less_2489_s3_q ? (select_4527[0] & and_4528) : seen_q) : seen_q;
+  logic select_4534;
+  assign select_4534 = and_2488_s3_q ? (less_2489_s3_q ? (select_4527[1] & and_4528) : nearer_q) : nearer_q;
   // hls/stages/agreement.hpp:1240
-  logic not_4545;
-  assign not_4545 = ~(or_4326 | not_4530);
-  // hls/stages/agreement.hpp:788
-  logic and_4549;
-  assign and_4549 = equal_549_s3_q & (equal_2733_s3_q & (not_4545 & (select_4334 | select_4399)));
-  logic and_4552;
-  assign and_4552 = equal_2733_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
-  // hls/stages/agreement.hpp:1149
-  logic or_4556;
-  assign or_4556 = select_2867 | (select_2879 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:788
-  logic and_4563;
-  assign and_4563 = equal_549_s3_q & (equal_2733_s3_q & (not_4545 & (select_2873 | select_2885)));
-  // hls/stages/agreement.hpp:1149
+  logic or_4542;
+  assign or_4542 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4541_s3_q;
+  // hls/stages/agreement.hpp:1242
+  logic not_4550;
+  assign not_4550 = ~(or_4331 | not_4535);
+  // hls/stages/agreement.hpp:789
+  logic and_4554;
+  assign and_4554 = equal_550_s3_q & (equal_2737_s3_q & (not_4550 & (select_4339 | select_4404)));
+  logic and_4557;
+  assign and_4557 = equal_2737_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  // hls/stages/agreement.hpp:1151
+  logic or_4561;
+  assign or_4561 = select_2872 | (select_2884 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  // hls/stages/agreement.hpp:789
   logic and_4568;
-  assign and_4568 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4362 < cfg_hidden_frames_i));
-  logic select_4574;
-  assign select_4574 = (not_4530 | (select_4405 & not_4239)) ? cfg_prove_i : patches_overlooked_q;
-  // hls/stages/agreement.hpp:788
-  logic and_4583;
-  assign and_4583 = equal_549_s3_q & (x_s3_q[6] & (not_2418_s3_q | (4'hc < x_s3_q[5:2])));
-  // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4591;
-  assign select_4591 = equal_2078_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4589_s3_q ? registration_sums_rdata_q : 32'h0);
-  logic [31:0] select_4592;
-  assign select_4592 = equal_2076_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4591;
-  logic [31:0] select_4593;
-  assign select_4593 = equal_2074_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4592;
-  logic [31:0] select_4594;
-  assign select_4594 = equal_2072_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4593;
-  logic [31:0] select_4595;
-  assign select_4595 = equal_2070_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4594;
+  assign and_4568 = equal_550_s3_q & (equal_2737_s3_q & (not_4550 & (select_2878 | select_2890)));
+  // hls/stages/agreement.hpp:1151
+  logic and_4573;
+  assign and_4573 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4367 < cfg_hidden_frames_i));
+  logic select_4579;
+  assign select_4579 = (not_4535 | (select_4410 & not_4244)) ? cfg_prove_i : patches_overlooked_q;
+  // hls/stages/agreement.hpp:789
+  logic and_4588;
+  assign and_4588 = equal_550_s3_q & (x_s3_q[6] & (not_2422_s3_q | (4'hc < x_s3_q[5:2])));
+  // hls/stages/agreement.hpp:1141
   logic [31:0] select_4596;
-  assign select_4596 = equal_2068_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4595;
+  assign select_4596 = equal_2079_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4594_s3_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_4597;
-  assign select_4597 = equal_2066_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4596;
+  assign select_4597 = equal_2077_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4596;
   logic [31:0] select_4598;
-  assign select_4598 = equal_2064_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4597;
-  // hls/stages/agreement.hpp:1138
-  logic [9:0] select_4599;
-  assign select_4599 = less_3043 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:1142
+  assign select_4598 = equal_2075_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4597;
+  logic [31:0] select_4599;
+  assign select_4599 = equal_2073_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4598;
   logic [31:0] select_4600;
-  assign select_4600 = equal_2056_s3_q ? select_4598 : {2'h0, select_4599, select_3047, select_3044};
+  assign select_4600 = equal_2071_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4599;
+  logic [31:0] select_4601;
+  assign select_4601 = equal_2069_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4600;
+  logic [31:0] select_4602;
+  assign select_4602 = equal_2067_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4601;
+  logic [31:0] select_4603;
+  assign select_4603 = equal_2065_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4602;
+  // hls/stages/agreement.hpp:1139
+  logic [9:0] select_4604;
+  assign select_4604 = less_3048 ? 10'h0 : regions_rdata_q[29:20];
+  // hls/stages/agreement.hpp:1143
+  logic [31:0] select_4605;
+  assign select_4605 = equal_2057_s3_q ? select_4603 : {2'h0, select_4604, select_3052, select_3049};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
   assign fresh_waddr = column_s3_q;
   logic fresh_we;
-  assign fresh_we = s3_en & and_525_s3_q;
+  assign fresh_we = s3_en & and_526_s3_q;
   logic [32:0] fresh_wdata;
-  assign fresh_wdata = {less_721_s3_q, and_720, less_715_s3_q, and_714_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_708, and_684_s3_q, and_683_s3_q, and_658_s3_q, less_650_s3_q, less_649_s3_q, less_648_s3_q, less_647_s3_q, less_646_s3_q, less_645_s3_q, less_644_s3_q, less_643_s3_q, less_642_s3_q, less_641_s3_q, less_640_s3_q, less_639_s3_q, less_638_s3_q, less_637_s3_q, less_636_s3_q, less_635_s3_q, less_634_s3_q, less_633_s3_q, less_632_s3_q, less_631_s3_q, less_630_s3_q, less_629_s3_q, less_628_s3_q, less_627_s3_q};
+  assign fresh_wdata = {less_722_s3_q, and_721, less_716_s3_q, and_715_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_709, and_685_s3_q, and_684_s3_q, and_659_s3_q, less_651_s3_q, less_650_s3_q, less_649_s3_q, less_648_s3_q, less_647_s3_q, less_646_s3_q, less_645_s3_q, less_644_s3_q, less_643_s3_q, less_642_s3_q, less_641_s3_q, less_640_s3_q, less_639_s3_q, less_638_s3_q, less_637_s3_q, less_636_s3_q, less_635_s3_q, less_634_s3_q, less_633_s3_q, less_632_s3_q, less_631_s3_q, less_630_s3_q, less_629_s3_q, less_628_s3_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (fresh_we) fresh_mem[fresh_waddr] <= {^fresh_wdata, fresh_wdata};
   end
@@ -7189,11 +7194,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_2062_s3_q, lower_half_s3_q, registration_of_right_s3_q};
+  assign registration_sums_waddr = {sum_2063_s3_q, lower_half_s3_q, registration_of_right_s3_q};
   logic registration_sums_we;
-  assign registration_sums_we = s3_en & and_2121_s3_q;
+  assign registration_sums_we = s3_en & and_2122_s3_q;
   logic [31:0] registration_sums_wdata;
-  assign registration_sums_wdata = {sum_2120, sum_2116};
+  assign registration_sums_wdata = {sum_2121, sum_2117};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {^registration_sums_wdata, registration_sums_wdata};
   end
@@ -7211,11 +7216,11 @@ module horopter_agreement (
 
   // Memory patches_choices, write
   logic [5:0] patches_choices_waddr;
-  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_2150_s3_q};
+  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_2151_s3_q};
   logic patches_choices_we;
-  assign patches_choices_we = s3_en & and_2224_s3_q;
+  assign patches_choices_we = s3_en & and_2228_s3_q;
   logic [22:0] patches_choices_wdata;
-  assign patches_choices_wdata = {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2217_s3_q};
+  assign patches_choices_wdata = {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2200_s3_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {^patches_choices_wdata, patches_choices_wdata};
   end
@@ -7231,9 +7236,9 @@ module horopter_agreement (
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
-  assign patches_right_0_waddr = {select_2255_s3_q, select_2252};
+  assign patches_right_0_waddr = {select_2259_s3_q, select_2256};
   logic patches_right_0_we;
-  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_2264);
+  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_2268);
   logic [7:0] patches_right_0_wdata;
   assign patches_right_0_wdata = sample_pair_pixel_1_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -7272,9 +7277,9 @@ module horopter_agreement (
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_2255_s3_q, select_2281};
+  assign patches_right_1_waddr = {select_2259_s3_q, select_2285};
   logic patches_right_1_we;
-  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_2284);
+  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_2288);
   logic [7:0] patches_right_1_wdata;
   assign patches_right_1_wdata = sample_pair_pixel_1_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -7313,9 +7318,9 @@ module horopter_agreement (
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_2303, select_2302_s3_q, column_7};
+  assign patches_left_waddr = {select_2307, select_2306_s3_q, column_7};
   logic patches_left_we;
-  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_2309);
+  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_2313);
   logic [7:0] patches_left_wdata;
   assign patches_left_wdata = sample_pair_pixel_0_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -7358,7 +7363,7 @@ module horopter_agreement (
   logic patches_rows_we;
   assign patches_rows_we = s3_en & patches_summed_last_s3_q;
   logic [14:0] patches_rows_wdata;
-  assign patches_rows_wdata = select_2406;
+  assign patches_rows_wdata = select_2410;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= {^patches_rows_wdata, patches_rows_wdata};
   end
@@ -7389,11 +7394,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s3_q, or_2416_s3_q, or_2413_s3_q, or_2410_s3_q};
+  assign regions_waddr = {region_row_s3_q, or_2420_s3_q, or_2417_s3_q, or_2414_s3_q};
   logic regions_we;
-  assign regions_we = s3_en & and_2450_s3_q;
+  assign regions_we = s3_en & and_2454_s3_q;
   logic [29:0] regions_wdata;
-  assign regions_wdata = {sum_2449, sum_2439, sum_2434};
+  assign regions_wdata = {sum_2453, sum_2443, sum_2438};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (regions_we) regions_mem[regions_waddr] <= {^regions_wdata, regions_wdata};
   end
@@ -7409,11 +7414,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_2490_s3_q, index_2_s3_q};
+  assign map_waddr = {sum_2494_s3_q, index_2_s3_q};
   logic map_we;
-  assign map_we = s3_en & and_2564_s3_q;
+  assign map_we = s3_en & and_2568_s3_q;
   logic [1:0] map_wdata;
-  assign map_wdata = {and_2554, is_seen};
+  assign map_wdata = {and_2558, is_seen};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (map_we) map_mem[map_waddr] <= {^map_wdata, map_wdata};
   end
@@ -7566,140 +7571,140 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s3_en) begin
-      census_left_misses_q <= select_2713;
-      sharpness_before_last_mask_q <= select_2781;
-      sharpness_sums_detail_0_q <= and_525_s3_q ? select_2795 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_525_s3_q ? select_2807 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_525_s3_q ? sum_2811 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_525_s3_q ? sum_2815 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2833 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2843 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2845 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2847 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2849 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2851 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2856;
-      sharpness_comparing_carry_1_q <= select_2860;
-      sharpness_comparing_less_detail_0_q <= select_2867;
-      sharpness_comparing_less_detail_1_q <= select_2873;
-      sharpness_comparing_less_contrast_0_q <= select_2879;
-      sharpness_comparing_less_contrast_1_q <= select_2885;
-      counts_supervised_q <= select_3001;
-      counts_textured_q <= and_2993_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_3004});
-      counts_explained_q <= and_2993_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_3009});
-      counts_nearer_q <= and_2993_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_3014});
-      counts_unproven_q <= and_2993_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_3040});
-      counts_regions_bad_q <= select_3056;
-      counts_skin_supervised_q <= select_3063;
-      counts_skin_textured_q <= select_3070;
-      counts_skin_unproven_q <= select_3078;
-      counts_on_skin_q <= select_3097;
-      registration_half_across_q <= select_3175;
-      registration_half_measured_q <= select_3180;
-      registration_half_votes_down_q <= and_3153_s3_q ? 7'h0 : sum_3186;
-      registration_half_votes_up_q <= and_3153_s3_q ? 7'h0 : sum_3194;
-      registration_half_half_votes_down_q <= and_3153_s3_q ? 7'h0 : sum_3201;
-      registration_half_half_votes_up_q <= and_3153_s3_q ? 7'h0 : sum_3208;
-      registration_down_q <= and_3242 ? sum_3261 : registration_down_q;
-      registration_up_q <= and_3242 ? sum_3270 : registration_up_q;
-      registration_enough_q <= select_3284;
-      registration_votes_down_q <= and_3289 ? less_3290 : registration_votes_down_q;
-      registration_votes_up_q <= and_3289 ? less_3292 : registration_votes_up_q;
-      registration_other_enough_q <= and_3298 ? select_3284 : registration_other_enough_q;
-      registration_other_down_q <= and_3298 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_3298 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_549_s3_q & and_3305)) & or_3330;
-      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_2243 : patches_place_0_valid_q;
-      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_2245 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_2246 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3415;
-      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_2272 : patches_place_1_valid_q;
-      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_2274 : patches_place_1_column_q;
-      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_2275 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3420;
-      patches_valid_0_q <= select_3425;
-      patches_valid_1_q <= select_3430;
-      patches_right_next_0_q <= select_3433;
-      patches_right_next_1_q <= select_3436;
-      patches_left_next_0_q <= select_3439;
-      patches_left_next_1_q <= select_3442;
-      patches_sums_values_0_q <= select_3866;
-      patches_sums_values_1_q <= equal_2225_s3_q ? patches_sums_values_1_q : select_3867;
-      patches_sums_values_2_q <= equal_2225_s3_q ? patches_sums_values_2_q : select_3869;
-      patches_sums_values_3_q <= equal_2225_s3_q ? patches_sums_values_3_q : select_3871;
-      patches_sums_values_4_q <= equal_2225_s3_q ? patches_sums_values_4_q : select_3873;
-      patches_sums_values_5_q <= equal_2225_s3_q ? patches_sums_values_5_q : select_3875;
-      patches_sums_values_6_q <= equal_2225_s3_q ? patches_sums_values_6_q : select_3877;
-      patches_sums_values_7_q <= equal_2225_s3_q ? patches_sums_values_7_q : select_3879;
-      patches_sums_values_8_q <= equal_2225_s3_q ? patches_sums_values_8_q : select_3881;
-      patches_sums_values_9_q <= equal_2225_s3_q ? patches_sums_values_9_q : select_3883;
-      patches_sums_values_10_q <= equal_2225_s3_q ? patches_sums_values_10_q : select_3885;
-      patches_sums_values_11_q <= equal_2225_s3_q ? patches_sums_values_11_q : select_3887;
-      patches_sums_values_12_q <= equal_2225_s3_q ? patches_sums_values_12_q : select_3889;
-      patches_sums_values_13_q <= equal_2225_s3_q ? patches_sums_values_13_q : select_3891;
-      patches_sums_values_14_q <= equal_2225_s3_q ? patches_sums_values_14_q : select_3893;
-      patches_sums_values_15_q <= equal_2225_s3_q ? patches_sums_values_15_q : select_3895;
-      patches_sums_values_16_q <= equal_2225_s3_q ? patches_sums_values_16_q : select_3897;
-      patches_best_differing_q <= select_2406[9:0];
-      patches_best_column_q <= select_2406[14:10];
-      patches_quarters_0_places_q <= sum_4021;
-      patches_quarters_0_up_q <= sum_4061;
-      patches_quarters_0_down_q <= sum_4071;
-      patches_quarters_1_places_q <= sum_4075;
-      patches_quarters_1_up_q <= sum_4078;
-      patches_quarters_1_down_q <= sum_4081;
-      patches_quarters_2_places_q <= sum_4085;
-      patches_quarters_2_up_q <= sum_4088;
-      patches_quarters_2_down_q <= sum_4091;
-      patches_quarters_3_places_q <= sum_4095;
-      patches_quarters_3_up_q <= sum_4098;
-      patches_quarters_3_down_q <= sum_4101;
-      patches_word_places_q <= or_4129;
-      patches_word_up_q <= ((select_4139 | select_4141) | select_4144) | select_4147;
-      patches_word_down_q <= ((select_4150 | select_4152) | select_4155) | select_4158;
-      patches_sum_places_q <= select_4168;
-      patches_sum_up_q <= select_4171;
-      patches_sum_down_q <= select_4174;
-      patches_across_q <= sum_4186;
-      patches_places_q <= select_4197;
+      census_left_misses_q <= select_2717;
+      sharpness_before_last_mask_q <= select_2786;
+      sharpness_sums_detail_0_q <= and_526_s3_q ? select_2800 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_526_s3_q ? select_2812 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_526_s3_q ? sum_2816 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_526_s3_q ? sum_2820 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2838 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2848 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2850 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2852 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2854 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2856 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2861;
+      sharpness_comparing_carry_1_q <= select_2865;
+      sharpness_comparing_less_detail_0_q <= select_2872;
+      sharpness_comparing_less_detail_1_q <= select_2878;
+      sharpness_comparing_less_contrast_0_q <= select_2884;
+      sharpness_comparing_less_contrast_1_q <= select_2890;
+      counts_supervised_q <= select_3006;
+      counts_textured_q <= and_2998_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_3009});
+      counts_explained_q <= and_2998_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_3014});
+      counts_nearer_q <= and_2998_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_3019});
+      counts_unproven_q <= and_2998_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_3045});
+      counts_regions_bad_q <= select_3061;
+      counts_skin_supervised_q <= select_3068;
+      counts_skin_textured_q <= select_3075;
+      counts_skin_unproven_q <= select_3083;
+      counts_on_skin_q <= select_3102;
+      registration_half_across_q <= select_3180;
+      registration_half_measured_q <= select_3185;
+      registration_half_votes_down_q <= and_3158_s3_q ? 7'h0 : sum_3191;
+      registration_half_votes_up_q <= and_3158_s3_q ? 7'h0 : sum_3199;
+      registration_half_half_votes_down_q <= and_3158_s3_q ? 7'h0 : sum_3206;
+      registration_half_half_votes_up_q <= and_3158_s3_q ? 7'h0 : sum_3213;
+      registration_down_q <= and_3247 ? sum_3266 : registration_down_q;
+      registration_up_q <= and_3247 ? sum_3275 : registration_up_q;
+      registration_enough_q <= select_3289;
+      registration_votes_down_q <= and_3294 ? less_3295 : registration_votes_down_q;
+      registration_votes_up_q <= and_3294 ? less_3297 : registration_votes_up_q;
+      registration_other_enough_q <= and_3303 ? select_3289 : registration_other_enough_q;
+      registration_other_down_q <= and_3303 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_3303 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_550_s3_q & and_3310)) & or_3335;
+      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_2247 : patches_place_0_valid_q;
+      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_2249 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_2250 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_3420;
+      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_2276 : patches_place_1_valid_q;
+      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_2278 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_2279 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_3425;
+      patches_valid_0_q <= select_3430;
+      patches_valid_1_q <= select_3435;
+      patches_right_next_0_q <= select_3438;
+      patches_right_next_1_q <= select_3441;
+      patches_left_next_0_q <= select_3444;
+      patches_left_next_1_q <= select_3447;
+      patches_sums_values_0_q <= select_3871;
+      patches_sums_values_1_q <= equal_2229_s3_q ? patches_sums_values_1_q : select_3872;
+      patches_sums_values_2_q <= equal_2229_s3_q ? patches_sums_values_2_q : select_3874;
+      patches_sums_values_3_q <= equal_2229_s3_q ? patches_sums_values_3_q : select_3876;
+      patches_sums_values_4_q <= equal_2229_s3_q ? patches_sums_values_4_q : select_3878;
+      patches_sums_values_5_q <= equal_2229_s3_q ? patches_sums_values_5_q : select_3880;
+      patches_sums_values_6_q <= equal_2229_s3_q ? patches_sums_values_6_q : select_3882;
+      patches_sums_values_7_q <= equal_2229_s3_q ? patches_sums_values_7_q : select_3884;
+      patches_sums_values_8_q <= equal_2229_s3_q ? patches_sums_values_8_q : select_3886;
+      patches_sums_values_9_q <= equal_2229_s3_q ? patches_sums_values_9_q : select_3888;
+      patches_sums_values_10_q <= equal_2229_s3_q ? patches_sums_values_10_q : select_3890;
+      patches_sums_values_11_q <= equal_2229_s3_q ? patches_sums_values_11_q : select_3892;
+      patches_sums_values_12_q <= equal_2229_s3_q ? patches_sums_values_12_q : select_3894;
+      patches_sums_values_13_q <= equal_2229_s3_q ? patches_sums_values_13_q : select_3896;
+      patches_sums_values_14_q <= equal_2229_s3_q ? patches_sums_values_14_q : select_3898;
+      patches_sums_values_15_q <= equal_2229_s3_q ? patches_sums_values_15_q : select_3900;
+      patches_sums_values_16_q <= equal_2229_s3_q ? patches_sums_values_16_q : select_3902;
+      patches_best_differing_q <= select_2410[9:0];
+      patches_best_column_q <= select_2410[14:10];
+      patches_quarters_0_places_q <= sum_4026;
+      patches_quarters_0_up_q <= sum_4066;
+      patches_quarters_0_down_q <= sum_4076;
+      patches_quarters_1_places_q <= sum_4080;
+      patches_quarters_1_up_q <= sum_4083;
+      patches_quarters_1_down_q <= sum_4086;
+      patches_quarters_2_places_q <= sum_4090;
+      patches_quarters_2_up_q <= sum_4093;
+      patches_quarters_2_down_q <= sum_4096;
+      patches_quarters_3_places_q <= sum_4100;
+      patches_quarters_3_up_q <= sum_4103;
+      patches_quarters_3_down_q <= sum_4106;
+      patches_word_places_q <= or_4134;
+      patches_word_up_q <= ((select_4144 | select_4146) | select_4149) | select_4152;
+      patches_word_down_q <= ((select_4155 | select_4157) | select_4160) | select_4163;
+      patches_sum_places_q <= select_4173;
+      patches_sum_up_q <= select_4176;
+      patches_sum_down_q <= select_4179;
+      patches_across_q <= sum_4191;
+      patches_places_q <= select_4202;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_4201;
-      patches_partly_q <= or_4204;
-      patches_clear_limit_q <= sum_4205[8:2];
-      patches_complete_q <= select_4207;
+      patches_mostly_q <= or_4206;
+      patches_partly_q <= or_4209;
+      patches_clear_limit_q <= sum_4210[8:2];
+      patches_complete_q <= select_4212;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= and_4190 ? select_4214 : patches_found_q;
-      patches_doubted_q <= select_4221;
-      patches_doubted_before_q <= select_4222;
+      patches_found_q <= and_4195 ? select_4219 : patches_found_q;
+      patches_doubted_q <= select_4226;
+      patches_doubted_before_q <= select_4227;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_4226;
-      patches_on_skin_q <= sum_4236;
-      patches_on_skin_most_q <= product_4237[12:5];
-      patches_large_q <= not_4239 & and_4243;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_4248;
-      patches_spoiled_q <= or_4252;
+      patches_round_on_skin_q <= select_4231;
+      patches_on_skin_q <= sum_4241;
+      patches_on_skin_most_q <= product_4242[12:5];
+      patches_large_q <= not_4244 & and_4248;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_4253;
+      patches_spoiled_q <= or_4257;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_4259;
+      patches_moved_q <= select_4264;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_4269;
-      segment_textured_q <= select_2431 + {6'h0, and_3004};
-      segment_explained_q <= select_2436 + {6'h0, and_3009};
-      segment_nearer_q <= select_2446 + {6'h0, and_3014};
+      patches_age_q <= select_4274;
+      segment_textured_q <= select_2435 + {6'h0, and_3009};
+      segment_explained_q <= select_2440 + {6'h0, and_3014};
+      segment_nearer_q <= select_2450 + {6'h0, and_3019};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_549_s3_q ? select_4342 : good_q;
-      good_known_q <= select_4346;
-      hidden_for_q <= select_4364;
-      product_q <= equal_549_s3_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_4389;
-      disagree_q <= equal_549_s3_q ? select_4334 : disagree_q;
-      too_much_q <= equal_549_s3_q ? select_4399 : too_much_q;
-      hides_q <= equal_549_s3_q ? select_4359 : hides_q;
-      overlooks_q <= equal_549_s3_q ? select_4405 : overlooks_q;
-      seen_q <= select_4526;
-      nearer_q <= select_4529;
+      good_q <= equal_550_s3_q ? select_4347 : good_q;
+      good_known_q <= select_4351;
+      hidden_for_q <= select_4369;
+      product_q <= equal_550_s3_q ? sum_4[14:1] : product_q;
+      product_rest_q <= select_4394;
+      disagree_q <= equal_550_s3_q ? select_4339 : disagree_q;
+      too_much_q <= equal_550_s3_q ? select_4404 : too_much_q;
+      hides_q <= equal_550_s3_q ? select_4364 : hides_q;
+      overlooks_q <= equal_550_s3_q ? select_4410 : overlooks_q;
+      seen_q <= select_4531;
+      nearer_q <= select_4534;
     end
   end
 
@@ -7751,45 +7756,45 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
       left_pixel_q <= left_pixel_q;
-      averager_quarter_1_0_q <= select_2588;
-      averager_quarter_1_1_q <= select_2590;
-      averager_quarter_2_0_q <= select_2592;
-      averager_quarter_2_1_q <= select_2594;
-      averager_detail_0_q <= select_2606;
-      averager_detail_1_q <= select_2614;
-      census_changes_values_0_left_q <= and_525_s3_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_525_s3_q ? sum_2697 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2699;
-      census_changes_values_1_right_q <= select_2700;
-      census_changes_values_2_left_q <= select_2701;
-      census_changes_values_2_right_q <= select_2702;
-      sharpness_last_mask_q <= and_525_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_525_s3_q ? select_2778[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_525_s3_q ? select_2778[27:14] : sharpness_last_detail_1_q;
-      box_textured_columns_values_0_q <= select_4409;
-      box_textured_columns_values_1_q <= select_4412;
-      box_textured_columns_values_2_q <= select_4415;
-      box_textured_columns_values_3_q <= select_4418;
-      box_textured_columns_values_4_q <= select_4421;
-      box_textured_sum_sums_values_0_q <= equal_549_s3_q ? box_textured_sum_sums_values_0_q : select_4423;
-      box_explained_columns_values_0_q <= select_4427;
-      box_explained_columns_values_1_q <= select_4430;
-      box_explained_columns_values_2_q <= select_4433;
-      box_explained_columns_values_3_q <= select_4436;
-      box_explained_columns_values_4_q <= select_4439;
-      box_explained_sum_sums_values_0_q <= equal_549_s3_q ? box_explained_sum_sums_values_0_q : select_4441;
-      box_shown_columns_values_0_q <= equal_549_s3_q ? box_shown_columns_values_0_q : select_4444;
-      box_shown_columns_values_1_q <= select_4448;
-      box_shown_columns_values_2_q <= select_4451;
-      box_shown_columns_values_3_q <= select_4454;
-      box_shown_columns_values_4_q <= select_4457;
-      box_shown_sum_sums_values_0_q <= equal_549_s3_q ? box_shown_sum_sums_values_0_q : select_4459;
-      box_nearer_columns_values_0_q <= equal_549_s3_q ? box_nearer_columns_values_0_q : select_4462;
-      box_nearer_columns_values_1_q <= select_4466;
-      box_nearer_columns_values_2_q <= select_4469;
-      box_nearer_columns_values_3_q <= select_4472;
-      box_nearer_columns_values_4_q <= select_4475;
-      box_nearer_sum_sums_values_0_q <= equal_549_s3_q ? box_nearer_sum_sums_values_0_q : select_4477;
+      averager_quarter_1_0_q <= select_2592;
+      averager_quarter_1_1_q <= select_2594;
+      averager_quarter_2_0_q <= select_2596;
+      averager_quarter_2_1_q <= select_2598;
+      averager_detail_0_q <= select_2610;
+      averager_detail_1_q <= select_2618;
+      census_changes_values_0_left_q <= and_526_s3_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_526_s3_q ? sum_2701 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2703;
+      census_changes_values_1_right_q <= select_2704;
+      census_changes_values_2_left_q <= select_2705;
+      census_changes_values_2_right_q <= select_2706;
+      sharpness_last_mask_q <= and_526_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
+      sharpness_last_detail_0_q <= and_526_s3_q ? select_2783[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_526_s3_q ? select_2783[27:14] : sharpness_last_detail_1_q;
+      box_textured_columns_values_0_q <= select_4414;
+      box_textured_columns_values_1_q <= select_4417;
+      box_textured_columns_values_2_q <= select_4420;
+      box_textured_columns_values_3_q <= select_4423;
+      box_textured_columns_values_4_q <= select_4426;
+      box_textured_sum_sums_values_0_q <= equal_550_s3_q ? box_textured_sum_sums_values_0_q : select_4428;
+      box_explained_columns_values_0_q <= select_4432;
+      box_explained_columns_values_1_q <= select_4435;
+      box_explained_columns_values_2_q <= select_4438;
+      box_explained_columns_values_3_q <= select_4441;
+      box_explained_columns_values_4_q <= select_4444;
+      box_explained_sum_sums_values_0_q <= equal_550_s3_q ? box_explained_sum_sums_values_0_q : select_4446;
+      box_shown_columns_values_0_q <= equal_550_s3_q ? box_shown_columns_values_0_q : select_4449;
+      box_shown_columns_values_1_q <= select_4453;
+      box_shown_columns_values_2_q <= select_4456;
+      box_shown_columns_values_3_q <= select_4459;
+      box_shown_columns_values_4_q <= select_4462;
+      box_shown_sum_sums_values_0_q <= equal_550_s3_q ? box_shown_sum_sums_values_0_q : select_4464;
+      box_nearer_columns_values_0_q <= equal_550_s3_q ? box_nearer_columns_values_0_q : select_4467;
+      box_nearer_columns_values_1_q <= select_4471;
+      box_nearer_columns_values_2_q <= select_4474;
+      box_nearer_columns_values_3_q <= select_4477;
+      box_nearer_columns_values_4_q <= select_4480;
+      box_nearer_sum_sums_values_0_q <= equal_550_s3_q ? box_nearer_sum_sums_values_0_q : select_4482;
     end
   end
 
@@ -7799,21 +7804,21 @@ module horopter_agreement (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic and_4506_s4_q;
-  logic or_4531_s4_q;
-  logic and_4532_s4_q;
-  logic and_4540_s4_q;
-  logic and_4543_s4_q;
-  logic and_4549_s4_q;
-  logic and_4553_s4_q;
-  logic and_4559_s4_q;
-  logic and_4563_s4_q;
-  logic and_4571_s4_q;
+  logic and_4511_s4_q;
+  logic or_4536_s4_q;
+  logic and_4537_s4_q;
+  logic and_4545_s4_q;
+  logic and_4548_s4_q;
+  logic and_4554_s4_q;
+  logic and_4558_s4_q;
+  logic and_4564_s4_q;
+  logic and_4568_s4_q;
   logic and_4576_s4_q;
-  logic and_4579_s4_q;
-  logic and_4583_s4_q;
-  logic [5:0] select_4585_s4_q;
-  logic [31:0] select_4602_s4_q;
+  logic and_4581_s4_q;
+  logic and_4584_s4_q;
+  logic and_4588_s4_q;
+  logic [5:0] select_4590_s4_q;
+  logic [31:0] select_4607_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_0_q;
@@ -7822,21 +7827,21 @@ module horopter_agreement (
       mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= line_ended_q;
-      and_4506_s4_q <= said_q;
-      or_4531_s4_q <= not_4530 | select_4526;
-      and_4532_s4_q <= cfg_prove_i & select_4529;
-      and_4540_s4_q <= equal_549_s3_q & (equal_2733_s3_q & (cfg_prove_i & or_4537));
-      and_4543_s4_q <= equal_549_s3_q & (equal_2733_s3_q & (cfg_prove_i & or_4326));
-      and_4549_s4_q <= and_4549;
-      and_4553_s4_q <= equal_549_s3_q & and_4552;
-      and_4559_s4_q <= equal_549_s3_q & (equal_2733_s3_q & (not_4545 & or_4556));
-      and_4563_s4_q <= and_4563;
-      and_4571_s4_q <= equal_549_s3_q & (equal_2733_s3_q & (cfg_prove_i & and_4568));
-      and_4576_s4_q <= equal_549_s3_q & (equal_2733_s3_q & select_4574);
-      and_4579_s4_q <= and_4579_s3_q;
-      and_4583_s4_q <= and_4583;
-      select_4585_s4_q <= equal_549_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
-      select_4602_s4_q <= equal_549_s3_q ? (x_s3_q[6] ? select_4600 : 32'h0) : 32'h0;
+      and_4511_s4_q <= said_q;
+      or_4536_s4_q <= not_4535 | select_4531;
+      and_4537_s4_q <= cfg_prove_i & select_4534;
+      and_4545_s4_q <= equal_550_s3_q & (equal_2737_s3_q & (cfg_prove_i & or_4542));
+      and_4548_s4_q <= equal_550_s3_q & (equal_2737_s3_q & (cfg_prove_i & or_4331));
+      and_4554_s4_q <= and_4554;
+      and_4558_s4_q <= equal_550_s3_q & and_4557;
+      and_4564_s4_q <= equal_550_s3_q & (equal_2737_s3_q & (not_4550 & or_4561));
+      and_4568_s4_q <= and_4568;
+      and_4576_s4_q <= equal_550_s3_q & (equal_2737_s3_q & (cfg_prove_i & and_4573));
+      and_4581_s4_q <= equal_550_s3_q & (equal_2737_s3_q & select_4579);
+      and_4584_s4_q <= and_4584_s3_q;
+      and_4588_s4_q <= and_4588;
+      select_4590_s4_q <= equal_550_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
+      select_4607_s4_q <= equal_550_s3_q ? (x_s3_q[6] ? select_4605 : 32'h0) : 32'h0;
     end
   end
 
@@ -7850,21 +7855,21 @@ module horopter_agreement (
   assign mask_o = mask_s4_q;
   assign marks_first_o = marks_first_s4_q;
   assign marks_last_o = marks_last_s4_q;
-  assign marks_seen_o = or_4531_s4_q;
-  assign marks_nearer_o = and_4532_s4_q;
-  assign verdict_valid_o = and_4506_s4_q;
-  assign verdict_unproven_yet_o = and_4540_s4_q;
-  assign verdict_untextured_o = and_4543_s4_q;
-  assign verdict_disagree_o = and_4549_s4_q;
-  assign verdict_moved_o = and_4553_s4_q;
-  assign verdict_unsharp_left_o = and_4559_s4_q;
-  assign verdict_unsharp_right_o = and_4563_s4_q;
-  assign verdict_hidden_o = and_4571_s4_q;
-  assign verdict_overlooked_o = and_4576_s4_q;
-  assign verdict_out_of_step_o = and_4579_s4_q;
-  assign frame_valid_o = and_4583_s4_q;
-  assign frame_index_o = select_4585_s4_q;
-  assign frame_word_o = select_4602_s4_q;
+  assign marks_seen_o = or_4536_s4_q;
+  assign marks_nearer_o = and_4537_s4_q;
+  assign verdict_valid_o = and_4511_s4_q;
+  assign verdict_unproven_yet_o = and_4545_s4_q;
+  assign verdict_untextured_o = and_4548_s4_q;
+  assign verdict_disagree_o = and_4554_s4_q;
+  assign verdict_moved_o = and_4558_s4_q;
+  assign verdict_unsharp_left_o = and_4564_s4_q;
+  assign verdict_unsharp_right_o = and_4568_s4_q;
+  assign verdict_hidden_o = and_4576_s4_q;
+  assign verdict_overlooked_o = and_4581_s4_q;
+  assign verdict_out_of_step_o = and_4584_s4_q;
+  assign frame_valid_o = and_4588_s4_q;
+  assign frame_index_o = select_4590_s4_q;
+  assign frame_word_o = select_4607_s4_q;
   assign valid_o = valid_s4_q;
 
   always_ff @(posedge clk_i) begin
@@ -7883,6 +7888,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_4237[4:0], sum_4205[1:0], sum_4160[1:0], product_4051[4:0], sum_3143[0], difference_3084[1:0], detail_4[1:0], detail_3[1:0], sum_2707[4:0], sum_2166[0], sum_2162[0], sum_706[4:0], cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], product_4242[4:0], sum_4210[1:0], sum_4165[1:0], product_4056[4:0], sum_3148[0], difference_3089[1:0], detail_4[1:0], detail_3[1:0], sum_2711[4:0], sum_2167[0], sum_2163[0], sum_707[4:0], cfg_width_i[2:0]};
 
 endmodule
