@@ -109,6 +109,7 @@ struct LeafFinder {
   HOROPTER_TB_OPEN(22, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v)
   HOROPTER_TB_OPEN(23, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w)
   HOROPTER_TB_OPEN(24, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x)
+  HOROPTER_TB_OPEN(25, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y)
 #undef HOROPTER_TB_OPEN
 
   void add(const void* leaf, std::size_t bytes, int width, bool is_signed) {
