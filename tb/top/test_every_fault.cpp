@@ -108,18 +108,22 @@ class Bench {
     std::string others;
     try {
       for (int frame = 0; frame < 8; ++frame) {
-        const Published p = machine.receive();
-        for (const std::string& name : p.fault_names()) others += name + " ";
-        others += "| ";
-        if (!p.fault_names().contains(fault)) continue;
-        CHECK_FALSE(p.safe());
-        CHECK_FALSE(p.safe_pin);
-        raised.insert(fault);
-        return;
+        if (next_has(fault, others)) return;
       }
     } catch (const Timeout&) {  // no more frames come
     }
     FAIL_CHECK("no frame has it, but " << others);
+  }
+  /// The next result has the fault, and is not safe. What it has instead joins `others`.
+  bool next_has(const std::string& fault, std::string& others) {
+    const Published p = machine.receive();
+    for (const std::string& name : p.fault_names()) others += name + " ";
+    others += "| ";
+    if (!p.fault_names().contains(fault)) return false;
+    CHECK_FALSE(p.safe());
+    CHECK_FALSE(p.safe_pin);
+    raised.insert(fault);
+    return true;
   }
 
   /// The first bit of every word of the memory `name`.
@@ -492,14 +496,20 @@ std::set<std::string> faults_of_stages() {
   bench.until_safe();
   for (const std::string& memory : memories_of_stages<Build>(machine.model())) {
     CAPTURE(Build::kProfile, Build::kCompete, memory);
-    bench.send_scene();
-    // The second place of a band is compared late in the frame, or in the next one.
-    const unsigned times = memory.find("patches_") != memory.npos ? 600 : 200;
-    for (unsigned i = 0; i < times; ++i) {
-      machine.simulation().run(101);
-      bench.flip(memory);
+    // Not every frame has a second place in each band to compare.
+    const int frames = memory.find("patches_") != memory.npos ? 16 : 1;
+    bool found = false;
+    std::string others;
+    for (int frame = 0; frame < frames && !found; ++frame) {
+      bench.send_scene();
+      for (unsigned i = 0; i < 200; ++i) {
+        machine.simulation().run(101);
+        bench.flip(memory);
+      }
+      found = bench.next_has("internal", others);
     }
-    bench.expect("internal");
+    CAPTURE(others);
+    CHECK(found);
     bench.mend(memory);
     bool still = true;
     for (int frame = 0; still && frame < 3; ++frame) {

@@ -506,9 +506,9 @@ inline constexpr Field kLeftBlind{11, 1};
 /// The left image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
 /// less than a quarter of its contrast.
 inline constexpr Field kLeftUnsharp{12, 1};
-/// The rows of the left image are of two moments in turn: each is more like the row above the last one than like the
-/// last one. An interlaced image of what moves, a transfer that mixes frames, or an image of a camera with colour
-/// filters that was not converted.
+/// The rows of the left image do not belong together. They are of two moments in turn (an interlaced image of what
+/// moves, a transfer that mixes frames, an image of a camera with colour filters that was not converted), or rows or
+/// pairs of rows lie aside (lines without sync).
 inline constexpr Field kLeftTorn{13, 1};
 /// A line of the right camera ended early; the whole row counts as missing.
 inline constexpr Field kRightShortLine{16, 1};
@@ -540,9 +540,9 @@ inline constexpr Field kRightBlind{27, 1};
 /// The right image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
 /// less than a quarter of its contrast.
 inline constexpr Field kRightUnsharp{28, 1};
-/// The rows of the right image are of two moments in turn: each is more like the row above the last one than like the
-/// last one. An interlaced image of what moves, a transfer that mixes frames, or an image of a camera with colour
-/// filters that was not converted.
+/// The rows of the right image do not belong together. They are of two moments in turn (an interlaced image of what
+/// moves, a transfer that mixes frames, an image of a camera with colour filters that was not converted), or rows or
+/// pairs of rows lie aside (lines without sync).
 inline constexpr Field kRightTorn{29, 1};
 }  // namespace faults_cameras
 
@@ -676,9 +676,9 @@ inline constexpr Field kLeftBlind{11, 1};
 /// The left image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
 /// less than a quarter of its contrast.
 inline constexpr Field kLeftUnsharp{12, 1};
-/// The rows of the left image are of two moments in turn: each is more like the row above the last one than like the
-/// last one. An interlaced image of what moves, a transfer that mixes frames, or an image of a camera with colour
-/// filters that was not converted.
+/// The rows of the left image do not belong together. They are of two moments in turn (an interlaced image of what
+/// moves, a transfer that mixes frames, an image of a camera with colour filters that was not converted), or rows or
+/// pairs of rows lie aside (lines without sync).
 inline constexpr Field kLeftTorn{13, 1};
 /// A line of the right camera ended early; the whole row counts as missing.
 inline constexpr Field kRightShortLine{16, 1};
@@ -710,9 +710,9 @@ inline constexpr Field kRightBlind{27, 1};
 /// The right image is less sharp than the other one (its detail, in proportion to its contrast, is below 5/8), or has
 /// less than a quarter of its contrast.
 inline constexpr Field kRightUnsharp{28, 1};
-/// The rows of the right image are of two moments in turn: each is more like the row above the last one than like the
-/// last one. An interlaced image of what moves, a transfer that mixes frames, or an image of a camera with colour
-/// filters that was not converted.
+/// The rows of the right image do not belong together. They are of two moments in turn (an interlaced image of what
+/// moves, a transfer that mixes frames, an image of a camera with colour filters that was not converted), or rows or
+/// pairs of rows lie aside (lines without sync).
 inline constexpr Field kRightTorn{29, 1};
 }  // namespace frame_faults_cameras
 

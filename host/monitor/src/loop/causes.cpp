@@ -45,7 +45,7 @@ constexpr auto kRows = std::to_array<Row>({
     {"parity", true, "", kService},
     {"blind", true, "", kLens},
     {"unsharp", true, "", "Clean and focus the {camera} camera's lens, and look for fog, drops or tape before it."},
-    {"torn", true, "The rows of the {camera} image are of two moments.",
+    {"torn", true, "The rows of the {camera} image do not belong together.",
      "Let the {camera} camera take whole images (progressive, not interlaced), and look at what may mix two images: link, "
      "buffers, converter."},
     // Of the machine.
