@@ -163,6 +163,7 @@ class SceneBench final : public Bench<Build> {
       : SceneBench{profile, {28 * wide(profile), 13 * tall(profile), kLookahead, false, 8 * kTimeout}} {}
 
   FramePair scene() override { return {view(0, 0), view(2, 0)}; }
+  [[nodiscard]] unsigned cell_px() const { return wide_; }
   /// The scene displaced by so many cells.
   Image view(int across, int down) {
     Image image{this->machine.options().width, this->machine.options().height};
@@ -373,6 +374,22 @@ std::set<std::string> overflows() {
   return bench.raised;
 }
 
+/// With another table the right image is another one, and the left one is not: nothing has moved.
+template <class Build>
+void check_that_another_table_is_no_motion(SceneBench<Build>& bench) {
+  auto& machine = bench.machine;
+  const auto [width, height, cell] = std::tuple{machine.options().width, machine.options().height, bench.cell_px()};
+  machine.upload(1, 500,
+                 make_table(width, height, 4, 4, [=](double x, double y) { return std::pair{x + 2 * cell, y}; }));
+  bench.restart();
+  bench.until_safe();
+  machine.select(1);
+  for (int frame = 0; frame < 2; ++frame) {
+    bench.send_scene();
+    CHECK_FALSE(machine.receive().fault_names().contains("out_of_step"));
+  }
+}
+
 /// What only a scene tells: whether both cameras see it, and from where.
 template <class Build>
 std::set<std::string> faults_of_scenes() {
@@ -402,6 +419,7 @@ std::set<std::string> faults_of_scenes() {
     machine.send(pair);
   });
   bench.raise("out_of_step", [&] { machine.send({bench.view(0, 0), bench.view(4, 0)}); });
+  check_that_another_table_is_no_motion(bench);
   bench.raise("moved", [&] { machine.send({bench.view(0, 0), bench.view(2, -1)}); });
   bench.raise("hidden", [&] {
     for (int frame = 0; frame < 3; ++frame) machine.send({bench.view(0, 0), bench.view(-2, 0)});
