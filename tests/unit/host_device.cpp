@@ -52,6 +52,15 @@ Image textured(int width, int height, unsigned seed) {
   return image;
 }
 
+/// Each pixel a block of so many px.
+Image enlarged(const Image& small, int block_px) {
+  Image image(small.width * block_px, small.height * block_px);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) image.at(x, y) = small.at(x / block_px, y / block_px);
+  }
+  return image;
+}
+
 /// The right image whose pixel (x + dx, y + dy) is the left pixel (x, y).
 Image moved(const Image& left, int dx, int dy) {
   Image right = textured(left.width, left.height, 999);
@@ -420,11 +429,7 @@ TEST_CASE("The first pair is shown until it is proven, a live one once; what has
 TEST_CASE("Something large on the skin is overlooked where the rule is blind, and an alarm where it is not") {
   const MachineProfile& profile = find_profile("vga");
   constexpr int kW = 320, kH = 240, kCoarse_px = 5, kFrames = 40;
-  const Image small = textured(kW / kCoarse_px, kH / kCoarse_px, 1);
-  Image left(kW, kH);
-  for (int y = 0; y < kH; ++y) {
-    for (int x = 0; x < kW; ++x) left.at(x, y) = small.at(x / kCoarse_px, y / kCoarse_px);
-  }
+  const Image left = enlarged(textured(kW / kCoarse_px, kH / kCoarse_px, 1), kCoarse_px);
   SkinFile skin;
   skin.path = "skin";
   skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -6, 0, 1, 0, 0, 0, 1});
@@ -447,6 +452,29 @@ TEST_CASE("Something large on the skin is overlooked where the rule is blind, an
   CHECK(at_once == blind);
   CHECK(alarm == !blind);
   CHECK(faults.has(Fault::overlooked) == blind);
+}
+
+TEST_CASE("What changes in one image alone is out of step; with another table the right image is another one") {
+  const MachineProfile& profile = find_profile("vga");
+  constexpr int kW = 320, kH = 240, kCell_px = 8;
+  const Image left = enlarged(textured(kW / kCell_px, kH / kCell_px, 1), kCell_px);
+  Settings settings;
+  settings.still_limit = settings.frozen_limit = 0;
+  Monitor monitor(make_native_device(profile), profile, settings);
+  monitor.start(kW, kH, 8);
+  monitor.upload(0, shift_table(profile, kW, kH, -6, 0));
+  monitor.upload(1, shift_table(profile, kW, kH, -6 - 2 * kCell_px, 0));
+  monitor.select(0);
+  const auto is_out_of_step = [&](int shift_px) {
+    return monitor.process(left, moved(left, shift_px, 0)).faults.has(Fault::out_of_step);
+  };
+  for (int frame = 0; frame < 3; ++frame) CHECK_FALSE(is_out_of_step(-6));
+  SECTION("one camera alone") { CHECK(is_out_of_step(-6 + 2 * kCell_px)); }
+  SECTION("another table") {
+    monitor.select(1);
+    for (int frame = 0; frame < 2; ++frame) CHECK_FALSE(is_out_of_step(-6));
+    CHECK(is_out_of_step(-6 - 2 * kCell_px));
+  }
 }
 
 TEST_CASE("What has texture along the rows alone cannot be proven, and is shown sixty times") {
