@@ -182,7 +182,9 @@ TEST_CASE("What is taught by a frame with a fault or an alarm is forgotten") {
       cv::Mat seen = grey(right + noise(seed + 1, 0, 1)), left = grey(wall + noise(seed, 0, 1));
       if (pair == spoiled && covered) seen = grey(noise(seed + 1, 30, 1));
       if (pair == spoiled && !covered) {  // somebody in the skin, 15 px of disparity
-        left(cv::Rect(115, 60, 140, 120)).copyTo(seen(cv::Rect(100, 60, 140, 120)));
+        const cv::Mat person = left(cv::Rect(150, 20, 140, 120)).clone();
+        person.copyTo(left(cv::Rect(115, 60, 140, 120)));
+        person.copyTo(seen(cv::Rect(100, 60, 140, 120)));
       }
       with(box, left, seen, kPlane);
       for (const auto& [side, image] : {std::pair{"left", left}, {"right", seen}}) {
