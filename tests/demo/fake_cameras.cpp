@@ -39,6 +39,7 @@ namespace {
 constexpr gint64 kPicture_us = 3'000'000;
 constexpr guint64 kFirst = 65'000, kLast = 65'535;  // of GigE Vision, which has no 0
 constexpr double kMs_ns = 1e6;
+constexpr const char* kLostShare = "gvsp-lost-ratio";  // a property of the fake camera
 
 struct Unref {
   void operator()(ArvGvFakeCamera* camera) const { g_object_unref(camera); }
@@ -58,7 +59,10 @@ class Camera {
 
   void on(const std::string& serial) {
     off();
-    camera_.reset(arv_gv_fake_camera_new(address_.c_str(), serial.c_str()));
+    // It sends nothing before `fill` allows it: not its own test picture.
+    camera_.reset(
+        static_cast<ArvGvFakeCamera*>(g_object_new(ARV_TYPE_GV_FAKE_CAMERA, "interface-name", address_.c_str(),
+                                                   "serial-number", serial.c_str(), kLostShare, 1.0, nullptr)));
     if (arv_gv_fake_camera_is_running(camera_.get()) == FALSE) {
       throw horopter::UsageError(fmt::format(
           "no camera at {0}: add the address, `ip address add {0}/8 dev lo`; the ports of GigE Vision must be free",
@@ -70,9 +74,12 @@ class Camera {
     });
     arv_fake_camera_set_fill_pattern(arv_gv_fake_camera_get_fake_camera(camera_.get()), &Camera::fill, this);
   }
-  /// Its thread may still ask for an image while it goes.
+  /// Its thread may still ask for an image while it goes. That one is not sent.
   void off() {
-    set([&] { running_ = nullptr; });
+    set([&] {
+      if (running_ != nullptr) g_object_set(running_, kLostShare, 1.0, nullptr);
+      running_ = nullptr;
+    });
     camera_.reset();
   }
   ~Camera() { off(); }
@@ -137,7 +144,7 @@ class Camera {
     const bool held = held_ > 0;
     if (held) --held_;
     if (!held) next_ = after(next_, 1);
-    g_object_set(running_, "gvsp-lost-ratio", held ? 1.0 : lost_share_, nullptr);
+    g_object_set(running_, kLostShare, held ? 1.0 : lost_share_, nullptr);
     const auto late = std::chrono::duration<double, std::milli>(late_ms_);
     lock.unlock();
     std::this_thread::sleep_for(late);
