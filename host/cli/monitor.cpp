@@ -99,7 +99,7 @@ monitor::Machine make_machine(const monitor::Cell& cell, const std::optional<cal
   object.given = cell.object_px || cell.object_mm;
   object.px = cell.object_px.value_or(object.px);
   object.mm = cell.object_mm;
-  set_object(object, skin, rig, *profile, width, height, settings);
+  object = set_object(object, skin, rig, *profile, width, height, settings);
   check_alarm_frames(skin, rig, *profile, width, height, cell.frames_per_s * profile->fields_per_image(), settings);
   auto compiled =
       std::make_shared<const MapSet>(load_or_compile_maps(skin, rig, *profile, width, height, settings.decision));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <variant>
 
 #include "horopter/base/error.hpp"
 #include "horopter/map/map.hpp"
@@ -20,6 +21,7 @@ namespace horopter::cli {
 namespace {
 
 constexpr double kLargest_px = 1000, kSmallest_mm = 5, kLargest_mm = 2000;
+constexpr double kUsual_mm = 40;  ///< a hand or an arm: what the usual limit is to find
 
 /// With the smallest windows that there are.
 double smallest_of_all_px() {
@@ -46,74 +48,95 @@ void parse(const std::string& text, ObjectOption& option) {
   (in_mm ? option.mm.emplace() : option.px) = value;
 }
 
-/// Along the axis of symmetry, as plan_thickness says it, by a table alone: its rig is in it.
-double farthest_mm_of_table(const std::string& skin, const MapSet& maps, const CameraPair& cameras) {
+/// Of a body on the skin, where that is farthest away, and where it is nearest.
+struct PxPerMm {
+  double farthest = 0, nearest = 0;
+};
+using InMm = std::variant<PxPerMm, FileError>;  ///< or why its mm are not known
+
+PxPerMm px_per_mm(const CameraPair& cameras, double farthest_mm, double nearest_mm) {
+  const double f_px = std::min(cameras.left().model.fx_px(), cameras.left().model.fy_px());
+  return {f_px / farthest_mm, f_px / nearest_mm};
+}
+
+/// Distances along the axis of symmetry, as plan_thickness says them, by a table alone: its rig is in it.
+InMm of_table(const std::string& skin) {
   constexpr int kStep_px = 8;
+  const MapSet maps = load_maps(skin);
+  if (maps.rig.empty()) {
+    return FileError(skin, "", "--object in mm: a table that was made without a rig knows no mm",
+                     "one that was made with --rig, or --object in px");
+  }
+  const CameraPair cameras = first_pair(calib::rig_from_yaml(maps.rig, skin), skin);
   const StereoAxis axis(cameras);
-  double farthest_mm = 0;
+  double farthest_mm = 0, nearest_mm = std::numeric_limits<double>::infinity();
   for (const CompiledMap& map : maps.maps) {
     const SkinPlaces places(map.table, cameras);
     const ScanGeometry& geometry = map.table.geometry();
     for (int y = 0; y < geometry.height; y += kStep_px) {
       for (int x = 0; x < geometry.width / map.table.facts().subsample; x += kStep_px) {
-        if (const auto place = places.exactly_at(x, y)) {
-          farthest_mm = std::max(farthest_mm, (place->at_mm - axis.middle_mm).dot(axis.direction));
-        }
+        const auto place = places.exactly_at(x, y);
+        if (!place) continue;
+        const double mm = (place->at_mm - axis.middle_mm).dot(axis.direction);
+        farthest_mm = std::max(farthest_mm, mm);
+        nearest_mm = std::min(nearest_mm, mm);
       }
     }
   }
-  if (!(farthest_mm > 0))
-    throw FileError(skin, "", "--object in mm: nothing of the skin is supervised", "a larger skin");
-  return farthest_mm;
+  if (!(farthest_mm > 0)) {
+    return FileError(skin, "", "--object in mm: nothing of the skin is supervised", "a larger skin");
+  }
+  return px_per_mm(cameras, farthest_mm, nearest_mm);
 }
 
-/// px across of a body of so many mm, where the skin is farthest away.
-double px_where_farthest(double mm, const std::string& skin, const std::optional<calib::Rig>& rig,
-                         const MachineProfile& profile, int image_width, int image_height) {
-  const auto px = [&](const CameraPair& cameras, double distance_mm) {
-    return std::min(cameras.left().model.fx_px(), cameras.left().model.fy_px()) * mm / distance_mm;
-  };
-  if (is_table(skin)) {
-    const MapSet maps = load_maps(skin);
-    if (maps.rig.empty()) {
-      throw FileError(skin, "", "--object in mm: a table that was made without a rig knows no mm",
-                      "one that was made with --rig, or --object in px");
-    }
-    const CameraPair cameras = first_pair(calib::rig_from_yaml(maps.rig, skin), skin);
-    return px(cameras, farthest_mm_of_table(skin, maps, cameras));
-  }
+InMm in_mm(const std::string& skin, const std::optional<calib::Rig>& rig, const MachineProfile& profile,
+           int image_width, int image_height) {
+  if (is_table(skin)) return of_table(skin);
   SkinFile file;
   if (!is_moving_skin(skin)) file = load_skin_for(skin, rig, image_width, image_height);
   const auto* in_space = dynamic_cast<const RigSkin*>(file.skin.get());
   if (in_space == nullptr) {
-    throw FileError(skin, "",
-                    file.skin ? fmt::format("--object in mm: a {} knows no mm", file.skin->type())
-                              : std::string("--object in mm: this skin moves, and its distance changes"),
-                    "a surface in the rig's world that does not move, or --object in px");
+    return FileError(skin, "",
+                     file.skin ? fmt::format("--object in mm: a {} knows no mm", file.skin->type())
+                               : std::string("--object in mm: this skin moves, and its distance changes"),
+                     "a surface in the rig's world that does not move, or --object in px");
   }
   const ScanGeometry geometry = scans_of(profile, image_width, image_height).front();
   try {
     constexpr double kAny_px = 1;  // only the distance is asked for
     const ThicknessPlan plan = plan_thickness(in_space->cameras(), *in_space->surface(), profile, geometry, kAny_px);
-    if (plan.supervised == 0) throw UsageError("--object in mm: nothing of the skin is supervised");
-    return px(in_space->cameras(), plan.distance.largest);
+    if (plan.supervised > 0) {
+      return px_per_mm(in_space->cameras(), plan.distance.largest, plan.distance.smallest);
+    }
+    return FileError(skin, "", "--object in mm: nothing of the skin is supervised", "a larger skin");
   } catch (const std::invalid_argument& error) {
-    throw UsageError(fmt::format("--object: {}", error.what()));
+    return FileError(skin, "", fmt::format("--object in mm: {}", error.what()), "a skin in front of both cameras");
   }
 }
 
-/// The same, as large as an object can be. Throws UsageError.
-double object_px_of(double mm, const std::string& skin, const std::optional<calib::Rig>& rig,
-                    const MachineProfile& profile, int image_width, int image_height) {
-  const double object_px = px_where_farthest(mm, skin, rig, profile, image_width, image_height);
-  const double smallest_px = smallest_object_px(profile);
-  if (!(object_px >= smallest_px)) {
+/// What windows and majority leave something certain of, in whole mm.
+double smallest_mm(const PxPerMm& px, const MachineProfile& profile) {
+  return std::ceil(smallest_object_px(profile) / px.farthest);
+}
+
+/// A body of option.mm. Throws UsageError where an object cannot be as small.
+void set_body(const ObjectOption& option, const PxPerMm& px, const MachineProfile& profile, Settings& settings) {
+  settings.object_mm = *option.mm;
+  settings.object_px = *option.mm * px.farthest;
+  if (const double smallest_px = smallest_object_px(profile); !(settings.object_px >= smallest_px)) {
     throw UsageError(
         fmt::format("{:g} mm are {:.1f} px where the skin is farthest away; the smallest that windows and "
                     "majority leave anything certain of is {:g} px, {:.0f} mm here",
-                    mm, object_px, smallest_px, std::ceil(mm * smallest_px / object_px)));
+                    *option.mm, settings.object_px, smallest_px, smallest_mm(px, profile)));
   }
-  return object_px;
+}
+
+/// Where nothing was asked for and the skin knows mm: kUsual_mm, or the smallest body that can be found wherever it is. It
+/// stays px where these are less of a body, or where such a body does not fit into the image.
+void set_usual_body(ObjectOption& option, const PxPerMm& px, const MachineProfile& profile, int side_px) {
+  const double mm = std::max(kUsual_mm, smallest_mm(px, profile));
+  if ((mm > kUsual_mm && mm * px.nearest > option.px) || mm * px.farthest > side_px) return;
+  option.mm = mm;
 }
 
 }  // namespace
@@ -125,14 +148,22 @@ void add_object(CLI::App& command, ObjectOption& option) {
           "Alarm for an object on the skin this large across, at once: px of the left image, or mm with a rig; 0: only "
           "--alarm-limit counts")
       ->type_name("SIZE")
-      ->default_str(fmt::format("{:g}px", option.px));
+      ->default_str(fmt::format("{:g}mm with a rig, or the smallest it can find; else {:g}px", kUsual_mm, option.px));
 }
 
-void set_object(const ObjectOption& option, const std::string& skin, const std::optional<calib::Rig>& rig,
-                const MachineProfile& profile, int image_width, int image_height, Settings& settings) {
+ObjectOption set_object(const ObjectOption& asked, const std::string& skin, const std::optional<calib::Rig>& rig,
+                        const MachineProfile& profile, int image_width, int image_height, Settings& settings) {
+  ObjectOption option = asked;
+  const int side_px = std::min(image_width, image_height);
   settings.object_px = option.px;
-  settings.object_mm = option.mm.value_or(0);
-  if (option.mm) settings.object_px = object_px_of(*option.mm, skin, rig, profile, image_width, image_height);
+  settings.object_mm = 0;
+  if (option.mm || !option.given) {
+    const InMm found = in_mm(skin, rig, profile, image_width, image_height);
+    const auto* px = std::get_if<PxPerMm>(&found);
+    if (option.mm && px == nullptr) throw std::get<FileError>(found);
+    if (px != nullptr && !option.given) set_usual_body(option, *px, profile, side_px);
+    if (option.mm) set_body(option, *px, profile, settings);
+  }
   if (const double smallest_px = smallest_object_px(profile);
       settings.object_px != 0 && settings.object_px < smallest_px) {
     throw UsageError(
@@ -140,12 +171,12 @@ void set_object(const ObjectOption& option, const std::string& skin, const std::
                     "the smallest is {:g} px",
                     settings.object_px, profile.name, smallest_px));
   }
-  const int side_px = std::min(image_width, image_height);
   if (option.given && settings.object_px > side_px) {
     throw UsageError(
         fmt::format("an object of {:.0f} px across does not fit into an image of {}x{}: none would be an alarm",
                     settings.object_px, image_width, image_height));
   }
+  return option;
 }
 
 std::int64_t check_object_limit(const ObjectOption& option, const std::string& skin,
@@ -169,7 +200,10 @@ std::int64_t check_object_limit(const ObjectOption& option, const std::string& s
 std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile,
                         std::int64_t judgeable_pixels) {
   if (settings.object_px <= 0) return "none is an alarm by itself";
-  const std::string mm = option.mm ? fmt::format("{:g} mm, ", *option.mm) : "";
+  std::string mm = option.mm ? fmt::format("{:g} mm, ", *option.mm) : "";
+  if (option.mm && !option.given && *option.mm > kUsual_mm) {
+    mm = fmt::format("{:g} mm, for {:g} mm are too few px, ", *option.mm, kUsual_mm);
+  }
   const std::int64_t limit = object_limit(settings, profile);
   std::string text = fmt::format("{}{:.0f} px across, {} pixels of the result", mm, settings.object_px, limit);
   if (const double area_mm2 = object_area_limit_mm2(settings); area_mm2 > 0) {

@@ -20,16 +20,18 @@ namespace horopter::cli {
 struct ObjectOption {
   double px = Settings().object_px;
   std::optional<double> mm;
-  bool given = false;  ///< else the default, which is for every image
+  bool given = false;  ///< else the usual one: set_object() says which
 };
 
 void add_object(CLI::App& command, ObjectOption& option);
 
-/// Sets settings.object_px and object_mm. A body of so many mm has the fewest px where the skin is farthest away. Throws FileError for mm
-/// of a skin without a surface in a rig's world, of one that moves, or of a table without a rig; UsageError for less than
-/// an object can be, or more than fits into the image.
-void set_object(const ObjectOption& option, const std::string& skin, const std::optional<calib::Rig>& rig,
-                const MachineProfile& profile, int image_width, int image_height, Settings& settings);
+/// Sets settings.object_px and object_mm. A body of so many mm has the fewest px where the skin is farthest away. Where
+/// nothing was asked for and the skin knows mm, it is 40 mm, or the smallest body that can be found. Returns what holds. Throws
+/// FileError where mm were asked for, of a skin without a surface in a rig's world, of one that moves, or of a table
+/// without a rig; UsageError for less than an object can be, or more than fits into the image.
+[[nodiscard]] ObjectOption set_object(const ObjectOption& asked, const std::string& skin,
+                                      const std::optional<calib::Rig>& rig, const MachineProfile& profile,
+                                      int image_width, int image_height, Settings& settings);
 
 /// The pixels of the result that the rule can judge, in the table with the fewest. Throws FileError where an object was
 /// asked for that takes more: none would be an alarm. Where a table knows no areas, settings.object_mm becomes 0: pixels

@@ -60,6 +60,7 @@ struct PlannedCapability {
   const MachineProfile& profile;
   ScanGeometry geometry;
   Settings settings;
+  ObjectOption object;  ///< that is an alarm
   double d95_px;
   ThicknessPlan thickness;
   Crossing crossing;
@@ -92,7 +93,8 @@ PlannedCapability plan(const CapabilityOptions& options) {
   const ViewLimits view = view_limits(profile, options.settings.decision);
   Settings settings = options.settings;
   set_thickness(options.thickness, *skin, profile, geometry, settings);
-  set_object(options.object, options.skin, rig, profile, left.width_px, left.height_px, settings);
+  const ObjectOption object =
+      set_object(options.object, options.skin, rig, profile, left.width_px, left.height_px, settings);
   if (settings.object_px <= 0) throw UsageError("--object 0: no body is an alarm by itself; expected a size");
   const double tolerance_px = d95_px(settings);
   Timing timing = options.timing.timing(profile, settings.decision, geometry.height);
@@ -111,15 +113,11 @@ PlannedCapability plan(const CapabilityOptions& options) {
                           .images = settings.alarm_frames.needed,
                           .object_limit_mm2 = half_disc_mm2(settings)};
   CapabilityPlan capability = plan_capability(thickness, profile, crossing);
-  return {profile,
-          geometry,
-          settings,
-          tolerance_px,
-          std::move(thickness),
-          crossing,
-          std::move(capability),
-          timing,
-          options.timing.stopping_ms * 1e-3};
+  return {profile,      geometry,
+          settings,     object,
+          tolerance_px, std::move(thickness),
+          crossing,     std::move(capability),
+          timing,       options.timing.stopping_ms * 1e-3};
 }
 
 /// A size; null where none is.
@@ -130,7 +128,7 @@ void print_found(const CapabilityOptions& options, const PlannedCapability& plan
   const CapabilityPlan& found = plan.capability;
   fmt::print("profile    {}, rule {}, {:g} images a second, disparity tolerance (D95) {:.2f} px of the result\n",
              plan.profile.name, name_of(plan.settings.decision), plan.timing.images_per_s, plan.d95_px);
-  fmt::print("object     {}\n", object_text(options.object, plan.settings, plan.profile));
+  fmt::print("object     {}\n", object_text(plan.object, plan.settings, plan.profile));
   if (found.supervised == 0) return;
   fmt::print("skin       {:.1f} to {:.1f} mm thick, {:.1f} mm in the mean\n", plan.thickness.across.smallest,
              plan.thickness.across.largest, plan.thickness.across.mean);

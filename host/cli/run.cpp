@@ -74,7 +74,7 @@ struct Session {
     settings.interlock.by_itself = true;  // nobody stands beside a run
     settings.blind.watch = options.teach != 0;
     thickness = set_thickness(options.thickness, options.skin, rig, *profile, width, height, settings);
-    set_object(options.object, options.skin, rig, *profile, width, height, settings);
+    object = set_object(options.object, options.skin, rig, *profile, width, height, settings);
     check_alarm_frames(options.skin, rig, *profile, width, height, options.results_per_s, settings);
     if (is_moving_skin(options.skin)) {
       begin_moving(options, rig, width, height);
@@ -84,7 +84,7 @@ struct Session {
     std::vector<const MapTable*> tables;
     for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
-    judgeable_pixels = check_object_limit(options.object, options.skin, tables, *profile, settings);
+    judgeable_pixels = check_object_limit(object, options.skin, tables, *profile, settings);
     has_rig = !maps.rig.empty();
     follower = std::make_unique<ObjectFollower>(*profile, tables, maps.rig);
     results_per_s = options.results_per_s;
@@ -113,7 +113,7 @@ struct Session {
     std::vector<const MapTable*> tables;
     for (const MovingStep& step : compiled.steps) tables.push_back(&step.map.table);
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
-    judgeable_pixels = check_object_limit(options.object, options.skin, tables, *profile, settings);
+    judgeable_pixels = check_object_limit(object, options.skin, tables, *profile, settings);
     warn_of_proof(options.skin, tables, *profile, compiled.lookahead, settings, compiled.rig);
     moving = std::make_unique<MovingSupervisor>(make_picture_device(options.engine, *profile), *profile,
                                                 std::move(compiled), settings);
@@ -123,6 +123,7 @@ struct Session {
   }
 
   const MachineProfile* profile = nullptr;
+  ObjectOption object;  ///< that is an alarm
   Settings settings;
   std::optional<ChosenThickness> thickness;
   bool has_rig = true;
@@ -251,11 +252,14 @@ ExitStatus run(const RunOptions& options) {
                        {"in_mm", session.follower->in_mm()}};
   const double area_limit_mm2 = object_area_limit_mm2(session.settings);
   summary["object"]["limit"] = area_limit_mm2 > 0 ? "area" : "pixels";
-  if (area_limit_mm2 > 0) summary["object"]["area_mm2"] = area_limit_mm2;
+  if (area_limit_mm2 > 0) {
+    summary["object"]["mm"] = session.settings.object_mm;
+    summary["object"]["area_mm2"] = area_limit_mm2;
+  }
   if (session.results_per_s) summary["frame_rate_per_s"] = *session.results_per_s;
   if (!options.json) {
     fmt::print("object: {}{}\n",
-               object_text(options.object, session.settings, *session.profile, session.judgeable_pixels),
+               object_text(session.object, session.settings, *session.profile, session.judgeable_pixels),
                session.follower->in_mm() ? "" : "; without a rig nothing is known in mm");
   }
   if (session.thickness) {

@@ -111,9 +111,10 @@ std::vector<StereoPairFiles> read_pair_list(const std::string& path) {
     }
     const auto factor = [&](std::size_t index) {
       if (index >= fields.size()) return 1.0;
+      const std::string& field = fields[index];
       char* end = nullptr;
-      const double value = std::strtod(fields[index].c_str(), &end);
-      if (*end != '\0' || !std::isfinite(value) || value <= 0) {
+      const double value = std::strtod(field.c_str(), &end);
+      if (end != field.c_str() + field.size() || !std::isfinite(value) || value <= 0) {  // not at a byte 0
         throw FileError(path, place, fmt::format("'{}'", fields[index]), expected);
       }
       return value;

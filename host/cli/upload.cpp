@@ -134,12 +134,13 @@ ExitStatus upload(const UploadOptions& options) {
   check_rule(build, options.settings.decision);
   const MapSet maps = maps_for(options, wanted, build);
   Settings settings = options.settings;
-  set_object(options.object, options.file(), wanted.rig, *build.profile, maps.image_width, maps.image_height, settings);
+  const ObjectOption object = set_object(options.object, options.file(), wanted.rig, *build.profile, maps.image_width,
+                                         maps.image_height, settings);
   check_alarm_frames(options.file(), wanted.rig, *build.profile, maps.image_width, maps.image_height,
                      options.results_per_s, settings);
   std::vector<const MapTable*> tables;
   for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
-  check_object_limit(options.object, options.file(), tables, *build.profile, settings);
+  check_object_limit(object, options.file(), tables, *build.profile, settings);
   const LoadReport report = load(*device, build, maps, settings, options.stop_first);
   if (options.json) {
     std::puts(json_text(report_json(options, build, report)).c_str());

@@ -29,6 +29,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "horopter/base/error.hpp"
@@ -50,11 +51,11 @@ class Camera {
   Camera(std::string address, const char* pattern) : address_(std::move(address)) {
     glob_t found{};
     if (::glob(pattern, 0, nullptr, &found) == 0) {
-      for (std::size_t i = 0; i < found.gl_pathc; ++i) pictures_.push_back(horopter::load_image(found.gl_pathv[i]));
+      for (std::size_t i = 0; i < found.gl_pathc; ++i) own_.push_back(horopter::load_image(found.gl_pathv[i]));
     }
     ::globfree(&found);
-    if (pictures_.empty()) throw horopter::FileError(pattern, "", "no picture", "a pattern of pictures");
-    fmt::print("gev:{}: {} pictures of {}\n", address_, pictures_.size(), pattern);
+    if (own_.empty()) throw horopter::FileError(pattern, "", "no picture", "a pattern of pictures");
+    fmt::print("gev:{}: {} pictures of {}\n", address_, own_.size(), pattern);
   }
 
   void on(const std::string& serial) {
@@ -85,14 +86,17 @@ class Camera {
   ~Camera() { off(); }
   Camera(const Camera&) = delete;
   Camera& operator=(const Camera&) = delete;
-  [[nodiscard]] std::size_t pictures() const { return pictures_.size(); }
-  void swap(Camera& other) {
-    const std::scoped_lock lock(mutex_, other.mutex_);
-    pictures_.swap(other.pictures_);
-  }
+  [[nodiscard]] std::size_t pictures() const { return own_.size(); }
 
-  void show(int picture) {
-    set([&] { shown_ = picture; });
+  // What is shown changes with the first image of a later frame time than `from_us`: so both change with the same one.
+  void show(int picture, gint64 from_us) {
+    set([&] { change({shown_.of, picture}, from_us); });
+  }
+  void swap(Camera& other, gint64 from_us) {
+    const std::scoped_lock lock(mutex_, other.mutex_);
+    const std::vector<horopter::Image>* const mine = shown_.of;
+    change({other.shown_.of, shown_.picture}, from_us);
+    other.change({mine, other.shown_.picture}, from_us);
   }
   void late(double ms) {
     set([&] { late_ms_ = ms; });
@@ -114,10 +118,19 @@ class Camera {
   }
 
  private:
+  struct Shown {
+    const std::vector<horopter::Image>* of;
+    int picture = -1;  ///< by the clock
+  };
+
   template <class Change>
   void set(const Change& change) {
     const std::lock_guard lock(mutex_);
     change();
+  }
+  void change(const Shown& shown, gint64 from_us) {
+    before_ = std::exchange(shown_, shown);
+    from_us_ = from_us;
   }
 
   /// Called by the fake camera's thread for each image, at a whole frame time of the clock or later.
@@ -133,7 +146,9 @@ class Camera {
                                   ARV_FAKE_CAMERA_REGISTER_ACQUISITION_FRAME_PERIOD_US, &period_us);
     const gint64 now_us = g_get_real_time();
     const gint64 taken_us = now_us - now_us % std::max<gint64>(period_us, 1);
-    put(buffer, pictures_[static_cast<std::size_t>(shown_ >= 0 ? shown_ : taken_us / kPicture_us) % pictures_.size()]);
+    const Shown& shown = taken_us > from_us_ ? shown_ : before_;
+    put(buffer, (*shown.of)[static_cast<std::size_t>(shown.picture >= 0 ? shown.picture : taken_us / kPicture_us) %
+                            shown.of->size()]);
     const double off_ns = kMs_ns * (late_ms_ + ahead_ms_);
     arv_buffer_set_timestamp(buffer, static_cast<guint64>(1000 * taken_us + static_cast<gint64>(off_ns)));
     // A computer that is too slow for a frame time leaves an image out, and its number.
@@ -164,8 +179,9 @@ class Camera {
 
   std::string address_;
   std::mutex mutex_;  ///< what follows, but the last one
-  std::vector<horopter::Image> pictures_;
-  int shown_ = -1;  ///< by the clock
+  std::vector<horopter::Image> own_;
+  Shown shown_{&own_}, before_ = shown_;
+  gint64 from_us_ = 0;  ///< what is taken later is shown_
   double late_ms_ = 0, ahead_ms_ = 0, lost_share_ = 0;
   int held_ = 0;
   guint64 next_ = kFirst;
@@ -181,9 +197,10 @@ void obey(Cameras& cameras, const std::string& line) {
   std::string what, of;
   double value = 0;
   words >> what >> of;
-  if (what == "swap") return cameras[0].swap(cameras[1]);
+  const gint64 now_us = g_get_real_time();
+  if (what == "swap") return cameras[0].swap(cameras[1], now_us);
   if (what == "show") {
-    for (Camera& camera : cameras) camera.show(of == "clock" ? -1 : std::stoi(of));
+    for (Camera& camera : cameras) camera.show(of == "clock" ? -1 : std::stoi(of), now_us);
     return;
   }
   if (of != "left" && of != "right") throw horopter::UsageError(line + ": expected left or right");

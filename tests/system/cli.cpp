@@ -280,6 +280,50 @@ TEST_CASE("--object in mm is that of the skin's file by its table alone; a table
             .status == 2);
 }
 
+TEST_CASE("Where nothing is asked for, a body of 40 mm is an alarm, or the smallest that can be found; px without mm") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("rig.yaml", rig_text());
+  const auto usual = [&](const std::string& skin, const std::vector<std::string>& more = {"--rig", "rig.yaml"}) {
+    const auto result =
+        box.run(run_arguments("left0.png", "right0.png", skin) + more + std::vector<std::string>{"--json"});
+    CAPTURE(skin, result.err);
+    REQUIRE((result.status == 0 || result.status == 4));
+    return nlohmann::json::parse(result.out)["object"];
+  };
+  const auto plane = [&](const std::string& name, int mm) {
+    box.write(name + ".yaml",
+              "surface: {type: plane, point_mm: [0, 0, " + std::to_string(mm) + "], normal: [0, 0, -1]}\n");
+    REQUIRE(box.run({"map", "--skin", name + ".yaml", "--rig", "rig.yaml", "--profile", "vga", "-o", name + ".hmap"})
+                .status == 0);
+  };
+  plane("near", 300);
+  CHECK(usual("near.yaml")["mm"] == 40);
+  CHECK(usual("near.hmap", {})["mm"] == 40);
+  CHECK(usual("near.yaml")["area_mm2"].get<double>() == Approx(M_PI / 8 * 40 * 40).margin(0.001));
+  // 16 px are the smallest that the rule's windows leave anything of.
+  plane("far", 1000);
+  const auto far = usual("far.yaml");
+  CHECK(far["px"].get<double>() == Approx(16).margin(0.2));
+  CHECK(far["mm"] == 80);
+  CHECK(usual("far.hmap", {})["mm"].get<double>() == Approx(80).margin(1));
+  // At 0.4 m and at 8 m: what is 16 px there is more than 100 px here.
+  box.write(
+      "deep.yaml",
+      "surface: {type: planes, polygons_mm: [[[-150, -80, 400], [-20, -80, 400], [-20, 80, 400], [-150, 80, 400]], "
+      "[[0, -2000, 8000], [3000, -2000, 8000], [3000, 2000, 8000], [0, 2000, 8000]]]}\n");
+  const auto deep = usual("deep.yaml");
+  CHECK(deep["px"] == 100);
+  CHECK(deep["limit"] == "pixels");
+  CHECK(usual("skin.yaml", {})["px"] == 100);
+  // The machine's limits are the same, whoever writes them.
+  const auto uploaded = box.run({"upload", "--engine", "native", "--map", "near.hmap", "--json"});
+  CAPTURE(uploaded.err);
+  REQUIRE(uploaded.status == 0);
+  const auto names = nlohmann::json::parse(uploaded.out)["changed"];
+  CHECK(std::ranges::find(names, "OBJECT_AREA_LIMIT") != names.end());
+}
+
 TEST_CASE("An object that is larger than the skin is refused where it was asked for, and said where it was not") {
   Sandbox box;
   with_pairs(box);
@@ -291,7 +335,9 @@ TEST_CASE("An object that is larger than the skin is refused where it was asked 
   const std::vector<std::string> small = run_arguments("left0.png", "right0.png", "small.yaml") +
                                          std::vector<std::string>{"--rig", "rig.yaml", "--alarm-limit", "1"};
   check_bad_file(box, small + std::vector<std::string>{"--object", "80px"}, "small.yaml", "no object can be an alarm");
-  const auto told = box.run(small);
+  // The right image is moved so far that only 40 px of the left one's width have a partner. Nothing is known in mm.
+  box.write("moved.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -160], [0, 1, 0], [0, 0, 1]]\n");
+  const auto told = box.run(run_arguments("left0.png", "right0.png", "moved.yaml"));
   CAPTURE(told.err);
   CHECK((told.status == 0 || told.status == 4));
   CHECK_THAT(told.out, Catch::Contains("so only --alarm-limit counts"));

@@ -18,7 +18,7 @@ using namespace horopter::test;
 
 namespace {
 
-/// Of these four the third is an alarm.
+/// Of these four the third is an alarm, where an object is 100 px: the pattern repeats, and smaller ones are in most.
 const std::string kFiles = "  left: {source: 'files:" + kData + "left0[1-4].jpg', repeat: true}\n" +
                            "  right: {source: 'files:" + kData + "right0[1-4].jpg', repeat: true}\n";
 
@@ -53,7 +53,7 @@ json read_modbus(const Sandbox& box, int port, bool safe) {
 TEST_CASE("recorded pairs as live cameras: events in JSON, Modbus by pymodbus, and a good end") {
   const CellBox box;
   const int port = free_port();
-  box.cell(kFiles, "restart: by_itself\nlimits: {decision_ms: 30000}\noutputs: {modbus: {port: " +
+  box.cell(kFiles, "restart: by_itself\nlimits: {object: 100px, decision_ms: 30000}\noutputs: {modbus: {port: " +
                        std::to_string(port) + "}}\n");
   Running monitor = box.start();
   const json released = monitor.event("released");
@@ -94,9 +94,11 @@ TEST_CASE("the hardware in simulation judges live cameras, too") {
   std::map<std::string, json> objects;
   for (const std::string engine : {"native", "rtl"}) {
     CAPTURE(engine);
-    box.write("cell.yaml", "name: test\nengine: " + engine + "\ncameras:\n" + kFiles +
-                               "  frames_per_s: " + (engine == "rtl" ? "0.25" : "2") +
-                               "\nrig: rig.yaml\nskin: skin.yaml\nrestart: by_itself\nlimits: {decision_ms: 60000}\n");
+    box.write(
+        "cell.yaml",
+        "name: test\nengine: " + engine + "\ncameras:\n" + kFiles +
+            "  frames_per_s: " + (engine == "rtl" ? "0.25" : "2") +
+            "\nrig: rig.yaml\nskin: skin.yaml\nrestart: by_itself\nlimits: {object: 100px, decision_ms: 60000}\n");
     Running monitor = box.start();
     const json released = monitor.event("released");
     INFO(monitor.out() << monitor.err());
@@ -112,7 +114,7 @@ TEST_CASE("the hardware in simulation judges live cameras, too") {
 
 TEST_CASE("without a restart it is not safe, however good the images") {
   const CellBox box;
-  box.cell(kFiles, "limits: {decision_ms: 30000}\n");
+  box.cell(kFiles, "limits: {object: 100px, decision_ms: 30000}\n");
   Running monitor = box.start();
   const json possible = monitor.event("restart_possible");
   INFO(monitor.out() << monitor.err());
@@ -134,7 +136,7 @@ TEST_CASE("a restart from the page of a running monitor, and the log of the stop
   const int port = free_port();
   const std::string password = "correct horse";
   horopter::monitor::set_user(box / "users", "anna", horopter::monitor::Role::plant_operator, password);
-  box.cell(kFiles, "limits: {decision_ms: 30000}\nlog: {directory: log}\nweb: {listen: '127.0.0.1:" +
+  box.cell(kFiles, "limits: {object: 100px, decision_ms: 30000}\nlog: {directory: log}\nweb: {listen: '127.0.0.1:" +
                        std::to_string(port) + "', users_file: users, restart: true}\n");
   Running monitor = box.start();
   REQUIRE(monitor.event("restart_possible").is_object());
@@ -176,7 +178,7 @@ TEST_CASE("a restart from the page of a running monitor, and the log of the stop
 
 TEST_CASE("it ends after so many pairs") {
   const CellBox box;
-  box.cell(kFiles, "limits: {decision_ms: 30000}\n");
+  box.cell(kFiles, "limits: {object: 100px, decision_ms: 30000}\n");
   Running monitor = box.start({"--frames", "2"});
   CHECK(monitor.wait() == 0);
 }
@@ -184,9 +186,9 @@ TEST_CASE("it ends after so many pairs") {
 TEST_CASE("the same by GStreamer, until a camera is gone: named, and not safe") {
   const CellBox box;
   const int port = free_port();
-  box.cell(
-      gst_source("left", "loop=true") + gst_source("right", "loop=false"),
-      "restart: by_itself\nlimits: {decision_ms: 1500}\noutputs: {modbus: {port: " + std::to_string(port) + "}}\n");
+  box.cell(gst_source("left", "loop=true") + gst_source("right", "loop=false"),
+           "restart: by_itself\nlimits: {object: 100px, decision_ms: 1500}\noutputs: {modbus: {port: " +
+               std::to_string(port) + "}}\n");
   Running monitor = box.start();
   json lost;
   eventually([&] {
@@ -225,8 +227,9 @@ TEST_CASE("MQTT: a state that is kept, a last will, and a broker that goes is na
     return std::vector<std::string>{"mosquitto_sub", "-h", "127.0.0.1", "-p", port, "-u", "cell", "-P",
                                     "secret",        "-t", topic,       "-q", "1"};
   };
-  box.cell(kFiles, "restart: by_itself\nlimits: {decision_ms: 30000}\noutputs: {mqtt: {host: 127.0.0.1, port: " + port +
-                       ", topic: cells/3, user: cell, password_file: password}}\n");
+  box.cell(kFiles,
+           "restart: by_itself\nlimits: {object: 100px, decision_ms: 30000}\noutputs: {mqtt: {host: 127.0.0.1, port: " +
+               port + ", topic: cells/3, user: cell, password_file: password}}\n");
   const auto last_state = [](const Running& listener) {
     json last = json::object();
     std::istringstream lines(listener.out());
@@ -282,8 +285,10 @@ TEST_CASE("MQTT by TLS: both show their certificates; a broker of another name, 
     return Running(box, {"/usr/sbin/mosquitto", "-c", name + ".conf"}, name);
   };
   const auto cell = [&](const std::string& keys) {
-    box.cell(kFiles, "restart: by_itself\nlimits: {decision_ms: 30000}\noutputs: {mqtt: {host: localhost, port: " +
-                         port + keys + "}}\n");
+    box.cell(
+        kFiles,
+        "restart: by_itself\nlimits: {object: 100px, decision_ms: 30000}\noutputs: {mqtt: {host: localhost, port: " +
+            port + keys + "}}\n");
   };
   const std::string shown = ", certificate_file: cell.pem, key_file: cell.key";
   SECTION("good") {

@@ -97,7 +97,7 @@ class Live : public CellBox {
                            "  right: {source: 'gev:127.0.0.2', serial: RIGHT, " + features +
                            "  frames_per_s: " + number(images_per_s) +
                            "\n  stamps: camera\n  largest_skew_ms: 0.6\nrig: rig.yaml\nskin: skin.yaml\n"
-                           "limits: {decision_ms: " +
+                           "limits: {object: 100px, decision_ms: " +
                            number(decision_ms) +
                            ", still_scene: true, frozen_frames: 0, hidden_frames: 0}\n"
                            "outputs: {modbus: {port: 1502}, mqtt: {host: 127.0.0.1}}\n"

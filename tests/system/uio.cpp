@@ -42,12 +42,12 @@ TEST_CASE("uio: live cameras, judged by a machine that is somewhere") {
   REQUIRE(calibrated.status == 0);
   box.write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 300], normal: [0, 0, -1]}\n");
   UioMachine machine(box, horopter::make_native_device(horopter::find_profile("vga")));
-  const auto source = [&](const std::string& side) {  // of these four the third is an alarm
+  const auto source = [&](const std::string& side) {  // of these four the third is an alarm of 100 px
     return "  " + side + ": {source: 'files:" + (*folder / (side + "0[1-4].jpg")).string() + "', repeat: true}\n";
   };
   box.write("cell.yaml", "name: somewhere\nengine: '" + machine.engine() + "'\ncameras:\n" + source("left") +
                              source("right") + "  frames_per_s: 2\nrig: rig.yaml\nskin: skin.yaml\n" +
-                             "restart: by_itself\nlimits: {decision_ms: 30000}\n");
+                             "restart: by_itself\nlimits: {object: 100px, decision_ms: 30000}\n");
   const int pairs = 14;
   const auto run = machine.run({"monitor", "cell.yaml", "--json", "--frames", std::to_string(pairs)});
   INFO(run.out << run.err);

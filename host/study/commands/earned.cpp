@@ -152,11 +152,11 @@ std::vector<Scene> load_scenes(StudyReport& report, const StudyScope& scope) {
   return scenes;
 }
 
-/// The plane moved so far towards the cameras that it is seen `px` away in the right image; nothing where that is
-/// beyond what is infinitely far.
-std::optional<RigSkin> moved_skin(const Scene& scene, int px) {
+/// How far the plane moves away from the cameras to be seen `px` away in the right image, nearer where that is above 0;
+/// nothing where it is beyond what is infinitely far.
+std::optional<double> shift_of(const Scene& scene, int px) {
   const SkinPlane& plane = scene.plane;
-  if (px == 0) return plane.moved(0);
+  if (px == 0) return 0;
   const auto pixel = plane.cameras.left().project(plane.point_mm);
   if (!pixel) return {};
   const auto depth_mm_of = [&](const calib::Camera& camera) {
@@ -176,7 +176,28 @@ std::optional<RigSkin> moved_skin(const Scene& scene, int px) {
     const double middle = 0.5 * (near + far);
     (moved_px(middle) < std::abs(px) ? near : far) = middle;
   }
-  return plane.moved(far * depth_mm);
+  return far * depth_mm;
+}
+
+/// A square of the moved plane, of which the left camera sees so many px around the scene's point; all of it for 0.
+RigSkin skin_of(const Scene& scene, double shift_mm, int window_px) {
+  const SkinPlane& plane = scene.plane;
+  if (window_px == 0) return plane.moved(shift_mm);
+  const calib::Camera& left = plane.cameras.left();
+  const Vector3d point_mm = plane.point_mm + shift_mm * plane.normal, centre_mm = left.world_to_camera.centre();
+  const auto middle = left.project(plane.point_mm);
+  if (!middle) throw UsageError(fmt::format("--window: {} does not show the middle of its skin", scene.name));
+  const double half = 0.5 * window_px;
+  const std::vector<Point> corners{{middle->x() - half, middle->y() - half},
+                                   {middle->x() + half, middle->y() - half},
+                                   {middle->x() + half, middle->y() + half},
+                                   {middle->x() - half, middle->y() + half}};
+  Polygon polygon;
+  for (const Vector3d& direction : plane.cameras.rays(corners).directions) {
+    const Vector3d ray = left.world_to_camera.rotation.transpose() * direction;
+    polygon.emplace_back(centre_mm + ray * ((point_mm - centre_mm).dot(plane.normal) / ray.dot(plane.normal)));
+  }
+  return {plane.cameras, make_polygons({polygon}), "square"};
 }
 
 cv::Mat sources_of(const RigSkin& skin, const Image& image) {
@@ -203,15 +224,15 @@ struct Watched {
   cv::Mat sheet;
 };
 
-std::optional<Watched> watch(const Scene& scene, int skin_px) {
-  const auto skin = moved_skin(scene, skin_px);
-  const auto sheet = moved_skin(scene, skin_px + kSheet_px);
+std::optional<Watched> watch(const Scene& scene, int skin_px, int window_px) {
+  const auto shift_mm = shift_of(scene, skin_px);
+  const auto sheet_mm = shift_of(scene, skin_px + kSheet_px);
   const MachineProfile* const profile = smallest_profile(scene.left.width, scene.left.height);
-  if (!skin || !sheet || profile == nullptr) return {};
-  Watched result{scene, *profile, skin_px, {}, sources_of(*sheet, scene.left)};
+  if (!shift_mm || !sheet_mm || profile == nullptr) return {};
+  Watched result{scene, *profile, skin_px, {}, sources_of(skin_of(scene, *sheet_mm, 0), scene.left)};
   for (std::size_t d = 0; d < kDecisions.size(); ++d) {
     SkinFile file;
-    file.skin = std::make_unique<RigSkin>(*skin);
+    file.skin = std::make_unique<RigSkin>(skin_of(scene, *shift_mm, window_px));
     file.path = fmt::format("the skin of {}, {:+} px", scene.name, skin_px);
     file.rig = calib::to_yaml(scene.rig);
     result.maps[d] =
@@ -289,6 +310,7 @@ void supervise(Run& run, const StudyScope& scope, const Disturbed& disturbed, st
   Settings settings;
   settings.decision = run.decision;
   settings.still_limit = 0;  // the scene stands still
+  if (scope.window_px > 0) settings.object_px = std::min(settings.object_px, 0.5 * scope.window_px);
   const auto machine = [&](const Settings& of) {
     return Supervisor(make_device(scope.engine, profile), profile, maps, of);
   };
@@ -317,13 +339,13 @@ void run_both(std::span<Run> runs, const StudyScope& scope, const Scene& other, 
   for (Run& run : runs) supervise(run, scope, disturbed, seed);
 }
 
-std::vector<Watched> watch_all(StudyReport& report, std::span<const Scene> scenes) {
+std::vector<Watched> watch_all(StudyReport& report, std::span<const Scene> scenes, int window_px) {
   std::vector<std::optional<Watched>> found(scenes.size() * kSkins_px.size());
   Progress progress("tables for skin");
   study::parallel_for(
       found.size(),
       [&](std::size_t i) {
-        if (auto one = watch(scenes[i / kSkins_px.size()], kSkins_px[i % kSkins_px.size()]))
+        if (auto one = watch(scenes[i / kSkins_px.size()], kSkins_px[i % kSkins_px.size()], window_px))
           found[i].emplace(std::move(*one));
       },
       [&](std::size_t done) { progress.show(done, found.size()); });
@@ -531,7 +553,7 @@ void study_earned(StudyReport& report, const StudyScope& scope) {
   if (of_sets)
     std::erase_if(what, [&](const Disturbance& one) { return !one.harmless || (scope.quick && one.name != kAsItIs); });
   const std::vector<Watched> watched =
-      watch_all(report, std::span(scenes).first(scope.quick && !of_sets ? 1 : scenes.size()));
+      watch_all(report, std::span(scenes).first(scope.quick && !of_sets ? 1 : scenes.size()), scope.window_px);
   const std::vector<Run> runs = run_all(scope, scenes, watched, what);
   std::vector<std::pair<std::string, std::vector<const Run*>>> tables;  // in the order of their first runs
   int disturbed = 0;

@@ -91,6 +91,11 @@ void add_earned_options(CLI::App& command, StudyScope& scope) {
                   "Public sets of pairs instead, undisturbed: what share of what is clear stays clear. Directory with "
                   "middlebury/ and stereo/2006.txt, 2014.txt, views.txt; a set that is not there is skipped")
       ->type_name("DIR");
+  command
+      .add_option("--window", scope.window_px,
+                  "A small skin: a square of so many px of the left image, around the middle of the board")
+      ->check(CLI::Range(16, 1000))
+      ->type_name("PX");
   command.add_flag("--harder", scope.harder,
                    "Other disturbances: of a part of an image, coarse or bent images. Not all of them are found");
   command.add_option("--frames", scope.frames, "Of each pair, with fresh noise")

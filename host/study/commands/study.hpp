@@ -32,6 +32,7 @@ struct StudyScope {
   int frames = 2;           ///< of each pair, or disturbance
   int crossings = 1;        ///< of each body, surface and speed
   bool less_light = false;  ///< taught machines are taught for less light, too
+  int window_px = 0;        ///< of the left image, that a skin covers; 0: all of it
   bool harder = false;      ///< disturbances of a part of an image, and others that are harder to tell
   bool hands = false;       ///< only bodies of 40 mm, before machines that were taught
   std::string engine = "native";
