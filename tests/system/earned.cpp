@@ -104,8 +104,9 @@ bool prepare(Sandbox& box, const std::string& skin = "whole") {
 
 nlohmann::json run(const Sandbox& box, const std::string& left, const std::string& right, const std::string& decision) {
   const auto result =
-      box.run_proven({"run", "--left", left, "--right", right, "--skin", "skin.yaml", "--rig", "rig.yaml", "--profile",
-                      "vga", "--decision", decision, "--alarm-limit", "3", "--out", "out", "--json"});
+      box.run_proven({"run",   "--left",        left,        "--right", right,        "--skin", "skin.yaml",
+                      "--rig", "rig.yaml",      "--profile", "vga",     "--decision", decision, "--object",
+                      "100px", "--alarm-limit", "3",         "--out",   "out",        "--json"});
   CAPTURE(result.err);
   REQUIRE((result.status == 0 || result.status == 4));
   return nlohmann::json::parse(result.out)["frames"][0];

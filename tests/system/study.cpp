@@ -237,6 +237,24 @@ TEST_CASE("study earned: every disturbance of a board has its line, and none of 
   CHECK(std::ranges::count(rows, ',') % std::ranges::count(rows, '\n') == 0);
 }
 
+TEST_CASE("study earned --window: nothing that is an alarm on a small skin is safe when a camera is spoiled") {
+  if (!opencv_images() || std::getenv("HOROPTER_LONG") == nullptr) return;  // it takes half a minute
+  Sandbox box;
+  const std::string data = opencv_images()->string();
+  box.write("pair.txt", "aloe " + data + "/aloeL.jpg " + data + "/aloeR.jpg " + data + "/aloeGT.png 1 0.25\n");
+  const auto result =
+      box.run({"study", "earned", "--list", "pair.txt", "--window", "96", "--frames", "1", "--out", "small", "--json"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  const json missed = json::parse(result.out)["missed"];
+  REQUIRE(missed.size() == 2);
+  for (const json& rule : missed) {
+    CAPTURE(rule.dump());
+    CHECK(rule["runs"] == 85);
+    CHECK(rule["safe"] == 0);
+  }
+}
+
 TEST_CASE("study late: cameras in step are safe while a large thing moves; with one a frame late none is") {
   Sandbox box;
   const auto result = box.run({"study", "late", "--quick", "--out", "late", "--json"});

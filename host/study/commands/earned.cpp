@@ -144,9 +144,11 @@ std::vector<Scene> load_scenes(StudyReport& report, const StudyScope& scope) {
     for (const StereoPairFiles& files : read_pair_list(list)) scenes.push_back(pair_scene("list", files));
   }
   if (!scenes.empty()) return scenes;
-  scenes = board_scenes(scope);
+  const bool boards =
+      scope.window_px == 0;  // a small skin on one may have no table for `compete`: they are not rectified
+  if (boards) scenes = board_scenes(scope);
   const std::string data = scope.data + "/";
-  if (!scope.quick && std::filesystem::exists(data + "aloeL.jpg")) {
+  if ((!scope.quick || !boards) && std::filesystem::exists(data + "aloeL.jpg")) {
     scenes.push_back(pair_scene(kAloe, {kAloe, data + "aloeL.jpg", data + "aloeR.jpg", data + "aloeGT.png", 1, 0.5}));
   }
   return scenes;
@@ -544,6 +546,26 @@ void report_sets(StudyReport& report, const std::vector<Run>& runs) {
   }
 }
 
+/// Where the pair is an alarm as it is, something is in the skin: disturbed it must not be safe.
+void report_missed(StudyReport& report, std::span<const Run> runs) {
+  for (const Decision decision : kDecisions) {
+    const auto is_alarm = [&](const Watched* watched) {
+      return std::ranges::any_of(runs, [&](const Run& run) {
+        return run.watched == watched && run.decision == decision && run.disturbance->name == kAsItIs && run.last.alarm;
+      });
+    };
+    int disturbed = 0, safe = 0;
+    for (const Run& run : runs) {
+      if (run.decision != decision || run.disturbance->harmless || run.frames == 0 || !is_alarm(run.watched)) continue;
+      ++disturbed;
+      safe += run.last_safe() ? 1 : 0;
+    }
+    report.finding("{}: of {} disturbed runs of pairs that are an alarm as they are {} were safe at the end",
+                   name_of(decision), disturbed, safe);
+    report.result["missed"].push_back({{"decision", name_of(decision)}, {"runs", disturbed}, {"safe", safe}});
+  }
+}
+
 }  // namespace
 
 void study_earned(StudyReport& report, const StudyScope& scope) {
@@ -571,6 +593,7 @@ void study_earned(StudyReport& report, const StudyScope& scope) {
   }
   for (const auto& [title, of_table] : tables) report_table(report, title, of_table, what);
   if (of_sets) report_sets(report, runs);
+  if (!of_sets) report_missed(report, runs);
   report.finding("of {} disturbed runs {} were ever safe; of {} undisturbed ones {} had a false fault", disturbed, safe,
                  harmless, faulty);
   report.result["disturbed"] = disturbed;

@@ -93,7 +93,7 @@ void add_earned_options(CLI::App& command, StudyScope& scope) {
       ->type_name("DIR");
   command
       .add_option("--window", scope.window_px,
-                  "A small skin: a square of so many px of the left image, around the middle of the board")
+                  "Small skins: a square of so many px in the middle of the left image. Only of rectified pairs")
       ->check(CLI::Range(16, 1000))
       ->type_name("PX");
   command.add_flag("--harder", scope.harder,
