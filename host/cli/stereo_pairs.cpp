@@ -114,8 +114,10 @@ std::vector<StereoPairFiles> read_pair_list(const std::string& path) {
       const std::string& field = fields[index];
       char* end = nullptr;
       const double value = std::strtod(field.c_str(), &end);
-      if (end != field.c_str() + field.size() || !std::isfinite(value) || value <= 0) {  // not at a byte 0
-        throw FileError(path, place, fmt::format("'{}'", fields[index]), expected);
+      if (end != field.c_str() + field.size() || !std::isfinite(value) || value <= 0) {  // a byte 0 ends no number
+        std::string shown = field;
+        std::ranges::replace(shown, '\0', '?');
+        throw FileError(path, place, fmt::format("'{}'", shown), expected);
       }
       return value;
     };

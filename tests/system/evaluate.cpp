@@ -281,6 +281,9 @@ TEST_CASE("evaluate refuses what it cannot use") {
   check_bad_file(box, {"evaluate", "--list", "pairs.txt"}, "pairs.txt", "line 1");
   box.write("pairs.txt", "one left.png right.png truth.pgm eight\n");
   check_bad_file(box, {"evaluate", "--list", "pairs.txt"}, "pairs.txt", "'eight'");
+  box.write("pairs.txt",
+            std::string("teddy left.png right.png truth.png 8") + '\0' + " 1\n");  // a byte 0 ends no number
+  check_bad_file(box, {"evaluate", "--list", "pairs.txt"}, "pairs.txt", "line 1");
   box.write("pairs.txt", "# nothing\n");
   check_bad_file(box, {"evaluate", "--list", "pairs.txt"}, "pairs.txt", "no pair");
   cv::imwrite((box / "small.png").string(), cv::Mat(20, 30, CV_8UC1, cv::Scalar(8)));
