@@ -362,7 +362,8 @@ void add_plan_capability(CLI::App& plan, Outcome& outcome) {
       "many: host/src/plan/disc_table.def, made by test-discs), must reach the limit of --object. Cameras see the front of a\n"
       "body only; its back does not count. Thickness is that for D95 of the rule's setting. A px is as many mm as in its\n"
       "worst direction. The figures are for a body with texture, all of it before supervised skin, and a good frame.\n"
-      "Other surfaces, and light that changes, are measured: host/src/plan/walk_table.def, made by `horopter study walk`.\n"
+      "Other surfaces, and light that changes, are measured: host/src/plan/walk_table.def and\n"
+      "hands_table.def, made by `horopter study walk`.\n"
       "S = K T + C is ISO 13855:2010, for detection zones across the way of approach: d is the largest figure of the skin.\n"
       "Exit status 1: nothing of the skin is supervised, or so little that `map` refuses the cameras.\n\n"
       "Example: horopter plan capability --rig rig.yaml --skin skin.yaml --object 40mm --stopping-ms 120 --draw body.png");

@@ -135,6 +135,8 @@ TEST_CASE("plan capability: the smallest body, the response time and the distanc
   for (const json& row : arm["walked"]["found"]) {
     CHECK(row["crossings"].get<int>() > 0);
     CHECK(row["found"].get<int>() <= row["crossings"].get<int>());
+    // Machines that were taught have been walked many times with this object.
+    CHECK((row["crossings"].get<int>() >= 2500) == row["taught"].get<bool>());
     missed += row["found"].get<int>() < row["crossings"].get<int>() ? 1 : 0;
   }
   CHECK((missed > 0) == (arm.contains("warnings") && arm["warnings"].dump().find("study walk") != std::string::npos));

@@ -29,13 +29,25 @@ constexpr WalkSetup kSetup{
 #undef SETUP
 #undef WALK
 };
-constexpr auto kRods = std::to_array<Walked>({
+constexpr auto kRods = [] {
+  auto rods = std::to_array<Walked>({
 #define SETUP(...)
 #define WALK(rule, taught, what, limit_px, of, hits) {Decision::rule, taught, what, limit_px, of, hits},
 #include "walk_table.def"
-#undef WALK
 #undef LIGHT
-});
+  });
+  constexpr auto kHands = std::to_array<Walked>({
+#include "hands_table.def"
+#undef WALK
+  });
+  // Of the same conditions, the measurement with more crossings.
+  for (Walked& rod : rods) {
+    for (const Walked& hands : kHands) {
+      if (rod.conditions() == hands.conditions() && hands.of > rod.of) rod = hands;
+    }
+  }
+  return rods;
+}();
 constexpr auto kLights = std::to_array<Walked>({
 #define WALK(...)
 #define LIGHT(rule, taught, what, limit_px, of, hits) {Decision::rule, taught, what, limit_px, of, hits},

@@ -572,17 +572,24 @@ void plot_speeds(StudyReport& report, const Results& results) {
               4);
 }
 
-/// For `plan capability`.
+/// For `plan capability`: with `--hands` what it has more crossings of than the other table has.
 void write_table(StudyReport& report, const Results& results, const StudyScope& scope) {
   const double rod_px = 2 * std::sqrt(2 * static_cast<double>(results.walk.limits.back().pixels) / std::numbers::pi);
-  std::string text = fmt::format(
-      "// Written by `horopter study walk --crossings {} --frames {} --seed {}`.\n"
-      "// SETUP: the rods, mm and px of the result; their largest speed, m/s; images a second; thickness of the skin, mm,\n"
-      "// D50; frames in which they were to be found. WALK: rule, whether taught, coat, pixels of an object that is an alarm,\n"
-      "// crossings, and those in which the rod was found so. LIGHT: the same without a body: frames, false alarms.\n"
-      "SETUP({:g}, {:.0f}, {:g}, {:g}, {:.1f}, {})\n",
-      scope.crossings, scope.frames, scope.seed, kHand_mm, rod_px, kFastest_m_s, kImages_per_s,
-      results.walk.thickness_mm, kSoon);
+  std::string text =
+      fmt::format("// Written by `horopter study walk{} --crossings {}{} --seed {}`.\n", scope.hands ? " --hands" : "",
+                  scope.crossings, scope.hands ? "" : fmt::format(" --frames {}", scope.frames), scope.seed);
+  constexpr std::string_view kWalk =
+      "WALK: rule, whether taught, coat, pixels of an object that is an alarm,\n"
+      "// crossings, and those in which the rod was found so.";
+  if (scope.hands) {
+    text += fmt::format("// {}\n", kWalk);
+  } else {
+    text += fmt::format(
+        "// SETUP: the rods, mm and px of the result; their largest speed, m/s; images a second; thickness of the skin, mm,\n"
+        "// D50; frames in which they were to be found. {} LIGHT: the same without a body: frames, false alarms.\n"
+        "SETUP({:g}, {:.0f}, {:g}, {:g}, {:.1f}, {})\n",
+        kWalk, kHand_mm, rod_px, kFastest_m_s, kImages_per_s, results.walk.thickness_mm, kSoon);
+  }
   for (std::size_t v = 0; v < kVariants.size(); ++v) {
     if (!results.walk.judges(v)) continue;
     const std::string machine = fmt::format("{}, {}", name_of(kVariants[v].decision), kVariants[v].taught);
@@ -592,6 +599,7 @@ void write_table(StudyReport& report, const Results& results, const StudyScope& 
         text += fmt::format("WALK({}, \"{}\", {}, {}, {})\n", machine, study::name_of(coat),
                             results.walk.limits[k].pixels, found.of, found.soon);
       }
+      if (scope.hands) continue;
       for (std::size_t d = 0; d < results.lights.size(); ++d) {
         if (!results.lights[d].counts) continue;
         const Alarms& alarms = results.alarms[d][v];
@@ -600,7 +608,7 @@ void write_table(StudyReport& report, const Results& results, const StudyScope& 
       }
     }
   }
-  report.file("walk_table.def", text);
+  report.file(scope.hands ? "hands_table.def" : "walk_table.def", text);
 }
 
 /// Left images, to see what was walked.
@@ -696,7 +704,7 @@ void study_walk(StudyReport& report, const StudyScope& scope) {
   if (!scope.hands) report_alarms(report, results);
   table_crossings(report, results);
   plot_speeds(report, results);
-  if (!scope.hands && !scope.less_light) write_table(report, results, scope);
+  if (!scope.less_light) write_table(report, results, scope);
   draw_examples(report, walk, scope);
 }
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "horopter/machine/monitor.hpp"
@@ -59,7 +60,7 @@ struct CapabilityPlan {
 /// `plan`: with a thickness at which what lies in the skin is found (D95).
 CapabilityPlan plan_capability(const ThicknessPlan& plan, const MachineProfile& profile, const Crossing& crossing);
 
-/// What `horopter study walk` measured and wrote (walk_table.def).
+/// What `horopter study walk` measured and wrote (walk_table.def; with many crossings, by `--hands`, hands_table.def).
 struct Walked {
   Decision decision = Decision::thesis;
   bool taught = false;               ///< what went blind counted
@@ -67,6 +68,8 @@ struct Walked {
   std::int64_t object_limit_px = 0;  ///< pixels of the result that were an alarm
   std::int64_t of = 0;               ///< crossings, or frames
   std::int64_t hits = 0;             ///< crossings in which the rod was found in time, or false alarms
+
+  constexpr auto conditions() const { return std::tuple(decision, taught, what, object_limit_px); }
 };
 /// What crossed there.
 struct WalkSetup {
