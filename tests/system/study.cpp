@@ -359,13 +359,13 @@ TEST_CASE("study walk: which bodies are found, what fails first, and the same fo
     }
     CHECK(!fs::exists(box / folder / "walk_table.def"));
   }
-  // The same seed, the same crossings. Only the machines differ, and what was taught for one light is for the plan.
+  // The same seed, the same crossings, whatever the machines make of them. What was taught for one light is for the plan.
   const auto ways = [&](const std::string& folder) {
     std::vector<std::string> lines;
     std::istringstream file(box.read(folder + "/crossings.csv"));
     for (std::string line; std::getline(file, line);) {
       std::size_t end = 0;
-      for (int column = 0; column < 8; ++column) end = line.find(',', end) + 1;
+      for (int column = 0; column < 5; ++column) end = line.find(',', end) + 1;
       lines.push_back(line.substr(0, end));
     }
     return lines;
