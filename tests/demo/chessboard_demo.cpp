@@ -2,7 +2,7 @@
 // The whole path on real photographs: 13 pairs of a chessboard from opencv-doc. The corners of the board in both images
 // give the skin that lies on the board; it must be found there, and not on skins displaced by some disparity.
 //
-// One machine sees all frames: tables are uploaded while it runs and switched at every frame.
+// As many machines as there are processors share the pairs. Tables are uploaded while they run and switched at every frame.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,11 +12,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "cli/progress.hpp"
@@ -29,6 +31,7 @@
 #include "horopter/machine/report.hpp"
 #include "horopter/map/map.hpp"
 #include "horopter/map/map_compiler.hpp"
+#include "horopter/study/parallel.hpp"
 #include "study/commands/board_pixels.hpp"
 #ifdef HOROPTER_HAS_RTL
 #include "horopter/machine/rtl_device.hpp"
@@ -119,21 +122,60 @@ Pair load_pair(const Options& options, const std::string& number, const MachineP
   return pair;
 }
 
-/// A second engine that must see the same.
-class Twin {
- public:
-  Twin(const MachineProfile& profile, const Settings& settings)
-      : monitor_(make_device("native", profile), profile, settings) {}
-  Monitor& monitor() { return monitor_; }
-
- private:
-  Monitor monitor_;
-};
-
 struct Clocks {
   std::uint32_t cycles = 0;
   std::uint32_t latency = 0;
   std::uint32_t tail = 0;
+
+  void of(const auto& other) {
+    cycles = std::max(cycles, other.cycles);
+    latency = std::max(latency, other.latency);
+    tail = std::max(tail, other.tail);
+  }
+};
+
+/// What sees a share of the pairs: the engine, and where it is compared, the native one, which must see the same.
+class Machine {
+ public:
+  Machine(const Options& options, const MachineProfile& profile, const Settings& settings)
+      : monitor_(make_device(options.engine, profile), profile, settings) {
+    if (options.compare && options.engine != "native") {
+      twin_.emplace(make_device("native", profile), profile, settings);
+    }
+  }
+
+  void start(int width, int height, int lookahead) {
+    monitor_.start(width, height, lookahead);
+    if (twin_) twin_->start(width, height, lookahead);
+  }
+  FrameResult process(const Pair& pair, std::size_t skin) {
+    const int slot = frames_++ % kSlots;
+    FrameResult result = process(monitor_, slot, pair, skin);
+    if (twin_) different_ += process(*twin_, slot, pair, skin).states == result.states ? 0 : 1;
+    faults_ |= result.faults;
+    worst_.of(result);
+    return result;
+  }
+
+  [[nodiscard]] Device& device() { return monitor_.device(); }
+  [[nodiscard]] const Clocks& worst() const { return worst_; }
+  [[nodiscard]] const Faults& faults() const { return faults_; }
+  [[nodiscard]] int different() const { return different_; }
+  [[nodiscard]] bool compares() const { return twin_.has_value(); }
+
+ private:
+  static FrameResult process(Monitor& monitor, int slot, const Pair& pair, std::size_t skin) {
+    monitor.upload(slot, pair.maps[skin]->table);
+    monitor.select(slot);
+    return monitor.process(pair.left, pair.right);
+  }
+
+  Monitor monitor_;
+  std::optional<Monitor> twin_;
+  int frames_ = 0;
+  int different_ = 0;
+  Clocks worst_;
+  Faults faults_;
 };
 
 std::string yes(bool value) { return value ? "yes" : "no"; }
@@ -161,55 +203,54 @@ ExitStatus demonstrate(const Options& options) {
   OutputDirectory output(options.out, [](const std::string& name) { return name.starts_with("pair-"); });
   const int width = pairs.front().left.width;
   const int height = pairs.front().left.height;
-  std::vector<Monitor*> monitors;
   const Settings settings = options.settings.without_proof();  // the pairs are no sequence: each shows another scene
-  Monitor monitor(make_device(options.engine, profile), profile, settings);
-  monitors.push_back(&monitor);
-  std::optional<Twin> twin;
-  if (options.compare && options.engine != "native") monitors.push_back(&twin.emplace(profile, settings).monitor());
-  for (Monitor* m : monitors) m->start(width, height, lookahead);
+  std::vector<std::unique_ptr<Machine>> machines(
+      std::min<std::size_t>(pairs.size(), std::max(1U, std::thread::hardware_concurrency())));
+  for (auto& machine : machines) {
+    machine = std::make_unique<Machine>(options, profile, settings);
+    machine->start(width, height, lookahead);
+  }
+  Device& device = machines.front()->device();
 
   constexpr std::array<const char*, kSkins> kNames{"skin", "plus", "minus"};
-  Clocks worst;
-  Faults faults;
-  int different = 0;
-  int frame = 0;
+  std::size_t frames = 0;
   const auto begin = std::chrono::steady_clock::now();
-  std::chrono::duration<double> engine_time{};
   if (!options.json) {
-    fmt::print("{} pairs, engine {}, profile {}, tables uploaded and switched while the machine runs\n", pairs.size(),
-               monitor.device().engine(), profile.name);
+    fmt::print("{} pairs, engine {}, profile {}, tables uploaded and switched while {} machines run\n", pairs.size(),
+               device.engine(), profile.name, machines.size());
     std::fflush(stdout);
   }
   cli::Progress progress("frame");
-  // Skin by skin, so that no image comes twice in a row: that would be a frozen camera.
-  for (std::size_t skin = 0; skin < kSkins; ++skin) {
-    for (Pair& pair : pairs) {
-      progress.show(static_cast<std::size_t>(frame), pairs.size() * kSkins);
-      const int slot = frame++ % kSlots;
-      std::vector<FrameResult> results;
-      for (Monitor* m : monitors) {
-        const auto start = std::chrono::steady_clock::now();
-        m->upload(slot, pair.maps[skin]->table);
-        m->select(slot);
-        results.push_back(m->process(pair.left, pair.right));
-        if (m == monitors.front()) engine_time += std::chrono::steady_clock::now() - start;
+  std::mutex mutex;  // of the progress and the output
+  study::parallel_for(machines.size(), [&](std::size_t share) {
+    // Skin by skin, so that no image comes twice in a row: that would be a frozen camera.
+    for (std::size_t skin = 0; skin < kSkins; ++skin) {
+      for (std::size_t i = share; i < pairs.size(); i += machines.size()) {
+        Pair& pair = pairs[i];
+        const FrameResult result = machines[share]->process(pair, skin);
+        pair.found[skin] = {cli::count_board(pair.board, result.states), result.alarm};
+        const std::string base = fmt::format("pair-{}-{}", pair.name, kNames[skin]);
+        const std::vector<std::uint8_t> states = encode_png(state_picture(result.states));
+        const Picture overlay = draw_overlay(pair.left, result);
+        const std::vector<std::uint8_t> drawn = encode_png_bgr(overlay.width, overlay.height, overlay.bgr);
+        const std::lock_guard lock(mutex);
+        output.write(base + "-state.png", states);
+        output.write(base + "-overlay.png", drawn);
+        progress.show(++frames, pairs.size() * kSkins);
       }
-      const FrameResult& result = results.front();
-      for (const FrameResult& other : results) different += other.states == result.states ? 0 : 1;
-      pair.found[skin] = {cli::count_board(pair.board, result.states), result.alarm};
-      faults |= result.faults;
-      worst = {std::max(worst.cycles, result.cycles), std::max(worst.latency, result.latency),
-               std::max(worst.tail, result.tail)};
-      const std::string base = fmt::format("pair-{}-{}", pair.name, kNames[skin]);
-      output.write(base + "-state.png", encode_png(state_picture(result.states)));
-      const Picture overlay = draw_overlay(pair.left, result);
-      output.write(base + "-overlay.png", encode_png_bgr(overlay.width, overlay.height, overlay.bgr));
     }
-  }
+  });
   progress.clear();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   output.commit();
+  Clocks worst;
+  Faults faults;
+  int different = 0;
+  for (const auto& machine : machines) {
+    worst.of(machine->worst());
+    faults |= machine->faults();
+    different += machine->different();
+  }
 
   // Averages over the pairs.
   const auto count = static_cast<double>(pairs.size());
@@ -232,7 +273,7 @@ ExitStatus demonstrate(const Options& options) {
                       alarms == static_cast<int>(pairs.size()) && false_alarms <= kMostDisplacedAlarms &&
                       different == 0 && !faults.any();
 
-  nlohmann::ordered_json json{{"engine", monitor.device().engine()},
+  nlohmann::ordered_json json{{"engine", device.engine()},
                               {"profile", profile.name},
                               {"displacement_px", options.displacement_px},
                               {"pairs", nlohmann::ordered_json::array()},
@@ -243,8 +284,8 @@ ExitStatus demonstrate(const Options& options) {
                               {"displaced_alarms", false_alarms},
                               {"faults", faults.names()},
                               {"passed", passed}};
-  if (monitors.size() > 1) json["frames_different_from_native"] = different;
-  const bool clocks = monitor.device().counts_cycles();
+  if (machines.front()->compares()) json["frames_different_from_native"] = different;
+  const bool clocks = device.counts_cycles();
   const double clock_hz = 1000.0 * profile.clock_khz;
   // Frames follow each other at the rate of their rows and those that empty the windows; a row takes 4 clocks more than
   // it has pixels.
@@ -288,9 +329,9 @@ ExitStatus demonstrate(const Options& options) {
           "latency                {:.1f} lines from first pixel in to first state out, {:.1f} from last to last\n",
           static_cast<double>(worst.latency) / width, static_cast<double>(worst.tail) / width);
     }
-    fmt::print("speed here             {:.1f} frames per second, {:.1f} s in all\n", frame / engine_time.count(),
-               seconds.count());
-    if (monitors.size() > 1) {
+    fmt::print("speed here             {:.1f} frames per second, {:.1f} s in all\n",
+               static_cast<double>(frames) / seconds.count(), seconds.count());
+    if (machines.front()->compares()) {
       fmt::print("against engine native  {}\n",
                  different == 0 ? "all state pictures identical" : fmt::format("{} state pictures DIFFER", different));
     }
