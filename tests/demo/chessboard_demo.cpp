@@ -2,7 +2,7 @@
 // The whole path on real photographs: 13 pairs of a chessboard from opencv-doc. The corners of the board in both images
 // give the skin that lies on the board; it must be found there, and not on skins displaced by some disparity.
 //
-// As many machines as there are processors share the pairs. Tables are uploaded while they run and switched at every frame.
+// A machine for each processor, while there are pairs enough, has its share of them. Tables are uploaded while they run and switched at every frame.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -178,6 +178,14 @@ class Machine {
   Faults faults_;
 };
 
+/// Each has a few pairs: an image that comes again and again, or in turn with one other, is a frozen camera.
+constexpr std::size_t machines_for(std::size_t pairs, std::size_t processors) {
+  constexpr std::size_t kFewestPairs = 4;
+  return std::max<std::size_t>(1, std::min(processors, pairs / kFewestPairs));
+}
+static_assert(machines_for(13, 64) == 3 && machines_for(13, 2) == 2 && machines_for(3, 8) == 1);
+static_assert(machines_for(13, 0) == 1);  // not known
+
 std::string yes(bool value) { return value ? "yes" : "no"; }
 
 ExitStatus demonstrate(const Options& options) {
@@ -204,8 +212,7 @@ ExitStatus demonstrate(const Options& options) {
   const int width = pairs.front().left.width;
   const int height = pairs.front().left.height;
   const Settings settings = options.settings.without_proof();  // the pairs are no sequence: each shows another scene
-  std::vector<std::unique_ptr<Machine>> machines(
-      std::min<std::size_t>(pairs.size(), std::max(1U, std::thread::hardware_concurrency())));
+  std::vector<std::unique_ptr<Machine>> machines(machines_for(pairs.size(), std::thread::hardware_concurrency()));
   for (auto& machine : machines) {
     machine = std::make_unique<Machine>(options, profile, settings);
     machine->start(width, height, lookahead);
@@ -216,8 +223,8 @@ ExitStatus demonstrate(const Options& options) {
   std::size_t frames = 0;
   const auto begin = std::chrono::steady_clock::now();
   if (!options.json) {
-    fmt::print("{} pairs, engine {}, profile {}, tables uploaded and switched while {} machines run\n", pairs.size(),
-               device.engine(), profile.name, machines.size());
+    fmt::print("{} pairs, engine {}, profile {}, {} at a time, tables uploaded and switched while the machine runs\n",
+               pairs.size(), device.engine(), profile.name, machines.size());
     std::fflush(stdout);
   }
   cli::Progress progress("frame");
@@ -364,7 +371,7 @@ int run(int argc, char** argv) {
   app.add_option("--threshold", options.settings.threshold_percent, "As for `horopter run`")->capture_default_str();
   app.add_option("--texture", options.settings.texture, "As for `horopter run`")->capture_default_str();
   app.add_option("--alarm-limit", options.settings.alarm_percent, "As for `horopter run`")->capture_default_str();
-  app.add_option("--pairs", options.pairs, "Only this many pairs");
+  app.add_option("--pairs", options.pairs, "Only this many pairs, 2 or more")->check(CLI::Range(2, 14));
   app.add_flag("!--no-compare", options.compare, "Do not compare with the native engine");
   app.add_flag("--json", options.json, "The result as JSON on standard output, and nothing else");
   app.footer("Exit status: 0 all as promised, 1 not, 2 wrong usage, 3 bad file, 4 fault of the engine.");
