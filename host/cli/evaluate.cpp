@@ -68,7 +68,7 @@ struct PairResult {
   std::array<MethodResult, kMethodNames.size()> methods;
 };
 
-const MachineProfile& profile_for(const EvaluateOptions& options, const StereoPair& pair) {
+const MachineProfile& profile_for_images(const EvaluateOptions& options, const StereoPair& pair) {
   const MachineProfile* profile =
       options.profile.empty() ? smallest_profile(pair.left.width, pair.left.height) : &find_profile(options.profile);
   if (profile == nullptr) {
@@ -121,7 +121,7 @@ json rule_parameters(const EvaluateOptions& options, const MachineProfile& profi
 
 MethodResult run_horopter(const EvaluateOptions& options, const StereoPair& pair, const GroundTruth& truth,
                           const std::vector<double>& disparities, const Image& right, int runs) {
-  const MachineProfile& profile = profile_for(options, pair);
+  const MachineProfile& profile = profile_for_images(options, pair);
   MethodResult result;
   result.parameters = rule_parameters(options, profile);
   result.seconds = std::numeric_limits<double>::infinity();

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+#include "starter.hpp"
+
 namespace horopter::test {
 
 namespace fs = std::filesystem;
@@ -69,21 +71,17 @@ class Sandbox {
   /// Most images of these tests are no scenes by which clear could be earned: `run` is told so (earned.cpp tests it).
   Result run(std::vector<std::string> arguments) const {
     if (!arguments.empty() && arguments[0] == "run") arguments.emplace_back("--unproven");
-    return start(HOROPTER_PROGRAM, arguments);
+    return run_proven(std::move(arguments));
   }
-  Result run_proven(const std::vector<std::string>& arguments) const { return start(HOROPTER_PROGRAM, arguments); }
+  Result run_proven(std::vector<std::string> arguments) const {
+    static thread_local const Starter starter;
+    arguments.insert(arguments.begin(), HOROPTER_PROGRAM);
+    return result_of(starter.run(path_.string(), out(), err(), arguments), arguments);
+  }
   /// Runs a script of the shell there, which finds the program as `horopter`.
   Result run_shell(const std::string& script) const {
     const std::string folder = fs::path(HOROPTER_PROGRAM).parent_path().string();
-    return start("/bin/sh", {"-c", "PATH='" + folder + "':$PATH\n" + script});
-  }
-
- private:
-  Result start(const std::string& program, std::vector<std::string> arguments) const {
-    // Beside the sandbox, of which the files are compared.
-    const std::string out = (own_ / "out").string();
-    const std::string err = (own_ / "err").string();
-    arguments.insert(arguments.begin(), program);
+    std::vector<std::string> arguments{"/bin/sh", "-c", "PATH='" + folder + "':$PATH\n" + script};
     std::vector<char*> argv;
     argv.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -91,11 +89,11 @@ class Sandbox {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&actions, 1, out().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&actions, 2, err().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addchdir_np(&actions, path_.c_str());
     pid_t child = 0;
-    const int spawned = ::posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
+    const int spawned = ::posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     CAPTURE(arguments);
     INFO("starting it: " << std::strerror(spawned));
@@ -105,7 +103,18 @@ class Sandbox {
     while ((ended = ::waitpid(child, &status, 0)) < 0 && errno == EINTR) {
     }
     REQUIRE(ended == child);
-    Result result{-1, read_text(out), read_text(err)};
+    return result_of(status, arguments);
+  }
+
+ private:
+  // Beside the sandbox, of which the files are compared.
+  std::string out() const { return (own_ / "out").string(); }
+  std::string err() const { return (own_ / "err").string(); }
+
+  /// status: as waitpid gives it.
+  Result result_of(int status, const std::vector<std::string>& arguments) const {
+    Result result{-1, read_text(out()), read_text(err())};
+    CAPTURE(arguments);
     INFO("it was killed, by signal " << (WIFSIGNALED(status) ? WTERMSIG(status) : 0) << "; it said " << result.err);
     REQUIRE(WIFEXITED(status));
     result.status = WEXITSTATUS(status);
