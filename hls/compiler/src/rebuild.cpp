@@ -108,12 +108,32 @@ Assumptions::Assumptions(const Draft& draft) {
   for (const Ram& ram : draft.graph.rams) rams.emplace_back(ram.width);
 }
 
-Rebuild::Rebuild(const Draft& from, const Liveness& live, const Assumptions& assumptions)
-    : from_(from), live_(live), assumptions_(assumptions) {
+Rebuild::Rebuild(const Draft& from, const Liveness& live, const Assumptions& assumptions, Purpose purpose)
+    : from_(from), live_(live), assumptions_(assumptions), purpose_(purpose) {
   bits_.resize(from.graph.nodes.size());
+  sources_.resize(from.graph.nodes.size());
   dead_ = builder_.undefined(1, "a bit nobody uses (internal error)")[0];
   make_sources();
+  substitute();
   for (NodeId id = 1; id < from.graph.nodes.size(); ++id) make(id);
+}
+
+void Rebuild::again() {
+  const Graph& graph = from_.graph;
+  const std::vector<Bits> before = bits_;
+  substitute();
+  std::vector<bool> changed(graph.nodes.size());
+  for (NodeId id = 1; id < graph.nodes.size(); ++id) {
+    const Node& node = graph.nodes[id];
+    const bool anew = std::ranges::any_of(node.operands, [&](const Bits& operand) {
+      return std::ranges::any_of(operand, [&](Bit bit) { return changed[bit.node]; });
+    });
+    if (anew) {
+      bits_[id].clear();
+      make(id);
+    }
+    changed[id] = bits_[id] != before[id];
+  }
 }
 
 Bits Rebuild::map(const Bits& old) const {
@@ -134,26 +154,18 @@ void Rebuild::make_sources() {
       bits_[id] = builder_.source(node.op, node.port, node.width, node.name);
     }
   }
-  // A state or memory keeps the bits that are alive and not taken for something else.
+  // A state or memory keeps the bits that are alive and, in a result, not taken for something else.
   const auto keep = [&](Op op, std::uint32_t port, NodeId read, const std::string& name,
                         const std::vector<Substitute>& substitutes, std::vector<std::uint32_t>& kept) {
     if (read == 0) return;
     for (std::uint32_t i = 0; i < substitutes.size(); ++i) {
-      if (live_[read][i] && substitutes[i].kind == Substitute::Kind::kItself) kept.push_back(i);
+      const bool itself = purpose_ == Purpose::kTrial || substitutes[i].kind == Substitute::Kind::kItself;
+      if (live_[read][i] && itself) kept.push_back(i);
     }
-    bits_[read].assign(substitutes.size(), dead_);
+    sources_[read].assign(substitutes.size(), dead_);
     builder_.where = graph.nodes[read].where;
     const Bits made = kept.empty() ? Bits{} : builder_.source(op, port, static_cast<std::uint32_t>(kept.size()), name);
-    for (std::size_t i = 0; i < kept.size(); ++i) bits_[read][kept[i]] = made[i];
-  };
-  const auto substitute = [&](NodeId read, const std::vector<Substitute>& substitutes, const auto& read_of) {
-    if (read == 0) return;
-    for (std::size_t i = 0; i < substitutes.size(); ++i) {
-      const Substitute& as = substitutes[i];
-      if (as.kind == Substitute::Kind::kZero) bits_[read][i] = kZero;
-      if (as.kind == Substitute::Kind::kOne) bits_[read][i] = kOne;
-      if (as.kind == Substitute::Kind::kSame) bits_[read][i] = bits_[read_of(as.state)][as.bit];
-    }
+    for (std::size_t i = 0; i < kept.size(); ++i) sources_[read][kept[i]] = made[i];
   };
   kept_states_.resize(graph.states.size());
   kept_rams_.resize(graph.rams.size());
@@ -163,12 +175,26 @@ void Rebuild::make_sources() {
   for (std::uint32_t i = 0; i < graph.rams.size(); ++i) {
     keep(Op::kRamRead, i, graph.rams[i].read, graph.rams[i].name, assumptions_.rams[i], kept_rams_[i]);
   }
+}
+
+/// What states and memories are taken for.
+void Rebuild::substitute() {
+  const Graph& graph = from_.graph;
+  const auto take = [&](NodeId read, const std::vector<Substitute>& substitutes, const auto& read_of) {
+    if (read == 0) return;
+    bits_[read] = sources_[read];
+    for (std::size_t i = 0; i < substitutes.size(); ++i) {
+      const Substitute& as = substitutes[i];
+      if (as.kind == Substitute::Kind::kZero) bits_[read][i] = kZero;
+      if (as.kind == Substitute::Kind::kOne) bits_[read][i] = kOne;
+      if (as.kind == Substitute::Kind::kSame) bits_[read][i] = sources_[read_of(as.state)][as.bit];
+    }
+  };
   for (std::uint32_t i = 0; i < graph.states.size(); ++i) {
-    substitute(graph.states[i].read, assumptions_.states[i],
-               [&](std::uint32_t state) { return graph.states[state].read; });
+    take(graph.states[i].read, assumptions_.states[i], [&](std::uint32_t state) { return graph.states[state].read; });
   }
   for (std::uint32_t i = 0; i < graph.rams.size(); ++i) {
-    substitute(graph.rams[i].read, assumptions_.rams[i], [&](std::uint32_t) { return graph.rams[i].read; });
+    take(graph.rams[i].read, assumptions_.rams[i], [&](std::uint32_t) { return graph.rams[i].read; });
   }
 }
 

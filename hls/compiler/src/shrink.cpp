@@ -47,9 +47,9 @@ Assumptions constant_bits(const Draft& draft, const Liveness& live) {
   for (auto& bits : assumptions.rams) {
     for (Substitute& bit : bits) bit.kind = Kind::kZero;
   }
-  for (bool changed = true; changed;) {
+  Rebuild rebuilt(draft, live, assumptions, Rebuild::Purpose::kTrial);
+  for (bool changed = true; changed; rebuilt.again()) {
     changed = false;
-    const Rebuild rebuilt(draft, live, assumptions);
     const auto check = [&](Substitute& as, Bit next) {
       if (as.kind == Kind::kItself || rebuilt.map(next) == (as.kind == Kind::kOne ? kOne : kZero)) return;
       as.kind = Kind::kItself;
@@ -89,8 +89,9 @@ Assumptions equal_bits(const Draft& draft, const Liveness& live) {
       if (graph.rams[i].read != 0 && live[graph.rams[i].read][bit]) ram_classes.back().emplace_back(i, bit);
     }
   }
-  for (;;) {
-    Assumptions assumptions(draft);
+  Assumptions assumptions(draft);
+  const auto assume = [&] {
+    assumptions = Assumptions(draft);
     for (const auto& members : state_classes) {
       for (std::size_t k = 1; k < members.size(); ++k) {
         assumptions.states[members[k].first][members[k].second] = {Kind::kSame, members[0].first, members[0].second};
@@ -101,7 +102,10 @@ Assumptions equal_bits(const Draft& draft, const Liveness& live) {
         assumptions.rams[members[k].first][members[k].second] = {Kind::kSame, members[0].first, members[0].second};
       }
     }
-    const Rebuild rebuilt(draft, live, assumptions);
+  };
+  assume();
+  Rebuild rebuilt(draft, live, assumptions, Rebuild::Purpose::kTrial);
+  for (;;) {
     bool changed = false;
     const auto split = [&](std::vector<std::vector<Member>>& classes,
                            const std::function<Bit(const Member&)>& next_of) {
@@ -120,6 +124,8 @@ Assumptions equal_bits(const Draft& draft, const Liveness& live) {
     split(state_classes, [&](const Member& member) { return graph.states[member.first].next[member.second]; });
     split(ram_classes, [&](const Member& member) { return graph.rams[member.first].write_data[member.second]; });
     if (!changed) return assumptions;
+    assume();
+    rebuilt.again();
   }
 }
 
