@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every stage of the project, graph against class, on inputs without any order.
 #include <catch2/catch.hpp>
+#include <cstdlib>
 
 #include "twin.hpp"
 
@@ -14,7 +15,10 @@ TEST_CASE("the project's stages do what their native twins do", "[stages]") {
   const std::vector<Stage> stages{
 #include "stages/stage_list.def"
   };
+  // What this finds tb/stages finds, too, behind the schedule and the emitted text; here it is seen where it arises.
+  const bool all = std::getenv("HOROPTER_LONG") != nullptr;
   for (const auto& [name, class_name, rule] : stages) {
+    if (!all && name != "majority") continue;
     const std::string profile = rule == "compete" ? "vga" : "field";
     CAPTURE(name, profile);
     const hlsc::Options options = stage_options(
