@@ -94,6 +94,30 @@ TEST_CASE("states that are always equal become one", "[shrink]") {
   CHECK(graph.outputs[0].value == Builder::constant(0, 8));
 }
 
+TEST_CASE("along chains of states a bit that varies is followed to the end, and bits that differ", "[shrink]") {
+  Hand hand;
+  const Bits x = hand.input("x", 1), z = hand.input("z", 1), hold = hand.input("hold", 1), on = hand.input("on", 1);
+  constexpr int kLength = 40;
+  const auto chain = [&](const std::string& name, Bits before) {
+    for (int i = 0; i < kLength; ++i) {
+      const std::size_t number = hand.draft.graph.states.size();
+      const Bits link = hand.state(name + std::to_string(i), 1, 0);
+      hand.next(number, hand.builder.bit_xor(hand.builder.bit_and(hand.builder.mux(hold[0], link, before), on), link));
+      before = link;
+    }
+    hand.output(name, before);
+  };
+  chain("first", x);
+  chain("again", x);
+  chain("other", z);
+  chain("none", {kZero});
+  const Graph graph = hand.finish();
+  CHECK(graph.states.size() == 2 * kLength);
+  CHECK(graph.outputs[0].value == graph.outputs[1].value);
+  CHECK(graph.outputs[0].value != graph.outputs[2].value);
+  CHECK(graph.outputs[3].value == Bits{kZero});
+}
+
 TEST_CASE("what no output depends on is gone, ports stay", "[shrink]") {
   Hand hand;
   const Bits x = hand.input("x", 8), unused = hand.input("unused", 4), state = hand.state("dead", 8, 0),
