@@ -180,7 +180,7 @@ void Rebuild::make_sources() {
 /// What states and memories are taken for.
 void Rebuild::substitute() {
   const Graph& graph = from_.graph;
-  const auto take = [&](NodeId read, const std::vector<Substitute>& substitutes, const auto& read_of) {
+  const auto replace = [&](NodeId read, const std::vector<Substitute>& substitutes, const auto& read_of) {
     if (read == 0) return;
     bits_[read] = sources_[read];
     for (std::size_t i = 0; i < substitutes.size(); ++i) {
@@ -191,10 +191,11 @@ void Rebuild::substitute() {
     }
   };
   for (std::uint32_t i = 0; i < graph.states.size(); ++i) {
-    take(graph.states[i].read, assumptions_.states[i], [&](std::uint32_t state) { return graph.states[state].read; });
+    replace(graph.states[i].read, assumptions_.states[i],
+            [&](std::uint32_t state) { return graph.states[state].read; });
   }
   for (std::uint32_t i = 0; i < graph.rams.size(); ++i) {
-    take(graph.rams[i].read, assumptions_.rams[i], [&](std::uint32_t) { return graph.rams[i].read; });
+    replace(graph.rams[i].read, assumptions_.rams[i], [&](std::uint32_t) { return graph.rams[i].read; });
   }
 }
 
