@@ -35,6 +35,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#ifndef __HLSC__
+#include <span>
+#endif
 
 #include "horopter/hls/line_buffer.hpp"
 #include "stages/stream.hpp"
@@ -52,6 +56,7 @@ class CameraHealth {
   static constexpr int pair_pixels = 100;
   static constexpr int along_weight = 2;
   static constexpr int down_weight = 5;
+  static constexpr std::uint32_t polynomial = 0xEDB88320U;
 
  public:
   using Count = u<bits_for(WIDTH* HEIGHT)>;
@@ -80,10 +85,39 @@ class CameraHealth {
     u<32> signature;
   };
 
+#ifndef __HLSC__
+  static constexpr int pixels_before = 2 * ACROSS;  // of a row: pass() needs them
+  /// Takes pixels of a row that follow each other, neither the first ones (pixels_before) nor the last, several at once:
+  /// like step() with each. Those of the row before `pixels` stand in memory before them.
+  void pass(std::span<const std::uint8_t> pixels, const Config& config) {
+    sign(pixels);
+    measure_levels(pixels, config);
+    constexpr int step = 1 << step_log2;
+    const auto x = static_cast<int>(x_.value());
+    const auto count = static_cast<int>(pixels.size());
+    const auto place = [&](int offset) { return pixels.data() + offset; };
+    // The first of the columns of a phase, from here on.
+    const auto first_of = [&](int wanted) { return (wanted - x) & (step - 1); };
+    for (int i = first_of(step - 1); i < count; i += step) {
+      Alike like{};
+      above_.begin_step();
+      compare_down(u<8>(*place(i)), u<8>(*place(i - 2 * ACROSS)), u<column_bits>((x + i) >> step_log2), rows_, like);
+      add(like, false, y_);
+    }
+    for (int i = first_of(static_cast<int>(phase(y_ * lit<5>()).value())); i < count; i += step) {
+      Alike like{};
+      like.along = likeness(u<8>(*place(i)), u<8>(*place(i - ACROSS)), u<8>(*place(i - 2 * ACROSS)));
+      add(like, false, y_);
+    }
+    for (int k = 0; k < 2 * ACROSS; ++k) left_[static_cast<std::size_t>(k)] = u<8>(*place(count - 1 - k));
+    x_ = X(x + count);
+  }
+#endif
+
   Out step(const In& in, const Config& config) {
     if (in.first) [[unlikely]]
       signature_ = u<32>(0);
-    signature_ = shr<1>(signature_) ^ (signature_.bit(0) ? u<32>(0xEDB88320U) : u<32>(0)) ^ in.pixel;
+    signature_ = shr<1>(signature_) ^ (signature_.bit(0) ? u<32>(polynomial) : u<32>(0)) ^ in.pixel;
     if (in.first || in.pixel < darkest_) darkest_ = in.pixel;
     if (in.first || in.pixel > brightest_) brightest_ = in.pixel;
     count(dark_, in.first, in.pixel <= config.dark_level);
@@ -144,29 +178,41 @@ class CameraHealth {
     return like == 1 ? Change(WEIGHT * torn_share - 1) : like == -1 ? Change(-WEIGHT * torn_share - 1) : Change(0);
   }
 
+  // Which of two pixels this one is more like, of each kind; 0: it is not asked.
+  struct Alike {
+    s<2> down, second, along, level;
+  };
+
+  // A pixel in a column that is compared down; `left`: the one in the same row that level asks about.
+  void compare_down(u<8> pixel, u<8> left, u<column_bits> column, u<3> rows, Alike& like) {
+    const Above above = above_.read(column);
+    above_.write(column, {pixel, above.one, above.two, above.three});
+    if (rows >= 2) like.down = likeness(pixel, above.one, above.two);
+    if (rows >= 2) like.level = likeness(pixel, left, above.one);
+    if (rows >= 4) like.second = likeness(pixel, above.two, above.four);
+  }
+
+  void add(const Alike& like, bool first, Phase y) {
+    turn_ = Balance<1>((first ? Balance<1>(0) : turn_) + change<-1>(like.down));
+    aside_ = Balance<down_weight + along_weight>((first ? Balance<down_weight + along_weight>(0) : aside_) +
+                                                 (change<along_weight>(like.along) + change<-down_weight>(like.down)));
+    level_ = Balance<1>((first ? Balance<1>(0) : level_) + change<1>(like.level));
+    pair_ = Balance<1>((first ? Balance<1>(0) : pair_) + change<-1>(like.second));
+    even_less_odd_ =
+        Difference((first ? Difference(0) : even_less_odd_) + (y.bit(0) ? s<3>(-like.down) : s<3>(like.down)));
+  }
+
   void compare_rows(const In& in) {
     const X x = in.first ? X(0) : x_;
     const u<3> rows = in.first ? u<3>(0) : rows_;
     const Phase y = in.first ? Phase(0) : y_;
-    s<2> down(0), second(0), along(0), level(0);
+    Alike like{};
     above_.begin_step();
-    if (phase(x) == (1 << step_log2) - 1) {
-      const u<column_bits> column(shr<step_log2>(x));
-      const Above above = above_.read(column);
-      above_.write(column, {in.pixel, above.one, above.two, above.three});
-      if (rows >= 2) down = likeness(in.pixel, above.one, above.two);
-      if (rows >= 2) level = likeness(in.pixel, left_[2 * ACROSS - 1], above.one);
-      if (rows >= 4) second = likeness(in.pixel, above.two, above.four);
-    }
+    if (phase(x) == (1 << step_log2) - 1)
+      compare_down(in.pixel, left_[2 * ACROSS - 1], u<column_bits>(shr<step_log2>(x)), rows, like);
     if (phase(x) == phase(y * lit<5>()) && x >= lit<2 * ACROSS>())
-      along = likeness(in.pixel, left_[ACROSS - 1], left_[2 * ACROSS - 1]);
-
-    turn_ = Balance<1>((in.first ? Balance<1>(0) : turn_) + change<-1>(down));
-    aside_ = Balance<down_weight + along_weight>((in.first ? Balance<down_weight + along_weight>(0) : aside_) +
-                                                 (change<along_weight>(along) + change<-down_weight>(down)));
-    level_ = Balance<1>((in.first ? Balance<1>(0) : level_) + change<1>(level));
-    pair_ = Balance<1>((in.first ? Balance<1>(0) : pair_) + change<-1>(second));
-    even_less_odd_ = Difference((in.first ? Difference(0) : even_less_odd_) + (y.bit(0) ? s<3>(-down) : s<3>(down)));
+      like.along = likeness(in.pixel, left_[ACROSS - 1], left_[2 * ACROSS - 1]);
+    add(like, in.first, y);
 
     for (std::size_t i = 2 * ACROSS - 1; i > 0; --i) left_[i] = left_[i - 1];
     left_[0] = in.pixel;
@@ -174,6 +220,47 @@ class CameraHealth {
     rows_ = in.last && rows != 4 ? u<3>(rows + lit<1>()) : rows;
     y_ = in.last ? Phase(y + lit<1>()) : y;
   }
+
+#ifndef __HLSC__
+  static std::uint32_t shifted(std::uint32_t signature, int pixels) {
+    for (int i = 0; i < pixels; ++i) signature = signature >> 1 ^ (signature & 1U ? polynomial : 0U);
+    return signature;
+  }
+  // The signature is linear: of eight pixels it is that of their sum, each shifted to where it will have come to.
+  void sign(std::span<const std::uint8_t> pixels) {
+    static const auto eight_shifts = [] {
+      std::array<std::uint32_t, 256> table{};
+      for (std::uint32_t low = 0; low < table.size(); ++low) table[low] = shifted(low, 8);
+      return table;
+    }();
+    std::uint32_t signature = signature_.value();
+    std::size_t i = 0;
+    for (; i + 8 <= pixels.size(); i += 8) {
+      for (std::size_t k = 0; k < 8; ++k) signature ^= std::uint32_t{pixels[i + k]} << (k + 1);
+      signature = signature >> 8 ^ eight_shifts[signature & 0xFFU];
+    }
+    for (; i < pixels.size(); ++i) signature = shifted(signature, 1) ^ pixels[i];
+    signature_ = u<32>(signature);
+  }
+  void measure_levels(std::span<const std::uint8_t> pixels, const Config& config) {
+    auto darkest = static_cast<std::uint8_t>(darkest_.value());
+    auto brightest = static_cast<std::uint8_t>(brightest_.value());
+    const auto dark_level = static_cast<std::uint8_t>(config.dark_level.value());
+    const auto bright_level = static_cast<std::uint8_t>(config.bright_level.value());
+    std::uint32_t dark = 0;
+    std::uint32_t bright = 0;
+    for (const std::uint8_t pixel : pixels) {
+      darkest = std::min(darkest, pixel);
+      brightest = std::max(brightest, pixel);
+      dark += pixel <= dark_level ? 1 : 0;
+      bright += pixel >= bright_level ? 1 : 0;
+    }
+    darkest_ = u<8>(darkest);
+    brightest_ = u<8>(brightest);
+    dark_ = Count(dark_.value() + dark);
+    bright_ = Count(bright_.value() + bright);
+  }
+#endif
 
   u<32> signature_{0};
   u<32> previous_signature_{0};

@@ -314,29 +314,25 @@ class Pipeline {
   using Coarse = stages::Coarse<P>;
   using Still = stages::Still<P>;
 
-  /// Both cameras at once: two independent chains of CRC keep the CPU busy.
-  [[gnu::flatten]] void examine(const ImageView& left, const ImageView& right, FrameResult& result) {
-    Borrowed left_health(left_health_);
-    Borrowed right_health(right_health_);
-    const auto feed = [&](std::uint8_t l, std::uint8_t r, bool first, bool last, bool end) {
-      const OutOf<Health> of_left = left_health->step({l, first, end, last}, health_config_);
-      const OutOf<Health> of_right = right_health->step({r, first, end, last}, health_config_);
-      if (end) {
-        result.left = {of_left.black, of_left.white, of_left.constant, of_left.frozen, of_left.torn, false};
-        result.right = {of_right.black, of_right.white, of_right.constant, of_right.frozen, of_right.torn, false};
-        result.identical_images = of_left.signature == of_right.signature;
-      }
-    };
-    const int last_row = left.height - 1;
-    for (int y = 0; y <= last_row; ++y) {
-      const std::uint8_t* l = left.pixels + y * left.stride;
-      const std::uint8_t* r = right.pixels + y * right.stride;
-      const int begin = y == 0 ? 1 : 0;
-      const int end = width_ - 1;
-      if (y == 0) feed(l[0], r[0], true, false, false);
-      for (int x = begin; x < end; ++x) feed(l[x], r[x], false, false, false);
-      feed(l[end], r[end], false, true, y == last_row);
+  void examine(const ImageView& left, const ImageView& right, FrameResult& result) {
+    const OutOf<Health> of_left = examine(left_health_, left);
+    const OutOf<Health> of_right = examine(right_health_, right);
+    result.left = {of_left.black, of_left.white, of_left.constant, of_left.frozen, of_left.torn, false};
+    result.right = {of_right.black, of_right.white, of_right.constant, of_right.frozen, of_right.torn, false};
+    result.identical_images = of_left.signature == of_right.signature;
+  }
+  [[gnu::flatten]] OutOf<Health> examine(Health& of_camera, const ImageView& image) {
+    Borrowed health(of_camera);
+    OutOf<Health> out;
+    const int last = width_ - 1;
+    for (int y = 0; y < image.height; ++y) {
+      const std::uint8_t* row = image.pixels + y * image.stride;
+      for (int x = 0; x < Health::pixels_before; ++x)
+        health->step({row[x], y == 0 && x == 0, false, false}, health_config_);
+      health->pass({row + Health::pixels_before, row + last}, health_config_);
+      out = health->step({row[last], false, y == image.height - 1, true}, health_config_);
     }
+    return out;
   }
 
   /// The checks of both images on their cells. Their sums are formed here, for speed: those of the stage `cells`.

@@ -838,6 +838,80 @@ TEST_CASE("health: pairs of rows aside are torn; scenes, noise, blocks, doubled 
   }
 }
 
+namespace {
+
+/// Frames of which more and more rows lie aside, and in the end all, by step() alone and by rows: all results are alike. How many are torn.
+template <class Stage>
+int torn_by_rows_as_by_pixels(int width, int height, int frames) {
+  Stage by_pixels, by_rows;
+  std::mt19937 random(26);
+  int torn = 0;
+  for (int k = 0; k < frames; ++k) {
+    const Waves scene(static_cast<unsigned>(k), 6, 60);
+    std::vector<std::uint8_t> image(static_cast<std::size_t>(width * height));
+    const auto row_of = [&](int y) {
+      return std::span(image).subspan(static_cast<std::size_t>(y * width)).first(static_cast<std::size_t>(width));
+    };
+    for (int y = 0; y < height; ++y) {
+      const int shift_px =
+          static_cast<int>(random() % 100) * frames < 250 * k ? static_cast<int>(random() % 17) - 8 : 0;
+      for (int x = 0; x < width; ++x)
+        row_of(y)[static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(
+            std::clamp(128 + 300 * scene(x + shift_px, Stage::pixels_before / 2 * y) + static_cast<int>(random() % 5),
+                       0.0, 255.0));
+    }
+    typename Stage::Config config;
+    config.dark_level = static_cast<int>(random() % 128);
+    config.bright_level = 128 + static_cast<int>(random() % 128);
+    // One in two is black, one in two white.
+    config.dark_limit = std::ranges::count_if(image, [&](int grey) { return grey <= config.dark_level.value(); }) -
+                        static_cast<int>(random() % 2);
+    config.bright_limit = std::ranges::count_if(image, [&](int grey) { return grey >= config.bright_level.value(); }) -
+                          static_cast<int>(random() % 2);
+    const auto [darkest, brightest] = std::ranges::minmax(image);
+    config.contrast_limit = brightest - darkest - static_cast<int>(random() % 2);
+    typename Stage::Out expected, result;
+    for (int y = 0; y < height; ++y) {
+      const auto row = row_of(y);
+      const auto in = [&](int x) -> typename Stage::In {
+        return {row[static_cast<std::size_t>(x)], x == 0 && y == 0, x == width - 1 && y == height - 1, x == width - 1};
+      };
+      for (int x = 0; x < width; ++x) expected = by_pixels.step(in(x), config);
+      const int most = width - Stage::pixels_before - 1;
+      const int passed = k % 3 == 0 ? most : static_cast<int>(random() % static_cast<unsigned>(most + 1));
+      for (int x = 0; x < width; ++x) {
+        result = by_rows.step(in(x), config);
+        if (x + 1 != Stage::pixels_before) continue;
+        by_rows.pass(row.subspan(Stage::pixels_before).first(static_cast<std::size_t>(passed)), config);
+        x += passed;
+      }
+    }
+    CAPTURE(k, width, height);
+    REQUIRE(result.valid);
+    CHECK(result.signature == expected.signature);
+    CHECK(result.black == expected.black);
+    CHECK(result.white == expected.white);
+    CHECK(result.constant == expected.constant);
+    CHECK(result.torn == expected.torn);
+    torn += expected.torn ? 1 : 0;
+  }
+  return torn;
+}
+
+}  // namespace
+
+TEST_CASE("health: many pixels of a row at once change nothing", "[stages]") {
+  const auto some = [](int torn) {
+    CAPTURE(torn);
+    CHECK(torn > 5);
+    CHECK(torn < 140);
+  };
+  some(torn_by_rows_as_by_pixels<CameraHealth<256, 192>>(256, 192, 150));
+  some(torn_by_rows_as_by_pixels<CameraHealth<256, 192>>(203, 190, 150));
+  some(torn_by_rows_as_by_pixels<CameraHealth<256, 192, 2>>(256, 192, 150));
+  torn_by_rows_as_by_pixels<CameraHealth<32, 16>>(32, 16, 40);
+}
+
 TEST_CASE("cells: the means of squares, of what fills one", "[stages]") {
   std::mt19937 random(22);
   CellMeans<64, 8> stage;

@@ -47,20 +47,20 @@ module horopter_health (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] x_q;
   logic [4:0] y_q;
-  // hls/stages/health.hpp:148
+  // hls/stages/health.hpp:206
   logic [10:0] place;
   assign place = first_i ? 11'h0 : x_q;
-  // hls/stages/health.hpp:153
+  // hls/stages/health.hpp:211
   logic equal_30;
   assign equal_30 = place[4:0] == 5'h1f;
-  // hls/stages/health.hpp:150
+  // hls/stages/health.hpp:208
   logic [4:0] y;
   assign y = first_i ? 5'h0 : y_q;
-  // hls/stages/health.hpp:161
+  // hls/stages/health.hpp:213
   logic [2:0] sum_91;
   assign sum_91 = y[2:0] + y[4:2];
 
-  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:186; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:273; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -138,18 +138,18 @@ module horopter_health (
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic [7:0] left_0_q;
   logic [7:0] left_1_q;
-  // hls/stages/health.hpp:136
+  // hls/stages/health.hpp:170
   logic [8:0] difference_72;
   assign difference_72 = {1'b0, pixel_s2_q} - {1'b0, above_rdata_s2_q[7:0]};
-  // hls/stages/health.hpp:137
+  // hls/stages/health.hpp:171
   logic [8:0] difference_76;
   assign difference_76 = {1'b0, pixel_s2_q} - {1'b0, above_rdata_s2_q[15:8]};
-  // hls/stages/health.hpp:136
+  // hls/stages/health.hpp:170
   logic [8:0] difference_96;
   assign difference_96 = {1'b0, pixel_s2_q} - {1'b0, left_0_q};
   logic [8:0] difference_100;
   assign difference_100 = {1'b0, pixel_s2_q} - {1'b0, left_1_q};
-  // hls/stages/health.hpp:137
+  // hls/stages/health.hpp:171
   logic [8:0] difference_124;
   assign difference_124 = {1'b0, pixel_s2_q} - {1'b0, above_rdata_s2_q[31:24]};
 
@@ -264,10 +264,10 @@ module horopter_health (
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [2:0] rows_q;
-  // hls/stages/health.hpp:149
+  // hls/stages/health.hpp:207
   logic [2:0] rows;
   assign rows = first_s4_q ? 3'h0 : rows_q;
-  // hls/stages/health.hpp:138
+  // hls/stages/health.hpp:172
   logic [8:0] sum_75;
   assign sum_75 = sum_74_s4_q + 9'h1;
   logic [8:0] sum_80;
@@ -321,28 +321,26 @@ module horopter_health (
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/health.hpp:91
-  logic [1:0] down;
-  assign down = equal_71_s5_q ? 2'h0 : (less_79_s5_q ? 2'h1 : {2{less_81_s5_q}});
+  // hls/stages/health.hpp:125
   logic [1:0] like;
-  assign like = equal_30_s5_q ? down : 2'h0;
-  logic [1:0] along;
-  assign along = and_95_s5_q ? (less_103_s5_q ? 2'h1 : {2{less_105_s5_q}}) : 2'h0;
-  // hls/stages/health.hpp:144
-  logic equal_109;
-  assign equal_109 = along == 2'h3;
-  // hls/stages/health.hpp:91
-  logic [1:0] level;
-  assign level = equal_71_s5_q ? 2'h0 : (less_114_s5_q ? 2'h1 : {2{less_115_s5_q}});
+  assign like = equal_30_s5_q ? (equal_71_s5_q ? 2'h0 : (less_79_s5_q ? 2'h1 : {2{less_81_s5_q}})) : 2'h0;
   logic [1:0] like_2;
-  assign like_2 = equal_30_s5_q ? level : 2'h0;
-  // hls/stages/health.hpp:144
+  assign like_2 = and_95_s5_q ? (less_103_s5_q ? 2'h1 : {2{less_105_s5_q}}) : 2'h0;
+  // hls/stages/health.hpp:178
+  logic equal_109;
+  assign equal_109 = like_2 == 2'h3;
+  // hls/stages/health.hpp:125
+  logic [1:0] select_117;
+  assign select_117 = equal_71_s5_q ? 2'h0 : (less_114_s5_q ? 2'h1 : {2{less_115_s5_q}});
+  logic [1:0] like_3;
+  assign like_3 = equal_30_s5_q ? select_117 : 2'h0;
+  // hls/stages/health.hpp:178
   logic equal_120;
-  assign equal_120 = like_2 == 2'h3;
-  // hls/stages/health.hpp:91
+  assign equal_120 = like_3 == 2'h3;
+  // hls/stages/health.hpp:125
   logic [1:0] select_132;
   assign select_132 = equal_30_s5_q ? (rows_s5_q ? (less_127_s5_q ? 2'h1 : {2{less_129_s5_q}}) : 2'h0) : 2'h0;
-  // hls/stages/health.hpp:144
+  // hls/stages/health.hpp:178
   logic equal_134;
   assign equal_134 = select_132 == 2'h1;
 
@@ -363,8 +361,8 @@ module horopter_health (
       end_v_s6_q <= end_v_s5_q;
       equal_85_s6_q <= like == 2'h1;
       equal_86_s6_q <= like == 2'h3;
-      select_110_s6_q <= (along == 2'h1) ? 2'h1 : {2{equal_109}};
-      select_121_s6_q <= (like_2 == 2'h1) ? 2'h1 : {2{equal_120}};
+      select_110_s6_q <= (like_2 == 2'h1) ? 2'h1 : {2{equal_109}};
+      select_121_s6_q <= (like_3 == 2'h1) ? 2'h1 : {2{equal_120}};
       equal_134_s6_q <= equal_134;
       or_135_s6_q <= (select_132 == 2'h3) | equal_134;
       select_139_s6_q <= y_s5_q ? (3'h0 - {like[1], like}) : {like[1], like};
@@ -381,7 +379,7 @@ module horopter_health (
   logic [21:0] level_q;
   logic [21:0] pair_q;
   logic [17:0] even_less_odd_q;
-  // hls/stages/health.hpp:86
+  // hls/stages/health.hpp:120
   logic [31:0] select_32;
   assign select_32 = first_s6_q ? 32'h0 : signature_q;
   logic [12:0] xor_33;
@@ -390,36 +388,36 @@ module horopter_health (
   assign xor_34 = pixel_s6_q ^ {select_32[8:7], xor_33[0], select_32[5:1]};
   logic parity_35;
   assign parity_35 = ^{select_32[6], select_32[0], pixel_s6_q[5]};
-  // hls/stages/health.hpp:88
+  // hls/stages/health.hpp:122
   logic [7:0] select_47;
   assign select_47 = first_s6_q ? pixel_s6_q : ((pixel_s6_q < darkest_q) ? pixel_s6_q : darkest_q);
-  // hls/stages/health.hpp:89
+  // hls/stages/health.hpp:123
   logic [7:0] select_50;
   assign select_50 = first_s6_q ? pixel_s6_q : ((brightest_q < pixel_s6_q) ? pixel_s6_q : brightest_q);
   logic not_52;
   assign not_52 = ~(cfg_dark_level_i < pixel_s6_q);
-  // hls/stages/health.hpp:90
+  // hls/stages/health.hpp:124
   logic not_56;
   assign not_56 = ~(pixel_s6_q < cfg_bright_level_i);
-  // hls/stages/health.hpp:144
+  // hls/stages/health.hpp:178
   logic or_87;
   assign or_87 = equal_85_s6_q | equal_86_s6_q;
-  // hls/stages/health.hpp:164
+  // hls/stages/health.hpp:196
   logic [21:0] sum_88;
   assign sum_88 = (first_s6_q ? 22'h0 : turn_q) + {{17{equal_85_s6_q}}, 1'b0, {4{or_87}}};
-  // hls/stages/health.hpp:144
+  // hls/stages/health.hpp:178
   logic [1:0] select_90;
   assign select_90 = equal_85_s6_q ? 2'h1 : {2{equal_86_s6_q}};
-  // hls/stages/health.hpp:166
+  // hls/stages/health.hpp:198
   logic [8:0] sum_111;
   assign sum_111 = {{2{equal_85_s6_q}}, select_90[1], equal_85_s6_q, 1'b0, {4{select_90[0]}}} + {{3{select_110_s6_q[1]}}, 1'b0, {5{select_110_s6_q[0]}}};
-  // hls/stages/health.hpp:167
+  // hls/stages/health.hpp:199
   logic [21:0] sum_122;
   assign sum_122 = (first_s6_q ? 22'h0 : level_q) + {{17{select_121_s6_q[1]}}, 1'b0, {4{select_121_s6_q[0]}}};
-  // hls/stages/health.hpp:168
+  // hls/stages/health.hpp:200
   logic [21:0] sum_136;
   assign sum_136 = (first_s6_q ? 22'h0 : pair_q) + {{17{equal_134_s6_q}}, 1'b0, {4{or_135_s6_q}}};
-  // hls/stages/health.hpp:169
+  // hls/stages/health.hpp:202
   logic [17:0] sum_140;
   assign sum_140 = (first_s6_q ? 18'h0 : even_less_odd_q) + {{15{select_139_s6_q[2]}}, select_139_s6_q};
 
@@ -461,13 +459,13 @@ module horopter_health (
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   logic [31:0] previous_signature_q;
   logic [23:0] aside_q;
-  // hls/stages/health.hpp:165
+  // hls/stages/health.hpp:197
   logic [23:0] sum_112;
   assign sum_112 = (first_s7_q ? 24'h0 : aside_q) + {{15{sum_111_s7_q[8]}}, sum_111_s7_q};
-  // hls/stages/health.hpp:100
+  // hls/stages/health.hpp:134
   logic less_141;
   assign less_141 = cfg_dark_limit_i < dark_q;
-  // hls/stages/health.hpp:107
+  // hls/stages/health.hpp:141
   logic [22:0] sum_155;
   assign sum_155 = {pair_q[21], pair_q} + {{2{pair_q[21]}}, pair_q[21:1]};
   logic [16:0] xor_156;
@@ -511,15 +509,15 @@ module horopter_health (
   // Stage 8 -----------------------------------------------------------------------------------------------------------
   logic has_previous_q;
   logic [7:0] repeats_q;
-  // hls/stages/health.hpp:97
+  // hls/stages/health.hpp:131
   logic [7:0] select_42;
   assign select_42 = equal_38_s8_q ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
   logic [7:0] select_43;
   assign select_43 = has_previous_q ? select_42 : 8'h0;
-  // hls/stages/health.hpp:107
+  // hls/stages/health.hpp:141
   logic less_158;
   assign less_158 = $signed({{2{sum_155_s8_q[16]}}, sum_155_s8_q}) < $signed({1'b0, sum_157_s8_q});
-  // hls/stages/health.hpp:110
+  // hls/stages/health.hpp:144
   logic or_160;
   assign or_160 = (($signed(24'h1f40) < $signed(aside_q)) & less_152_s8_q) | (less_154_s8_q & less_158);
 
@@ -553,10 +551,10 @@ module horopter_health (
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/health.hpp:103
+  // hls/stages/health.hpp:137
   logic less_149;
   assign less_149 = (cfg_frozen_limit_i + 8'hff) < select_43_s9_q;
-  // hls/stages/health.hpp:110
+  // hls/stages/health.hpp:144
   logic [4:0] select_162;
   assign select_162 = end_v_s9_q ? {or_161_s9_q, less_149, not_147_s9_q, less_142_s9_q, less_141_s9_q} : 5'h0;
 

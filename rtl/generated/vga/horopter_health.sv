@@ -42,20 +42,20 @@ module horopter_health (
   logic [7:0] left_1_q;
   logic [9:0] x_q;
   logic [3:0] y_q;
-  // hls/stages/health.hpp:148
+  // hls/stages/health.hpp:206
   logic [9:0] place;
   assign place = first_i ? 10'h0 : x_q;
-  // hls/stages/health.hpp:153
+  // hls/stages/health.hpp:211
   logic equal_30;
   assign equal_30 = place[3:0] == 4'hf;
-  // hls/stages/health.hpp:150
+  // hls/stages/health.hpp:208
   logic [3:0] y;
   assign y = first_i ? 4'h0 : y_q;
-  // hls/stages/health.hpp:161
+  // hls/stages/health.hpp:213
   logic [1:0] sum_91;
   assign sum_91 = y[1:0] + y[3:2];
 
-  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:186; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:273; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -119,7 +119,7 @@ module horopter_health (
   logic [20:0] level_q;
   logic [20:0] pair_q;
   logic [15:0] even_less_odd_q;
-  // hls/stages/health.hpp:86
+  // hls/stages/health.hpp:120
   logic [31:0] select_32;
   assign select_32 = first_s1_q ? 32'h0 : signature_q;
   logic [12:0] xor_33;
@@ -128,64 +128,62 @@ module horopter_health (
   assign xor_34 = left_0_q ^ {select_32[8:7], xor_33[0], select_32[5:1]};
   logic parity_35;
   assign parity_35 = ^{select_32[6], select_32[0], left_0_q[5]};
-  // hls/stages/health.hpp:88
+  // hls/stages/health.hpp:122
   logic [7:0] select_47;
   assign select_47 = first_s1_q ? left_0_q : ((left_0_q < darkest_q) ? left_0_q : darkest_q);
-  // hls/stages/health.hpp:89
+  // hls/stages/health.hpp:123
   logic [7:0] select_50;
   assign select_50 = first_s1_q ? left_0_q : ((brightest_q < left_0_q) ? left_0_q : brightest_q);
   logic not_52;
   assign not_52 = ~(cfg_dark_level_i < left_0_q);
-  // hls/stages/health.hpp:90
+  // hls/stages/health.hpp:124
   logic not_56;
   assign not_56 = ~(left_0_q < cfg_bright_level_i);
-  // hls/stages/health.hpp:149
+  // hls/stages/health.hpp:207
   logic [2:0] rows;
   assign rows = first_s1_q ? 3'h0 : rows_q;
-  // hls/stages/health.hpp:157
+  // hls/stages/health.hpp:190
   logic equal_71;
   assign equal_71 = rows[2:1] == 2'h0;
-  // hls/stages/health.hpp:136
+  // hls/stages/health.hpp:170
   logic [8:0] difference_72;
   assign difference_72 = {1'b0, left_0_q} - {1'b0, above_rdata_q[7:0]};
   logic [7:0] xor_73;
   assign xor_73 = difference_72[7:0] ^ {8{difference_72[8]}};
   logic [8:0] sum_74;
   assign sum_74 = {8'h0, difference_72[8]} + {1'b0, xor_73};
-  // hls/stages/health.hpp:138
+  // hls/stages/health.hpp:172
   logic [8:0] sum_75;
   assign sum_75 = sum_74 + 9'h1;
-  // hls/stages/health.hpp:137
+  // hls/stages/health.hpp:171
   logic [8:0] difference_76;
   assign difference_76 = {1'b0, left_0_q} - {1'b0, above_rdata_q[15:8]};
   logic [7:0] xor_77;
   assign xor_77 = difference_76[7:0] ^ {8{difference_76[8]}};
   logic [8:0] sum_78;
   assign sum_78 = {8'h0, difference_76[8]} + {1'b0, xor_77};
-  // hls/stages/health.hpp:138
+  // hls/stages/health.hpp:172
   logic [8:0] sum_80;
   assign sum_80 = sum_78 + 9'h1;
   logic less_81;
   assign less_81 = sum_80 < sum_74;
-  // hls/stages/health.hpp:91
-  logic [1:0] down;
-  assign down = equal_71 ? 2'h0 : ((sum_75 < sum_78) ? 2'h1 : {2{less_81}});
+  // hls/stages/health.hpp:125
   logic [1:0] like;
-  assign like = equal_30_s1_q ? down : 2'h0;
-  // hls/stages/health.hpp:144
+  assign like = equal_30_s1_q ? (equal_71 ? 2'h0 : ((sum_75 < sum_78) ? 2'h1 : {2{less_81}})) : 2'h0;
+  // hls/stages/health.hpp:178
   logic equal_85;
   assign equal_85 = like == 2'h1;
   logic equal_86;
   assign equal_86 = like == 2'h3;
   logic or_87;
   assign or_87 = equal_85 | equal_86;
-  // hls/stages/health.hpp:164
+  // hls/stages/health.hpp:196
   logic [20:0] sum_88;
   assign sum_88 = (first_s1_q ? 21'h0 : turn_q) + {{16{equal_85}}, 1'b0, {4{or_87}}};
-  // hls/stages/health.hpp:144
+  // hls/stages/health.hpp:178
   logic [1:0] select_90;
   assign select_90 = equal_85 ? 2'h1 : {2{equal_86}};
-  // hls/stages/health.hpp:136
+  // hls/stages/health.hpp:170
   logic [8:0] difference_96;
   assign difference_96 = {1'b0, left_0_q} - {1'b0, left_1_q};
   logic [7:0] xor_97;
@@ -198,60 +196,58 @@ module horopter_health (
   assign xor_101 = difference_100[7:0] ^ {8{difference_100[8]}};
   logic [8:0] sum_102;
   assign sum_102 = {8'h0, difference_100[8]} + {1'b0, xor_101};
-  // hls/stages/health.hpp:138
+  // hls/stages/health.hpp:172
   logic [8:0] sum_104;
   assign sum_104 = sum_102 + 9'h1;
   logic less_105;
   assign less_105 = sum_104 < sum_98;
-  // hls/stages/health.hpp:91
-  logic [1:0] along;
-  assign along = and_95_s1_q ? (((sum_98 + 9'h1) < sum_102) ? 2'h1 : {2{less_105}}) : 2'h0;
-  // hls/stages/health.hpp:144
+  // hls/stages/health.hpp:125
+  logic [1:0] like_2;
+  assign like_2 = and_95_s1_q ? (((sum_98 + 9'h1) < sum_102) ? 2'h1 : {2{less_105}}) : 2'h0;
+  // hls/stages/health.hpp:178
   logic equal_109;
-  assign equal_109 = along == 2'h3;
-  // hls/stages/health.hpp:166
+  assign equal_109 = like_2 == 2'h3;
+  // hls/stages/health.hpp:198
   logic [1:0] select_110;
-  assign select_110 = (along == 2'h1) ? 2'h1 : {2{equal_109}};
+  assign select_110 = (like_2 == 2'h1) ? 2'h1 : {2{equal_109}};
   logic [8:0] sum_111;
   assign sum_111 = {{2{equal_85}}, select_90[1], equal_85, 1'b0, {4{select_90[0]}}} + {{3{select_110[1]}}, 1'b0, {5{select_110[0]}}};
-  // hls/stages/health.hpp:138
+  // hls/stages/health.hpp:172
   logic less_115;
   assign less_115 = sum_75 < sum_102;
-  // hls/stages/health.hpp:91
-  logic [1:0] level;
-  assign level = equal_71 ? 2'h0 : ((sum_104 < sum_74) ? 2'h1 : {2{less_115}});
-  logic [1:0] like_2;
-  assign like_2 = equal_30_s1_q ? level : 2'h0;
-  // hls/stages/health.hpp:144
+  // hls/stages/health.hpp:125
+  logic [1:0] like_3;
+  assign like_3 = equal_30_s1_q ? (equal_71 ? 2'h0 : ((sum_104 < sum_74) ? 2'h1 : {2{less_115}})) : 2'h0;
+  // hls/stages/health.hpp:178
   logic equal_120;
-  assign equal_120 = like_2 == 2'h3;
+  assign equal_120 = like_3 == 2'h3;
   logic [1:0] select_121;
-  assign select_121 = (like_2 == 2'h1) ? 2'h1 : {2{equal_120}};
-  // hls/stages/health.hpp:167
+  assign select_121 = (like_3 == 2'h1) ? 2'h1 : {2{equal_120}};
+  // hls/stages/health.hpp:199
   logic [20:0] sum_122;
   assign sum_122 = (first_s1_q ? 21'h0 : level_q) + {{16{select_121[1]}}, 1'b0, {4{select_121[0]}}};
-  // hls/stages/health.hpp:137
+  // hls/stages/health.hpp:171
   logic [8:0] difference_124;
   assign difference_124 = {1'b0, left_0_q} - {1'b0, above_rdata_q[31:24]};
   logic [7:0] xor_125;
   assign xor_125 = difference_124[7:0] ^ {8{difference_124[8]}};
   logic [8:0] sum_126;
   assign sum_126 = {8'h0, difference_124[8]} + {1'b0, xor_125};
-  // hls/stages/health.hpp:138
+  // hls/stages/health.hpp:172
   logic less_129;
   assign less_129 = (sum_126 + 9'h1) < sum_78;
-  // hls/stages/health.hpp:91
+  // hls/stages/health.hpp:125
   logic [1:0] select_132;
   assign select_132 = equal_30_s1_q ? (rows[2] ? ((sum_80 < sum_126) ? 2'h1 : {2{less_129}}) : 2'h0) : 2'h0;
-  // hls/stages/health.hpp:144
+  // hls/stages/health.hpp:178
   logic equal_134;
   assign equal_134 = select_132 == 2'h1;
-  // hls/stages/health.hpp:168
+  // hls/stages/health.hpp:200
   logic or_135;
   assign or_135 = (select_132 == 2'h3) | equal_134;
   logic [20:0] sum_136;
   assign sum_136 = (first_s1_q ? 21'h0 : pair_q) + {{16{equal_134}}, 1'b0, {4{or_135}}};
-  // hls/stages/health.hpp:169
+  // hls/stages/health.hpp:202
   logic [2:0] select_139;
   assign select_139 = y_s1_q ? (3'h0 - {like[1], like}) : {like[1], like};
   logic [15:0] sum_140;
@@ -314,36 +310,36 @@ module horopter_health (
   logic [31:0] previous_signature_q;
   logic has_previous_q;
   logic [7:0] repeats_q;
-  // hls/stages/health.hpp:97
+  // hls/stages/health.hpp:131
   logic [7:0] select_42;
   assign select_42 = (previous_signature_q == signature_q) ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
   logic [7:0] select_43;
   assign select_43 = has_previous_q ? select_42 : 8'h0;
-  // hls/stages/health.hpp:100
+  // hls/stages/health.hpp:134
   logic less_141;
   assign less_141 = cfg_dark_limit_i < dark_q;
-  // hls/stages/health.hpp:101
+  // hls/stages/health.hpp:135
   logic less_142;
   assign less_142 = cfg_bright_limit_i < bright_q;
-  // hls/stages/health.hpp:102
+  // hls/stages/health.hpp:136
   logic or_146;
   assign or_146 = less_142 | (less_141 | (cfg_contrast_limit_i < (brightest_q - darkest_q)));
   logic not_147;
   assign not_147 = ~or_146;
-  // hls/stages/health.hpp:103
+  // hls/stages/health.hpp:137
   logic less_149;
   assign less_149 = (cfg_frozen_limit_i + 8'hff) < select_43;
-  // hls/stages/health.hpp:106
+  // hls/stages/health.hpp:140
   logic and_153;
   assign and_153 = ($signed(23'h1f40) < $signed(aside_q)) & ($signed(21'h640) < $signed(level_q));
-  // hls/stages/health.hpp:107
+  // hls/stages/health.hpp:141
   logic [21:0] sum_155;
   assign sum_155 = {pair_q[20], pair_q} + {{2{pair_q[20]}}, pair_q[20:1]};
   logic [14:0] xor_156;
   assign xor_156 = even_less_odd_q[14:0] ^ {15{even_less_odd_q[15]}};
   logic [15:0] sum_157;
   assign sum_157 = {15'h0, even_less_odd_q[15]} + {1'b0, xor_156};
-  // hls/stages/health.hpp:110
+  // hls/stages/health.hpp:144
   logic and_159;
   assign and_159 = ($signed(21'h640) < $signed(pair_q)) & ($signed({sum_155[21], sum_155[21:6]}) < $signed({1'b0, sum_157}));
   logic or_161;
