@@ -46,8 +46,9 @@ class ColumnBallot {
     Column above;
     if (running_) above = memory_.read(at.column);
 #else
-    Column nothing;
-    Column& above = running_ ? memory_.change(at.column) : nothing;
+    if (!running_) [[unlikely]]
+      nowhere_ = Column{};
+    Column& above = running_ ? memory_.change(at.column) : nowhere_;
 #endif
     if (at.frame_start_row) [[unlikely]] {
       above = Column{};
@@ -102,6 +103,9 @@ class ColumnBallot {
   ColumnMemory<Column, BEATS> memory_;
   Raster<BEATS, 1> raster_;
   bool running_ = false;
+#ifndef __HLSC__
+  Column nowhere_;  // before the first frame
+#endif
 };
 
 template <Profile P, class V = Scalar>

@@ -90,7 +90,7 @@ class PlaneContest {
   /// What the pixel says by itself.
   static Vote vote_of(const In& in, u<4> at) {
     const auto& t = in.cost;
-    const Cost far = min(smallest(t, 0, zero - 2), smallest(t, zero + 3, planes));
+    const Cost far = min(PLANES.smallest(t, 0, zero - 2), PLANES.smallest(t, zero + 3, planes));
     const Cost outside = min(far, min(t[zero - 2], t[zero + 2]));
     const Cost beside = min(t[zero - 1], t[zero + 1]);
     const Cost inside = min(t[zero], beside);
@@ -161,17 +161,6 @@ class PlaneContest {
     const auto low = part(0) + shl<1>(part(1));
     const auto high = part(2) + shl<1>(part(3));
     return S<cost_bits + 3>(shr<1>(shr<2>(low) + high));
-  }
-
-  static U<cost_bits> smallest(const std::array<U<cost_bits>, planes>& costs, std::size_t begin, std::size_t end) {
-    std::array<U<cost_bits>, planes> best = costs;
-    std::size_t n = end - begin;
-    for (std::size_t i = 0; i < n; ++i) best[i] = costs[begin + i];
-    for (; n > 1; n = (n + 1) / 2) {
-      for (std::size_t i = 0; i < n / 2; ++i) best[i] = min(best[2 * i], best[2 * i + 1]);
-      if (n % 2 == 1) best[n / 2] = best[n - 1];
-    }
-    return best[0];
   }
 
   bool row_ended_ = true;

@@ -100,7 +100,7 @@ class CameraHealth {
     const auto first_of = [&](int wanted) { return (wanted - x) & (step - 1); };
     for (int i = first_of(step - 1); i < count; i += step) {
       Alike like{};
-      above_.begin_step();
+      for (int k = 0; k < step; ++k) above_.begin_step();  // as many as pixels, for its checks
       compare_down(u<8>(*place(i)), u<8>(*place(i - 2 * ACROSS)), u<column_bits>((x + i) >> step_log2), rows_, like);
       add(like, false, y_);
     }

@@ -52,14 +52,14 @@ class PlanePaths {
   Out step(const In& in) {
     Out out;
     if constexpr (PATHS) {
-      out.cost = helped(in);
+      help(in, out.cost);
     } else {
       out.cost = in.sum;
     }
     out.grey = in.grey;
     out.known = in.known;
     const U<sum_bits + 4> needed(shl<3>(in.evidence) + shl<2>(in.evidence) + in.evidence);
-    const Bit explained = shl<4>(smallest(in.sum)) < needed;
+    const Bit explained = shl<4>(PLANES.smallest(in.sum)) < needed;
     out.strong = in.edges >= lit<strong_edges>();
     out.evident = in.known && (explained || out.strong);
     out.exists = in.exists;
@@ -74,30 +74,40 @@ class PlanePaths {
   struct Nothing {};
   using Costs = std::array<U<cost_bits>, planes>;
 
-  Costs helped(const In& in) {
+  void help(const In& in, Costs& costs) {
     memory_.begin_step();
     const auto at = raster_.step(in.marks.first, in.marks.last);
     running_ = running_ || in.marks.first;
+#ifdef __HLSC__
     Column above;
     if (running_) above = memory_.read(at.column);
+#else
+    if (!running_) [[unlikely]]
+      nowhere_ = Column{};
+    Column& above = running_ ? memory_.change(at.column) : nowhere_;
+#endif
     if (at.frame_start_row) [[unlikely]] {
       above.opinion.fill(U<6>(0));
     }
-    Costs costs{};
     for (std::size_t n = 0; n < planes; ++n) {
       U<6> price = above.opinion[n];
       if (n > 0) price = min(price, stepped(above.opinion[n - 1], PLANES.shift[n] - PLANES.shift[n - 1]));
       if (n + 1 < planes) price = min(price, stepped(above.opinion[n + 1], PLANES.shift[n + 1] - PLANES.shift[n]));
       costs[n] = U<cost_bits>(in.sum[n] + shl<2>(price));
     }
-    const U<cost_bits> best = smallest(costs);
+    const U<cost_bits> best = PLANES.smallest(costs);
+#ifdef __HLSC__
     Column column;
+#else
+    Column& column = above;
+#endif
     for (std::size_t n = 0; n < planes; ++n) {
       const U<6> opinion = sat<6>(shr<2>(U<cost_bits>(costs[n] - best)));
       column.opinion[n] = select(in.known, U<6>(opinion - shr<2>(opinion + lit<3>())), U<6>(0));
     }
+#ifdef __HLSC__
     if (running_) memory_.write(at.column, column);
-    return costs;
+#endif
   }
 
   static U<6> stepped(U<6> opinion, int px) {
@@ -105,20 +115,12 @@ class PlanePaths {
     return sat<6>(opinion + U<6>(step_price * px));
   }
 
-  /// A tree, not a chain.
-  template <class T>
-  static T smallest(const std::array<T, planes>& costs) {
-    auto least = costs;
-    for (std::size_t n = planes; n > 1; n = (n + 1) / 2) {
-      for (std::size_t i = 0; i < n / 2; ++i) least[i] = min(least[2 * i], least[2 * i + 1]);
-      if (n % 2 == 1) least[n / 2] = least[n - 1];
-    }
-    return least[0];
-  }
-
   std::conditional_t<PATHS, ColumnMemory<Column, BEATS>, Nothing> memory_;
   std::conditional_t<PATHS, Raster<BEATS, 1>, Nothing> raster_;
   bool running_ = false;
+#ifndef __HLSC__
+  Column nowhere_;  // before the first frame
+#endif
 };
 
 template <Profile P, class V = Scalar>

@@ -30,6 +30,25 @@ struct PlaneSet {
     }
     return shift[zero + 3] == 3;
   }
+
+  /// The smallest of what the planes begin … end − 1 have: a tree in hardware, on the CPU a chain, which copies nothing.
+  template <class T>
+  static constexpr T smallest(const std::array<T, COUNT>& costs, std::size_t begin = 0, std::size_t end = COUNT) {
+#ifdef __HLSC__
+    std::array<T, COUNT> least = costs;
+    std::size_t n = end - begin;
+    for (std::size_t i = 0; i < n; ++i) least[i] = costs[begin + i];
+    for (; n > 1; n = (n + 1) / 2) {
+      for (std::size_t i = 0; i < n / 2; ++i) least[i] = min(least[2 * i], least[2 * i + 1]);
+      if (n % 2 == 1) least[n / 2] = least[n - 1];
+    }
+    return least[0];
+#else
+    T least = costs[begin];
+    for (std::size_t n = begin + 1; n < end; ++n) least = min(least, costs[n]);
+    return least;
+#endif
+  }
 };
 
 /// Near planes bound the skin; far ones keep what repeats or lies far away from looking like it.

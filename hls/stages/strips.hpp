@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <tuple>
 #include <utility>
 
@@ -360,9 +361,9 @@ class Strips {
     sums.begin();
     for (std::size_t i = first_cost; i < first_sum; ++i) sums.step(features(i));
     for (std::size_t i = first_sum; i < beats_; ++i) {
-      auto& to = between[i - first_sum];
-      to = sums.step(features(i));
-      to.marks = {first_row && i == first_sum, i + 1 == beats_};
+      using Sums = typename Of<planes>::Out;
+      auto* const to = ::new (&between[i - first_sum]) Sums(sums.step(features(i)));  // in place: they are large
+      to->marks = {first_row && i == first_sum, i + 1 == beats_};
     }
     contrast.end_row();
   }

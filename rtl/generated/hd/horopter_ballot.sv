@@ -60,7 +60,7 @@ module horopter_ballot (
   logic or_19;
   assign or_19 = marks_first_i | running_q;
 
-  // Memory memory, 1920 x 150, DISTANCE 16, hls/stages/ballot.hpp:102; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory memory, 1920 x 150, DISTANCE 16, hls/stages/ballot.hpp:103; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [149:0] memory_mem [0:1919];
@@ -147,7 +147,7 @@ module horopter_ballot (
   // hls/stages/ballot.hpp:43
   logic and_22;
   assign and_22 = raster_rows_q & (~marks_first_s2_q);
-  // hls/stages/ballot.hpp:52
+  // hls/stages/ballot.hpp:53
   logic [7:0] select_24;
   assign select_24 = running_s2_q ? memory_rdata_s2_q[7:0] : (marks_first_s2_q ? memory_rdata_s2_q[7:0] : 8'h0);
   logic [5:0] select_27;
@@ -287,7 +287,7 @@ module horopter_ballot (
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:60
+  // hls/stages/ballot.hpp:61
   logic [6:0] difference_96;
   assign difference_96 = {1'b0, select_37_s3_q} - {1'b0, select_64_s3_q};
   logic [5:0] xor_97;
@@ -450,7 +450,7 @@ module horopter_ballot (
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_100;
   assign select_100 = ({3'h0, cfg_similar_i} < difference_s4_q) ? 8'h0 : select_34_s4_q;
   logic [7:0] select_105;
@@ -461,10 +461,10 @@ module horopter_ballot (
   assign select_116 = ({3'h0, cfg_similar_i} < difference_4_s4_q) ? 8'h0 : select_43_s4_q;
   logic [7:0] select_123;
   assign select_123 = ({3'h0, cfg_similar_i} < difference_5_s4_q) ? 8'h0 : select_67_s4_q;
-  // hls/stages/ballot.hpp:64
+  // hls/stages/ballot.hpp:65
   logic [8:0] sum_124;
   assign sum_124 = {select_61_s4_q[7], select_61_s4_q} + {select_123[7], select_123};
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_129;
   assign select_129 = ({3'h0, cfg_similar_i} < difference_6_s4_q) ? 8'h0 : select_79_s4_q;
   logic [7:0] select_134;
@@ -504,7 +504,7 @@ module horopter_ballot (
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:64
+  // hls/stages/ballot.hpp:65
   logic [9:0] sum_118;
   assign sum_118 = {sum_106_s5_q[8], sum_106_s5_q} + {sum_117_s5_q[8], sum_117_s5_q};
   logic [9:0] sum_136;
@@ -534,10 +534,10 @@ module horopter_ballot (
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:64
+  // hls/stages/ballot.hpp:65
   logic [11:0] sum_161;
   assign sum_161 = {sum_137_s6_q[10], sum_137_s6_q} + {{2{sum_160_s6_q[9]}}, sum_160_s6_q};
-  // hls/stages/ballot.hpp:83
+  // hls/stages/ballot.hpp:84
   logic [12:0] difference_164;
   assign difference_164 = 13'h0 - {sum_161[11], sum_161};
 
@@ -563,7 +563,7 @@ module horopter_ballot (
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:83
+  // hls/stages/ballot.hpp:84
   logic or_170;
   assign or_170 = (~($signed(difference_164_s7_q) < $signed({1'b0, sum_166}))) | and_169_s7_q;
 

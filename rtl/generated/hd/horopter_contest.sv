@@ -768,7 +768,7 @@ module horopter_contest (
   assign value = {1'b0, outer} - {1'b0, beside};
   logic [11:0] value_2;
   assign value_2 = {1'b0, beside} - {1'b0, cost_9_s1_q};
-  // hls/stages/contest.hpp:171
+  // hls/stages/planes.hpp:42
   logic [10:0] select_447;
   assign select_447 = less_446_s1_q ? cost_17_s1_q : cost_16_s1_q;
   logic [10:0] select_451;
@@ -949,7 +949,7 @@ module horopter_contest (
   assign select_440 = rest[3] ? value_2_s2_q : 12'h0;
   logic [12:0] sum_441;
   assign sum_441 = {{2{select_439[11]}}, select_439[11:1]} + {select_440[11], select_440};
-  // hls/stages/contest.hpp:171
+  // hls/stages/planes.hpp:42
   logic [10:0] select_457;
   assign select_457 = (select_449_s2_q < select_455_s2_q) ? select_449_s2_q : select_455_s2_q;
   logic [10:0] select_469;

@@ -158,7 +158,7 @@ module horopter_plane_paths (
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [10:0] select_34;
   assign select_34 = less_33_s1_q ? sum_15_s1_q : sum_14_s1_q;
   logic [10:0] select_36;
@@ -246,7 +246,7 @@ module horopter_plane_paths (
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [10:0] select_46;
   assign select_46 = (select_38_s2_q < select_44_s2_q) ? select_38_s2_q : select_44_s2_q;
   logic [10:0] select_60;
@@ -320,7 +320,7 @@ module horopter_plane_paths (
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [10:0] select_30;
   assign select_30 = less_29_s3_q ? sum_17_s3_q : sum_16_s3_q;
   logic [10:0] select_62;
@@ -392,7 +392,7 @@ module horopter_plane_paths (
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [10:0] select_64;
   assign select_64 = (select_32_s4_q < select_62_s4_q) ? select_32_s4_q : select_62_s4_q;
   // hls/stages/plane_paths.hpp:61

@@ -427,7 +427,7 @@ module horopter_contest (
   // hls/stages/contest.hpp:94
   logic [11:0] select_445;
   assign select_445 = (cost_11_i < cost_7_i) ? cost_11_i : cost_7_i;
-  // hls/stages/contest.hpp:171
+  // hls/stages/planes.hpp:42
   logic [11:0] select_447;
   assign select_447 = (cost_17_i < cost_16_i) ? cost_17_i : cost_16_i;
   logic [11:0] select_449;

@@ -83,10 +83,10 @@ module horopter_plane_paths (
   // hls/stages/plane_paths.hpp:79
   logic [9:0] select_35;
   assign select_35 = marks_first_i ? 10'h0 : (raster_row_ended_q ? 10'h0 : (raster_column_q + 10'h1));
-  // hls/stages/plane_paths.hpp:82
+  // hls/stages/plane_paths.hpp:83
   logic or_37;
   assign or_37 = marks_first_i | running_q;
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [10:0] select_321;
   assign select_321 = (sum_17_i < sum_16_i) ? sum_17_i : sum_16_i;
   logic [10:0] select_323;
@@ -135,7 +135,7 @@ module horopter_plane_paths (
   logic or_361;
   assign or_361 = ({select_355, 4'h0} < {sum_357, sum_356[0], evidence_i[1:0]}) | not_360;
 
-  // Memory memory, 640 x 114 and parity, DISTANCE 16, hls/stages/plane_paths.hpp:119; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory memory, 640 x 114 and parity, DISTANCE 16, hls/stages/plane_paths.hpp:118; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [114:0] memory_mem [0:639];
@@ -239,7 +239,7 @@ module horopter_plane_paths (
   assign select_42 = running_s1_q ? memory_rdata_q[5:0] : (marks_first_s1_q ? memory_rdata_q[5:0] : 6'h0);
   logic [5:0] price;
   assign price = and_40 ? select_42 : 6'h0;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_44;
   assign sum_44 = {1'b0, sum_0_s1_q[10:2]} + {4'h0, price};
   // hls/stages/plane_paths.hpp:55
@@ -259,7 +259,7 @@ module horopter_plane_paths (
   assign select_62 = running_s1_q ? memory_rdata_q[95:90] : (marks_first_s1_q ? memory_rdata_q[95:90] : 6'h0);
   logic [5:0] price_5;
   assign price_5 = and_40 ? select_62 : 6'h0;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_64;
   assign sum_64 = {1'b0, sum_15_s1_q[10:2]} + {4'h0, price_5};
   // hls/stages/plane_paths.hpp:55
@@ -267,10 +267,10 @@ module horopter_plane_paths (
   assign select_66 = running_s1_q ? memory_rdata_q[89:84] : (marks_first_s1_q ? memory_rdata_q[89:84] : 6'h0);
   logic [5:0] price_6;
   assign price_6 = and_40 ? select_66 : 6'h0;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_68;
   assign sum_68 = {1'b0, sum_14_s1_q[10:2]} + {4'h0, price_6};
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [11:0] select_70;
   assign select_70 = ({sum_64, sum_15_s1_q[1:0]} < {sum_68, sum_14_s1_q[1:0]}) ? {sum_64, sum_15_s1_q[1:0]} : {sum_68, sum_14_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
@@ -278,7 +278,7 @@ module horopter_plane_paths (
   assign select_72 = running_s1_q ? memory_rdata_q[77:72] : (marks_first_s1_q ? memory_rdata_q[77:72] : 6'h0);
   logic [5:0] opinion;
   assign opinion = and_40 ? select_72 : 6'h0;
-  // hls/stages/plane_paths.hpp:105
+  // hls/stages/plane_paths.hpp:115
   logic [6:0] sum_74;
   assign sum_74 = {1'b0, opinion} + 7'h27;
   logic [5:0] select_75;
@@ -288,13 +288,13 @@ module horopter_plane_paths (
   assign select_77 = running_s1_q ? memory_rdata_q[83:78] : (marks_first_s1_q ? memory_rdata_q[83:78] : 6'h0);
   logic [5:0] opinion_2;
   assign opinion_2 = and_40 ? select_77 : 6'h0;
-  // hls/stages/plane_paths.hpp:89
+  // hls/stages/plane_paths.hpp:94
   logic [5:0] price_7;
   assign price_7 = (select_75 < opinion_2) ? select_75 : opinion_2;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_81;
   assign sum_81 = {1'b0, sum_13_s1_q[10:2]} + {4'h0, price_7};
-  // hls/stages/plane_paths.hpp:105
+  // hls/stages/plane_paths.hpp:115
   logic [6:0] sum_82;
   assign sum_82 = {1'b0, opinion_2} + 7'h27;
   logic [5:0] select_83;
@@ -304,21 +304,21 @@ module horopter_plane_paths (
   assign select_85 = running_s1_q ? memory_rdata_q[71:66] : (marks_first_s1_q ? memory_rdata_q[71:66] : 6'h0);
   logic [5:0] opinion_3;
   assign opinion_3 = and_40 ? select_85 : 6'h0;
-  // hls/stages/plane_paths.hpp:105
+  // hls/stages/plane_paths.hpp:115
   logic [6:0] sum_87;
   assign sum_87 = {1'b0, opinion_3} + 7'h27;
   logic [5:0] select_88;
   assign select_88 = sum_87[6] ? 6'h3f : sum_87[5:0];
-  // hls/stages/plane_paths.hpp:89
+  // hls/stages/plane_paths.hpp:94
   logic [5:0] price_8;
   assign price_8 = (select_88 < opinion) ? select_88 : opinion;
-  // hls/stages/plane_paths.hpp:90
+  // hls/stages/plane_paths.hpp:95
   logic [5:0] price_9;
   assign price_9 = (select_83 < price_8) ? select_83 : price_8;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_93;
   assign sum_93 = {1'b0, sum_12_s1_q[10:2]} + {4'h0, price_9};
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [11:0] select_95;
   assign select_95 = ({sum_81, sum_13_s1_q[1:0]} < {sum_93, sum_12_s1_q[1:0]}) ? {sum_81, sum_13_s1_q[1:0]} : {sum_93, sum_12_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
@@ -326,18 +326,18 @@ module horopter_plane_paths (
   assign select_99 = running_s1_q ? memory_rdata_q[65:60] : (marks_first_s1_q ? memory_rdata_q[65:60] : 6'h0);
   logic [5:0] opinion_4;
   assign opinion_4 = and_40 ? select_99 : 6'h0;
-  // hls/stages/plane_paths.hpp:105
+  // hls/stages/plane_paths.hpp:115
   logic [6:0] sum_101;
   assign sum_101 = {1'b0, opinion_4} + 7'h27;
   logic [5:0] select_102;
   assign select_102 = sum_101[6] ? 6'h3f : sum_101[5:0];
-  // hls/stages/plane_paths.hpp:89
+  // hls/stages/plane_paths.hpp:94
   logic [5:0] price_10;
   assign price_10 = (select_102 < opinion_3) ? select_102 : opinion_3;
-  // hls/stages/plane_paths.hpp:90
+  // hls/stages/plane_paths.hpp:95
   logic [5:0] price_11;
   assign price_11 = (select_75 < price_10) ? select_75 : price_10;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_107;
   assign sum_107 = {1'b0, sum_11_s1_q[10:2]} + {4'h0, price_11};
   // hls/stages/plane_paths.hpp:55
@@ -345,21 +345,21 @@ module horopter_plane_paths (
   assign select_109 = running_s1_q ? memory_rdata_q[59:54] : (marks_first_s1_q ? memory_rdata_q[59:54] : 6'h0);
   logic [5:0] opinion_5;
   assign opinion_5 = and_40 ? select_109 : 6'h0;
-  // hls/stages/plane_paths.hpp:105
+  // hls/stages/plane_paths.hpp:115
   logic [6:0] sum_111;
   assign sum_111 = {1'b0, opinion_5} + 7'h27;
   logic [5:0] select_112;
   assign select_112 = sum_111[6] ? 6'h3f : sum_111[5:0];
-  // hls/stages/plane_paths.hpp:89
+  // hls/stages/plane_paths.hpp:94
   logic [5:0] price_12;
   assign price_12 = (select_112 < opinion_4) ? select_112 : opinion_4;
-  // hls/stages/plane_paths.hpp:90
+  // hls/stages/plane_paths.hpp:95
   logic [5:0] price_13;
   assign price_13 = (select_88 < price_12) ? select_88 : price_12;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_117;
   assign sum_117 = {1'b0, sum_10_s1_q[10:2]} + {4'h0, price_13};
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [11:0] select_119;
   assign select_119 = ({sum_107, sum_11_s1_q[1:0]} < {sum_117, sum_10_s1_q[1:0]}) ? {sum_107, sum_11_s1_q[1:0]} : {sum_117, sum_10_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
@@ -367,18 +367,18 @@ module horopter_plane_paths (
   assign select_121 = running_s1_q ? memory_rdata_q[53:48] : (marks_first_s1_q ? memory_rdata_q[53:48] : 6'h0);
   logic [5:0] opinion_6;
   assign opinion_6 = and_40 ? select_121 : 6'h0;
-  // hls/stages/plane_paths.hpp:105
+  // hls/stages/plane_paths.hpp:115
   logic [6:0] sum_123;
   assign sum_123 = {1'b0, opinion_6} + 7'h27;
   logic [5:0] select_124;
   assign select_124 = sum_123[6] ? 6'h3f : sum_123[5:0];
-  // hls/stages/plane_paths.hpp:89
+  // hls/stages/plane_paths.hpp:94
   logic [5:0] price_14;
   assign price_14 = (select_124 < opinion_5) ? select_124 : opinion_5;
-  // hls/stages/plane_paths.hpp:90
+  // hls/stages/plane_paths.hpp:95
   logic [5:0] price_15;
   assign price_15 = (select_102 < price_14) ? select_102 : price_14;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_129;
   assign sum_129 = {1'b0, sum_9_s1_q[10:2]} + {4'h0, price_15};
   // hls/stages/plane_paths.hpp:55
@@ -386,21 +386,21 @@ module horopter_plane_paths (
   assign select_131 = running_s1_q ? memory_rdata_q[47:42] : (marks_first_s1_q ? memory_rdata_q[47:42] : 6'h0);
   logic [5:0] opinion_7;
   assign opinion_7 = and_40 ? select_131 : 6'h0;
-  // hls/stages/plane_paths.hpp:105
+  // hls/stages/plane_paths.hpp:115
   logic [6:0] sum_133;
   assign sum_133 = {1'b0, opinion_7} + 7'h27;
   logic [5:0] select_134;
   assign select_134 = sum_133[6] ? 6'h3f : sum_133[5:0];
-  // hls/stages/plane_paths.hpp:89
+  // hls/stages/plane_paths.hpp:94
   logic [5:0] price_16;
   assign price_16 = (select_134 < opinion_6) ? select_134 : opinion_6;
-  // hls/stages/plane_paths.hpp:90
+  // hls/stages/plane_paths.hpp:95
   logic [5:0] price_17;
   assign price_17 = (select_112 < price_16) ? select_112 : price_16;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_139;
   assign sum_139 = {1'b0, sum_8_s1_q[10:2]} + {4'h0, price_17};
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [11:0] select_141;
   assign select_141 = ({sum_129, sum_9_s1_q[1:0]} < {sum_139, sum_8_s1_q[1:0]}) ? {sum_129, sum_9_s1_q[1:0]} : {sum_139, sum_8_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
@@ -408,18 +408,18 @@ module horopter_plane_paths (
   assign select_147 = running_s1_q ? memory_rdata_q[41:36] : (marks_first_s1_q ? memory_rdata_q[41:36] : 6'h0);
   logic [5:0] opinion_8;
   assign opinion_8 = and_40 ? select_147 : 6'h0;
-  // hls/stages/plane_paths.hpp:105
+  // hls/stages/plane_paths.hpp:115
   logic [6:0] sum_149;
   assign sum_149 = {1'b0, opinion_8} + 7'h27;
   logic [5:0] select_150;
   assign select_150 = sum_149[6] ? 6'h3f : sum_149[5:0];
-  // hls/stages/plane_paths.hpp:89
+  // hls/stages/plane_paths.hpp:94
   logic [5:0] price_18;
   assign price_18 = (select_150 < opinion_7) ? select_150 : opinion_7;
-  // hls/stages/plane_paths.hpp:90
+  // hls/stages/plane_paths.hpp:95
   logic [5:0] price_19;
   assign price_19 = (select_124 < price_18) ? select_124 : price_18;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_155;
   assign sum_155 = {1'b0, sum_7_s1_q[10:2]} + {4'h0, price_19};
   // hls/stages/plane_paths.hpp:55
@@ -427,27 +427,27 @@ module horopter_plane_paths (
   assign select_157 = running_s1_q ? memory_rdata_q[35:30] : (marks_first_s1_q ? memory_rdata_q[35:30] : 6'h0);
   logic [5:0] opinion_9;
   assign opinion_9 = and_40 ? select_157 : 6'h0;
-  // hls/stages/plane_paths.hpp:105
+  // hls/stages/plane_paths.hpp:115
   logic [6:0] sum_159;
   assign sum_159 = {1'b0, opinion_9} + 7'h27;
   logic [5:0] select_160;
   assign select_160 = sum_159[6] ? 6'h3f : sum_159[5:0];
-  // hls/stages/plane_paths.hpp:89
+  // hls/stages/plane_paths.hpp:94
   logic [5:0] price_20;
   assign price_20 = (select_160 < opinion_8) ? select_160 : opinion_8;
-  // hls/stages/plane_paths.hpp:90
+  // hls/stages/plane_paths.hpp:95
   logic [5:0] price_21;
   assign price_21 = (select_134 < price_20) ? select_134 : price_20;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_165;
   assign sum_165 = {1'b0, sum_6_s1_q[10:2]} + {4'h0, price_21};
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [11:0] select_167;
   assign select_167 = ({sum_155, sum_7_s1_q[1:0]} < {sum_165, sum_6_s1_q[1:0]}) ? {sum_155, sum_7_s1_q[1:0]} : {sum_165, sum_6_s1_q[1:0]};
-  // hls/stages/plane_paths.hpp:90
+  // hls/stages/plane_paths.hpp:95
   logic [5:0] price_22;
   assign price_22 = (select_150 < opinion_9) ? select_150 : opinion_9;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_170;
   assign sum_170 = {1'b0, sum_5_s1_q[10:2]} + {4'h0, price_22};
   // hls/stages/plane_paths.hpp:55
@@ -455,10 +455,10 @@ module horopter_plane_paths (
   assign select_172 = running_s1_q ? memory_rdata_q[29:24] : (marks_first_s1_q ? memory_rdata_q[29:24] : 6'h0);
   logic [5:0] price_23;
   assign price_23 = and_40 ? select_172 : 6'h0;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_174;
   assign sum_174 = {1'b0, sum_4_s1_q[10:2]} + {4'h0, price_23};
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [11:0] select_176;
   assign select_176 = ({sum_170, sum_5_s1_q[1:0]} < {sum_174, sum_4_s1_q[1:0]}) ? {sum_170, sum_5_s1_q[1:0]} : {sum_174, sum_4_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
@@ -466,7 +466,7 @@ module horopter_plane_paths (
   assign select_180 = running_s1_q ? memory_rdata_q[23:18] : (marks_first_s1_q ? memory_rdata_q[23:18] : 6'h0);
   logic [5:0] price_24;
   assign price_24 = and_40 ? select_180 : 6'h0;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_182;
   assign sum_182 = {1'b0, sum_3_s1_q[10:2]} + {4'h0, price_24};
   // hls/stages/plane_paths.hpp:55
@@ -474,10 +474,10 @@ module horopter_plane_paths (
   assign select_184 = running_s1_q ? memory_rdata_q[17:12] : (marks_first_s1_q ? memory_rdata_q[17:12] : 6'h0);
   logic [5:0] price_25;
   assign price_25 = and_40 ? select_184 : 6'h0;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_186;
   assign sum_186 = {1'b0, sum_2_s1_q[10:2]} + {4'h0, price_25};
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [11:0] select_188;
   assign select_188 = ({sum_182, sum_3_s1_q[1:0]} < {sum_186, sum_2_s1_q[1:0]}) ? {sum_182, sum_3_s1_q[1:0]} : {sum_186, sum_2_s1_q[1:0]};
   // hls/stages/plane_paths.hpp:55
@@ -485,10 +485,10 @@ module horopter_plane_paths (
   assign select_190 = running_s1_q ? memory_rdata_q[11:6] : (marks_first_s1_q ? memory_rdata_q[11:6] : 6'h0);
   logic [5:0] price_26;
   assign price_26 = and_40 ? select_190 : 6'h0;
-  // hls/stages/plane_paths.hpp:91
+  // hls/stages/plane_paths.hpp:96
   logic [9:0] sum_192;
   assign sum_192 = {1'b0, sum_1_s1_q[10:2]} + {4'h0, price_26};
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [11:0] select_194;
   assign select_194 = ({sum_192, sum_1_s1_q[1:0]} < {sum_44, sum_0_s1_q[1:0]}) ? {sum_192, sum_1_s1_q[1:0]} : {sum_44, sum_0_s1_q[1:0]};
 
@@ -612,7 +612,7 @@ module horopter_plane_paths (
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/plane_paths.hpp:113
+  // hls/stages/planes.hpp:42
   logic [11:0] select_58;
   assign select_58 = ({sum_52_s2_q, sum_17_s2_q} < {sum_56_s2_q, sum_16_s2_q}) ? {sum_52_s2_q, sum_17_s2_q} : {sum_56_s2_q, sum_16_s2_q};
   logic [11:0] select_60;
@@ -625,190 +625,190 @@ module horopter_plane_paths (
   assign select_200 = (select_145 < select_198) ? select_145 : select_198;
   logic [11:0] best;
   assign best = (select_60 < select_200) ? select_60 : select_200;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_203;
   assign difference_203 = {sum_44_s2_q, sum_0_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_205;
   assign select_205 = (difference_203[11:8] == 4'h0) ? difference_203[7:2] : 6'h3f;
   logic [6:0] sum_206;
   assign sum_206 = {1'b0, select_205} + 7'h3;
   logic [5:0] select_208;
   assign select_208 = known_s2_q ? (select_205 - {1'b0, sum_206[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_209;
   assign difference_209 = {sum_192_s2_q, sum_1_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_211;
   assign select_211 = (difference_209[11:8] == 4'h0) ? difference_209[7:2] : 6'h3f;
   logic [6:0] sum_212;
   assign sum_212 = {1'b0, select_211} + 7'h3;
   logic [5:0] select_214;
   assign select_214 = known_s2_q ? (select_211 - {1'b0, sum_212[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_215;
   assign difference_215 = {sum_186_s2_q, sum_2_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_217;
   assign select_217 = (difference_215[11:8] == 4'h0) ? difference_215[7:2] : 6'h3f;
   logic [6:0] sum_218;
   assign sum_218 = {1'b0, select_217} + 7'h3;
   logic [5:0] select_220;
   assign select_220 = known_s2_q ? (select_217 - {1'b0, sum_218[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_221;
   assign difference_221 = {sum_182_s2_q, sum_3_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_223;
   assign select_223 = (difference_221[11:8] == 4'h0) ? difference_221[7:2] : 6'h3f;
   logic [6:0] sum_224;
   assign sum_224 = {1'b0, select_223} + 7'h3;
   logic [5:0] select_226;
   assign select_226 = known_s2_q ? (select_223 - {1'b0, sum_224[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_227;
   assign difference_227 = {sum_174_s2_q, sum_4_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_229;
   assign select_229 = (difference_227[11:8] == 4'h0) ? difference_227[7:2] : 6'h3f;
   logic [6:0] sum_230;
   assign sum_230 = {1'b0, select_229} + 7'h3;
   logic [5:0] select_232;
   assign select_232 = known_s2_q ? (select_229 - {1'b0, sum_230[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_233;
   assign difference_233 = {sum_170_s2_q, sum_5_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_235;
   assign select_235 = (difference_233[11:8] == 4'h0) ? difference_233[7:2] : 6'h3f;
   logic [6:0] sum_236;
   assign sum_236 = {1'b0, select_235} + 7'h3;
   logic [5:0] select_238;
   assign select_238 = known_s2_q ? (select_235 - {1'b0, sum_236[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_239;
   assign difference_239 = {sum_165_s2_q, sum_6_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_241;
   assign select_241 = (difference_239[11:8] == 4'h0) ? difference_239[7:2] : 6'h3f;
   logic [6:0] sum_242;
   assign sum_242 = {1'b0, select_241} + 7'h3;
   logic [5:0] select_244;
   assign select_244 = known_s2_q ? (select_241 - {1'b0, sum_242[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_245;
   assign difference_245 = {sum_155_s2_q, sum_7_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_247;
   assign select_247 = (difference_245[11:8] == 4'h0) ? difference_245[7:2] : 6'h3f;
   logic [6:0] sum_248;
   assign sum_248 = {1'b0, select_247} + 7'h3;
   logic [5:0] select_250;
   assign select_250 = known_s2_q ? (select_247 - {1'b0, sum_248[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_251;
   assign difference_251 = {sum_139_s2_q, sum_8_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_253;
   assign select_253 = (difference_251[11:8] == 4'h0) ? difference_251[7:2] : 6'h3f;
   logic [6:0] sum_254;
   assign sum_254 = {1'b0, select_253} + 7'h3;
   logic [5:0] select_256;
   assign select_256 = known_s2_q ? (select_253 - {1'b0, sum_254[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_257;
   assign difference_257 = {sum_129_s2_q, sum_9_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_259;
   assign select_259 = (difference_257[11:8] == 4'h0) ? difference_257[7:2] : 6'h3f;
   logic [6:0] sum_260;
   assign sum_260 = {1'b0, select_259} + 7'h3;
   logic [5:0] select_262;
   assign select_262 = known_s2_q ? (select_259 - {1'b0, sum_260[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_263;
   assign difference_263 = {sum_117_s2_q, sum_10_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_265;
   assign select_265 = (difference_263[11:8] == 4'h0) ? difference_263[7:2] : 6'h3f;
   logic [6:0] sum_266;
   assign sum_266 = {1'b0, select_265} + 7'h3;
   logic [5:0] select_268;
   assign select_268 = known_s2_q ? (select_265 - {1'b0, sum_266[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_269;
   assign difference_269 = {sum_107_s2_q, sum_11_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_271;
   assign select_271 = (difference_269[11:8] == 4'h0) ? difference_269[7:2] : 6'h3f;
   logic [6:0] sum_272;
   assign sum_272 = {1'b0, select_271} + 7'h3;
   logic [5:0] select_274;
   assign select_274 = known_s2_q ? (select_271 - {1'b0, sum_272[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_275;
   assign difference_275 = {sum_93_s2_q, sum_12_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_277;
   assign select_277 = (difference_275[11:8] == 4'h0) ? difference_275[7:2] : 6'h3f;
   logic [6:0] sum_278;
   assign sum_278 = {1'b0, select_277} + 7'h3;
   logic [5:0] select_280;
   assign select_280 = known_s2_q ? (select_277 - {1'b0, sum_278[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_281;
   assign difference_281 = {sum_81_s2_q, sum_13_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_283;
   assign select_283 = (difference_281[11:8] == 4'h0) ? difference_281[7:2] : 6'h3f;
   logic [6:0] sum_284;
   assign sum_284 = {1'b0, select_283} + 7'h3;
   logic [5:0] select_286;
   assign select_286 = known_s2_q ? (select_283 - {1'b0, sum_284[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_287;
   assign difference_287 = {sum_68_s2_q, sum_14_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_289;
   assign select_289 = (difference_287[11:8] == 4'h0) ? difference_287[7:2] : 6'h3f;
   logic [6:0] sum_290;
   assign sum_290 = {1'b0, select_289} + 7'h3;
   logic [5:0] select_292;
   assign select_292 = known_s2_q ? (select_289 - {1'b0, sum_290[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_293;
   assign difference_293 = {sum_64_s2_q, sum_15_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_295;
   assign select_295 = (difference_293[11:8] == 4'h0) ? difference_293[7:2] : 6'h3f;
   logic [6:0] sum_296;
   assign sum_296 = {1'b0, select_295} + 7'h3;
   logic [5:0] select_298;
   assign select_298 = known_s2_q ? (select_295 - {1'b0, sum_296[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_299;
   assign difference_299 = {sum_56_s2_q, sum_16_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_301;
   assign select_301 = (difference_299[11:8] == 4'h0) ? difference_299[7:2] : 6'h3f;
   logic [6:0] sum_302;
   assign sum_302 = {1'b0, select_301} + 7'h3;
   logic [5:0] select_304;
   assign select_304 = known_s2_q ? (select_301 - {1'b0, sum_302[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_305;
   assign difference_305 = {sum_52_s2_q, sum_17_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_307;
   assign select_307 = (difference_305[11:8] == 4'h0) ? difference_305[7:2] : 6'h3f;
   logic [6:0] sum_308;
   assign sum_308 = {1'b0, select_307} + 7'h3;
   logic [5:0] select_310;
   assign select_310 = known_s2_q ? (select_307 - {1'b0, sum_308[6:2]}) : 6'h0;
-  // hls/stages/plane_paths.hpp:96
+  // hls/stages/plane_paths.hpp:105
   logic [11:0] difference_311;
   assign difference_311 = {sum_48_s2_q, sum_18_s2_q} - best;
-  // hls/stages/plane_paths.hpp:97
+  // hls/stages/plane_paths.hpp:106
   logic [5:0] select_313;
   assign select_313 = (difference_311[11:8] == 4'h0) ? difference_311[7:2] : 6'h3f;
   logic [6:0] sum_314;
