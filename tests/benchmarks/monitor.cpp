@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 #include <random>
 #include <string>
 #include <thread>
@@ -167,6 +168,10 @@ void measure(const Load& run, double seconds) {
 
 int main(int argc, char** argv) {
   const double seconds = argc > 1 ? std::atof(argv[1]) : 10;
+  if (argc > 2 || !(seconds >= 1)) {
+    std::cerr << "usage: benchmark-monitor [SECONDS]    of each load, at least 1; 10 by default\n";
+    return 2;
+  }
   fmt::print("{}x{} px, {} processors, {} threads a pair\n", kWidth, kHeight, std::thread::hardware_concurrency(),
              native::make_engine("vga", native::threads_live)->threads());
   fmt::print("                pairs          decision, ms       at the client, ms          CPU\n");
