@@ -840,7 +840,7 @@ TEST_CASE("health: pairs of rows aside are torn; scenes, noise, blocks, doubled 
 
 namespace {
 
-/// Frames of which more and more rows lie aside, and in the end all, by step() alone and by rows: all results are alike. How many are torn.
+/// Frames of which more and more rows lie aside, by step() alone and by rows: the results are the same. How many are torn.
 template <class Stage>
 int torn_by_rows_as_by_pixels(int width, int height, int frames) {
   Stage by_pixels, by_rows;
