@@ -10,6 +10,7 @@ import yaml
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE_FORMAT = ROOT / "hls/include/horopter/hls/table_format.hpp"
+PROFILES = ROOT / "hls/include/horopter/hls/profiles.def"
 REQUIREMENTS = ROOT / "constraints/requirements.txt"
 ECP5_FIRST = "proc; opt_expr; techmap -map constraints/compare.v"
 
@@ -20,6 +21,9 @@ CELLS = {  # what a cell counts as; LUT4, FF, BRAM, MULT
     "SB_LUT4": (1, 0, 0, 0), "SB_RAM40_4K": (0, 0, 1, 0), "SB_MAC16": (0, 0, 0, 1),
 }
 KINDS = ("LUT4", "FF", "BRAM", "MULT")
+PROFILE_COLUMNS = ("width", "height", "subsample", "dsad_window", "majority_window", "weight_bits", "store_rows", "pool_bytes",
+                   "hypotheses", "decisions", "planes", "sum_rows", "sum_columns", "ballot_reach", "paths", "clock_khz")
+DECISIONS = {"thesis": ("thesis",), "compete": ("compete",), "both": ("thesis", "compete")}
 
 
 def synthesis(family, top, netlist):
@@ -47,18 +51,27 @@ def targets():
 
 
 def profiles():
-    """Columns of profiles.def by profile: numbers, and the name of the decisions."""
-    text = (ROOT / "hls/include/horopter/hls/profiles.def").read_text(encoding="utf-8")
+    """Of each line of profiles.def, by name: its numbers by column, and its rules."""
     found = {}
-    for name, columns in re.findall(r"^HOROPTER_PROFILE\((\w+),([^)]*)\)", text, re.M):
-        found[name] = [int(c) if c.strip().isdigit() else c.strip() for c in columns.split(",")]
+    for number, line in enumerate(PROFILES.read_text(encoding="utf-8").splitlines(), 1):
+        if not line.startswith("HOROPTER_PROFILE"):
+            continue
+        match = re.fullmatch(r"HOROPTER_PROFILE\(\s*([a-z][a-z0-9_]*)\s*,([\s0-9a-z,]*)\)\s*(//.*)?", line)
+        values = [v.strip() for v in match.group(2).split(",")] if match else []
+        profile = dict(zip(PROFILE_COLUMNS, values))
+        numbers = {c: int(v) for c, v in profile.items() if v.isdigit()}
+        if (len(values) != len(PROFILE_COLUMNS) or set(PROFILE_COLUMNS) - set(numbers) != {"decisions"}
+                or profile["decisions"] not in DECISIONS):
+            sys.exit(f"{PROFILES.relative_to(ROOT)}:{number}: expected a name and {len(PROFILE_COLUMNS)} numbers, "
+                     f"the {PROFILE_COLUMNS.index('decisions') + 1}th one of {', '.join(DECISIONS)} instead")
+        found[match.group(1)] = numbers | {"rules": DECISIONS[profile["decisions"]]}
     return found
 
 
 def stages_of(name):
     """The first profile that has the same stages, which depend on all columns but the store's rows and the pool."""
     listed = profiles()
-    of_stages = lambda columns: columns[:6] + columns[8:]
+    of_stages = lambda profile: {c: v for c, v in profile.items() if c not in ("store_rows", "pool_bytes")}
     return next(p for p in listed if of_stages(listed[p]) == of_stages(listed[name]))
 
 
@@ -71,20 +84,13 @@ def table_format():
     return found
 
 
-def profile(name):
-    return {"clock_khz": profiles()[name][-1]}
-
-
-DECISIONS = {"thesis": ("thesis",), "compete": ("compete",), "both": ("thesis", "compete")}
-
-
 def rule_parameters(profile_name, decision):
     """Parameters of horopter_top that leave out what a decision does not need; a sentence where the profile lacks it."""
-    has = next(c for c in profiles()[profile_name] if c in DECISIONS)
-    lacking = set(DECISIONS[decision]) - set(DECISIONS[has])
+    has = profiles()[profile_name]["rules"]
+    lacking = set(DECISIONS[decision]) - set(has)
     if lacking:
         sys.exit(f"the profile '{profile_name}' does not have the rule {', '.join(lacking)}")
-    return {rule.upper(): 0 for rule in DECISIONS[has] if rule not in DECISIONS[decision]}
+    return {rule.upper(): 0 for rule in has if rule not in DECISIONS[decision]}
 
 
 def top_parameters(profile_name, decision, target_name):

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -23,6 +22,7 @@
 #include "horopter/calib/target.hpp"
 #include "horopter/calib/views.hpp"
 #include "horopter/image/frames.hpp"
+#include "horopter/image/mat.hpp"
 #include "horopter/image/output.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
@@ -141,10 +141,8 @@ calib::Report from_points(const CalibrateOptions& options) {
 /// The target in one image; what keeps it from being found becomes part of the report.
 calib::SeenTarget find_target(const NamedImage& named, const calib::TargetSpec& spec) {
   calib::SeenTarget seen{.file = named.name, .pixels = {}, .problem = {}};
-  const Image& image = named.image;
-  const cv::Mat grey(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
   try {
-    calib::TargetView view = calib::detect_target(grey, spec);
+    calib::TargetView view = calib::detect_target(mat_of(named.image), spec);
     seen.pixels = std::move(view.image_px);
     seen.oriented = view.oriented;
   } catch (const calib::TargetError& error) {

@@ -77,10 +77,9 @@ const MachineProfile& profile_for_images(const EvaluateOptions& options, const S
            nullptr) {
       factor /= 2;
     }
-    throw FileError(pair.file, "", fmt::format("the image is {}x{} pixels", pair.left.width, pair.left.height),
-                    fmt::format("at most the 1920x1080 of profile hd; --resize {}, or `resize` in the --list, makes it "
-                                "smaller",
-                                factor));
+    throw FileError(
+        pair.file, "", fmt::format("the image is {}x{} pixels", pair.left.width, pair.left.height),
+        fmt::format("{}; --resize {}, or `resize` in the --list, makes it smaller", largest_image(), factor));
   }
   if (profile->takes_fields()) throw UsageError("fields are not evaluated: ground truth is for full frames");
   check_image_size(pair.name, pair.left.width, pair.left.height, *profile);

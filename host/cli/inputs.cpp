@@ -15,6 +15,7 @@
 #include "horopter/map/map_json.hpp"
 #include "horopter/map/support.hpp"
 #include "horopter/skin/skin_file.hpp"
+#include "numbers.hpp"
 #include "warnings.hpp"
 
 namespace horopter::cli {
@@ -27,8 +28,6 @@ constexpr int kSmallestHeight = 16;
 /// %, so that half a skin stays half a skin when it is rounded to two digits.
 constexpr double kAboutHalf = 47;
 
-/// What cameras can watch: beyond, the unit of a skin is wrong.
-constexpr double kNearestSkin_mm = 20, kFarthestSkin_mm = 1e5;
 /// A skin of which less is supervised is meant otherwise, or not seen as it is meant.
 constexpr double kLittleSupervised = 0.5;
 /// How far the centre of a camera whose image size is not told may be from the middle of an image: of its size.
@@ -79,10 +78,10 @@ void check_distance(const std::string& file, const RigSkin& skin, int image_widt
   if (distances_mm.empty()) return;  // too small to be met, or not seen: others say so
   const auto middle = distances_mm.begin() + static_cast<std::ptrdiff_t>(distances_mm.size() / 2);
   std::ranges::nth_element(distances_mm, middle);
-  if (*middle >= kNearestSkin_mm && *middle <= kFarthestSkin_mm) return;
+  if (*middle >= kNearest_mm && *middle <= kFarthest_mm) return;
   throw FileError(file, "surface",
                   fmt::format("the cameras do not see this skin so: it is {:.3g} mm from the left one", *middle),
-                  fmt::format("{:g} to {:g} mm: a skin in mm of the rig's world", kNearestSkin_mm, kFarthestSkin_mm));
+                  fmt::format("{:g} to {:g} mm: a skin in mm of the rig's world", kNearest_mm, kFarthest_mm));
 }
 
 /// Says where most of what the left camera sees of a skin is not supervised.
@@ -136,6 +135,23 @@ void check_image_size(const std::string& name, int width, int height, const Mach
     throw FileError(name, "", found,
                     fmt::format("even width and height for profile {}, which takes fields and averages pairs", what));
   }
+}
+
+std::string largest_image() {
+  const auto pixels = [](const MachineProfile& p) { return p.takes_fields() ? 0 : p.width * p.height; };
+  const MachineProfile& largest = *std::ranges::max_element(profiles(), {}, pixels);
+  return fmt::format("at most the {}x{} of profile {}", largest.width, largest.height, largest.name);
+}
+
+const MachineProfile& choose_profile(const std::string& profile, const std::string& file, const std::string& place,
+                                     int width, int height) {
+  const MachineProfile* chosen = profile.empty() ? smallest_profile(width, height) : &find_profile(profile);
+  if (chosen == nullptr) {
+    const char* what = place.empty() ? "the image is" : "images of";
+    throw FileError(file, place, fmt::format("{} {}x{} pixels", what, width, height), largest_image());
+  }
+  check_image_size(file, width, height, *chosen);
+  return *chosen;
 }
 
 std::optional<calib::Rig> read_rig_option(const std::string& path) {

@@ -21,6 +21,12 @@ namespace horopter::cli {
 std::string profile_sizes();
 /// Throws FileError when the profile does not hold an image of this size.
 void check_image_size(const std::string& name, int width, int height, const MachineProfile& profile);
+/// "at most the 1920x1080 of profile hd", for messages: the largest image that is taken as it is.
+std::string largest_image();
+/// The profile that is named, else the smallest that holds images of this size. Throws FileError, about a place
+/// in the file, where it does not.
+const MachineProfile& choose_profile(const std::string& profile, const std::string& file, const std::string& place,
+                                     int width, int height);
 /// The cameras of --rig; nothing where the option is not given. Throws FileError.
 std::optional<calib::Rig> read_rig_option(const std::string& path);
 /// The first two cameras, as left and right one. Throws FileError where there are not two, or they are exchanged.

@@ -191,9 +191,7 @@ ExitStatus map(const MapOptions& options) {
       check_image_size(options.rig, width, height, profile);
     }
     maps = load_or_compile_maps(options.skin, rig, profile, width, height, options.decision);
-    std::vector<const MapTable*> tables;
-    for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
-    check_alarm_limit(options.skin, tables, profile, options.decision, options.alarm_percent);
+    check_alarm_limit(options.skin, maps.tables(), profile, options.decision, options.alarm_percent);
     if (!options.output.empty()) save_maps(maps, options.output);
   }
   if (!options.draw.empty()) draw(maps, options.draw, options.json);

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // horopter monitor: live cameras in, a latched decision out, until it is asked to stop.
-#include <fmt/format.h>
-
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -86,40 +84,33 @@ double skew_ms(const monitor::Cell& cell, const SkinInSpace* place, const Machin
 
 monitor::Machine make_machine(const monitor::Cell& cell, const std::optional<calib::Rig>& rig, int width, int height) {
   const std::string skin = cell.skin.string();
-  const std::string file = cell.path.string();
-  const MachineProfile* profile = cell.profile.empty() ? smallest_profile(width, height) : &find_profile(cell.profile);
-  if (profile == nullptr) {
-    throw FileError(file, "cameras", fmt::format("images of {}x{} pixels", width, height), "at most 1920x1080");
-  }
-  check_image_size(file, width, height, *profile);
+  const MachineProfile& profile = choose_profile(cell.profile, cell.path.string(), "cameras", width, height);
   Settings settings = cell.settings;
-  set_thickness({.tolerance_px = cell.tolerance_px, .thickness_mm = cell.thickness_mm}, skin, rig, *profile, width,
+  set_thickness({.tolerance_px = cell.tolerance_px, .thickness_mm = cell.thickness_mm}, skin, rig, profile, width,
                 height, settings);
   ObjectOption object;
   object.given = cell.object_px || cell.object_mm;
   object.px = cell.object_px.value_or(object.px);
   object.mm = cell.object_mm;
-  object = set_object(object, skin, rig, *profile, width, height, settings);
-  check_alarm_frames(skin, rig, *profile, width, height, cell.frames_per_s * profile->fields_per_image(), settings);
+  object = set_object(object, skin, rig, profile, width, height, settings);
+  check_alarm_frames(skin, rig, profile, width, height, cell.frames_per_s * profile.fields_per_image(), settings);
   auto compiled =
-      std::make_shared<const MapSet>(load_or_compile_maps(skin, rig, *profile, width, height, settings.decision));
+      std::make_shared<const MapSet>(load_or_compile_maps(skin, rig, profile, width, height, settings.decision));
   const MapSet& maps = *compiled;
-  std::vector<const MapTable*> tables;
-  for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
-  check_alarm_limit(skin, tables, *profile, settings.decision, settings.alarm_percent);
-  check_object_limit(object, skin, tables, *profile, settings);
-  warn_of_proof(skin, tables, *profile, maps.lookahead(), settings, maps.rig);
+  const auto tables = maps.tables();
+  check_alarm_limit(skin, tables, profile, settings.decision, settings.alarm_percent);
+  check_object_limit(object, skin, tables, profile, settings);
+  warn_of_proof(skin, tables, profile, maps.lookahead(), settings, maps.rig);
   const auto place = in_space(cell, rig, width, height);
-  const ScanGeometry geometry = scans_of(*profile, width, height).front();
+  const ScanGeometry geometry = scans_of(profile, width, height).front();
   monitor::Machine machine;
-  machine.largest_skew_ms = skew_ms(cell, place.get(), *profile, geometry, settings);
-  machine.objects = std::make_unique<ObjectFollower>(*profile, tables, maps.rig);
+  machine.largest_skew_ms = skew_ms(cell, place.get(), profile, geometry, settings);
+  machine.objects = std::make_unique<ObjectFollower>(profile, tables, maps.rig);
   if (!maps.rig.empty()) {
     machine.camera_mm = first_pair(calib::rig_from_yaml(maps.rig, skin), skin).left().world_to_camera.centre();
   }
-  auto device =
-      cell.engine == "native" ? make_live_native_device(*profile) : make_picture_device(cell.engine, *profile);
-  machine.supervisor = std::make_unique<Supervisor>(std::move(device), *profile, maps, settings);
+  auto device = cell.engine == "native" ? make_live_native_device(profile) : make_picture_device(cell.engine, profile);
+  machine.supervisor = std::make_unique<Supervisor>(std::move(device), profile, maps, settings);
   machine.maps = std::move(compiled);
   return machine;
 }

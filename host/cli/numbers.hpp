@@ -43,7 +43,9 @@ inline CLI::Validator within(double smallest, double largest, const std::string&
   };
   return {check, ""};
 }
-inline CLI::Validator is_distance_mm() { return within(20, 1e5, "mm"); }
+/// What cameras can watch.
+inline constexpr double kNearest_mm = 20, kFarthest_mm = 1e5;
+inline CLI::Validator is_distance_mm() { return within(kNearest_mm, kFarthest_mm, "mm"); }
 inline CLI::Validator is_thickness_mm() { return within(0.01, 1e4, "mm"); }
 inline CLI::Validator is_tolerance_px() { return within(0.01, 100, "px"); }
 

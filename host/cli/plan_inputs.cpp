@@ -15,13 +15,7 @@ const MachineProfile& profile_for(const std::string& rig, const std::string& pro
   if (width == 0 || height == 0) {
     throw FileError(rig, "cameras", "camera " + left.name + " has no image size", "image_size: [width, height]");
   }
-  const MachineProfile* found = profile.empty() ? smallest_profile(width, height) : &find_profile(profile);
-  if (found == nullptr) {
-    throw FileError(rig, "cameras", fmt::format("images of {}x{} pixels", width, height),
-                    "at most what profile hd takes");
-  }
-  check_image_size(rig, width, height, *found);
-  return *found;
+  return choose_profile(profile, rig, "cameras", width, height);
 }
 
 Timing TimingOptions::timing(const MachineProfile& profile, Decision decision, int rows) const {

@@ -267,12 +267,7 @@ void choose_machine(const RigOptions& options, RigInstallation& installation) {
   }
   const int width = cameras.left().width_px;
   const int height = cameras.left().height_px;
-  installation.profile = options.profile.empty() ? smallest_profile(width, height) : &find_profile(options.profile);
-  if (installation.profile == nullptr) {
-    throw FileError(rig_name, "image size", fmt::format("images of {}x{} pixels", width, height),
-                    "at most what profile hd takes");
-  }
-  check_image_size(rig_name, width, height, *installation.profile);
+  installation.profile = &choose_profile(options.profile, rig_name, "image size", width, height);
   installation.geometry = scans_of(*installation.profile, width, height).front();
   installation.view = view_limits(*installation.profile, options.decision);
 }

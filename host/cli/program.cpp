@@ -18,9 +18,7 @@
 #include "horopter/machine/engines.hpp"
 #include "horopter/machine/rtl_device.hpp"
 #endif
-#ifdef HOROPTER_HAS_STUDY
 #include "study/commands/command.hpp"
-#endif
 
 namespace horopter::cli {
 namespace {
@@ -101,9 +99,7 @@ int run(int argc, char** argv) {
   add_teach(app, outcome);
   add_log(app, outcome);
   add_monitor_user(app, outcome);
-#ifdef HOROPTER_HAS_STUDY
   add_study(app, outcome);
-#endif
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {

@@ -64,12 +64,7 @@ struct Session {
   Session(const RunOptions& options, const std::optional<calib::Rig>& rig, const NamedImage& first) {
     const int width = first.image.width;
     const int height = first.image.height;
-    profile = options.profile.empty() ? smallest_profile(width, height) : &find_profile(options.profile);
-    if (profile == nullptr) {
-      throw FileError(first.name, "", fmt::format("the image is {}x{} pixels", width, height),
-                      fmt::format("at most the {} of profile hd", "1920x1080"));
-    }
-    check_image_size(first.name, width, height, *profile);
+    profile = &choose_profile(options.profile, first.name, "", width, height);
     settings = options.settings;
     settings.interlock.by_itself = true;  // nobody stands beside a run
     settings.blind.watch = options.teach != 0;
@@ -81,8 +76,7 @@ struct Session {
       return;
     }
     maps = load_or_compile_maps(options.skin, rig, *profile, width, height, settings.decision);
-    std::vector<const MapTable*> tables;
-    for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
+    const auto tables = maps.tables();
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
     judgeable_pixels = check_object_limit(object, options.skin, tables, *profile, settings);
     has_rig = !maps.rig.empty();
@@ -110,16 +104,13 @@ struct Session {
     d95_px = std::min(skin.motion_limits.tolerance_px, horopter::d95_px(settings));
     skin.motion_limits.tolerance_px = d95_px;
     MovingMaps compiled = compile_motion(skin, *profile, width, height, view_limits(*profile, settings.decision));
-    std::vector<const MapTable*> tables;
-    for (const MovingStep& step : compiled.steps) tables.push_back(&step.map.table);
+    const auto tables = compiled.tables();
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
     judgeable_pixels = check_object_limit(object, options.skin, tables, *profile, settings);
     warn_of_proof(options.skin, tables, *profile, compiled.lookahead, settings, compiled.rig);
     moving = std::make_unique<MovingSupervisor>(make_picture_device(options.engine, *profile), *profile,
                                                 std::move(compiled), settings);
-    tables.clear();  // these went into it
-    for (const MovingStep& step : moving->maps().steps) tables.push_back(&step.map.table);
-    follower = std::make_unique<ObjectFollower>(*profile, tables, moving->maps().rig);
+    follower = std::make_unique<ObjectFollower>(*profile, moving->maps().tables(), moving->maps().rig);
   }
 
   const MachineProfile* profile = nullptr;
@@ -187,7 +178,7 @@ void report_taught(const BlindWatch& watch, std::size_t pairs, const BlindSettin
     const int all = block.width * block.height;
     pixels += all;
     undecidable += block.most_undecidable;
-    if (all > block.most_undecidable + settings.margin * watch.side() * watch.side() / 64) continue;
+    if (all > block.most_undecidable + settings.margin_pixels(watch.side())) continue;
     unwatched += all;
     never.push_back({block.x, block.y, block.width, block.height});
   }
@@ -393,12 +384,7 @@ void add_run(CLI::App& app, Outcome& outcome) {
           "reads undecidable, and a plain glove is no alarm")
       ->check(at_least_one())
       ->type_name("N");
-  command
-      ->add_flag_callback(
-          "--less-light", [options] { options->settings.blind.dim = true; },
-          "Learn for less light, too: every second image is looked at as half of the light would show it. Less light then "
-          "raises fewer false alarms, but fewer plain bodies are found (`study walk --less-light`)")
-      ->needs("--teach");
+  add_less_light(*command, options->settings.blind)->needs("--teach");
   command
       ->add_option("--frame-rate", options->results_per_s,
                    "Results a second, frames or fields of profile field: objects then have a velocity by the second, "

@@ -36,6 +36,13 @@ CLI::Option* add_pair_by_order(CLI::App& command, bool& by_order) {
                           "Pair the images in their order, even where the numbers in their names differ");
 }
 
+CLI::Option* add_less_light(CLI::App& command, BlindSettings& blind) {
+  return command.add_flag_callback(
+      "--less-light", [&blind] { blind.dim = true; },
+      "Learn for less light, too: every second image is looked at as half of the light would show it. Less light then "
+      "raises fewer false alarms, but fewer plain bodies are found (`study walk --less-light`)");
+}
+
 void add_settings(CLI::App& command, Settings& settings) {
   command
       .add_option("--threshold", settings.threshold_percent,

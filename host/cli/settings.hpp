@@ -19,6 +19,9 @@ std::unique_ptr<Device> make_picture_device(const std::string& engine, const Mac
 /// --pair-by-order, of the commands that take --left and --right.
 CLI::Option* add_pair_by_order(CLI::App& command, bool& by_order);
 
+/// --less-light, of the commands that teach.
+CLI::Option* add_less_light(CLI::App& command, BlindSettings& blind);
+
 /// Thresholds and limits.
 void add_settings(CLI::App& command, Settings& settings);
 

@@ -8,15 +8,13 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/utility.hpp>
 
+#include "horopter/image/mat.hpp"
+
 namespace horopter::cli {
 namespace {
 
 /// OpenCV takes multiples of 16. At least 16 px more than the scene needs: where it ends is not known beforehand.
 int number_of_disparities(double largest_px) { return (static_cast<int>(std::ceil(largest_px)) + 16 + 15) / 16 * 16; }
-
-cv::Mat view(const Image& image) {
-  return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data())};
-}
 
 Matching match(cv::StereoMatcher& matcher, const Image& left, const Image& right, int runs) {
   Matching result;
@@ -26,7 +24,7 @@ Matching match(cv::StereoMatcher& matcher, const Image& left, const Image& right
   result.seconds = std::numeric_limits<double>::infinity();
   for (int run = 0; run < runs; ++run) {
     const auto start = std::chrono::steady_clock::now();
-    matcher.compute(view(left), view(right), disparity);
+    matcher.compute(mat_of(left), mat_of(right), disparity);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     result.seconds = std::min(result.seconds, took.count());
   }

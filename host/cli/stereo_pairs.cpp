@@ -13,6 +13,7 @@
 
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
+#include "horopter/image/mat.hpp"
 #include "horopter/machine/device.hpp"
 
 namespace horopter::cli {
@@ -20,10 +21,6 @@ namespace {
 
 constexpr double kNoiseSigma = 5;
 constexpr std::uint64_t kNoiseSeed = 6;
-
-cv::Mat view(const Image& image) {
-  return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data())};
-}
 
 /// Throws FileError where it makes nothing, or more than an image is.
 Image resize_image(const Image& image, double factor, const std::string& file) {
@@ -36,8 +33,8 @@ Image resize_image(const Image& image, double factor, const std::string& file) {
   }
   Image result(static_cast<int>(std::lround(image.width * factor)),
                static_cast<int>(std::lround(image.height * factor)));
-  cv::Mat to = view(result);
-  cv::resize(view(image), to, to.size(), 0, 0, factor < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
+  cv::Mat to = mat_of(result);
+  cv::resize(mat_of(image), to, to.size(), 0, 0, factor < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
   return result;
 }
 

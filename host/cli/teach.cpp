@@ -129,7 +129,7 @@ void add_teach(CLI::App& app, Outcome& outcome) {
       app.add_subcommand("teach", "Let a running machine learn where nothing can be decided; the zone is empty");
   add_engine(*command, options->engine)->required();
   command->add_option("--frames", options->frames, "Learn from this many frames: at least a whole cycle of the robot")
-      ->check(CLI::Range(1, 65'535))
+      ->check(CLI::Range(1, static_cast<int>(reg::taught::kFrames.mask())))
       ->capture_default_str();
   command
       ->add_option(
@@ -138,10 +138,7 @@ void add_teach(CLI::App& app, Outcome& outcome) {
           "of it")
       ->check(CLI::Range(0, 255))
       ->capture_default_str();
-  command->add_flag_callback(
-      "--less-light", [options] { options->blind.dim = true; },
-      "Learn for less light, too: every second image is looked at as half of the light would show it. Less light then "
-      "raises fewer false alarms, but fewer plain bodies are found (`study walk --less-light`)");
+  add_less_light(*command, options->blind);
   command->add_flag("--off", options->off, "Do not watch for what goes blind")->excludes("--frames");
   command->add_flag("--json", options->json, "Print the answer as JSON on standard output, and nothing else");
   command->footer(

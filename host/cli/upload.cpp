@@ -17,6 +17,7 @@
 #include "numbers.hpp"
 #include "object.hpp"
 #include "settings.hpp"
+#include "thickness.hpp"
 #include "warnings.hpp"
 #include "words.hpp"
 
@@ -30,6 +31,7 @@ struct UploadOptions {
   std::string rig;
   std::string profile;
   Settings settings;
+  ThicknessOption thickness;
   ObjectOption object;
   std::optional<double> results_per_s;
   bool stop_first = false;
@@ -83,8 +85,7 @@ MapSet maps_for(const UploadOptions& options, const Wanted& wanted, const Build&
     check_image_size(options.rig, width, height, profile);
   }
   MapSet maps = load_or_compile_maps(options.file(), wanted.rig, profile, width, height, options.settings.decision);
-  std::vector<const MapTable*> tables;
-  for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
+  const auto tables = maps.tables();
   check_alarm_limit(options.file(), tables, profile, options.settings.decision, options.settings.alarm_percent);
   warn_of_proof(options.file(), tables, profile, maps.lookahead(), options.settings, maps.rig);
   return maps;
@@ -134,18 +135,21 @@ ExitStatus upload(const UploadOptions& options) {
   check_rule(build, options.settings.decision);
   const MapSet maps = maps_for(options, wanted, build);
   Settings settings = options.settings;
+  const auto thickness = set_thickness(options.thickness, options.file(), wanted.rig, *build.profile, maps.image_width,
+                                       maps.image_height, settings);
   const ObjectOption object = set_object(options.object, options.file(), wanted.rig, *build.profile, maps.image_width,
                                          maps.image_height, settings);
   check_alarm_frames(options.file(), wanted.rig, *build.profile, maps.image_width, maps.image_height,
                      options.results_per_s, settings);
-  std::vector<const MapTable*> tables;
-  for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
-  check_object_limit(object, options.file(), tables, *build.profile, settings);
+  check_object_limit(object, options.file(), maps.tables(), *build.profile, settings);
   const LoadReport report = load(*device, build, maps, settings, options.stop_first);
   if (options.json) {
-    std::puts(json_text(report_json(options, build, report)).c_str());
+    auto json = report_json(options, build, report);
+    if (thickness) json.update(thickness->json());
+    std::puts(json_text(json).c_str());
   } else {
     print_report(options, build, report);
+    if (thickness) fmt::print("skin      {}\n", thickness->text(settings));
   }
   return ExitStatus::done;
 }
@@ -164,6 +168,8 @@ void add_upload(CLI::App& app, Outcome& outcome) {
   command->add_option("--profile", options->profile, "What the machine must be: " + profile_sizes())->type_name("P");
   add_decision(*command, options->settings.decision);
   add_settings(*command, options->settings);
+  add_thickness(*command, options->thickness);
+  command->get_option("--threshold")->excludes("--tolerance")->excludes("--thickness");
   add_object(*command, options->object);
   add_alarm_frames(*command, options->settings.alarm_frames);
   command

@@ -129,15 +129,6 @@ inline Image warp(const Image& right, int width, int height, const std::function
   return out;
 }
 
-/// 10.4.3.
-inline Image mean_of_pairs(const Image& image) {
-  Image out(image.width / 2, image.height);
-  for (int y = 0; y < out.height; ++y) {
-    for (int x = 0; x < out.width; ++x) out(x, y) = (image.at(2 * x, y) + image.at(2 * x + 1, y)) / 2;
-  }
-  return out;
-}
-
 struct Decision {
   int dsad_window = 9;
   int majority_window = 7;

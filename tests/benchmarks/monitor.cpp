@@ -14,12 +14,9 @@
 #include <thread>
 #include <vector>
 
+#include "../system/monitor_machine.hpp"
 #include "../system/plc.hpp"
 #include "../unit/host_temporary.hpp"
-#include "horopter/machine/native_device.hpp"
-#include "horopter/map/map_compiler.hpp"
-#include "horopter/monitor/service.hpp"
-#include "horopter/skin/skin.hpp"
 #include "output/modbus.hpp"
 #include "stages/engine.hpp"
 
@@ -78,19 +75,6 @@ class Recorder : public Part {
   Status last_;
 };
 
-monitor::Machine machine(const Cell& cell, const std::filesystem::path& folder) {
-  const auto& profile = find_profile("vga");
-  const auto skin = load_skin(folder / "skin.yaml", {(kWidth - 1) / 2.0, (kHeight - 1) / 2.0}, nullptr);
-  const auto maps = std::make_shared<const MapSet>(compile_maps(skin, profile, kWidth, kHeight));
-  monitor::Machine made;
-  made.maps = maps;
-  made.objects =
-      std::make_unique<ObjectFollower>(profile, std::vector<const MapTable*>{&maps->maps.at(0).table}, maps->rig);
-  made.largest_skew_ms = 1;
-  made.supervisor = std::make_unique<Supervisor>(make_live_native_device(profile), profile, *maps, cell.settings);
-  return made;
-}
-
 /// The share that is not above the result.
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return std::nan("");
@@ -112,7 +96,9 @@ void measure(const Load& run, double seconds) {
   cell.settings.interlock.by_itself = true;
   cell.settings.interlock.by_pin = false;
   cell.outputs.modbus = ModbusCell{.address = "127.0.0.1", .port = test::free_port()};
-  Service service(cell, [&](int, int) { return machine(cell, folder / ""); }, kWidth, kHeight);
+  Service service(
+      cell, [&](int width, int height) { return test::machine_of(cell, folder / "skin.yaml", width, height); }, kWidth,
+      kHeight);
   const auto modbus = make_modbus(*cell.outputs.modbus, cell, service.safe_state());
   Recorder recorder;
   service.add(&recorder);

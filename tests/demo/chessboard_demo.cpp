@@ -25,6 +25,7 @@
 #include "horopter/base/error.hpp"
 #include "horopter/draw/overlay.hpp"
 #include "horopter/image/image.hpp"
+#include "horopter/image/mat.hpp"
 #include "horopter/image/output.hpp"
 #include "horopter/machine/engines.hpp"
 #include "horopter/machine/monitor.hpp"
@@ -79,7 +80,7 @@ struct Pair {
 };
 
 std::vector<cv::Point2f> corners_of(const Image& image, const std::string& name) {
-  const cv::Mat grey(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
+  const cv::Mat grey = mat_of(image);
   std::vector<cv::Point2f> corners;
   if (!cv::findChessboardCorners(grey, {9, 6}, corners)) {
     throw FileError(name, "", "no chessboard in the image", "a board with 9x6 inner corners");

@@ -355,16 +355,27 @@ TEST_CASE("A machine's commands answer in JSON, and upload writes the mode that 
   Sandbox box;
   box.write("skin.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -3], [0, 1, 0], [0, 0, 1]]\n");
   REQUIRE(box.run({"map", "--skin", "skin.yaml", "--profile", "vga", "-o", "skin.hmap"}).status == 0);
-  const auto changed = [&](const std::vector<std::string>& more) {
-    const auto result =
-        box.run(std::vector<std::string>{"upload", "--engine", "native", "--map", "skin.hmap", "--json"} + more);
+  const std::vector<std::string> upload{"upload", "--engine", "native", "--map", "skin.hmap", "--json"};
+  const auto report = [&](const std::vector<std::string>& more) {
+    const auto result = box.run(upload + more);
     CAPTURE(result.err);
     REQUIRE(result.status == 0);
-    const auto names = nlohmann::json::parse(result.out)["changed"];
-    return std::ranges::find(names, "MODE") != names.end();
+    return nlohmann::json::parse(result.out);
   };
-  CHECK(changed({"--live"}));
-  CHECK_FALSE(changed({}));  // it was 0
+  const auto changes = [&](const nlohmann::json& uploaded, const char* name) {
+    return std::ranges::find(uploaded["changed"], name) != uploaded["changed"].end();
+  };
+  CHECK(changes(report({"--live"}), "MODE"));
+  const auto plain = report({});
+  CHECK_FALSE(changes(plain, "MODE"));  // it was 0
+  CHECK_FALSE(changes(plain, "SUM_LIMIT"));
+  CHECK_FALSE(plain.contains("tolerance_px"));
+  // The skin's thickness, as of `run`.
+  const auto thin = report({"--tolerance", "0.5"});
+  CHECK(thin["tolerance_px"] == 0.5);
+  CHECK(changes(thin, "SUM_LIMIT"));
+  CHECK_THAT(box.run(upload + std::vector<std::string>{"--thickness", "20"}).err, Catch::Contains("--thickness"));
+  CHECK(box.run(upload + std::vector<std::string>{"--tolerance", "0.5", "--threshold", "20"}).status == 2);
   const auto status = box.run({"status", "--engine", "native"});
   CHECK_THAT(status.out, Catch::Contains("cameras   they wait until their pixels are taken"));
   const auto restart = box.run({"restart", "--engine", "native", "--json"});

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sandbox.hpp"
+#include "shared_data.hpp"
 
 using namespace horopter::test;
 
@@ -88,10 +89,7 @@ const std::string& rig() {
 
 /// Two photographs of opencv-doc, their rig, and a skin that nothing is in: over the whole image, or a small one.
 bool prepare(Sandbox& box, const std::string& skin = "whole") {
-  if (!fs::exists(kImages / "left01.jpg")) {
-    WARN("skipped: no photographs in " << kImages << " (package opencv-doc)");
-    return false;
-  }
+  if (!opencv_images()) return false;
   box.write("rig.yaml", rig());
   for (const std::string side : {"left", "right"}) {
     cv::imwrite((box / (side + ".png")).string(),

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "sandbox.hpp"
+#include "shared_data.hpp"
 
 using namespace horopter::test;
 
@@ -74,11 +75,9 @@ TEST_CASE("evaluate compares the skin with two matchers") {
 }
 
 TEST_CASE("compete on a real pair") {
-  const std::string data = "/usr/share/doc/opencv-doc/examples/data/";
-  if (!fs::exists(data + "aloeGT.png")) {
-    WARN("skipped: no " << data << "aloeGT.png (package opencv-doc)");
-    return;
-  }
+  const auto folder = opencv_images();
+  if (!folder) return;
+  const std::string data = folder->string() + "/";
   Sandbox box;
   const auto result =
       box.run({"evaluate", "--left", data + "aloeL.jpg", "--right", data + "aloeR.jpg", "--disparity",

@@ -81,7 +81,11 @@ class FakeControl : public monitor::Control {
     for (auto* listener : listeners_) listener->released(now, actor);
     return true;
   }
-  bool teach(int frames, const monitor::Actor& actor, std::string& /*why*/) override {
+  bool teach(int frames, const monitor::Actor& actor, std::string& why) override {
+    if (frames < 1) {
+      why = std::to_string(frames) + " frames are too few.";
+      return false;
+    }
     const std::lock_guard order(order_);
     monitor::Status now;
     {

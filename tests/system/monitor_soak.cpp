@@ -19,14 +19,12 @@
 #include <string>
 #include <thread>
 
-#include "horopter/machine/native_device.hpp"
-#include "horopter/map/map_compiler.hpp"
 #include "horopter/monitor/camera.hpp"
 #include "horopter/monitor/event_log.hpp"
 #include "horopter/monitor/log_reader.hpp"
 #include "horopter/monitor/service.hpp"
-#include "horopter/skin/skin.hpp"
 #include "http.hpp"
+#include "monitor_machine.hpp"
 #include "output/log_and_page.hpp"
 #include "output/modbus.hpp"
 #include "plc.hpp"
@@ -126,9 +124,14 @@ class Soak {
     cell_.settings.interlock.by_pin = false;
     cell_.outputs.modbus = ModbusCell{.address = "127.0.0.1", .port = free_port()};
     cell_.log = LogCell{.directory = box / "log", .size_mb = 10};
-    cell_.web =
-        WebCell{.listen = "127.0.0.1:" + std::to_string(page_port_), .users_file = {}, .tls = {}, .restart = false};
-    service_.emplace(cell_, [&](int, int) { return machine(box); }, kWidth, kHeight);
+    cell_.web = WebCell{.listen = "127.0.0.1:" + std::to_string(page_port_),
+                        .users_file = {},
+                        .tls = {},
+                        .names = {},
+                        .restart = false};
+    service_.emplace(
+        cell_, [&](int width, int height) { return machine_of(cell_, box / "skin.yaml", width, height); }, kWidth,
+        kHeight);
     parts_.push_back(make_modbus(*cell_.outputs.modbus, cell_, service_->safe_state()));
     parts_.push_back(make_log_and_page(cell_, *service_));
     service_->add(&counter_);
@@ -182,19 +185,6 @@ class Soak {
   std::uint64_t given(std::size_t side) const { return given_.at(side); }
 
  private:
-  Machine machine(const Sandbox& box) const {
-    const auto& profile = horopter::find_profile("vga");
-    const auto skin = horopter::load_skin(box / "skin.yaml", {(kWidth - 1) / 2.0, (kHeight - 1) / 2.0}, nullptr);
-    const auto maps = std::make_shared<const horopter::MapSet>(horopter::compile_maps(skin, profile, kWidth, kHeight));
-    Machine made;
-    made.maps = maps;
-    made.objects = std::make_unique<horopter::ObjectFollower>(
-        profile, std::vector<const horopter::MapTable*>{&maps->maps.at(0).table}, maps->rig);
-    made.largest_skew_ms = 1;
-    made.supervisor = std::make_unique<horopter::Supervisor>(horopter::make_live_native_device(profile), profile, *maps,
-                                                             cell_.settings);
-    return made;
-  }
   CameraFrame image(std::uint64_t number, std::size_t side) const {
     CameraFrame frame;
     frame.image = pictures_[(2 * number + side) % pictures_.size()];

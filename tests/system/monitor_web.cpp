@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page of a monitor from outside: who may do what, and what hostile requests cost.
-#include <arpa/inet.h>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -20,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "eventually.hpp"
 #include "fake_control.hpp"
 #include "horopter/base/error.hpp"
 #include "horopter/draw/overlay.hpp"
@@ -29,6 +28,7 @@
 #include "horopter/monitor/web.hpp"
 #include "http.hpp"
 #include "moments.hpp"
+#include "plc.hpp"
 #include "sandbox.hpp"
 
 using namespace horopter;
@@ -153,22 +153,10 @@ class Browser {
   std::string said_;
 };
 
-int connect_to(int port) {
-  const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  REQUIRE(socket >= 0);
-  sockaddr_in place{};
-  place.sin_family = AF_INET;
-  place.sin_port = htons(static_cast<std::uint16_t>(port));
-  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  REQUIRE(::connect(socket, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0);
-  const timeval wait{.tv_sec = 60, .tv_usec = 0};
-  ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &wait, sizeof wait);
-  return socket;
-}
-
 /// All that comes back of these bytes until the other side closes.
 std::string raw(int port, const std::string& bytes) {
-  const int socket = connect_to(port);
+  const int socket = connect_to(port, kLong);
+  REQUIRE(socket >= 0);
   std::size_t sent = 0;
   while (sent < bytes.size()) {
     const ssize_t count = ::send(socket, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
@@ -189,16 +177,6 @@ std::string get_raw(int port, const std::string& target, const std::string& more
 
 int status_in(const std::string& answer) {
   return answer.starts_with("HTTP/1.1 ") ? std::atoi(answer.substr(9, 3).c_str()) : 0;
-}
-
-template <class Condition>
-bool wait_for(Condition&& condition) {
-  const auto deadline = monitor::Clock::now() + kLong;
-  while (!condition()) {
-    if (monitor::Clock::now() > deadline) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return true;
 }
 
 }  // namespace
@@ -293,7 +271,9 @@ TEST_CASE("Each role may do what it may, and no more") {
   Browser engineer(cell, "emma");
   CHECK(engineer.post("/api/teach", {{"frames", 10}}) == 200);
   CHECK(cell.control.asked().back().what == "teach 10");
-  CHECK(engineer.post("/api/teach", {{"frames", 0}}) == 400);
+  CHECK(engineer.post("/api/teach", {{"frames", 0}}) == 409);
+  CHECK_THAT(engineer.said(), Catch::Contains("0 frames"));
+  CHECK(engineer.post("/api/teach", {{"frames", (std::int64_t{1} << 32) + 10}}) == 400);
   CHECK(engineer.post("/api/teach", {{"frames", "many"}}) == 400);
   CHECK(engineer.post("/api/logout", Json::object()) == 200);
   CHECK(engineer.get("/api/status")->status == 401);
@@ -393,10 +373,10 @@ TEST_CASE("Log-ins: wrong ones are refused, counted and logged, and users who go
   CHECK(std::ranges::count_if(events, [](const auto& e) { return e.json["kind"] == "login_refused"; }) == 2);
   for (const auto& event : events) CHECK_FALSE(Catch::contains(event.json.dump(), kPassword));
   REQUIRE(monitor::remove_user(cell.box / "users", "otto"));
-  CHECK(wait_for([&] { return browser.get("/api/status")->status == 401; }));
+  CHECK(eventually([&] { return browser.get("/api/status")->status == 401; }));
   // A file that others may read is none.
   REQUIRE(::chmod((cell.box / "users").c_str(), 0644) == 0);
-  CHECK(wait_for([&] { return browser.log_in("vera", kPassword) == 403; }));
+  CHECK(eventually([&] { return browser.log_in("vera", kPassword) == 403; }));
 
   Sandbox box;
   const fs::path users = box.write("users", users_text());
@@ -449,6 +429,7 @@ TEST_CASE("Configurations that would not be safe are refused") {
 TEST_CASE("Paths that climb, names of others and odd requests are refused, and nothing else is read") {
   WebConfiguration configuration;
   configuration.look_without_login = true;
+  configuration.host_names = {"press3.example", "Press4.example"};
   Cell cell(configuration);
   cell.stop_it();
   REQUIRE(cell.log->flush(kLong));
@@ -494,7 +475,13 @@ TEST_CASE("Paths that climb, names of others and odd requests are refused, and n
   CHECK_FALSE(Catch::contains(headed, "http://"));  // nothing from elsewhere
 
   const std::string host = "Host: 127.0.0.1\r\n";
-  CHECK(status_in(raw(port, "GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n")) == 421);
+  const auto status_by = [&](const std::string& name) {
+    return status_in(raw(port, "GET / HTTP/1.1\r\nHost: " + name + "\r\nConnection: close\r\n\r\n"));
+  };
+  for (const char* name : {"press3.example", "press3.example:8443", "PRESS3.example", "press4.example"}) {
+    CHECK(status_by(name) == 200);
+  }
+  for (const char* name : {"evil.example", "press3.example.evil.example", "3.example"}) CHECK(status_by(name) == 421);
   CHECK(status_in(raw(port, "GET / HTTP/1.1\r\n\r\n")) == 400);
   CHECK(status_in(raw(port, "GET / HTTP/1.1\r\n" + host + host + "\r\n")) == 400);
   CHECK(status_in(raw(port, "PUT / HTTP/1.1\r\n" + host + "\r\n")) == 405);
@@ -608,6 +595,7 @@ TEST_CASE("Fifty slow clients do not slow the decision, and the page is still th
   std::vector<int> sockets;
   for (int i = 0; i < 50; ++i) {
     sockets.push_back(connect_to(cell.web->port()));
+    REQUIRE(sockets.back() >= 0);
     const std::string begin = "GET /api/picture HTTP/1.1\r\nHo";
     REQUIRE(::send(sockets.back(), begin.data(), begin.size(), MSG_NOSIGNAL) > 0);
   }
@@ -629,13 +617,13 @@ TEST_CASE("Fifty slow clients do not slow the decision, and the page is still th
   }
   CHECK(longest < std::chrono::seconds(2));  // the slow ones hold on for five
   // They are thrown out by and by; then, if not at once, others come in.
-  CHECK(wait_for([&] {
+  CHECK(eventually([&] {
     httplib::Client client("127.0.0.1", cell.web->port());
     client.set_read_timeout(std::chrono::seconds(2));
     const auto answer = client.Get("/api/status");
     return answer && answer->status == 200;
   }));
-  CHECK(wait_for([&] {  // every slow one was ended
+  CHECK(eventually([&] {  // every slow one was ended
     return std::ranges::all_of(sockets, [](int socket) {
       char byte = 0;
       const ssize_t got = ::recv(socket, &byte, 1, MSG_DONTWAIT | MSG_PEEK);

@@ -76,7 +76,6 @@ TEST_CASE("A skin that moves every frame for 100 frames, uploaded while the hard
   MovingSupervisor hardware(std::move(device), profile, maps, Settings{}.without_proof());
   std::int64_t skin_pixels = 0;
   std::size_t before = 0;  // frames whose neighbour's table would have given something else
-  Image last_states;
   const auto check = [&](std::size_t k, const Image& left, const Image& right, const FrameResult& result) {
     CAPTURE(k);
     const CompiledMap& own = maps.steps[k].map;

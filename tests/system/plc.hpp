@@ -44,7 +44,7 @@ inline int free_port() {
 }
 
 /// -1: nobody listens.
-inline int connect_to(int port) {
+inline int connect_to(int port, std::chrono::seconds patience = 10s) {
   const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   if (socket < 0) return -1;
   sockaddr_in place{};
@@ -53,8 +53,8 @@ inline int connect_to(int port) {
   place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   const int on = 1;
   ::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-  const timeval patience{.tv_sec = 10, .tv_usec = 0};
-  ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+  const timeval longest{.tv_sec = patience.count(), .tv_usec = 0};
+  ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &longest, sizeof longest);
   if (::connect(socket, reinterpret_cast<sockaddr*>(&place), sizeof place) == 0) return socket;
   ::close(socket);
   return -1;

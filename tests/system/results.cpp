@@ -135,9 +135,7 @@ TEST_CASE("SIGTERM ends every command at once, and leaves nothing half made") {
       "calibrate --points pipe --sensor pipe -o rig.yaml",
       "plan thickness --rig pipe --distance 500 --out out",
       "plan rig --rig pipe --distance 500 --out out",
-#ifdef HOROPTER_TEST_STUDY
       "study all --out out",
-#endif
       "map --inspect pipe",
   };
   const std::string command = GENERATE(from_range(commands));

@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "eventually.hpp"
 #include "plc.hpp"
 #include "sandbox.hpp"
 
@@ -27,14 +28,6 @@ using nlohmann::json;
 using namespace std::chrono_literals;
 
 inline const std::string kData = "/usr/share/doc/opencv-doc/examples/data/";
-
-inline bool eventually(const std::function<bool()>& condition) {
-  for (const auto give_up = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < give_up;
-       std::this_thread::sleep_for(20ms)) {
-    if (condition()) return true;
-  }
-  return false;
-}
 
 /// A program that runs beside the test, until its end or that of the test. It can be told words on its standard input.
 class Running {

@@ -15,6 +15,7 @@
 #include "horopter/image/image.hpp"
 #include "horopter/image/output.hpp"
 #include "host_temporary.hpp"
+#include "shared_data.hpp"
 
 namespace horopter {
 namespace {
@@ -140,8 +141,9 @@ TEST_CASE("A JPEG cut in its data with an end marker put behind is detected") {
 }
 
 TEST_CASE("The real JPEG that a decoder still shows is refused") {
-  const std::filesystem::path path = "/usr/share/doc/opencv-doc/examples/data/left01.jpg";
-  if (!std::filesystem::exists(path)) return;
+  const auto folder = test::opencv_images();
+  if (!folder) return;
+  const auto path = *folder / "left01.jpg";
   const TemporaryDirectory directory;
   auto bytes = bytes_of(path);
   CHECK(load_image(path).width == 640);
@@ -280,8 +282,9 @@ TEST_CASE("A pair of different sizes is refused by the name of the right image")
 }
 
 TEST_CASE("Videos are read frame by frame, and a truncated one is detected") {
-  const std::filesystem::path path = "/usr/share/doc/opencv-doc/examples/data/Megamind.avi";
-  if (!std::filesystem::exists(path)) return;
+  const auto folder = test::opencv_images();
+  if (!folder) return;
+  const auto path = *folder / "Megamind.avi";
   const TemporaryDirectory directory;
   const auto source = open_frames({path.string()});
   const auto frame = source->next();

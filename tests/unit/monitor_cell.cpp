@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "horopter/base/error.hpp"
 #include "horopter/monitor/cell.hpp"
@@ -73,7 +74,8 @@ TEST_CASE("all that a cell can say") {
       "teach: {needed: true, frames: 20, margin: 4, less_light: true}\nrestart: by_itself\nrestart_after: 5\n"
       "outputs: {modbus: {address: 0.0.0.0, port: 1502}}\n"
       "log: {directory: events, size_mb: 50}\n"
-      "web: {listen: '0.0.0.0:80', users_file: empty, tls: {certificate_file: empty, key_file: empty}, restart: true}\n");
+      "web: {listen: '0.0.0.0:80', users_file: empty, tls: {certificate_file: empty, key_file: empty}, names: "
+      "[press3.example.com, P-4], restart: true}\n");
   CHECK(cell.name == "press 3");
   CHECK(cell.cameras[0].name == "a");
   CHECK(cell.cameras[0].exposure_may_change);
@@ -99,6 +101,7 @@ TEST_CASE("all that a cell can say") {
   CHECK(cell.log->directory == files.directory / "events");
   CHECK(cell.web->listen == "0.0.0.0:80");
   CHECK(cell.web->tls);
+  CHECK(cell.web->names == std::vector<std::string>{"press3.example.com", "P-4"});
   CHECK(cell.web->restart);
 }
 
@@ -141,6 +144,12 @@ TEST_CASE("what a cell must not say is refused: the file, the place, and what wa
       {good + "log: {directory: x, size_mb: 1}\n", "expected 10 to 1e+07 MB"},
       {good + "web: {listen: here}\n", "an address and a port"},
       {good + "web: {listen: 'here:99999'}\n", "an address and a port"},
+      {good + "web: {names: press3}\n", "web.names: 'press3'"},
+      {good + "web: {names: }\n", "web.names: missing"},
+      {good + "web: {names: [press3, '']}\n", "line 6, column 23: web.names"},
+      {good + "web: {names: ['press3:8443']}\n", "'press3:8443'"},
+      {good + "web: {names: [[press3]]}\n", "a list of host names"},
+      {good + "web: {names: [" + std::string(254, 'a') + "]}\n", "a list of host names"},
       {good + "web: {tls: {certificate_file: empty}}\n", "web.tls.key_file: missing"},
       {"cameras: {left: {source: 'files:a'}, right: {source: 'files:a'}, frames_per_s: 25}\n" + kSkin,
        "its source is that of the left camera"},

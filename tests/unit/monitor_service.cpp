@@ -16,10 +16,9 @@
 #include <thread>
 #include <vector>
 
+#include "../system/eventually.hpp"
+#include "../system/monitor_machine.hpp"
 #include "horopter/base/error.hpp"
-#include "horopter/machine/native_device.hpp"
-#include "horopter/map/map_compiler.hpp"
-#include "horopter/monitor/service.hpp"
 #include "host_temporary.hpp"
 #include "output/lines.hpp"
 
@@ -27,6 +26,8 @@ using namespace horopter::monitor;
 using namespace std::chrono_literals;
 using horopter::FrameStreams;
 using horopter::Image;
+using horopter::test::eventually;
+using horopter::test::machine_of;
 
 namespace {
 
@@ -138,14 +139,6 @@ Image textured(std::uint64_t seed) {
   return image;
 }
 
-template <class Condition>
-bool eventually(const Condition& condition) {
-  for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up; std::this_thread::sleep_for(1ms)) {
-    if (condition()) return true;
-  }
-  return false;
-}
-
 /// A running service, and two cameras in step.
 struct Bench {
   explicit Bench(std::chrono::milliseconds limit = 120s, bool by_itself = false) {
@@ -158,7 +151,13 @@ struct Bench {
     cell.settings.interlock.by_itself = by_itself;
     cell.settings.interlock.by_register = !by_itself;
     cell.settings.interlock.by_pin = false;
-    service.emplace(cell, [this](int width, int height) { return machine(width, height); }, kWidth, kHeight);
+    service.emplace(
+        cell,
+        [this](int width, int height) {
+          return machine_of(cell, directory / "skin.yaml", width, height,
+                            std::make_unique<HeldDevice>(horopter::find_profile("vga"), hold));
+        },
+        kWidth, kHeight);
     service->add(&recorder);
     thread = std::thread([this] {
       try {
@@ -175,19 +174,6 @@ struct Bench {
     hold.held = false;
     stop = true;
     thread.join();
-  }
-  Machine machine(int width, int height) {
-    const auto& profile = horopter::find_profile("vga");
-    const auto skin = horopter::load_skin(directory / "skin.yaml", {99.5, 59.5}, nullptr);
-    const auto maps = std::make_shared<const horopter::MapSet>(horopter::compile_maps(skin, profile, width, height));
-    Machine made;
-    made.maps = maps;
-    made.objects = std::make_unique<horopter::ObjectFollower>(
-        profile, std::vector<const horopter::MapTable*>{&maps->maps.at(0).table}, maps->rig);
-    made.largest_skew_ms = 1;
-    made.supervisor = std::make_unique<horopter::Supervisor>(std::make_unique<HeldDevice>(profile, hold), profile,
-                                                             *maps, cell.settings);
-    return made;
   }
   /// The next moment's images; the left one lies on the skin where there is an alarm.
   std::pair<CameraFrame, CameraFrame> images(bool alarm = false) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "../system/eventually.hpp"
 #include "../system/plc.hpp"
 #include "horopter/machine/registers.hpp"
 #include "horopter/monitor/causes.hpp"
@@ -23,6 +24,7 @@
 using namespace horopter::monitor;
 using horopter::monitor::Clock;
 using horopter::test::connect_to;
+using horopter::test::eventually;
 using horopter::test::free_port;
 using horopter::test::Plc;
 using namespace std::chrono_literals;
@@ -193,12 +195,6 @@ TEST_CASE("lines follow what may be said, by a thread of their own: a decision t
   SafeState state(50ms);
   std::atomic<int> said = -1;  // safe line, and twice the other
   std::atomic<bool> works = true;
-  const auto eventually = [](const auto& condition) {
-    for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up; std::this_thread::sleep_for(1ms)) {
-      if (condition()) return true;
-    }
-    return false;
-  };
   auto lines = std::make_unique<LinesFollower>(
       [&](bool safe, bool not_safe) {
         said = (safe ? 1 : 0) + (not_safe ? 2 : 0);
@@ -207,13 +203,15 @@ TEST_CASE("lines follow what may be said, by a thread of their own: a decision t
       state);
   REQUIRE(eventually([&] { return said == 2; }));
   // The decision goes on until the line says so; then it hangs.
-  REQUIRE(eventually([&] {
-    state.not_safe({});
-    state.catch_up();
-    state.decided(Clock::now(), true, false, {});
-    std::this_thread::sleep_for(5ms);
-    return said == 1;
-  }));
+  REQUIRE(eventually(
+      [&] {
+        state.not_safe({});
+        state.catch_up();
+        state.decided(Clock::now(), true, false, {});
+        std::this_thread::sleep_for(5ms);
+        return said == 1;
+      },
+      1ms));
   CHECK(eventually([&] { return said == 2; }));
   CHECK(lines->trouble().empty());
   said = -1;

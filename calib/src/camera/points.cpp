@@ -247,10 +247,7 @@ TwoSteps two_steps(std::span<const PointPair> points, const Sensor& sensor, Cent
       used.cx_px = found->x();
       used.cy_px = found->y();
       TwoSteps searched = two_steps(points, used, result.coplanar);
-      if (!best || searched.report.rms_px < best->report.rms_px) {
-        best = std::move(searched);
-        result.centre_searched = true;
-      }
+      if (!best || searched.report.rms_px < best->report.rms_px) best = std::move(searched);
     } catch (const CalibrationError& error) {
       if (failure.empty()) failure = error.what();
     }

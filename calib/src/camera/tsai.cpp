@@ -175,7 +175,6 @@ std::vector<RadialAlignment> radial_alignment(std::span<const PointPair> world_p
     RadialAlignment solution;
     solution.sx = sx;
     solution.world_to_camera = Pose{nearest_rotation(rotation), Vector3d(tx, ty, 0)};
-    solution.rms_mm = std::sqrt(radial_residuals(points, sensor, solution).squaredNorm() / static_cast<double>(rows));
     solution.world_to_camera = solution.world_to_camera * frame.world_to_frame;
     solutions.push_back(solution);
   };

@@ -63,15 +63,6 @@ std::string_view edge_method_name(EdgeMethod method) {
   throw std::invalid_argument("unknown edge method");
 }
 
-EdgeMethod edge_method(std::string_view name) {
-  std::string known;
-  for (const Named& named : kNames) {
-    if (named.name == name) return named.method;
-    known += (known.empty() ? "" : ", ") + std::string(named.name);
-  }
-  throw std::invalid_argument("edge method '" + std::string(name) + "' is not one of " + known);
-}
-
 std::unique_ptr<EdgeEstimator> make_edge_estimator(EdgeMethod method, const EdgeOptions& options) {
   const bool nine = method == EdgeMethod::tabatabai_2d || method == EdgeMethod::zernike_9;
   const int window = options.window_px ? options.window_px : nine ? 9 : 13;

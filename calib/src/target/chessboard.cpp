@@ -128,8 +128,6 @@ const char* side_name(const Board& board, int side) {
   return d.y() > 0 ? "lower" : "upper";
 }
 
-std::string size_text(int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); }
-
 /// Sizes near the one asked for, and shorter ones, as of a board that leaves the image; the most alike first.
 std::vector<cv::Size> other_sizes(const TargetSpec& spec) {
   std::vector<cv::Size> sizes;

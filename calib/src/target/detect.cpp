@@ -18,14 +18,13 @@ using detail::GridCell;
 using detail::PlaneFit;
 using detail::PlaneView;
 using detail::Quad;
+using detail::size_text;
 using Eigen::Vector2d;
 using Reason = TargetError::Reason;
 
 std::string count_of(std::size_t n, const char* what) {
   return (n == 0 ? "no" : std::to_string(n)) + " " + what + (n == 1 ? "" : "s");
 }
-
-std::string size_text(int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); }
 
 const char* kind_text(TargetKind kind) {
   return kind == TargetKind::squares ? "squares" : kind == TargetKind::diamonds ? "diamonds" : "chessboard corners";
@@ -128,7 +127,6 @@ class Grid {
   using Place = std::pair<int, int>;  // y, x
   struct Fiducial {
     std::array<Vector2d, 4> corners;  ///< the spec's order, in the frame of the grid
-    double rms_px = 0;
   };
 
   Grid(const cv::Mat& grey, const TargetSpec& spec, const TargetOptions& options)
@@ -136,8 +134,7 @@ class Grid {
         spec_(spec),
         refiner_(image_, options,
                  (spec.kind == TargetKind::diamonds ? spec.pitch_mm / std::sqrt(2.0) : spec.pitch_mm) / spec.side_mm -
-                     (spec.kind == TargetKind::diamonds ? 0.5 : 1.0)),
-        straighten_(options.straighten) {
+                     (spec.kind == TargetKind::diamonds ? 0.5 : 1.0)) {
     for (const Vector2d& corner : TargetSpec{spec.kind, 1, 1, spec.side_mm, spec.pitch_mm}.points_mm())
       template_.push_back((corner - Vector2d(spec.box_mm() / 2, -spec.box_mm() / 2)) / spec.pitch_mm);
   }
@@ -152,7 +149,7 @@ class Grid {
       for (int i = 0; i < 4; ++i) corners[i] = quad.corners[(cell.first + i) % 4];
       rough_[{cell.y, cell.x}] = corners;
       if (const auto refined = refiner_.refine(corners, bright_, nullptr))
-        fiducials_[{cell.y, cell.x}] = {refined->corners, refined->rms_px};
+        fiducials_[{cell.y, cell.x}] = {refined->corners};
     }
     drop_misfits();
   }
@@ -267,8 +264,8 @@ class Grid {
     for (int pass = 0; pass < 2; ++pass) {
       if (!fit()) return;
       for (auto& [place, fiducial] : fiducials_)
-        if (const auto refined = refiner_.refine(fiducial.corners, bright_, straighten_ ? &plane_.view : nullptr))
-          fiducial = {refined->corners, refined->rms_px};
+        if (const auto refined = refiner_.refine(fiducial.corners, bright_, &plane_.view))
+          fiducial.corners = refined->corners;
     }
     fit();
   }
@@ -332,7 +329,7 @@ class Grid {
     if (has(x, y) || !inside(x, y)) return false;
     const auto refined = refiner_.refine(predicted(x, y), bright_, nullptr);
     if (!refined || std::abs(refined->contrast) < 10 || refined->rms_px > 0.7) return false;
-    fiducials_[{y, x}] = {refined->corners, refined->rms_px};
+    fiducials_[{y, x}] = {refined->corners};
     return true;
   }
 
@@ -359,7 +356,6 @@ class Grid {
   GreyImage image_;
   TargetSpec spec_;
   Refiner refiner_;
-  bool straighten_;
   bool bright_ = false;
   std::vector<Vector2d> template_;  ///< corners in pitches from the middle of a fiducial
   std::map<Place, std::array<Vector2d, 4>> rough_;
@@ -535,11 +531,10 @@ Orientation orient(const Grid& grid, const TargetSpec& spec) {
   return {*found, true};
 }
 
-/// Corners of the grid in the order of the spec, and how well they were measured.
+/// Corners of the grid in the order of the spec.
 void read_corners(const Grid& grid, const TargetSpec& spec, int quarter, TargetView& view) {
   const Grid::Extent e = grid.extent();
   std::vector<double> sides;
-  double squares = 0;
   for (int row = 0; row < spec.rows; ++row)
     for (int column = 0; column < spec.columns; ++column) {
       const auto [x, y] = turned(e, quarter, column, spec.rows - 1 - row);
@@ -548,11 +543,9 @@ void read_corners(const Grid& grid, const TargetSpec& spec, int quarter, TargetV
         view.image_px.push_back(fiducial.corners[(i + quarter) % 4]);
         sides.push_back((fiducial.corners[(i + 1) % 4] - fiducial.corners[i]).norm());
       }
-      squares += fiducial.rms_px * fiducial.rms_px;
     }
   std::nth_element(sides.begin(), sides.begin() + sides.size() / 2, sides.end());
   view.fiducial_px = sides[sides.size() / 2];
-  view.edge_rms_px = std::sqrt(squares / (spec.columns * spec.rows));
 }
 
 }  // namespace

@@ -7,11 +7,15 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "horopter/calib/target.hpp"
 
 namespace horopter::calib::detail {
+
+/// "9x6".
+inline std::string size_text(int columns, int rows) { return std::to_string(columns) + "x" + std::to_string(rows); }
 
 /// A convex quadrilateral that stands out from what surrounds it.
 struct Quad {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "horopter/image/mat.hpp"
 #include "horopter/machine/regions.hpp"
 
 namespace horopter {
@@ -13,7 +14,7 @@ namespace {
 
 /// The left image at the result's resolution: pairs of a row averaged for profiles that sub-sample.
 cv::Mat left_at_result_size(const Image& left, int width, int height) {
-  const cv::Mat grey(left.height, left.width, CV_8UC1, const_cast<std::uint8_t*>(left.pixels.data()));
+  const cv::Mat grey = mat_of(left);
   if (left.width == width && left.height == height) return grey.clone();
   cv::Mat small;
   cv::resize(grey, small, {width, height}, 0, 0, cv::INTER_AREA);

@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "horopter/base/error.hpp"
+#include "horopter/image/mat.hpp"
 
 namespace horopter {
 namespace {
@@ -105,9 +106,7 @@ void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
 
 void write_file(const fs::path& path, std::string_view text) { write_file(path, bytes_of(text)); }
 
-std::vector<std::uint8_t> encode_png(const Image& image) {
-  return encode(cv::Mat(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data())));
-}
+std::vector<std::uint8_t> encode_png(const Image& image) { return encode(mat_of(image)); }
 
 std::vector<std::uint8_t> encode_png_bgr(int width, int height, std::span<const std::uint8_t> bgr) {
   return encode(cv::Mat(height, width, CV_8UC3, const_cast<std::uint8_t*>(bgr.data())));

@@ -92,9 +92,7 @@ bool wait_for_table(Device& device, int slot, std::chrono::milliseconds time) {
 }  // namespace
 
 Settings settings_for(Settings settings, const MachineProfile& profile, const MapSet& maps) {
-  std::vector<const MapTable*> tables;
-  for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
-  settings.proof = with_knowledge(settings.proof, profile, tables, maps.rig, maps.skin);
+  settings.proof = with_knowledge(settings.proof, profile, maps.tables(), maps.rig, maps.skin);
   return settings;
 }
 

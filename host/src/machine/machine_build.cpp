@@ -125,4 +125,10 @@ void check_blind(const Build& build) {
       build.profile->name));
 }
 
+Image result_image(Device& device) {
+  const auto subsample = std::max(1U, reg::build_window::kSubsample.get(device.read(reg::build_window::kAddress)));
+  const auto width = static_cast<int>(reg::width::kPx.get(device.read(reg::width::kAddress)) / subsample);
+  return {width, static_cast<int>(reg::height::kRows.get(device.read(reg::height::kAddress)))};
+}
+
 }  // namespace horopter

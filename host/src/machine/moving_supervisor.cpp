@@ -13,9 +13,7 @@ namespace horopter {
 namespace {
 
 Settings settings_for(Settings settings, const MachineProfile& profile, const MovingMaps& maps) {
-  std::vector<const MapTable*> tables;
-  for (const MovingStep& step : maps.steps) tables.push_back(&step.map.table);
-  settings.proof = with_knowledge(settings.proof, profile, tables, maps.rig, "the moving skin's rig");
+  settings.proof = with_knowledge(settings.proof, profile, maps.tables(), maps.rig, "the moving skin's rig");
   return settings;
 }
 

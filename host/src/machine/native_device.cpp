@@ -537,23 +537,24 @@ FrameStreams NativeDevice::receive() {
   }
   faults_ |= faults;
   irq_status_ |= reg::irq_status::kFrame.mask() | (faults.any() ? reg::irq_status::kFault.mask() : 0);
-  frame_ = {frame_.sequence + 1,
-            reg::frame_status::kAlarm.put(result.alarm && !good) | reg::frame_status::kSafe.put(good) |
-                reg::frame_status::kSlot.put(static_cast<std::uint32_t>(active_slot_)) |
-                reg::frame_status::kSeen.put(result.alarm),
-            faults,
-            table != nullptr ? table->words.back() : 0,
-            static_cast<std::uint32_t>(result.skin_pixels),
-            static_cast<std::uint32_t>(result.undecidable_pixels),
-            static_cast<std::uint32_t>(result.unsupervised_pixels),
-            static_cast<std::uint32_t>(result.store_misses),
-            static_cast<std::uint32_t>(result.hidden_pixels),
-            static_cast<std::uint32_t>(result.unproven_pixels),
-            object_words(result.largest_object()),
-            result.largest_object().area,
-            static_cast<std::uint32_t>(result.blind_pixels),
-            agreement_words(result.agreement),
-            region_words(result.agreement)};
+  const auto count = [](auto pixels) { return static_cast<std::uint32_t>(pixels); };
+  frame_ = {.sequence = frame_.sequence + 1,
+            .status = reg::frame_status::kAlarm.put(result.alarm && !good) | reg::frame_status::kSafe.put(good) |
+                      reg::frame_status::kSlot.put(static_cast<std::uint32_t>(active_slot_)) |
+                      reg::frame_status::kSeen.put(result.alarm),
+            .faults = faults,
+            .table_crc = table != nullptr ? table->words.back() : 0,
+            .skin = count(result.skin_pixels),
+            .undecidable = count(result.undecidable_pixels),
+            .unsupervised = count(result.unsupervised_pixels),
+            .misses = count(result.store_misses),
+            .hidden = count(result.hidden_pixels),
+            .unproven_pixels = count(result.unproven_pixels),
+            .object = object_words(result.largest_object()),
+            .object_area = result.largest_object().area,
+            .blind = count(result.blind_pixels),
+            .agreement = agreement_words(result.agreement),
+            .regions = region_words(result.agreement)};
 
   if (!pending_.empty()) start_frame();
 

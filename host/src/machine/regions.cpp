@@ -8,6 +8,7 @@
 
 #include "horopter/hls/area.hpp"
 #include "horopter/hls/table_format.hpp"
+#include "horopter/image/mat.hpp"
 
 namespace horopter {
 namespace {
@@ -81,10 +82,7 @@ std::vector<Region> without_labels(const Labelled& found) {
   return regions;
 }
 
-cv::Mat in_skin(const Image& states) {
-  const cv::Mat codes(states.height, states.width, CV_8UC1, const_cast<std::uint8_t*>(states.pixels.data()));
-  return codes == static_cast<int>(State::skin);
-}
+cv::Mat in_skin(const Image& states) { return mat_of(states) == static_cast<int>(State::skin); }
 
 Labelled occupied(const FrameResult& result) {
   const std::vector<std::uint8_t>* codes = result.object_area_limit != 0 ? &result.areas : nullptr;

@@ -9,12 +9,10 @@
 #include <thread>
 
 #include "horopter/base/error.hpp"
-#include "horopter/machine/registers.hpp"
+#include "horopter/machine/machine_build.hpp"
 
 namespace horopter {
 namespace {
-
-namespace reg = registers;
 
 // The board's own registers, see docs/boards.md.
 constexpr std::uint16_t kBoardId = 0x8000;
@@ -79,11 +77,9 @@ FrameStreams SerialDevice::receive() {
   }
 
   const auto words = link_.read(kKeptRuns, kept);
-  const auto subsample = std::max(1U, reg::build_window::kSubsample.get(read(reg::build_window::kAddress)));
-  const auto width = static_cast<int>(reg::width::kPx.get(read(reg::width::kAddress)) / subsample);
-  const auto height = static_cast<int>(reg::height::kRows.get(read(reg::height::kAddress)));
-  FrameStreams streams;
-  streams.states = Image(width, height);
+  FrameStreams streams{result_image(*this), {}};
+  const int width = streams.states.width;
+  const int height = streams.states.height;
   int row = 0;
   int column = 0;
   for (const std::uint32_t word : words) {

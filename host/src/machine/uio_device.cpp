@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "horopter/base/error.hpp"
+#include "horopter/machine/machine_build.hpp"
 #include "horopter/machine/registers.hpp"
 
 namespace horopter {
@@ -154,11 +155,9 @@ bool UioDevice::pump(std::size_t states_wanted, bool runs_wanted) {
 
 FrameStreams UioDevice::receive() {
   check_streams();
-  const auto subsample = std::max(1U, reg::build_window::kSubsample.get(read(reg::build_window::kAddress)));
-  const auto width = static_cast<int>(reg::width::kPx.get(read(reg::width::kAddress)) / subsample);
-  const auto height = static_cast<int>(reg::height::kRows.get(read(reg::height::kAddress)));
-  FrameStreams streams;
-  streams.states = Image(width, height);
+  FrameStreams streams{result_image(*this), {}};
+  const int width = streams.states.width;
+  const int height = streams.states.height;
   bool runs_complete = false;
   auto last_move = std::chrono::steady_clock::now();
   while (true) {

@@ -253,6 +253,12 @@ double largest_roll_deg(const MachineProfile& profile) {
   return angle_deg;
 }
 
+std::vector<const MapTable*> MapSet::tables() const {
+  std::vector<const MapTable*> all;
+  for (const CompiledMap& map : maps) all.push_back(&map.table);
+  return all;
+}
+
 int MapSet::lookahead() const {
   int largest = 0;
   for (const CompiledMap& map : maps) largest = std::max(largest, map.report.lookahead);

@@ -152,6 +152,12 @@ std::vector<std::optional<Result>> in_threads(int threads, std::size_t count, co
 
 }  // namespace
 
+std::vector<const MapTable*> MovingMaps::tables() const {
+  std::vector<const MapTable*> all;
+  for (const MovingStep& step : steps) all.push_back(&step.map.table);
+  return all;
+}
+
 std::size_t MovingMaps::step_of(std::size_t frame) const {
   if (frame < steps.size()) return frame;
   if (geometry().scan == Scan::progressive) return steps.size() - 1;

@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
 #include <stdexcept>
 
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
-#include "horopter/calib/yaml.hpp"
+#include "horopter/calib/yaml_keys.hpp"
 #include "horopter/skin/rig_skin.hpp"
 
 namespace horopter {
@@ -65,29 +64,10 @@ std::vector<Correspondence> read_points(const std::string& file, const YAML::Nod
   return points;
 }
 
-/// A map of skin.yaml, read strictly: keys that nothing asked for are errors.
-class Keys {
+/// What stands behind the keys of skin.yaml.
+class Keys : public yaml::Keys {
  public:
-  Keys(const std::string& file, const YAML::Node& node, std::string path)
-      : file_(file), node_(node), path_(std::move(path)) {
-    if (!node.IsMap()) yaml::fail(file_, node_, path_, "", "a map");
-  }
-
-  const std::string& file() const { return file_; }
-  const YAML::Node& node() const { return node_; }
-  std::string path(const std::string& key) const { return path_ + "." + key; }
-
-  bool has(const std::string& key) {
-    known_.insert(key);
-    return node_[key].IsDefined();
-  }
-  YAML::Node get(const std::string& key, const std::string& expected) {
-    known_.insert(key);
-    return yaml::member(file_, node_, key, expected);
-  }
-  [[noreturn]] void fail(const std::string& key, const std::string& found, const std::string& expected) const {
-    yaml::fail(file_, node_[key].IsDefined() ? node_[key] : node_, path(key), found, expected);
-  }
+  using yaml::Keys::Keys;
 
   Vector3d vector(const std::string& key) { return vector(get(key, "[x, y, z]"), path(key)); }
   Vector3d vector(const std::string& key, const Vector3d& otherwise) { return has(key) ? vector(key) : otherwise; }
@@ -97,27 +77,21 @@ class Keys {
   }
   std::vector<double> numbers(const YAML::Node& node, const std::string& what, std::size_t count,
                               const std::string& expected) const {
-    if (!node.IsSequence() || node.size() != count) yaml::fail(file_, node, what, "", expected);
+    if (!node.IsSequence() || node.size() != count) yaml::fail(file(), node, what, "", expected);
     std::vector<double> values;
-    for (const YAML::Node item : node) values.push_back(yaml::number(file_, item, what));
+    for (const YAML::Node item : node) values.push_back(yaml::number(file(), item, what));
     return values;
   }
   double positive(const std::string& key, double otherwise) {
     if (!has(key)) return otherwise;
-    const double value = yaml::number(file_, get(key, "a number"), path(key));
+    const double value = yaml::number(file(), get(key, "a number"), path(key));
     if (!(value > 0)) fail(key, "", "a number above 0");
     return value;
   }
   double within(const std::string& key, double smallest, double largest, const std::string& unit) {
-    const double value = yaml::number(file_, get(key, "a number, " + unit), path(key));
+    const double value = yaml::number(file(), get(key, "a number, " + unit), path(key));
     if (!(value >= smallest && value <= largest))
       fail(key, "", fmt::format("{:g} to {:g} {}", smallest, largest, unit));
-    return value;
-  }
-  bool flag(const std::string& key) {
-    if (!has(key)) return false;
-    bool value = false;
-    if (!YAML::convert<bool>::decode(node_[key], value)) fail(key, "", "true or false");
     return value;
   }
   /// x_world = R · x + position, R = Rz · Ry · Rx.
@@ -134,26 +108,7 @@ class Keys {
     if (!node.IsSequence() || node.size() == 0) fail(key, "", expected);
     return {node.begin(), node.end()};
   }
-  void finish() const {
-    for (const auto& item : node_) {
-      const std::string key = item.first.IsScalar() ? item.first.Scalar() : "";
-      if (known_.contains(key)) continue;
-      std::string expected;
-      for (const std::string& name : known_) expected += (expected.empty() ? "" : ", ") + name;
-      yaml::fail(file_, item.first, path_, "unknown key '" + key + "'", expected);
-    }
-  }
-
- private:
-  const std::string& file_;
-  YAML::Node node_;
-  std::string path_;
-  std::set<std::string> known_;
 };
-
-std::filesystem::path beside(const std::string& file, const std::string& name) {
-  return std::filesystem::path(file).parent_path() / name;
-}
 
 SurfacePtr read_surface(Keys& keys);
 
@@ -178,7 +133,7 @@ SurfacePtr read_mesh_surface(Keys& keys) {
   const calib::Pose pose = keys.pose(keys.vector("position_mm", Vector3d::Zero()));
   const double unit_mm = keys.positive("unit_mm", 1);
   const bool open = keys.flag("open");
-  const std::filesystem::path path = beside(keys.file(), name.Scalar());
+  const std::filesystem::path path = keys.beside(name.Scalar());
   try {
     TriangleMesh mesh = read_mesh(path, unit_mm);
     mesh.open = open;

@@ -11,6 +11,7 @@
 #include "horopter/base/error.hpp"
 #include "horopter/calib/joint.hpp"
 #include "horopter/calib/views.hpp"
+#include "horopter/image/mat.hpp"
 
 namespace horopter::cli {
 
@@ -27,9 +28,8 @@ std::vector<Board> load_boards(const std::string& directory, const calib::Target
     progress.show(static_cast<std::size_t>(number), 14);
     Board board{name, load_image(data / ("left" + name + ".jpg")), load_image(data / ("right" + name + ".jpg")), {}};
     for (std::size_t side = 0; side < 2; ++side) {
-      Image& image = side == 0 ? board.left : board.right;
-      const cv::Mat grey(image.height, image.width, CV_8UC1, image.pixels.data());
-      board.corners[side] = calib::detect_target(grey, spec).image_px;
+      const Image& image = side == 0 ? board.left : board.right;
+      board.corners[side] = calib::detect_target(mat_of(image), spec).image_px;
     }
     boards.push_back(std::move(board));
   }

@@ -18,7 +18,6 @@ void VideoSource::send(const Image& image, Damage damage) {
       beat.first = x == 0 && ((y == 0 && damage.kind != Damage::Kind::missing_start) ||
                               (y == damage.row && damage.kind == Damage::Kind::extra_start));
       beat.last = x + 1 == width;
-      if (beat.last) beat.blank_after = line_blanking_ + (y + 1 == image.height ? frame_blanking_ : 0);
       beats_.push_back(beat);
     }
   }

@@ -38,8 +38,6 @@ enum class EdgeMethod {
 std::span<const EdgeMethod> all_edge_methods();
 /// "linear", "tabatabai-1d", … as the command line and the tables call them.
 std::string_view edge_method_name(EdgeMethod method);
-/// Throws std::invalid_argument that lists the names.
-EdgeMethod edge_method(std::string_view name);
 
 struct EdgeOptions {
   int window_px = 0;          ///< width of the window, odd; 0: 9 for tabatabai-2d and zernike-9, else 13

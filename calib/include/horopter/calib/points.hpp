@@ -79,7 +79,6 @@ struct PointCalibration {
   PointMethod method = PointMethod::full;
   Camera camera;
   bool coplanar = false;
-  bool centre_searched = false;
   std::vector<Parameter> parameters;
   double tz_over_f = 0;
   double tz_over_f_sd = 0;
@@ -110,7 +109,6 @@ PhysicalCamera physical_camera(const Eigen::Matrix<double, 3, 4>& m);
 struct RadialAlignment {
   Pose world_to_camera;  ///< without tz, which is 0
   double sx = 1;
-  double rms_mm = 0;  ///< distance of the measured points from their radial lines
 };
 /// The linear step of Tsai's method: 5 unknown ratios for coplanar points (sx is taken from the sensor), 7 otherwise.
 /// The system is solved as a homogeneous one: t_y may be 0. For coplanar points two poses fit; both are given, and f

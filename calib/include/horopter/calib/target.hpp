@@ -43,7 +43,6 @@ struct TargetSpec {
 
   /// Width of the box around a fiducial: side, or diagonal of a diamond.
   double box_mm() const;
-  int corners_per_fiducial() const { return kind == TargetKind::chessboard ? 1 : 4; }
   /// All corners in the order above.
   std::vector<Eigen::Vector2d> points_mm() const;
 };
@@ -67,8 +66,6 @@ struct TargetOptions {
   /// See EdgeOptions: no bias by blur. For the thesis's figures, false.
   bool two_windows = true;
   int points_per_edge = 0;  ///< 0: one per pixel of the edge, at most 48
-  /// Lines are fitted to edges straightened by the view's own radial distortion (one term, from the found corners).
-  bool straighten = true;
   /// Blooming, gamma and a print that gains ink make fiducials larger or smaller in an image, by tenths of a pixel
   /// and not the same along x and y. The pitch does not suffer: what makes side and pitch agree is found and removed.
   bool settle = true;
@@ -81,7 +78,6 @@ struct TargetView {
   double plane_rms_px = 0;                 ///< residual of the corners against a plane seen through one radial term
   /// By how much the fiducials were too large on each side, along x and y of the image, before it was removed.
   Eigen::Vector2d edge_shift_px{0, 0};
-  double edge_rms_px = 0;  ///< of the edge points about their lines (squares, diamonds)
   double fiducial_px = 0;  ///< median side in the image
 };
 

@@ -33,8 +33,8 @@ double number(const std::string& file, const YAML::Node& node, const std::string
 std::vector<double> numbers(const std::string& file, const YAML::Node& node, const std::string& what,
                             std::size_t count);
 
-/// `map` must be a map whose keys are all in `known`, each there at most once. A key that is not known is an error,
-/// because leaving it out would change what the file says.
+/// `map` must be a map whose keys are all in `known`. One that is not known is an error, because leaving it out would
+/// change what the file says.
 void check_keys(const std::string& file, const YAML::Node& map, const std::set<std::string>& known,
                 const std::string& what);
 

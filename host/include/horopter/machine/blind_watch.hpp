@@ -16,6 +16,9 @@ struct BlindSettings {
   bool teach = false;  ///< learn what cannot be decided; every frame has the fault `teaching`
   int margin = 8;      ///< 1/64 of a block's pixels, 0 to 255
   bool dim = false;    ///< half of the frames that teach are looked at as half of the light would show them
+
+  /// The margin of a block of this side.
+  constexpr int margin_pixels(int side) const { return margin * side * side / 64; }
 };
 
 class BlindWatch {

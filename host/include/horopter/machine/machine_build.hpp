@@ -26,5 +26,7 @@ Build find_build(Device& device);
 void check_rule(const Build& build, Decision decision);
 /// Throws UsageError where the build cannot be taught.
 void check_blind(const Build& build);
+/// An empty result, of the size that the registers tell.
+Image result_image(Device& device);
 
 }  // namespace horopter

@@ -89,7 +89,6 @@ struct Settings {
   }
 };
 
-/// One result of the machine. Pictures and runs are in pixels of the left image (field) after sub-sampling.
 /// What a frame showed of both cameras' world, in cells (hls/stages/agreement.hpp).
 struct Agreement {
   int supervised = 0;
@@ -116,6 +115,7 @@ struct Agreement {
   std::array<double, 2> sharpness{};
 };
 
+/// One result of the machine. Pictures and runs are in pixels of the left image (field) after sub-sampling.
 struct FrameResult {
   Image states;  ///< codes of State
   std::vector<Run> runs;

@@ -99,7 +99,7 @@ class NativeDevice : public Device {
     std::array<std::uint32_t, 3> object{};  ///< FRAME_OBJECT and the two registers after it
     std::uint32_t object_area = 0;
     std::uint32_t blind = 0;
-    std::array<std::uint32_t, 12> agreement{};  ///< FRAME_AGREEMENT to FRAME_CONTRAST_RIGHT
+    std::array<std::uint32_t, 12> agreement{};  ///< FRAME_AGREEMENT to FRAME_PATCHES
     std::array<std::uint32_t, 64> regions{};    ///< FRAME_REGION
   };
   Frame frame_;

@@ -158,6 +158,8 @@ struct MapSet {
   std::string rig;   ///< the two cameras, as text of rig.yaml; empty for a skin that needs none
   std::vector<CompiledMap> maps;
 
+  /// All tables; they live as long as the set.
+  std::vector<const MapTable*> tables() const;
   /// The LOOKAHEAD that serves all tables.
   int lookahead() const;
   /// CRC-32 of the rig's text, by which a rig is told from another; 0 without.

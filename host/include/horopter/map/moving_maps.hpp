@@ -25,6 +25,8 @@ struct MovingMaps {
   std::size_t inserted = 0;       ///< frames by which the skin comes later than the motion says
 
   const ScanGeometry& geometry() const { return steps.at(0).map.table.geometry(); }
+  /// One of each step; they live as long as the steps.
+  std::vector<const MapTable*> tables() const;
   /// The step of a frame; beyond the end the last one of its field.
   std::size_t step_of(std::size_t frame) const;
 };

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 
 #include "cell/keys.hpp"
@@ -10,6 +11,7 @@
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
 #include "horopter/machine/engines.hpp"
+#include "horopter/machine/registers.hpp"
 #include "horopter/monitor/camera.hpp"
 
 namespace horopter::monitor {
@@ -21,6 +23,8 @@ const char* const kExpected = "a cell: `cameras`, `skin` and more";
 constexpr double kDecisionPeriods = 2.5;
 /// Below it, a computer without real time misses the limit now and then.
 constexpr double kShortestUsual_ms = 60;
+/// As DNS has it.
+constexpr std::size_t kLongestHostName = 253;
 
 CameraCell read_camera(Keys keys, const std::string& name) {
   CameraCell camera;
@@ -50,8 +54,8 @@ CameraCell read_camera(Keys keys, const std::string& name) {
   if (keys.has("repeat") && !camera.source.starts_with("files:")) {
     keys.fail("repeat", "this source cannot begin again", "it with files: only");
   }
-  camera.repeat = keys.flag("repeat", false);
-  camera.exposure_may_change = keys.flag("exposure_may_change", false);
+  camera.repeat = keys.flag("repeat");
+  camera.exposure_may_change = keys.flag("exposure_may_change");
   keys.finish();
   return camera;
 }
@@ -115,8 +119,8 @@ void read_limits(Keys keys, Cell& cell) {
   percent("unsupervised_percent", 0, settings.unsupervised_percent);
   if (keys.has("frozen_frames")) settings.frozen_limit = keys.whole("frozen_frames", 0, 255, "frames");
   if (keys.has("hidden_frames")) settings.proof.hidden_frames = keys.whole("hidden_frames", 0, 128, "frames");
-  if (keys.flag("still_scene", false)) settings.still_limit = 0;
-  if (keys.flag("unproven", false)) settings.proof.needed = false;
+  if (keys.flag("still_scene")) settings.still_limit = 0;
+  if (keys.flag("unproven")) settings.proof.needed = false;
   read_size(keys, cell);
   if (keys.has("alarm_frames")) {
     const std::string expected = "N/M, N of the last M frames, as in 2/3";
@@ -132,10 +136,11 @@ void read_limits(Keys keys, Cell& cell) {
 }
 
 void read_teach(Keys keys, TeachCell& teach) {
-  teach.needed = keys.flag("needed", false);
-  if (keys.has("frames")) teach.frames = keys.whole("frames", 1, 65'535, "frames");
+  teach.needed = keys.flag("needed");
+  constexpr int kMostFrames = registers::taught::kFrames.mask();
+  if (keys.has("frames")) teach.frames = keys.whole("frames", 1, kMostFrames, "frames");
   if (keys.has("margin")) teach.margin = keys.whole("margin", 0, 255, "");
-  teach.less_light = keys.flag("less_light", false);
+  teach.less_light = keys.flag("less_light");
   keys.finish();
 }
 
@@ -206,6 +211,12 @@ LogCell read_log(Keys keys) {
   return log;
 }
 
+bool is_host_name(const std::string& name) {
+  return !name.empty() && name.size() <= kLongestHostName && std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.';
+  });
+}
+
 WebCell read_web(Keys keys) {
   WebCell web;
   web.listen = keys.text_or("listen", web.listen, "an address and a port, as 127.0.0.1:8080");
@@ -221,7 +232,10 @@ WebCell read_web(Keys keys) {
     web.tls = TlsCell{tls.existing("certificate_file", "a certificate"), tls.existing("key_file", "its key")};
     tls.finish();
   }
-  web.restart = keys.flag("restart", false);
+  if (keys.has("names")) {
+    web.names = keys.texts("names", is_host_name, "a list of host names without ports, as [press3.example.com]");
+  }
+  web.restart = keys.flag("restart");
   keys.finish();
   return web;
 }

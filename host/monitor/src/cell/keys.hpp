@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A map of cell.yaml, read strictly: keys that nothing asked for are errors.
+// What stands behind the keys of cell.yaml.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,38 +7,18 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "horopter/base/error.hpp"
-#include "horopter/calib/yaml.hpp"
+#include "horopter/calib/yaml_keys.hpp"
 
 namespace horopter::monitor {
 
-class Keys {
+class Keys : public calib::yaml::Keys {
  public:
-  Keys(const std::string& file, const YAML::Node& node, std::string path)
-      : file_(file), node_(node), path_(std::move(path)) {
-    if (!node_.IsMap()) calib::yaml::fail(file_, node_, path_, "", "a map");
-  }
+  using calib::yaml::Keys::Keys;
 
-  [[nodiscard]] std::string path(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
-  bool has(const std::string& key) {
-    known_.insert(key);
-    return node_[key].IsDefined();
-  }
-  YAML::Node get(const std::string& key, const std::string& expected) {
-    known_.insert(key);
-    YAML::Node node = node_[key];
-    if (!node.IsDefined() || node.IsNull()) calib::yaml::fail(file_, node_, path(key), "missing", expected);
-    return node;
-  }
-  [[nodiscard]] const YAML::Node& node() const { return node_; }
-  [[noreturn]] void fail(const std::string& key, const std::string& found, const std::string& expected) const {
-    calib::yaml::fail(file_, node_[key].IsDefined() ? node_[key] : node_, path(key), found, expected);
-  }
-  Keys map(const std::string& key) { return {file_, get(key, "a map"), path(key)}; }
+  Keys map(const std::string& key) { return {file(), get(key, "a map"), path(key)}; }
 
   std::string text(const std::string& key, const std::string& expected) {
     const YAML::Node node = get(key, expected);
@@ -60,7 +40,7 @@ class Keys {
     const std::string expected = fmt::format("{:g} to {:g}{}{}", smallest, largest, unit.empty() ? "" : " ", unit);
     const YAML::Node node = get(key, expected);
     if (!node.IsScalar()) fail(key, "", expected);
-    const double value = calib::yaml::number(file_, node, path(key));
+    const double value = calib::yaml::number(file(), node, path(key));
     if (!(value >= smallest && value <= largest)) fail(key, "", expected);
     return value;
   }
@@ -69,11 +49,17 @@ class Keys {
     if (value != std::floor(value)) fail(key, "", fmt::format("a whole number, {} to {}", smallest, largest));
     return static_cast<int>(value);
   }
-  bool flag(const std::string& key, bool otherwise) {
-    if (!has(key)) return otherwise;
-    bool value = false;
-    if (!YAML::convert<bool>::decode(node_[key], value)) fail(key, "", "true or false");
-    return value;
+  /// A list of texts, each of which is good.
+  std::vector<std::string> texts(const std::string& key, bool (*is_good)(const std::string&),
+                                 const std::string& expected) {
+    const YAML::Node list = get(key, expected);
+    if (!list.IsSequence()) fail(key, "", expected);
+    std::vector<std::string> found;
+    for (const YAML::Node& one : list) {
+      if (!one.IsScalar() || !is_good(one.Scalar())) calib::yaml::fail(file(), one, path(key), "", expected);
+      found.push_back(one.Scalar());
+    }
+    return found;
   }
   /// A file that is there, named beside cell.yaml.
   std::filesystem::path existing(const std::string& key, const std::string& expected) {
@@ -85,28 +71,10 @@ class Keys {
     }
     return place;
   }
-  [[nodiscard]] std::filesystem::path beside(const std::string& name) const {
-    return std::filesystem::path(file_).parent_path() / name;
-  }
   /// Two keys that mean the same must not stand together.
   void exclude(const std::string& one, const std::string& another) {
     if (has(one) && has(another)) fail(another, fmt::format("also '{}'", one), "one of the two");
   }
-  void finish() const {
-    for (const auto& item : node_) {
-      const std::string key = item.first.IsScalar() ? item.first.Scalar() : "";
-      if (known_.contains(key)) continue;
-      std::string expected;
-      for (const std::string& name : known_) expected += (expected.empty() ? "" : ", ") + name;
-      calib::yaml::fail(file_, item.first, path_, "unknown key '" + key + "'", expected);
-    }
-  }
-
- private:
-  const std::string& file_;
-  YAML::Node node_;
-  std::string path_;
-  std::set<std::string> known_;
 };
 
 }  // namespace horopter::monitor

@@ -2,6 +2,7 @@
 #include "durable.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sodium.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,6 +10,8 @@
 #include <array>
 #include <cerrno>
 #include <system_error>
+
+#include "horopter/base/error.hpp"
 
 namespace horopter::monitor {
 namespace {
@@ -46,8 +49,9 @@ void sync_directory(const fs::path& directory) {
 
 int write_durably(const fs::path& path, std::string_view text, unsigned mode) {
   fs::path temporary = path;
-  temporary += kPartial;
-  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, mode));
+  temporary += fmt::format(".{}{}", ::getpid(), kPartial);
+  ::unlink(temporary.c_str());  // of a process that was killed
+  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
   if (!file.valid()) return errno;
   int problem = ::fchmod(file.get(), mode) == 0 ? write_all(file.get(), text) : errno;
   if (problem == 0 && ::fsync(file.get()) != 0) problem = errno;
@@ -62,6 +66,10 @@ int write_durably(const fs::path& path, std::span<const std::uint8_t> bytes, uns
 }
 
 bool is_partial(const fs::path& path) { return path.extension() == kPartial; }
+
+void begin_sodium() {
+  if (::sodium_init() < 0) throw Error(ExitStatus::fault, "libsodium cannot be initialised");
+}
 
 std::string sha256(std::span<const std::uint8_t> bytes) {
   std::array<unsigned char, crypto_hash_sha256_BYTES> hash{};

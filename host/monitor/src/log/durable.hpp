@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are on the disk when the call returns; SHA-256.
+// Files that are on the disk when the call returns; libsodium, and its SHA-256.
 #pragma once
 
 #include <cstdint>
@@ -40,12 +40,15 @@ class Descriptor {
 int write_all(int file, std::string_view bytes);
 /// What a directory lists is on the disk.
 void sync_directory(const std::filesystem::path& directory);
-/// Writes beside its place, and renames. 0, or the number of the error; nothing is left then.
+/// Writes a new file beside its place, never open to more than `mode` says, and renames it. 0, or the number of the
+/// error; nothing is left then.
 int write_durably(const std::filesystem::path& path, std::span<const std::uint8_t> bytes, unsigned mode = 0640);
 int write_durably(const std::filesystem::path& path, std::string_view text, unsigned mode = 0640);
 /// Names that write_durably gives to what is not complete.
 bool is_partial(const std::filesystem::path& path);
 
+/// Before what of libsodium is not SHA-256. Throws Error.
+void begin_sodium();
 /// 64 hexadecimal digits.
 std::string sha256(std::span<const std::uint8_t> bytes);
 std::string sha256(std::string_view text);

@@ -2,7 +2,6 @@
 #include "horopter/monitor/event_log.hpp"
 
 #include <fmt/format.h>
-#include <sodium.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -207,7 +206,7 @@ class EventLog::Writer {
           settings.pictures_per_s > 0 && settings.pictures_per_s <= 1000)) {
       throw UsageError("the event log's pictures: expected 0 to 60 s before and after, and up to 1000 pairs a second");
     }
-    if (::sodium_init() < 0) throw Error(ExitStatus::fault, "libsodium cannot be initialised");
+    begin_sodium();
     return settings;
   }
   Journal open_journal() const { return {settings_.directory, settings_.limit_bytes}; }

@@ -76,16 +76,6 @@ std::uint64_t size_of(const fs::path& path) {
 
 }  // namespace
 
-std::string text_in(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-std::int64_t number_in(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
-}
-
 bool is_segment(const fs::path& path) { return order_of(path).has_value(); }
 
 std::vector<fs::path> segments_in(const fs::path& directory) {

@@ -7,21 +7,15 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "durable.hpp"
+#include "status_json.hpp"
 
 namespace horopter::monitor {
-
-using Json = nlohmann::ordered_json;
-
-/// Where it is, of text that may be anything.
-std::string text_in(const Json& json, const char* key);
-std::int64_t number_in(const Json& json, const char* key);
 
 struct Record {
   std::int64_t number = 0;

@@ -477,7 +477,7 @@ bool Service::restart(const Actor& actor, std::string& why) {
 }
 
 bool Service::teach(int frames, const Actor& actor, std::string& why) {
-  constexpr int kMost = 65'535;
+  constexpr int kMost = reg::taught::kFrames.mask();
   const std::lock_guard lock(status_mutex_);
   if (frames < 1 || frames > kMost) {
     why = fmt::format("{} frames; expected 1 to {}", frames, kMost);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/lines.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <poll.h>
 
@@ -20,39 +19,6 @@
 
 namespace horopter::monitor {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-std::string time_text(Time time) {
-  const auto since = time.time_since_epoch();
-  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(since).count() % 1000;
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(time)), ms);
-}
-
-const char* restart_text(Restart restart) {
-  switch (restart) {
-    case Restart::not_needed:
-      return "not_needed";
-    case Restart::needed:
-      return "needed";
-    case Restart::possible:
-      break;
-  }
-  return "possible";
-}
-
-Json causes_json(const std::vector<Cause>& causes) {
-  Json list = Json::array();
-  for (const Cause& cause : causes) {
-    list.push_back({{"name", cause.name}, {"text", cause.text}, {"advice", cause.advice}});
-  }
-  return list;
-}
-
-template <class Value>
-Json json_of(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json();
-}
 
 std::vector<std::string> names_of(const std::vector<Cause>& causes) {
   std::vector<std::string> names;
@@ -179,10 +145,7 @@ class LinesPart : public Part {
  private:
   void say(const std::string& event, const Status& status, const Actor& actor = {}, const std::string& what = {}) {
     if (lines_ == Lines::json) {
-      Json json = event_json(event, status, cell_);
-      if (!actor.name.empty()) json["by"] = {{"name", actor.name}, {"address", actor.address}};
-      if (!what.empty()) json["what"] = what;
-      writer_.say(json_line(json));
+      writer_.say(json_line(event_json(event, status, cell_, actor, what)));
     } else {
       std::string line = fmt::format("{}  pair {}  {}: {}", time_text(status.time), status.frame, event,
                                      status.safe ? "SAFE" : "not safe");
@@ -204,52 +167,32 @@ class LinesPart : public Part {
 }  // namespace
 
 Json status_json(const Status& status, const Cell& cell) {
-  Json json{{"time", time_text(status.time)},
-            {"cell", cell.name},
-            {"configuration", crc_text(cell.crc)},
-            {"frame", status.frame},
-            {"safe", status.safe},
-            {"alarm", status.alarm},
-            {"restart", restart_text(status.restart)},
-            {"restart_by_itself", status.restart_by_itself},
-            {"causes", causes_json(status.causes)},
-            {"latched", causes_json(status.latched)},
-            {"table_crc", crc_text(status.table_crc)},
-            {"skew_ms", json_of(status.skew_ms)},
-            {"explained", json_of(status.explained)},
-            {"decision_ms", status.decision_ms},
-            {"teaching", status.teaching},
-            {"taught", status.taught}};
-  json["objects"] = Json::array();
-  for (const ObjectState& object : status.objects) {
-    json["objects"].push_back({{"id", object.id},
-                               {"pixels", object.pixels},
-                               {"blind_pixels", object.blind_pixels},
-                               {"box", {object.x, object.y, object.width, object.height}},
-                               {"age_frames", object.age_frames},
-                               {"size_mm", json_of(object.size_mm)},
-                               {"distance_mm", json_of(object.distance_mm)},
-                               {"speed_mm_s", json_of(object.speed_mm_s)}});
-  }
-  json["cameras"] = Json::array();
-  for (const CameraState& camera : status.cameras) {
-    json["cameras"].push_back({{"name", camera.name},
-                               {"source", camera.source},
-                               {"connected", camera.connected},
-                               {"frames", camera.frames},
-                               {"dropped", camera.dropped},
-                               {"lost_packets", camera.lost_packets},
-                               {"repeated", camera.repeated},
-                               {"frames_per_s", camera.frames_per_s},
-                               {"exposure_us", json_of(camera.exposure_us)},
-                               {"sharpness", camera.sharpness}});
-  }
-  return json;
+  return {{"time", time_text(status.time)},
+          {"cell", cell.name},
+          {"configuration", crc_text(cell.crc)},
+          {"frame", status.frame},
+          {"safe", status.safe},
+          {"alarm", status.alarm},
+          {"restart", restart_text(status.restart)},
+          {"restart_by_itself", status.restart_by_itself},
+          {"causes", causes_json(status.causes)},
+          {"latched", causes_json(status.latched)},
+          {"table_crc", crc_text(status.table_crc)},
+          {"skew_ms", optional_json(status.skew_ms)},
+          {"explained", optional_json(status.explained)},
+          {"decision_ms", status.decision_ms},
+          {"teaching", status.teaching},
+          {"taught", status.taught},
+          {"objects", objects_json(status.objects)},
+          {"cameras", cameras_json(status.cameras)}};
 }
 
-Json event_json(const std::string& event, const Status& status, const Cell& cell) {
+Json event_json(const std::string& event, const Status& status, const Cell& cell, const Actor& actor,
+                const std::string& what) {
   Json json{{"event", event}};
   json.update(status_json(status, cell));
+  if (!actor.name.empty()) json["by"] = actor_json(actor);
+  if (!what.empty()) json["what"] = what;
   return json;
 }
 

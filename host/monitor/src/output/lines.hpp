@@ -4,16 +4,16 @@
 
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
-
 #include "horopter/monitor/part.hpp"
+#include "log/status_json.hpp"
 
 namespace horopter::monitor {
 
 /// What events and states have in common: time, configuration, safe, causes.
-nlohmann::ordered_json status_json(const Status& status, const Cell& cell);
-/// An event with what it is called, and who did it where somebody did.
-nlohmann::ordered_json event_json(const std::string& event, const Status& status, const Cell& cell);
+Json status_json(const Status& status, const Cell& cell);
+/// An event with what it is called, who did it where somebody did, and what.
+Json event_json(const std::string& event, const Status& status, const Cell& cell, const Actor& actor,
+                const std::string& what);
 
 /// `file`: where they go. Whoever does not read them holds nobody up: 1000 lines wait, then they are lost, and that is its
 /// trouble.

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/log_and_page.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "horopter/map/map_json.hpp"
 #include "horopter/monitor/event_log.hpp"
 #include "horopter/monitor/metrics.hpp"
 #include "horopter/monitor/web.hpp"
@@ -20,7 +19,7 @@ LogSettings log_settings(const Cell& cell) {
   LogSettings settings;
   settings.directory = cell.log->directory;
   settings.limit_bytes = static_cast<std::uint64_t>(kBytes * cell.log->size_mb);
-  settings.configuration = fmt::format("{:08x}", cell.crc);
+  settings.configuration = crc_text(cell.crc);
   settings.versions = {{"horopter", HOROPTER_VERSION}, {"engine", cell.engine}};
   return settings;
 }
@@ -36,6 +35,7 @@ WebConfiguration web_configuration(const Cell& cell) {
     web.certificate = cell.web->tls->certificate_file;
     web.key = cell.web->tls->key_file;
   }
+  web.host_names = cell.web->names;
   web.teach_frames = cell.teach.frames;
   web.restart_allowed = cell.web->restart;
   web.decision_limit_ms = cell.decision_limit_ms;

@@ -143,10 +143,7 @@ class MqttPart : public Part {
   }
 
   void event(const std::string& name, const Status& status, const Actor& actor, const std::string& what) {
-    auto json = event_json(name, status, cell_);
-    if (!actor.name.empty()) json["by"] = {{"name", actor.name}, {"address", actor.address}};
-    if (!what.empty()) json["what"] = what;
-    publish(mqtt_.topic + "/event", json_line(json), false);
+    publish(mqtt_.topic + "/event", json_line(event_json(name, status, cell_, actor, what)), false);
     changed_ = true;
   }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "answers.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
@@ -10,44 +8,15 @@
 
 #include "horopter/base/error.hpp"
 #include "horopter/draw/overlay.hpp"
+#include "horopter/image/mat.hpp"
+#include "horopter/map/map_json.hpp"
 
 namespace horopter::monitor {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr int kJpegQuality = 80;
 constexpr int kNarrowest = 640;  // small images are enlarged, that numbers can be read
 constexpr int kWidest = 1280;
-
-template <class Value>
-Json optional_json(const std::optional<Value>& value) {
-  if (!value) return nullptr;
-  if constexpr (std::is_floating_point_v<Value>) {
-    if (!std::isfinite(*value)) return nullptr;
-  }
-  return *value;
-}
-
-Json causes_json(const std::vector<Cause>& causes) {
-  Json list = Json::array();
-  for (const Cause& cause : causes) {
-    list.push_back({{"name", cause.name}, {"text", cause.text}, {"advice", cause.advice}});
-  }
-  return list;
-}
-
-const char* restart_text(Restart restart) {
-  switch (restart) {
-    case Restart::not_needed:
-      return "not_needed";
-    case Restart::possible:
-      return "possible";
-    case Restart::needed:
-      break;
-  }
-  return "needed";
-}
 
 void draw_object(cv::Mat& picture, const ObjectState& object, double factor, bool alarm) {
   const auto place = [&](int value) { return static_cast<int>(std::lround(value * factor)); };
@@ -71,9 +40,7 @@ std::string jpeg_of(const Moment& moment) {
   if (moment.left.empty()) return {};
   cv::Mat picture;
   if (moment.result.states.empty()) {
-    const cv::Mat grey(moment.left.height, moment.left.width, CV_8UC1,
-                       const_cast<std::uint8_t*>(moment.left.pixels.data()));
-    cv::cvtColor(grey, picture, cv::COLOR_GRAY2BGR);
+    cv::cvtColor(mat_of(moment.left), picture, cv::COLOR_GRAY2BGR);
   } else {
     Picture states = draw_states(moment.left, moment.result);
     picture = cv::Mat(states.height, states.width, CV_8UC3, states.bgr.data()).clone();
@@ -107,29 +74,6 @@ std::string shown_state(const Status& status, std::optional<double> age_ms, doub
 }
 
 Json status_json(const Status& status, std::optional<double> age_ms, double limit_ms) {
-  Json objects = Json::array();
-  for (const ObjectState& object : status.objects) {
-    objects.push_back({{"id", object.id},
-                       {"pixels", object.pixels},
-                       {"blind_pixels", object.blind_pixels},
-                       {"age_frames", object.age_frames},
-                       {"size_mm", optional_json(object.size_mm)},
-                       {"distance_mm", optional_json(object.distance_mm)},
-                       {"speed_mm_s", optional_json(object.speed_mm_s)}});
-  }
-  Json cameras = Json::array();
-  for (const CameraState& camera : status.cameras) {
-    cameras.push_back({{"name", camera.name},
-                       {"source", camera.source},
-                       {"connected", camera.connected},
-                       {"frames", camera.frames},
-                       {"dropped", camera.dropped},
-                       {"lost_packets", camera.lost_packets},
-                       {"repeated", camera.repeated},
-                       {"frames_per_s", camera.frames_per_s},
-                       {"exposure_us", optional_json(camera.exposure_us)},
-                       {"sharpness", camera.sharpness}});
-  }
   return {{"state", shown_state(status, age_ms, limit_ms)},
           {"age_ms", optional_json(age_ms)},
           {"limit_ms", limit_ms},
@@ -138,30 +82,26 @@ Json status_json(const Status& status, std::optional<double> age_ms, double limi
           {"restart_by_itself", status.restart_by_itself},
           {"causes", causes_json(status.causes)},
           {"latched", causes_json(status.latched)},
-          {"objects", std::move(objects)},
-          {"cameras", std::move(cameras)},
+          {"objects", objects_json(status.objects)},
+          {"cameras", cameras_json(status.cameras)},
           {"skew_ms", optional_json(status.skew_ms)},
           {"explained", optional_json(status.explained)},
           {"teaching", status.teaching},
           {"taught", status.taught},
           {"table", status.table},
-          {"table_crc", fmt::format("{:08x}", status.table_crc)},
+          {"table_crc", crc_text(status.table_crc)},
           {"decision_ms", status.decision_ms}};
 }
 
 Json entry_json(const LogEntry& entry) {
-  const auto text = [&](const char* key) {
-    const auto found = entry.json.find(key);
-    return found != entry.json.end() && found->is_string() ? *found : Json("");
-  };
   std::string by;
   if (const auto actor = entry.json.find("by"); actor != entry.json.end() && actor->is_object()) {
-    by = actor->value("name", "");
+    by = text_in(*actor, "name");
   }
   return {{"number", entry.number},
-          {"time", text("time")},
-          {"kind", text("kind")},
-          {"text", text("text")},
+          {"time", text_in(entry.json, "time")},
+          {"kind", text_in(entry.json, "kind")},
+          {"text", text_in(entry.json, "text")},
           {"by", by},
           {"pictures", entry.pictures.size()}};
 }

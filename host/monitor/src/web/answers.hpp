@@ -5,22 +5,22 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "horopter/monitor/event_log.hpp"
 #include "horopter/monitor/state.hpp"
+#include "log/status_json.hpp"
 
 namespace horopter::monitor {
 
 /// "safe" only where everything says so, and the decision is not older than the limit; else "alarm", "old", "not_safe".
 std::string shown_state(const Status& status, std::optional<double> age_ms, double limit_ms);
 
-nlohmann::ordered_json status_json(const Status& status, std::optional<double> age_ms, double limit_ms);
+Json status_json(const Status& status, std::optional<double> age_ms, double limit_ms);
 /// As a line of the list.
-nlohmann::ordered_json entry_json(const LogEntry& entry);
+Json entry_json(const LogEntry& entry);
 
 /// The left image of the last pair, what was found coloured and numbered; made once for all who ask, and not too often.
 class LivePicture {

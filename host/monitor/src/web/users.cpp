@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "horopter/base/error.hpp"
+#include "log/durable.hpp"
 
 namespace horopter::monitor {
 namespace {
@@ -31,10 +32,6 @@ bool is_name(std::string_view name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
            c == '.';
   });
-}
-
-void begin_sodium() {
-  if (::sodium_init() < 0) throw Error(ExitStatus::fault, "libsodium cannot be initialised");
 }
 
 std::string hash_of(const std::string& password) {
@@ -76,19 +73,10 @@ std::string read_private(const fs::path& file) {
   return text;
 }
 
-void write_private(const fs::path& file, const std::vector<User>& users) {
+void write_users(const fs::path& file, const std::vector<User>& users) {
   std::string text = "# Who may use the page of `horopter monitor`: name, role, hash of the password.\n";
   for (const User& user : users) text += fmt::format("{} {} {}\n", user.name, name_of(user.role), user.hash);
-  const fs::path temporary = file.parent_path() / fmt::format(".{}.{}", file.filename().string(), ::getpid());
-  const int made = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  bool written = made >= 0;
-  if (written) {
-    written = ::write(made, text.data(), text.size()) == static_cast<ssize_t>(text.size()) && ::fsync(made) == 0;
-    written = ::close(made) == 0 && written;
-    written = written && ::rename(temporary.c_str(), file.c_str()) == 0;
-    if (!written) ::unlink(temporary.c_str());
-  }
-  if (!written) fail(file, "", "the file cannot be written", "a writable place");
+  if (write_durably(file, text, 0600) != 0) fail(file, "", "the file cannot be written", "a writable place");
 }
 
 std::vector<User> users_or_none(const fs::path& file) {
@@ -153,13 +141,13 @@ void set_user(const fs::path& file, const std::string& name, Role role, const st
   } else {
     users.push_back(user);
   }
-  write_private(file, users);
+  write_users(file, users);
 }
 
 bool remove_user(const fs::path& file, const std::string& name) {
   std::vector<User> users = read_users(file);
   if (std::erase_if(users, [&](const User& user) { return user.name == name; }) == 0) return false;
-  write_private(file, users);
+  write_users(file, users);
   return true;
 }
 

@@ -3,9 +3,9 @@
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
-#include <sodium.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -20,20 +20,19 @@
 #include "horopter/base/error.hpp"
 #include "horopter/base/json_text.hpp"
 #include "horopter/monitor/users.hpp"
+#include "log/durable.hpp"
 #include "page_files.hpp"
 #include "server.hpp"
 
 namespace horopter::monitor {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using httplib::Request;
 using httplib::Response;
 
 constexpr const char* kJson = "application/json";
 constexpr const char* kTokenHeader = "X-Horopter-Token";
 constexpr std::size_t kLogPage = 50;
-constexpr int kMostTaughtFrames = 100'000;
 constexpr double kNotesPerMin = 20;   // of what was refused
 constexpr double kLoginsPerMin = 60;  // of all addresses
 constexpr auto kIdleSession = std::chrono::hours(2);
@@ -52,6 +51,11 @@ bool is_address(const std::string& host) {
 std::string host_in(const std::string& authority) {
   if (authority.starts_with('[')) return authority.substr(1, authority.find(']') - 1);
   return authority.substr(0, authority.rfind(':'));
+}
+
+bool is_same_name(const std::string& one, const std::string& another) {
+  const auto lower = [](unsigned char c) { return std::tolower(c); };
+  return std::ranges::equal(one, another, {}, lower, lower);
 }
 
 WebConfiguration check(WebConfiguration configuration) {
@@ -75,7 +79,7 @@ WebConfiguration check(WebConfiguration configuration) {
   if (!(configuration.decision_limit_ms > 0) || !(configuration.pictures_per_s > 0) || !(configuration.session_h > 0)) {
     refuse("its limits of time must be above 0");
   }
-  if (::sodium_init() < 0) throw Error(ExitStatus::fault, "libsodium cannot be initialised");
+  begin_sodium();
   return configuration;
 }
 
@@ -124,11 +128,6 @@ std::optional<std::int64_t> whole(const Json& json, const char* key) {
   if (found == json.end() || !found->is_number_integer()) return std::nullopt;
   const auto number = found->get<std::int64_t>();
   return number < 0 ? std::nullopt : std::optional(number);
-}
-
-std::string text_in(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 /// Who asks.
@@ -223,10 +222,9 @@ class Web::Site {
     get(R"(/api/log/(\d{1,12})/([a-z0-9.-]{1,64}))", Needs::look,
         [this](const Request& request, Response& response, const Visitor&) { show_log_picture(request, response); });
     if (sources_.metrics) {
-      get("/metrics", configuration_.public_metrics ? Needs::nothing : Needs::look,
-          [this](const Request&, Response& response, const Visitor&) {
-            response.set_content(sources_.metrics(), "text/plain; version=0.0.4; charset=utf-8");
-          });
+      get("/metrics", Needs::look, [this](const Request&, Response& response, const Visitor&) {
+        response.set_content(sources_.metrics(), "text/plain; version=0.0.4; charset=utf-8");
+      });
     }
     server_.Post("/api/login", [this](const Request& request, Response& response) { log_in(request, response); });
     change("/api/logout", Role::viewer, [this](const Json&, Response& response, const Visitor& visitor, const Actor&) {
@@ -291,8 +289,9 @@ class Web::Site {
     }
     const std::string authority = request.get_header_value("Host");
     const std::string host = host_in(authority);
-    if (host != "localhost" && !is_address(host) &&
-        std::ranges::find(configuration_.host_names, host) == configuration_.host_names.end()) {
+    const bool is_known = std::ranges::any_of(configuration_.host_names,
+                                              [&](const std::string& name) { return is_same_name(name, host); });
+    if (host != "localhost" && !is_address(host) && !is_known) {
       refuse(response, 421, "The page is not known by this name.");
       return false;
     }
@@ -411,9 +410,7 @@ class Web::Site {
 
   void teach(const Json& json, Response& response, const Actor& actor) {
     const auto frames = whole(json, "frames");
-    if (!frames || *frames < 1 || *frames > kMostTaughtFrames) {
-      return refuse(response, 400, fmt::format("Expected 1 to {} frames.", kMostTaughtFrames));
-    }
+    if (!frames || !std::in_range<int>(*frames)) return refuse(response, 400, "Expected a number of frames.");
     std::string why;
     if (!sources_.control->teach(static_cast<int>(*frames), actor, why)) return refuse(response, 409, why);
     answer(response, 200, {{"done", true}});

@@ -75,7 +75,8 @@ struct WebCell {
   std::string listen = "127.0.0.1:8080";
   std::filesystem::path users_file;
   std::optional<TlsCell> tls;
-  bool restart = false;  ///< a restart over the network is allowed
+  std::vector<std::string> names;  ///< of this computer, by which browsers may ask for the page
+  bool restart = false;            ///< a restart over the network is allowed
 };
 
 struct TeachCell {

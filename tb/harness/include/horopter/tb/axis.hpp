@@ -56,11 +56,6 @@ class VideoSource final : public Endpoint {
   void set_pace(Pace pace) { pace_ = pace; }
   /// A camera that does not wait: a pixel that is not taken in its clock is lost (and counted).
   void set_live(bool live) { live_ = live; }
-  /// Idle clocks after each line and after each frame.
-  void set_blanking(unsigned line_clocks, unsigned frame_clocks) {
-    line_blanking_ = line_clocks;
-    frame_blanking_ = frame_clocks;
-  }
 
   void send(const Image& image, Damage damage = {});
   /// Silence of so many clocks before what is sent next.
@@ -90,7 +85,7 @@ class VideoSource final : public Endpoint {
   Pace pace_;
   bool live_ = false;
   bool offering_ = false;  ///< tvalid is high: the front beat stays until it is taken
-  unsigned line_blanking_ = 0, frame_blanking_ = 0, blank_ = 0;
+  unsigned blank_ = 0;
   std::deque<Beat> beats_;
   std::uint64_t lost_ = 0, taken_ = 0;
 };

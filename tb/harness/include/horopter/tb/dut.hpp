@@ -46,7 +46,6 @@ class DutModel {
  public:
   virtual ~DutModel() = default;
   virtual void eval() = 0;
-  std::vector<Dut>& duts() { return duts_; }
   Dut& dut(const std::string& name);
 
  protected:
