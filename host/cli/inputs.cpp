@@ -172,10 +172,7 @@ CameraPair first_pair(const calib::Rig& rig, const std::string& file) {
 
 void check_skin_file(const std::string& path) { read_file(path, kSkinExpected); }
 
-bool is_table(const std::string& skin) {
-  const auto bytes = read_file(skin, kSkinExpected);
-  return std::string(bytes.begin(), bytes.begin() + std::min<std::size_t>(4, bytes.size())) == "HMAP";
-}
+bool is_table(const std::string& skin) { return horopter::is_table(read_file(skin, kSkinExpected)); }
 
 SkinFile load_skin_for(const std::string& skin, const std::optional<calib::Rig>& rig, int image_width,
                        int image_height) {

@@ -93,7 +93,9 @@ monitor::Machine make_machine(const monitor::Cell& cell, const std::optional<cal
   object.px = cell.object_px.value_or(object.px);
   object.mm = cell.object_mm;
   object = set_object(object, skin, rig, profile, width, height, settings);
-  check_alarm_frames(skin, rig, profile, width, height, cell.frames_per_s * profile.fields_per_image(), settings);
+  // As slowly as they may come without a fault.
+  const double results_per_s = cell.frames_per_s * profile.fields_per_image() / monitor::kLongestPeriods;
+  check_alarm_frames(skin, rig, profile, width, height, results_per_s, settings);
   auto compiled =
       std::make_shared<const MapSet>(load_or_compile_maps(skin, rig, profile, width, height, settings.decision));
   const MapSet& maps = *compiled;
@@ -149,10 +151,13 @@ void warn_of_nobody(const monitor::Cell& cell) {
 /// What could only be said with the first image, if at all. Throws FileError.
 void check_files(const monitor::Cell& cell, bool has_rig) {
   const std::string scheme = "files:";
+  std::vector<std::string> patterns;
   for (const monitor::CameraCell& camera : cell.cameras) {
     if (!camera.source.starts_with(scheme)) continue;
-    open_frames({(cell.path.parent_path() / camera.source.substr(scheme.size())).string()});
+    patterns.push_back((cell.path.parent_path() / camera.source.substr(scheme.size())).string());
+    open_frames({patterns.back()});
   }
+  if (cell.layout == monitor::Layout::single && patterns.size() == 2) PairSource({patterns[0]}, {patterns[1]});
   const std::string skin = cell.skin.string();
   if (has_rig || is_table(skin)) return;
   try {
@@ -172,8 +177,14 @@ ExitStatus run_monitor(const MonitorOptions& options) {
   }
   const int width = rig && !rig->cameras.empty() ? rig->cameras.front().width_px : 0;
   const int height = width != 0 ? rig->cameras.front().height_px : 0;
-  monitor::Service service(
-      cell, [&](int columns, int rows) { return make_machine(cell, rig, columns, rows); }, width, height);
+  const auto machine = [&](int columns, int rows) {
+    try {
+      return make_machine(cell, rig, columns, rows);
+    } catch (const UsageError& error) {  // what an option would say, of a key
+      throw FileError(cell.path.string(), "limits", error.what(), "limits that this skin and profile can have");
+    }
+  };
+  monitor::Service service(cell, machine, width, height);
   if (cell.settings.interlock.by_itself)
     warn("restart: by itself; after an alarm or a fault nobody has to say that all is well");
   warn_of_nobody(cell);

@@ -16,12 +16,14 @@
 #include "horopter/plan/plan.hpp"
 #include "horopter/skin/rig_skin.hpp"
 #include "inputs.hpp"
+#include "warnings.hpp"
 
 namespace horopter::cli {
 namespace {
 
 constexpr double kLargest_px = 1000, kSmallest_mm = 5, kLargest_mm = 2000;
-constexpr double kUsual_mm = 40;  ///< a hand or an arm: what the usual limit is to find
+constexpr double kMostBeyondLimit = 0.25;  ///< of the skin: its border has always some
+constexpr double kUsual_mm = 40;           ///< a hand or an arm: what the usual limit is to find
 
 /// With the smallest windows that there are.
 double smallest_of_all_px() {
@@ -193,6 +195,15 @@ std::int64_t check_object_limit(const ObjectOption& option, const std::string& s
                                 "{} can judge {} of this skin",
                                 settings.object_px, limit, name_of(settings.decision), judgeable),
                     "a larger skin, or a smaller --object; 0 for none");
+  }
+  if (settings.object_px > 0 && limit <= judgeable && !tables.empty()) {
+    const double beyond = share_beyond_limit(*tables.front(), profile, settings.decision, limit);
+    if (beyond > kMostBeyondLimit) {
+      warn(fmt::format(
+          "{}: over {:.0f} % of this skin an object of {:.0f} px shows less than it takes for an alarm, "
+          "because the skin is narrow there, or parted by gaps; join its pieces, or take a smaller --object",
+          skin, 100 * beyond, settings.object_px));
+    }
   }
   return judgeable;
 }

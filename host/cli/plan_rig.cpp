@@ -298,6 +298,22 @@ struct Plan {
   double distance_mm = 0;  ///< at which the rig is looked at
 };
 
+/// A lattice that passes beside the zone enters it nowhere.
+void check_step(const EntryPlan& entries, const Surface& zone) {
+  Eigen::AlignedBox3d box;
+  zone.extend(box);
+  const Eigen::Vector3d sizes = box.sizes();
+  double smallest = sizes.maxCoeff();
+  for (const double size : sizes) {
+    if (size > 1e-6 * sizes.maxCoeff()) smallest = std::min(smallest, size);  // a sheet is flat
+  }
+  if (entries.step_mm <= smallest && !entries.zone_mm.empty()) return;
+  throw UsageError(fmt::format(
+      "the zone is {:.4g} x {:.4g} x {:.4g} mm, and is entered in steps of {:.4g} mm, which pass beside it; expected "
+      "--step {:.3g} or less; without it a step is 1/64 of the space, which ends at --from",
+      sizes.x(), sizes.y(), sizes.z(), entries.step_mm, std::min(smallest, entries.step_mm) / 4));
+}
+
 Plan plan_of(RigOptions& options, const RigInstallation& installation) {
   const SurfacePtr zone = options.zone.empty() ? nullptr : load_surface(options.zone);
   SurfacePtr obstacles;
@@ -327,6 +343,7 @@ Plan plan_of(RigOptions& options, const RigInstallation& installation) {
     } catch (const std::invalid_argument& error) {
       throw FileError(options.zone, "surface", error.what(), "a zone with ends, or a larger --step");
     }
+    check_step(*plan.entries, *zone);
   }
   return plan;
 }

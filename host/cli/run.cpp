@@ -95,6 +95,8 @@ struct Session {
   const Device& device() { return monitor().device(); }
 
   void begin_moving(const RunOptions& options, const std::optional<calib::Rig>& rig, int width, int height) {
+    check_consecutive(options.left);
+    check_consecutive(options.right);
     SkinFile skin = load_skin_for(options.skin, rig, width, height);
     results_per_s = skin.motion_limits.images_per_s;
     if (options.results_per_s.value_or(*results_per_s) != *results_per_s) {

@@ -337,4 +337,15 @@ TEST_CASE("what is wrong with the cell is said at once") {
   CHECK_THAT(result.err, Catch::Contains("cell.yaml: line 3") && Catch::Contains("unknown key 'zones'"));
   CHECK(box.run({"monitor", "none.yaml"}).status == 3);
   CHECK(box.run({"monitor"}).status == 2);
+  const auto error_of = [&](const std::string& left, const std::string& right, const std::string& more) {
+    box.write("cell.yaml", "cameras: {left: {source: 'files:" + kData + left + "'}, right: {source: 'files:" + kData +
+                               right + "'}, frames_per_s: 5}\nskin: skin.yaml\n" + more);
+    const auto failed = box.run({"monitor", "cell.yaml"});
+    CHECK(failed.status == 3);
+    return failed.err;
+  };
+  CHECK_THAT(error_of("left0[1-3].jpg", "right0[12].jpg", ""), Catch::Contains("right") && Catch::Contains("3 left"));
+  CHECK_THAT(error_of("left0[12].jpg", "right0[23].jpg", ""), Catch::Contains("right02.jpg"));
+  CHECK_THAT(error_of("left0[12].jpg", "right0[12].jpg", "limits: {tolerance_px: 0.05}\n"),
+             Catch::Contains("cell.yaml: limits") && Catch::Contains("0.05 px"));
 }

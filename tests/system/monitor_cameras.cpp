@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "../unit/host_temporary.hpp"
 #include "horopter/monitor/camera.hpp"
 
 using namespace horopter::monitor;
@@ -164,6 +165,51 @@ TEST_CASE("a live pipeline of GStreamer: times by one clock, grey, and errors in
   CHECK_THAT(problem_of(settings("gst:nosuchelement")), Catch::Contains("nosuchelement"));
   CHECK_THAT(problem_of(settings("gst:filesrc location=/none ! jpegdec")), Catch::Contains("GStreamer"));
   CHECK_FALSE(problem_of(settings("v4l2:/dev/video99")).empty());
+}
+
+TEST_CASE("of JPEG images those that are not whole are lost parts, and no images") {
+  const std::string data = "/usr/share/doc/opencv-doc/examples/data/";
+  const horopter::TemporaryDirectory directory;
+  const std::string decoder = GENERATE("jpegdec", "decodebin");
+  CAPTURE(decoder);
+  for (int i = 0; i < 6; ++i) {
+    auto bytes = horopter::bytes_of(data + "left0" + std::to_string(i + 1) + ".jpg");
+    if (i == 2 || i == 5) bytes.resize(bytes.size() * 8 / 10);
+    if (i == 3) bytes.erase(bytes.end() - 4000, bytes.end() - 1000);
+    directory.write(std::to_string(i) + ".jpg", bytes);
+  }
+  const auto grabber = open_grabber(settings("gst:multifilesrc location=" + directory.path().string() +
+                                             "/%d.jpg stop-index=5 caps=image/jpeg,framerate=10/1 ! " + decoder));
+  std::vector<CameraFrame> whole;
+  std::uint64_t lost = 0;
+  std::string end;
+  for (const auto give_up = Clock::now() + 60s; end.empty() && Clock::now() < give_up;) {
+    try {
+      auto frame = grabber->next(100ms);
+      if (!frame) continue;
+      if (frame->image.empty()) CHECK(frame->lost_packets > lost);
+      lost = frame->lost_packets;
+      if (!frame->image.empty()) whole.push_back(std::move(*frame));
+    } catch (const CameraError& error) {
+      end = error.what();
+    }
+  }
+  CHECK_THAT(end, Catch::Contains("the stream has ended"));
+  CHECK(whole.size() == 3);
+  CHECK(lost == 3);
+}
+
+TEST_CASE("an image that is shorter than its size is lost; JPEG in pieces is an error") {
+  const auto grabber = open_grabber(
+      settings("gst:fakesrc is-live=true sizetype=fixed sizemax=100 filltype=zero format=time datarate=1000 ! "
+               "video/x-raw,format=GRAY8,width=64,height=32,framerate=10/1"));
+  std::optional<CameraFrame> frame;
+  for (const auto give_up = Clock::now() + 60s; !frame && Clock::now() < give_up;) frame = grabber->next(100ms);
+  REQUIRE(frame);
+  CHECK(frame->image.empty());
+  CHECK(frame->lost_packets == 1);
+  CHECK_THAT(problem_of(settings("gst:filesrc location=/usr/share/doc/opencv-doc/examples/data/left01.jpg ! jpegdec")),
+             Catch::Contains("in pieces"));
 }
 
 TEST_CASE("both images side by side in one are two") {

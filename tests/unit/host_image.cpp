@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
 #include <random>
 #include <span>
 #include <tuple>
@@ -296,6 +297,70 @@ TEST_CASE("Videos are read frame by frame, and a truncated one is detected") {
   CHECK_THROWS_WITH(open_frames({directory.write("cut.avi", bytes).string()}), Catch::Contains("truncated"));
 }
 
+TEST_CASE("A file of more than one image is refused; padding is none") {
+  const TemporaryDirectory directory;
+  const std::string extension = GENERATE(".jpg", ".png", ".pgm", ".ppm");
+  CAPTURE(extension);
+  const auto image = encoded(extension, textured(extension == ".pgm" ? CV_8UC1 : CV_8UC3));
+  auto padded = image;
+  padded.insert(padded.end(), 3, extension[2] == 'g' || extension[2] == 'p' ? '\n' : '\0');
+  CHECK_NOTHROW(load_image(directory.write("padded" + extension, padded)));
+  padded.insert(padded.end(), image.begin(), image.end());
+  const std::string two = error_of(directory.write("two" + extension, padded));
+  CHECK_THAT(two, Catch::Contains("another image") && Catch::Contains("expected one image"));
+  if (extension != ".pgm") return;
+  CHECK_THAT(error_of(directory.write("text.pgm", "P2 2 1 255 7 200\nP2 2 1 255 7 201\n")),
+             Catch::Contains("another image"));
+  const auto stack = directory / "stack.tiff";
+  REQUIRE(cv::imwritemulti(stack.string(), std::vector<cv::Mat>{textured(), textured()}));
+  CHECK_THAT(error_of(stack), Catch::Contains("another image") && Catch::Contains("expected one image"));
+}
+
+TEST_CASE("The packet of a stream is a whole image, or two fields") {
+  const auto image = encoded(".jpg", textured());
+  auto fields = image;
+  fields.insert(fields.end(), {0, 0});
+  fields.insert(fields.end(), image.begin(), image.end());
+  CHECK_NOTHROW(check_jpeg_packet(image, "packet"));
+  CHECK_NOTHROW(check_jpeg_packet(fields, "packet"));
+  CHECK_THROWS_AS(check_jpeg_packet({}, "packet"), FileError);
+  CHECK_THROWS_AS(check_jpeg_packet(std::span(image).subspan(2), "packet"), FileError);
+  for (const auto& whole : {image, fields}) {
+    const auto cut = std::span(whole).first(whole.size() - image.size() / 5);
+    CHECK_THROWS_WITH(check_jpeg_packet(cut, "packet"), Catch::Contains("no end-of-image marker"));
+  }
+  auto hole = image;  // its end is there
+  hole.erase(hole.end() - 300, hole.end() - 100);
+  CHECK_THROWS_WITH(check_jpeg_packet(hole, "packet"), Catch::Contains("damaged or truncated"));
+}
+
+TEST_CASE("A video of JPEG images is read up to the first that is damaged") {
+  const TemporaryDirectory directory;
+  const std::string name = GENERATE("video.avi", "video.mkv", "video.mov");
+  const auto path = (directory / name).string();
+  const auto read = [&] {
+    int frames = 0;
+    for (const auto source = open_frames({path}); source->next();) ++frames;
+    return frames;
+  };
+  {
+    cv::VideoWriter video(path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10, {64, 48});
+    REQUIRE(video.isOpened());
+    for (int i = 0; i < 5; ++i) video.write(textured());
+  }
+  CHECK(read() == 5);
+  auto bytes = bytes_of(path);
+  constexpr std::array<std::uint8_t, 3> kBegin{0xFF, 0xD8, 0xFF};
+  auto frame = std::ranges::search(bytes, kBegin).begin();
+  for (int i = 0; i < 3; ++i) frame = std::search(frame + 1, bytes.end(), kBegin.begin(), kBegin.end());
+  const auto next = std::search(frame + 1, bytes.end(), kBegin.begin(), kBegin.end());
+  REQUIRE(next != bytes.end());
+  std::fill(next - (next - frame) / 5, next - 30, std::uint8_t{0});  // what FFmpeg still shows
+  directory.write(name, bytes);
+  CHECK_THROWS_WITH(read(), Catch::Contains(name + "#3") &&
+                                (Catch::Contains("damaged or truncated") || Catch::Contains("no end-of-image marker")));
+}
+
 TEST_CASE("Results are complete or not there") {
   const TemporaryDirectory directory;
   const auto results = directory / "deep/results";
@@ -324,6 +389,100 @@ TEST_CASE("Results are complete or not there") {
   CHECK(std::distance(std::filesystem::directory_iterator(directory / "deep"), {}) == 1);
   CHECK_THROWS_AS(OutputDirectory(directory.write("file", "x")), FileError);
   CHECK_THROWS_AS(write_file(directory / "none/file", "x"), FileError);
+}
+
+TEST_CASE("Folders of moments are paired by their numbers") {
+  const TemporaryDirectory directory;
+  const auto image = encoded(".png", textured(CV_8UC1));
+  const auto make = [&](const std::string& name) {
+    std::filesystem::create_directories((directory / name).parent_path());
+    directory.write(name, image);
+  };
+  const auto pairs = [&](const std::string& left, const std::string& right,
+                         PairNumbers numbers = PairNumbers::must_agree) {
+    PairSource source({(directory / left).string()}, {(directory / right).string()}, numbers);
+    return source.count();
+  };
+  for (int i = 1; i < 24; ++i) {
+    const std::string moment = "dm/m" + std::to_string(i);
+    for (const char* name : {"/left.png", "/right.png", "/left0.png", "/right0.png", "/cam0/a.png", "/cam1/a.png"}) {
+      make(moment + name);
+    }
+  }
+  for (const char* name : {"c0/a.png", "c0/b.png", "c1/a.png", "c1/b.png"}) make(name);
+  const std::vector<std::pair<std::string, std::string>> all{{"dm/m*/left.png", "dm/m*/right.png"},
+                                                             {"dm/m*/left0.png", "dm/m*/right0.png"},
+                                                             {"dm/m*/cam0/a.png", "dm/m*/cam1/a.png"}};
+  for (const auto& [left, right] : all) CHECK(pairs(left, right) == 23);
+  CHECK(pairs("c0", "c1") == 2);
+  CHECK(pairs("dm/m7/left.png", "dm/m7/right.png") == 1);
+  CHECK(pairs("dm/m7/left.png", "dm/m8/right.png") == 1);  // they may be cameras
+  // The left camera lost one, the right camera another.
+  for (const char* lost :
+       {"m5/left.png", "m5/left0.png", "m5/cam0/a.png", "m22/right.png", "m22/right0.png", "m22/cam1/a.png"}) {
+    std::filesystem::remove(directory / "dm" / lost);
+  }
+  for (const auto& [left, right] : all) {
+    CAPTURE(left);
+    CHECK_THROWS_WITH(pairs(left, right), Catch::Contains("m5/") && Catch::Contains("m6/") &&
+                                              Catch::Contains("its number is not that of the left image"));
+    CHECK(pairs(left, right, PairNumbers::ignored) == 22);
+  }
+  // One after the other, so that a single pair is not of one moment.
+  for (const char* name : {"s/left_4_v2.png", "s/left_6_v2.png", "s/right_4_v2.png", "s/right_5_v2.png"}) make(name);
+  CHECK_THROWS_WITH(pairs("s/left*", "s/right*"), Catch::Contains("right_5_v2.png: its number"));
+}
+
+TEST_CASE("A directory that holds what is not read is refused, by its name") {
+  const TemporaryDirectory directory;
+  for (const char* name : {"img1.png", "img2.png", "img4.PNG"})
+    directory.write(name, encoded(".png", textured(CV_8UC1)));
+  for (const char* name : {"notes.txt", "rig.yaml", "times.csv", "frames.json", ".img3.webp", "Makefile"}) {
+    directory.write(name, "x");
+  }
+  std::filesystem::create_directory(directory / "more");
+  const std::vector<std::string> argument{directory.path().string()};
+  REQUIRE(open_frames(argument)->count() == 3);
+  for (const std::string name : {"img3.webp", "img3.GIF", "img3.jp2", "img3.heic", "img3.avif", "img3.exr", "img3.hdr",
+                                 "img3.mp4", "img3.avi", "img3.mkv", "img3.mov"}) {
+    directory.write(name, "x");
+    directory.write("img9.webp", "x");
+    CHECK_THROWS_WITH(open_frames(argument),
+                      Catch::Contains(": " + name +
+                                      ": a directory with files that are no images that can be read; "
+                                      "expected only PNG"));
+    std::filesystem::remove(directory / name);
+    std::filesystem::remove(directory / "img9.webp");
+  }
+  std::filesystem::create_symlink(directory / "img2.png", directory / "img3.png");
+  CHECK(open_frames(argument)->count() == 4);
+  std::filesystem::remove(directory / "img3.png");
+  std::filesystem::create_symlink(directory / "none.png", directory / "img3.png");
+  CHECK_THROWS_WITH(open_frames(argument), Catch::Contains(": img3.png: this is no file, or a link to none"));
+}
+
+TEST_CASE("Where images are steps of time, none may be missing") {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directories(directory / "m8");
+  std::filesystem::create_directories(directory / "m9");
+  std::filesystem::create_directories(directory / "m11");
+  const auto check = [&](const std::vector<std::string>& names) {
+    std::vector<std::string> paths;
+    for (const std::string& name : names) paths.push_back(directory.write(name, "x").string());
+    check_consecutive(paths);
+  };
+  CHECK_NOTHROW(check({"a.png"}));
+  CHECK_NOTHROW(check({"a.png", "b.png", "c.png"}));
+  CHECK_NOTHROW(check({"cam0_0008.png", "cam0_0009.png", "cam0_0010.png"}));
+  CHECK_NOTHROW(check({"m8/left1.png", "m9/left1.png"}));
+  CHECK_NOTHROW(check_consecutive({"camera:0"}));
+  CHECK_THROWS_WITH(check({"i8.png", "i9.png", "i11.png"}),
+                    Catch::Contains("i11.png: it is not the image after") && Catch::Contains("expected number 10"));
+  CHECK_THROWS_WITH(check({"i98_2.png", "i99_2.png", "i101_2.png"}), Catch::Contains("expected number 100"));
+  CHECK_THROWS_WITH(check({"m9/left.png", "m11/left.png"}), Catch::Contains("expected number 10"));
+  CHECK_THROWS_WITH(check({"i1.png", "i2.png", "i2.png"}), Catch::Contains("expected number 3"));
+  CHECK_THROWS_WITH(check({"i2.png", "i1.png"}), Catch::Contains("expected number 3"));
+  CHECK_THROWS_WITH(check({"left.png", "left1.png"}), Catch::Contains("a number in each name"));
 }
 
 }  // namespace horopter

@@ -549,4 +549,47 @@ TEST_CASE("Fields that read different rows have one LOOKAHEAD") {
   CHECK_THROWS_WITH(load_maps(directory / "fields.hmap"), Catch::Contains("a report that is not true"));
 }
 
+TEST_CASE("Points that contradict each other are refused, by the worst of them") {
+  const TemporaryDirectory directory;
+  const HomographySkin truth(kTilted);
+  const auto skin = [&](int points, double typo_px) {
+    const std::vector<Point> places{{60, 50}, {580, 60}, {570, 430}, {70, 420}, {320, 240}, {200, 130}, {430, 330}};
+    std::string text = "surface:\n  type: correspondences\n  points:\n";
+    for (int i = 0; i < points; ++i) {
+      const Point right = *truth.source(places[static_cast<std::size_t>(i)]);
+      text += "  - {left: [" + std::to_string(places[static_cast<std::size_t>(i)].x) + ", " +
+              std::to_string(places[static_cast<std::size_t>(i)].y) + "], right: [" +
+              std::to_string(right.x + (i == 4 ? typo_px : 0)) + ", " + std::to_string(right.y) + "]}\n";
+    }
+    return text;
+  };
+  CHECK_THAT(error_of(directory, skin(7, 30)),
+             Catch::StartsWith("skin.yaml: line 8, column 5: surface.points: point 5 of 7 is ") &&
+                 Catch::Contains(" px from where") &&
+                 Catch::Contains("expected points that lie on one plane, within 5 px"));
+  CHECK_THAT(error_of(directory, skin(5, 60)), Catch::Contains("point 5 of 5 is "));
+  CHECK_NOTHROW(load_skin(directory.write("skin.yaml", skin(7, 3)), {320, 240}));
+  CHECK_NOTHROW(load_skin(directory.write("skin.yaml", skin(4, 0)), {320, 240}));
+}
+
+TEST_CASE("A second document of a file is refused") {
+  const TemporaryDirectory directory;
+  const std::string one = "surface:\n  type: homography\n  matrix: [[1, 0, -20], [0, 1, 5], [0, 0, 1]]\n";
+  for (const std::string& whole : {"---\n" + one, one + "...\n", "%YAML 1.2\n---\n" + one, one + "# end\n"}) {
+    CAPTURE(whole);
+    CHECK_NOTHROW(load_skin(directory.write("skin.yaml", whole), {320, 240}));
+  }
+  std::string bomb = "a: &a [x, x]\n";
+  for (char c = 'b'; c < 'z'; ++c) {
+    const std::string last(1, static_cast<char>(c - 1));
+    bomb += std::string(1, c) + ": &" + c + " [*" + last + ", *" + last + ", *" + last + ", *" + last + "]\n";
+  }
+  for (const std::string& more : {"---\n" + one, std::string("---\n"), "---\n" + bomb, "...\n---\n" + one}) {
+    CAPTURE(more);
+    CHECK_THAT(error_of(directory, one + more),
+               Catch::StartsWith("skin.yaml: line ") && Catch::Contains("a second document; expected one"));
+  }
+  CHECK_THAT(error_of(directory, one + "---\n" + one), Catch::Contains("line 4, column 1"));
+}
+
 }  // namespace horopter

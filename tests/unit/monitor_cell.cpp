@@ -138,6 +138,7 @@ TEST_CASE("what a cell must not say is refused: the file, the place, and what wa
       {good + "limits: {alarm_frames: 2}\n", "as in 2/3"},
       {good + "limits: 3\n", "expected a map"},
       {good + "teach: {frames: 0}\n", "expected 1 to 65535"},
+      {good + "teach: {margin: 64}\n", "expected 0 to 63"},
       {good + "outputs: {modbus: {port: 70000}}\n", "expected 0 to 65535"},
       {good + "outputs: {profinet: {}}\n", "unknown key 'profinet'"},
       {good + "log: {size_mb: 50}\n", "log.directory: missing"},
@@ -183,6 +184,12 @@ TEST_CASE("the checksum is of the cell, the rig and the skin") {
   const auto crc = files.load(text).crc;
   CHECK(files.load(text).crc == crc);
   CHECK(files.load(text + "# changed\n").crc != crc);
+  files.write("skin.yaml", "surface: {type: mesh, file: skin.ply}\n");
+  files.write("skin.ply", "one");
+  const auto with_mesh = files.load(text).crc;
+  CHECK(with_mesh != crc);
+  files.write("skin.ply", "two");
+  CHECK(files.load(text).crc != with_mesh);
   files.write("skin.yaml", "surface: 2\n");
   const auto other_skin = files.load(text).crc;
   CHECK(other_skin != crc);

@@ -24,13 +24,16 @@ std::string describe(const YAML::Node& node) {
   return node.IsMap() ? "a map" : fmt::format("a list of {}", node.size());
 }
 
-/// What a reader of nodes would take without a word, or never end with: a key that stands twice in a map, a part that
-/// contains itself, aliases of aliases that stand for more than any file holds, and nesting without end.
+/// What a reader of nodes would take without a word, leave out, or never end with: a key that stands twice in a map, a
+/// second document, a part that contains itself, aliases of aliases that stand for more than any file holds, and nesting
+/// without end.
 class Guard final : public YAML::EventHandler {
  public:
   Guard(const std::string& file, const std::string& expected) : file_{file}, expected_{expected} {}
 
-  void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (documents_++ > 0) throw FileError(file_, line_and_column(mark), "a second document", "one");
+  }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { scalar(mark, anchor, ""); }
   void OnScalar(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
@@ -98,6 +101,7 @@ class Guard final : public YAML::EventHandler {
   std::vector<Open> open_;
   std::map<YAML::anchor_t, std::size_t> nodes_;  ///< in what an anchor names, aliases included
   std::size_t aliased_ = 0;
+  int documents_ = 0;
 };
 
 void append_numbers(std::vector<double>& values, const std::string& file, const YAML::Node& node,
@@ -115,7 +119,8 @@ YAML::Node parse(const std::string& file, const std::string& text, const std::st
   try {
     std::istringstream stream(text);
     Guard guard(file, expected);
-    YAML::Parser(stream).HandleNextDocument(guard);
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(guard)) continue;
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {
     throw FileError(file, line_and_column(error.mark), "not YAML (" + error.msg + ")", expected);

@@ -12,6 +12,8 @@
 #include <fstream>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
+#include <span>
+#include <string_view>
 
 #include "horopter/base/error.hpp"
 #include "image_check.hpp"
@@ -36,6 +38,48 @@ class FileSource : public FrameSource {
   bool done_ = false;
 };
 
+/// The images of a video as the file holds them, where that is as JPEG. Decoders make up what is missing in one.
+class JpegPackets {
+ public:
+  JpegPackets(const std::string& name, const cv::VideoCapture& decoded) : name_(name) {
+    const bool raw = packets_.open(name, cv::CAP_FFMPEG) && packets_.set(cv::CAP_PROP_FORMAT, -1);
+    if (raw) packets_.read(packet_);
+    const auto begin = bytes();
+    jpeg_ = sniff_format(begin) == ImageFormat::jpeg || is_jpeg(static_cast<int>(decoded.get(cv::CAP_PROP_FOURCC)));
+    if (!jpeg_) packets_.release();
+    if (jpeg_ && !raw) {
+      throw FileError(name, "", "the images of this video cannot be checked", "a build of OpenCV with FFmpeg");
+    }
+  }
+  /// The image that stands next. Throws FileError.
+  void check_next(const std::string& name) {
+    if (!jpeg_) return;
+    check_jpeg_packet(bytes(), name);
+    packets_.read(packet_);
+  }
+  /// Those that the decoder left out. Throws FileError.
+  void check_end(std::size_t index) const {
+    if (!jpeg_ || packet_.empty()) return;
+    throw FileError(name_, fmt::format("frame {}", index), "the video is truncated or damaged", "a whole image");
+  }
+
+ private:
+  static bool is_jpeg(int code) {
+    constexpr auto kCodes = std::to_array<std::string_view>({"MJPG", "mjpg", "mjpe", "jpeg", "JPEG"});
+    return std::ranges::any_of(
+        kCodes, [&](std::string_view c) { return code == cv::VideoWriter::fourcc(c[0], c[1], c[2], c[3]); });
+  }
+  std::span<const std::uint8_t> bytes() const {
+    if (packet_.empty()) return {};
+    return {packet_.data, packet_.total() * packet_.elemSize()};
+  }
+
+  std::string name_;
+  cv::VideoCapture packets_;
+  cv::Mat packet_;
+  bool jpeg_ = false;
+};
+
 /// A video file, or a camera when `camera` is set.
 class CaptureSource : public FrameSource {
  public:
@@ -49,6 +93,7 @@ class CaptureSource : public FrameSource {
     if (const double frames = capture_.get(cv::CAP_PROP_FRAME_COUNT); exact_count && frames > 0 && frames < 1e9) {
       count_ = static_cast<std::size_t>(frames);
     }
+    if (!camera) packets_.emplace(name_, capture_);
   }
 
   std::optional<NamedImage> next() override {
@@ -60,9 +105,11 @@ class CaptureSource : public FrameSource {
         throw FileError(name_, fmt::format("frame {}", index_), "the video is truncated or damaged",
                         fmt::format("{} frames", *count_));
       }
+      if (packets_) packets_->check_end(index_);
       return std::nullopt;
     }
     const std::string name = fmt::format("{}#{}", name_, index_++);
+    if (packets_) packets_->check_next(name);
     if (frame.depth() != CV_8U) throw FileError(name, "", "more than 8 bits a sample", "8-bit grey or colour");
     cv::Mat grey = frame;
     if (frame.channels() == 3) cv::cvtColor(frame, grey, cv::COLOR_BGR2GRAY);
@@ -78,6 +125,7 @@ class CaptureSource : public FrameSource {
   std::string name_;
   std::optional<int> camera_;
   cv::VideoCapture capture_;
+  std::optional<JpegPackets> packets_;
   std::optional<std::size_t> count_;
   std::size_t index_ = 0;
 };
@@ -161,12 +209,28 @@ void check_container(const fs::path& path, Container container) {
   }
 }
 
-bool has_image_extension(const fs::path& path) {
+bool has_extension(const fs::path& path, std::span<const std::string_view> extensions) {
   std::string extension = path.extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return std::ranges::find(extensions, extension) != extensions.end();
+}
+
+bool has_image_extension(const fs::path& path) {
   constexpr auto kExtensions =
-      std::to_array<const char*>({".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".pnm", ".bmp", ".tif", ".tiff"});
-  return std::ranges::find(kExtensions, extension) != kExtensions.end();
+      std::to_array<std::string_view>({".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".pnm", ".bmp", ".tif", ".tiff"});
+  return has_extension(path, kExtensions);
+}
+
+/// Of images and videos that a directory is not read for.
+bool has_other_extension(const fs::path& path) {
+  constexpr auto kExtensions = std::to_array<std::string_view>(
+      {".webp", ".gif",  ".jp2",  ".j2k", ".j2c",  ".jpf",  ".jpx",  ".jpe", ".jfif", ".jps", ".jxl",  ".jxr",
+       ".heic", ".heif", ".avif", ".exr", ".hdr",  ".pic",  ".dib",  ".pbm", ".pam",  ".pxm", ".ras",  ".sr",
+       ".tga",  ".psd",  ".ico",  ".dng", ".cr2",  ".cr3",  ".nef",  ".arw", ".raf",  ".orf", ".rw2",  ".raw",
+       ".apng", ".mng",  ".qoi",  ".avi", ".mp4",  ".m4v",  ".mkv",  ".mov", ".webm", ".mpg", ".mpeg", ".m2v",
+       ".ogv",  ".ogg",  ".wmv",  ".asf", ".flv",  ".mts",  ".m2ts", ".ts",  ".vob",  ".3gp", ".y4m",  ".yuv",
+       ".h264", ".264",  ".h265", ".265", ".hevc", ".mjpg", ".mjpeg"});
+  return has_extension(path, kExtensions);
 }
 
 std::unique_ptr<FrameSource> open_file(const fs::path& path) {
@@ -209,14 +273,28 @@ struct Input {
 };
 
 void list_directory(const fs::path& path, std::vector<Input>& inputs) {
-  std::vector<fs::path> files;
+  constexpr const char* kTypes = "PNG, JPEG, PNM, BMP or TIFF files";
+  std::vector<fs::path> files, left_out;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(path, error)) {
-    if (entry.is_regular_file() && has_image_extension(entry.path())) files.push_back(entry.path());
+    std::error_code dangling;
+    const fs::path& file = entry.path();
+    if (file.filename().string().starts_with('.')) continue;
+    if (has_image_extension(file)) {
+      (entry.is_regular_file(dangling) ? files : left_out).push_back(file);
+    } else if (has_other_extension(file) && !entry.is_directory(dangling)) {
+      left_out.push_back(file);
+    }
   }
   if (error) throw FileError(path.string(), "", "the directory cannot be read", "a directory of images");
-  if (files.empty())
-    throw FileError(path.string(), "", "no image in this directory", "PNG, JPEG, PNM, BMP or TIFF files");
+  if (!left_out.empty()) {  // what follows in the list would be of another moment
+    const fs::path first = *std::ranges::min_element(left_out, in_order);
+    throw FileError(path.string(), first.filename().string(),
+                    has_image_extension(first) ? "this is no file, or a link to none"
+                                               : "a directory with files that are no images that can be read",
+                    fmt::format("only {} in the directory, or a pattern", kTypes));
+  }
+  if (files.empty()) throw FileError(path.string(), "", "no image in this directory", kTypes);
   std::ranges::sort(files, in_order);
   for (const fs::path& file : files) inputs.push_back({file.string(), {}});
 }
@@ -308,13 +386,34 @@ void check_two_cameras(const std::vector<Input>& left, const std::vector<Input>&
 
 /// The numbers in a file's name, and the text around them.
 struct NumberedName {
-  explicit NumberedName(const fs::path& path) : directory(path.parent_path()) {
-    const auto parts = parts_of(path.stem().string());
-    for (std::size_t i = 0; i < parts.size(); ++i) (i % 2 == 0 ? text : numbers).push_back(parts[i]);
+  explicit NumberedName(const fs::path& path) : directory(path.parent_path()) { add(path.stem()); }
+  /// Of the nearest folder that has numbers.
+  void add_folder() {
+    for (const std::size_t before = numbers.size(); numbers.size() == before && directory.has_relative_path();) {
+      add(directory.filename());
+      directory = directory.parent_path();
+    }
   }
   fs::path directory;
   std::vector<std::string> text, numbers;
+
+ private:
+  void add(const fs::path& name) {
+    const auto parts = parts_of(name.string());
+    for (std::size_t i = 0; i < parts.size(); ++i) (i % 2 == 0 ? text : numbers).push_back(parts[i]);
+  }
 };
+
+/// As names tell moments: where neither name has a number, by their folders. Of a single pair, folders may as well name
+/// the cameras.
+std::pair<NumberedName, NumberedName> numbered_names(const Input& left, const Input& right, bool is_single) {
+  std::pair names{NumberedName(left.name), NumberedName(right.name)};
+  if (!is_single && names.first.numbers.empty() && names.second.numbers.empty()) {
+    names.first.add_folder();
+    names.second.add_folder();
+  }
+  return names;
+}
 
 /// The one number in which both names differ, if there is one and all others agree.
 std::optional<std::size_t> only_difference(const NumberedName& left, const NumberedName& right) {
@@ -328,32 +427,101 @@ std::optional<std::size_t> only_difference(const NumberedName& left, const Numbe
   return only;
 }
 
+[[noreturn]] void refuse_numbers(const Input& left, const Input& right) {
+  throw FileError(right.name, "", fmt::format("its number is not that of the left image, {}", left.name),
+                  "the image of the same moment, or --pair-by-order where the order alone counts");
+}
+
+/// The numbers of all folders above a file.
+std::vector<std::string> folder_numbers(const Input& input) {
+  std::vector<std::string> numbers;
+  if (input.camera) return numbers;
+  const auto parts = parts_of(fs::path(input.name).parent_path().string());
+  for (std::size_t i = 1; i < parts.size(); i += 2) numbers.push_back(parts[i]);
+  return numbers;
+}
+
+/// Folders of moments, of images that have other numbers, too: a folder's number differs in no pair, or, where it names
+/// cameras or what they are in, in the same way in all of them.
+void check_folders(const std::vector<Input>& left, const std::vector<Input>& right) {
+  const auto first_left = folder_numbers(left.front()), first_right = folder_numbers(right.front());
+  for (std::size_t i = 1; i < left.size(); ++i) {
+    const auto l = folder_numbers(left[i]), r = folder_numbers(right[i]);
+    if (l.size() != r.size() || l.size() != first_left.size() || l.size() != first_right.size()) continue;
+    for (std::size_t k = 0; k < l.size(); ++k) {
+      if (l[k] == r[k] && first_left[k] == first_right[k]) continue;
+      if (l[k] != first_left[k] || r[k] != first_right[k]) refuse_numbers(left[i], right[i]);
+    }
+  }
+}
+
 /// Two names of one moment have the same numbers. One may differ, where it names the camera: it does not change from
 /// pair to pair, and something else tells the pairs apart or leaves it no other meaning.
 void check_numbers(const std::vector<Input>& left, const std::vector<Input>& right) {
-  if (left.size() != right.size()) return;
+  if (left.size() != right.size() || left.empty()) return;
+  check_folders(left, right);
   std::optional<std::pair<std::string, std::string>> cameras;  // their numbers, once they are known
+  std::optional<std::size_t> differing, same;                  // pairs: where cameras have numbers, all differ
   for (std::size_t i = 0; i < left.size(); ++i) {
     if (left[i].camera || right[i].camera) continue;
-    const NumberedName l(left[i].name);
-    const NumberedName r(right[i].name);
-    if (l.numbers.empty() || r.numbers.empty() || l.numbers == r.numbers) continue;
+    const auto [l, r] = numbered_names(left[i], right[i], left.size() == 1);
+    if (l.numbers.empty() || r.numbers.empty()) continue;
+    if (l.numbers == r.numbers) {
+      if (differing) refuse_numbers(left[*differing], right[*differing]);
+      same = i;
+      continue;
+    }
     const auto differs = only_difference(l, r);
     bool agree = l.numbers.size() != r.numbers.size() && l.numbers.back() == r.numbers.back();
     if (differs) {
       const bool nothing_else = l.directory == r.directory && l.text == r.text;
       const bool others_follow = *differs + 1 < l.numbers.size();
       const std::pair numbers{l.numbers[*differs], r.numbers[*differs]};
-      agree = (nothing_else || others_follow) && (!cameras || *cameras == numbers);
+      agree = (nothing_else || others_follow) && (!cameras || *cameras == numbers) && !same;
       cameras = numbers;
+      if (!differing) differing = i;
     }
     if (agree) continue;
-    throw FileError(right[i].name, "", fmt::format("its number is not that of the left image, {}", left[i].name),
-                    "the image of the same moment, or --pair-by-order where the order alone counts");
+    refuse_numbers(left[i], right[i]);
   }
 }
 
+std::string number_after(std::string number) {
+  for (auto digit = number.rbegin(); digit != number.rend(); ++digit) {
+    if (*digit != '9') {
+      ++*digit;
+      return number;
+    }
+    *digit = '0';
+  }
+  return "1" + number;
+}
+
 }  // namespace
+
+void check_consecutive(const std::vector<std::string>& arguments) {
+  const std::vector<Input> inputs = inputs_of(arguments);
+  std::vector<std::string> before;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    auto parts = inputs[i].camera ? std::vector<std::string>(1)
+                                  : parts_of(fs::path(inputs[i].name).replace_extension().string());
+    before.swap(parts);
+    if (i == 0) continue;
+    const std::vector<std::string>&last = parts, &now = before;
+    const std::size_t count = std::min(last.size(), now.size());
+    std::vector<std::size_t> differ;  // numbers
+    for (std::size_t k = 1; k < count; k += 2) {
+      if (last[k] != now[k]) differ.push_back(k);
+    }
+    const bool as_many = last.size() / 2 == now.size() / 2;
+    if (as_many && differ.empty() && (last != now || count < 2)) continue;  // nothing is known
+    if (as_many && differ.size() == 1 && now[differ[0]] == number_after(last[differ[0]])) continue;
+    throw FileError(inputs[i].name, "", fmt::format("it is not the image after {}", inputs[i - 1].name),
+                    as_many ? fmt::format("number {}: each image is a step of the skin's time",
+                                          number_after(last[differ.empty() ? count / 2 * 2 - 1 : differ.back()]))
+                            : "a number in each name, or in none: each image is a step of the skin's time");
+  }
+}
 
 std::unique_ptr<FrameSource> open_frames(const std::vector<std::string>& arguments) {
   return open_inputs(inputs_of(arguments));

@@ -40,8 +40,9 @@ void on_jpeg_message(j_common_ptr info, int level) {
   errors->damaged = true;
 }
 
-/// Decodes to luma (the Y of JFIF is that of Rec. 601). False: `errors` says why; no C++ object lives across the jump.
-bool decode_jpeg_grey(std::span<const std::uint8_t> bytes, JpegErrors& errors, Image& image) {
+/// Decodes to luma (the Y of JFIF is that of Rec. 601), each side divided by `smaller`. False: `errors` says why; no
+/// C++ object lives across the jump.
+bool decode_jpeg_grey(std::span<const std::uint8_t> bytes, unsigned smaller, JpegErrors& errors, Image& image) {
   jpeg_decompress_struct info{};
   info.err = jpeg_std_error(&errors.manager);
   errors.manager.error_exit = on_jpeg_error;
@@ -54,6 +55,8 @@ bool decode_jpeg_grey(std::span<const std::uint8_t> bytes, JpegErrors& errors, I
   jpeg_mem_src(&info, bytes.data(), static_cast<unsigned long>(bytes.size()));
   jpeg_read_header(&info, TRUE);
   info.out_color_space = JCS_GRAYSCALE;
+  info.scale_num = 1;
+  info.scale_denom = smaller;
   jpeg_start_decompress(&info);
   image = Image(static_cast<int>(info.output_width), static_cast<int>(info.output_height));
   while (info.output_scanline < info.output_height) {
@@ -65,10 +68,10 @@ bool decode_jpeg_grey(std::span<const std::uint8_t> bytes, JpegErrors& errors, I
   return !errors.damaged;
 }
 
-Image decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
+Image decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name, unsigned smaller = 1) {
   JpegErrors errors;
   Image image;
-  if (!decode_jpeg_grey(bytes, errors, image)) {
+  if (!decode_jpeg_grey(bytes, smaller, errors, image)) {
     throw FileError(name, "", fmt::format("damaged or truncated JPEG data ({})", errors.message),
                     "a complete JPEG, grey or colour");
   }
@@ -116,6 +119,11 @@ Image decode_image(std::span<const std::uint8_t> bytes, const std::string& name)
 
 Image load_image(const std::filesystem::path& path) {
   return decode_image(read_file(path, "an image (PNG, JPEG, PNM, BMP or TIFF)"), path.string());
+}
+
+void check_jpeg_packet(std::span<const std::uint8_t> bytes, const std::string& name) {
+  constexpr unsigned kSmallest = 8;  // all of the data is read, and hardly a pixel made
+  for (const auto& image : jpegs_in(bytes, name)) decode_jpeg(image, name, kSmallest);
 }
 
 Image field_of(const Image& image, int parity) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdlib>
@@ -37,6 +38,7 @@ class Reader {
   }
   std::uint32_t u16(std::size_t at) const { return number(at, 2); }
   std::uint32_t u32(std::size_t at) const { return number(at, 4); }
+  Bytes bytes() const { return bytes_; }
   Bytes part(std::size_t begin, std::size_t length) const { return bytes_.subspan(begin, length); }
 
   [[noreturn]] void truncated(const char* what, std::size_t begin, std::size_t length) const {
@@ -67,7 +69,22 @@ class Reader {
   mutable std::optional<ImageSize> size_;
 };
 
-void check_jpeg(const Reader& file) {
+constexpr std::array<std::uint8_t, 3> kJpegBegin{0xFF, 0xD8, 0xFF};
+constexpr std::array<std::uint8_t, 8> kPngBegin{0x89, 'P', 'N', 'G', 0x0D, 0x0A, 0x1A, 0x0A};
+
+/// Where an image begins, from a place on.
+std::size_t find_image(Bytes bytes, std::size_t from, Bytes begin) {
+  const auto found = std::ranges::search(bytes.subspan(from), begin);
+  return found.empty() ? bytes.size() : static_cast<std::size_t>(found.begin() - bytes.begin());
+}
+
+/// One image, of which nothing more may follow: a decoder would show the first alone.
+void check_alone(const Reader& file, std::size_t next) {
+  if (next < file.size()) file.bad(next, "another image behind the first", "one image in a file");
+}
+
+/// Returns where it ends.
+std::size_t check_one_jpeg(const Reader& file) {
   std::size_t at = 2;
   bool frame = false;
   bool scan = false;
@@ -106,7 +123,10 @@ void check_jpeg(const Reader& file) {
     }
   }
   if (!frame || !scan) file.bad(at, "the JPEG ends without an image", "a frame header and a scan");
+  return at;
 }
+
+void check_jpeg(const Reader& file) { check_alone(file, find_image(file.bytes(), check_one_jpeg(file), kJpegBegin)); }
 
 void check_png(const Reader& file, unsigned largest_bits) {
   std::size_t at = 8;
@@ -128,11 +148,13 @@ void check_png(const Reader& file, unsigned largest_bits) {
       if (file.u8(at + 16) > largest_bits) file.bad_depth(at + 16, file.u8(at + 16));
       file.check_size(at + 8, file.u32(at + 8), file.u32(at + 12));
     }
-    data = data || type == 0x49444154;  // IDAT
-    if (type == 0x49454E44) break;      // IEND
+    if (type == 0x6163544C) file.bad(at, "an animated PNG", "one image in a file");  // acTL
+    data = data || type == 0x49444154;                                               // IDAT
+    if (type == 0x49454E44) break;                                                   // IEND
     at += length + 12;
   }
   if (!header || !data) file.bad(at, "the PNG ends without an image", "IHDR and IDAT chunks");
+  check_alone(file, find_image(file.bytes(), at + 12, kPngBegin));
 }
 
 void check_pnm(const Reader& file, unsigned largest_bits) {
@@ -174,6 +196,7 @@ void check_pnm(const Reader& file, unsigned largest_bits) {
   if (kind == '5' || kind == '6') {
     file.need(at, 1, "a space before the pixels");
     file.need(at + 1, samples * bytes, "pixels");
+    at += 1 + samples * bytes;
   } else {
     for (std::size_t i = 0; i < samples; ++i) {
       const auto value = number("a grey value");
@@ -181,6 +204,8 @@ void check_pnm(const Reader& file, unsigned largest_bits) {
       if (*value > largest) file.bad(at, fmt::format("grey value {}", *value), fmt::format("at most {}", largest));
     }
   }
+  while (space()) ++at;
+  check_alone(file, at);
 }
 
 void check_bmp(const Reader& file) {
@@ -207,6 +232,8 @@ void check_tiff(const Reader& file, std::uint8_t version) {
   file.need(directory, 2, "a TIFF directory");
   const unsigned entries = file.u16(directory);
   file.need(directory + 2, std::size_t{entries} * 12 + 4, "a TIFF directory");
+  const std::size_t link = directory + 2 + std::size_t{entries} * 12;
+  if (file.u32(link) != 0) file.bad(link, "another image behind the first", "one image in a file");
 
   struct Values {
     std::size_t at = 0;
@@ -295,6 +322,17 @@ ImageFormat sniff_format(Bytes bytes) {
 
 void check_structure(Bytes bytes, ImageFormat format, const std::string& name, unsigned largest_bits) {
   check(reader(bytes, format, name), format, largest_bits);
+}
+
+std::vector<Bytes> jpegs_in(Bytes bytes, const std::string& name) {
+  if (sniff_format(bytes) != ImageFormat::jpeg) throw FileError(name, "", "no JPEG begins here", "a complete JPEG");
+  std::vector<Bytes> images;
+  while (!bytes.empty()) {
+    const std::size_t end = check_one_jpeg(Reader(bytes, name, true));
+    images.push_back(bytes.first(end));
+    bytes = bytes.subspan(find_image(bytes, end, kJpegBegin));
+  }
+  return images;
 }
 
 std::optional<ImageSize> size_in_header(Bytes bytes) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace horopter {
 
@@ -22,9 +23,12 @@ struct ImageSize {
 /// The size that the begin of a file tells; nothing where it tells none.
 std::optional<ImageSize> size_in_header(std::span<const std::uint8_t> bytes);
 
-/// Throws FileError, unless the file is complete and holds samples of 8 bits (or fewer, for palettes); `largest_bits`
+/// Throws FileError, unless the file is complete and holds one image, of samples of 8 bits (or fewer, for palettes); `largest_bits`
 /// 16 allows PNG and PNM of 16 bits too.
 void check_structure(std::span<const std::uint8_t> bytes, ImageFormat format, const std::string& name,
                      unsigned largest_bits = 8);
+
+/// The JPEG images, one behind the other, each complete. Throws FileError where one is not, or where there is none.
+std::vector<std::span<const std::uint8_t>> jpegs_in(std::span<const std::uint8_t> bytes, const std::string& name);
 
 }  // namespace horopter

@@ -145,6 +145,12 @@ void save_maps(const MapSet& maps, const std::filesystem::path& path) {
   write_file(path, bytes);
 }
 
+bool is_table(std::span<const std::uint8_t> file) {
+  std::uint32_t magic = 0;
+  for (std::size_t i = 0; i < std::min(sizeof magic, file.size()); ++i) magic |= std::uint32_t{file[i]} << (8 * i);
+  return magic == kMagic;
+}
+
 MapSet load_maps(const std::filesystem::path& path) {
   const std::string file = path.string();
   const std::string expected = "a mapping table made by `horopter map` (.hmap, version 2)";

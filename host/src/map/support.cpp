@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+
+#include "horopter/image/mat.hpp"
 
 namespace horopter {
 
@@ -29,6 +33,44 @@ double compared_share(const MapTable& table, const MachineProfile& profile, int 
 
 std::uint32_t limit_of(double percent, double of) {
   return static_cast<std::uint32_t>(std::max(0.0, std::floor(percent * of / 100 + 1e-9)));
+}
+
+double share_beyond_limit(const MapTable& table, const MachineProfile& profile, Decision decision,
+                          std::int64_t limit_px) {
+  const Image mask = table.supervised(profile.weight_bits);
+  cv::Mat supervised = mat_of(mask).clone();
+  if (profile.subsample == 2) {  // a pixel of the result has both
+    cv::Mat both;
+    cv::resize(supervised, both, {mask.width / 2, mask.height}, 0, 0, cv::INTER_AREA);
+    supervised = both == 1;
+    supervised &= 1;
+  }
+  const int all = cv::countNonZero(supervised);
+  if (all == 0 || limit_px <= 0) return 0;
+  const int reach = decision == Decision::compete ? 1 : profile.offset();
+  cv::Mat judgeable;
+  cv::erode(supervised, judgeable, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U), {-1, -1}, 1, cv::BORDER_CONSTANT,
+            cv::Scalar(0));
+  const auto radius = static_cast<int>(std::ceil(std::sqrt(2.0 * static_cast<double>(limit_px) / std::numbers::pi)));
+  cv::Mat disc = cv::Mat::zeros(2 * radius + 1, 2 * radius + 1, CV_32F);
+  cv::circle(disc, {radius, radius}, radius, cv::Scalar(1), cv::FILLED);
+
+  cv::Mat labels, boxes, centres;
+  const int pieces = cv::connectedComponentsWithStats(judgeable, labels, boxes, centres, 8, CV_32S);
+  cv::Mat seen = cv::Mat::zeros(supervised.size(), CV_8U);
+  for (int piece = 1; piece < pieces; ++piece) {
+    const int* box = boxes.ptr<int>(piece);
+    if (box[cv::CC_STAT_AREA] < limit_px) continue;
+    const cv::Rect around = cv::Rect(box[cv::CC_STAT_LEFT] - radius, box[cv::CC_STAT_TOP] - radius,
+                                     box[cv::CC_STAT_WIDTH] + 2 * radius, box[cv::CC_STAT_HEIGHT] + 2 * radius) &
+                            cv::Rect({0, 0}, supervised.size());
+    cv::Mat shown;
+    cv::Mat own = labels(around) == piece;
+    cv::filter2D(own / 255, shown, CV_32F, disc, {-1, -1}, 0, cv::BORDER_CONSTANT | cv::BORDER_ISOLATED);
+    cv::Mat enough = shown > static_cast<double>(limit_px) - 0.5;
+    seen(around) |= enough;
+  }
+  return 1 - static_cast<double>(cv::countNonZero(seen & (supervised * 255))) / all;
 }
 
 }  // namespace horopter

@@ -140,12 +140,15 @@ HomographyFit fit_homography(std::span<const Correspondence> points) {
   fit.matrix = to_array(matrix);
   const HomographySkin skin(fit.matrix, points.front().left);
   double sum = 0;
-  for (const Correspondence& c : points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Correspondence& c = points[i];
     const auto mapped = skin.source(c.left);
     if (!mapped) throw std::invalid_argument("the horizon of the fitted plane runs between the points");
     const double distance = std::hypot(mapped->x - c.right.x, mapped->y - c.right.y);
     sum += distance * distance;
-    fit.largest_px = std::max(fit.largest_px, distance);
+    if (distance <= fit.largest_px) continue;
+    fit.largest_px = distance;
+    fit.worst = i;
   }
   fit.rms_px = std::sqrt(sum / static_cast<double>(points.size()));
   return fit;

@@ -64,6 +64,18 @@ std::vector<Correspondence> read_points(const std::string& file, const YAML::Nod
   return points;
 }
 
+/// Points that contradict each other have a least squares homography, too, that is wrong at all of them.
+void check_fit(const std::string& file, const YAML::Node& points, const HomographyFit& fit) {
+  constexpr double kLargest_px = 5;
+  if (fit.largest_px <= kLargest_px) return;
+  yaml::fail(
+      file, points[fit.worst], "surface.points",
+      fmt::format("point {} of {} is {:.1f} px from where the plane of all points has it in the right image; it or "
+                  "another is wrong",
+                  fit.worst + 1, points.size(), fit.largest_px),
+      fmt::format("points that lie on one plane, within {:g} px", kLargest_px));
+}
+
 /// What stands behind the keys of skin.yaml.
 class Keys : public yaml::Keys {
  public:
@@ -344,6 +356,7 @@ SkinFile load_skin(const std::filesystem::path& path, Point centre, const calib:
         source = surface.get("points", "a list of at least 4 {left: [x, y], right: [x, y]}");
         result.correspondences = read_points(file, source);
         result.fit = fit_homography(result.correspondences);
+        check_fit(file, source, *result.fit);
         result.skin =
             std::make_unique<HomographySkin>(result.fit->matrix, result.correspondences.front().left, kCorrespondences);
       }
@@ -381,6 +394,23 @@ SurfacePtr load_surface(const std::filesystem::path& path) {
   for (const char* of_skins : {"cameras", "motion"}) root.has(of_skins);
   root.finish();
   return shape;
+}
+
+std::vector<std::filesystem::path> files_named_in(const std::filesystem::path& path) {
+  std::vector<std::filesystem::path> files;
+  const std::function<void(const YAML::Node&)> add_of = [&](const YAML::Node& node) {
+    for (const auto& item : node) {
+      if (!node.IsMap()) {
+        add_of(item);
+      } else if (item.first.IsScalar() && item.first.Scalar() == "file" && item.second.IsScalar()) {
+        files.push_back(path.parent_path() / item.second.Scalar());
+      } else {
+        add_of(item.second);
+      }
+    }
+  };
+  add_of(load(path, "a skin: `surface:` with a `type`"));
+  return files;
 }
 
 bool has_motion(const std::filesystem::path& path) {

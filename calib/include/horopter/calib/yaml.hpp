@@ -12,8 +12,8 @@
 
 namespace horopter::calib::yaml {
 
-/// The root of a text. A key that stands twice in a map is an error, and so are aliases that contain themselves or stand
-/// for very much, and nesting beyond all use.
+/// The root of a text. A key that stands twice in a map is an error, and so are a second document, aliases that contain
+/// themselves or stand for very much, and nesting beyond all use.
 YAML::Node parse(const std::string& file, const std::string& text, const std::string& expected);
 
 /// "line 3, column 5: what", as errors name the place of a node.

@@ -30,8 +30,13 @@ class FrameSource {
 
 /// Each argument is a file (image or video), a glob pattern, a directory (its image files) or the number of a camera. What
 /// a pattern or a directory holds comes in the order of its names, numbers in them by their value: img8, img09, img10.
-/// Names are checked here, contents when read. Throws FileError for what does not exist.
+/// Names are checked here, contents when read. Throws FileError for what does not exist, and for a directory with images
+/// or videos that are not read, or with links to none.
 std::unique_ptr<FrameSource> open_frames(const std::vector<std::string>& arguments);
+
+/// Where the index of an image is its time: numbers in the names of files must rise by one. Of files without numbers
+/// nothing is known. Throws FileError, naming the image behind the hole.
+void check_consecutive(const std::vector<std::string>& arguments);
 
 struct FramePair {
   NamedImage left;
@@ -40,8 +45,10 @@ struct FramePair {
 
 /// What the numbers in the names of two files say: whether the files belong together.
 enum class PairNumbers {
-  must_agree,  ///< a number may differ only where it names the camera: im2 beside im6, cam0_0012 beside cam1_0012
-  ignored,     ///< the order alone counts
+  /// A number may differ only where it names the camera: im2 beside im6, cam0_0012 beside cam1_0012. Folders tell
+  /// moments, too: m5/left beside m5/right.
+  must_agree,
+  ignored,  ///< the order alone counts
 };
 
 /// Two sources in step. Throws FileError when both are one file or camera, when the numbers in the names of a pair do not

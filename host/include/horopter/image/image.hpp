@@ -29,10 +29,14 @@ struct Image {
 
 /// Reads PNG, JPEG, PNM (P2, P3, P5, P6), BMP or TIFF with 8 bits a sample; colour becomes grey by Rec. 601 luma.
 /// Orientation tags are ignored: pixels stay where the sensor had them. Throws FileError for a file that is missing,
-/// empty, truncated, damaged, of another depth or not an image, even when a decoder would still show it.
+/// empty, truncated, damaged, of another depth, not an image or more than one, even when a decoder would still show it.
 Image load_image(const std::filesystem::path& path);
 /// The same for bytes in memory; `name` stands for the file in messages.
 Image decode_image(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// What a video or a stream holds of one moment as JPEG: an image, or its two fields. Throws FileError where any of it
+/// is missing or damaged: decoders of streams make that up.
+void check_jpeg_packet(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// One field of a progressive image: rows parity, parity + 2, …
 Image field_of(const Image& image, int parity);

@@ -169,6 +169,8 @@ struct MapSet {
 /// `.hmap`: versioned header, tables, reports, CRC-32. Throws FileError.
 void save_maps(const MapSet& maps, const std::filesystem::path& path);
 MapSet load_maps(const std::filesystem::path& path);
+/// Whether a file with these bytes means to be one.
+bool is_table(std::span<const std::uint8_t> file);
 
 /// Thickness of the skin along the left line of sight, of each pixel of the table's scan, row by row; NaN where it is
 /// not supervised. `tolerance_px`: disparity tolerance D of 11.1, in pixels of the right image.

@@ -19,4 +19,9 @@ double compared_share(const MapTable& table, const MachineProfile& profile, int 
 /// ⌊percent · of / 100⌋, as the machine's registers take their limits: more than this many are too many.
 std::uint32_t limit_of(double percent, double of);
 
+/// Of the skin, 0 to 1: where a disc of twice this area shows less than it of pixels that can be judged and touch each other.
+/// So it is near the skin's border; and where the skin is narrow, or parted by gaps, each as wide as the windows.
+double share_beyond_limit(const MapTable& table, const MachineProfile& profile, Decision decision,
+                          std::int64_t limit_px);
+
 }  // namespace horopter

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -126,6 +127,7 @@ struct HomographyFit {
   Matrix3 matrix{};
   double rms_px = 0;  ///< distance between mapped left points and right points
   double largest_px = 0;
+  std::size_t worst = 0;  ///< the point of the largest distance
 };
 
 /// By calib::solve_homography, ≥ 4 points. Throws std::invalid_argument for too few points,

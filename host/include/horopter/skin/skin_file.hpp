@@ -38,6 +38,9 @@ SkinFile load_skin(const std::filesystem::path& path, Point centre, const calib:
 /// FileError.
 SurfacePtr load_surface(const std::filesystem::path& path);
 
+/// The files that a skin.yaml names: meshes. Throws FileError.
+std::vector<std::filesystem::path> files_named_in(const std::filesystem::path& path);
+
 /// Whether a skin.yaml has `motion`. Throws FileError.
 bool has_motion(const std::filesystem::path& path);
 

@@ -6,11 +6,16 @@
 #include <gst/video/video.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <mutex>
+#include <span>
 #include <utility>
 
 #include "camera/grabbers.hpp"
+#include "horopter/base/error.hpp"
+#include "horopter/image/image.hpp"
 
 namespace horopter::monitor {
 namespace {
@@ -36,6 +41,11 @@ struct UnrefSample {
 };
 using SamplePtr = std::unique_ptr<GstSample, UnrefSample>;
 
+struct UnrefCaps {
+  void operator()(GstCaps* caps) const { gst_caps_unref(caps); }
+};
+using CapsPtr = std::unique_ptr<GstCaps, UnrefCaps>;
+
 std::string take_text(GError* error) {
   std::string text = error != nullptr ? error->message : "for a reason that it does not tell";
   g_clear_error(&error);
@@ -58,6 +68,87 @@ std::chrono::nanoseconds nanoseconds_of(GstClockTime time) {
   return std::chrono::nanoseconds(static_cast<std::int64_t>(time));
 }
 
+/// Looks at what comes as JPEG before decoders see it: they make up what is missing. What is not whole they do not get.
+class JpegWatch {
+ public:
+  JpegWatch() = default;
+  JpegWatch(const JpegWatch&) = delete;
+  JpegWatch& operator=(const JpegWatch&) = delete;
+  /// From now on, and until the pipeline stands still. Also decoders that are made later.
+  void watch(GstElement* pipeline) {
+    g_signal_connect(pipeline, "deep-element-added", G_CALLBACK(&JpegWatch::on_added), this);
+    GstIterator* elements = gst_bin_iterate_recurse(GST_BIN(pipeline));
+    gst_iterator_foreach(elements, &JpegWatch::on_found, this);
+    gst_iterator_free(elements);
+  }
+  std::uint64_t lost() const { return lost_; }
+
+ private:
+  static void on_added(GstBin* /*pipeline*/, GstBin* /*bin*/, GstElement* element, JpegWatch* self) {
+    self->watch_decoder(element);
+  }
+  static void on_found(const GValue* element, void* self) {
+    static_cast<JpegWatch*>(self)->watch_decoder(GST_ELEMENT(g_value_get_object(element)));
+  }
+  void watch_decoder(GstElement* element) {
+    GstElementFactory* factory = gst_element_get_factory(element);
+    if (GST_IS_BIN(element) || factory == nullptr) return;
+    if (gst_element_factory_list_is_type(factory, GST_ELEMENT_FACTORY_TYPE_DECODER) == FALSE) return;
+    gst_element_foreach_sink_pad(element, &JpegWatch::watch_pad, this);
+  }
+  static gboolean watch_pad(GstElement* /*element*/, GstPad* pad, void* self) {
+    const CapsPtr takes(gst_pad_get_pad_template_caps(pad)), jpeg(gst_caps_new_empty_simple("image/jpeg"));
+    if (gst_caps_can_intersect(takes.get(), jpeg.get()) == TRUE) {
+      gst_pad_add_probe(pad, GST_PAD_PROBE_TYPE_BUFFER, &JpegWatch::on_buffer, self, nullptr);
+    }
+    return TRUE;
+  }
+
+  static GstPadProbeReturn on_buffer(GstPad* pad, GstPadProbeInfo* info, void* self) {
+    GstBuffer* buffer = GST_PAD_PROBE_INFO_BUFFER(info);
+    const CapsPtr caps(gst_pad_get_current_caps(pad));
+    const bool other =
+        caps != nullptr && gst_structure_has_name(gst_caps_get_structure(caps.get(), 0), "image/jpeg") == FALSE;
+    if (other || is_whole(buffer)) return GST_PAD_PROBE_OK;
+    if (is_piece(pad, buffer)) {
+      GstElement* decoder = gst_pad_get_parent_element(pad);
+      GST_ELEMENT_ERROR(decoder, STREAM, FORMAT, ("JPEG comes in pieces, not image by image (jpegparse joins them)"),
+                        (nullptr));
+      gst_object_unref(decoder);
+    }
+    ++static_cast<JpegWatch*>(self)->lost_;
+    return GST_PAD_PROBE_DROP;
+  }
+  static bool is_whole(GstBuffer* buffer) {
+    GstMapInfo map;
+    if (GST_BUFFER_FLAG_IS_SET(buffer, GST_BUFFER_FLAG_CORRUPTED) ||
+        gst_buffer_map(buffer, &map, GST_MAP_READ) == FALSE) {
+      return false;
+    }
+    bool whole = true;
+    try {
+      check_jpeg_packet(std::span(map.data, map.size), "image");
+    } catch (const std::exception&) {
+      whole = false;
+    }
+    gst_buffer_unmap(buffer, &map);
+    return whole;
+  }
+  /// Of a stream that is cut anywhere. What has times comes image by image.
+  static bool is_piece(GstPad* pad, GstBuffer* buffer) {
+    GstEvent* event = gst_pad_get_sticky_event(pad, GST_EVENT_SEGMENT, 0);
+    if (event == nullptr) return false;
+    const GstSegment* segment = nullptr;
+    gst_event_parse_segment(event, &segment);
+    const bool timed = segment->format == GST_FORMAT_TIME;
+    gst_event_unref(event);
+    constexpr std::array<std::uint8_t, 2> kBegin{0xFF, 0xD8};
+    return !timed && gst_buffer_memcmp(buffer, 0, kBegin.data(), kBegin.size()) != 0;
+  }
+
+  std::atomic<std::uint64_t> lost_ = 0;
+};
+
 class GstGrabber : public Grabber {
  public:
   GstGrabber(const std::string& description, bool counts) : counts_(counts) {
@@ -67,17 +158,17 @@ class GstGrabber : public Grabber {
     if (!GST_IS_PIPELINE(pipeline_.get())) throw CameraError("GStreamer: this is no pipeline");
     sink_.reset(gst_bin_get_by_name(GST_BIN(pipeline_.get()), "horopter"));
     if (sink_ == nullptr) throw CameraError("GStreamer: the pipeline has a sink of its own");
+    jpegs_.watch(pipeline_.get());
     start();
   }
   std::optional<CameraFrame> next(std::chrono::milliseconds patience) override {
     const auto wait = static_cast<GstClockTime>(std::chrono::nanoseconds(patience).count());
     const SamplePtr sample(gst_app_sink_try_pull_sample(GST_APP_SINK(sink_.get()), wait));
     const auto arrived = Clock::now();
-    if (sample == nullptr) {
-      check_bus();
-      return std::nullopt;
-    }
-    return frame_of(*sample, arrived);
+    if (sample != nullptr) return frame_of(*sample, arrived);
+    if (lost() != told_) return broken(arrived);
+    check_bus();
+    return std::nullopt;
   }
 
  private:
@@ -127,15 +218,31 @@ class GstGrabber : public Grabber {
     return take_text(error);
   }
 
+  std::uint64_t lost() const { return jpegs_.lost() + broken_; }
+
+  /// Parts of an image were lost: it is none.
+  CameraFrame broken(Clock::time_point arrived) {
+    CameraFrame frame;
+    frame.arrived = arrived;
+    frame.taken = arrived.time_since_epoch();
+    frame.lost_packets = told_ = lost();
+    return frame;
+  }
+
   CameraFrame frame_of(GstSample& sample, Clock::time_point arrived) {
     GstVideoInfo info;
     GstVideoFrame video;
     GstBuffer* buffer = gst_sample_get_buffer(&sample);
-    if (buffer == nullptr || gst_video_info_from_caps(&info, gst_sample_get_caps(&sample)) == FALSE ||
-        gst_video_frame_map(&video, &info, buffer, GST_MAP_READ) == FALSE) {
+    if (buffer == nullptr || gst_video_info_from_caps(&info, gst_sample_get_caps(&sample)) == FALSE) {
       throw CameraError("GStreamer: an image that cannot be read");
     }
+    if (GST_BUFFER_FLAG_IS_SET(buffer, GST_BUFFER_FLAG_CORRUPTED) ||
+        gst_video_frame_map(&video, &info, buffer, GST_MAP_READ) == FALSE) {
+      ++broken_;
+      return broken(arrived);
+    }
     CameraFrame frame;
+    frame.lost_packets = told_ = lost();
     frame.image = Image(GST_VIDEO_FRAME_WIDTH(&video), GST_VIDEO_FRAME_HEIGHT(&video));
     const auto* pixels = static_cast<const std::uint8_t*>(GST_VIDEO_FRAME_PLANE_DATA(&video, 0));
     const std::ptrdiff_t stride = GST_VIDEO_FRAME_PLANE_STRIDE(&video, 0);
@@ -157,6 +264,9 @@ class GstGrabber : public Grabber {
 
   bool counts_;
   GstClockTime base_ = 0;
+  JpegWatch jpegs_;           // before the pipeline, which tells it
+  std::uint64_t broken_ = 0;  ///< that came as raw video
+  std::uint64_t told_ = 0;
   PipelinePtr pipeline_;
   ElementPtr sink_;
 };

@@ -12,7 +12,9 @@
 #include "horopter/base/file.hpp"
 #include "horopter/machine/engines.hpp"
 #include "horopter/machine/registers.hpp"
+#include "horopter/map/map.hpp"
 #include "horopter/monitor/camera.hpp"
+#include "horopter/skin/skin_file.hpp"
 
 namespace horopter::monitor {
 namespace {
@@ -139,7 +141,7 @@ void read_teach(Keys keys, TeachCell& teach) {
   teach.needed = keys.flag("needed");
   constexpr int kMostFrames = registers::taught::kFrames.mask();
   if (keys.has("frames")) teach.frames = keys.whole("frames", 1, kMostFrames, "frames");
-  if (keys.has("margin")) teach.margin = keys.whole("margin", 0, 255, "");
+  if (keys.has("margin")) teach.margin = keys.whole("margin", 0, BlindSettings::largest_margin, "");
   teach.less_light = keys.flag("less_light");
   keys.finish();
 }
@@ -242,11 +244,16 @@ WebCell read_web(Keys keys) {
 
 std::uint32_t checksum(const Cell& cell) {
   Crc32 crc;
-  for (const std::filesystem::path& path : {cell.path, cell.rig, cell.skin}) {
-    if (path.empty()) continue;
+  const auto add = [&](const std::filesystem::path& path) {
     const auto bytes = read_file(path, "a file of the cell");
     crc.add_word(static_cast<std::uint32_t>(bytes.size()));
     crc.add(std::span<const std::uint8_t>(bytes));
+    return bytes;
+  };
+  add(cell.path);
+  if (!cell.rig.empty()) add(cell.rig);
+  if (!is_table(add(cell.skin))) {
+    for (const std::filesystem::path& mesh : files_named_in(cell.skin)) add(mesh);
   }
   return crc.value();
 }

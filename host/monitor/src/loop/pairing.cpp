@@ -69,7 +69,7 @@ bool Pairing::check_order(Side side, const CameraFrame& frame, const Last& last)
   if (counted && *frame.number > *last.number + 1) {
     faults_ |= of(side, MonitorFault::left_gap);
     here.counts.lost += *frame.number - *last.number - 1;
-  } else if (2 * step > 3 * rules_.period) {
+  } else if (step > kLongestPeriods * rules_.period) {
     faults_ |= of(side, MonitorFault::left_gap);
   }
   return true;

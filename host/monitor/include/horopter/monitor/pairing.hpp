@@ -35,6 +35,9 @@ struct CameraFrame {
   std::string serial;  ///< of the camera; empty where it has none
 };
 
+/// From one image of a camera to the next there are at most so many periods; more are the fault `gap`.
+inline constexpr double kLongestPeriods = 1.5;
+
 struct PairingRules {
   Duration period{};        ///< from image to image
   Duration largest_skew{};  ///< between the two images of a pair
