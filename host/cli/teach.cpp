@@ -136,7 +136,7 @@ void add_teach(CLI::App& app, Outcome& outcome) {
           "--margin", options->blind.margin,
           "A block (8x8 px, in hd 16x16) is blind with this many undecidable pixels more than it was taught, in 1/64 "
           "of it")
-      ->check(CLI::Range(0, BlindSettings::largest_margin))
+      ->check(CLI::Range(0, BlindSettings::kLargestMargin))
       ->capture_default_str();
   add_less_light(*command, options->blind);
   command->add_flag("--off", options->off, "Do not watch for what goes blind")->excludes("--frames");

@@ -84,7 +84,9 @@ Beyond look_beyond(const GreyImage& image, const Board& board, int side) {
   for (int i = 0; i < n; ++i) {
     const int x = vertical ? i : side == 0 ? 0 : board.columns - 1;
     const int y = vertical ? side == 1 ? 0 : board.rows - 1 : i;
-    const auto [along_x, along_y] = steps(board, x, y);
+    const auto along = steps(board, x, y);
+    const Vector2d along_x = along.first;
+    const Vector2d along_y = along.second;
     // The next corner of the line, by a parabola through three: squares shrink with distance, and the lens bends lines.
     const int inward_x = vertical ? 0 : side == 0 ? 1 : -1;
     const int inward_y = !vertical ? 0 : side == 1 ? 1 : -1;

@@ -14,11 +14,11 @@ namespace horopter {
 struct BlindSettings {
   bool watch = false;  ///< undecidable pixels of blind blocks count as pixels of an object
   bool teach = false;  ///< learn what cannot be decided; every frame has the fault `teaching`
-  int margin = 8;      ///< 1/64 of a block's pixels, 0 to largest_margin
+  int margin = 8;      ///< 1/64 of a block's pixels, 0 to kLargestMargin
   bool dim = false;    ///< half of the frames that teach are looked at as half of the light would show them
 
   /// With more, no block could be blind.
-  static constexpr int largest_margin = 63;
+  static constexpr int kLargestMargin = 63;
   /// The margin of a block of this side.
   constexpr int margin_pixels(int side) const { return margin * side * side / 64; }
 };

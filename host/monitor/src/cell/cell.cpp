@@ -141,7 +141,7 @@ void read_teach(Keys keys, TeachCell& teach) {
   teach.needed = keys.flag("needed");
   constexpr int kMostFrames = registers::taught::kFrames.mask();
   if (keys.has("frames")) teach.frames = keys.whole("frames", 1, kMostFrames, "frames");
-  if (keys.has("margin")) teach.margin = keys.whole("margin", 0, BlindSettings::largest_margin, "");
+  if (keys.has("margin")) teach.margin = keys.whole("margin", 0, BlindSettings::kLargestMargin, "");
   teach.less_light = keys.flag("less_light");
   keys.finish();
 }
