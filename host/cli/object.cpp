@@ -22,8 +22,8 @@ namespace horopter::cli {
 namespace {
 
 constexpr double kLargest_px = 1000, kSmallest_mm = 5, kLargest_mm = 2000;
-constexpr double kMostBeyondLimit = 0.25;  ///< of the skin: its border has always some
-constexpr double kUsual_mm = 40;           ///< a hand or an arm: what the usual limit is to find
+constexpr double kMostBeyondLimit = 0.5;  ///< of the skin: its border has always some
+constexpr double kUsual_mm = 40;          ///< a hand or an arm: what the usual limit is to find
 
 /// With the smallest windows that there are.
 double smallest_of_all_px() {

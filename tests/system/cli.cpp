@@ -351,6 +351,41 @@ TEST_CASE("An object that is larger than the skin is refused where it was asked 
   CHECK_THAT(none.out, Catch::Contains("none is an alarm by itself"));
 }
 
+TEST_CASE("A skin that is parted by gaps, or too narrow for the usual object, is a warning") {
+  const Sandbox box;
+  const auto camera = [](const std::string& name, int x_mm) {
+    return "  - {name: " + name +
+           ", image_size: [640, 480], model: brown_conrady, fx_px: 535, fy_px: 535, cx_px: 319.5, cy_px: 239.5, "
+           "distortion: {}, rotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], translation_mm: [" +
+           std::to_string(x_mm) + ", 0, 0]}\n";
+  };
+  box.write("rig.yaml", "horopter_rig: 1\nworld: left\ncameras:\n" + camera("left", 0) + camera("right", -100));
+  const auto warns = [&](double side_mm, double gap_mm, int rows) {
+    std::string text;
+    for (int i = -6; i < 6; ++i) {
+      for (int j = -rows; j < rows; ++j) {
+        const double left = side_mm * i + gap_mm / 2, right = side_mm * (i + 1) - gap_mm / 2;
+        const double top = side_mm * j + gap_mm / 2, bottom = side_mm * (j + 1) - gap_mm / 2;
+        const auto corner = [](double x, double y) {
+          return "[" + std::to_string(x) + ", " + std::to_string(y) + ", 500]";
+        };
+        text += (text.empty() ? "[" : ", [") + corner(left, top) + ", " + corner(right, top) + ", " +
+                corner(right, bottom) + ", " + corner(left, bottom) + "]";
+      }
+    }
+    box.write("skin.yaml", "surface: {type: planes, polygons_mm: [" + text + "]}\n");
+    const auto result = box.run({"upload", "--engine", "native", "--profile", "vga", "--skin", "skin.yaml", "--rig",
+                                 "rig.yaml", "--alarm-limit", "0.3", "--json"});
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    return nlohmann::json::parse(result.out).value("warnings", nlohmann::json()).dump().find("parted by gaps") !=
+           std::string::npos;
+  };
+  CHECK_FALSE(warns(50, 0, 5));
+  CHECK(warns(50, 1, 5));
+  CHECK(warns(14, 0, 1));
+}
+
 TEST_CASE("A machine's commands answer in JSON, and upload writes the mode that it is given") {
   Sandbox box;
   box.write("skin.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -3], [0, 1, 0], [0, 0, 1]]\n");
@@ -655,11 +690,7 @@ TEST_CASE("Directories, videos and tables are inputs, too") {
           0);
   result = box.run(run_arguments("l", "r", "skin.hmap"));
   CHECK(result.status == 0);
-  auto by_table = nlohmann::json::parse(box.read("out/summary.json"));
-  // This skin is small, and the warning of that names its file.
-  CHECK_THAT(by_table["warnings"].dump(), Catch::Contains("skin.hmap") && Catch::Contains("the skin is narrow"));
-  by_table["warnings"] = summary["warnings"];
-  CHECK(by_table == summary);
+  CHECK(nlohmann::json::parse(box.read("out/summary.json")) == summary);
 
   cv::VideoWriter left((box / "left.avi").string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10, {200, 120});
   cv::VideoWriter right((box / "right.avi").string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10, {200, 120});

@@ -45,13 +45,17 @@ double share_beyond_limit(const MapTable& table, const MachineProfile& profile, 
     supervised = both == 1;
     supervised &= 1;
   }
-  const int all = cv::countNonZero(supervised);
-  if (all == 0 || limit_px <= 0) return 0;
+  if (limit_px <= 0) return 0;
   const int reach = decision == Decision::compete ? 1 : profile.offset();
+  const auto radius = static_cast<int>(std::ceil(std::sqrt(2.0 * static_cast<double>(limit_px) / std::numbers::pi)));
+  const int border = radius + reach;
+  const cv::Rect inner = cv::Rect(border, border, supervised.cols - 2 * border, supervised.rows - 2 * border);
+  if (inner.width <= 0 || inner.height <= 0) return 0;
+  const int all = cv::countNonZero(supervised(inner));
+  if (all == 0) return 0;
   cv::Mat judgeable;
   cv::erode(supervised, judgeable, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U), {-1, -1}, 1, cv::BORDER_CONSTANT,
             cv::Scalar(0));
-  const auto radius = static_cast<int>(std::ceil(std::sqrt(2.0 * static_cast<double>(limit_px) / std::numbers::pi)));
   cv::Mat disc = cv::Mat::zeros(2 * radius + 1, 2 * radius + 1, CV_32F);
   cv::circle(disc, {radius, radius}, radius, cv::Scalar(1), cv::FILLED);
 
@@ -70,7 +74,8 @@ double share_beyond_limit(const MapTable& table, const MachineProfile& profile, 
     cv::Mat enough = shown > static_cast<double>(limit_px) - 0.5;
     seen(around) |= enough;
   }
-  return 1 - static_cast<double>(cv::countNonZero(seen & (supervised * 255))) / all;
+  const cv::Mat both = seen(inner) & (supervised(inner) * 255);
+  return 1 - static_cast<double>(cv::countNonZero(both)) / all;
 }
 
 }  // namespace horopter

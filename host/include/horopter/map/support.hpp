@@ -20,7 +20,7 @@ double compared_share(const MapTable& table, const MachineProfile& profile, int 
 std::uint32_t limit_of(double percent, double of);
 
 /// Of the skin, 0 to 1: where a disc of twice this area shows less than it of pixels that can be judged and touch each other.
-/// So it is near the skin's border; and where the skin is narrow, or parted by gaps, each as wide as the windows.
+/// Places near the image's border, where the skin may go on, do not count. So it is near the skin's own border; and where the skin is narrow, or parted by gaps, each as wide as the windows.
 double share_beyond_limit(const MapTable& table, const MachineProfile& profile, Decision decision,
                           std::int64_t limit_px);
 
