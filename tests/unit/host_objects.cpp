@@ -256,7 +256,7 @@ struct Wall {
     file.rig = calib::to_yaml({"", {cameras.left(), cameras.right()}});
     file.skin = std::make_unique<RigSkin>(cameras, surface, "plane");
     maps = compile_maps(file, profile, kWidth, kHeight);
-    for (const CompiledMap& map : maps.maps) tables.push_back(&map.table);
+    tables = maps.tables();
   }
   Vector3d place(double x_mm, double y_mm) const { return {x_mm, y_mm, 900 + 0.6 * x_mm + 0.2 * y_mm}; }
   FrameResult frame(std::size_t scan, const Vector3d& centre_mm, double diameter_mm, int limit = 100) const {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 
@@ -67,13 +68,17 @@ std::vector<Correspondence> read_points(const std::string& file, const YAML::Nod
 /// Points that contradict each other have a least squares homography, too, that is wrong at all of them.
 void check_fit(const std::string& file, const YAML::Node& points, const HomographyFit& fit) {
   constexpr double kLargest_px = 5;
-  if (fit.largest_px <= kLargest_px) return;
+  const auto count = static_cast<double>(points.size());
+  if (points.size() <= 4) return;  // these fit whatever they are
+  // Of an error, the fit shows the share that it is not free to take: 2 of 10 numbers with five points.
+  const double largest_px = kLargest_px * std::sqrt((2 * count - 8) / (2 * count));
+  if (fit.largest_px <= largest_px) return;
   yaml::fail(
       file, points[fit.worst], "surface.points",
       fmt::format("point {} of {} is {:.1f} px from where the plane of all points has it in the right image; it or "
                   "another is wrong",
                   fit.worst + 1, points.size(), fit.largest_px),
-      fmt::format("points that lie on one plane, within {:g} px", kLargest_px));
+      fmt::format("points that lie on one plane; of so many each is within {:.1f} px", largest_px));
 }
 
 /// What stands behind the keys of skin.yaml.
