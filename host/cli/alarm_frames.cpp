@@ -63,7 +63,7 @@ void add_alarm_frames(CLI::App& command, AlarmFrames& frames) {
 
 void check_alarm_frames(const std::string& skin, const std::optional<calib::Rig>& rig, const MachineProfile& profile,
                         int image_width, int image_height, std::optional<double> results_per_s,
-                        const Settings& settings) {
+                        const Settings& settings, double longest_periods) {
   const AlarmFrames& frames = settings.alarm_frames;
   if (frames.needed <= 1) return;
   if (!results_per_s) {
@@ -71,14 +71,16 @@ void check_alarm_frames(const std::string& skin, const std::optional<calib::Rig>
                                  frames.needed, frames.of));
   }
   const double mm = thinnest_mm(skin, rig, profile, image_width, image_height, settings);
-  const double way_mm = kHandSpeed_m_s * 1e3 / *results_per_s;  // from frame to frame
+  const double mm_per_s = kHandSpeed_m_s * 1e3 * longest_periods;
+  const double way_mm = mm_per_s / *results_per_s;  // from frame to frame
   if (const double seen = std::floor(mm / way_mm); seen < frames.needed) {
     throw UsageError(fmt::format(
         "an alarm by {} of {} frames: the skin is {:.1f} mm thick where it is thinnest (D95), and a hand at {} m/s moves "
-        "{:.1f} mm from one frame to the next: it may be seen in {:g} frames only; expected a skin of {:.1f} mm, or {:.0f} "
+        "{:.1f} mm from one frame to the next{}: it may be seen in {:g} frames only; expected a skin of {:.1f} mm, or {:.0f} "
         "frames a second, or 1/1",
-        frames.needed, frames.of, mm, kHandSpeed_m_s, way_mm, seen, frames.needed * way_mm,
-        std::ceil(frames.needed * kHandSpeed_m_s * 1e3 / mm)));
+        frames.needed, frames.of, mm, kHandSpeed_m_s, way_mm,
+        longest_periods > 1 ? fmt::format(", which may take {:g} periods without a fault", longest_periods) : "", seen,
+        frames.needed * way_mm, std::ceil(frames.needed * mm_per_s / mm)));
   }
 }
 

@@ -93,9 +93,8 @@ monitor::Machine make_machine(const monitor::Cell& cell, const std::optional<cal
   object.px = cell.object_px.value_or(object.px);
   object.mm = cell.object_mm;
   object = set_object(object, skin, rig, profile, width, height, settings);
-  // As slowly as they may come without a fault.
-  const double results_per_s = cell.frames_per_s * profile.fields_per_image() / monitor::kLongestPeriods;
-  check_alarm_frames(skin, rig, profile, width, height, results_per_s, settings);
+  check_alarm_frames(skin, rig, profile, width, height, cell.frames_per_s * profile.fields_per_image(), settings,
+                     monitor::kLongestPeriods);
   auto compiled =
       std::make_shared<const MapSet>(load_or_compile_maps(skin, rig, profile, width, height, settings.decision));
   const MapSet& maps = *compiled;

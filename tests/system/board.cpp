@@ -22,6 +22,7 @@
 #include "horopter/machine/loader.hpp"
 #include "horopter/machine/monitor.hpp"
 #include "horopter/machine/native_device.hpp"
+#include "rig_text.hpp"
 #include "sandbox.hpp"
 #include "shared_data.hpp"
 
@@ -81,14 +82,7 @@ std::string write_table(const Sandbox& box, const std::string& name = "skin") {
 
 /// Two fields' tables of 14 KiB: the left camera's image is curved.
 void write_large_table(const Sandbox& box) {
-  const auto camera = [](const std::string& name, const std::string& distortion, const std::string& x_mm) {
-    return "  - name: " + name +
-           "\n    image_size: [756, 572]\n    model: brown_conrady\n    fx_px: 700\n    fy_px: 700\n    cx_px: 377.5\n"
-           "    cy_px: 285.5\n    distortion: " +
-           distortion + "\n    rotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n    translation_mm: [" + x_mm + ", 0, 0]\n";
-  };
-  box.write("rig.yaml", "horopter_rig: 1\nworld: left\ncameras:\n" + camera("left", "{k1: -0.3}", "0") +
-                            camera("right", "{}", "-50"));
+  box.write("rig.yaml", two_cameras(756, 572, 700, "-50, 0, 0", {"{k1: -0.3}", "{}"}));
   box.write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 1000], normal: [0, 0, -1]}\n");
   const auto made =
       box.run({"map", "--skin", "skin.yaml", "--rig", "rig.yaml", "--profile", "field", "-o", "skin.hmap"});

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "pairs.hpp"
+#include "rig_text.hpp"
 #include "sandbox.hpp"
 
 using namespace horopter::test;
@@ -353,13 +354,7 @@ TEST_CASE("An object that is larger than the skin is refused where it was asked 
 
 TEST_CASE("A skin that is parted by gaps, or too narrow for the usual object, is a warning") {
   const Sandbox box;
-  const auto camera = [](const std::string& name, int x_mm) {
-    return "  - {name: " + name +
-           ", image_size: [640, 480], model: brown_conrady, fx_px: 535, fy_px: 535, cx_px: 319.5, cy_px: 239.5, "
-           "distortion: {}, rotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], translation_mm: [" +
-           std::to_string(x_mm) + ", 0, 0]}\n";
-  };
-  box.write("rig.yaml", "horopter_rig: 1\nworld: left\ncameras:\n" + camera("left", 0) + camera("right", -100));
+  box.write("rig.yaml", two_cameras(640, 480, 535, "-100, 0, 0"));
   const auto warns = [&](double side_mm, double gap_mm, int rows) {
     std::string text;
     for (int i = -6; i < 6; ++i) {

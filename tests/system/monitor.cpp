@@ -12,6 +12,7 @@
 
 #include "horopter/monitor/users.hpp"
 #include "http.hpp"
+#include "rig_text.hpp"
 #include "running.hpp"
 
 using namespace horopter::test;
@@ -348,4 +349,21 @@ TEST_CASE("what is wrong with the cell is said at once") {
   CHECK_THAT(error_of("left0[12].jpg", "right0[23].jpg", ""), Catch::Contains("right02.jpg"));
   CHECK_THAT(error_of("left0[12].jpg", "right0[12].jpg", "limits: {tolerance_px: 0.05}\n"),
              Catch::Contains("cell.yaml: limits") && Catch::Contains("0.05 px"));
+
+  // Cameras may be half as slow again as the cell says before it is a fault; an alarm by 2 of 3 frames counts with that.
+  box.write("rig.yaml", two_cameras(640, 480, 535, "-100, 0, 0"));
+  box.write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 900], normal: [0, 0, -1]}\n");
+  const auto wanted_rate = [](const std::string& message) {
+    CAPTURE(message);
+    const auto end = message.find(" frames a second");
+    REQUIRE(end != std::string::npos);
+    return std::stoi(message.substr(message.rfind(' ', end - 1) + 1));
+  };
+  const auto run =
+      box.run({"run", "--left", kData + "left01.jpg", "--right", kData + "right01.jpg", "--rig", "rig.yaml", "--skin",
+               "skin.yaml", "--alarm-frames", "2/3", "--frame-rate", "5", "--out", "out"});
+  const int by_run = wanted_rate(run.err);
+  const int by_monitor =
+      wanted_rate(error_of("left01.jpg", "right01.jpg", "rig: rig.yaml\nlimits: {alarm_frames: 2/3}\n"));
+  CHECK(std::abs(by_monitor - 1.5 * by_run) < 2.5);
 }

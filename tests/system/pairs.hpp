@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "rig_text.hpp"
 #include "sandbox.hpp"
 
 namespace horopter::test {
@@ -58,13 +59,7 @@ inline std::vector<std::string> run_arguments(const std::string& left = "left0.p
 
 /// Two cameras for pairs of 200x120 pixels, the right one 50 mm to the right and some lower.
 inline std::string rig_text(const std::string& lower_mm = "0", const std::string& distortion = "{}") {
-  const std::string camera =
-      "    image_size: [200, 120]\n    model: brown_conrady\n    fx_px: 200\n    fy_px: 200\n    cx_px: 99.5\n"
-      "    cy_px: 59.5\n    distortion: " +
-      distortion + "\n    rotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
-  return "horopter_rig: 1\nworld: left\ncameras:\n  - name: left\n" + camera +
-         "    translation_mm: [0, 0, 0]\n  - name: right\n" + camera + "    translation_mm: [-50, -" + lower_mm +
-         ", 0]\n";
+  return two_cameras(200, 120, 200, "-50, -" + lower_mm + ", 0", {distortion, distortion});
 }
 
 }  // namespace horopter::test

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "rig_text.hpp"
 #include "sandbox.hpp"
 
 using namespace horopter::test;
@@ -40,15 +41,7 @@ cv::Mat ramp() {
 
 /// Two cameras 40 mm apart, images left.png and right.png, and a skin.
 Sandbox& with(Sandbox& box, const cv::Mat& left, const cv::Mat& right, const std::string& surface) {
-  std::string rig = "horopter_rig: 1\nworld: left\ncameras:\n";
-  for (const auto& [name, x_mm] : {std::pair{"left", 0}, {"right", -40}}) {
-    rig += std::string("  - name: ") + name +
-           "\n    image_size: [320, 240]\n    model: brown_conrady\n    fx_px: 300\n    fy_px: 300\n"
-           "    cx_px: 159.5\n    cy_px: 119.5\n    distortion: {}\n    rotation: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-           "    translation_mm: [" +
-           std::to_string(x_mm) + ", 0, 0]\n";
-  }
-  box.write("rig.yaml", rig);
+  box.write("rig.yaml", two_cameras(320, 240, 300, "-40, 0, 0"));
   box.write("skin.yaml", "surface: " + surface + "\n");
   cv::imwrite((box / "left.png").string(), left);
   cv::imwrite((box / "right.png").string(), right);
