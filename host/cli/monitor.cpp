@@ -154,7 +154,7 @@ void check_files(const monitor::Cell& cell, bool has_rig) {
   for (const monitor::CameraCell& camera : cell.cameras) {
     if (!camera.source.starts_with(scheme)) continue;
     patterns.push_back((cell.path.parent_path() / camera.source.substr(scheme.size())).string());
-    open_frames({patterns.back()});
+    for (const std::string& text : open_frames({patterns.back()})->warnings()) warn(text);
   }
   if (cell.layout == monitor::Layout::single && patterns.size() == 2) PairSource({patterns[0]}, {patterns[1]});
   const std::string skin = cell.skin.string();

@@ -85,8 +85,14 @@ struct Session {
     warn_of_proof(options.skin, tables, *profile, maps.lookahead(), settings, maps.rig);
     supervisor = std::make_unique<Supervisor>(make_picture_device(options.engine, *profile), *profile, maps, settings);
   }
-  std::vector<FrameResult> process(const Image& left, const Image& right) {
-    return moving ? moving->process(left, right) : supervisor->process(left, right);
+  std::vector<FrameResult> process(const NamedImage& left, const NamedImage& right) {
+    if (!moving) return supervisor->process(left.image, right.image);
+    if (left.time && left.time->left_out > 0) {
+      throw FileError(left.name, "",
+                      fmt::format("{} images are missing before it, as the video's times say", left.time->left_out),
+                      "each image as a step of the skin's time");
+    }
+    return moving->process(left.image, right.image);
   }
   std::vector<TrackedObject> follow(int frame, const FrameResult& result) {
     return follower->follow(result, results_per_s ? std::optional(frame / *results_per_s) : std::nullopt);
@@ -225,6 +231,7 @@ ExitStatus run(const RunOptions& options) {
   const auto rig = read_rig_option(options.rig);
   check_skin_file(options.skin);
   PairSource pairs(options.left, options.right, options.pair_by_order ? PairNumbers::ignored : PairNumbers::must_agree);
+  for (const std::string& text : pairs.warnings()) warn(text);
   const auto count = pairs.count();
   auto pair = pairs.next();
   if (!pair) throw FileError(options.left.front(), "", "there is no image", "at least one");
@@ -293,7 +300,7 @@ ExitStatus run(const RunOptions& options) {
         report_taught(session.monitor().blind_watch(), index, session.settings.blind, summary, options.json);
         session.monitor().teach(false);
       }
-      for (const FrameResult& result : session.process(pair->left.image, pair->right.image)) {
+      for (const FrameResult& result : session.process(pair->left, pair->right)) {
         const std::vector<TrackedObject> objects = session.follow(frame, result);
         {
           const std::lock_guard lock(results);

@@ -334,31 +334,147 @@ TEST_CASE("The packet of a stream is a whole image, or two fields") {
   CHECK_THROWS_WITH(check_jpeg_packet(hole, "packet"), Catch::Contains("damaged or truncated"));
 }
 
+/// 5 images, by FFmpeg.
+std::string write_video(const std::filesystem::path& path, const std::string& codec, double images_per_s = 10) {
+  cv::VideoWriter video(path.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc(codec[0], codec[1], codec[2], codec[3]),
+                        images_per_s, {256, 192});
+  REQUIRE(video.isOpened());
+  cv::Mat image;
+  cv::resize(textured(), image, {256, 192}, 0, 0, cv::INTER_NEAREST);
+  for (int i = 0; i < 5; ++i) {
+    cv::flip(image, image, i % 2);
+    video.write(image);
+  }
+  return path.string();
+}
+
+int frames_of(const std::string& path) {
+  int frames = 0;
+  for (const auto source = open_frames({path}); source->next();) ++frames;
+  return frames;
+}
+
+constexpr std::array<std::uint8_t, 3> kJpegBegin{0xFF, 0xD8, 0xFF};
+
+/// Where the JPEG image of this number begins in the bytes of a file.
+auto jpeg_at(std::vector<std::uint8_t>& bytes, int number) {
+  auto at = std::ranges::search(bytes, kJpegBegin).begin();
+  for (int i = 0; i < number; ++i) at = std::search(at + 1, bytes.end(), kJpegBegin.begin(), kJpegBegin.end());
+  REQUIRE(at != bytes.end());
+  return at;
+}
+
 TEST_CASE("A video of JPEG images is read up to the first that is damaged") {
   const TemporaryDirectory directory;
   const std::string name = GENERATE("video.avi", "video.mkv", "video.mov");
-  const auto path = (directory / name).string();
-  const auto read = [&] {
-    int frames = 0;
-    for (const auto source = open_frames({path}); source->next();) ++frames;
-    return frames;
-  };
-  {
-    cv::VideoWriter video(path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10, {64, 48});
-    REQUIRE(video.isOpened());
-    for (int i = 0; i < 5; ++i) video.write(textured());
-  }
-  CHECK(read() == 5);
+  const auto path = write_video(directory / name, "MJPG");
+  CHECK(frames_of(path) == 5);
   auto bytes = bytes_of(path);
-  constexpr std::array<std::uint8_t, 3> kBegin{0xFF, 0xD8, 0xFF};
-  auto frame = std::ranges::search(bytes, kBegin).begin();
-  for (int i = 0; i < 3; ++i) frame = std::search(frame + 1, bytes.end(), kBegin.begin(), kBegin.end());
-  const auto next = std::search(frame + 1, bytes.end(), kBegin.begin(), kBegin.end());
-  REQUIRE(next != bytes.end());
+  const auto frame = jpeg_at(bytes, 3), next = jpeg_at(bytes, 4);
   std::fill(next - (next - frame) / 5, next - 30, std::uint8_t{0});  // what FFmpeg still shows
   directory.write(name, bytes);
-  CHECK_THROWS_WITH(read(), Catch::Contains(name + "#3") &&
-                                (Catch::Contains("damaged or truncated") || Catch::Contains("no end-of-image marker")));
+  CHECK_THROWS_WITH(frames_of(path), Catch::Contains(name + "#3") && (Catch::Contains("damaged or truncated") ||
+                                                                      Catch::Contains("no end-of-image marker")));
+}
+
+TEST_CASE("What a decoder notices of a damaged video is an error") {
+  const TemporaryDirectory directory;
+  const auto [name, codec] = GENERATE(table<std::string, std::string>(
+      {{"a.avi", "MP4V"}, {"c.mkv", "mpg2"}, {"d.mp4", "avc1"}, {"e.mkv", "H264"}, {"f.mov", "png "}}));
+  CAPTURE(name);
+  const auto path = write_video(directory / name, codec);
+  CHECK(frames_of(path) == 5);
+  CHECK(open_frames({path})->warnings().empty());
+  const auto whole = bytes_of(path);
+  int noticed = 0;
+  for (int tenth = 3; tenth <= 7; ++tenth) {
+    auto bytes = whole;
+    std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(whole.size()) * tenth / 10, 100, std::uint8_t{0});
+    directory.write(name, bytes);
+    try {
+      frames_of(path);
+    } catch (const FileError& error) {
+      ++noticed;
+      CHECK_THAT(error.what(), Catch::Contains(name + "#") && Catch::Contains("damaged"));
+    }
+  }
+  CHECK(noticed >= 3);  // of 5
+}
+
+TEST_CASE("A video is turned as its file says") {
+  const TemporaryDirectory directory;
+  const auto path = write_video(directory / "video.mp4", "MP4V");
+  const auto first = [&] { return open_frames({path})->next().value().image; };
+  const Image lying = first();
+  auto bytes = bytes_of(path);
+  constexpr std::array<std::uint8_t, 4> kTrackHeader{'t', 'k', 'h', 'd'};
+  constexpr std::ptrdiff_t kMatrix = 44;  // behind these letters, in version 0; ISO/IEC 14496-12, 8.3.2
+  const auto matrix = std::ranges::search(bytes, kTrackHeader).begin() + kMatrix;
+  constexpr std::array<std::uint8_t, 20> kClockwise{0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0xFF, 0xFF, 0, 0, 0, 0, 0, 0};
+  std::ranges::copy(kClockwise, matrix);
+  directory.write("video.mp4", bytes);
+  const Image standing = first();
+  CHECK((standing.width == 192 && standing.height == 256));
+  CHECK(standing.at(191, 10) == lying.at(10, 0));
+  CHECK(standing.at(3, 255) == lying.at(255, 188));
+}
+
+TEST_CASE("Of videos whose decoders notice no damage there is a warning") {
+  const TemporaryDirectory directory;
+  const auto path = write_video(directory / "video.webm", "VP80");
+  CHECK(frames_of(path) == 5);
+  const auto warnings = PairSource({path}, {write_video(directory / "other.avi", "MJPG")}).warnings();
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0], Catch::Contains("video.webm: damage") && Catch::Contains("vp8"));
+}
+
+TEST_CASE("A cut video of Matroska is refused, and one whose recorder was killed is none") {
+  const TemporaryDirectory directory;
+  const auto path = write_video(directory / "video.mkv", "mpg2");
+  auto bytes = bytes_of(path);
+  const auto whole = bytes;
+  bytes.resize(bytes.size() * 2 / 3);
+  directory.write("video.mkv", bytes);
+  CHECK_THROWS_WITH(open_frames({path}), Catch::Contains("truncated"));
+  constexpr std::array<std::uint8_t, 4> kSegment{0x18, 0x53, 0x80, 0x67};
+  bytes = whole;
+  const auto length = std::ranges::search(bytes, kSegment).end();
+  REQUIRE(*length == 0x01);  // of 8 bytes
+  std::fill_n(length + 1, 7, std::uint8_t{0xFF});
+  directory.write("video.mkv", bytes);
+  CHECK(frames_of(path) == 5);
+  bytes.resize(bytes.size() * 2 / 3);
+  directory.write("video.mkv", bytes);
+  CHECK_THROWS_WITH(frames_of(path), Catch::Contains("File ended prematurely"));
+}
+
+TEST_CASE("Two videos are paired by their times") {
+  const TemporaryDirectory directory;
+  const auto left = write_video(directory / "left.mkv", "MJPG"), right = write_video(directory / "right.mkv", "MJPG");
+  const auto pairs = [&](const std::string& other, PairNumbers numbers = PairNumbers::must_agree) {
+    int count = 0;
+    for (PairSource source({left}, {other}, numbers); source.next();) ++count;
+    return count;
+  };
+  CHECK(pairs(right) == 5);
+  const auto slow = write_video(directory / "slow.avi", "MJPG", 8);
+  CHECK_THROWS_WITH(pairs(slow),
+                    Catch::Contains("slow.avi#3") && Catch::Contains("0.375 s") && Catch::Contains("0.300 s"));
+  CHECK(pairs(slow, PairNumbers::ignored) == 5);
+  auto bytes = bytes_of(right);
+  for (int i = 3; i < 5; ++i) {  // an image was lost before them: 100 ms more, in the 16 bits before a byte of flags
+    const auto flags = jpeg_at(bytes, i) - 1;
+    const int time_ms = (flags[-2] << 8 | flags[-1]) + 100;
+    flags[-2] = static_cast<std::uint8_t>(time_ms >> 8);
+    flags[-1] = static_cast<std::uint8_t>(time_ms);
+  }
+  directory.write("right.mkv", bytes);
+  CHECK_THROWS_WITH(pairs(right), Catch::Contains("right.mkv#3") && Catch::Contains("--pair-by-order"));
+  std::vector<std::size_t> left_out;
+  for (const auto source = open_frames({right}); const auto image = source->next();) {
+    left_out.push_back(image->time.value().left_out);
+  }
+  CHECK(left_out == std::vector<std::size_t>{0, 0, 0, 1, 0});
 }
 
 TEST_CASE("Results are complete or not there") {

@@ -6,17 +6,20 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
-#include <cstring>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <opencv2/imgproc.hpp>
+#include <iterator>
 #include <opencv2/videoio.hpp>
 #include <span>
 #include <string_view>
 
 #include "horopter/base/error.hpp"
+#include "horopter/image/mat.hpp"
 #include "image_check.hpp"
+#include "video.hpp"
 
 namespace horopter {
 namespace {
@@ -38,95 +41,27 @@ class FileSource : public FrameSource {
   bool done_ = false;
 };
 
-/// The images of a video as the file holds them, where that is as JPEG. Decoders make up what is missing in one.
-class JpegPackets {
+class CameraSource : public FrameSource {
  public:
-  JpegPackets(const std::string& name, const cv::VideoCapture& decoded) : name_(name) {
-    const bool raw = packets_.open(name, cv::CAP_FFMPEG) && packets_.set(cv::CAP_PROP_FORMAT, -1);
-    if (raw) packets_.read(packet_);
-    const auto begin = bytes();
-    jpeg_ = sniff_format(begin) == ImageFormat::jpeg || is_jpeg(static_cast<int>(decoded.get(cv::CAP_PROP_FOURCC)));
-    if (!jpeg_) packets_.release();
-    if (jpeg_ && !raw) {
-      throw FileError(name, "", "the images of this video cannot be checked", "a build of OpenCV with FFmpeg");
-    }
+  CameraSource(std::string name, int camera) : name_(std::move(name)) {
+    if (!capture_.open(camera))
+      throw FileError(name_, "", "this camera cannot be opened", "the number of a camera, or a file");
   }
-  /// The image that stands next. Throws FileError.
-  void check_next(const std::string& name) {
-    if (!jpeg_) return;
-    check_jpeg_packet(bytes(), name);
-    packets_.read(packet_);
-  }
-  /// Those that the decoder left out. Throws FileError.
-  void check_end(std::size_t index) const {
-    if (!jpeg_ || packet_.empty()) return;
-    throw FileError(name_, fmt::format("frame {}", index), "the video is truncated or damaged", "a whole image");
-  }
-
- private:
-  static bool is_jpeg(int code) {
-    constexpr auto kCodes = std::to_array<std::string_view>({"MJPG", "mjpg", "mjpe", "jpeg", "JPEG"});
-    return std::ranges::any_of(
-        kCodes, [&](std::string_view c) { return code == cv::VideoWriter::fourcc(c[0], c[1], c[2], c[3]); });
-  }
-  std::span<const std::uint8_t> bytes() const {
-    if (packet_.empty()) return {};
-    return {packet_.data, packet_.total() * packet_.elemSize()};
-  }
-
-  std::string name_;
-  cv::VideoCapture packets_;
-  cv::Mat packet_;
-  bool jpeg_ = false;
-};
-
-/// A video file, or a camera when `camera` is set.
-class CaptureSource : public FrameSource {
- public:
-  CaptureSource(std::string name, std::optional<int> camera, bool exact_count)
-      : name_(std::move(name)), camera_(camera) {
-    const bool open = camera ? capture_.open(*camera) : capture_.open(name_);
-    if (!open) {
-      throw FileError(name_, "", camera ? "this camera cannot be opened" : "the video cannot be decoded",
-                      camera ? "the number of a camera, or a file" : "a video that this build of OpenCV reads");
-    }
-    if (const double frames = capture_.get(cv::CAP_PROP_FRAME_COUNT); exact_count && frames > 0 && frames < 1e9) {
-      count_ = static_cast<std::size_t>(frames);
-    }
-    if (!camera) packets_.emplace(name_, capture_);
-  }
-
   std::optional<NamedImage> next() override {
     cv::Mat frame;
     if (!capture_.read(frame) || frame.empty()) {
-      if (camera_) throw FileError(name_, fmt::format("frame {}", index_), "the camera gives no image", "an image");
-      if (index_ == 0) throw FileError(name_, "", "the video holds no image", "at least one frame");
-      if (count_ && index_ < *count_) {
-        throw FileError(name_, fmt::format("frame {}", index_), "the video is truncated or damaged",
-                        fmt::format("{} frames", *count_));
-      }
-      if (packets_) packets_->check_end(index_);
-      return std::nullopt;
+      throw FileError(name_, fmt::format("frame {}", index_), "the camera gives no image", "an image");
     }
     const std::string name = fmt::format("{}#{}", name_, index_++);
-    if (packets_) packets_->check_next(name);
     if (frame.depth() != CV_8U) throw FileError(name, "", "more than 8 bits a sample", "8-bit grey or colour");
-    cv::Mat grey = frame;
-    if (frame.channels() == 3) cv::cvtColor(frame, grey, cv::COLOR_BGR2GRAY);
-    if (frame.channels() == 4) cv::cvtColor(frame, grey, cv::COLOR_BGRA2GRAY);
-    Image image(grey.cols, grey.rows);
-    for (int y = 0; y < grey.rows; ++y) std::copy_n(grey.ptr(y), grey.cols, &image.at(0, y));
-    return NamedImage{name, std::move(image)};
+    return NamedImage{name, grey_image(frame)};
   }
-  std::optional<std::size_t> count() const override { return count_; }
-  bool is_live() const override { return camera_.has_value(); }
+  std::optional<std::size_t> count() const override { return std::nullopt; }
+  bool is_live() const override { return true; }
 
  private:
   std::string name_;
-  std::optional<int> camera_;
   cv::VideoCapture capture_;
-  std::optional<JpegPackets> packets_;
-  std::optional<std::size_t> count_;
   std::size_t index_ = 0;
 };
 
@@ -151,13 +86,18 @@ class ListSource : public FrameSource {
   bool is_live() const override {
     return std::ranges::any_of(parts_, [](const auto& part) { return part->is_live(); });
   }
+  std::vector<std::string> warnings() const override {
+    std::vector<std::string> all;
+    for (const auto& part : parts_) std::ranges::move(part->warnings(), std::back_inserter(all));
+    return all;
+  }
 
  private:
   std::vector<std::unique_ptr<FrameSource>> parts_;
   std::size_t at_ = 0;
 };
 
-enum class Container { none, avi, mp4, other };
+enum class Container { none, avi, mp4, matroska, other };
 
 Container sniff_container(const fs::path& path) {
   std::array<char, 12> head{};
@@ -169,13 +109,57 @@ Container sniff_container(const fs::path& path) {
   };
   if (is(0, {'R', 'I', 'F', 'F'}) && is(8, {'A', 'V', 'I', ' '})) return Container::avi;
   if (is(4, {'f', 't', 'y', 'p'})) return Container::mp4;
-  const bool matroska = is(0, {0x1A, 0x45, 0xDF, 0xA3}), mpeg = is(0, {0, 0, 1, 0xBA});
-  if (matroska || mpeg || is(0, {'O', 'g', 'g', 'S'})) return Container::other;
+  if (is(0, {0x1A, 0x45, 0xDF, 0xA3})) return Container::matroska;
+  const bool mpeg = is(0, {0, 0, 1, 0xBA});
+  if (mpeg || is(0, {'O', 'g', 'g', 'S'})) return Container::other;
   return Container::none;
+}
+
+/// The head of an element of Matroska: its number, and its length, if it tells one.
+struct MatroskaHead {
+  std::uint64_t number = 0;
+  std::optional<std::uint64_t> length;
+};
+
+MatroskaHead read_matroska_head(std::istream& stream) {
+  const auto read = [&](bool keeps_mark) {
+    const int first = std::max(stream.get(), 0);
+    const int more = first == 0 ? 0 : std::countl_zero(static_cast<std::uint8_t>(first));
+    std::uint64_t value = keeps_mark ? first : first & (0x7F >> more);
+    bool ones = value == (0x7FU >> more);
+    for (int i = 0; i < more; ++i) {
+      const int byte = std::max(stream.get(), 0);
+      ones = ones && byte == 0xFF;
+      value = value << 8 | static_cast<unsigned>(byte);
+    }
+    return std::pair{value, ones};
+  };
+  const auto number = read(true).first;
+  const auto [length, unknown] = read(false);
+  return {number, unknown ? std::nullopt : std::optional(length)};
+}
+
+[[noreturn]] void refuse_cut(const fs::path& path, std::uint64_t size, std::uint64_t length, std::uint64_t at) {
+  throw FileError(path.string(), fmt::format("byte {}", size), "the video is truncated",
+                  fmt::format("{} bytes from byte {} on", length, at));
+}
+
+/// The segment, which is all behind the file's head. A recorder that was killed has not told its length.
+void check_matroska(const fs::path& path) {
+  const std::uint64_t size = fs::file_size(path);
+  std::ifstream stream(path, std::ios::binary);
+  const auto head = read_matroska_head(stream);
+  stream.seekg(static_cast<std::streamoff>(head.length.value_or(0)), std::ios::cur);
+  constexpr std::uint64_t kSegment = 0x18538067;
+  const auto segment = read_matroska_head(stream);
+  const auto at = static_cast<std::uint64_t>(std::max<std::streamoff>(stream.tellg(), 0));
+  const bool is_segment = stream && segment.number == kSegment;
+  if (is_segment && segment.length && *segment.length > size - at) refuse_cut(path, size, *segment.length, at);
 }
 
 /// Lists in the file must end where the file does. Decoders stop quietly at a cut.
 void check_container(const fs::path& path, Container container) {
+  if (container == Container::matroska) return check_matroska(path);
   if (container != Container::avi && container != Container::mp4) return;
   const auto size = static_cast<std::uint64_t>(fs::file_size(path));
   std::ifstream stream(path, std::ios::binary);
@@ -201,10 +185,7 @@ void check_container(const fs::path& path, Container container) {
     } else if (length == 0) {
       return;  // up to the end of the file
     }
-    if (length < 8 || length > size - at) {
-      throw FileError(path.string(), fmt::format("byte {}", size), "the video is truncated",
-                      fmt::format("{} bytes from byte {} on", length, at));
-    }
+    if (length < 8 || length > size - at) refuse_cut(path, size, length, at);
     at += length;
   }
 }
@@ -237,7 +218,7 @@ std::unique_ptr<FrameSource> open_file(const fs::path& path) {
   const Container container = sniff_container(path);
   if (container == Container::none) return std::make_unique<FileSource>(path);
   check_container(path, container);
-  return std::make_unique<CaptureSource>(path.string(), std::nullopt, container != Container::other);
+  return std::make_unique<Video>(path.string());
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -365,7 +346,7 @@ std::unique_ptr<FrameSource> open_inputs(const std::vector<Input>& inputs) {
   std::vector<std::unique_ptr<FrameSource>> sources;
   for (const Input& input : inputs) {
     if (input.camera) {
-      sources.push_back(std::make_unique<CaptureSource>(input.name, input.camera, false));
+      sources.push_back(std::make_unique<CameraSource>(input.name, *input.camera));
     } else {
       sources.push_back(open_file(input.name));
     }
@@ -486,6 +467,17 @@ void check_numbers(const std::vector<Input>& left, const std::vector<Input>& rig
   }
 }
 
+/// Of two videos that begin at one moment.
+void check_times(const NamedImage& left, const NamedImage& right) {
+  if (!left.time || !right.time || left.time->index != right.time->index) return;
+  const double half_a_period_s = std::min(left.time->period_s, right.time->period_s) / 2;
+  if (std::abs(left.time->time_s - right.time->time_s) <= half_a_period_s) return;
+  throw FileError(right.name, "",
+                  fmt::format("its time in the video is {:.3f} s, that of {} is {:.3f} s", right.time->time_s,
+                              left.name, left.time->time_s),
+                  "the image of the same moment, or --pair-by-order where the order alone counts");
+}
+
 std::string number_after(std::string number) {
   for (auto digit = number.rbegin(); digit != number.rend(); ++digit) {
     if (*digit != '9') {
@@ -527,8 +519,8 @@ std::unique_ptr<FrameSource> open_frames(const std::vector<std::string>& argumen
   return open_inputs(inputs_of(arguments));
 }
 
-PairSource::PairSource(const std::vector<std::string>& left, const std::vector<std::string>& right,
-                       PairNumbers numbers) {
+PairSource::PairSource(const std::vector<std::string>& left, const std::vector<std::string>& right, PairNumbers numbers)
+    : numbers_(numbers) {
   const std::vector<Input> left_inputs = inputs_of(left);
   const std::vector<Input> right_inputs = inputs_of(right);
   check_two_cameras(left_inputs, right_inputs);
@@ -550,6 +542,12 @@ std::optional<std::size_t> PairSource::count() const {
   return left_count ? left_count : right_->count();
 }
 
+std::vector<std::string> PairSource::warnings() const {
+  auto all = left_->warnings();
+  std::ranges::move(right_->warnings(), std::back_inserter(all));
+  return all;
+}
+
 std::optional<FramePair> PairSource::next() {
   auto left = left_->next();
   auto right = right_->next();
@@ -559,6 +557,7 @@ std::optional<FramePair> PairSource::next() {
                     left ? "there is no right image to it" : "there is no left image to it",
                     "as many left as right images");
   }
+  if (numbers_ == PairNumbers::must_agree) check_times(*left, *right);
   if (left->image.width != right->image.width || left->image.height != right->image.height) {
     throw FileError(right->name, "", fmt::format("the image is {}x{} pixels", right->image.width, right->image.height),
                     fmt::format("{}x{} as in {}", left->image.width, left->image.height, left->name));

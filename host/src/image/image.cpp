@@ -12,6 +12,7 @@
 
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
+#include "horopter/image/mat.hpp"
 #include "image_check.hpp"
 
 namespace horopter {
@@ -90,26 +91,22 @@ Image decode_other(std::span<const std::uint8_t> bytes, const std::string& name)
   if (decoded.depth() != CV_8U) {
     throw FileError(name, "", "more than 8 bits a sample", "an 8-bit image, grey or colour");
   }
-  cv::Mat grey;
-  switch (decoded.channels()) {
-    case 1:
-      grey = decoded;
-      break;
-    case 3:
-      cv::cvtColor(decoded, grey, cv::COLOR_BGR2GRAY);
-      break;
-    case 4:
-      cv::cvtColor(decoded, grey, cv::COLOR_BGRA2GRAY);
-      break;
-    default:
-      throw FileError(name, "", fmt::format("{} samples a pixel", decoded.channels()), "1 (grey), 3 or 4 (colour)");
+  if (const int samples = decoded.channels(); samples != 1 && samples != 3 && samples != 4) {
+    throw FileError(name, "", fmt::format("{} samples a pixel", samples), "1 (grey), 3 or 4 (colour)");
   }
+  return grey_image(decoded);
+}
+
+}  // namespace
+
+Image grey_image(const cv::Mat& pixels) {
+  cv::Mat grey = pixels;
+  if (pixels.channels() == 3) cv::cvtColor(pixels, grey, cv::COLOR_BGR2GRAY);
+  if (pixels.channels() == 4) cv::cvtColor(pixels, grey, cv::COLOR_BGRA2GRAY);
   Image image(grey.cols, grey.rows);
   for (int y = 0; y < grey.rows; ++y) std::copy_n(grey.ptr(y), grey.cols, &image.at(0, y));
   return image;
 }
-
-}  // namespace
 
 Image decode_image(std::span<const std::uint8_t> bytes, const std::string& name) {
   const ImageFormat format = sniff_format(bytes);

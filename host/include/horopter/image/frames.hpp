@@ -12,9 +12,18 @@
 
 namespace horopter {
 
+/// When an image of a video was taken, as the video says.
+struct VideoTime {
+  std::size_t index = 0;     ///< from 0, in its video
+  double time_s = 0;         ///< since the video's first image
+  double period_s = 0;       ///< the video's usual time from image to image
+  std::size_t left_out = 0;  ///< images for which there is a hole in time before this one
+};
+
 struct NamedImage {
   std::string name;  ///< the file, or the video or camera with the number of the frame: `walk.avi#12`
   Image image;
+  std::optional<VideoTime> time = {};  ///< of videos that have one
 };
 
 class FrameSource {
@@ -26,6 +35,8 @@ class FrameSource {
   virtual std::optional<std::size_t> count() const = 0;
   /// A camera: it has no end of its own.
   virtual bool is_live() const { return false; }
+  /// What a user must know of the sources, a sentence each: videos in which damage may not be noticed.
+  virtual std::vector<std::string> warnings() const { return {}; }
 };
 
 /// Each argument is a file (image or video), a glob pattern, a directory (its image files) or the number of a camera. What
@@ -51,8 +62,8 @@ enum class PairNumbers {
   ignored,  ///< the order alone counts
 };
 
-/// Two sources in step. Throws FileError when both are one file or camera, when the numbers in the names of a pair do not
-/// agree, when the images of a pair differ in size, when sizes change from pair to pair, or when one source ends before
+/// Two sources in step. Throws FileError when both are one file or camera, when the numbers in the names of a pair, or the
+/// times of two videos by more than half an image, do not agree, when the images of a pair differ in size, when sizes change from pair to pair, or when one source ends before
 /// the other.
 class PairSource {
  public:
@@ -61,8 +72,10 @@ class PairSource {
   std::optional<FramePair> next();
   std::optional<std::size_t> count() const;
   bool is_live() const { return left_->is_live() && right_->is_live(); }
+  std::vector<std::string> warnings() const;
 
  private:
+  PairNumbers numbers_;
   std::unique_ptr<FrameSource> left_;
   std::unique_ptr<FrameSource> right_;
   std::string first_name_;

@@ -13,4 +13,7 @@ inline cv::Mat mat_of(const Image& image) {
   return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data())};
 }
 
+/// Grey, of 8 bits of grey, BGR or BGRA.
+Image grey_image(const cv::Mat& pixels);
+
 }  // namespace horopter

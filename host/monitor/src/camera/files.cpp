@@ -47,6 +47,7 @@ class FilesGrabber : public Grabber {
       image = frames_->next();
     }
     if (image) {
+      if (image->time) number_ += image->time->left_out;  // lost when it was recorded
       next_ = std::move(image->image);
     } else {
       ended_ = true;
