@@ -10,6 +10,7 @@
 #include "horopter/plan/tolerance.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
+#include "warnings.hpp"
 
 namespace horopter::cli {
 namespace {
@@ -46,6 +47,17 @@ ChosenThickness choose(const ThicknessOption& option, const RigSkin* skin, const
     chosen.across_mm = plan_thickness(skin->cameras(), *skin->surface(), profile, geometry, chosen.tolerance_px).across;
   }
   return chosen;
+}
+
+/// Of a threshold below all that were measured.
+void warn_of_thinness(const Settings& settings) {
+  const double least_px = tolerance_range(Decision::thesis).smallest_px;
+  const double least_percent = threshold_percent_for(least_px);
+  if (settings.decision != Decision::thesis || settings.threshold_percent >= least_percent) return;
+  warn(fmt::format(
+      "a threshold of {:g} % makes the skin thinner than any that was measured, and things on it may not be found; {:g} % "
+      "is a tolerance of {:g} px",
+      settings.threshold_percent, least_percent, least_px));
 }
 
 }  // namespace
@@ -93,7 +105,10 @@ nlohmann::ordered_json ChosenThickness::json() const {
 std::optional<ChosenThickness> set_thickness(const ThicknessOption& option, const std::string& skin,
                                              const std::optional<calib::Rig>& rig, const MachineProfile& profile,
                                              int image_width, int image_height, Settings& settings) {
-  if (!option.tolerance_px && !option.thickness_mm) return {};
+  if (!option.tolerance_px && !option.thickness_mm) {
+    warn_of_thinness(settings);
+    return {};
+  }
   const ScanGeometry geometry = scans_of(profile, image_width, image_height).front();
   SkinFile file;
   if (!is_table(skin)) file = load_skin_for(skin, rig, image_width, image_height);

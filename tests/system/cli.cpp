@@ -552,6 +552,9 @@ TEST_CASE("Files that would never end or fill the memory are refused at once") {
   check_bad_file(box, {"map", "--skin", "skin.yaml", "--rig", "rig.yaml", "--profile", "vga", "-o", "m.hmap"},
                  "rig.yaml", "mm apart");
   CHECK(box.run(run_arguments() + std::vector<std::string>{"--threshold", "0"}).status == 2);
+  const auto thinner = Catch::Contains("thinner than any that was measured");
+  CHECK_THAT(box.run(run_arguments() + std::vector<std::string>{"--threshold", "2.2"}).err, thinner);
+  CHECK_THAT(box.run(run_arguments() + std::vector<std::string>{"--threshold", "2.4"}).err, !thinner);
 }
 
 TEST_CASE("compete: cameras that cannot serve neighbours are refused, pixels that they cannot serve are reported") {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -197,6 +198,42 @@ TEST_CASE("of JPEG images those that are not whole are lost parts, and no images
   CHECK_THAT(end, Catch::Contains("the stream has ended"));
   CHECK(whole.size() == 3);
   CHECK(lost == 3);
+}
+
+TEST_CASE("of images that are told by those before them none counts behind a gap, up to the next that stands alone") {
+  const std::string begin =
+      "gst:videotestsrc pattern=ball num-buffers=200 ! video/x-raw,format=I420,width=96,height=64,framerate=100/1 ! "
+      "vp8enc deadline=1 keyframe-max-dist=8 ";
+  struct Seen {
+    std::set<std::vector<std::uint8_t>> images;
+    std::uint64_t lost = 0;
+  };
+  const auto see = [](const std::string& pipeline) {
+    const auto grabber = open_grabber(settings(pipeline));
+    Seen seen;
+    try {
+      for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up;) {
+        const auto frame = grabber->next(100ms);
+        if (!frame) continue;
+        seen.lost = frame->lost_packets;
+        if (!frame->image.empty()) seen.images.insert(frame->image.pixels);
+      }
+    } catch (const CameraError& error) {
+      CHECK_THAT(error.what(), Catch::Contains("the stream has ended"));
+    }
+    return seen;
+  };
+  const Seen whole = see(begin + "! vp8dec");
+  CHECK(whole.lost == 0);
+  REQUIRE(whole.images.size() > 100);
+  for (const std::string gaps :
+       {"! identity drop-probability=0.1 ", "! rtpvp8pay mtu=100 ! identity drop-probability=0.05 ! rtpvp8depay "}) {
+    CAPTURE(gaps);
+    const Seen seen = see(begin + gaps + "! vp8dec");
+    CHECK(seen.lost > 0);
+    CHECK(seen.images.size() > 10);
+    CHECK(std::ranges::includes(whole.images, seen.images));  // nothing was made up
+  }
 }
 
 TEST_CASE("an image that is shorter than its size is lost; JPEG in pieces is an error") {

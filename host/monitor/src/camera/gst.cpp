@@ -11,6 +11,7 @@
 #include <cmath>
 #include <mutex>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "camera/grabbers.hpp"
@@ -68,55 +69,75 @@ std::chrono::nanoseconds nanoseconds_of(GstClockTime time) {
   return std::chrono::nanoseconds(static_cast<std::int64_t>(time));
 }
 
-/// Looks at what comes as JPEG before decoders see it: they make up what is missing. What is not whole they do not get.
-class JpegWatch {
+/// Looks at what comes before decoders see it: they make up what is missing. What is not whole they do not get, nor what
+/// tells only the difference to something that is missing.
+class PacketWatch {
  public:
-  JpegWatch() = default;
-  JpegWatch(const JpegWatch&) = delete;
-  JpegWatch& operator=(const JpegWatch&) = delete;
+  PacketWatch() = default;
+  PacketWatch(const PacketWatch&) = delete;
+  PacketWatch& operator=(const PacketWatch&) = delete;
   /// From now on, and until the pipeline stands still. Also decoders that are made later.
   void watch(GstElement* pipeline) {
-    g_signal_connect(pipeline, "deep-element-added", G_CALLBACK(&JpegWatch::on_added), this);
+    g_signal_connect(pipeline, "deep-element-added", G_CALLBACK(&PacketWatch::on_added), this);
     GstIterator* elements = gst_bin_iterate_recurse(GST_BIN(pipeline));
-    gst_iterator_foreach(elements, &JpegWatch::on_found, this);
+    gst_iterator_foreach(elements, &PacketWatch::on_found, this);
     gst_iterator_free(elements);
   }
   std::uint64_t lost() const { return lost_; }
 
  private:
-  static void on_added(GstBin* /*pipeline*/, GstBin* /*bin*/, GstElement* element, JpegWatch* self) {
+  static void on_added(GstBin* /*pipeline*/, GstBin* /*bin*/, GstElement* element, PacketWatch* self) {
     self->watch_decoder(element);
   }
   static void on_found(const GValue* element, void* self) {
-    static_cast<JpegWatch*>(self)->watch_decoder(GST_ELEMENT(g_value_get_object(element)));
+    static_cast<PacketWatch*>(self)->watch_decoder(GST_ELEMENT(g_value_get_object(element)));
   }
   void watch_decoder(GstElement* element) {
     GstElementFactory* factory = gst_element_get_factory(element);
     if (GST_IS_BIN(element) || factory == nullptr) return;
     if (gst_element_factory_list_is_type(factory, GST_ELEMENT_FACTORY_TYPE_DECODER) == FALSE) return;
-    gst_element_foreach_sink_pad(element, &JpegWatch::watch_pad, this);
+    gst_element_foreach_sink_pad(element, &PacketWatch::watch_pad, this);
   }
   static gboolean watch_pad(GstElement* /*element*/, GstPad* pad, void* self) {
     const CapsPtr takes(gst_pad_get_pad_template_caps(pad)), jpeg(gst_caps_new_empty_simple("image/jpeg"));
-    if (gst_caps_can_intersect(takes.get(), jpeg.get()) == TRUE) {
-      gst_pad_add_probe(pad, GST_PAD_PROBE_TYPE_BUFFER, &JpegWatch::on_buffer, self, nullptr);
-    }
+    gst_pad_add_probe(pad, GST_PAD_PROBE_TYPE_BUFFER, &PacketWatch::on_buffer,
+                      new Stream{.watch = static_cast<PacketWatch*>(self),
+                                 .takes_jpeg = gst_caps_can_intersect(takes.get(), jpeg.get()) == TRUE},
+                      [](void* stream) { delete static_cast<Stream*>(stream); });
     return TRUE;
   }
 
-  static GstPadProbeReturn on_buffer(GstPad* pad, GstPadProbeInfo* info, void* self) {
+  /// What one decoder gets.
+  struct Stream {
+    PacketWatch* watch;
+    bool takes_jpeg;
+    bool behind_gap = true;  ///< and nothing has come since that stands alone
+
+    /// Of images that are told by those before them.
+    bool follows(GstBuffer* buffer) {
+      const auto has = [&](GstBufferFlags flag) { return GST_BUFFER_FLAG_IS_SET(buffer, flag); };
+      if (has(GST_BUFFER_FLAG_DISCONT)) behind_gap = true;
+      if (!has(GST_BUFFER_FLAG_DELTA_UNIT)) behind_gap = false;
+      if (has(GST_BUFFER_FLAG_CORRUPTED)) behind_gap = true;
+      return !behind_gap;
+    }
+  };
+
+  static GstPadProbeReturn on_buffer(GstPad* pad, GstPadProbeInfo* info, void* of_pad) {
+    auto* stream = static_cast<Stream*>(of_pad);
     GstBuffer* buffer = GST_PAD_PROBE_INFO_BUFFER(info);
     const CapsPtr caps(gst_pad_get_current_caps(pad));
-    const bool other =
-        caps != nullptr && gst_structure_has_name(gst_caps_get_structure(caps.get(), 0), "image/jpeg") == FALSE;
-    if (other || is_whole(buffer)) return GST_PAD_PROBE_OK;
-    if (is_piece(pad, buffer)) {
+    const std::string_view kind = caps ? gst_structure_get_name(gst_caps_get_structure(caps.get(), 0)) : "";
+    if (kind.starts_with("audio/")) return GST_PAD_PROBE_OK;
+    const bool is_jpeg = stream->takes_jpeg && (kind.empty() || kind == "image/jpeg");
+    if (is_jpeg ? is_whole(buffer) : stream->follows(buffer)) return GST_PAD_PROBE_OK;
+    if (is_jpeg && is_piece(pad, buffer)) {
       GstElement* decoder = gst_pad_get_parent_element(pad);
       GST_ELEMENT_ERROR(decoder, STREAM, FORMAT, ("JPEG comes in pieces, not image by image (jpegparse joins them)"),
                         (nullptr));
       gst_object_unref(decoder);
     }
-    ++static_cast<JpegWatch*>(self)->lost_;
+    ++stream->watch->lost_;
     return GST_PAD_PROBE_DROP;
   }
   static bool is_whole(GstBuffer* buffer) {
@@ -158,7 +179,7 @@ class GstGrabber : public Grabber {
     if (!GST_IS_PIPELINE(pipeline_.get())) throw CameraError("GStreamer: this is no pipeline");
     sink_.reset(gst_bin_get_by_name(GST_BIN(pipeline_.get()), "horopter"));
     if (sink_ == nullptr) throw CameraError("GStreamer: the pipeline has a sink of its own");
-    jpegs_.watch(pipeline_.get());
+    packets_.watch(pipeline_.get());
     start();
   }
   std::optional<CameraFrame> next(std::chrono::milliseconds patience) override {
@@ -218,7 +239,7 @@ class GstGrabber : public Grabber {
     return take_text(error);
   }
 
-  std::uint64_t lost() const { return jpegs_.lost() + broken_; }
+  std::uint64_t lost() const { return packets_.lost() + broken_; }
 
   /// Parts of an image were lost: it is none.
   CameraFrame broken(Clock::time_point arrived) {
@@ -264,7 +285,7 @@ class GstGrabber : public Grabber {
 
   bool counts_;
   GstClockTime base_ = 0;
-  JpegWatch jpegs_;           // before the pipeline, which tells it
+  PacketWatch packets_;       // before the pipeline, which tells it
   std::uint64_t broken_ = 0;  ///< that came as raw video
   std::uint64_t told_ = 0;
   PipelinePtr pipeline_;
