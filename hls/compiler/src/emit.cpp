@@ -486,8 +486,9 @@ class Emitter {
     if (!o_.source_class.empty()) out << " from " << o_.source_class;
     if (!g_.source_file.empty()) out << (o_.source_class.empty() ? " from " : ", ") << place_file(g_.source_file);
     out << ". Do not edit.\n//\n"
-        << "// Latency " << last_ << " enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage\n"
-        << "// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.\n"
+        << "// Latency " << last_
+        << " enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs\n"
+        << "// change only with a valid beat. rst_ni is synchronous and keeps memories.\n"
         << (registered_ ? "" : "// Outputs are logic: what they go to takes them with the clock if en_i = 1.\n")
         << "// State " << result_.state_bits << " bits, pipeline " << result_.pipeline_bits << " bits, memories "
         << memory_bits << " bits.\n"
@@ -517,13 +518,17 @@ class Emitter {
     for (int k = 1; k <= last_; ++k) out << (k == 1 ? "  logic " : ", ") << valid(k) << (k == last_ ? ";\n" : "");
     std::vector<int> needed;
     for (int k = 0; k < stages(); ++k) {
-      if (registered_ || k < last_ || uses_enable(k)) needed.push_back(k);
+      if (uses_enable(k) || loads_outputs(k)) needed.push_back(k);
     }
     if (needed.empty()) return;
     for (int k : needed) out << (k == needed.front() ? "  logic " : ", ") << enable(k);
     out << ";\n";
     for (int k : needed) out << "  assign " << enable(k) << " = en_i & " << valid(k) << ";\n";
   }
+
+  /// Registers of the pipeline load in every enabled clock, whether a beat is in the stage or not: `valid` would go to all
+  /// of them, and its way there is what takes the time. Outputs keep what the last beat gave.
+  bool loads_outputs(int stage) const { return registered_ && stage + 1 == last_; }
 
   /// Does anything load in this stage, but for registers of the pipeline?
   bool uses_enable(int stage) const {
@@ -682,7 +687,8 @@ class Emitter {
     }
     if (!load.str().empty()) {
       out << "\n"
-          << declare.str() << "  always_ff @(posedge clk_i) begin\n    if (" << enable(stage) << ") begin\n"
+          << declare.str() << "  always_ff @(posedge clk_i) begin\n    if ("
+          << (loads_outputs(stage) ? enable(stage) : "en_i") << ") begin\n"
           << load.str() << "    end\n  end\n";
     }
   }
@@ -832,9 +838,8 @@ class Emitter {
     for (std::size_t i = 0; i < depth; ++i) {
       out << "    " << memory << "[" << i << "] = " << literal(word(rom, i, node.width)) << ";\n";
     }
-    out << "  end\n  logic " << range(node.width) << data << ";\n  always_ff @(posedge clk_i) begin\n    if ("
-        << enable(s_.stage[n] - 1) << ") " << data << " <= " << memory << "["
-        << expression(node.operands[0], s_.stage[n] - 1) << "];\n  end\n";
+    out << "  end\n  logic " << range(node.width) << data << ";\n  always_ff @(posedge clk_i) begin\n    if (en_i) "
+        << data << " <= " << memory << "[" << expression(node.operands[0], s_.stage[n] - 1) << "];\n  end\n";
   }
 
   /// Low bits of sums and the like: named as unused, so that lint stays strict elsewhere.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Agreement<horopter::hls::profiles::field>, hls/stages/agreement.hpp. Do not edit.
 //
-// Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 3087 bits, pipeline 849 bits, memories 66527 bits.
 module horopter_agreement (
   input  logic clk_i,
@@ -874,7 +874,7 @@ module horopter_agreement (
   logic or_3024_s1_q;
   logic not_3048_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
@@ -2317,7 +2317,7 @@ module horopter_agreement (
   logic less_3853_s2_q;
   logic equal_4072_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
       saturated_s2_q <= saturated_s1_q;
       mask_s2_q <= mask_s1_q;
@@ -5216,7 +5216,7 @@ module horopter_agreement (
   logic and_4144_s3_q;
   logic equal_4217_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       saturated_s3_q <= saturated_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       marks_last_s3_q <= marks_last_s2_q;

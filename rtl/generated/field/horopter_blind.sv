@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Blind<horopter::hls::profiles::field>, hls/stages/blind.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 79 bits, pipeline 41 bits, memories 20797 bits.
 module horopter_blind (
   input  logic clk_i,
@@ -298,7 +298,7 @@ module horopter_blind (
   logic and_175_s1_q;
   logic and_177_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       state_s1_q <= state_i;
       idle_s1_q <= idle_i;
       or_37_s1_q <= or_37;

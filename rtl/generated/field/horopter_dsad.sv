@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Dsad<horopter::hls::profiles::field>, hls/stages/dsad.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 48 bits, pipeline 26 bits, memories 36544 bits.
 module horopter_dsad (
   input  logic clk_i,
@@ -99,7 +99,7 @@ module horopter_dsad (
   logic [3:0] columns_place_s1_q;
   logic or_16_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       difference_0_s1_q <= difference_0_i;
       difference_1_s1_q <= difference_1_i;
       textured_s1_q <= textured_i;

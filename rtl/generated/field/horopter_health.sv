@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Health<horopter::hls::profiles::field>, hls/stages/health.hpp. Do not edit.
 //
-// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 272 bits, pipeline 29 bits, memories 2048 bits.
 module horopter_health (
   input  logic clk_i,
@@ -101,7 +101,7 @@ module horopter_health (
   logic y_s1_q;
   logic and_97_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       first_s1_q <= first_i;
       end_v_s1_q <= end_v_i;
       last_s1_q <= last_i;
@@ -307,7 +307,7 @@ module horopter_health (
 
   logic end_v_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       end_v_s2_q <= end_v_s1_q;
     end
   end

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Majority<horopter::hls::profiles::field>, hls/stages/majority.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
 // State 113 bits, pipeline 14 bits, memories 6804 bits.
 module horopter_majority (
@@ -74,7 +74,7 @@ module horopter_majority (
   logic or_20_s1_q;
   logic and_24_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       decidable_s1_q <= decidable_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
@@ -185,7 +185,7 @@ module horopter_majority (
   logic marks_nearer_s2_q;
   logic equal_48_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
       marks_seen_s2_q <= marks_seen_s1_q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Sobel<horopter::hls::profiles::field>, hls/stages/sobel.hpp. Do not edit.
 //
-// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
 // State 96 bits, pipeline 15 bits, memories 15120 bits.
 module horopter_sobel (
@@ -77,7 +77,7 @@ module horopter_sobel (
   logic marks_nearer_s1_q;
   logic or_23_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;

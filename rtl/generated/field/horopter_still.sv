@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Still<horopter::hls::profiles::field>, hls/stages/still.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 39 bits, pipeline 30 bits, memories 8192 bits.
 module horopter_still (
   input  logic clk_i,
@@ -67,7 +67,7 @@ module horopter_still (
   logic [7:0] index_s1_q;
   logic and_17_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       left_s1_q <= left_i;
       right_s1_q <= right_i;
       first_s1_q <= first_i;

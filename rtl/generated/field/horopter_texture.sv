@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Texture<horopter::hls::profiles::field>, hls/stages/texture.hpp. Do not edit.
 //
-// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
 // State 63 bits, pipeline 22 bits, memories 13986 bits.
 module horopter_texture (
@@ -80,7 +80,7 @@ module horopter_texture (
   logic marks_nearer_s1_q;
   logic or_20_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       difference_0_s1_q <= difference_0_i;
       difference_1_s1_q <= difference_1_i;
       magnitude_s1_q <= magnitude_i;

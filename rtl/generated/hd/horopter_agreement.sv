@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Agreement<horopter::hls::profiles::hd>, hls/stages/agreement.hpp. Do not edit.
 //
-// Latency 25 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 25 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 3123 bits, pipeline 8744 bits, memories 157167 bits.
 module horopter_agreement (
   input  logic clk_i,
@@ -152,7 +152,7 @@ module horopter_agreement (
   logic raster_row_ended_s1_q;
   logic [3:0] select_508_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
       pixel_1_s1_q <= pixel_1_i;
       saturated_s1_q <= saturated_i;
@@ -200,7 +200,7 @@ module horopter_agreement (
   logic [6:0] select_511_s2_q;
   logic equal_543_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
       pixel_1_s2_q <= pixel_1_s1_q;
       saturated_s2_q <= saturated_s1_q;
@@ -265,7 +265,7 @@ module horopter_agreement (
   logic equal_543_s3_q;
   logic equal_544_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       pixel_0_s3_q <= pixel_0_s2_q;
       pixel_1_s3_q <= pixel_1_s2_q;
       saturated_s3_q <= saturated_s2_q;
@@ -369,7 +369,7 @@ module horopter_agreement (
   logic [7:0] sum_2541_s4_q;
   logic [2:0] or_2982_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       pixel_0_s4_q <= pixel_0_s3_q;
       pixel_1_s4_q <= pixel_1_s3_q;
       saturated_s4_q <= saturated_s3_q;
@@ -634,7 +634,7 @@ module horopter_agreement (
   logic [3:0] phase_s5_q;
   logic not_2985_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       pixel_0_s5_q <= pixel_0_s4_q;
       pixel_1_s5_q <= pixel_1_s4_q;
       saturated_s5_q <= saturated_s4_q;
@@ -748,7 +748,7 @@ module horopter_agreement (
   logic [3:0] select_2942_s6_q;
   logic not_2985_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       pixel_0_s6_q <= pixel_0_s5_q;
       pixel_1_s6_q <= pixel_1_s5_q;
       saturated_s6_q <= saturated_s5_q;
@@ -937,7 +937,7 @@ module horopter_agreement (
   logic equal_2944_s7_q;
   logic not_2985_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
+    if (en_i) begin
       pixel_0_s7_q <= pixel_0_s6_q;
       pixel_1_s7_q <= pixel_1_s6_q;
       saturated_s7_q <= saturated_s6_q;
@@ -1205,7 +1205,7 @@ module horopter_agreement (
   logic equal_2451_s8_q;
   logic not_2985_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s7_en) begin
+    if (en_i) begin
       pixel_0_s8_q <= pixel_0_s7_q;
       pixel_1_s8_q <= pixel_1_s7_q;
       saturated_s8_q <= saturated_s7_q;
@@ -1640,7 +1640,7 @@ module horopter_agreement (
   logic less_3855_s9_q;
   logic equal_4074_s9_q;
   always_ff @(posedge clk_i) begin
-    if (s8_en) begin
+    if (en_i) begin
       pixel_0_s9_q <= pixel_0_s8_q;
       pixel_1_s9_q <= pixel_1_s8_q;
       saturated_s9_q <= saturated_s8_q;
@@ -2390,7 +2390,7 @@ module horopter_agreement (
   logic less_3855_s10_q;
   logic equal_4074_s10_q;
   always_ff @(posedge clk_i) begin
-    if (s9_en) begin
+    if (en_i) begin
       pixel_0_s10_q <= pixel_0_s9_q;
       pixel_1_s10_q <= pixel_1_s9_q;
       saturated_s10_q <= saturated_s9_q;
@@ -2852,7 +2852,7 @@ module horopter_agreement (
   logic less_3855_s11_q;
   logic equal_4074_s11_q;
   always_ff @(posedge clk_i) begin
-    if (s10_en) begin
+    if (en_i) begin
       pixel_0_s11_q <= pixel_0_s10_q;
       pixel_1_s11_q <= pixel_1_s10_q;
       saturated_s11_q <= saturated_s10_q;
@@ -3312,7 +3312,7 @@ module horopter_agreement (
   logic less_3855_s12_q;
   logic equal_4074_s12_q;
   always_ff @(posedge clk_i) begin
-    if (s11_en) begin
+    if (en_i) begin
       pixel_0_s12_q <= pixel_0_s11_q;
       pixel_1_s12_q <= pixel_1_s11_q;
       saturated_s12_q <= saturated_s11_q;
@@ -3790,7 +3790,7 @@ module horopter_agreement (
   logic less_3855_s13_q;
   logic equal_4074_s13_q;
   always_ff @(posedge clk_i) begin
-    if (s12_en) begin
+    if (en_i) begin
       pixel_0_s13_q <= pixel_0_s12_q;
       pixel_1_s13_q <= pixel_1_s12_q;
       saturated_s13_q <= saturated_s12_q;
@@ -4330,7 +4330,7 @@ module horopter_agreement (
   logic less_3855_s14_q;
   logic equal_4074_s14_q;
   always_ff @(posedge clk_i) begin
-    if (s13_en) begin
+    if (en_i) begin
       saturated_s14_q <= saturated_s13_q;
       mask_s14_q <= mask_s13_q;
       marks_first_s14_q <= marks_first_s13_q;
@@ -4948,7 +4948,7 @@ module horopter_agreement (
   logic and_4064_s15_q;
   logic equal_4074_s15_q;
   always_ff @(posedge clk_i) begin
-    if (s14_en) begin
+    if (en_i) begin
       pixel_0_s15_q <= sample_pair_pixel_0_q;
       pixel_1_s15_q <= sample_pair_pixel_1_q;
       saturated_s15_q <= saturated_s14_q;
@@ -5770,7 +5770,7 @@ module horopter_agreement (
   logic [7:0] select_3953_s16_q;
   logic equal_4074_s16_q;
   always_ff @(posedge clk_i) begin
-    if (s15_en) begin
+    if (en_i) begin
       pixel_0_s16_q <= pixel_0_s15_q;
       pixel_1_s16_q <= pixel_1_s15_q;
       saturated_s16_q <= saturated_s15_q;
@@ -6926,7 +6926,7 @@ module horopter_agreement (
   logic equal_4074_s17_q;
   logic equal_4170_s17_q;
   always_ff @(posedge clk_i) begin
-    if (s16_en) begin
+    if (en_i) begin
       pixel_0_s17_q <= pixel_0_s16_q;
       pixel_1_s17_q <= pixel_1_s16_q;
       saturated_s17_q <= saturated_s16_q;
@@ -8060,7 +8060,7 @@ module horopter_agreement (
   logic equal_4170_s18_q;
   logic [9:0] select_4180_s18_q;
   always_ff @(posedge clk_i) begin
-    if (s17_en) begin
+    if (en_i) begin
       pixel_0_s18_q <= pixel_0_s17_q;
       pixel_1_s18_q <= pixel_1_s17_q;
       saturated_s18_q <= saturated_s17_q;
@@ -9162,7 +9162,7 @@ module horopter_agreement (
   logic [31:0] select_4173_s19_q;
   logic [9:0] select_4180_s19_q;
   always_ff @(posedge clk_i) begin
-    if (s18_en) begin
+    if (en_i) begin
       pixel_0_s19_q <= pixel_0_s18_q;
       pixel_1_s19_q <= pixel_1_s18_q;
       saturated_s19_q <= saturated_s18_q;
@@ -9895,7 +9895,7 @@ module horopter_agreement (
   logic [31:0] select_4173_s20_q;
   logic [9:0] select_4180_s20_q;
   always_ff @(posedge clk_i) begin
-    if (s19_en) begin
+    if (en_i) begin
       pixel_0_s20_q <= pixel_0_s19_q;
       pixel_1_s20_q <= pixel_1_s19_q;
       saturated_s20_q <= saturated_s19_q;
@@ -10538,7 +10538,7 @@ module horopter_agreement (
   logic [31:0] select_4173_s21_q;
   logic [9:0] select_4180_s21_q;
   always_ff @(posedge clk_i) begin
-    if (s20_en) begin
+    if (en_i) begin
       pixel_0_s21_q <= pixel_0_s20_q;
       pixel_1_s21_q <= pixel_1_s20_q;
       saturated_s21_q <= saturated_s20_q;
@@ -11093,7 +11093,7 @@ module horopter_agreement (
   logic [31:0] select_4178_s22_q;
   logic [9:0] select_4180_s22_q;
   always_ff @(posedge clk_i) begin
-    if (s21_en) begin
+    if (en_i) begin
       pixel_0_s22_q <= pixel_0_s21_q;
       pixel_1_s22_q <= pixel_1_s21_q;
       saturated_s22_q <= saturated_s21_q;
@@ -11890,7 +11890,7 @@ module horopter_agreement (
   logic [31:0] select_4178_s23_q;
   logic [9:0] select_4180_s23_q;
   always_ff @(posedge clk_i) begin
-    if (s22_en) begin
+    if (en_i) begin
       pixel_0_s23_q <= pixel_0_s22_q;
       pixel_1_s23_q <= pixel_1_s22_q;
       saturated_s23_q <= saturated_s22_q;
@@ -12383,7 +12383,7 @@ module horopter_agreement (
   logic [5:0] select_4166_s24_q;
   logic [31:0] select_4183_s24_q;
   always_ff @(posedge clk_i) begin
-    if (s23_en) begin
+    if (en_i) begin
       pixel_0_s24_q <= pixel_0_s23_q;
       pixel_1_s24_q <= pixel_1_s23_q;
       saturated_s24_q <= saturated_s23_q;

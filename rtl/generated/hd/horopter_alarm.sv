@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Alarm<horopter::hls::profiles::hd>, hls/stages/alarm.hpp. Do not edit.
 //
-// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 63 bits, pipeline 54 bits, memories 0 bits.
 module horopter_alarm (
   input  logic clk_i,
@@ -28,8 +28,7 @@ module horopter_alarm (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q;
-  logic s0_en, s1_en, s2_en;
-  assign s0_en = en_i & valid_i;
+  logic s1_en, s2_en;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
 
@@ -44,7 +43,7 @@ module horopter_alarm (
   logic and_27_s1_q;
   logic and_33_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       first_s1_q <= first_i;
       and_15_s1_q <= not_13 & (state_i == 2'h1);
       and_23_s1_q <= not_13 & ((state_i == 2'h2) & ((~hidden_i) & (~unproven_i)));
@@ -72,7 +71,7 @@ module horopter_alarm (
 
   logic and_33_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       and_33_s2_q <= and_33_s1_q;
     end
   end

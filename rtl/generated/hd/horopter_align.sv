@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Align<horopter::hls::profiles::hd>, hls/stages/align.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 36 bits, pipeline 15 bits, memories 0 bits.
 module horopter_align (
   input  logic clk_i,
@@ -74,7 +74,7 @@ module horopter_align (
   logic and_61_s1_q;
   logic [1:0] select_63_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       marks_first_s1_q <= marks_first_i;
       equal_28_s1_q <= equal_28;
       and_59_s1_q <= and_59;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Ballot<horopter::hls::profiles::hd>, hls/stages/ballot.hpp. Do not edit.
 //
-// Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 14 bits, pipeline 678 bits, memories 288000 bits.
 module horopter_ballot (
   input  logic clk_i,
@@ -33,14 +33,10 @@ module horopter_ballot (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en;
+  logic s0_en, s2_en, s3_en, s7_en;
   assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
-  assign s4_en = en_i & valid_s4_q;
-  assign s5_en = en_i & valid_s5_q;
-  assign s6_en = en_i & valid_s6_q;
   assign s7_en = en_i & valid_s7_q;
 
   // Of the configuration alone: not pipelined.
@@ -98,7 +94,7 @@ module horopter_ballot (
   logic running_s1_q;
   logic [10:0] select_18_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       vote_s1_q <= $unsigned(vote_i);
       firm_s1_q <= firm_i;
       grey_s1_q <= grey_i;
@@ -126,7 +122,7 @@ module horopter_ballot (
   logic [149:0] memory_rdata_s2_q;
   logic select_93_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       vote_s2_q <= vote_s1_q;
       firm_s2_q <= firm_s1_q;
       grey_s2_q <= grey_s1_q;
@@ -246,7 +242,7 @@ module horopter_ballot (
   logic [7:0] select_152_s3_q;
   logic and_173_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       vote_s3_q <= vote_s2_q;
       firm_s3_q <= firm_s2_q;
       grey_s3_q <= grey_s2_q;
@@ -418,7 +414,7 @@ module horopter_ballot (
   logic [6:0] difference_10_s4_q;
   logic and_173_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       vote_s4_q <= vote_s3_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
@@ -487,7 +483,7 @@ module horopter_ballot (
   logic [8:0] sum_159_s5_q;
   logic and_173_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
       marks_seen_s5_q <= marks_seen_s4_q;
@@ -521,7 +517,7 @@ module horopter_ballot (
   logic [9:0] sum_160_s6_q;
   logic and_173_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       marks_first_s6_q <= marks_first_s5_q;
       marks_last_s6_q <= marks_last_s5_q;
       marks_seen_s6_q <= marks_seen_s5_q;
@@ -550,7 +546,7 @@ module horopter_ballot (
   logic and_169_s7_q;
   logic and_173_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
+    if (en_i) begin
       marks_first_s7_q <= marks_first_s6_q;
       marks_last_s7_q <= marks_last_s6_q;
       marks_seen_s7_q <= marks_seen_s6_q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Blind<horopter::hls::profiles::hd>, hls/stages/blind.hpp. Do not edit.
 //
-// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 91 bits, pipeline 321 bits, memories 140056 bits.
 module horopter_blind (
   input  logic clk_i,
@@ -31,8 +31,7 @@ module horopter_blind (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
-  assign s0_en = en_i & valid_i;
+  logic s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
@@ -59,7 +58,7 @@ module horopter_blind (
   logic last_s1_q;
   logic idle_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       state_s1_q <= state_i;
       first_s1_q <= first_i;
       last_s1_q <= last_i;
@@ -164,7 +163,7 @@ module horopter_blind (
   logic and_137_s2_q;
   logic and_182_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       state_s2_q <= state_s1_q;
       last_s2_q <= last_s1_q;
       idle_s2_q <= idle_s1_q;
@@ -226,7 +225,7 @@ module horopter_blind (
   logic and_137_s3_q;
   logic and_182_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       state_s3_q <= state_s2_q;
       idle_s3_q <= idle_s2_q;
       not_32_s3_q <= not_32_s2_q;
@@ -358,7 +357,7 @@ module horopter_blind (
   logic equal_178_s4_q;
   logic and_182_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       idle_s4_q <= idle_s3_q;
       and_33_s4_q <= and_33_s3_q;
       or_37_s4_q <= or_37_s3_q;
@@ -452,7 +451,7 @@ module horopter_blind (
   logic and_180_s5_q;
   logic and_182_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       idle_s5_q <= idle_s4_q;
       or_37_s5_q <= or_37_s4_q;
       states_rdata_s5_q <= states_rdata_s4_q;
@@ -530,7 +529,7 @@ module horopter_blind (
   logic and_180_s6_q;
   logic and_182_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       or_37_s6_q <= or_37_s5_q;
       states_rdata_s6_q <= states_rdata_s5_q;
       block_s6_q <= block_s5_q;
@@ -618,7 +617,7 @@ module horopter_blind (
   logic and_180_s7_q;
   logic and_182_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
+    if (en_i) begin
       or_37_s7_q <= or_37_s6_q;
       states_rdata_s7_q <= states_rdata_s6_q;
       block_s7_q <= block_s6_q;
@@ -690,7 +689,7 @@ module horopter_blind (
   logic and_180_s8_q;
   logic and_182_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s7_en) begin
+    if (en_i) begin
       block_s8_q <= block_s7_q[2:0];
       sum_62_s8_q <= sum_62_s7_q;
       select_98_s8_q <= select_98_s7_q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Cells<horopter::hls::profiles::hd>, hls/stages/cells.hpp. Do not edit.
 //
-// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 27 bits, pipeline 118 bits, memories 2048 bits.
 module horopter_cells (
   input  logic clk_i,
@@ -19,11 +19,9 @@ module horopter_cells (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en;
+  logic s0_en, s2_en, s4_en;
   assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
-  assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
@@ -75,7 +73,7 @@ module horopter_cells (
   logic equal_16_s1_q;
   logic and_31_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       pixel_s1_q <= pixel_i;
       select_8_s1_q <= select_8;
       equal_10_s1_q <= equal_10;
@@ -95,7 +93,7 @@ module horopter_cells (
   logic equal_16_s2_q;
   logic and_31_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       pixel_s2_q <= pixel_s1_q;
       select_8_s2_q <= select_8_s1_q;
       equal_10_s2_q <= equal_10_s1_q;
@@ -122,7 +120,7 @@ module horopter_cells (
   logic [15:0] select_17_s3_q;
   logic and_31_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       select_8_s3_q <= select_8_s2_q;
       equal_10_s3_q <= equal_10_s2_q;
       select_17_s3_q <= equal_16_s2_q ? 16'h0 : sums_rdata_s2_q;
@@ -137,7 +135,7 @@ module horopter_cells (
   logic [15:0] sum_18_s4_q;
   logic and_31_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       select_8_s4_q <= select_8_s3_q;
       equal_10_s4_q <= equal_10_s3_q;
       sum_18_s4_q <= {4'h0, row_sum_q} + select_17_s3_q;

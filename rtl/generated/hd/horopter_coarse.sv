@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Coarse<horopter::hls::profiles::hd>, hls/stages/coarse.hpp. Do not edit.
 //
-// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 286 bits, pipeline 262 bits, memories 0 bits.
 module horopter_coarse (
   input  logic clk_i,
@@ -24,12 +24,10 @@ module horopter_coarse (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en;
+  logic s0_en, s2_en, s3_en, s5_en, s6_en;
   assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
-  assign s4_en = en_i & valid_s4_q;
   assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
 
@@ -77,7 +75,7 @@ module horopter_coarse (
   logic [8:0] g_s1_q;
   logic [8:0] h_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       first_s1_q <= first_i;
       start_s1_q <= start_i;
       g_s1_q <= g_q;
@@ -121,7 +119,7 @@ module horopter_coarse (
   logic equal_93_s2_q;
   logic [15:0] select_113_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       first_s2_q <= first_s1_q;
       start_s2_q <= start_s1_q;
       product_42_s2_q <= product_42;
@@ -221,7 +219,7 @@ module horopter_coarse (
   logic or_133_s3_q;
   logic equal_143_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       first_s3_q <= first_s2_q;
       equal_39_s3_q <= equal_39;
       not_40_s3_q <= not_40;
@@ -351,7 +349,7 @@ module horopter_coarse (
   logic select_67_s4_q;
   logic [21:0] sum_68_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       first_s4_q <= first_s3_q;
       and_63_s4_q <= equal_39_s3_q & (~(select_60_s3_q == 6'h0));
       determinants_s4_q <= determinants;
@@ -389,7 +387,7 @@ module horopter_coarse (
   logic select_166_s5_q;
   logic select_173_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       first_s5_q <= first_s4_q;
       and_63_s5_q <= and_63_s4_q;
       select_67_s5_q <= select_67_s4_q;
@@ -425,7 +423,7 @@ module horopter_coarse (
   logic select_166_s6_q;
   logic select_173_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       first_s6_q <= first_s5_q;
       select_74_s6_q <= and_63_s5_q ? (less_69_s5_q ? {less_71, not_72} : 2'h2) : 2'h0;
       select_166_s6_q <= select_166_s5_q;

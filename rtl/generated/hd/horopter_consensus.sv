@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Consensus<horopter::hls::profiles::hd>, hls/stages/consensus.hpp. Do not edit.
 //
-// Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 128 bits, pipeline 179 bits, memories 34560 bits.
 module horopter_consensus (
   input  logic clk_i,
@@ -26,12 +26,11 @@ module horopter_consensus (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en;
+  logic s0_en, s1_en, s2_en, s3_en, s5_en, s6_en, s7_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
-  assign s4_en = en_i & valid_s4_q;
   assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
   assign s7_en = en_i & valid_s7_q;
@@ -105,7 +104,7 @@ module horopter_consensus (
   logic and_63_s1_q;
   logic and_67_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       exists_s1_q <= exists_i;
       marks_first_s1_q <= marks_first_i;
       running_s1_q <= running_q;
@@ -157,7 +156,7 @@ module horopter_consensus (
   logic and_67_s2_q;
   logic select_72_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       exists_s2_q <= exists_s1_q;
       running_s2_q <= running_s1_q;
       centres_values_2_marks_first_s2_q <= centres_values_2_marks_first_q;
@@ -222,7 +221,7 @@ module horopter_consensus (
   logic [5:0] select_70_s3_q;
   logic select_72_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       exists_s3_q <= exists_s2_q;
       centres_values_2_exists_s3_q <= centres_values_2_exists_q;
       centres_values_2_marks_first_s3_q <= centres_values_2_marks_first_s2_q;
@@ -308,7 +307,7 @@ module horopter_consensus (
   logic less_94_s4_q;
   logic total_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       centres_values_2_exists_s4_q <= centres_values_2_exists_s3_q;
       centres_values_2_marks_first_s4_q <= centres_values_2_marks_first_s3_q;
       centres_values_2_marks_last_s4_q <= centres_values_2_marks_last_s3_q;
@@ -350,7 +349,7 @@ module horopter_consensus (
   logic less_94_s5_q;
   logic total_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       centres_values_2_exists_s5_q <= centres_values_2_exists_s4_q;
       centres_values_2_marks_first_s5_q <= centres_values_2_marks_first_s4_q;
       centres_values_2_marks_last_s5_q <= centres_values_2_marks_last_s4_q;
@@ -458,7 +457,7 @@ module horopter_consensus (
   logic less_94_s6_q;
   logic total_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       columns_values_6_exists_s6_q <= columns_values_6_exists_q;
       columns_values_6_clear_s6_q <= columns_values_6_clear_q;
       columns_values_6_skin_s6_q <= columns_values_6_skin_q;
@@ -534,7 +533,7 @@ module horopter_consensus (
   logic centres_values_2_marks_nearer_s7_q;
   logic total_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
+    if (en_i) begin
       centres_values_2_exists_s7_q <= centres_values_2_exists_s6_q;
       centres_values_2_marks_first_s7_q <= centres_values_2_marks_first_s6_q;
       centres_values_2_marks_last_s7_q <= centres_values_2_marks_last_s6_q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Contest<horopter::hls::profiles::hd>, hls/stages/contest.hpp. Do not edit.
 //
-// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 1035 bits, pipeline 676 bits, memories 0 bits.
 module horopter_contest (
   input  logic clk_i,
@@ -52,14 +52,11 @@ module horopter_contest (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
+  logic s0_en, s1_en, s2_en, s5_en, s7_en, s8_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
-  assign s3_en = en_i & valid_s3_q;
-  assign s4_en = en_i & valid_s4_q;
   assign s5_en = en_i & valid_s5_q;
-  assign s6_en = en_i & valid_s6_q;
   assign s7_en = en_i & valid_s7_q;
   assign s8_en = en_i & valid_s8_q;
 
@@ -663,7 +660,7 @@ module horopter_contest (
   logic [10:0] select_463_s1_q;
   logic [10:0] select_465_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       cost_6_s1_q <= cost_6_i;
       cost_7_s1_q <= cost_7_i;
       cost_8_s1_q <= cost_8_i;
@@ -867,7 +864,7 @@ module horopter_contest (
   logic [10:0] inside_v_s2_q;
   logic less_494_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       evident_s2_q <= evident_s1_q;
       strong_v_s2_q <= strong_v_s1_q;
       outside_values_24_s2_q <= outside_values_24_s1_q;
@@ -1028,7 +1025,7 @@ module horopter_contest (
   logic [10:0] inside_v_s3_q;
   logic or_495_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       evident_s3_q <= evident_s2_q;
       strong_v_s3_q <= strong_v_s2_q;
       centres_values_23_grey_s3_q <= centres_values_23_grey_s2_q;
@@ -1080,7 +1077,7 @@ module horopter_contest (
   logic [10:0] inside_v_s4_q;
   logic or_495_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       evident_s4_q <= evident_s3_q;
       strong_v_s4_q <= strong_v_s3_q;
       centres_values_23_grey_s4_q <= centres_values_23_grey_s3_q;
@@ -1121,7 +1118,7 @@ module horopter_contest (
   logic not_486_s5_q;
   logic or_495_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       evident_s5_q <= evident_s4_q;
       strong_v_s5_q <= strong_v_s4_q;
       centres_values_23_grey_s5_q <= centres_values_23_grey_s4_q;
@@ -1236,7 +1233,7 @@ module horopter_contest (
   logic less_476_s6_q;
   logic or_495_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       strong_v_s6_q <= strong_v_s5_q;
       centres_values_23_votes_s6_q <= centres_values_23_votes_q;
       centres_values_23_grey_s6_q <= centres_values_23_grey_s5_q;
@@ -1271,7 +1268,7 @@ module horopter_contest (
   logic less_489_s7_q;
   logic or_495_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
+    if (en_i) begin
       strong_v_s7_q <= strong_v_s6_q;
       centres_values_23_votes_s7_q <= centres_values_23_votes_s6_q;
       centres_values_23_grey_s7_q <= centres_values_23_grey_s6_q;
@@ -1454,7 +1451,7 @@ module horopter_contest (
   logic centres_values_23_marks_nearer_s8_q;
   logic [5:0] clipped_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s7_en) begin
+    if (en_i) begin
       centres_values_23_votes_s8_q <= centres_values_23_votes_s7_q;
       centres_values_23_firm_s8_q <= centres_values_23_firm_q;
       centres_values_23_grey_s8_q <= centres_values_23_grey_s7_q;

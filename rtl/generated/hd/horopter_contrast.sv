@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Contrasts<horopter::hls::profiles::hd>, hls/stages/contrast.hpp. Do not edit.
 //
-// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 211 bits, pipeline 486 bits, memories 0 bits.
 module horopter_contrast (
   input  logic clk_i,
@@ -36,15 +36,12 @@ module horopter_contrast (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
-  assign s0_en = en_i & valid_i;
+  logic s1_en, s2_en, s3_en, s4_en, s5_en, s8_en;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
   assign s5_en = en_i & valid_s5_q;
-  assign s6_en = en_i & valid_s6_q;
-  assign s7_en = en_i & valid_s7_q;
   assign s8_en = en_i & valid_s8_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
@@ -89,7 +86,7 @@ module horopter_contrast (
   logic [7:0] select_101_s1_q;
   logic not_112_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       gx_0_s1_q <= gx_0_i[10];
       gx_1_s1_q <= gx_1_i[10];
       gy_0_s1_q <= gy_0_i[10];
@@ -159,7 +156,7 @@ module horopter_contrast (
   logic [7:0] select_101_s2_q;
   logic and_113_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       gx_0_s2_q <= gx_0_s1_q;
       gx_1_s2_q <= gx_1_s1_q;
       gy_0_s2_q <= gy_0_s1_q;
@@ -212,7 +209,7 @@ module horopter_contrast (
   logic [7:0] select_101_s3_q;
   logic and_113_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       gx_1_s3_q <= gx_1_s2_q;
       gy_1_s3_q <= gy_1_s2_q;
       grey_s3_q <= grey_s2_q;
@@ -282,7 +279,7 @@ module horopter_contrast (
   logic [7:0] select_101_s4_q;
   logic and_113_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       gx_1_s4_q <= gx_1_s3_q;
       gy_1_s4_q <= gy_1_s3_q;
       grey_s4_q <= grey_s3_q;
@@ -361,7 +358,7 @@ module horopter_contrast (
   logic [7:0] select_101_s5_q;
   logic and_113_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       gx_1_s5_q <= gx_1_s4_q;
       gy_1_s5_q <= gy_1_s4_q;
       grey_s5_q <= grey_s4_q;
@@ -412,7 +409,7 @@ module horopter_contrast (
   logic [7:0] select_101_s6_q;
   logic and_113_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       gx_1_s6_q <= gx_1_s5_q;
       gy_1_s6_q <= gy_1_s5_q;
       grey_s6_q <= grey_s5_q;
@@ -453,7 +450,7 @@ module horopter_contrast (
   logic [9:0] product_102_s7_q;
   logic and_113_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
+    if (en_i) begin
       gx_1_s7_q <= gx_1_s6_q;
       gy_1_s7_q <= gy_1_s6_q;
       grey_s7_q <= grey_s6_q;
@@ -499,7 +496,7 @@ module horopter_contrast (
   logic [3:0] size_4_s8_q;
   logic and_113_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s7_en) begin
+    if (en_i) begin
       gx_1_s8_q <= gx_1_s7_q;
       gy_1_s8_q <= gy_1_s7_q;
       grey_s8_q <= grey_s7_q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Direction<horopter::hls::profiles::hd>, hls/stages/direction.hpp. Do not edit.
 //
-// Latency 10 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 10 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 0 bits, pipeline 600 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
@@ -34,16 +34,7 @@ module horopter_direction (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en;
-  assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
-  assign s2_en = en_i & valid_s2_q;
-  assign s3_en = en_i & valid_s3_q;
-  assign s4_en = en_i & valid_s4_q;
-  assign s5_en = en_i & valid_s5_q;
-  assign s6_en = en_i & valid_s6_q;
-  assign s7_en = en_i & valid_s7_q;
-  assign s8_en = en_i & valid_s8_q;
+  logic s9_en;
   assign s9_en = en_i & valid_s9_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
@@ -75,7 +66,7 @@ module horopter_direction (
   logic [9:0] x_2_s1_q;
   logic [9:0] y_2_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       gx_0_s1_q <= gx_0_i[10];
       gx_1_s1_q <= gx_1_i[10];
       gy_0_s1_q <= gy_0_i[10];
@@ -128,7 +119,7 @@ module horopter_direction (
   logic [9:0] smaller_2_s2_q;
   logic select_73_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       saturated_s2_q <= saturated_s1_q;
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
@@ -178,7 +169,7 @@ module horopter_direction (
   logic [8:0] sum_76_s3_q;
   logic [8:0] sum_81_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       saturated_s3_q <= saturated_s2_q;
       mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
@@ -241,7 +232,7 @@ module horopter_direction (
   logic [7:0] select_79_s4_q;
   logic [7:0] select_84_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       saturated_s4_q <= saturated_s3_q;
       mask_s4_q <= mask_s3_q;
       marks_first_s4_q <= marks_first_s3_q;
@@ -299,7 +290,7 @@ module horopter_direction (
   logic [7:0] select_79_s5_q;
   logic [7:0] select_84_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       saturated_s5_q <= saturated_s4_q;
       mask_s5_q <= mask_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
@@ -361,7 +352,7 @@ module horopter_direction (
   logic [7:0] select_79_s6_q;
   logic [7:0] select_84_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       saturated_s6_q <= saturated_s5_q;
       mask_s6_q <= mask_s5_q;
       marks_first_s6_q <= marks_first_s5_q;
@@ -427,7 +418,7 @@ module horopter_direction (
   logic [7:0] select_79_s7_q;
   logic [7:0] select_84_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
+    if (en_i) begin
       saturated_s7_q <= saturated_s6_q;
       mask_s7_q <= mask_s6_q;
       marks_first_s7_q <= marks_first_s6_q;
@@ -499,7 +490,7 @@ module horopter_direction (
   logic [7:0] select_79_s8_q;
   logic [7:0] select_84_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s7_en) begin
+    if (en_i) begin
       saturated_s8_q <= saturated_s7_q;
       mask_s8_q <= mask_s7_q;
       marks_first_s8_q <= marks_first_s7_q;
@@ -687,7 +678,7 @@ module horopter_direction (
   logic [7:0] select_79_s9_q;
   logic [7:0] select_84_s9_q;
   always_ff @(posedge clk_i) begin
-    if (s8_en) begin
+    if (en_i) begin
       saturated_s9_q <= saturated_s8_q;
       mask_s9_q <= mask_s8_q;
       marks_first_s9_q <= marks_first_s8_q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Dsad<horopter::hls::profiles::hd>, hls/stages/dsad.hpp. Do not edit.
 //
-// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 190 bits, pipeline 394 bits, memories 184320 bits.
 module horopter_dsad (
   input  logic clk_i,
@@ -30,9 +30,8 @@ module horopter_dsad (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en;
+  logic s0_en, s2_en, s3_en, s4_en;
   assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
@@ -82,7 +81,7 @@ module horopter_dsad (
   logic or_33_s1_q;
   logic [10:0] select_34_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       difference_0_s1_q <= difference_0_i;
       difference_1_s1_q <= difference_1_i;
       textured_s1_q <= textured_i;
@@ -109,7 +108,7 @@ module horopter_dsad (
   logic [10:0] select_34_s2_q;
   logic [95:0] memory_rdata_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       difference_0_s2_q <= difference_0_s1_q;
       difference_1_s2_q <= difference_1_s1_q;
       textured_s2_q <= textured_s1_q;
@@ -189,7 +188,7 @@ module horopter_dsad (
   logic [6:0] select_47_s3_q;
   logic select_62_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       difference_0_s3_q <= difference_0_s2_q;
       difference_1_s3_q <= difference_1_s2_q;
       textured_s3_q <= textured_s2_q;
@@ -296,7 +295,7 @@ module horopter_dsad (
   logic [7:0] select_57_s4_q;
   logic equal_63_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       difference_0_s4_q <= difference_0_s3_q;
       difference_1_s4_q <= difference_1_s3_q;
       textured_s4_q <= textured_s3_q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Health<horopter::hls::profiles::hd>, hls/stages/health.hpp. Do not edit.
 //
-// Latency 10 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 10 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 274 bits, pipeline 373 bits, memories 2048 bits.
 module horopter_health (
   input  logic clk_i,
@@ -30,13 +30,10 @@ module horopter_health (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en;
+  logic s0_en, s2_en, s4_en, s6_en, s7_en, s8_en, s9_en;
   assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
-  assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
-  assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
   assign s7_en = en_i & valid_s7_q;
   assign s8_en = en_i & valid_s8_q;
@@ -97,7 +94,7 @@ module horopter_health (
   logic equal_92_s1_q;
   logic not_94_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       pixel_s1_q <= pixel_i;
       first_s1_q <= first_i;
       end_v_s1_q <= end_v_i;
@@ -122,7 +119,7 @@ module horopter_health (
   logic y_s2_q;
   logic and_95_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       pixel_s2_q <= pixel_s1_q;
       first_s2_q <= first_s1_q;
       end_v_s2_q <= end_v_s1_q;
@@ -211,7 +208,7 @@ module horopter_health (
   logic difference_124_s3_q;
   logic [7:0] xor_125_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       first_s3_q <= first_s2_q;
       end_v_s3_q <= end_v_s2_q;
       last_s3_q <= last_s2_q;
@@ -246,7 +243,7 @@ module horopter_health (
   logic [8:0] sum_102_s4_q;
   logic [8:0] sum_126_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       pixel_s4_q <= left_0_q;
       first_s4_q <= first_s3_q;
       end_v_s4_q <= end_v_s3_q;
@@ -300,7 +297,7 @@ module horopter_health (
   logic less_127_s5_q;
   logic less_129_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       pixel_s5_q <= pixel_s4_q;
       first_s5_q <= first_s4_q;
       end_v_s5_q <= end_v_s4_q;
@@ -355,7 +352,7 @@ module horopter_health (
   logic or_135_s6_q;
   logic [2:0] select_139_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       pixel_s6_q <= pixel_s5_q;
       first_s6_q <= first_s5_q;
       end_v_s6_q <= end_v_s5_q;
@@ -449,7 +446,7 @@ module horopter_health (
   logic end_v_s7_q;
   logic [8:0] sum_111_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
+    if (en_i) begin
       first_s7_q <= first_s6_q;
       end_v_s7_q <= end_v_s6_q;
       sum_111_s7_q <= sum_111;
@@ -492,7 +489,7 @@ module horopter_health (
   logic [16:0] sum_155_s8_q;
   logic [17:0] sum_157_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s7_en) begin
+    if (en_i) begin
       end_v_s8_q <= end_v_s7_q;
       equal_38_s8_q <= previous_signature_q == signature_q;
       less_141_s8_q <= less_141;
@@ -539,7 +536,7 @@ module horopter_health (
   logic not_147_s9_q;
   logic or_161_s9_q;
   always_ff @(posedge clk_i) begin
-    if (s8_en) begin
+    if (en_i) begin
       end_v_s9_q <= end_v_s8_q;
       select_36_s9_q <= previous_signature_q;
       select_43_s9_q <= select_43;

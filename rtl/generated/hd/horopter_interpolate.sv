@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Interpolate<horopter::hls::profiles::hd>, hls/stages/interpolate.hpp. Do not edit.
 //
-// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 0 bits, pipeline 206 bits, memories 0 bits.
 module horopter_interpolate (
   input  logic clk_i,
@@ -34,11 +34,7 @@ module horopter_interpolate (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en;
-  assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
-  assign s2_en = en_i & valid_s2_q;
-  assign s3_en = en_i & valid_s3_q;
+  logic s4_en;
   assign s4_en = en_i & valid_s4_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
@@ -119,7 +115,7 @@ module horopter_interpolate (
   logic or_66_s1_q;
   logic and_70_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       swapped_y_s1_q <= swapped_y_i;
       left_s1_q <= left_i;
       mask_s1_q <= mask_i;
@@ -174,7 +170,7 @@ module horopter_interpolate (
   logic xor_37_s2_q;
   logic select_76_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       swapped_y_s2_q <= swapped_y_s1_q;
       left_s2_q <= left_s1_q;
       mask_s2_q <= mask_s1_q;
@@ -221,7 +217,7 @@ module horopter_interpolate (
   logic [10:0] chosen_9_s3_q;
   logic or_77_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       left_s3_q <= left_s2_q;
       mask_s3_q <= mask_s2_q;
       present_s3_q <= present_s2_q;
@@ -249,7 +245,7 @@ module horopter_interpolate (
   logic [8:0] sum_40_s4_q;
   logic or_77_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       left_s4_q <= left_s3_q;
       mask_s4_q <= mask_s3_q;
       present_s4_q <= present_s3_q;

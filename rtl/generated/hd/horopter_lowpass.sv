@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Lowpass<horopter::hls::profiles::hd>, hls/stages/lowpass.hpp. Do not edit.
 //
-// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 57 bits, pipeline 233 bits, memories 69120 bits.
 module horopter_lowpass (
   input  logic clk_i,
@@ -30,9 +30,8 @@ module horopter_lowpass (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en;
+  logic s0_en, s2_en, s3_en, s4_en;
   assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
@@ -82,7 +81,7 @@ module horopter_lowpass (
   logic or_18_s1_q;
   logic [10:0] select_19_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
       pixel_1_s1_q <= pixel_1_i;
       saturated_s1_q <= saturated_i;
@@ -109,7 +108,7 @@ module horopter_lowpass (
   logic [10:0] select_19_s2_q;
   logic [35:0] memory_rdata_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
       pixel_1_s2_q <= pixel_1_s1_q;
       saturated_s2_q <= saturated_s1_q;
@@ -192,7 +191,7 @@ module horopter_lowpass (
   logic equal_41_s3_q;
   logic equal_42_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       pixel_0_s3_q <= pixel_0_s2_q;
       pixel_1_s3_q <= pixel_1_s2_q;
       saturated_s3_q <= saturated_s2_q;
@@ -293,7 +292,7 @@ module horopter_lowpass (
   logic equal_41_s4_q;
   logic equal_42_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
       marks_seen_s4_q <= marks_seen_s3_q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Majority<horopter::hls::profiles::hd>, hls/stages/majority.hpp. Do not edit.
 //
-// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 115 bits, pipeline 185 bits, memories 34560 bits.
 module horopter_majority (
   input  logic clk_i,
@@ -26,13 +26,10 @@ module horopter_majority (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
+  logic s0_en, s2_en, s3_en, s6_en, s7_en, s8_en;
   assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
-  assign s4_en = en_i & valid_s4_q;
-  assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
   assign s7_en = en_i & valid_s7_q;
   assign s8_en = en_i & valid_s8_q;
@@ -81,7 +78,7 @@ module horopter_majority (
   logic [10:0] select_21_s1_q;
   logic and_23_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       decidable_s1_q <= decidable_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;
@@ -106,7 +103,7 @@ module horopter_majority (
   logic [17:0] memory_rdata_s2_q;
   logic and_23_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       decidable_s2_q <= decidable_s1_q;
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= marks_first_s1_q;
@@ -175,7 +172,7 @@ module horopter_majority (
   logic [1:0] sum_36_s3_q;
   logic select_47_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       decidable_s3_q <= decidable_s2_q;
       mask_s3_q <= mask_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
@@ -247,7 +244,7 @@ module horopter_majority (
   logic less_41_s4_q;
   logic equal_48_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
       marks_seen_s4_q <= marks_seen_s3_q;
@@ -274,7 +271,7 @@ module horopter_majority (
   logic less_41_s5_q;
   logic equal_48_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       marks_first_s5_q <= marks_first_s4_q;
       marks_last_s5_q <= marks_last_s4_q;
       marks_seen_s5_q <= marks_seen_s4_q;
@@ -301,7 +298,7 @@ module horopter_majority (
   logic less_41_s6_q;
   logic equal_48_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       marks_first_s6_q <= marks_first_s5_q;
       marks_last_s6_q <= marks_last_s5_q;
       marks_seen_s6_q <= marks_seen_s5_q;
@@ -361,7 +358,7 @@ module horopter_majority (
   logic [11:0] select_42_s7_q;
   logic equal_48_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
+    if (en_i) begin
       marks_first_s7_q <= marks_first_s6_q;
       marks_last_s7_q <= marks_last_s6_q;
       marks_seen_s7_q <= marks_seen_s6_q;
@@ -396,7 +393,7 @@ module horopter_majority (
   logic marks_nearer_s8_q;
   logic equal_48_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s7_en) begin
+    if (en_i) begin
       marks_first_s8_q <= marks_first_s7_q;
       marks_last_s8_q <= marks_last_s7_q;
       marks_seen_s8_q <= marks_seen_s7_q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::MapExpand<horopter::hls::profiles::hd>, hls/stages/map_expand.hpp. Do not edit.
 //
-// Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 160 bits, pipeline 666 bits, memories 0 bits.
 module horopter_map_expand (
   input  logic clk_i,
@@ -40,12 +40,7 @@ module horopter_map_expand (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en;
-  assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
-  assign s2_en = en_i & valid_s2_q;
-  assign s3_en = en_i & valid_s3_q;
-  assign s4_en = en_i & valid_s4_q;
+  logic s5_en, s6_en, s7_en;
   assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
   assign s7_en = en_i & valid_s7_q;
@@ -100,7 +95,7 @@ module horopter_map_expand (
   logic [16:0] difference_2_s1_q;
   logic not_106_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       prime_s1_q <= prime_i;
       load_s1_q <= load_i;
       row_fraction_s1_q <= row_fraction_i;
@@ -169,7 +164,7 @@ module horopter_map_expand (
   logic [16:0] sum_82_s2_q;
   logic not_106_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       prime_s2_q <= prime_s1_q;
       load_s2_q <= load_s1_q;
       row_fraction_s2_q <= row_fraction_s1_q[1:0];
@@ -239,7 +234,7 @@ module horopter_map_expand (
   logic [17:0] sum_83_s3_q;
   logic not_106_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       prime_s3_q <= prime_s2_q;
       load_s3_q <= load_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
@@ -287,7 +282,7 @@ module horopter_map_expand (
   logic [19:0] sum_84_s4_q;
   logic not_106_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       prime_s4_q <= prime_s3_q;
       load_s4_q <= load_s3_q;
       marks_first_s4_q <= marks_first_s3_q;
@@ -326,7 +321,7 @@ module horopter_map_expand (
   logic [15:0] sum_85_s5_q;
   logic not_106_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       prime_s5_q <= prime_s4_q;
       load_s5_q <= load_s4_q;
       marks_first_s5_q <= marks_first_s4_q;
@@ -419,7 +414,7 @@ module horopter_map_expand (
   logic not_106_s6_q;
   logic and_109_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       marks_first_s6_q <= marks_first_s5_q;
       marks_last_s6_q <= marks_last_s5_q;
       marks_live_s6_q <= marks_live_s5_q;
@@ -491,7 +486,7 @@ module horopter_map_expand (
   logic not_106_s7_q;
   logic and_109_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
+    if (en_i) begin
       marks_first_s7_q <= marks_first_s6_q;
       marks_last_s7_q <= marks_last_s6_q;
       marks_live_s7_q <= marks_live_s6_q;

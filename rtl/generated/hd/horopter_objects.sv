@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Objects<horopter::hls::profiles::hd>, hls/stages/objects.hpp. Do not edit.
 //
-// Latency 14 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 14 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 772 bits, pipeline 2264 bits, memories 12736 bits.
 module horopter_objects (
   input  logic clk_i,
@@ -35,7 +35,7 @@ module horopter_objects (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q, valid_s11_q, valid_s12_q, valid_s13_q, valid_s14_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en, s10_en, s11_en, s12_en, s13_en;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s10_en, s11_en, s12_en, s13_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
@@ -45,7 +45,6 @@ module horopter_objects (
   assign s6_en = en_i & valid_s6_q;
   assign s7_en = en_i & valid_s7_q;
   assign s8_en = en_i & valid_s8_q;
-  assign s9_en = en_i & valid_s9_q;
   assign s10_en = en_i & valid_s10_q;
   assign s11_en = en_i & valid_s11_q;
   assign s12_en = en_i & valid_s12_q;
@@ -107,7 +106,7 @@ module horopter_objects (
   logic or_281_s1_q;
   logic and_288_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       occupied_s1_q <= occupied_i;
       idle_s1_q <= idle_i;
       area_s1_q <= area_i;
@@ -153,7 +152,7 @@ module horopter_objects (
   logic and_288_s2_q;
   logic and_293_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       idle_s2_q <= idle_s1_q;
       area_s2_q <= area_s1_q;
       blind_s2_q <= blind_s1_q;
@@ -219,7 +218,7 @@ module horopter_objects (
   logic or_385_s3_q;
   logic and_430_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       idle_s3_q <= idle_s2_q;
       area_s3_q <= area_s2_q;
       blind_s3_q <= blind_s2_q;
@@ -332,7 +331,7 @@ module horopter_objects (
   logic and_432_s4_q;
   logic and_1689_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       idle_s4_q <= idle_s3_q;
       area_s4_q <= area_s3_q[7];
       blind_s4_q <= blind_s3_q;
@@ -414,7 +413,7 @@ module horopter_objects (
   logic and_432_s5_q;
   logic and_1689_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       idle_s5_q <= idle_s4_q;
       blind_s5_q <= blind_s4_q;
       write_s5_q <= write_s4_q;
@@ -505,7 +504,7 @@ module horopter_objects (
   logic equal_479_s6_q;
   logic and_1689_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       idle_s6_q <= idle_s5_q;
       and_272_s6_q <= and_272_s5_q;
       not_273_s6_q <= not_273_s5_q;
@@ -1279,7 +1278,7 @@ module horopter_objects (
   logic and_1689_s7_q;
   logic and_1726_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
+    if (en_i) begin
       event_ends_s7_q <= event_ends_q;
       event_meets_s7_q <= event_meets_q;
       event_run_left_s7_q <= event_run_left_q;
@@ -2213,7 +2212,7 @@ module horopter_objects (
   logic and_1716_s8_q;
   logic and_1726_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s7_en) begin
+    if (en_i) begin
       event_run_left_s8_q <= event_run_left_s7_q;
       event_run_right_s8_q <= event_run_right_s7_q;
       event_run_row_s8_q <= event_run_row_s7_q;
@@ -2269,7 +2268,7 @@ module horopter_objects (
   logic and_1716_s9_q;
   logic and_1726_s9_q;
   always_ff @(posedge clk_i) begin
-    if (s8_en) begin
+    if (en_i) begin
       event_run_left_s9_q <= event_run_left_s8_q;
       event_run_right_s9_q <= event_run_right_s8_q;
       event_run_row_s9_q <= event_run_row_s8_q;
@@ -2316,7 +2315,7 @@ module horopter_objects (
   logic and_1716_s10_q;
   logic and_1726_s10_q;
   always_ff @(posedge clk_i) begin
-    if (s9_en) begin
+    if (en_i) begin
       event_run_left_s10_q <= event_run_left_s9_q;
       event_run_right_s10_q <= event_run_right_s9_q;
       event_run_row_s10_q <= event_run_row_s9_q;
@@ -2425,7 +2424,7 @@ module horopter_objects (
   logic [31:0] select_1725_s11_q;
   logic and_1726_s11_q;
   always_ff @(posedge clk_i) begin
-    if (s10_en) begin
+    if (en_i) begin
       event_run_left_s11_q <= event_run_left_s10_q;
       event_run_right_s11_q <= event_run_right_s10_q;
       event_run_row_s11_q <= event_run_row_s10_q;
@@ -2539,7 +2538,7 @@ module horopter_objects (
   logic [31:0] select_1725_s12_q;
   logic and_1726_s12_q;
   always_ff @(posedge clk_i) begin
-    if (s11_en) begin
+    if (en_i) begin
       event_run_blind_s12_q <= event_run_blind_s11_q;
       not_273_s12_q <= not_273_s11_q;
       label_s12_q <= label_s11_q;
@@ -2645,7 +2644,7 @@ module horopter_objects (
   logic [31:0] select_1725_s13_q;
   logic and_1726_s13_q;
   always_ff @(posedge clk_i) begin
-    if (s12_en) begin
+    if (en_i) begin
       not_273_s13_q <= not_273_s12_q;
       or_320_s13_q <= or_320_s12_q;
       not_367_s13_q <= not_367_s12_q;

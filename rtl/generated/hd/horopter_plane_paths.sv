@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Paths<horopter::hls::profiles::hd>, hls/stages/plane_paths.hpp. Do not edit.
 //
-// Latency 6 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 6 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 0 bits, pipeline 1506 bits, memories 0 bits.
 module horopter_plane_paths (
   input  logic clk_i,
@@ -70,12 +70,7 @@ module horopter_plane_paths (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en;
-  assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
-  assign s2_en = en_i & valid_s2_q;
-  assign s3_en = en_i & valid_s3_q;
-  assign s4_en = en_i & valid_s4_q;
+  logic s5_en;
   assign s5_en = en_i & valid_s5_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
@@ -117,7 +112,7 @@ module horopter_plane_paths (
   logic less_55_s1_q;
   logic not_69_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       sum_0_s1_q <= sum_0_i;
       sum_1_s1_q <= sum_1_i;
       sum_2_s1_q <= sum_2_i;
@@ -209,7 +204,7 @@ module horopter_plane_paths (
   logic [10:0] select_58_s2_q;
   logic not_69_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       sum_0_s2_q <= sum_0_s1_q;
       sum_1_s2_q <= sum_1_s1_q;
       sum_2_s2_q <= sum_2_s1_q;
@@ -284,7 +279,7 @@ module horopter_plane_paths (
   logic [10:0] select_60_s3_q;
   logic not_69_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       sum_0_s3_q <= sum_0_s2_q;
       sum_1_s3_q <= sum_1_s2_q;
       sum_2_s3_q <= sum_2_s2_q;
@@ -357,7 +352,7 @@ module horopter_plane_paths (
   logic [10:0] select_62_s4_q;
   logic not_69_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       sum_0_s4_q <= sum_0_s3_q;
       sum_1_s4_q <= sum_1_s3_q;
       sum_2_s4_q <= sum_2_s3_q;
@@ -431,7 +426,7 @@ module horopter_plane_paths (
   logic [11:0] sum_66_s5_q;
   logic not_69_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       sum_0_s5_q <= sum_0_s4_q;
       sum_1_s5_q <= sum_1_s4_q;
       sum_2_s5_q <= sum_2_s4_q;

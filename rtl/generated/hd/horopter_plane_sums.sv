@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::PlaneSums<horopter::hls::profiles::hd>, hls/stages/plane_sums.hpp. Do not edit.
 //
-// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 4355 bits, pipeline 1737 bits, memories 675840 bits.
 module horopter_plane_sums (
   input  logic clk_i,
@@ -356,7 +356,7 @@ module horopter_plane_sums (
   logic or_857_s1_q;
   logic [10:0] select_858_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       left_s1_q <= $unsigned(left_i);
       right_s1_q <= $unsigned(right_i);
       left_y_s1_q <= $unsigned(left_y_i);
@@ -1018,7 +1018,7 @@ module horopter_plane_sums (
   logic [10:0] select_858_s2_q;
   logic [144:0] feature_memory_rdata_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       right_s2_q <= right_s1_q;
       right_y_s2_q <= right_y_s1_q;
       mask_s2_q <= mask_s1_q;
@@ -1750,7 +1750,7 @@ module horopter_plane_sums (
   logic [6:0] sum_1425_s3_q;
   logic [5:0] across_38_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       mask_s3_q <= mask_s2_q;
       entering_values_23_features_left_s3_q <= entering_values_23_features_left_s2_q;
       entering_values_23_features_left_y_s3_q <= entering_values_23_features_left_y_s2_q;
@@ -2628,7 +2628,7 @@ module horopter_plane_sums (
   logic [5:0] sum_1450_s4_q;
   logic [1:0] difference_1459_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       entering_values_23_features_mask_s4_q <= entering_values_23_features_mask_q;
       leaving_values_23_features_mask_s4_q <= leaving_values_23_features_mask_q;
       seen_values_23_grey_s4_q <= seen_values_23_grey_s3_q;
@@ -3297,7 +3297,7 @@ module horopter_plane_sums (
   logic and_1462_s5_q;
   logic and_1560_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       seen_values_23_grey_s5_q <= seen_values_23_grey_s4_q;
       centres_values_3_grey_s5_q <= centres_values_3_grey_q;
       centre_marks_values_3_first_s5_q <= centre_marks_values_3_first_s4_q;
@@ -4127,7 +4127,7 @@ module horopter_plane_sums (
   logic [10:0] select_1545_s6_q;
   logic [10:0] select_1549_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       entering_values_23_features_mask_s6_q <= entering_values_24_features_mask_q;
       seen_values_23_grey_s6_q <= seen_values_23_grey_s5_q;
       centres_values_3_grey_s6_q <= centres_values_3_grey_s5_q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Sobel<horopter::hls::profiles::hd>, hls/stages/sobel.hpp. Do not edit.
 //
-// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 5 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 93 bits, pipeline 289 bits, memories 69120 bits.
 module horopter_sobel (
   input  logic clk_i,
@@ -32,9 +32,8 @@ module horopter_sobel (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en;
+  logic s0_en, s2_en, s3_en, s4_en;
   assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
@@ -84,7 +83,7 @@ module horopter_sobel (
   logic or_22_s1_q;
   logic [10:0] select_23_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
       pixel_1_s1_q <= pixel_1_i;
       saturated_s1_q <= saturated_i;
@@ -111,7 +110,7 @@ module horopter_sobel (
   logic [10:0] select_23_s2_q;
   logic [35:0] memory_rdata_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
       pixel_1_s2_q <= pixel_1_s1_q;
       saturated_s2_q <= saturated_s1_q;
@@ -194,7 +193,7 @@ module horopter_sobel (
   logic equal_47_s3_q;
   logic equal_48_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       pixel_0_s3_q <= pixel_0_s2_q;
       pixel_1_s3_q <= pixel_1_s2_q;
       saturated_s3_q <= saturated_s2_q;
@@ -312,7 +311,7 @@ module horopter_sobel (
   logic equal_47_s4_q;
   logic equal_48_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
       marks_seen_s4_q <= marks_seen_s3_q;

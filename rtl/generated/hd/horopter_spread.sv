@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Spread<horopter::hls::profiles::hd>, hls/stages/spread.hpp. Do not edit.
 //
-// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 785 bits, pipeline 363 bits, memories 0 bits.
 module horopter_spread (
   input  logic clk_i,
@@ -31,15 +31,13 @@ module horopter_spread (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s8_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
   assign s5_en = en_i & valid_s5_q;
-  assign s6_en = en_i & valid_s6_q;
-  assign s7_en = en_i & valid_s7_q;
   assign s8_en = en_i & valid_s8_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
@@ -368,7 +366,7 @@ module horopter_spread (
   logic [6:0] difference_s1_q;
   logic [8:0] sum_225_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       marks_last_s1_q <= marks_last_i;
       first_values_0_left_s1_q <= first_values_0_left_q;
       centres_values_15_firm_s1_q <= centres_values_15_firm_q;
@@ -519,7 +517,7 @@ module horopter_spread (
   logic [7:0] difference_221_s2_q;
   logic [9:0] difference_231_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       first_values_1_joined_s2_q <= first_values_1_joined_q;
       second_values_1_right_s2_q <= second_values_1_right_q;
       centres_values_15_vote_s2_q <= centres_values_15_vote_q;
@@ -604,7 +602,7 @@ module horopter_spread (
   logic centres_values_15_marks_nearer_s3_q;
   logic [9:0] difference_228_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       second_values_3_joined_s3_q <= second_values_3_joined_q;
       third_values_3_right_s3_q <= third_values_3_right_q;
       centres_values_15_vote_s3_q <= centres_values_15_vote_s2_q;
@@ -674,7 +672,7 @@ module horopter_spread (
   logic [10:0] sum_236_s4_q;
   logic [10:0] sum_239_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       third_values_3_right_s4_q <= third_values_3_right_s3_q;
       centres_values_15_vote_s4_q <= centres_values_15_vote_s3_q;
       centres_values_15_firm_s4_q <= centres_values_15_firm_s3_q;
@@ -814,7 +812,7 @@ module horopter_spread (
   logic [10:0] sum_243_s5_q;
   logic [10:0] difference_246_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       fourth_values_7_right_s5_q <= fourth_values_7_right_q;
       centres_values_15_vote_s5_q <= centres_values_15_vote_s4_q;
       centres_values_15_firm_s5_q <= centres_values_15_firm_s4_q;
@@ -903,7 +901,7 @@ module horopter_spread (
   logic [10:0] select_245_s6_q;
   logic [10:0] sum_248_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       fourth_values_7_right_s6_q <= fourth_values_7_right_s5_q;
       centres_values_15_vote_s6_q <= centres_values_15_vote_s5_q;
       centres_values_15_firm_s6_q <= centres_values_15_firm_s5_q;
@@ -936,7 +934,7 @@ module horopter_spread (
   logic centres_values_15_marks_nearer_s7_q;
   logic [11:0] sum_250_s7_q;
   always_ff @(posedge clk_i) begin
-    if (s6_en) begin
+    if (en_i) begin
       centres_values_15_vote_s7_q <= centres_values_15_vote_s6_q;
       centres_values_15_firm_s7_q <= centres_values_15_firm_s6_q;
       centres_values_15_grey_s7_q <= centres_values_15_grey_s6_q;
@@ -964,7 +962,7 @@ module horopter_spread (
   logic [9:0] difference_251_s8_q;
   logic less_252_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s7_en) begin
+    if (en_i) begin
       centres_values_15_firm_s8_q <= centres_values_15_firm_s7_q;
       centres_values_15_grey_s8_q <= centres_values_15_grey_s7_q;
       centres_values_15_exists_s8_q <= centres_values_15_exists_s7_q;

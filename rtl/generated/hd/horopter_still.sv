@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Still<horopter::hls::profiles::hd>, hls/stages/still.hpp. Do not edit.
 //
-// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 40 bits, pipeline 137 bits, memories 16384 bits.
 module horopter_still (
   input  logic clk_i,
@@ -20,13 +20,10 @@ module horopter_still (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en;
+  logic s0_en, s2_en, s4_en, s6_en;
   assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
-  assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
-  assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
 
   // Of the configuration alone: not pipelined.
@@ -72,7 +69,7 @@ module horopter_still (
   logic [8:0] index_s1_q;
   logic and_17_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       left_s1_q <= left_i;
       right_s1_q <= right_i;
       first_s1_q <= first_i;
@@ -91,7 +88,7 @@ module horopter_still (
   logic [31:0] kept_rdata_s2_q;
   logic and_93_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       left_s2_q <= left_s1_q;
       right_s2_q <= right_s1_q;
       first_s2_q <= first_s1_q;
@@ -167,7 +164,7 @@ module horopter_still (
   logic [5:0] difference_73_s3_q;
   logic and_93_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       first_s3_q <= first_s2_q;
       and_17_s3_q <= and_17_s2_q;
       difference_28_s3_q <= difference_28[8:3];
@@ -196,7 +193,7 @@ module horopter_still (
   logic and_77_s4_q;
   logic and_93_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       first_s4_q <= first_s3_q;
       and_32_s4_q <= and_17_s3_q & (~(sum_29[6:1] == 6'h3f));
       and_45_s4_q <= and_17_s3_q & (~(sum_42[6:1] == 6'h3f));
@@ -276,7 +273,7 @@ module horopter_still (
 
   logic and_93_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       and_93_s5_q <= and_93_s4_q;
     end
   end
@@ -291,7 +288,7 @@ module horopter_still (
   logic not_105_s6_q;
   logic not_108_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       and_93_s6_q <= and_93_s5_q;
       equal_94_s6_q <= left_last_q == 2'h2;
       not_96_s6_q <= ~(left_older_q == 2'h2);

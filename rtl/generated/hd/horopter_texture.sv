@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Texture<horopter::hls::profiles::hd>, hls/stages/texture.hpp. Do not edit.
 //
-// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 65 bits, pipeline 380 bits, memories 71040 bits.
 module horopter_texture (
   input  logic clk_i,
@@ -31,13 +31,11 @@ module horopter_texture (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en;
+  logic s0_en, s2_en, s3_en, s4_en, s6_en;
   assign s0_en = en_i & valid_i;
-  assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
-  assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
@@ -85,7 +83,7 @@ module horopter_texture (
   logic or_20_s1_q;
   logic [10:0] select_21_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       difference_0_s1_q <= difference_0_i;
       difference_1_s1_q <= difference_1_i;
       magnitude_s1_q <= magnitude_i;
@@ -112,7 +110,7 @@ module horopter_texture (
   logic [10:0] select_21_s2_q;
   logic [36:0] memory_rdata_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       difference_0_s2_q <= difference_0_s1_q;
       difference_1_s2_q <= difference_1_s1_q;
       magnitude_s2_q <= magnitude_s1_q;
@@ -173,7 +171,7 @@ module horopter_texture (
   logic [11:0] delayed_s3_q;
   logic [7:0] select_27_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       difference_0_s3_q <= difference_0_s2_q;
       difference_1_s3_q <= difference_1_s2_q;
       magnitude_s3_q <= magnitude_s2_q;
@@ -232,7 +230,7 @@ module horopter_texture (
   logic [1:0] delayed_s4_q;
   logic [11:0] select_32_s4_q;
   always_ff @(posedge clk_i) begin
-    if (s3_en) begin
+    if (en_i) begin
       difference_0_s4_q <= difference_0_s3_q;
       difference_1_s4_q <= difference_1_s3_q;
       magnitude_s4_q <= magnitude_s3_q;
@@ -282,7 +280,7 @@ module horopter_texture (
   logic [1:0] delayed_s5_q;
   logic [9:0] sum_29_s5_q;
   always_ff @(posedge clk_i) begin
-    if (s4_en) begin
+    if (en_i) begin
       difference_0_s5_q <= difference_0_s4_q;
       difference_1_s5_q <= difference_1_s4_q;
       magnitude_s5_q <= magnitude_s4_q;
@@ -316,7 +314,7 @@ module horopter_texture (
   logic [9:0] sum_29_s6_q;
   logic not_36_s6_q;
   always_ff @(posedge clk_i) begin
-    if (s5_en) begin
+    if (en_i) begin
       difference_0_s6_q <= difference_0_s5_q;
       difference_1_s6_q <= difference_1_s5_q;
       magnitude_s6_q <= magnitude_s5_q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Agreement<horopter::hls::profiles::vga>, hls/stages/agreement.hpp. Do not edit.
 //
-// Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 3072 bits, pipeline 860 bits, memories 127160 bits.
 module horopter_agreement (
   input  logic clk_i,
@@ -897,7 +897,7 @@ module horopter_agreement (
   logic or_3465_s1_q;
   logic not_3489_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
       pixel_1_s1_q <= pixel_1_i;
       saturated_s1_q <= saturated_i;
@@ -2767,7 +2767,7 @@ module horopter_agreement (
   logic less_4294_s2_q;
   logic equal_4513_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
       pixel_1_s2_q <= pixel_1_s1_q;
       saturated_s2_q <= saturated_s1_q;
@@ -5579,7 +5579,7 @@ module horopter_agreement (
   logic not_4556_s3_q;
   logic equal_4609_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       saturated_s3_q <= saturated_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
       sample_pair_pixel_0_s3_q <= sample_pair_pixel_0_q;

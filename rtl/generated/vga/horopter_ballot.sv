@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Ballot<horopter::hls::profiles::vga>, hls/stages/ballot.hpp. Do not edit.
 //
-// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 13 bits, pipeline 58 bits, memories 173440 bits.
 module horopter_ballot (
   input  logic clk_i,
@@ -98,7 +98,7 @@ module horopter_ballot (
   logic marks_nearer_s1_q;
   logic running_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       vote_s1_q <= $unsigned(vote_i);
       firm_s1_q <= firm_i;
       grey_s1_q <= grey_i;
@@ -644,7 +644,7 @@ module horopter_ballot (
   logic [9:0] sum_269_s2_q;
   logic and_282_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       marks_first_s2_q <= marks_first_s1_q;
       marks_last_s2_q <= raster_row_ended_q;
       marks_seen_s2_q <= marks_seen_s1_q;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Cells<horopter::hls::profiles::vga>, hls/stages/cells.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 24 bits, pipeline 21 bits, memories 1792 bits.
 module horopter_cells (
   input  logic clk_i,
@@ -73,7 +73,7 @@ module horopter_cells (
   logic equal_16_s1_q;
   logic and_31_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       select_8_s1_q <= select_8;
       equal_10_s1_q <= equal_10;
       equal_16_s1_q <= select_15 == 3'h0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Consensus<horopter::hls::profiles::vga>, hls/stages/consensus.hpp. Do not edit.
 //
-// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 127 bits, pipeline 24 bits, memories 12160 bits.
 module horopter_consensus (
   input  logic clk_i,
@@ -124,7 +124,7 @@ module horopter_consensus (
   logic and_64_s1_q;
   logic and_68_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       exists_s1_q <= exists_i;
       running_s1_q <= running_q;
       centres_values_2_marks_first_s1_q <= centres_values_2_marks_first_q;
@@ -341,7 +341,7 @@ module horopter_consensus (
   logic centres_values_2_marks_nearer_s2_q;
   logic total_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       centres_values_2_exists_s2_q <= centres_values_2_exists_q;
       centres_values_2_marks_first_s2_q <= centres_values_2_marks_first_s1_q;
       centres_values_2_marks_last_s2_q <= centres_values_2_marks_last_s1_q;

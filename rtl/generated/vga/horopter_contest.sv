@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Contest<horopter::hls::profiles::vga>, hls/stages/contest.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 1085 bits, pipeline 51 bits, memories 0 bits.
 module horopter_contest (
   input  logic clk_i,
@@ -977,7 +977,7 @@ module horopter_contest (
   logic [15:0] z_2_s1_q;
   logic or_495_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       strong_v_s1_q <= strong_v_i;
       centres_values_23_votes_s1_q <= centres_values_23_votes_q;
       centres_values_23_grey_s1_q <= centres_values_23_grey_q;

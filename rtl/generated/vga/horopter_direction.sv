@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Direction<horopter::hls::profiles::vga>, hls/stages/direction.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 0 bits, pipeline 112 bits, memories 0 bits.
 module horopter_direction (
   input  logic clk_i,
@@ -34,8 +34,7 @@ module horopter_direction (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q;
-  logic s0_en, s1_en;
-  assign s0_en = en_i & valid_i;
+  logic s1_en;
   assign s1_en = en_i & valid_s1_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
@@ -92,7 +91,7 @@ module horopter_direction (
   logic [9:0] sum_75_s1_q;
   logic [9:0] sum_80_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       saturated_s1_q <= saturated_i;
       mask_s1_q <= mask_i;
       marks_first_s1_q <= marks_first_i;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Dsad<horopter::hls::profiles::vga>, hls/stages/dsad.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 189 bits, pipeline 22 bits, memories 62080 bits.
 module horopter_dsad (
   input  logic clk_i,
@@ -84,7 +84,7 @@ module horopter_dsad (
   logic marks_nearer_s1_q;
   logic or_33_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       difference_0_s1_q <= difference_0_i;
       difference_1_s1_q <= difference_1_i;
       textured_s1_q <= textured_i;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Objects<horopter::hls::profiles::vga>, hls/stages/objects.hpp. Do not edit.
 //
-// Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 738 bits, pipeline 318 bits, memories 10528 bits.
 module horopter_objects (
   input  logic clk_i,
@@ -97,7 +97,7 @@ module horopter_objects (
   logic or_282_s1_q;
   logic and_289_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       occupied_s1_q <= occupied_i;
       idle_s1_q <= idle_i;
       area_s1_q <= area_i;
@@ -272,7 +272,7 @@ module horopter_objects (
   logic and_431_s2_q;
   logic and_1686_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       idle_s2_q <= idle_s1_q;
       area_s2_q <= area_s1_q;
       blind_s2_q <= blind_s1_q;
@@ -1820,7 +1820,7 @@ module horopter_objects (
   logic and_1713_s3_q;
   logic and_1723_s3_q;
   always_ff @(posedge clk_i) begin
-    if (s2_en) begin
+    if (en_i) begin
       event_run_left_s3_q <= event_run_left_q;
       event_run_right_s3_q <= event_run_right_q;
       event_run_row_s3_q <= event_run_row_q;

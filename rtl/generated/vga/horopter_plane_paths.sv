@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Paths<horopter::hls::profiles::vga>, hls/stages/plane_paths.hpp. Do not edit.
 //
-// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 13 bits, pipeline 769 bits, memories 73600 bits.
 module horopter_plane_paths (
   input  logic clk_i,
@@ -197,7 +197,7 @@ module horopter_plane_paths (
   logic not_360_s1_q;
   logic and_362_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       sum_0_s1_q <= sum_0_i;
       sum_1_s1_q <= sum_1_i;
       sum_2_s1_q <= sum_2_i;
@@ -554,7 +554,7 @@ module horopter_plane_paths (
   logic not_360_s2_q;
   logic and_362_s2_q;
   always_ff @(posedge clk_i) begin
-    if (s1_en) begin
+    if (en_i) begin
       sum_0_s2_q <= sum_0_s1_q[1:0];
       sum_1_s2_q <= sum_1_s1_q[1:0];
       sum_2_s2_q <= sum_2_s1_q[1:0];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::PlaneSums<horopter::hls::profiles::vga>, hls/stages/plane_sums.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 4353 bits, pipeline 44 bits, memories 226560 bits.
 module horopter_plane_sums (
   input  logic clk_i,
@@ -1385,7 +1385,7 @@ module horopter_plane_sums (
   logic [4:0] select_1424_s1_q;
   logic and_1459_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       entering_values_23_features_left_s1_q <= entering_values_23_features_left_q;
       entering_values_23_features_left_y_s1_q <= entering_values_23_features_left_y_q;
       seen_values_23_grey_s1_q <= seen_values_23_grey_q;

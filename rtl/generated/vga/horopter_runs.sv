@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Runs<horopter::hls::profiles::vga>, hls/stages/runs.hpp. Do not edit.
 //
-// Latency 0 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 0 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
 // State 43 bits, pipeline 0 bits, memories 0 bits.
 module horopter_runs (

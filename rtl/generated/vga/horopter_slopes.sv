@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Slopes<horopter::hls::profiles::vga>, hls/stages/slopes.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 92 bits, pipeline 82 bits, memories 23680 bits.
 module horopter_slopes (
   input  logic clk_i,
@@ -87,7 +87,7 @@ module horopter_slopes (
   logic marks_nearer_s1_q;
   logic or_22_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
       pixel_1_s1_q <= pixel_1_i;
       saturated_s1_q <= saturated_i;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Spread<horopter::hls::profiles::vga>, hls/stages/spread.hpp. Do not edit.
 //
-// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. A pipeline stage
-// loads its registers only for a valid beat. rst_ni is synchronous and keeps memories.
+// Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// change only with a valid beat. rst_ni is synchronous and keeps memories.
 // State 785 bits, pipeline 54 bits, memories 0 bits.
 module horopter_spread (
   input  logic clk_i,
@@ -505,7 +505,7 @@ module horopter_spread (
   logic centres_values_15_marks_seen_s1_q;
   logic centres_values_15_marks_nearer_s1_q;
   always_ff @(posedge clk_i) begin
-    if (s0_en) begin
+    if (en_i) begin
       first_values_1_joined_s1_q <= first_values_1_joined_q;
       second_values_3_joined_s1_q <= second_values_3_joined_q;
       third_values_3_right_s1_q <= third_values_3_right_q;

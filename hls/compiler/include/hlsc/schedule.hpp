@@ -3,8 +3,8 @@
 //
 // Stage 0 works combinationally on the input ports (assumed to come from registers unless input_ns says when they
 // come); outputs leave the registers behind stage latency-1. With output_ns they may be logic of a further stage,
-// `latency`, with no registers behind it. A beat is in stage k exactly k enabled clocks after it entered; registers
-// behind a stage load only when a valid beat is in it. So a state that is read and written in stage k holds its `next`
+// `latency`, with no registers behind it. A beat is in stage k exactly k enabled clocks after it entered; state
+// behind a stage loads only when a valid beat is in it. So a state that is read and written in stage k holds its `next`
 // of beat n while beat n is in stage k+1, and doubles as the pipeline register of that value.
 //
 // Memories. Beat n enters at clock t(n), t(n+1) >= t(n)+1, gaps allowed. With read stage k and write stage w, step n
