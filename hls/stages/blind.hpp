@@ -72,11 +72,11 @@ class BlindBlocks {
     Out out;
     out.done = !pixel & !more_;
     const u<bits_for(WIDTH - 1) - inner_bits> at = x.template bits<bits_for(WIDTH - 1) - 1, inner_bits>();
-    const Block last_block = first ? last_block_of(config.width) : last_block_;
-    last_block_ = last_block;
-    const Block block(at < last_block ? Block(at) : last_block);
+    // Of a frame's first pixel 0, whatever the last block of the frame before.
+    const Block block(at < last_block_ ? Block(at) : last_block_);
     if (pixel | fetches) pass(in.state, x, block, out);
-    if (pixel) learn(in, x, block, block == last_block, config);
+    if (pixel) learn(in, x, block, block == last_block_, config);
+    if (first) last_block_ = last_block_of(config.width);
     out.last = last;
     if ((pixel | fetches) & last) end_row();
     if (pixel & last) before_end_ = before_;

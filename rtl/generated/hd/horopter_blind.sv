@@ -3,7 +3,7 @@
 //
 // Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 91 bits, pipeline 321 bits, memories 140056 bits.
+// State 91 bits, pipeline 328 bits, memories 140056 bits.
 module horopter_blind (
   input  logic clk_i,
   input  logic rst_ni,
@@ -42,14 +42,12 @@ module horopter_blind (
   assign s8_en = en_i & valid_s8_q;
 
   // Of the configuration alone: not pipelined.
-  logic [6:0] select_42;
-  assign select_42 = (7'h78 < cfg_width_i[10:4]) ? 7'h77 : (cfg_width_i[10:4] + 7'h7f);
-  logic [6:0] last_block;
-  assign last_block = (cfg_width_i[10:5] == 6'h0) ? 7'h1 : select_42;
-  logic not_91;
-  assign not_91 = ~cfg_forget_i;
-  logic not_92;
-  assign not_92 = ~cfg_teach_i;
+  logic not_86;
+  assign not_86 = ~cfg_forget_i;
+  logic not_87;
+  assign not_87 = ~cfg_teach_i;
+  logic [6:0] select_139;
+  assign select_139 = (7'h78 < cfg_width_i[10:4]) ? 7'h77 : (cfg_width_i[10:4] + 7'h7f);
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
 
@@ -87,30 +85,29 @@ module horopter_blind (
   // hls/stages/blind.hpp:64
   logic and_36;
   assign and_36 = idle_s1_q & more_q;
-  // hls/stages/blind.hpp:78
+  // hls/stages/blind.hpp:77
   logic or_37;
   assign or_37 = not_32 | and_36;
-  // hls/stages/blind.hpp:75
-  logic [6:0] last_block_2;
-  assign last_block_2 = and_33 ? last_block : last_block_q;
   // hls/stages/blind.hpp:68
-  logic [10:0] select_64;
-  assign select_64 = and_33 ? 11'h0 : row_q;
+  logic [10:0] select_59;
+  assign select_59 = and_33 ? 11'h0 : row_q;
   // hls/stages/blind.hpp:166
-  logic [11:0] sum_65;
-  assign sum_65 = {1'b0, select_64} + 12'h1;
+  logic [11:0] sum_60;
+  assign sum_60 = {1'b0, select_59} + 12'h1;
   // hls/stages/blind.hpp:65
   logic last;
   assign last = idle_s1_q ? at_end_q : last_s1_q;
   // hls/stages/blind.hpp:83
-  logic [10:0] select_136;
-  assign select_136 = (not_32 & last) ? before_v_q : before_end_q;
+  logic [10:0] select_131;
+  assign select_131 = (not_32 & last) ? before_v_q : before_end_q;
   // hls/stages/blind.hpp:81
-  logic and_137;
-  assign and_137 = last & or_37;
+  logic and_132;
+  assign and_132 = last & or_37;
+  logic [6:0] select_141;
+  assign select_141 = and_33 ? ((cfg_width_i[10:5] == 6'h0) ? 7'h1 : select_139) : last_block_q;
   // hls/stages/blind.hpp:88
-  logic or_152;
-  assign or_152 = and_33 | (and_36 & last);
+  logic or_153;
+  assign or_153 = and_33 | (and_36 & last);
 
   // Memory states, 1920 x 34, DISTANCE 16, hls/stages/blind.hpp:188; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -142,69 +139,71 @@ module horopter_blind (
     end else if (s1_en) begin
       x_q <= x + 11'h1;
       before_v_q <= x;
-      before_end_q <= select_136;
-      row_q <= and_137 ? sum_65[10:0] : select_64;
-      last_block_q <= last_block_2;
-      rows_left_q <= or_152 ? (and_33 ? 5'h11 : (rows_left_q + 5'h1f)) : rows_left_q;
-      more_q <= or_152 ? (and_33 | (~(rows_left_q == 5'h1))) : more_q;
+      before_end_q <= select_131;
+      row_q <= and_132 ? sum_60[10:0] : select_59;
+      last_block_q <= select_141;
+      rows_left_q <= or_153 ? (and_33 ? 5'h11 : (rows_left_q + 5'h1f)) : rows_left_q;
+      more_q <= or_153 ? (and_33 | (~(rows_left_q == 5'h1))) : more_q;
       row_ended_q <= last;
-      at_end_q <= (~(x < select_136)) & (~last);
+      at_end_q <= (~(x < select_131)) & (~last);
     end
   end
 
   logic [1:0] state_s2_q;
   logic last_s2_q;
   logic idle_s2_q;
+  logic [6:0] last_block_s2_q;
   logic not_32_s2_q;
   logic and_33_s2_q;
   logic or_37_s2_q;
-  logic less_45_s2_q;
-  logic [11:0] sum_65_s2_q;
-  logic and_137_s2_q;
-  logic and_182_s2_q;
+  logic less_39_s2_q;
+  logic [11:0] sum_60_s2_q;
+  logic and_132_s2_q;
+  logic and_183_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       state_s2_q <= state_s1_q;
       last_s2_q <= last_s1_q;
       idle_s2_q <= idle_s1_q;
+      last_block_s2_q <= last_block_q;
       not_32_s2_q <= not_32;
       and_33_s2_q <= and_33;
       or_37_s2_q <= or_37;
-      less_45_s2_q <= last_block_2 < x[10:4];
-      sum_65_s2_q <= sum_65;
-      and_137_s2_q <= and_137;
-      and_182_s2_q <= idle_s1_q & (~more_q);
+      less_39_s2_q <= last_block_q < x[10:4];
+      sum_60_s2_q <= sum_60;
+      and_132_s2_q <= and_132;
+      and_183_s2_q <= idle_s1_q & (~more_q);
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic [3:0] inner_row_q;
   logic [9:0] place_q;
-  // hls/stages/blind.hpp:77
+  // hls/stages/blind.hpp:76
   logic [6:0] block;
-  assign block = less_45_s2_q ? last_block_q : before_v_q[10:4];
+  assign block = less_39_s2_q ? last_block_s2_q : before_v_q[10:4];
   // hls/stages/blind.hpp:159
   logic ends;
-  assign ends = last_s2_q | ((before_v_q[10:4] < last_block_q) & (before_v_q[3:0] == 4'hf));
+  assign ends = last_s2_q | ((~(last_block_s2_q == block)) & (before_v_q[3:0] == 4'hf));
   // hls/stages/blind.hpp:68
-  logic [3:0] select_57;
-  assign select_57 = and_33_s2_q ? 4'h0 : inner_row_q;
-  logic [9:0] select_61;
-  assign select_61 = and_33_s2_q ? 10'h0 : place_q;
+  logic [3:0] select_52;
+  assign select_52 = and_33_s2_q ? 4'h0 : inner_row_q;
+  logic [9:0] select_56;
+  assign select_56 = and_33_s2_q ? 10'h0 : place_q;
   // hls/stages/blind.hpp:166
-  logic equal_63;
-  assign equal_63 = select_57 == 4'hf;
+  logic equal_58;
+  assign equal_58 = select_52 == 4'hf;
   // hls/stages/blind.hpp:82
-  logic [9:0] select_145;
-  assign select_145 = and_137_s2_q ? (equal_63 ? (select_61 + 10'hf) : select_61) : select_61;
+  logic [9:0] select_146;
+  assign select_146 = and_132_s2_q ? (equal_58 ? (select_56 + 10'hf) : select_56) : select_56;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       inner_row_q <= 4'h0;
       place_q <= 10'h0;
     end else if (s2_en) begin
-      inner_row_q <= and_137_s2_q ? (select_57 + 4'h1) : select_57;
-      place_q <= select_145;
+      inner_row_q <= and_132_s2_q ? (select_52 + 4'h1) : select_52;
+      place_q <= select_146;
     end
   end
 
@@ -217,13 +216,13 @@ module horopter_blind (
   logic [33:0] states_rdata_s3_q;
   logic [6:0] block_s3_q;
   logic ends_s3_q;
+  logic equal_53_s3_q;
+  logic [9:0] sum_57_s3_q;
   logic equal_58_s3_q;
-  logic [9:0] sum_62_s3_q;
-  logic equal_63_s3_q;
-  logic equal_66_s3_q;
+  logic equal_61_s3_q;
   logic last_s3_q;
-  logic and_137_s3_q;
-  logic and_182_s3_q;
+  logic and_132_s3_q;
+  logic and_183_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       state_s3_q <= state_s2_q;
@@ -235,13 +234,13 @@ module horopter_blind (
       states_rdata_s3_q <= states_rdata_q;
       block_s3_q <= block;
       ends_s3_q <= ends;
-      equal_58_s3_q <= select_57 == 4'h0;
-      sum_62_s3_q <= select_61 + {6'h0, block[6:3]};
-      equal_63_s3_q <= equal_63;
-      equal_66_s3_q <= {sum_65_s2_q[11], cfg_height_i} == {1'b0, sum_65_s2_q[10:0]};
+      equal_53_s3_q <= select_52 == 4'h0;
+      sum_57_s3_q <= select_56 + {6'h0, block[6:3]};
+      equal_58_s3_q <= equal_58;
+      equal_61_s3_q <= {sum_60_s2_q[11], cfg_height_i} == {1'b0, sum_60_s2_q[10:0]};
       last_s3_q <= row_ended_q;
-      and_137_s3_q <= and_137_s2_q;
-      and_182_s3_q <= and_182_s2_q;
+      and_132_s3_q <= and_132_s2_q;
+      and_183_s3_q <= and_183_s2_q;
     end
   end
 
@@ -249,20 +248,20 @@ module horopter_blind (
   logic new_block_q;
   logic teaches_q;
   // hls/stages/blind.hpp:163
-  logic and_51;
-  assign and_51 = not_32_s3_q & ends_s3_q;
+  logic and_46;
+  assign and_46 = not_32_s3_q & ends_s3_q;
   // hls/stages/blind.hpp:68
-  logic or_53;
-  assign or_53 = new_block_q | and_33_s3_q;
-  // hls/stages/blind.hpp:81
-  logic and_69;
-  assign and_69 = not_32_s3_q & (ends_s3_q & (equal_63_s3_q | equal_66_s3_q));
+  logic or_48;
+  assign or_48 = new_block_q | and_33_s3_q;
+  // hls/stages/blind.hpp:79
+  logic and_64;
+  assign and_64 = not_32_s3_q & (ends_s3_q & (equal_58_s3_q | equal_61_s3_q));
   // hls/stages/blind.hpp:68
-  logic select_90;
-  assign select_90 = and_33_s3_q ? cfg_teach_i : teaches_q;
-  // hls/stages/blind.hpp:81
-  logic and_119;
-  assign and_119 = ends_s3_q & (equal_63_s3_q ? select_90 : (select_90 & equal_66_s3_q));
+  logic select_85;
+  assign select_85 = and_33_s3_q ? cfg_teach_i : teaches_q;
+  // hls/stages/blind.hpp:79
+  logic and_114;
+  assign and_114 = ends_s3_q & (equal_58_s3_q ? select_85 : (select_85 & equal_61_s3_q));
 
   // Memory counts, 120 x 9, DISTANCE 16, hls/stages/blind.hpp:189; read in stage 3, written in stage 6: 3 < 6 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -274,7 +273,7 @@ module horopter_blind (
   logic [6:0] counts_raddr;
   assign counts_raddr = block_s3_q;
   logic counts_re;
-  assign counts_re = s3_en & and_51;
+  assign counts_re = s3_en & and_46;
   logic [8:0] counts_rdata_q;
   always_ff @(posedge clk_i) begin
     if (counts_re) counts_rdata_q <= counts_mem[counts_raddr];
@@ -288,9 +287,9 @@ module horopter_blind (
   initial for (int i = 0; i < 8160; i++) taught_mem[i] = 9'h0;
 `endif
   logic [12:0] taught_raddr;
-  assign taught_raddr = {sum_62_s3_q, block_s3_q[2:0]};
+  assign taught_raddr = {sum_57_s3_q, block_s3_q[2:0]};
   logic taught_re;
-  assign taught_re = s3_en & and_69;
+  assign taught_re = s3_en & and_64;
   logic [8:0] taught_rdata_q;
   always_ff @(posedge clk_i) begin
     if (taught_re) taught_rdata_q <= taught_mem[taught_raddr];
@@ -334,8 +333,8 @@ module horopter_blind (
       new_block_q <= 1'b1;
       teaches_q <= 1'b0;
     end else if (s3_en) begin
-      new_block_q <= idle_s3_q ? or_53 : ends_s3_q;
-      teaches_q <= select_90;
+      new_block_q <= idle_s3_q ? or_48 : ends_s3_q;
+      teaches_q <= select_85;
     end
   end
 
@@ -344,18 +343,18 @@ module horopter_blind (
   logic or_37_s4_q;
   logic [1:0] states_rdata_s4_q;
   logic [6:0] block_s4_q;
-  logic and_51_s4_q;
-  logic or_53_s4_q;
-  logic equal_55_s4_q;
+  logic and_46_s4_q;
+  logic or_48_s4_q;
+  logic equal_50_s4_q;
+  logic equal_53_s4_q;
+  logic [9:0] sum_57_s4_q;
   logic equal_58_s4_q;
-  logic [9:0] sum_62_s4_q;
-  logic equal_63_s4_q;
-  logic and_69_s4_q;
-  logic and_120_s4_q;
+  logic and_64_s4_q;
+  logic and_115_s4_q;
   logic last_s4_q;
-  logic and_137_s4_q;
-  logic equal_178_s4_q;
-  logic and_182_s4_q;
+  logic and_132_s4_q;
+  logic equal_179_s4_q;
+  logic and_183_s4_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       idle_s4_q <= idle_s3_q;
@@ -363,18 +362,18 @@ module horopter_blind (
       or_37_s4_q <= or_37_s3_q;
       states_rdata_s4_q <= states_rdata_s3_q[33:32];
       block_s4_q <= block_s3_q;
-      and_51_s4_q <= and_51;
-      or_53_s4_q <= or_53;
-      equal_55_s4_q <= state_s3_q == 2'h2;
+      and_46_s4_q <= and_46;
+      or_48_s4_q <= or_48;
+      equal_50_s4_q <= state_s3_q == 2'h2;
+      equal_53_s4_q <= equal_53_s3_q;
+      sum_57_s4_q <= sum_57_s3_q;
       equal_58_s4_q <= equal_58_s3_q;
-      sum_62_s4_q <= sum_62_s3_q;
-      equal_63_s4_q <= equal_63_s3_q;
-      and_69_s4_q <= and_69;
-      and_120_s4_q <= not_32_s3_q & and_119;
+      and_64_s4_q <= and_64;
+      and_115_s4_q <= not_32_s3_q & and_114;
       last_s4_q <= last_s3_q;
-      and_137_s4_q <= and_137_s3_q;
-      equal_178_s4_q <= x_s3_q == 11'h0;
-      and_182_s4_q <= and_182_s3_q;
+      and_132_s4_q <= and_132_s3_q;
+      equal_179_s4_q <= x_s3_q == 11'h0;
+      and_183_s4_q <= and_183_s3_q;
     end
   end
 
@@ -387,30 +386,30 @@ module horopter_blind (
   logic session_q;
   logic has_taught_q;
   // hls/stages/blind.hpp:64
-  logic not_86;
-  assign not_86 = ~and_33_s4_q;
+  logic not_81;
+  assign not_81 = ~and_33_s4_q;
   // hls/stages/blind.hpp:68
-  logic and_87;
-  assign and_87 = ended_q & not_86;
-  logic and_89;
-  assign and_89 = idle_s4_q & (~and_87);
-  logic select_96;
-  assign select_96 = and_33_s4_q ? (has_taught_q & (not_91 & (session_q | not_92))) : has_taught_q;
-  logic and_121;
-  assign and_121 = odd_q & not_86;
-  logic [4:0] select_124;
-  assign select_124 = and_33_s4_q ? 5'h0 : above_q;
+  logic and_82;
+  assign and_82 = ended_q & not_81;
+  logic and_84;
+  assign and_84 = idle_s4_q & (~and_82);
+  logic select_91;
+  assign select_91 = and_33_s4_q ? (has_taught_q & (not_86 & (session_q | not_87))) : has_taught_q;
+  logic and_116;
+  assign and_116 = odd_q & not_81;
+  logic [4:0] select_119;
+  assign select_119 = and_33_s4_q ? 5'h0 : above_q;
   // hls/stages/blind.hpp:152
-  logic equal_125;
-  assign equal_125 = select_124 == 5'h11;
+  logic equal_120;
+  assign equal_120 = select_119 == 5'h11;
   // hls/stages/blind.hpp:82
-  logic [4:0] select_150;
-  assign select_150 = and_137_s4_q ? (equal_125 ? select_124 : (select_124 + 5'h1)) : select_124;
+  logic [4:0] select_151;
+  assign select_151 = and_132_s4_q ? (equal_120 ? select_119 : (select_119 + 5'h1)) : select_119;
   // hls/stages/blind.hpp:68
-  logic and_165;
-  assign and_165 = first_above_q & not_86;
-  logic select_170;
-  assign select_170 = and_33_s4_q ? (session_q & (cfg_teach_i & not_91)) : session_q;
+  logic and_166;
+  assign and_166 = first_above_q & not_81;
+  logic select_171;
+  assign select_171 = and_33_s4_q ? (session_q & (cfg_teach_i & not_86)) : session_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -422,13 +421,13 @@ module horopter_blind (
       session_q <= 1'b0;
       has_taught_q <= 1'b0;
     end else if (s4_en) begin
-      odd_q <= and_137_s4_q ? (and_121 ^ equal_63_s4_q) : and_121;
-      above_q <= select_150;
-      first_above_q <= and_137_s4_q ? (select_124 == 5'h10) : and_165;
-      ended_q <= and_87 | and_89;
-      watches_q <= and_33_s4_q ? (cfg_watch_i & not_92) : watches_q;
-      session_q <= and_89 ? (teaches_q | select_170) : select_170;
-      has_taught_q <= and_89 ? (teaches_q | select_96) : select_96;
+      odd_q <= and_132_s4_q ? (and_116 ^ equal_58_s4_q) : and_116;
+      above_q <= select_151;
+      first_above_q <= and_132_s4_q ? (select_119 == 5'h10) : and_166;
+      ended_q <= and_82 | and_84;
+      watches_q <= and_33_s4_q ? (cfg_watch_i & not_87) : watches_q;
+      session_q <= and_84 ? (teaches_q | select_171) : select_171;
+      has_taught_q <= and_84 ? (teaches_q | select_91) : select_91;
     end
   end
 
@@ -436,56 +435,56 @@ module horopter_blind (
   logic or_37_s5_q;
   logic [1:0] states_rdata_s5_q;
   logic [6:0] block_s5_q;
-  logic and_51_s5_q;
+  logic and_46_s5_q;
   logic [8:0] counts_rdata_s5_q;
-  logic or_53_s5_q;
-  logic equal_55_s5_q;
-  logic equal_58_s5_q;
-  logic [9:0] sum_62_s5_q;
-  logic and_69_s5_q;
+  logic or_48_s5_q;
+  logic equal_50_s5_q;
+  logic equal_53_s5_q;
+  logic [9:0] sum_57_s5_q;
+  logic and_64_s5_q;
   logic [8:0] taught_rdata_s5_q;
-  logic and_120_s5_q;
-  logic and_121_s5_q;
-  logic equal_125_s5_q;
+  logic and_115_s5_q;
+  logic and_116_s5_q;
+  logic equal_120_s5_q;
   logic last_s5_q;
-  logic and_180_s5_q;
-  logic and_182_s5_q;
+  logic and_181_s5_q;
+  logic and_183_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       idle_s5_q <= idle_s4_q;
       or_37_s5_q <= or_37_s4_q;
       states_rdata_s5_q <= states_rdata_s4_q;
       block_s5_q <= block_s4_q;
-      and_51_s5_q <= and_51_s4_q;
+      and_46_s5_q <= and_46_s4_q;
       counts_rdata_s5_q <= counts_rdata_q;
-      or_53_s5_q <= or_53_s4_q;
-      equal_55_s5_q <= equal_55_s4_q;
-      equal_58_s5_q <= equal_58_s4_q;
-      sum_62_s5_q <= sum_62_s4_q;
-      and_69_s5_q <= and_69_s4_q;
+      or_48_s5_q <= or_48_s4_q;
+      equal_50_s5_q <= equal_50_s4_q;
+      equal_53_s5_q <= equal_53_s4_q;
+      sum_57_s5_q <= sum_57_s4_q;
+      and_64_s5_q <= and_64_s4_q;
       taught_rdata_s5_q <= taught_rdata_q;
-      and_120_s5_q <= and_120_s4_q;
-      and_121_s5_q <= and_121;
-      equal_125_s5_q <= equal_125;
+      and_115_s5_q <= and_115_s4_q;
+      and_116_s5_q <= and_116;
+      equal_120_s5_q <= equal_120;
       last_s5_q <= last_s4_q;
-      and_180_s5_q <= or_37_s4_q & (and_165 & equal_178_s4_q);
-      and_182_s5_q <= and_182_s4_q;
+      and_181_s5_q <= or_37_s4_q & (and_166 & equal_179_s4_q);
+      and_183_s5_q <= and_183_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [4:0] in_row_q;
   // hls/stages/blind.hpp:160
-  logic [4:0] sum_56;
-  assign sum_56 = (or_53_s5_q ? 5'h0 : in_row_q) + {4'h0, equal_55_s5_q};
-  // hls/stages/blind.hpp:79
+  logic [4:0] sum_51;
+  assign sum_51 = (or_48_s5_q ? 5'h0 : in_row_q) + {4'h0, equal_50_s5_q};
+  // hls/stages/blind.hpp:78
   logic [7:0] known;
   assign known = (^taught_rdata_s5_q) ? 8'h0 : (has_taught_q ? taught_rdata_s5_q[7:0] : 8'h0);
   // hls/stages/blind.hpp:151
-  logic not_123;
-  assign not_123 = ~(and_121_s5_q ^ equal_58_s5_q);
-  logic and_126;
-  assign and_126 = or_37_s5_q & equal_125_s5_q;
+  logic not_118;
+  assign not_118 = ~(and_116_s5_q ^ equal_53_s5_q);
+  logic and_121;
+  assign and_121 = or_37_s5_q & equal_120_s5_q;
 
   // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:191; read in stage 5, written in stage 7: 5 < 7 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -495,9 +494,9 @@ module horopter_blind (
   initial for (int i = 0; i < 256; i++) blind_mem[i] = 1'b0;
 `endif
   logic [7:0] blind_raddr;
-  assign blind_raddr = {block_s5_q, not_123};
+  assign blind_raddr = {block_s5_q, not_118};
   logic blind_re;
-  assign blind_re = s5_en & and_126;
+  assign blind_re = s5_en & and_121;
   logic blind_rdata_q;
   always_ff @(posedge clk_i) begin
     if (blind_re) blind_rdata_q <= blind_mem[blind_raddr];
@@ -507,64 +506,64 @@ module horopter_blind (
     if (!rst_ni) begin
       in_row_q <= 5'h0;
     end else if (s5_en) begin
-      in_row_q <= idle_s5_q ? in_row_q : sum_56;
+      in_row_q <= idle_s5_q ? in_row_q : sum_51;
     end
   end
 
   logic or_37_s6_q;
   logic [1:0] states_rdata_s6_q;
   logic [6:0] block_s6_q;
-  logic and_51_s6_q;
-  logic [8:0] sum_60_s6_q;
-  logic [9:0] sum_62_s6_q;
-  logic and_69_s6_q;
-  logic select_98_s6_q;
+  logic and_46_s6_q;
+  logic [8:0] sum_55_s6_q;
+  logic [9:0] sum_57_s6_q;
+  logic and_64_s6_q;
+  logic select_93_s6_q;
   logic [7:0] known_s6_q;
-  logic and_120_s6_q;
+  logic and_115_s6_q;
+  logic and_116_s6_q;
+  logic equal_120_s6_q;
   logic and_121_s6_q;
-  logic equal_125_s6_q;
-  logic and_126_s6_q;
-  logic select_129_s6_q;
+  logic select_124_s6_q;
   logic last_s6_q;
-  logic and_180_s6_q;
-  logic and_182_s6_q;
+  logic and_181_s6_q;
+  logic and_183_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       or_37_s6_q <= or_37_s5_q;
       states_rdata_s6_q <= states_rdata_s5_q;
       block_s6_q <= block_s5_q;
-      and_51_s6_q <= and_51_s5_q;
-      sum_60_s6_q <= {4'h0, sum_56} + (equal_58_s5_q ? 9'h0 : counts_rdata_s5_q);
-      sum_62_s6_q <= sum_62_s5_q;
-      and_69_s6_q <= and_69_s5_q;
-      select_98_s6_q <= has_taught_q;
+      and_46_s6_q <= and_46_s5_q;
+      sum_55_s6_q <= {4'h0, sum_51} + (equal_53_s5_q ? 9'h0 : counts_rdata_s5_q);
+      sum_57_s6_q <= sum_57_s5_q;
+      and_64_s6_q <= and_64_s5_q;
+      select_93_s6_q <= has_taught_q;
       known_s6_q <= known;
-      and_120_s6_q <= and_120_s5_q;
-      and_121_s6_q <= and_121_s5_q;
-      equal_125_s6_q <= equal_125_s5_q;
-      and_126_s6_q <= and_126;
-      select_129_s6_q <= watches_q;
+      and_115_s6_q <= and_115_s5_q;
+      and_116_s6_q <= and_116_s5_q;
+      equal_120_s6_q <= equal_120_s5_q;
+      and_121_s6_q <= and_121;
+      select_124_s6_q <= watches_q;
       last_s6_q <= last_s5_q;
-      and_180_s6_q <= and_180_s5_q;
-      and_182_s6_q <= and_182_s5_q;
+      and_181_s6_q <= and_181_s5_q;
+      and_183_s6_q <= and_183_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/blind.hpp:171
-  logic [8:0] select_102;
-  assign select_102 = ({known_s6_q, 1'b0} < sum_60_s6_q) ? sum_60_s6_q : {known_s6_q, 1'b0};
+  logic [8:0] select_97;
+  assign select_97 = ({known_s6_q, 1'b0} < sum_55_s6_q) ? sum_55_s6_q : {known_s6_q, 1'b0};
   // hls/stages/blind.hpp:173
-  logic [8:0] sum_130;
-  assign sum_130 = {1'b0, cfg_blind_margin_i} + {2'h0, known_s6_q[7:1]};
+  logic [8:0] sum_125;
+  assign sum_125 = {1'b0, cfg_blind_margin_i} + {2'h0, known_s6_q[7:1]};
 
   // Memory counts, write
   logic [6:0] counts_waddr;
   assign counts_waddr = block_s6_q;
   logic counts_we;
-  assign counts_we = s6_en & and_51_s6_q;
+  assign counts_we = s6_en & and_46_s6_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (counts_we) counts_mem[counts_waddr] <= sum_60_s6_q;
+    if (counts_we) counts_mem[counts_waddr] <= sum_55_s6_q;
   end
 `ifndef SYNTHESIS
   logic [6:0] counts_raddr_s4_sim;
@@ -602,57 +601,57 @@ module horopter_blind (
   logic or_37_s7_q;
   logic [1:0] states_rdata_s7_q;
   logic [6:0] block_s7_q;
-  logic [9:0] sum_62_s7_q;
-  logic and_69_s7_q;
-  logic select_98_s7_q;
-  logic [8:0] select_102_s7_q;
-  logic and_120_s7_q;
+  logic [9:0] sum_57_s7_q;
+  logic and_64_s7_q;
+  logic select_93_s7_q;
+  logic [8:0] select_97_s7_q;
+  logic and_115_s7_q;
+  logic and_116_s7_q;
+  logic equal_120_s7_q;
   logic and_121_s7_q;
-  logic equal_125_s7_q;
-  logic and_126_s7_q;
   logic blind_rdata_s7_q;
-  logic select_129_s7_q;
-  logic less_131_s7_q;
+  logic select_124_s7_q;
+  logic less_126_s7_q;
   logic last_s7_q;
-  logic and_180_s7_q;
-  logic and_182_s7_q;
+  logic and_181_s7_q;
+  logic and_183_s7_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       or_37_s7_q <= or_37_s6_q;
       states_rdata_s7_q <= states_rdata_s6_q;
       block_s7_q <= block_s6_q;
-      sum_62_s7_q <= sum_62_s6_q;
-      and_69_s7_q <= and_69_s6_q;
-      select_98_s7_q <= select_98_s6_q;
-      select_102_s7_q <= select_102;
-      and_120_s7_q <= and_120_s6_q;
+      sum_57_s7_q <= sum_57_s6_q;
+      and_64_s7_q <= and_64_s6_q;
+      select_93_s7_q <= select_93_s6_q;
+      select_97_s7_q <= select_97;
+      and_115_s7_q <= and_115_s6_q;
+      and_116_s7_q <= and_116_s6_q;
+      equal_120_s7_q <= equal_120_s6_q;
       and_121_s7_q <= and_121_s6_q;
-      equal_125_s7_q <= equal_125_s6_q;
-      and_126_s7_q <= and_126_s6_q;
       blind_rdata_s7_q <= blind_rdata_q;
-      select_129_s7_q <= select_129_s6_q;
-      less_131_s7_q <= {sum_130, known_s6_q[0], 1'b0} < {2'h0, sum_60_s6_q};
+      select_124_s7_q <= select_124_s6_q;
+      less_126_s7_q <= {sum_125, known_s6_q[0], 1'b0} < {2'h0, sum_55_s6_q};
       last_s7_q <= last_s6_q;
-      and_180_s7_q <= and_180_s6_q;
-      and_182_s7_q <= and_182_s6_q;
+      and_181_s7_q <= and_181_s6_q;
+      and_183_s7_q <= and_183_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   // hls/stages/blind.hpp:171
   logic [8:0] stored;
-  assign stored = select_102_s7_q + 9'h1;
+  assign stored = select_97_s7_q + 9'h1;
   // hls/stages/blind.hpp:155
-  logic and_176;
-  assign and_176 = equal_125_s7_q & (blind_rdata_s7_q & (states_rdata_s7_q == 2'h2));
+  logic and_177;
+  assign and_177 = equal_120_s7_q & (blind_rdata_s7_q & (states_rdata_s7_q == 2'h2));
 
   // Memory blind, write
   logic [7:0] blind_waddr;
-  assign blind_waddr = {block_s7_q, and_121_s7_q};
+  assign blind_waddr = {block_s7_q, and_116_s7_q};
   logic blind_we;
-  assign blind_we = s7_en & and_69_s7_q;
+  assign blind_we = s7_en & and_64_s7_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (blind_we) blind_mem[blind_waddr] <= select_129_s7_q & less_131_s7_q;
+    if (blind_we) blind_mem[blind_waddr] <= select_124_s7_q & less_126_s7_q;
   end
 `ifndef SYNTHESIS
   logic [7:0] blind_raddr_s6_sim;
@@ -678,44 +677,44 @@ module horopter_blind (
 `endif
 
   logic [2:0] block_s8_q;
-  logic [9:0] sum_62_s8_q;
-  logic select_98_s8_q;
+  logic [9:0] sum_57_s8_q;
+  logic select_93_s8_q;
   logic [7:0] stored_s8_q;
-  logic and_120_s8_q;
-  logic and_126_s8_q;
+  logic and_115_s8_q;
+  logic and_121_s8_q;
   logic last_s8_q;
-  logic [1:0] select_173_s8_q;
-  logic and_177_s8_q;
-  logic and_180_s8_q;
-  logic and_182_s8_q;
+  logic [1:0] select_174_s8_q;
+  logic and_178_s8_q;
+  logic and_181_s8_q;
+  logic and_183_s8_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       block_s8_q <= block_s7_q[2:0];
-      sum_62_s8_q <= sum_62_s7_q;
-      select_98_s8_q <= select_98_s7_q;
+      sum_57_s8_q <= sum_57_s7_q;
+      select_93_s8_q <= select_93_s7_q;
       stored_s8_q <= stored[8:1];
-      and_120_s8_q <= and_120_s7_q;
-      and_126_s8_q <= and_126_s7_q;
+      and_115_s8_q <= and_115_s7_q;
+      and_121_s8_q <= and_121_s7_q;
       last_s8_q <= last_s7_q;
-      select_173_s8_q <= or_37_s7_q ? states_rdata_s7_q : 2'h0;
-      and_177_s8_q <= or_37_s7_q & and_176;
-      and_180_s8_q <= and_180_s7_q;
-      and_182_s8_q <= and_182_s7_q;
+      select_174_s8_q <= or_37_s7_q ? states_rdata_s7_q : 2'h0;
+      and_178_s8_q <= or_37_s7_q & and_177;
+      and_181_s8_q <= and_181_s7_q;
+      and_183_s8_q <= and_183_s7_q;
     end
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
   // hls/stages/blind.hpp:121
-  logic parity_116;
-  assign parity_116 = ^stored_s8_q;
+  logic parity_111;
+  assign parity_111 = ^stored_s8_q;
 
   // Memory taught, write
   logic [12:0] taught_waddr;
-  assign taught_waddr = {sum_62_s8_q, block_s8_q};
+  assign taught_waddr = {sum_57_s8_q, block_s8_q};
   logic taught_we;
-  assign taught_we = s8_en & and_120_s8_q;
+  assign taught_we = s8_en & and_115_s8_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (taught_we) taught_mem[taught_waddr] <= {parity_116, stored_s8_q};
+    if (taught_we) taught_mem[taught_waddr] <= {parity_111, stored_s8_q};
   end
 `ifndef SYNTHESIS
   logic [12:0] taught_raddr_s4_sim;
@@ -766,33 +765,33 @@ module horopter_blind (
   end
 `endif
 
-  logic select_98_s9_q;
-  logic and_126_s9_q;
+  logic select_93_s9_q;
+  logic and_121_s9_q;
   logic last_s9_q;
-  logic [1:0] select_173_s9_q;
-  logic and_177_s9_q;
-  logic and_180_s9_q;
-  logic and_182_s9_q;
+  logic [1:0] select_174_s9_q;
+  logic and_178_s9_q;
+  logic and_181_s9_q;
+  logic and_183_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
-      select_98_s9_q <= select_98_s8_q;
-      and_126_s9_q <= and_126_s8_q;
+      select_93_s9_q <= select_93_s8_q;
+      and_121_s9_q <= and_121_s8_q;
       last_s9_q <= last_s8_q;
-      select_173_s9_q <= select_173_s8_q;
-      and_177_s9_q <= and_177_s8_q;
-      and_180_s9_q <= and_180_s8_q;
-      and_182_s9_q <= and_182_s8_q;
+      select_174_s9_q <= select_174_s8_q;
+      and_178_s9_q <= and_178_s8_q;
+      and_181_s9_q <= and_181_s8_q;
+      and_183_s9_q <= and_183_s8_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign there_o = and_126_s9_q;
-  assign state_o = select_173_s9_q;
-  assign blind_o = and_177_s9_q;
-  assign first_o = and_180_s9_q;
+  assign there_o = and_121_s9_q;
+  assign state_o = select_174_s9_q;
+  assign blind_o = and_178_s9_q;
+  assign first_o = and_181_s9_q;
   assign last_o = last_s9_q;
-  assign done_o = and_182_s9_q;
-  assign taught_o = select_98_s9_q;
+  assign done_o = and_183_s9_q;
+  assign taught_o = select_93_s9_q;
   assign valid_o = valid_s9_q;
 
   always_ff @(posedge clk_i) begin

@@ -36,12 +36,12 @@ module horopter_blind (
   assign s1_en = en_i & valid_s1_q;
 
   // Of the configuration alone: not pipelined.
-  logic [6:0] last_block;
-  assign last_block = (cfg_width_i[9:4] == 6'h0) ? 7'h1 : ((7'h50 < cfg_width_i[9:3]) ? 7'h4f : (cfg_width_i[9:3] + 7'h7f));
-  logic not_89;
-  assign not_89 = ~cfg_forget_i;
-  logic not_90;
-  assign not_90 = ~cfg_teach_i;
+  logic not_84;
+  assign not_84 = ~cfg_forget_i;
+  logic not_85;
+  assign not_85 = ~cfg_teach_i;
+  logic [6:0] select_135;
+  assign select_135 = (cfg_width_i[9:4] == 6'h0) ? 7'h1 : ((7'h50 < cfg_width_i[9:3]) ? 7'h4f : (cfg_width_i[9:3] + 7'h7f));
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [9:0] x_q;
@@ -75,101 +75,98 @@ module horopter_blind (
   // hls/stages/blind.hpp:64
   logic and_36;
   assign and_36 = idle_i & more_q;
-  // hls/stages/blind.hpp:78
+  // hls/stages/blind.hpp:77
   logic or_37;
   assign or_37 = not_32 | and_36;
-  // hls/stages/blind.hpp:75
-  logic [6:0] last_block_2;
-  assign last_block_2 = and_33 ? last_block : last_block_q;
-  // hls/stages/blind.hpp:77
+  // hls/stages/blind.hpp:76
   logic [6:0] block;
-  assign block = (last_block_2 < x[9:3]) ? last_block_2 : x[9:3];
+  assign block = (last_block_q < x[9:3]) ? last_block_q : x[9:3];
   // hls/stages/blind.hpp:159
   logic ends;
-  assign ends = last_i | ((x[9:3] < last_block_2) & (x[2:0] == 3'h7));
+  assign ends = last_i | ((~(last_block_q == block)) & (x[2:0] == 3'h7));
   // hls/stages/blind.hpp:163
-  logic and_51;
-  assign and_51 = not_32 & ends;
+  logic and_46;
+  assign and_46 = not_32 & ends;
   // hls/stages/blind.hpp:68
-  logic or_53;
-  assign or_53 = new_block_q | and_33;
-  logic [2:0] select_57;
-  assign select_57 = and_33 ? 3'h0 : inner_row_q;
+  logic or_48;
+  assign or_48 = new_block_q | and_33;
+  logic [2:0] select_52;
+  assign select_52 = and_33 ? 3'h0 : inner_row_q;
   // hls/stages/blind.hpp:151
-  logic equal_58;
-  assign equal_58 = select_57 == 3'h0;
+  logic equal_53;
+  assign equal_53 = select_52 == 3'h0;
   // hls/stages/blind.hpp:68
-  logic [8:0] select_61;
-  assign select_61 = and_33 ? 9'h0 : place_q;
+  logic [8:0] select_56;
+  assign select_56 = and_33 ? 9'h0 : place_q;
   // hls/stages/blind.hpp:167
-  logic [8:0] sum_62;
-  assign sum_62 = select_61 + {6'h0, block[6:4]};
+  logic [8:0] sum_57;
+  assign sum_57 = select_56 + {6'h0, block[6:4]};
   // hls/stages/blind.hpp:166
-  logic equal_63;
-  assign equal_63 = select_57 == 3'h7;
+  logic equal_58;
+  assign equal_58 = select_52 == 3'h7;
   // hls/stages/blind.hpp:68
-  logic [8:0] select_64;
-  assign select_64 = and_33 ? 9'h0 : row_q;
+  logic [8:0] select_59;
+  assign select_59 = and_33 ? 9'h0 : row_q;
   // hls/stages/blind.hpp:166
-  logic [9:0] sum_65;
-  assign sum_65 = {1'b0, select_64} + 10'h1;
-  logic equal_66;
-  assign equal_66 = {sum_65[9], cfg_height_i} == {1'b0, sum_65[8:0]};
-  // hls/stages/blind.hpp:81
-  logic and_69;
-  assign and_69 = not_32 & (ends & (equal_63 | equal_66));
+  logic [9:0] sum_60;
+  assign sum_60 = {1'b0, select_59} + 10'h1;
+  logic equal_61;
+  assign equal_61 = {sum_60[9], cfg_height_i} == {1'b0, sum_60[8:0]};
+  // hls/stages/blind.hpp:79
+  logic and_64;
+  assign and_64 = not_32 & (ends & (equal_58 | equal_61));
   // hls/stages/blind.hpp:64
-  logic not_84;
-  assign not_84 = ~and_33;
+  logic not_79;
+  assign not_79 = ~and_33;
   // hls/stages/blind.hpp:68
-  logic and_85;
-  assign and_85 = ended_q & not_84;
-  logic and_87;
-  assign and_87 = idle_i & (~and_85);
-  logic select_88;
-  assign select_88 = and_33 ? cfg_teach_i : teaches_q;
-  logic select_94;
-  assign select_94 = and_33 ? (has_taught_q & (not_89 & (session_q | not_90))) : has_taught_q;
-  // hls/stages/blind.hpp:81
-  logic and_115;
-  assign and_115 = not_32 & (ends & (equal_63 ? select_88 : (select_88 & equal_66)));
+  logic and_80;
+  assign and_80 = ended_q & not_79;
+  logic and_82;
+  assign and_82 = idle_i & (~and_80);
+  logic select_83;
+  assign select_83 = and_33 ? cfg_teach_i : teaches_q;
+  logic select_89;
+  assign select_89 = and_33 ? (has_taught_q & (not_84 & (session_q | not_85))) : has_taught_q;
+  // hls/stages/blind.hpp:79
+  logic and_110;
+  assign and_110 = not_32 & (ends & (equal_58 ? select_83 : (select_83 & equal_61)));
   // hls/stages/blind.hpp:68
-  logic and_116;
-  assign and_116 = odd_q & not_84;
+  logic and_111;
+  assign and_111 = odd_q & not_79;
   // hls/stages/blind.hpp:151
-  logic not_118;
-  assign not_118 = ~(and_116 ^ equal_58);
+  logic not_113;
+  assign not_113 = ~(and_111 ^ equal_53);
   // hls/stages/blind.hpp:68
-  logic [3:0] select_119;
-  assign select_119 = and_33 ? 4'h0 : above_q;
+  logic [3:0] select_114;
+  assign select_114 = and_33 ? 4'h0 : above_q;
   // hls/stages/blind.hpp:152
-  logic equal_120;
-  assign equal_120 = select_119 == 4'h9;
+  logic equal_115;
+  assign equal_115 = select_114 == 4'h9;
   // hls/stages/blind.hpp:151
-  logic and_121;
-  assign and_121 = or_37 & equal_120;
+  logic and_116;
+  assign and_116 = or_37 & equal_115;
   // hls/stages/blind.hpp:65
   logic last;
   assign last = idle_i ? at_end_q : last_i;
   // hls/stages/blind.hpp:83
-  logic [9:0] select_131;
-  assign select_131 = (not_32 & last) ? before_v_q : before_end_q;
+  logic [9:0] select_126;
+  assign select_126 = (not_32 & last) ? before_v_q : before_end_q;
   // hls/stages/blind.hpp:81
-  logic and_132;
-  assign and_132 = last & or_37;
+  logic and_127;
+  assign and_127 = last & or_37;
   // hls/stages/blind.hpp:82
-  logic [8:0] select_140;
-  assign select_140 = and_132 ? (equal_63 ? (select_61 + 9'h5) : select_61) : select_61;
-  logic [3:0] select_145;
-  assign select_145 = and_132 ? (equal_120 ? select_119 : (select_119 + 4'h1)) : select_119;
+  logic [8:0] select_141;
+  assign select_141 = and_127 ? (equal_58 ? (select_56 + 9'h5) : select_56) : select_56;
+  logic [3:0] select_146;
+  assign select_146 = and_127 ? (equal_115 ? select_114 : (select_114 + 4'h1)) : select_114;
   // hls/stages/blind.hpp:88
-  logic or_147;
-  assign or_147 = and_33 | (and_36 & last);
+  logic or_148;
+  assign or_148 = and_33 | (and_36 & last);
   // hls/stages/blind.hpp:68
-  logic and_160;
-  assign and_160 = first_above_q & not_84;
-  logic select_165;
-  assign select_165 = and_33 ? (session_q & (cfg_teach_i & not_89)) : session_q;
+  logic and_161;
+  assign and_161 = first_above_q & not_79;
+  logic select_166;
+  assign select_166 = and_33 ? (session_q & (cfg_teach_i & not_84)) : session_q;
 
   // Memory states, 640 x 18, DISTANCE 16, hls/stages/blind.hpp:188; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -197,7 +194,7 @@ module horopter_blind (
   logic [6:0] counts_raddr;
   assign counts_raddr = block;
   logic counts_re;
-  assign counts_re = s0_en & and_51;
+  assign counts_re = s0_en & and_46;
   logic [6:0] counts_rdata_q;
   always_ff @(posedge clk_i) begin
     if (counts_re) counts_rdata_q <= counts_mem[counts_raddr];
@@ -211,9 +208,9 @@ module horopter_blind (
   initial for (int i = 0; i < 4800; i++) taught_mem[i] = 8'h0;
 `endif
   logic [12:0] taught_raddr;
-  assign taught_raddr = {sum_62, block[3:0]};
+  assign taught_raddr = {sum_57, block[3:0]};
   logic taught_re;
-  assign taught_re = s0_en & and_69;
+  assign taught_re = s0_en & and_64;
   logic [7:0] taught_rdata_q;
   always_ff @(posedge clk_i) begin
     if (taught_re) taught_rdata_q <= taught_mem[taught_raddr];
@@ -227,9 +224,9 @@ module horopter_blind (
   initial for (int i = 0; i < 256; i++) blind_mem[i] = 1'b0;
 `endif
   logic [7:0] blind_raddr;
-  assign blind_raddr = {block, not_118};
+  assign blind_raddr = {block, not_113};
   logic blind_re;
-  assign blind_re = s0_en & and_121;
+  assign blind_re = s0_en & and_116;
   logic blind_rdata_q;
   always_ff @(posedge clk_i) begin
     if (blind_re) blind_rdata_q <= blind_mem[blind_raddr];
@@ -260,24 +257,24 @@ module horopter_blind (
     end else if (s0_en) begin
       x_q <= x + 10'h1;
       before_v_q <= x;
-      before_end_q <= select_131;
-      row_q <= and_132 ? sum_65[8:0] : select_64;
-      inner_row_q <= and_132 ? (select_57 + 3'h1) : select_57;
-      last_block_q <= last_block_2;
-      odd_q <= and_132 ? (and_116 ^ equal_63) : and_116;
-      place_q <= select_140;
-      new_block_q <= idle_i ? or_53 : ends;
-      above_q <= select_145;
-      rows_left_q <= or_147 ? (and_33 ? 4'h9 : (rows_left_q + 4'hf)) : rows_left_q;
-      more_q <= or_147 ? (and_33 | (~(rows_left_q == 4'h1))) : more_q;
+      before_end_q <= select_126;
+      row_q <= and_127 ? sum_60[8:0] : select_59;
+      inner_row_q <= and_127 ? (select_52 + 3'h1) : select_52;
+      last_block_q <= and_33 ? select_135 : last_block_q;
+      odd_q <= and_127 ? (and_111 ^ equal_58) : and_111;
+      place_q <= select_141;
+      new_block_q <= idle_i ? or_48 : ends;
+      above_q <= select_146;
+      rows_left_q <= or_148 ? (and_33 ? 4'h9 : (rows_left_q + 4'hf)) : rows_left_q;
+      more_q <= or_148 ? (and_33 | (~(rows_left_q == 4'h1))) : more_q;
       row_ended_q <= last;
-      at_end_q <= (~(x < select_131)) & (~last);
-      first_above_q <= and_132 ? (select_119 == 4'h8) : and_160;
-      ended_q <= and_85 | and_87;
-      teaches_q <= select_88;
-      watches_q <= and_33 ? (cfg_watch_i & not_90) : watches_q;
-      session_q <= and_87 ? (select_88 | select_165) : select_165;
-      has_taught_q <= and_87 ? (select_88 | select_94) : select_94;
+      at_end_q <= (~(x < select_126)) & (~last);
+      first_above_q <= and_127 ? (select_114 == 4'h8) : and_161;
+      ended_q <= and_80 | and_82;
+      teaches_q <= select_83;
+      watches_q <= and_33 ? (cfg_watch_i & not_85) : watches_q;
+      session_q <= and_82 ? (select_83 | select_166) : select_166;
+      has_taught_q <= and_82 ? (select_83 | select_89) : select_89;
     end
   end
 
@@ -285,62 +282,62 @@ module horopter_blind (
   logic idle_s1_q;
   logic or_37_s1_q;
   logic [6:0] block_s1_q;
-  logic and_51_s1_q;
-  logic or_53_s1_q;
-  logic equal_58_s1_q;
-  logic [8:0] sum_62_s1_q;
-  logic and_69_s1_q;
-  logic and_115_s1_q;
+  logic and_46_s1_q;
+  logic or_48_s1_q;
+  logic equal_53_s1_q;
+  logic [8:0] sum_57_s1_q;
+  logic and_64_s1_q;
+  logic and_110_s1_q;
+  logic and_111_s1_q;
+  logic equal_115_s1_q;
   logic and_116_s1_q;
-  logic equal_120_s1_q;
-  logic and_121_s1_q;
-  logic and_175_s1_q;
-  logic and_177_s1_q;
+  logic and_176_s1_q;
+  logic and_178_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       state_s1_q <= state_i;
       idle_s1_q <= idle_i;
       or_37_s1_q <= or_37;
       block_s1_q <= block;
-      and_51_s1_q <= and_51;
-      or_53_s1_q <= or_53;
-      equal_58_s1_q <= equal_58;
-      sum_62_s1_q <= sum_62;
-      and_69_s1_q <= and_69;
-      and_115_s1_q <= and_115;
+      and_46_s1_q <= and_46;
+      or_48_s1_q <= or_48;
+      equal_53_s1_q <= equal_53;
+      sum_57_s1_q <= sum_57;
+      and_64_s1_q <= and_64;
+      and_110_s1_q <= and_110;
+      and_111_s1_q <= and_111;
+      equal_115_s1_q <= equal_115;
       and_116_s1_q <= and_116;
-      equal_120_s1_q <= equal_120;
-      and_121_s1_q <= and_121;
-      and_175_s1_q <= or_37 & (and_160 & (x == 10'h0));
-      and_177_s1_q <= idle_i & (~more_q);
+      and_176_s1_q <= or_37 & (and_161 & (x == 10'h0));
+      and_178_s1_q <= idle_i & (~more_q);
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [3:0] in_row_q;
   // hls/stages/blind.hpp:160
-  logic equal_55;
-  assign equal_55 = state_s1_q == 2'h2;
-  logic [3:0] sum_56;
-  assign sum_56 = (or_53_s1_q ? 4'h0 : in_row_q) + {3'h0, equal_55};
+  logic equal_50;
+  assign equal_50 = state_s1_q == 2'h2;
+  logic [3:0] sum_51;
+  assign sum_51 = (or_48_s1_q ? 4'h0 : in_row_q) + {3'h0, equal_50};
   // hls/stages/blind.hpp:164
-  logic [6:0] sum_60;
-  assign sum_60 = {3'h0, sum_56} + (equal_58_s1_q ? 7'h0 : counts_rdata_q);
-  // hls/stages/blind.hpp:79
+  logic [6:0] sum_55;
+  assign sum_55 = {3'h0, sum_51} + (equal_53_s1_q ? 7'h0 : counts_rdata_q);
+  // hls/stages/blind.hpp:78
   logic [6:0] known;
   assign known = (^taught_rdata_q) ? 7'h0 : (has_taught_q ? taught_rdata_q[6:0] : 7'h0);
   // hls/stages/blind.hpp:171
   logic [6:0] stored;
-  assign stored = (known < sum_60) ? sum_60 : known;
+  assign stored = (known < sum_55) ? sum_55 : known;
   // hls/stages/blind.hpp:121
-  logic parity_111;
-  assign parity_111 = ^stored;
+  logic parity_106;
+  assign parity_106 = ^stored;
   // hls/stages/blind.hpp:174
-  logic and_127;
-  assign and_127 = watches_q & (({1'b0, cfg_blind_margin_i} + {2'h0, known}) < {2'h0, sum_60});
+  logic and_122;
+  assign and_122 = watches_q & (({1'b0, cfg_blind_margin_i} + {2'h0, known}) < {2'h0, sum_55});
   // hls/stages/blind.hpp:155
-  logic and_171;
-  assign and_171 = equal_120_s1_q & (blind_rdata_q & (states_rdata_q[17:16] == 2'h2));
+  logic and_172;
+  assign and_172 = equal_115_s1_q & (blind_rdata_q & (states_rdata_q[17:16] == 2'h2));
 
   // Memory states, write
   logic [9:0] states_waddr;
@@ -366,9 +363,9 @@ module horopter_blind (
   logic [6:0] counts_waddr;
   assign counts_waddr = block_s1_q;
   logic counts_we;
-  assign counts_we = s1_en & and_51_s1_q;
+  assign counts_we = s1_en & and_46_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (counts_we) counts_mem[counts_waddr] <= sum_60;
+    if (counts_we) counts_mem[counts_waddr] <= sum_55;
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -384,11 +381,11 @@ module horopter_blind (
 
   // Memory taught, write
   logic [12:0] taught_waddr;
-  assign taught_waddr = {sum_62_s1_q, block_s1_q[3:0]};
+  assign taught_waddr = {sum_57_s1_q, block_s1_q[3:0]};
   logic taught_we;
-  assign taught_we = s1_en & and_115_s1_q;
+  assign taught_we = s1_en & and_110_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (taught_we) taught_mem[taught_waddr] <= {parity_111, stored};
+    if (taught_we) taught_mem[taught_waddr] <= {parity_106, stored};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -404,11 +401,11 @@ module horopter_blind (
 
   // Memory blind, write
   logic [7:0] blind_waddr;
-  assign blind_waddr = {block_s1_q, and_116_s1_q};
+  assign blind_waddr = {block_s1_q, and_111_s1_q};
   logic blind_we;
-  assign blind_we = s1_en & and_69_s1_q;
+  assign blind_we = s1_en & and_64_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (blind_we) blind_mem[blind_waddr] <= and_127;
+    if (blind_we) blind_mem[blind_waddr] <= and_122;
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -424,37 +421,37 @@ module horopter_blind (
     if (!rst_ni) begin
       in_row_q <= 4'h0;
     end else if (s1_en) begin
-      in_row_q <= idle_s1_q ? in_row_q : sum_56;
+      in_row_q <= idle_s1_q ? in_row_q : sum_51;
     end
   end
 
-  logic select_96_s2_q;
-  logic and_121_s2_q;
+  logic select_91_s2_q;
+  logic and_116_s2_q;
   logic last_s2_q;
-  logic [1:0] select_168_s2_q;
-  logic and_172_s2_q;
-  logic and_175_s2_q;
-  logic and_177_s2_q;
+  logic [1:0] select_169_s2_q;
+  logic and_173_s2_q;
+  logic and_176_s2_q;
+  logic and_178_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
-      select_96_s2_q <= has_taught_q;
-      and_121_s2_q <= and_121_s1_q;
+      select_91_s2_q <= has_taught_q;
+      and_116_s2_q <= and_116_s1_q;
       last_s2_q <= row_ended_q;
-      select_168_s2_q <= or_37_s1_q ? states_rdata_q[17:16] : 2'h0;
-      and_172_s2_q <= or_37_s1_q & and_171;
-      and_175_s2_q <= and_175_s1_q;
-      and_177_s2_q <= and_177_s1_q;
+      select_169_s2_q <= or_37_s1_q ? states_rdata_q[17:16] : 2'h0;
+      and_173_s2_q <= or_37_s1_q & and_172;
+      and_176_s2_q <= and_176_s1_q;
+      and_178_s2_q <= and_178_s1_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign there_o = and_121_s2_q;
-  assign state_o = select_168_s2_q;
-  assign blind_o = and_172_s2_q;
-  assign first_o = and_175_s2_q;
+  assign there_o = and_116_s2_q;
+  assign state_o = select_169_s2_q;
+  assign blind_o = and_173_s2_q;
+  assign first_o = and_176_s2_q;
   assign last_o = last_s2_q;
-  assign done_o = and_177_s2_q;
-  assign taught_o = select_96_s2_q;
+  assign done_o = and_178_s2_q;
+  assign taught_o = select_91_s2_q;
   assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
