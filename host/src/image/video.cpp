@@ -47,28 +47,31 @@ std::string words(int error) {
   return text.data();
 }
 
-/// What FFmpeg says of errors, where it calls none: of a slice whose checksum is wrong, for instance, it shows the one
+/// Hears what FFmpeg says of errors where it calls none: of a slice whose checksum is wrong, for instance, it shows the one
 /// before.
-thread_local std::string* complaint = nullptr;
-
-void on_message(void* /*object*/, int level, const char* format, std::va_list arguments) {
-  // Some encoders write it, and all is there.
-  constexpr std::string_view kHarmless = "A non-intra slice in an IDR NAL unit.";
-  if (level > AV_LOG_ERROR || !complaint || !complaint->empty() || std::string_view(format).starts_with(kHarmless))
-    return;
-  std::array<char, 200> text{};
-  std::vsnprintf(text.data(), text.size(), format, arguments);
-  *complaint = text.data();
-  while (!complaint->empty() && std::isspace(static_cast<unsigned char>(complaint->back())) != 0) complaint->pop_back();
-}
-
 class Listening {
  public:
-  explicit Listening(std::string& text) { complaint = &text; }
-  ~Listening() { complaint = nullptr; }
+  /// Keeps the first words. What `not_from` says does not count.
+  Listening(std::string& words, const void* not_from) : words_(words), not_from_(not_from) { now = this; }
+  ~Listening() { now = nullptr; }
   Listening(const Listening&) = delete;
   Listening& operator=(const Listening&) = delete;
+
+  static void on_message(void* from, int level, const char* format, std::va_list arguments) {
+    if (level > AV_LOG_ERROR || !now || !now->words_.empty() || from == now->not_from_) return;
+    std::array<char, 200> text{};
+    std::vsnprintf(text.data(), text.size(), format, arguments);
+    std::string_view words = text.data();
+    while (!words.empty() && std::isspace(static_cast<unsigned char>(words.back())) != 0) words.remove_suffix(1);
+    now->words_ = words;
+  }
+
+ private:
+  static thread_local Listening* now;
+  std::string& words_;
+  const void* not_from_;
 };
+thread_local Listening* Listening::now = nullptr;
 
 /// As viewers show it: quarter turns, clockwise.
 std::optional<cv::RotateFlags> turn_of(const AVStream& stream) {
@@ -91,7 +94,7 @@ std::optional<cv::RotateFlags> turn_of(const AVStream& stream) {
 
 struct Video::Decoder {
   explicit Decoder(std::string path) : name(std::move(path)), packet(av_packet_alloc()), frame(av_frame_alloc()) {
-    av_log_set_callback(on_message);  // what is wrong is said here, once
+    av_log_set_callback(&Listening::on_message);  // what is wrong is said here, once
     open_file();
     open_codec();
   }
@@ -146,15 +149,13 @@ struct Video::Decoder {
 
   /// Whether there is an image in `frame`.
   bool decode() {
-    const Listening listening(said);
-    for (;;) {
-      const int result = avcodec_receive_frame(codec.get(), frame.get());
-      if (result == AVERROR_EOF) return false;
-      if (result < 0 && result != AVERROR(EAGAIN)) damaged(words(result));
-      if (result == 0) break;
-      send_packet();
-    }
+    // JPEG images are looked at more closely, and much that the decoder says of them is about what else is in the file.
+    const Listening listening(said, codec->codec_id == AV_CODEC_ID_MJPEG ? codec.get() : nullptr);
+    int result = avcodec_receive_frame(codec.get(), frame.get());
+    for (; result == AVERROR(EAGAIN); result = avcodec_receive_frame(codec.get(), frame.get())) send_packet();
     if (!said.empty()) damaged(said);
+    if (result == AVERROR_EOF) return false;
+    if (result < 0) damaged(words(result));
     if (frame->decode_error_flags != 0 || (frame->flags & AV_FRAME_FLAG_CORRUPT) != 0)
       damaged("parts of it are made up");
     return true;
