@@ -112,14 +112,21 @@ class PacketWatch {
     PacketWatch* watch;
     bool takes_jpeg;
     bool behind_gap = true;  ///< and nothing has come since that stands alone
+    bool begun = false;      ///< with an image; of some kinds heads come before, as differences
 
     /// Of images that are told by those before them.
     bool follows(GstBuffer* buffer) {
       const auto has = [&](GstBufferFlags flag) { return GST_BUFFER_FLAG_IS_SET(buffer, flag); };
       if (has(GST_BUFFER_FLAG_DISCONT)) behind_gap = true;
-      if (!has(GST_BUFFER_FLAG_DELTA_UNIT)) behind_gap = false;
-      if (has(GST_BUFFER_FLAG_CORRUPTED)) behind_gap = true;
-      return !behind_gap;
+      if (!has(GST_BUFFER_FLAG_DELTA_UNIT)) {
+        behind_gap = false;
+        begun = true;
+      }
+      if (has(GST_BUFFER_FLAG_CORRUPTED)) {
+        behind_gap = true;
+        return false;
+      }
+      return !behind_gap || (!begun && has(GST_BUFFER_FLAG_HEADER));
     }
   };
 
@@ -130,7 +137,11 @@ class PacketWatch {
     const std::string_view kind = caps ? gst_structure_get_name(gst_caps_get_structure(caps.get(), 0)) : "";
     if (kind.starts_with("audio/")) return GST_PAD_PROBE_OK;
     const bool is_jpeg = stream->takes_jpeg && (kind.empty() || kind == "image/jpeg");
-    if (is_jpeg ? is_whole(buffer) : stream->follows(buffer)) return GST_PAD_PROBE_OK;
+    const bool alone = kind.starts_with("image/");  // whatever its encoder says: that of PNG calls each a difference
+    const bool good = is_jpeg ? is_whole(buffer)
+                      : alone ? !GST_BUFFER_FLAG_IS_SET(buffer, GST_BUFFER_FLAG_CORRUPTED)
+                              : stream->follows(buffer);
+    if (good) return GST_PAD_PROBE_OK;
     if (is_jpeg && is_piece(pad, buffer)) {
       GstElement* decoder = gst_pad_get_parent_element(pad);
       GST_ELEMENT_ERROR(decoder, STREAM, FORMAT, ("JPEG comes in pieces, not image by image (jpegparse joins them)"),
