@@ -89,7 +89,7 @@ struct Session {
     if (!moving) return supervisor->process(left.image, right.image);
     if (left.time && left.time->left_out > 0) {
       throw FileError(left.name, "",
-                      fmt::format("{} images are missing before it, as the video's times say", left.time->left_out),
+                      fmt::format("images are missing before it: {}, by the video's times", left.time->left_out),
                       "each image as a step of the skin's time");
     }
     return moving->process(left.image, right.image);

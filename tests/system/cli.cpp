@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "../unit/video_hole.hpp"
 #include "pairs.hpp"
 #include "rig_text.hpp"
 #include "sandbox.hpp"
@@ -446,6 +447,34 @@ TEST_CASE("The hardware and the native engine write the same pictures") {
   }
 }
 #endif
+
+TEST_CASE("A skin that moves takes no videos with a hole in time, though both have it") {
+  Sandbox box;
+  with_pairs(box, 5);
+  box.write("rig.yaml", rig_text());
+  box.write("moving.yaml",
+            "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n"
+            "motion: {frame_rate_per_s: 50, object_speed_m_s: 1.6, poses: [{time_s: 0.06, shift_mm: [0, 0, 100]}]}\n");
+  for (const std::string side : {"left", "right"}) {
+    cv::VideoWriter video((box / (side + ".mkv")).string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 50,
+                          {200, 120});
+    REQUIRE(video.isOpened());
+    for (int i = 0; i < 5; ++i) video.write(cv::imread((box / (side + std::to_string(i) + ".png")).string()));
+  }
+  std::vector<std::string> arguments = run_arguments("left.mkv", "right.mkv", "moving.yaml");
+  for (const char* more : {"--rig", "rig.yaml", "--still-scene"}) arguments.emplace_back(more);
+  const auto whole = box.run(arguments);
+  CAPTURE(whole.err);
+  CHECK(whole.status == 0);
+  for (const std::string name : {"left.mkv", "right.mkv"}) {
+    std::string bytes = box.read(name);
+    horopter::delay_images(bytes, 3, 5, 20);
+    box.write(name, bytes);
+  }
+  const auto holed = box.run(arguments);
+  CHECK(holed.status == 3);
+  CHECK_THAT(holed.err, Catch::Contains("left.mkv#3: images are missing before it: 1"));
+}
 
 TEST_CASE("A skin that moves: every frame names its table and time") {
   Sandbox box;

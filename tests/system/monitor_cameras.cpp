@@ -6,6 +6,8 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <opencv2/core.hpp>
+#include <opencv2/videoio.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,6 +15,7 @@
 #include <vector>
 
 #include "../unit/host_temporary.hpp"
+#include "../unit/video_hole.hpp"
 #include "horopter/monitor/camera.hpp"
 
 using namespace horopter::monitor;
@@ -255,6 +258,25 @@ TEST_CASE("streams of which nothing is lost are whole, whatever their encoders s
     CHECK_THAT(error.what(), Catch::Contains("the stream has ended"));
   }
   CHECK(images == 20);
+}
+
+TEST_CASE("what a video lost when it was recorded is lost when it is shown") {
+  const horopter::TemporaryDirectory directory;
+  const auto path = directory / "hole.mkv";
+  {
+    cv::VideoWriter video(path.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 50, {64, 48});
+    REQUIRE(video.isOpened());
+    for (int i = 0; i < 4; ++i) video.write(cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(50 * i)));
+  }
+  auto bytes = horopter::bytes_of(path);
+  horopter::delay_images(bytes, 2, 4, 40);
+  directory.write("hole.mkv", bytes);
+  const auto grabber = open_grabber(settings("files:" + path.string(), 50));
+  std::vector<std::uint64_t> numbers;
+  for (const auto& frame : grab(*grabber, 4)) numbers.push_back(frame.number.value());
+  CHECK(numbers[1] == numbers[0] + 1);
+  CHECK(numbers[2] == numbers[0] + 4);
+  CHECK(numbers[3] == numbers[0] + 5);
 }
 
 TEST_CASE("an image that is shorter than its size is lost; JPEG in pieces is an error") {

@@ -17,6 +17,7 @@
 #include "horopter/image/output.hpp"
 #include "host_temporary.hpp"
 #include "shared_data.hpp"
+#include "video_hole.hpp"
 
 namespace horopter {
 namespace {
@@ -354,16 +355,6 @@ int frames_of(const std::string& path) {
   return frames;
 }
 
-constexpr std::array<std::uint8_t, 3> kJpegBegin{0xFF, 0xD8, 0xFF};
-
-/// Where the JPEG image of this number begins in the bytes of a file.
-auto jpeg_at(std::vector<std::uint8_t>& bytes, int number) {
-  auto at = std::ranges::search(bytes, kJpegBegin).begin();
-  for (int i = 0; i < number; ++i) at = std::search(at + 1, bytes.end(), kJpegBegin.begin(), kJpegBegin.end());
-  REQUIRE(at != bytes.end());
-  return at;
-}
-
 TEST_CASE("A video of JPEG images is read up to the first that is damaged") {
   const TemporaryDirectory directory;
   const std::string name = GENERATE("video.avi", "video.mkv", "video.mov");
@@ -419,6 +410,21 @@ TEST_CASE("A video is turned as its file says") {
   CHECK(standing.at(3, 255) == lying.at(255, 188));
 }
 
+TEST_CASE("A video may tell viewers to leave out its last image") {
+  const TemporaryDirectory directory;
+  const auto path = write_video(directory / "video.mp4", "MP4V");
+  auto bytes = bytes_of(path);
+  constexpr std::array<std::uint8_t, 4> kEditList{'e', 'l', 's', 't'};
+  // Behind these letters version and count, of 4 bytes each, then the length in ms; ISO/IEC 14496-12, 8.6.6.
+  const auto length_ms = std::ranges::search(bytes, kEditList).end() + 8;
+  REQUIRE((length_ms[2] << 8 | length_ms[3]) == 500);
+  length_ms[2] = 400 >> 8;
+  length_ms[3] = 400 & 0xFF;
+  directory.write("video.mp4", bytes);
+  CHECK(open_frames({path})->count() == 5);
+  CHECK(frames_of(path) == 4);
+}
+
 TEST_CASE("Of videos whose decoders notice no damage there is a warning") {
   const TemporaryDirectory directory;
   const auto path = write_video(directory / "video.webm", "VP80");
@@ -462,12 +468,7 @@ TEST_CASE("Two videos are paired by their times") {
                     Catch::Contains("slow.avi#3") && Catch::Contains("0.375 s") && Catch::Contains("0.300 s"));
   CHECK(pairs(slow, PairNumbers::ignored) == 5);
   auto bytes = bytes_of(right);
-  for (int i = 3; i < 5; ++i) {  // an image was lost before them: 100 ms more, in the 16 bits before a byte of flags
-    const auto flags = jpeg_at(bytes, i) - 1;
-    const int time_ms = (flags[-2] << 8 | flags[-1]) + 100;
-    flags[-2] = static_cast<std::uint8_t>(time_ms >> 8);
-    flags[-1] = static_cast<std::uint8_t>(time_ms);
-  }
+  delay_images(bytes, 3, 5, 100);
   directory.write("right.mkv", bytes);
   CHECK_THROWS_WITH(pairs(right), Catch::Contains("right.mkv#3") && Catch::Contains("--pair-by-order"));
   std::vector<std::size_t> left_out;
