@@ -229,6 +229,21 @@ TEST_CASE("every operation", "[emit]") {
   }
 }
 
+TEST_CASE("what depends on configuration alone may take more than a clock", "[schedule]") {
+  Builder b("quasi_static");
+  const Bits x = b.input("x", 9);
+  const Bits level = b.config("level", 9);
+  Bits sum = level;
+  while (b.graph.nodes.size() < 6) sum = b.op(Op::kAdd, 9, {sum, level});
+  b.output("y", b.op(Op::kAdd, 9, {x, sum}));
+  const auto options = at(5);
+  const Graph g = lower_for_target(b.graph, options);
+  const auto s = schedule(g, options);
+  CHECK(s.warnings.empty());
+  CHECK(verify_schedule(g, s).empty());
+  CHECK(check_module(g, s) == "");
+}
+
 TEST_CASE("multiplications become adders that mean the same", "[schedule]") {
   const auto widths = GENERATE(std::pair{8U, 8U}, std::pair{12U, 3U}, std::pair{5U, 11U}, std::pair{1U, 7U});
   const bool with_sign = GENERATE(false, true);
