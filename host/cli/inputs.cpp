@@ -13,6 +13,7 @@
 #include "horopter/machine/proof.hpp"
 #include "horopter/map/map_compiler.hpp"
 #include "horopter/map/map_json.hpp"
+#include "horopter/map/row_check.hpp"
 #include "horopter/map/support.hpp"
 #include "horopter/skin/skin_file.hpp"
 #include "numbers.hpp"

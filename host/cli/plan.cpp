@@ -18,7 +18,7 @@
 #include "horopter/base/json_text.hpp"
 #include "horopter/draw/map_draw.hpp"
 #include "horopter/image/output.hpp"
-#include "horopter/map/map_compiler.hpp"
+#include "horopter/map/row_check.hpp"
 #include "horopter/skin/skin_file.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"

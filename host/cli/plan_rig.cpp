@@ -20,7 +20,7 @@
 #include "horopter/draw/plan_drawing.hpp"
 #include "horopter/draw/plot.hpp"
 #include "horopter/image/output.hpp"
-#include "horopter/map/map_compiler.hpp"
+#include "horopter/map/row_check.hpp"
 #include "horopter/plan/watch.hpp"
 #include "horopter/skin/skin_file.hpp"
 #include "inputs.hpp"

@@ -22,6 +22,7 @@
 #include "horopter/machine/object_follower.hpp"
 #include "horopter/machine/report.hpp"
 #include "horopter/map/map_json.hpp"
+#include "horopter/map/row_check.hpp"
 #include "horopter/plan/tolerance.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"

@@ -10,6 +10,7 @@
 
 #include "horopter/base/error.hpp"
 #include "horopter/map/map_compiler.hpp"
+#include "horopter/map/row_check.hpp"
 #include "horopter/plan/plan_rig.hpp"
 #include "stages/planes.hpp"
 #include "table_11_1.hpp"

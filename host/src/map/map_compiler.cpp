@@ -17,7 +17,7 @@
 
 #include "horopter/base/error.hpp"
 #include "horopter/calib/vectorised.hpp"
-#include "stages/planes.hpp"
+#include "horopter/map/row_check.hpp"
 
 namespace horopter {
 
@@ -38,97 +38,6 @@ constexpr double kFraction = 1.0 / (1 << MapTable::kFractionBits);
 
 double distance(double x, double y) { return std::sqrt(x * x + y * y); }
 double distance(Point p) { return distance(p.x, p.y); }
-
-/// As far beyond the image as the control points of a spacing lie.
-int lattice_count(int size, int log2, int spacing_log2) {
-  return ((((size - 1) >> spacing_log2) + 1) << (spacing_log2 - log2)) + 1;
-}
-
-LatticeShape shape_of(const ScanGeometry& geometry, int x_log2, int y_log2, int nx, int ny) {
-  return {x_log2, y_log2, lattice_count(geometry.width, x_log2, nx), lattice_count(geometry.height, y_log2, ny)};
-}
-
-std::vector<Point> lattice_points(const ScanGeometry& geometry, const LatticeShape& shape) {
-  std::vector<Point> points;
-  const auto [x_log2, y_log2, columns, rows] = shape;
-  points.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      points.push_back(geometry.to_frame({std::ldexp(column, x_log2), std::ldexp(row, y_log2)}));
-    }
-  }
-  return points;
-}
-
-/// Takes looks, from the `first` of the lattice on: sources to the scan's coordinates, and those outside the image by
-/// name.
-void take(std::span<const Look> looks, const ScanGeometry& geometry, std::size_t first, LookLattice& lattice) {
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    const Look& look = looks[i];
-    if (look.reason == Reason::no_source) {
-      lattice.sources[first + i] = look.source;
-      lattice.margins[first + i] = look.margin;
-      lattice.reasons[first + i] = look.reason;
-      continue;
-    }
-    const Point source = geometry.from_frame(look.source);
-    lattice.sources[first + i] = source;
-    lattice.margins[first + i] = look.margin;
-    lattice.reasons[first + i] = look.reason == Reason::none && !geometry.holds(source) ? Reason::outside : look.reason;
-  }
-}
-
-/// Reach of the planes that compete, px of the frame.
-int largest_shift_px(const MachineProfile& profile) {
-  constexpr auto kReaches = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array{stages::planes_of<hls::named_profiles[I].profile.planes>.reach()...};
-  }(std::make_index_sequence<hls::named_profiles.size()>());
-  const auto built = std::ranges::find(hls::named_profiles, profile.planes,
-                                       [](const hls::NamedProfile& named) { return named.profile.planes; });
-  return profile.subsample * kReaches.at(static_cast<std::size_t>(built - hls::named_profiles.begin()));
-}
-
-/// Throws RowError.
-void check_lattice_rows(const LookLattice& lattice, const ScanGeometry& geometry, const ViewLimits& view) {
-  if (view.largest_shift_px == 0) return;
-  RowCount rows;
-  for (int y = 0; y < geometry.height; y += 1 << lattice.shape.y_log2) {
-    for (int x = 0; x < geometry.width; x += 1 << lattice.shape.x_log2) {
-      const std::size_t at = lattice.index(x, y);
-      if (geometry.holds(lattice.sources[at])) rows.add(lattice.reasons[at]);
-    }
-  }
-  check_rows(rows, view);
-}
-
-/// Of samples of a row, of which `inner` is the row, or at the lattice's border the one beside it.
-[[gnu::always_inline]] inline void mark_near_limits(const float* margins, const float* inner, std::size_t columns,
-                                                    Reason* reasons) {
-  const auto bend = [](const float* margin, std::size_t step) __attribute__((always_inline)) {
-    const float value = std::abs(*(margin - step) - 2 * *margin + *(margin + step));
-    return std::isnan(value) ? 0.0F : value;  // the border of what is seen: the margin is negative there
-  };
-  const auto mark = [&](std::size_t column, std::size_t beside) __attribute__((always_inline)) {
-    // Twice what a quadratic needs.
-    const bool near = margins[column] < 0.25F * (bend(margins + beside, 1) + bend(inner + column, columns));
-    reasons[column] = static_cast<bool>(near & !is_excluded(reasons[column])) ? Reason::grid : reasons[column];
-  };
-  mark(0, 1);
-  for (std::size_t column = 1; column + 1 < columns; ++column) mark(column, column);
-  mark(columns - 1, columns - 2);
-}
-
-/// Gives to the grid what lies so near the limits of angle and scale that the space between the samples may cross them:
-/// between two samples a smooth margin falls below both by at most an eighth of its second difference.
-void keep_clear_of_limits(LookLattice& lattice) {
-  const auto columns = static_cast<std::size_t>(lattice.shape.columns);
-  const auto rows = static_cast<std::size_t>(lattice.shape.rows);
-  for (std::size_t row = 0; row < rows; ++row) {
-    const float* const margins = &lattice.margins[row * columns];
-    const float* const inner = &lattice.margins[std::clamp<std::size_t>(row, 1, rows - 2) * columns];
-    calib::vectorised<mark_near_limits>(margins, inner, columns, &lattice.reasons[row * columns]);
-  }
-}
 
 /// What second differences on a lattice of 16 pixels say about the error and the loss of other spacings.
 class Forecast {
@@ -424,9 +333,6 @@ class GridFit {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(cell_columns_ + 1) +
            static_cast<std::size_t>(column);
   }
-  const Point* sources_of_row(int y) const { return &lattice_.sources[lattice_.index(0, y)]; }
-  const Reason* reasons_of_row(int y) const { return &lattice_.reasons[lattice_.index(0, y)]; }
-
   /// A row of pixels between two rows of control points: how far it is down, and what is there at each column, in
   /// 2^-(kFractionBits - 6) px from -control_offset_px.
   void cross(int row, int y, std::vector<std::int32_t>& x_at, std::vector<std::int32_t>& y_at,
@@ -723,7 +629,7 @@ class GridFit {
 
   void set_controls() {
     for (int row = 0; row <= cell_rows_; ++row) {
-      const Point* sources = sources_of_row(row << ny_);
+      const Point* sources = lattice_.sources_of_row(row << ny_);
       for (int column = 0; column <= cell_columns_; ++column) {
         const Point source = sources[(column << nx_) >> lattice_.shape.x_log2];
         if (!std::isnan(source.x)) controls_.set(point(column, row), MapTable::encode(source));
@@ -770,8 +676,8 @@ class GridFit {
       if (row < cell_rows_) {
         const int y = (row << ny_) + middle_y;
         cross(row, y, x_at, y_at, there, controls_.mapped);
-        const Point* sources = sources_of_row(y);
-        const Reason* reasons = reasons_of_row(y);
+        const Point* sources = lattice_.sources_of_row(y);
+        const Reason* reasons = lattice_.reasons_of_row(y);
         const std::uint8_t* top = &controls_.mapped[point(0, row)];
         const std::uint8_t* bottom = &controls_.mapped[point(0, row + 1)];
         for (std::size_t c = 0; c + 1 < columns; ++c) {
@@ -789,7 +695,7 @@ class GridFit {
                                errors_x.data());
       calib::vectorised<agree>(here.low_y.data(), above.low_y.data(), here.high_y.data(), above.high_y.data(), columns,
                                errors_y.data());
-      const Point* sources = sources_of_row(row << ny_);
+      const Point* sources = lattice_.sources_of_row(row << ny_);
       for (std::size_t c = 0; c < columns; ++c) {
         const std::size_t at = point(0, row) + c;
         if (controls_.mapped[at] == 0 || (errors_x[c] == 0 && errors_y[c] == 0)) continue;
@@ -1127,7 +1033,7 @@ class GridFit {
     const int last = (geometry_.width - 1) >> lattice_.shape.x_log2;
     for (int y = 0; y < geometry_.height; y += 1 << lattice_.shape.y_log2) {
       const int kind_y = (y & ((1 << ny_) - 1)) != 0 ? 2 : 0;
-      const Reason* reasons = reasons_of_row(y);
+      const Reason* reasons = lattice_.reasons_of_row(y);
       const int cut = (cell_columns_ - 1) * across;  // the last cell may be
       for (int x = 0; x <= last;) {
         const int begin = x;
@@ -1387,14 +1293,14 @@ std::string UnseenError::text(const MapReport& report) {
 
 /// Control points, as many of them as there are rows of pixels for.
 LatticeShape control_shape(const MapTable& table) {
-  return shape_of(table.geometry(), table.spacing_x_log2(), table.spacing_y_log2(), table.spacing_x_log2(),
-                  table.spacing_y_log2());
+  return LatticeShape::of(table.geometry(), table.spacing_x_log2(), table.spacing_y_log2(), table.spacing_x_log2(),
+                          table.spacing_y_log2());
 }
 
 /// The control points that show nothing yet.
 std::vector<std::uint8_t> without_source(const LatticeShape& shape, const MapTable& table) {
   std::vector<std::uint8_t> without;
-  without.reserve(static_cast<std::size_t>(shape.columns) * static_cast<std::size_t>(shape.rows));
+  without.reserve(shape.count());
   for (int row = 0; row < shape.rows; ++row) {
     for (int column = 0; column < shape.columns; ++column) {
       without.push_back(table.control(column, row) == MapTable::kUnmapped ? 1 : 0);
@@ -1501,47 +1407,18 @@ CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, 
 
 }  // namespace
 
-void LookLattice::resize(const LatticeShape& to) {
-  shape = to;
-  const std::size_t count = static_cast<std::size_t>(to.columns) * static_cast<std::size_t>(to.rows);
-  sources.resize(count);
-  margins.resize(count);
-  reasons.resize(count);
-}
-
-ViewLimits view_limits(const MachineProfile& profile, Decision decision) {
-  check_decision(profile, decision);
-  ViewLimits limits;
-  if (decision == Decision::thesis) return limits;
-  limits.largest_shift_px = largest_shift_px(profile);
-  return limits;
-}
-
-std::string RowError::expected() {
-  return fmt::format("cameras side by side and parallel, their images rectified, or --decision {}",
-                     name_of(Decision::thesis));
-}
-
-void check_rows(const RowCount& rows, const ViewLimits& view) {
-  if (rows.share() <= RowError::kLargestShare) return;
-  throw RowError(fmt::format(
-      "at {:.1f} % of the pixels that could be supervised the epipolar line leaves the row by more than {} px within "
-      "the {} px by which neighbours that compete are shifted",
-      100 * rows.share(), kLargestRowError, view.largest_shift_px));
-}
-
 CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const ScanGeometry& geometry,
                         const MapLimits& limits) {
   LookLattice lattice;
-  lattice.resize(shape_of(geometry, 0, 0, MapTable::kLargestSpacingLog2, MapTable::kLargestSpacingLog2));
-  const std::vector<Point> points = lattice_points(geometry, lattice.shape);
+  lattice.resize(LatticeShape::of(geometry, 0, 0, MapTable::kLargestSpacingLog2, MapTable::kLargestSpacingLog2));
+  const std::vector<Point> points = lattice.shape.points(geometry);
   // Row by row: lines of sight of a whole frame would take more memory than what they see.
   std::vector<Look> looks(static_cast<std::size_t>(lattice.shape.columns));
   for (std::size_t first = 0; first < points.size(); first += looks.size()) {
     skin.look(std::span(points).subspan(first, looks.size()), geometry.row_step(), limits.view, looks);
-    take(looks, geometry, first, lattice);
+    lattice.take(looks, geometry, first);
   }
-  check_lattice_rows(lattice, geometry, limits.view);
+  check_rows(lattice, geometry, limits.view);
   const auto* const rig_skin = dynamic_cast<const RigSkin*>(&skin);
   const bool simple = rig_skin != nullptr && rig_skin->surface()->simple();
   const std::optional<Outline> outline = limits.spans ? outline_of(lattice, geometry) : std::nullopt;
@@ -1554,7 +1431,7 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
       },
       4);
   const LatticeShape shape = control_shape(map.table);
-  const std::vector<Point> controls = lattice_points(geometry, shape);
+  const std::vector<Point> controls = shape.points(geometry);
   std::vector<Point> sources(controls.size());
   skin.look_around(controls, sources);
   show_around(shape, sources, map.table);
@@ -1600,28 +1477,6 @@ MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int ima
   return set;
 }
 
-double share_beyond_rows(const MapSet& maps, const MachineProfile& profile, const ViewLimits& view) {
-  const calib::Rig rig = calib::rig_from_yaml(maps.rig, maps.skin);
-  const CameraPair cameras(rig.cameras.at(0), rig.cameras.at(1));
-  std::int64_t supervised = 0;
-  std::int64_t beyond = 0;
-  for (const CompiledMap& map : maps.maps) {
-    const ScanGeometry& geometry = map.table.geometry();
-    std::vector<Point> points;
-    for (int y = 0; y < geometry.height; ++y) {
-      for (int x = 0; x < geometry.width; ++x) {
-        if (!map.table.source(x, y, profile.weight_bits)) continue;
-        points.push_back(geometry.to_frame({static_cast<double>(x), static_cast<double>(y)}));
-      }
-    }
-    const Rays rays = cameras.rays(points, view);
-    const double largest = kLargestRowError * geometry.row_step();
-    supervised += std::ssize(points);
-    beyond += std::ranges::count_if(rays.row_error, [&](double error) { return !(error <= largest); });
-  }
-  return supervised == 0 ? 0 : static_cast<double>(beyond) / static_cast<double>(supervised);
-}
-
 MapCompiler::MapCompiler(CameraPair cameras, const MachineProfile& profile, const ScanGeometry& geometry,
                          const MapLimits& limits)
     : cameras_(std::move(cameras)),
@@ -1633,8 +1488,7 @@ MapCompiler::MapCompiler(CameraPair cameras, const MachineProfile& profile, cons
 
 const Rays& MapCompiler::rays(const LatticeShape& shape) {
   auto rays = rays_.find(shape);
-  if (rays == rays_.end())
-    rays = rays_.emplace(shape, cameras_.rays(lattice_points(geometry_, shape), limits_.view)).first;
+  if (rays == rays_.end()) rays = rays_.emplace(shape, cameras_.rays(shape.points(geometry_), limits_.view)).first;
   return rays->second;
 }
 
@@ -1646,15 +1500,15 @@ void MapCompiler::look(const Surface& surface, const LatticeShape& shape, LookLa
   for (std::size_t first = 0; first < sights.size(); first += kAtATime) {
     const auto part = std::span(looks).first(std::min(kAtATime, sights.size() - first));
     cameras_.look(surface, sights, geometry_.row_step(), limits_.view, part, first);
-    take(part, geometry_, first, lattice);
+    lattice.take(part, geometry_, first);
   }
-  check_lattice_rows(lattice, geometry_, limits_.view);
+  check_rows(lattice, geometry_, limits_.view);
 }
 
 CompiledMap MapCompiler::compile(const Surface& surface) {
   surface.check_cameras(cameras_.left().world_to_camera.centre(), cameras_.right().world_to_camera.centre());
   LookLattice coarse;
-  look(surface, shape_of(geometry_, kForecastLog2, kForecastLog2, kForecastLog2, kForecastLog2), coarse);
+  look(surface, LatticeShape::of(geometry_, kForecastLog2, kForecastLog2, kForecastLog2, kForecastLog2), coarse);
   const Forecast forecast(coarse, geometry_);
   const std::optional<Outline> outline = limits_.spans ? outlines_.trace(cameras_, surface, coarse) : std::nullopt;
   lattice_.shape = {};
@@ -1662,10 +1516,10 @@ CompiledMap MapCompiler::compile(const Surface& surface) {
   const auto fit = [&](int nx, int ny, const Outline* spans) {
     const int x_log2 = std::min(std::max(nx - 1, 0), coarsest);
     const int y_log2 = std::min(std::max(ny - 1, 0), coarsest);
-    const LatticeShape shape = shape_of(geometry_, x_log2, y_log2, nx, ny);
+    const LatticeShape shape = LatticeShape::of(geometry_, x_log2, y_log2, nx, ny);
     if (shape != lattice_.shape) {
       look(surface, shape, lattice_);
-      if (surface.simple()) keep_clear_of_limits(lattice_);
+      if (surface.simple()) lattice_.keep_clear_of_limits();
     }
     return GridFit(lattice_, geometry_, nx, ny, profile_.weight_bits, limits_, surface.simple(), spans);
   };

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "horopter/base/error.hpp"
+#include "horopter/map/row_check.hpp"
 
 namespace horopter {
 namespace {

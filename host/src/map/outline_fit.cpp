@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "horopter/map/map_compiler.hpp"
+#include "horopter/map/look_lattice.hpp"
 
 namespace horopter {
 namespace {

@@ -19,6 +19,7 @@
 #include "horopter/machine/engines.hpp"
 #include "horopter/machine/monitor.hpp"
 #include "horopter/map/map_compiler.hpp"
+#include "horopter/map/row_check.hpp"
 #include "study.hpp"
 
 namespace horopter::cli {

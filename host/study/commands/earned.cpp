@@ -23,6 +23,7 @@
 #include "horopter/machine/monitor.hpp"
 #include "horopter/machine/registers.hpp"
 #include "horopter/map/map_compiler.hpp"
+#include "horopter/map/row_check.hpp"
 #include "horopter/study/parallel.hpp"
 #include "study.hpp"
 

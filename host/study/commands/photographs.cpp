@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "horopter/base/error.hpp"
+#include "horopter/map/row_check.hpp"
 
 namespace horopter::cli {
 namespace {

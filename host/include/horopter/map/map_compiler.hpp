@@ -2,13 +2,10 @@
 // From a skin to its mapping table: the coarsest grid whose expansion stays within a bound (T10).
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <map>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
+#include "horopter/map/look_lattice.hpp"
 #include "horopter/map/map.hpp"
 #include "horopter/map/outline_fit.hpp"
 #include "horopter/map/table_facts.hpp"
@@ -16,21 +13,6 @@
 #include "horopter/skin/skin_file.hpp"
 
 namespace horopter {
-
-/// What a rule asks of the view. Throws UsageError where the profile does not have the rule.
-ViewLimits view_limits(const MachineProfile& profile, Decision decision);
-
-/// The cameras do not serve the neighbours that compete: at more than this share of the pixels that could be supervised
-/// otherwise the epipolar line leaves the row.
-class RowError : public std::runtime_error {
- public:
-  static constexpr double kLargestShare = 0.9;
-  using std::runtime_error::runtime_error;
-  /// What to do about it, as the end of a message "…; expected …".
-  static std::string expected();
-};
-/// Throws RowError.
-void check_rows(const RowCount& rows, const ViewLimits& view);
 
 struct MapLimits {
   double share = 0.99;               ///< of the supervised pixels (of whole cells, where none fits the pool else) …
@@ -51,32 +33,6 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
 /// Throws FileError naming the skin's file.
 MapSet compile_maps(const SkinFile& skin, const MachineProfile& profile, int image_width, int image_height,
                     const ViewLimits& view = {});
-
-/// Share of the supervised pixels whose epipolar line leaves the row: 0 of tables that were made within these limits.
-/// For tables with a rig.
-double share_beyond_rows(const MapSet& maps, const MachineProfile& profile, const ViewLimits& view);
-
-/// Left pixels that are looked at: every 2^x_log2-th of 2^y_log2-th rows, and as far beyond the image as control points
-/// lie.
-struct LatticeShape {
-  int x_log2 = 0, y_log2 = 0;
-  int columns = 0, rows = 0;
-  friend auto operator<=>(const LatticeShape&, const LatticeShape&) = default;
-};
-/// What they see, side by side: what is asked for most takes least memory.
-struct LookLattice {
-  LatticeShape shape;
-  std::vector<Point> sources;  ///< in the scan's coordinates; NaN where there is none
-  std::vector<float> margins;
-  std::vector<Reason> reasons;
-
-  void resize(const LatticeShape& to);
-  /// Of a pixel of the lattice.
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y >> shape.y_log2) * static_cast<std::size_t>(shape.columns) +
-           static_cast<std::size_t>(x >> shape.x_log2);
-  }
-};
 
 /// The same for skins that move while the cameras stand, a thousand tables a second. The lines of sight are computed
 /// once. Errors and reasons are checked at 4 pixels of each cell: its corner, its middle and the middles between.

@@ -19,9 +19,6 @@ namespace horopter {
 
 struct LookLattice;
 
-/// Never supervised, wherever the source lies.
-constexpr bool is_excluded(Reason reason) { return reason != Reason::none && reason != Reason::outside; }
-
 /// Of each row of a scan the pixels that are on the skin and within the limits of the view: of several runs the longest, or
 /// the one that goes on from row to row.
 struct Outline {
