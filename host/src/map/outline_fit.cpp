@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "horopter/map/look_lattice.hpp"
 
@@ -183,72 +182,6 @@ std::optional<Outline> OutlineTracer::trace(const CameraPair& cameras, const Sur
     }
   };
   return outline;
-}
-
-ControlFit::ControlFit(std::vector<std::size_t> free, std::vector<Point>& points)
-    : free_(std::move(free)), points_(points), from_(free_.size()) {
-  place_.assign(points_.size(), -1);
-  for (std::size_t i = 0; i < free_.size(); ++i) {
-    place_[free_[i]] = static_cast<std::int32_t>(i);
-    from_[i] = points_[free_[i]];
-  }
-}
-
-bool ControlFit::moves(const std::array<std::size_t, 4>& at) const {
-  return std::ranges::any_of(at, [&](std::size_t point) { return place_[point] >= 0; });
-}
-
-void ControlFit::add(const std::array<std::size_t, 4>& at, double right, double below, Point source, double counts) {
-  const std::array<double, 4> weights{(1 - right) * (1 - below), right * (1 - below), (1 - right) * below,
-                                      right * below};
-  bool moves = false;
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (weights[k] == 0) continue;
-    source.x -= weights[k] * points_[at[k]].x;
-    source.y -= weights[k] * points_[at[k]].y;
-    moves = moves || place_[at[k]] >= 0;
-  }
-  if (!moves || std::isnan(source.x)) return;
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (weights[k] == 0 || place_[at[k]] < 0) continue;
-    uses_.push_back({place_[at[k]], static_cast<std::uint32_t>(rest_.size()), weights[k], counts * weights[k]});
-  }
-  rest_.push_back(source);
-}
-
-void ControlFit::solve() {
-  constexpr int kSweeps = 6;
-  constexpr double kStay = 1e-3;  // how much the place from which a point comes counts
-  // Point by point, each in the order of its equations.
-  std::vector<std::size_t> begin(free_.size() + 1);
-  for (const Use& use : uses_) ++begin[static_cast<std::size_t>(use.place) + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Use> sorted(uses_.size());
-  std::vector<double> squares(free_.size(), kStay);
-  std::vector<std::size_t> next = begin;
-  for (const Use& use : uses_) {
-    const auto place = static_cast<std::size_t>(use.place);
-    sorted[next[place]++] = use;
-    squares[place] += use.counted * use.weight;
-  }
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (std::size_t i = 0; i < free_.size(); ++i) {
-      Point& point = points_[free_[i]];
-      const auto uses = std::span(sorted).subspan(begin[i], begin[i + 1] - begin[i]);
-      Point by{kStay * (from_[i].x - point.x), kStay * (from_[i].y - point.y)};
-      for (const Use& use : uses) {
-        by.x += use.counted * rest_[use.equation].x;
-        by.y += use.counted * rest_[use.equation].y;
-      }
-      by = {by.x / squares[i], by.y / squares[i]};
-      point.x += by.x;
-      point.y += by.y;
-      for (const Use& use : uses) {
-        rest_[use.equation].x -= use.weight * by.x;
-        rest_[use.equation].y -= use.weight * by.y;
-      }
-    }
-  }
 }
 
 }  // namespace horopter

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a skin ends in the image: the spans of a table's rows (hls/table_format.hpp), and control points beyond that end.
+// Where a skin ends in the image: the spans of a table's rows (hls/table_format.hpp).
 #pragma once
 
 #include <array>
@@ -67,35 +67,6 @@ class OutlineTracer {
   std::vector<Block> blocks_;  ///< row by row
   std::vector<Sources> seen_;  ///< of the surface at hand
   Rays rays_;
-};
-
-/// Control points from what is seen between them: least squares.
-class ControlFit {
- public:
-  /// The control points that may move, of all `points`; those without a place are NaN, and what needs one of them does not
-  /// count. `points` must live as long.
-  ControlFit(std::vector<std::size_t> free, std::vector<Point>& points);
-  /// Whether one of them may move.
-  bool moves(const std::array<std::size_t, 4>& at) const;
-  /// Of four control points, the upper two first, what must be seen between them, in parts of a cell right of and below
-  /// the first; it counts as so many.
-  void add(const std::array<std::size_t, 4>& at, double right, double below, Point source, double counts);
-  /// Moves the points.
-  void solve();
-  const std::vector<std::size_t>& free() const { return free_; }
-
- private:
-  struct Use {
-    std::int32_t place;  ///< of the point among the free ones
-    std::uint32_t equation;
-    double weight, counted;  ///< and as it counts
-  };
-  std::vector<std::size_t> free_;
-  std::vector<Point>& points_;
-  std::vector<Point> from_;
-  std::vector<std::int32_t> place_;  ///< of a point among the free ones, or -1
-  std::vector<Use> uses_;
-  std::vector<Point> rest_;  ///< what each equation lacks
 };
 
 }  // namespace horopter
