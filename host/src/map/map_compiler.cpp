@@ -5,143 +5,33 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <functional>
-#include <limits>
-#include <map>
 #include <optional>
-#include <ranges>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "cell_grid.hpp"
-#include "expansion.hpp"
+#include "forecast.hpp"
+#include "grid_choice.hpp"
 #include "grid_fit.hpp"
 #include "horopter/base/error.hpp"
 #include "horopter/map/row_check.hpp"
 
 namespace horopter {
-
 namespace {
 
-constexpr int kForecastLog2 = 4;
 /// Coarsest steps between samples: enough for second differences of what is smooth; 4 pixels where it may not be.
 constexpr int kSmoothLog2 = 5;
 constexpr int kFeatureLog2 = 2;
-/// Grids tried where none loses little enough, and how much more than with the first of them may be expected to be lost.
-constexpr int kLastTries = 3;
-constexpr double kWorthATry = 1.05;
-/// The precision of cells that an outline cuts is left out where the limit is kept then, or nearly, and much less is lost.
-constexpr double kMuchLess = 0.75;
-constexpr double kNearly = 1.25;
-
-/// What second differences on a lattice of 16 pixels say about the error and the loss of other spacings.
-class Forecast {
- public:
-  Forecast(const LookLattice& lattice, const ScanGeometry& geometry) {
-    constexpr int kStep = 1 << kForecastLog2;
-    const auto good = [&](int x, int y) { return lattice.reasons[lattice.index(x, y)] == Reason::none; };
-    for (int y = 0; y < geometry.height; y += kStep) {
-      for (int x = 0; x < geometry.width; x += kStep) {
-        if (!good(x, y)) continue;
-        ++good_;
-        const Point here = lattice.sources[lattice.index(x, y)];
-        const auto bend = [&](int dx, int dy) -> Point {
-          if (x < dx || y < dy || x + dx >= geometry.width || y + dy >= geometry.height) return {};
-          const Point a = lattice.sources[lattice.index(x - dx, y - dy)];
-          const Point b = lattice.sources[lattice.index(x + dx, y + dy)];
-          const Point bend{a.x - 2 * here.x + b.x, a.y - 2 * here.y + b.y};
-          return std::isfinite(bend.x + bend.y) ? bend : Point{};
-        };
-        bends_.push_back({bend(kStep, 0), bend(0, kStep)});
-        for (const auto& [dx, dy] : {std::pair{kStep, 0}, {-kStep, 0}, {0, kStep}, {0, -kStep}}) {
-          if (x + dx < 0 || y + dy < 0 || x + dx >= geometry.width || y + dy >= geometry.height) continue;
-          if (is_excluded(lattice.reasons[lattice.index(x + dx, y + dy)])) ++(dx != 0 ? across_ : along_);
-        }
-      }
-    }
-  }
-
-  /// Share of the pixels, roughly, whose interpolation (the quadratic's, in the middle of a cell, 0.6 of it left by
-  /// the control points) is further off.
-  double share_beyond(int nx, int ny, double error_px) const {
-    constexpr double kLeft = 0.6;
-    const double across = std::ldexp(kLeft / 8, 2 * (nx - kForecastLog2));
-    const double along = std::ldexp(kLeft / 8, 2 * (ny - kForecastLog2));
-    const auto beyond = std::ranges::count_if(bends_, [&](const Bend& bend) {
-      return length({bend.x.x * across + bend.y.x * along, bend.x.y * across + bend.y.y * along}) > error_px;
-    });
-    return bends_.empty() ? 0 : static_cast<double>(beyond) / static_cast<double>(bends_.size());
-  }
-
-  /// Cells that the border of what is seen within the limits cuts: along an ellipse 0.35 of what it is long across and
-  /// along the rows, times their width and height.
-  double lost_share(int nx, int ny) const {
-    constexpr double kCut = 0.35;
-    const double cells = std::ldexp(static_cast<double>(across_), nx - kForecastLog2) +
-                         std::ldexp(static_cast<double>(along_), ny - kForecastLog2);
-    return good_ == 0 ? 0 : kCut * cells / static_cast<double>(good_);
-  }
-
- private:
-  struct Bend {
-    Point x, y;
-  };
-  std::vector<Bend> bends_;
-  std::int64_t good_ = 0;
-  std::int64_t across_ = 0;  ///< pixels of the lattice's rows beyond which the border crosses the row
-  std::int64_t along_ = 0;
-};
-
-struct Spacing {
-  int nx, ny;
-  std::size_t bytes;
-};
-
-/// That fit, fewest bytes first.
-std::vector<Spacing> spacings_of(const ScanGeometry& geometry, int largest_log2, std::size_t largest_bytes, bool spans,
-                                 std::size_t areas) {
-  std::vector<Spacing> spacings;
-  for (int nx = 0; nx <= largest_log2; ++nx) {
-    for (int ny = 0; ny <= largest_log2; ++ny) {
-      const std::size_t bytes = MapTable::pool_bytes(geometry, nx, ny, spans, areas);
-      if (bytes <= largest_bytes) spacings.push_back({nx, ny, bytes});
-    }
-  }
-  std::ranges::sort(spacings, {}, &Spacing::bytes);
-  return spacings;
-}
 
 /// Of a table that knows them.
 std::size_t areas_of(const MachineProfile& profile, const ScanGeometry& geometry) {
   hls::table::Facts facts;
   facts.subsample = profile.subsample;
   return facts.area_count({.width = geometry.width, .height = geometry.height});
-}
-
-std::string rows_text(RowReach reach) {
-  return fmt::format("y{:+d} to y{:+d} ({} rows)", -reach.behind, reach.ahead, reach.ahead + reach.behind + 1);
-}
-
-/// Nothing of a skin is supervised.
-class UnseenError : public std::runtime_error {
- public:
-  explicit UnseenError(const MapReport& report) : std::runtime_error(text(report)) {}
-
- private:
-  static std::string text(const MapReport& report);
-};
-
-std::string UnseenError::text(const MapReport& report) {
-  std::string text = "no pixel is supervised";
-  for (int i = 1; i < kReasonCount; ++i) {
-    if (report.by_reason[i] == 0) continue;
-    text += fmt::format(", {:.1f} % {}",
-                        100.0 * static_cast<double>(report.by_reason[i]) / static_cast<double>(report.pixels),
-                        reason_text(static_cast<Reason>(i)));
-  }
-  return text;
 }
 
 /// Control points, as many of them as there are rows of pixels for.
@@ -181,83 +71,6 @@ void seal(CompiledMap& map, const hls::table::Facts& facts) {
   map.report.pool_bytes = map.table.pool_bytes();
 }
 
-/// The coarsest grid within the limits; where none loses little enough, of those that the forecast says to lose least
-/// the one that does. `fit` tries a spacing, with an outline's spans if there is one, and without where that is not enough; those that the forecast says to be beyond `margin` times the limits are not
-/// tried. `areas`: how many of them the table will hold. To be sealed.
-CompiledMap choose(const MachineProfile& profile, const ScanGeometry& geometry, const MapLimits& limits,
-                   const Forecast& forecast, std::size_t areas, const Outline* outline,
-                   const std::function<GridFit(int, int, const Outline*)>& fit, double margin) {
-  const std::size_t largest = limits.largest_bytes != 0 ? limits.largest_bytes : profile.pool_bytes;
-  const std::vector<Spacing> spacings =
-      spacings_of(geometry, limits.largest_spacing_log2, largest, outline != nullptr, areas);
-  std::optional<CompiledMap> best;
-  std::optional<CompiledMap> best_of_whole_cells;  // within the limits, but for cells that the outline cuts
-  std::optional<UnseenError> nothing;
-  std::vector<const Spacing*> tried;
-  const auto consider = [&](const GridFit& grid) {
-    const MapReport& report = grid.report();
-    if (report.supervised() == 0) {
-      nothing = UnseenError(report);
-      return false;
-    }
-    const double lost = report.lost_share();
-    const bool good = lost <= limits.largest_lost_share;
-    if (good || !best || lost < best->report.lost_share()) best = grid.take();
-    return good;
-  };
-  const auto attempt = [&](const Spacing& spacing) {
-    if (std::ranges::find(tried, &spacing) != tried.end()) return false;
-    tried.push_back(&spacing);
-    GridFit grid = fit(spacing.nx, spacing.ny, outline);
-    if (consider(grid)) return true;
-    const double much_less = std::min(kMuchLess * grid.report().lost_share(), kNearly * limits.largest_lost_share);
-    if (!best_of_whole_cells && grid.leave_out_cut() &&
-        grid.report().lost_share() <= std::max(limits.largest_lost_share, much_less)) {
-      best_of_whole_cells = grid.take();
-    }
-    if (best_of_whole_cells) return false;
-    return outline != nullptr && consider(fit(spacing.nx, spacing.ny, nullptr));
-  };
-  const auto beyond = [&](const Spacing& s, double error_px) { return forecast.share_beyond(s.nx, s.ny, error_px); };
-  const auto likely = [&](const Spacing& s) {
-    return (outline != nullptr || forecast.lost_share(s.nx, s.ny) <= limits.largest_lost_share * margin) &&
-           beyond(s, limits.error_px * margin) <= (1 - limits.share) * margin;
-  };
-  const bool found = std::ranges::any_of(spacings, [&](const Spacing& s) { return likely(s) && attempt(s); });
-  if (!found && !best_of_whole_cells) {
-    // Where creases, or the border of what is seen, keep too many pixels off, the grid loses them all.
-    std::multimap<double, const Spacing*> last;  // equal ones in the order of `spacings`
-    for (const Spacing& s : spacings) {
-      const double too_many = std::max(0.0, beyond(s, limits.error_px) - (1 - limits.share));
-      last.emplace(forecast.lost_share(s.nx, s.ny) + too_many, &s);
-    }
-    std::ranges::any_of(last | std::views::take(kLastTries), [&](const auto& s) {
-      return s.first <= kWorthATry * last.begin()->first && (attempt(*s.second) || best_of_whole_cells);
-    });
-  }
-  if (best_of_whole_cells && !(best && best->report.lost_share() <= limits.largest_lost_share)) {
-    best = std::move(best_of_whole_cells);
-  }
-  if (!best && nothing) throw UnseenError(*nothing);
-  if (!best) {
-    throw std::runtime_error(
-        fmt::format("no table of at most {} bytes (the pool of profile {} holds {}) stays within {} "
-                    "px of it for {} % of the pixels",
-                    largest, profile.name, profile.pool_bytes, limits.error_px, 100 * limits.share));
-  }
-  const auto lookahead = lookahead_for(profile, best->report.reach);
-  if (!lookahead) {
-    throw std::runtime_error(
-        fmt::format("left row y needs the right rows {}; the store of profile {} holds {} rows, of "
-                    "which it gives {}{}",
-                    rows_text(best->report.reach), profile.name, profile.store_rows,
-                    rows_text({profile.rows_behind(), profile.largest_lookahead()}),
-                    store_that_holds(profile, best->report.reach)));
-  }
-  best->report.lookahead = *lookahead;
-  return *std::move(best);
-}
-
 }  // namespace
 
 CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const ScanGeometry& geometry,
@@ -275,14 +88,20 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
   const auto* const rig_skin = dynamic_cast<const RigSkin*>(&skin);
   const bool simple = rig_skin != nullptr && rig_skin->surface()->simple();
   const std::optional<Outline> outline = limits.spans ? outline_of(lattice, geometry) : std::nullopt;
-  // The forecast only sorts out what is far off.
-  CompiledMap map = choose(
-      profile, geometry, limits, Forecast(lattice, geometry), rig_skin != nullptr ? areas_of(profile, geometry) : 0,
-      outline ? &*outline : nullptr,
-      [&](int nx, int ny, const Outline* spans) {
-        return GridFit({geometry, nx, ny, lattice.shape}, lattice, profile.weight_bits, limits, simple, spans);
-      },
-      4);
+  const Forecast forecast(lattice, geometry);
+  CompiledMap map = choose({
+      .profile = profile,
+      .geometry = geometry,
+      .limits = limits,
+      .forecast = forecast,
+      .margin = 4,  // the forecast only sorts out what is far off
+      .areas = rig_skin != nullptr ? areas_of(profile, geometry) : 0,
+      .outline = outline ? &*outline : nullptr,
+      .fit =
+          [&](int nx, int ny, const Outline* spans) {
+            return GridFit({geometry, nx, ny, lattice.shape}, lattice, profile.weight_bits, limits, simple, spans);
+          },
+  });
   const LatticeShape shape = control_shape(map.table);
   const std::vector<Point> controls = shape.points(geometry);
   std::vector<Point> sources(controls.size());
@@ -361,7 +180,8 @@ void MapCompiler::look(const Surface& surface, const LatticeShape& shape, LookLa
 CompiledMap MapCompiler::compile(const Surface& surface) {
   surface.check_cameras(cameras_.left().world_to_camera.centre(), cameras_.right().world_to_camera.centre());
   LookLattice coarse;
-  look(surface, LatticeShape::of(geometry_, kForecastLog2, kForecastLog2, kForecastLog2, kForecastLog2), coarse);
+  constexpr int kCoarseLog2 = Forecast::kLog2;
+  look(surface, LatticeShape::of(geometry_, kCoarseLog2, kCoarseLog2, kCoarseLog2, kCoarseLog2), coarse);
   const Forecast forecast(coarse, geometry_);
   const std::optional<Outline> outline = limits_.spans ? outlines_.trace(cameras_, surface, coarse) : std::nullopt;
   lattice_.shape = {};
@@ -376,8 +196,16 @@ CompiledMap MapCompiler::compile(const Surface& surface) {
     }
     return GridFit({geometry_, nx, ny, shape}, lattice_, profile_.weight_bits, limits_, surface.simple(), spans);
   };
-  CompiledMap map = choose(profile_, geometry_, limits_, forecast, areas_of(profile_, geometry_),
-                           outline ? &*outline : nullptr, fit, 1.1);
+  CompiledMap map = choose({
+      .profile = profile_,
+      .geometry = geometry_,
+      .limits = limits_,
+      .forecast = forecast,
+      .margin = 1.1,
+      .areas = areas_of(profile_, geometry_),
+      .outline = outline ? &*outline : nullptr,
+      .fit = fit,
+  });
   const LatticeShape controls = control_shape(map.table);
   std::vector<Point> sources(rays(controls).size());
   cameras_.look_around(surface, rays(controls), sources, without_source(controls, map.table));
