@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <random>
 #include <thread>
@@ -884,6 +885,16 @@ TEST_CASE("An upload says whether the cameras can wait; without a word they can,
   CHECK(status_json(read_status(*device))["test_input"] == true);
   load(*device, build, small_maps(1), settings, false, kNoFrames);
   CHECK(mode() == 0);
+}
+
+TEST_CASE("Threads or instructions that the environment asks for, and that cannot be, are wrong usage") {
+  for (const char* const name : {"HOROPTER_THREADS", "HOROPTER_INSTRUCTIONS"}) {
+    const char* const before = std::getenv(name);
+    const std::string restored = before == nullptr ? "" : before;
+    ::setenv(name, "17", 1);
+    CHECK_THROWS_AS(NativeDevice(find_profile("vga")), UsageError);
+    ::setenv(name, restored.c_str(), 1);
+  }
 }
 
 TEST_CASE("A build with anything more or other than the profile is refused") {

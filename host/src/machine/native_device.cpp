@@ -329,7 +329,11 @@ void NativeDevice::restart(std::uint32_t key) {
 }
 
 std::unique_ptr<native::Engine> NativeDevice::new_engine() const {
-  return native::make_engine(profile_.name, live_ ? native::threads_live : native::threads_usual);
+  try {
+    return native::make_engine(profile_.name, live_ ? native::threads_live : native::threads_usual);
+  } catch (const std::invalid_argument& error) {  // what the environment asks for
+    throw UsageError(error.what());
+  }
 }
 
 void NativeDevice::reset_stream() {

@@ -25,6 +25,8 @@ struct Settings;
 class NativeDevice : public Device {
  public:
   /// `live`: two threads share a picture where there are two processors, and HOROPTER_THREADS does not say otherwise.
+  /// Throws UsageError where no engine is built for the profile, or the environment asks for threads or instructions
+  /// that cannot be.
   explicit NativeDevice(const MachineProfile& profile, bool live = false);
   ~NativeDevice() override;
 
