@@ -4,16 +4,20 @@
 // sum = Σ vote over the pixels up to R rows above and below whose grey level differs by at most `similar` · 4 levels.
 // Config dim: half the light (dim.hpp) makes half of the votes, and camera noise more of them wrong: clear takes half as
 //       much again.
-// Out   skin: sum ≥ `quorum`. clear: −sum ≥ 8 · `clear_quorum`, or sum < 0 and the pixel is firm: that nothing is
-//       there takes more than a doubt. Neither where (nearly) nobody votes. exists: there is a pixel.
+// Out   skin: sum ≥ `quorum`. clear: −sum ≥ 8 · `clear_quorum` where 19 rows vote, in proportion where fewer do; or sum < 0
+//       and the pixel is firm: that nothing is there takes more than a doubt. Without paths (plane_paths) two thirds of
+//       that do: noise does not hand its errors from row to row then, and is left undecided as often. Neither where
+//       (nearly) nobody votes. exists: there is a pixel.
 // Offset: R rows. Memory: per column 2R rows of 15 bits and R bits.
 #pragma once
+
+#include <bit>
 
 #include "stages/spread.hpp"
 
 namespace horopter::stages {
 
-template <int BEATS, int R, class V = Scalar>
+template <int BEATS, int R, bool PATHS, class V = Scalar>
 class ColumnBallot {
   static_assert(R >= 2 && R <= 12);
 
@@ -24,11 +28,13 @@ class ColumnBallot {
   using S = typename V::template s<N>;
   using Bit = typename V::bit;
 
+  static constexpr int quorum_rows = 19;
+
   using In = typename VoteSpread<V>::Out;
   struct Config {
     u<4> similar;       // 4 grey levels
     u<8> quorum;        // votes; at least 1
-    u<8> clear_quorum;  // 8 votes; at least 1
+    u<8> clear_quorum;  // 8 votes of 19 rows; at least 1
     u<1> dim;
   };
   struct Out {
@@ -78,10 +84,9 @@ class ColumnBallot {
     if (running_) memory_.write(at.column, column);
 #endif
 
-    const u<9> clear_quorum(config.clear_quorum + (config.dim != 0 ? shr<1>(config.clear_quorum) : u<7>(0)));
     Out out;
     out.skin = votes[0] >= config.quorum;
-    out.clear = -votes[0] >= shl<3>(clear_quorum) || (votes[0] < lit<0>() && firm);
+    out.clear = -votes[0] >= needed(config) || (votes[0] < lit<0>() && firm);
     out.exists = centre.exists;
     out.marks = in.marks;
     return out;
@@ -89,6 +94,25 @@ class ColumnBallot {
 
  private:
   using Sum = S<13>;  // 25 · 127 and its sign
+
+  /// What clear takes of so many rows.
+  static u<13> needed(const Config& config) {
+    constexpr unsigned halves = (16 * (2 * R + 1) * (PATHS ? 3 : 2) / 3 + quorum_rows / 2) / quorum_rows;
+    return u<13>(shr<2>(product<2 * halves, 3 * halves>(config.clear_quorum, config.dim != 0)));
+  }
+  /// `quorum` times one of the two: an addition for each of a factor's bits but the first.
+  template <unsigned BRIGHT, unsigned DIM>
+  static u<15> product(u<8> quorum, bool dim) {
+    if constexpr (BRIGHT == 0 && DIM == 0) return u<15>(0);
+    constexpr unsigned bright = std::bit_floor(BRIGHT), dimmed = std::bit_floor(DIM);
+    return u<15>((dim ? times<dimmed>(quorum) : times<bright>(quorum)) +
+                 product<BRIGHT - bright, DIM - dimmed>(quorum, dim));
+  }
+  template <unsigned POWER>
+  static u<15> times(u<8> quorum) {
+    if constexpr (POWER == 0) return u<15>(0);
+    return u<15>(shl<std::countr_zero(POWER)>(quorum));
+  }
 
   struct Ballot {
     S<8> vote;
@@ -109,6 +133,6 @@ class ColumnBallot {
 };
 
 template <Profile P, class V = Scalar>
-using Ballot = ColumnBallot<P.result_width(), P.ballot_reach, V>;
+using Ballot = ColumnBallot<P.result_width(), P.ballot_reach, P.paths, V>;
 
 }  // namespace horopter::stages

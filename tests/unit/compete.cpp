@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rule `compete`: the native engine against the same stages beat by beat, and on images made for a purpose.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -37,9 +38,10 @@ std::vector<std::uint32_t> table_of(int width, int height, int shift) {
   });
 }
 
-std::vector<std::uint8_t> engine_states(native::Pipeline<kPlain>& engine, const Picture& left, const Picture& right,
+template <hls::Profile P>
+std::vector<std::uint8_t> engine_states(native::Pipeline<P>& engine, const Picture& left, const Picture& right,
                                         int shift, const native::CompeteSettings& competition = {}) {
-  auto settings = native::Settings::defaults(kPlain, left.width, left.height);
+  auto settings = native::Settings::defaults(P, left.width, left.height);
   settings.compete = true;
   settings.prove = 0;
   static_cast<native::CompeteSettings&>(settings) = competition;
@@ -203,6 +205,58 @@ TEST_CASE("compete: plain squares of a board in the skin are never called clear 
   CHECK(share(in_skin, 149, state::clear, 8, 8, 140, 82) < 0.01);
   const auto before = engine_states(*engine, left, board(8, noise), 0);
   CHECK(share(before, 149, state::skin, 20, 8, 125, 82) < 0.05);
+}
+
+template <hls::Profile P>
+double undecidable_of_noise(double noise_grey) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0, noise_grey);
+  const auto seen = [&] {
+    return Picture(149, 90, [&](int, int) { return static_cast<int>(std::lround(120 + noise(random))); });
+  };
+  const Picture left = seen();
+  const Picture right = seen();
+  const auto states = engine_states(*std::make_unique<native::Pipeline<P>>(), left, right, 0);
+  return share(states, 149, state::undecidable, 8, 8, 140, 82);
+}
+
+TEST_CASE("compete: noise of both cameras decides nothing, with many rows in the ballot or few") {
+  constexpr auto kFewRows = [] {  // as in hd
+    hls::Profile few = kPlain;
+    few.ballot_reach = 5;
+    few.paths = false;
+    return few;
+  }();
+  for (const double noise_grey : {0.5, 1.0, 2.0, 3.0, 4.0}) {
+    CAPTURE(noise_grey);
+    CHECK(undecidable_of_noise<kPlain>(noise_grey) > 0.93);
+    CHECK(undecidable_of_noise<kFewRows>(noise_grey) > 0.93);
+  }
+}
+
+TEST_CASE("compete: what clear takes is in proportion to the rows that vote, and less without paths") {
+  constexpr int kBeats = 16;
+  const auto least_vote_of = [](auto ballot, int rows) {
+    typename decltype(ballot)::Config config;
+    config.quorum = 10;
+    config.clear_quorum = 19;
+    for (int vote = 1; vote < 32; ++vote) {
+      bool clear = false;
+      for (int beat = 0; beat < kBeats * 2 * rows; ++beat) {
+        typename decltype(ballot)::In in;
+        in.vote = -vote;
+        in.exists = true;
+        in.marks = {beat == 0, beat % kBeats == kBeats - 1, true, false};
+        clear = static_cast<bool>(ballot.step(in, config).clear);
+      }
+      if (clear) return vote;
+    }
+    return 0;
+  };
+  CHECK(least_vote_of(ColumnBallot<kBeats, 9, true>(), 19) == 8);   // 19 · 8 ≥ 8 · 19
+  CHECK(least_vote_of(ColumnBallot<kBeats, 5, true>(), 11) == 8);   // 11 · 8 ≥ 4.5 · 19
+  CHECK(least_vote_of(ColumnBallot<kBeats, 5, false>(), 11) == 6);  // 11 · 6 ≥ 3 · 19
+  CHECK(least_vote_of(ColumnBallot<kBeats, 9, false>(), 19) == 6);  // 19 · 6 ≥ 5.5 · 19
 }
 
 TEST_CASE("compete: what repeats within reach is not in the skin; gain and offset do not matter") {

@@ -80,7 +80,7 @@ class Variation {
     if (!parts.boundary) competition.boundary = 14;  // where outer planes win by themselves
     quorum_ = competition.quorum;
     // Of one row instead of all that the ballot asks.
-    clear_quorum_ = 8 * competition.clear_quorum / (2 * P.ballot_reach + 1);
+    clear_quorum_ = 8 * competition.clear_quorum / stages::Ballot<P>::quorum_rows;
   }
 
   Image states(const Image& left, const Image& right, int disparity_px) {

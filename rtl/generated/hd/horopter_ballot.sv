@@ -3,7 +3,7 @@
 //
 // Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 14 bits, pipeline 678 bits, memories 288000 bits.
+// State 14 bits, pipeline 681 bits, memories 288000 bits.
 module horopter_ballot (
   input  logic clk_i,
   input  logic rst_ni,
@@ -40,23 +40,25 @@ module horopter_ballot (
   assign s7_en = en_i & valid_s7_q;
 
   // Of the configuration alone: not pipelined.
-  logic [6:0] select_165;
-  assign select_165 = cfg_dim_i ? cfg_clear_quorum_i[7:1] : 7'h0;
-  logic [8:0] sum_166;
-  assign sum_166 = {1'b0, cfg_clear_quorum_i} + {2'h0, select_165};
+  logic [7:0] select_165;
+  assign select_165 = cfg_dim_i ? {1'b0, cfg_clear_quorum_i[7:1]} : cfg_clear_quorum_i;
+  logic [8:0] select_166;
+  assign select_166 = cfg_dim_i ? {cfg_clear_quorum_i, 1'b0} : {1'b0, cfg_clear_quorum_i};
+  logic [9:0] sum_167;
+  assign sum_167 = {1'b0, select_166} + {3'h0, select_165[7:1]};
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] raster_column_q;
   logic raster_row_ended_q;
   logic running_q;
-  // hls/stages/ballot.hpp:43
+  // hls/stages/ballot.hpp:49
   logic [10:0] select_18;
   assign select_18 = (marks_first_i | raster_row_ended_q) ? 11'h0 : raster_column_q;
-  // hls/stages/ballot.hpp:47
+  // hls/stages/ballot.hpp:53
   logic or_19;
   assign or_19 = marks_first_i | running_q;
 
-  // Memory memory, 1920 x 150, DISTANCE 16, hls/stages/ballot.hpp:103; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory memory, 1920 x 150, DISTANCE 16, hls/stages/ballot.hpp:127; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [149:0] memory_mem [0:1919];
@@ -140,10 +142,10 @@ module horopter_ballot (
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic raster_rows_q;
-  // hls/stages/ballot.hpp:43
+  // hls/stages/ballot.hpp:49
   logic and_22;
   assign and_22 = raster_rows_q & (~marks_first_s2_q);
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_24;
   assign select_24 = running_s2_q ? memory_rdata_s2_q[7:0] : (marks_first_s2_q ? memory_rdata_s2_q[7:0] : 8'h0);
   logic [5:0] select_27;
@@ -194,8 +196,8 @@ module horopter_ballot (
   assign select_144 = running_s2_q ? memory_rdata_s2_q[144:139] : (marks_first_s2_q ? memory_rdata_s2_q[144:139] : 6'h0);
   logic [7:0] select_151;
   assign select_151 = running_s2_q ? memory_rdata_s2_q[138:131] : (marks_first_s2_q ? memory_rdata_s2_q[138:131] : 8'h0);
-  logic select_172;
-  assign select_172 = running_s2_q ? memory_rdata_s2_q[74] : (marks_first_s2_q & memory_rdata_s2_q[74]);
+  logic select_173;
+  assign select_173 = running_s2_q ? memory_rdata_s2_q[74] : (marks_first_s2_q & memory_rdata_s2_q[74]);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -240,7 +242,7 @@ module horopter_ballot (
   logic select_93_s3_q;
   logic [5:0] select_145_s3_q;
   logic [7:0] select_152_s3_q;
-  logic and_173_s3_q;
+  logic and_174_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       vote_s3_q <= vote_s2_q;
@@ -278,12 +280,12 @@ module horopter_ballot (
       select_93_s3_q <= select_93_s2_q;
       select_145_s3_q <= and_22 ? select_144 : 6'h0;
       select_152_s3_q <= and_22 ? select_151 : 8'h0;
-      and_173_s3_q <= and_22 & select_172;
+      and_174_s3_q <= and_22 & select_173;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_96;
   assign difference_96 = {1'b0, select_37_s3_q} - {1'b0, select_64_s3_q};
   logic [5:0] xor_97;
@@ -412,7 +414,7 @@ module horopter_ballot (
   logic [6:0] difference_9_s4_q;
   logic [7:0] select_152_s4_q;
   logic [6:0] difference_10_s4_q;
-  logic and_173_s4_q;
+  logic and_174_s4_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       vote_s4_q <= vote_s3_q;
@@ -441,12 +443,12 @@ module horopter_ballot (
       difference_9_s4_q <= difference_9;
       select_152_s4_q <= select_152_s3_q;
       difference_10_s4_q <= difference_10;
-      and_173_s4_q <= and_173_s3_q;
+      and_174_s4_q <= and_174_s3_q;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_100;
   assign select_100 = ({3'h0, cfg_similar_i} < difference_s4_q) ? 8'h0 : select_34_s4_q;
   logic [7:0] select_105;
@@ -457,10 +459,10 @@ module horopter_ballot (
   assign select_116 = ({3'h0, cfg_similar_i} < difference_4_s4_q) ? 8'h0 : select_43_s4_q;
   logic [7:0] select_123;
   assign select_123 = ({3'h0, cfg_similar_i} < difference_5_s4_q) ? 8'h0 : select_67_s4_q;
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [8:0] sum_124;
   assign sum_124 = {select_61_s4_q[7], select_61_s4_q} + {select_123[7], select_123};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_129;
   assign select_129 = ({3'h0, cfg_similar_i} < difference_6_s4_q) ? 8'h0 : select_79_s4_q;
   logic [7:0] select_134;
@@ -481,7 +483,7 @@ module horopter_ballot (
   logic [8:0] sum_135_s5_q;
   logic [7:0] select_142_s5_q;
   logic [8:0] sum_159_s5_q;
-  logic and_173_s5_q;
+  logic and_174_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       marks_first_s5_q <= marks_first_s4_q;
@@ -495,12 +497,12 @@ module horopter_ballot (
       sum_135_s5_q <= {select_129[7], select_129} + {select_134[7], select_134};
       select_142_s5_q <= ({3'h0, cfg_similar_i} < difference_8_s4_q) ? 8'h0 : vote_s4_q;
       sum_159_s5_q <= {select_153[7], select_153} + {select_158[7], select_158};
-      and_173_s5_q <= and_173_s4_q;
+      and_174_s5_q <= and_174_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [9:0] sum_118;
   assign sum_118 = {sum_106_s5_q[8], sum_106_s5_q} + {sum_117_s5_q[8], sum_117_s5_q};
   logic [9:0] sum_136;
@@ -515,7 +517,7 @@ module horopter_ballot (
   logic select_91_s6_q;
   logic [10:0] sum_137_s6_q;
   logic [9:0] sum_160_s6_q;
-  logic and_173_s6_q;
+  logic and_174_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       marks_first_s6_q <= marks_first_s5_q;
@@ -525,26 +527,23 @@ module horopter_ballot (
       select_91_s6_q <= select_91_s5_q;
       sum_137_s6_q <= {sum_118[9], sum_118} + {sum_136[9], sum_136};
       sum_160_s6_q <= sum_160;
-      and_173_s6_q <= and_173_s5_q;
+      and_174_s6_q <= and_174_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [11:0] sum_161;
   assign sum_161 = {sum_137_s6_q[10], sum_137_s6_q} + {{2{sum_160_s6_q[9]}}, sum_160_s6_q};
-  // hls/stages/ballot.hpp:84
-  logic [12:0] difference_164;
-  assign difference_164 = 13'h0 - {sum_161[11], sum_161};
 
   logic marks_first_s7_q;
   logic marks_last_s7_q;
   logic marks_seen_s7_q;
   logic marks_nearer_s7_q;
   logic not_163_s7_q;
-  logic [9:0] difference_164_s7_q;
-  logic and_169_s7_q;
-  logic and_173_s7_q;
+  logic [12:0] difference_164_s7_q;
+  logic and_170_s7_q;
+  logic and_174_s7_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       marks_first_s7_q <= marks_first_s6_q;
@@ -552,24 +551,24 @@ module horopter_ballot (
       marks_seen_s7_q <= marks_seen_s6_q;
       marks_nearer_s7_q <= marks_nearer_s6_q;
       not_163_s7_q <= ~($signed(sum_161) < $signed({4'h0, cfg_quorum_i}));
-      difference_164_s7_q <= difference_164[12:3];
-      and_169_s7_q <= select_91_s6_q & sum_161[11];
-      and_173_s7_q <= and_173_s6_q;
+      difference_164_s7_q <= 13'h0 - {sum_161[11], sum_161};
+      and_170_s7_q <= select_91_s6_q & sum_161[11];
+      and_174_s7_q <= and_174_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:84
-  logic or_170;
-  assign or_170 = (~($signed(difference_164_s7_q) < $signed({1'b0, sum_166}))) | and_169_s7_q;
+  // hls/stages/ballot.hpp:89
+  logic less_168;
+  assign less_168 = $signed(difference_164_s7_q) < $signed({2'h0, sum_167, select_165[0]});
 
   logic marks_first_s8_q;
   logic marks_last_s8_q;
   logic marks_seen_s8_q;
   logic marks_nearer_s8_q;
   logic not_163_s8_q;
-  logic or_170_s8_q;
-  logic and_173_s8_q;
+  logic or_171_s8_q;
+  logic and_174_s8_q;
   always_ff @(posedge clk_i) begin
     if (s7_en) begin
       marks_first_s8_q <= marks_first_s7_q;
@@ -577,15 +576,15 @@ module horopter_ballot (
       marks_seen_s8_q <= marks_seen_s7_q;
       marks_nearer_s8_q <= marks_nearer_s7_q;
       not_163_s8_q <= not_163_s7_q;
-      or_170_s8_q <= or_170;
-      and_173_s8_q <= and_173_s7_q;
+      or_171_s8_q <= (~less_168) | and_170_s7_q;
+      and_174_s8_q <= and_174_s7_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign skin_o = not_163_s8_q;
-  assign clear_o = or_170_s8_q;
-  assign exists_o = and_173_s8_q;
+  assign clear_o = or_171_s8_q;
+  assign exists_o = and_174_s8_q;
   assign marks_first_o = marks_first_s8_q;
   assign marks_last_o = marks_last_s8_q;
   assign marks_seen_o = marks_seen_s8_q;
@@ -613,9 +612,5 @@ module horopter_ballot (
       valid_s8_q <= valid_s7_q;
     end
   end
-
-  // Nothing depends on these bits.
-  logic unused_bits;
-  assign unused_bits = ^difference_164[2:0];
 
 endmodule

@@ -40,23 +40,23 @@ module horopter_ballot (
   assign s2_en = en_i & valid_s2_q;
 
   // Of the configuration alone: not pipelined.
-  logic [6:0] select_274;
-  assign select_274 = cfg_dim_i ? cfg_clear_quorum_i[7:1] : 7'h0;
+  logic [7:0] select_274;
+  assign select_274 = cfg_dim_i ? cfg_clear_quorum_i : 8'h0;
   logic [8:0] sum_275;
-  assign sum_275 = {1'b0, cfg_clear_quorum_i} + {2'h0, select_274};
+  assign sum_275 = {1'b0, cfg_clear_quorum_i} + {2'h0, select_274[7:1]};
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [9:0] raster_column_q;
   logic raster_row_ended_q;
   logic running_q;
-  // hls/stages/ballot.hpp:43
+  // hls/stages/ballot.hpp:49
   logic [9:0] select_19;
   assign select_19 = marks_first_i ? 10'h0 : (raster_row_ended_q ? 10'h0 : (raster_column_q + 10'h1));
-  // hls/stages/ballot.hpp:47
+  // hls/stages/ballot.hpp:53
   logic or_21;
   assign or_21 = marks_first_i | running_q;
 
-  // Memory memory, 640 x 270 and parity, DISTANCE 16, hls/stages/ballot.hpp:103; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory memory, 640 x 270 and parity, DISTANCE 16, hls/stages/ballot.hpp:127; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [270:0] memory_mem [0:639];
@@ -112,496 +112,496 @@ module horopter_ballot (
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic raster_rows_q;
-  // hls/stages/ballot.hpp:43
+  // hls/stages/ballot.hpp:49
   logic and_24;
   assign and_24 = raster_rows_q & (~marks_first_s1_q);
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_26;
   assign select_26 = running_s1_q ? memory_rdata_q[7:0] : (marks_first_s1_q ? memory_rdata_q[7:0] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_27;
   assign select_27 = and_24 ? select_26 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_29;
   assign select_29 = running_s1_q ? memory_rdata_q[13:8] : (marks_first_s1_q ? memory_rdata_q[13:8] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_30;
   assign select_30 = and_24 ? select_29 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic select_32;
   assign select_32 = running_s1_q ? memory_rdata_q[14] : (marks_first_s1_q & memory_rdata_q[14]);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic and_33;
   assign and_33 = and_24 & select_32;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_35;
   assign select_35 = running_s1_q ? memory_rdata_q[22:15] : (marks_first_s1_q ? memory_rdata_q[22:15] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_36;
   assign select_36 = and_24 ? select_35 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_38;
   assign select_38 = running_s1_q ? memory_rdata_q[28:23] : (marks_first_s1_q ? memory_rdata_q[28:23] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_39;
   assign select_39 = and_24 ? select_38 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic select_41;
   assign select_41 = running_s1_q ? memory_rdata_q[29] : (marks_first_s1_q & memory_rdata_q[29]);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic and_42;
   assign and_42 = and_24 & select_41;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_44;
   assign select_44 = running_s1_q ? memory_rdata_q[37:30] : (marks_first_s1_q ? memory_rdata_q[37:30] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_45;
   assign select_45 = and_24 ? select_44 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_47;
   assign select_47 = running_s1_q ? memory_rdata_q[43:38] : (marks_first_s1_q ? memory_rdata_q[43:38] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_48;
   assign select_48 = and_24 ? select_47 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic select_50;
   assign select_50 = running_s1_q ? memory_rdata_q[44] : (marks_first_s1_q & memory_rdata_q[44]);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic and_51;
   assign and_51 = and_24 & select_50;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_53;
   assign select_53 = running_s1_q ? memory_rdata_q[52:45] : (marks_first_s1_q ? memory_rdata_q[52:45] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_54;
   assign select_54 = and_24 ? select_53 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_56;
   assign select_56 = running_s1_q ? memory_rdata_q[58:53] : (marks_first_s1_q ? memory_rdata_q[58:53] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_57;
   assign select_57 = and_24 ? select_56 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic select_59;
   assign select_59 = running_s1_q ? memory_rdata_q[59] : (marks_first_s1_q & memory_rdata_q[59]);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic and_60;
   assign and_60 = and_24 & select_59;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_62;
   assign select_62 = running_s1_q ? memory_rdata_q[67:60] : (marks_first_s1_q ? memory_rdata_q[67:60] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_63;
   assign select_63 = and_24 ? select_62 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_65;
   assign select_65 = running_s1_q ? memory_rdata_q[73:68] : (marks_first_s1_q ? memory_rdata_q[73:68] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_66;
   assign select_66 = and_24 ? select_65 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic select_68;
   assign select_68 = running_s1_q ? memory_rdata_q[74] : (marks_first_s1_q & memory_rdata_q[74]);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic and_69;
   assign and_69 = and_24 & select_68;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_71;
   assign select_71 = running_s1_q ? memory_rdata_q[82:75] : (marks_first_s1_q ? memory_rdata_q[82:75] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_72;
   assign select_72 = and_24 ? select_71 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_74;
   assign select_74 = running_s1_q ? memory_rdata_q[88:83] : (marks_first_s1_q ? memory_rdata_q[88:83] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_75;
   assign select_75 = and_24 ? select_74 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic select_77;
   assign select_77 = running_s1_q ? memory_rdata_q[89] : (marks_first_s1_q & memory_rdata_q[89]);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic and_78;
   assign and_78 = and_24 & select_77;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_80;
   assign select_80 = running_s1_q ? memory_rdata_q[97:90] : (marks_first_s1_q ? memory_rdata_q[97:90] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_81;
   assign select_81 = and_24 ? select_80 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_83;
   assign select_83 = running_s1_q ? memory_rdata_q[103:98] : (marks_first_s1_q ? memory_rdata_q[103:98] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_84;
   assign select_84 = and_24 ? select_83 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic select_86;
   assign select_86 = running_s1_q ? memory_rdata_q[104] : (marks_first_s1_q & memory_rdata_q[104]);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic and_87;
   assign and_87 = and_24 & select_86;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_89;
   assign select_89 = running_s1_q ? memory_rdata_q[112:105] : (marks_first_s1_q ? memory_rdata_q[112:105] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_90;
   assign select_90 = and_24 ? select_89 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_92;
   assign select_92 = running_s1_q ? memory_rdata_q[118:113] : (marks_first_s1_q ? memory_rdata_q[118:113] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_93;
   assign select_93 = and_24 ? select_92 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic select_95;
   assign select_95 = running_s1_q ? memory_rdata_q[119] : (marks_first_s1_q & memory_rdata_q[119]);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic and_96;
   assign and_96 = and_24 & select_95;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_98;
   assign select_98 = running_s1_q ? memory_rdata_q[127:120] : (marks_first_s1_q ? memory_rdata_q[127:120] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_99;
   assign select_99 = and_24 ? select_98 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_101;
   assign select_101 = running_s1_q ? memory_rdata_q[133:128] : (marks_first_s1_q ? memory_rdata_q[133:128] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_102;
   assign select_102 = and_24 ? select_101 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_104;
   assign select_104 = running_s1_q ? memory_rdata_q[142:135] : (marks_first_s1_q ? memory_rdata_q[142:135] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_105;
   assign select_105 = and_24 ? select_104 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_107;
   assign select_107 = running_s1_q ? memory_rdata_q[148:143] : (marks_first_s1_q ? memory_rdata_q[148:143] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_108;
   assign select_108 = and_24 ? select_107 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_110;
   assign select_110 = running_s1_q ? memory_rdata_q[156:149] : (marks_first_s1_q ? memory_rdata_q[156:149] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_111;
   assign select_111 = and_24 ? select_110 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_113;
   assign select_113 = running_s1_q ? memory_rdata_q[162:157] : (marks_first_s1_q ? memory_rdata_q[162:157] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_114;
   assign select_114 = and_24 ? select_113 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_116;
   assign select_116 = running_s1_q ? memory_rdata_q[170:163] : (marks_first_s1_q ? memory_rdata_q[170:163] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_117;
   assign select_117 = and_24 ? select_116 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_119;
   assign select_119 = running_s1_q ? memory_rdata_q[176:171] : (marks_first_s1_q ? memory_rdata_q[176:171] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_120;
   assign select_120 = and_24 ? select_119 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_122;
   assign select_122 = running_s1_q ? memory_rdata_q[184:177] : (marks_first_s1_q ? memory_rdata_q[184:177] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_123;
   assign select_123 = and_24 ? select_122 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_125;
   assign select_125 = running_s1_q ? memory_rdata_q[190:185] : (marks_first_s1_q ? memory_rdata_q[190:185] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_126;
   assign select_126 = and_24 ? select_125 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_128;
   assign select_128 = running_s1_q ? memory_rdata_q[198:191] : (marks_first_s1_q ? memory_rdata_q[198:191] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_129;
   assign select_129 = and_24 ? select_128 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_131;
   assign select_131 = running_s1_q ? memory_rdata_q[204:199] : (marks_first_s1_q ? memory_rdata_q[204:199] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_132;
   assign select_132 = and_24 ? select_131 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_134;
   assign select_134 = running_s1_q ? memory_rdata_q[212:205] : (marks_first_s1_q ? memory_rdata_q[212:205] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_135;
   assign select_135 = and_24 ? select_134 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_137;
   assign select_137 = running_s1_q ? memory_rdata_q[218:213] : (marks_first_s1_q ? memory_rdata_q[218:213] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_138;
   assign select_138 = and_24 ? select_137 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_140;
   assign select_140 = running_s1_q ? memory_rdata_q[226:219] : (marks_first_s1_q ? memory_rdata_q[226:219] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_141;
   assign select_141 = and_24 ? select_140 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_143;
   assign select_143 = running_s1_q ? memory_rdata_q[232:227] : (marks_first_s1_q ? memory_rdata_q[232:227] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_144;
   assign select_144 = and_24 ? select_143 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_146;
   assign select_146 = running_s1_q ? memory_rdata_q[240:233] : (marks_first_s1_q ? memory_rdata_q[240:233] : 8'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [7:0] select_147;
   assign select_147 = and_24 ? select_146 : 8'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_149;
   assign select_149 = running_s1_q ? memory_rdata_q[246:241] : (marks_first_s1_q ? memory_rdata_q[246:241] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_150;
   assign select_150 = and_24 ? select_149 : 6'h0;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [8:0] select_152;
   assign select_152 = running_s1_q ? memory_rdata_q[269:261] : (marks_first_s1_q ? memory_rdata_q[269:261] : 9'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [8:0] select_153;
   assign select_153 = and_24 ? select_152 : 9'h0;
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_157;
   assign difference_157 = {1'b0, select_39} - {1'b0, select_102};
   logic [5:0] xor_158;
   assign xor_158 = difference_157[5:0] ^ {6{difference_157[6]}};
   logic [6:0] difference;
   assign difference = {6'h0, difference_157[6]} + {1'b0, xor_158};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_161;
   assign select_161 = ({3'h0, cfg_similar_i} < difference) ? 8'h0 : select_36;
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_162;
   assign difference_162 = {1'b0, select_30} - {1'b0, select_102};
   logic [5:0] xor_163;
   assign xor_163 = difference_162[5:0] ^ {6{difference_162[6]}};
   logic [6:0] difference_2;
   assign difference_2 = {6'h0, difference_162[6]} + {1'b0, xor_163};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_166;
   assign select_166 = ({3'h0, cfg_similar_i} < difference_2) ? 8'h0 : select_27;
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [8:0] sum_167;
   assign sum_167 = {select_161[7], select_161} + {select_166[7], select_166};
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_168;
   assign difference_168 = {1'b0, select_57} - {1'b0, select_102};
   logic [5:0] xor_169;
   assign xor_169 = difference_168[5:0] ^ {6{difference_168[6]}};
   logic [6:0] difference_3;
   assign difference_3 = {6'h0, difference_168[6]} + {1'b0, xor_169};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_172;
   assign select_172 = ({3'h0, cfg_similar_i} < difference_3) ? 8'h0 : select_54;
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_173;
   assign difference_173 = {1'b0, select_48} - {1'b0, select_102};
   logic [5:0] xor_174;
   assign xor_174 = difference_173[5:0] ^ {6{difference_173[6]}};
   logic [6:0] difference_4;
   assign difference_4 = {6'h0, difference_173[6]} + {1'b0, xor_174};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_177;
   assign select_177 = ({3'h0, cfg_similar_i} < difference_4) ? 8'h0 : select_45;
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [8:0] sum_178;
   assign sum_178 = {select_172[7], select_172} + {select_177[7], select_177};
   logic [9:0] sum_179;
   assign sum_179 = {sum_167[8], sum_167} + {sum_178[8], sum_178};
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_180;
   assign difference_180 = {1'b0, select_75} - {1'b0, select_102};
   logic [5:0] xor_181;
   assign xor_181 = difference_180[5:0] ^ {6{difference_180[6]}};
   logic [6:0] difference_5;
   assign difference_5 = {6'h0, difference_180[6]} + {1'b0, xor_181};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_184;
   assign select_184 = ({3'h0, cfg_similar_i} < difference_5) ? 8'h0 : select_72;
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_185;
   assign difference_185 = {1'b0, select_66} - {1'b0, select_102};
   logic [5:0] xor_186;
   assign xor_186 = difference_185[5:0] ^ {6{difference_185[6]}};
   logic [6:0] difference_6;
   assign difference_6 = {6'h0, difference_185[6]} + {1'b0, xor_186};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_189;
   assign select_189 = ({3'h0, cfg_similar_i} < difference_6) ? 8'h0 : select_63;
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [8:0] sum_190;
   assign sum_190 = {select_184[7], select_184} + {select_189[7], select_189};
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_191;
   assign difference_191 = {1'b0, select_93} - {1'b0, select_102};
   logic [5:0] xor_192;
   assign xor_192 = difference_191[5:0] ^ {6{difference_191[6]}};
   logic [6:0] difference_7;
   assign difference_7 = {6'h0, difference_191[6]} + {1'b0, xor_192};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_195;
   assign select_195 = ({3'h0, cfg_similar_i} < difference_7) ? 8'h0 : select_90;
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_196;
   assign difference_196 = {1'b0, select_84} - {1'b0, select_102};
   logic [5:0] xor_197;
   assign xor_197 = difference_196[5:0] ^ {6{difference_196[6]}};
   logic [6:0] difference_8;
   assign difference_8 = {6'h0, difference_196[6]} + {1'b0, xor_197};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_200;
   assign select_200 = ({3'h0, cfg_similar_i} < difference_8) ? 8'h0 : select_81;
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [8:0] sum_201;
   assign sum_201 = {select_195[7], select_195} + {select_200[7], select_200};
   logic [9:0] sum_202;
   assign sum_202 = {sum_190[8], sum_190} + {sum_201[8], sum_201};
   logic [10:0] sum_203;
   assign sum_203 = {sum_179[9], sum_179} + {sum_202[9], sum_202};
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_204;
   assign difference_204 = {1'b0, select_108} - {1'b0, select_102};
   logic [5:0] xor_205;
   assign xor_205 = difference_204[5:0] ^ {6{difference_204[6]}};
   logic [6:0] difference_9;
   assign difference_9 = {6'h0, difference_204[6]} + {1'b0, xor_205};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_208;
   assign select_208 = ({3'h0, cfg_similar_i} < difference_9) ? 8'h0 : select_105;
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [8:0] sum_209;
   assign sum_209 = {select_99[7], select_99} + {select_208[7], select_208};
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_210;
   assign difference_210 = {1'b0, select_120} - {1'b0, select_102};
   logic [5:0] xor_211;
   assign xor_211 = difference_210[5:0] ^ {6{difference_210[6]}};
   logic [6:0] difference_10;
   assign difference_10 = {6'h0, difference_210[6]} + {1'b0, xor_211};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_214;
   assign select_214 = ({3'h0, cfg_similar_i} < difference_10) ? 8'h0 : select_117;
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_215;
   assign difference_215 = {1'b0, select_114} - {1'b0, select_102};
   logic [5:0] xor_216;
   assign xor_216 = difference_215[5:0] ^ {6{difference_215[6]}};
   logic [6:0] difference_11;
   assign difference_11 = {6'h0, difference_215[6]} + {1'b0, xor_216};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_219;
   assign select_219 = ({3'h0, cfg_similar_i} < difference_11) ? 8'h0 : select_111;
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [8:0] sum_220;
   assign sum_220 = {select_214[7], select_214} + {select_219[7], select_219};
   logic [9:0] sum_221;
   assign sum_221 = {sum_209[8], sum_209} + {sum_220[8], sum_220};
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_222;
   assign difference_222 = {1'b0, select_132} - {1'b0, select_102};
   logic [5:0] xor_223;
   assign xor_223 = difference_222[5:0] ^ {6{difference_222[6]}};
   logic [6:0] difference_12;
   assign difference_12 = {6'h0, difference_222[6]} + {1'b0, xor_223};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_226;
   assign select_226 = ({3'h0, cfg_similar_i} < difference_12) ? 8'h0 : select_129;
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_227;
   assign difference_227 = {1'b0, select_126} - {1'b0, select_102};
   logic [5:0] xor_228;
   assign xor_228 = difference_227[5:0] ^ {6{difference_227[6]}};
   logic [6:0] difference_13;
   assign difference_13 = {6'h0, difference_227[6]} + {1'b0, xor_228};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_231;
   assign select_231 = ({3'h0, cfg_similar_i} < difference_13) ? 8'h0 : select_123;
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [8:0] sum_232;
   assign sum_232 = {select_226[7], select_226} + {select_231[7], select_231};
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_233;
   assign difference_233 = {1'b0, select_144} - {1'b0, select_102};
   logic [5:0] xor_234;
   assign xor_234 = difference_233[5:0] ^ {6{difference_233[6]}};
   logic [6:0] difference_14;
   assign difference_14 = {6'h0, difference_233[6]} + {1'b0, xor_234};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_237;
   assign select_237 = ({3'h0, cfg_similar_i} < difference_14) ? 8'h0 : select_141;
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_238;
   assign difference_238 = {1'b0, select_138} - {1'b0, select_102};
   logic [5:0] xor_239;
   assign xor_239 = difference_238[5:0] ^ {6{difference_238[6]}};
   logic [6:0] difference_15;
   assign difference_15 = {6'h0, difference_238[6]} + {1'b0, xor_239};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_242;
   assign select_242 = ({3'h0, cfg_similar_i} < difference_15) ? 8'h0 : select_135;
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [8:0] sum_243;
   assign sum_243 = {select_237[7], select_237} + {select_242[7], select_242};
   logic [9:0] sum_244;
   assign sum_244 = {sum_232[8], sum_232} + {sum_243[8], sum_243};
   logic [10:0] sum_245;
   assign sum_245 = {sum_221[9], sum_221} + {sum_244[9], sum_244};
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_247;
   assign difference_247 = {1'b0, grey_s1_q} - {1'b0, select_102};
   logic [5:0] xor_248;
   assign xor_248 = difference_247[5:0] ^ {6{difference_247[6]}};
   logic [6:0] difference_16;
   assign difference_16 = {6'h0, difference_247[6]} + {1'b0, xor_248};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_251;
   assign select_251 = ({3'h0, cfg_similar_i} < difference_16) ? 8'h0 : vote_s1_q;
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [5:0] select_253;
   assign select_253 = running_s1_q ? memory_rdata_q[260:255] : (marks_first_s1_q ? memory_rdata_q[260:255] : 6'h0);
-  // hls/stages/ballot.hpp:56
+  // hls/stages/ballot.hpp:62
   logic [5:0] select_254;
   assign select_254 = and_24 ? select_253 : 6'h0;
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_255;
   assign difference_255 = {1'b0, select_254} - {1'b0, select_102};
   logic [5:0] xor_256;
   assign xor_256 = difference_255[5:0] ^ {6{difference_255[6]}};
   logic [6:0] difference_17;
   assign difference_17 = {6'h0, difference_255[6]} + {1'b0, xor_256};
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic [7:0] select_260;
   assign select_260 = running_s1_q ? memory_rdata_q[254:247] : (marks_first_s1_q ? memory_rdata_q[254:247] : 8'h0);
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_262;
   assign select_262 = ({3'h0, cfg_similar_i} < difference_17) ? 8'h0 : (and_24 ? select_260 : 8'h0);
-  // hls/stages/ballot.hpp:61
+  // hls/stages/ballot.hpp:67
   logic [6:0] difference_263;
   assign difference_263 = {1'b0, select_150} - {1'b0, select_102};
   logic [5:0] xor_264;
   assign xor_264 = difference_263[5:0] ^ {6{difference_263[6]}};
   logic [6:0] difference_18;
   assign difference_18 = {6'h0, difference_263[6]} + {1'b0, xor_264};
-  // hls/stages/ballot.hpp:62
+  // hls/stages/ballot.hpp:68
   logic [7:0] select_267;
   assign select_267 = ({3'h0, cfg_similar_i} < difference_18) ? 8'h0 : select_147;
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [8:0] sum_268;
   assign sum_268 = {select_262[7], select_262} + {select_267[7], select_267};
-  // hls/stages/ballot.hpp:53
+  // hls/stages/ballot.hpp:59
   logic select_281;
   assign select_281 = running_s1_q ? memory_rdata_q[134] : (marks_first_s1_q & memory_rdata_q[134]);
 
@@ -657,14 +657,14 @@ module horopter_ballot (
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/ballot.hpp:65
+  // hls/stages/ballot.hpp:71
   logic [12:0] sum_270;
   assign sum_270 = {sum_246_s2_q[11], sum_246_s2_q} + {{3{sum_269_s2_q[9]}}, sum_269_s2_q};
-  // hls/stages/ballot.hpp:84
+  // hls/stages/ballot.hpp:89
   logic [13:0] difference_273;
   assign difference_273 = 14'h0 - {sum_270[12], sum_270};
-  logic or_279;
-  assign or_279 = (~($signed(difference_273[13:3]) < $signed({2'h0, sum_275}))) | (select_153_s2_q & sum_270[12]);
+  logic less_276;
+  assign less_276 = $signed(difference_273[13:2]) < $signed({2'h0, sum_275, select_274[0]});
 
   logic marks_first_s3_q;
   logic marks_last_s3_q;
@@ -680,7 +680,7 @@ module horopter_ballot (
       marks_seen_s3_q <= marks_seen_s2_q;
       marks_nearer_s3_q <= marks_nearer_s2_q;
       not_272_s3_q <= ~($signed(sum_270) < $signed({5'h0, cfg_quorum_i}));
-      or_279_s3_q <= or_279;
+      or_279_s3_q <= (~less_276) | (select_153_s2_q & sum_270[12]);
       and_282_s3_q <= and_282_s2_q;
     end
   end
@@ -712,6 +712,6 @@ module horopter_ballot (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^difference_273[2:0];
+  assign unused_bits = ^difference_273[1:0];
 
 endmodule
