@@ -195,6 +195,28 @@ def check(page, tell, shoot):
     shoot("event")
     page.driver.find_element("css selector", "#event .close").click()
 
+    # An answer that does not come is told, and asked for again.
+    page.driver.execute_script("window.usual = fetch; window.fetch = () => Promise.reject(new Error('none'));")
+    page.driver.execute_script("document.querySelector('#events tr.stop button').click()")
+    page.wait("that it is told", lambda: page.at("unanswered").is_displayed())
+    page.click("logout")
+    page.wait_for_state("NO CONNECTION")
+    page.driver.execute_script("window.fetch = window.usual;")
+    page.wait_for_state("SAFE")
+    assert page.at("logout").is_displayed() and page.at("unanswered").is_displayed(), "logged out without an answer"
+    page.driver.execute_script("document.querySelector('#events tr.stop button').click()")
+    page.wait("the event after all", lambda: page.at("event-name").is_displayed() and not page.at("unanswered").is_displayed())
+    page.driver.find_element("css selector", "#event .close").click()
+    # The way out is heard, its answer and the next ones are not.
+    page.driver.execute_script("window.fetch = (...asked) => window.usual(...asked).then(() => Promise.reject(new Error('lost')));")
+    page.click("logout")
+    page.wait_for_state("NO CONNECTION")
+    page.driver.execute_script("window.fetch = window.usual;")
+    page.wait("that it is out", lambda: not page.at("logout").is_displayed())
+    page.log_in("otto")
+    page.wait_for_state("SAFE")
+    assert not page.at("unanswered").is_displayed()
+
     tell("blind")
     page.wait("a fault by name", lambda: "left_late" in page.at("cause-list").text and page.at("state").text == "NOT SAFE")
     tell("good")

@@ -8,6 +8,7 @@ const OLD_AFTER_MS = 1000;  // of the decision, with the way of the answer
 
 const at = (id) => document.getElementById(id);
 let session = { may_look: false, token: null };
+let sessionIsOld = true;
 let last = null;      // the last status
 let lastAsked = null; // when it was asked for: performance.now()
 let beat = false;
@@ -197,7 +198,7 @@ async function readStatus() {
   const answer = await ask("/api/status");
   if (answer.status === 401) {
     session.may_look = false;
-    await readSession();
+    await readNewSession();
     return;
   }
   if (!answer.ok) throw new Error("status");
@@ -241,10 +242,20 @@ async function readPicture() {
 
 // --- session
 
+async function readNewSession() {
+  sessionIsOld = true;
+  try {
+    await readSession();
+  } catch {
+    // Asked for again, round and round.
+  }
+}
+
 async function readSession() {
   const answer = await ask("/api/session");
   if (!answer.ok) throw new Error("session");
   session = await answer.json();
+  sessionIsOld = false;
   at("title").textContent = session.title;
   at("who").textContent = session.user ? `${session.user}, ${session.role}` : session.may_look ? "viewer" : "";
   at("login-open").hidden = !session.login_possible || session.user !== null;
@@ -280,7 +291,14 @@ async function logIn(event) {
   at("login-trouble").textContent = trouble || "";
   if (trouble) return;
   at("login").close();
-  await readSession();
+  at("unanswered").hidden = true;
+  await readNewSession();
+}
+
+async function logOut() {
+  const trouble = await change("/api/logout", {});
+  at("unanswered").hidden = !trouble;
+  await readNewSession();
 }
 
 // --- what may be asked for
@@ -345,19 +363,32 @@ async function readLog() {
   at("older").hidden = events.length < 50;
 }
 
+// What a click asks of the log. Null, and that is said, where there is no answer.
+async function askLog(path) {
+  let json = null;
+  try {
+    const answer = await ask(path);
+    if (answer.ok) json = await answer.json();
+  } catch {
+    // Too late, or none.
+  }
+  at("unanswered").hidden = json !== null;
+  return json;
+}
+
 async function readOlder() {
-  const answer = await ask(`/api/log?before=${shownEvents[shownEvents.length - 1].number}`);
-  if (!answer.ok) return;
-  const { events } = await answer.json();
+  const older = await askLog(`/api/log?before=${shownEvents[shownEvents.length - 1].number}`);
+  if (!older) return;
+  const { events } = older;
   shownEvents = shownEvents.concat(events);
   at("events").tBodies[0].append(...events.map(eventRow));
   at("older").hidden = events.length < 50;
 }
 
 async function openEvent(eventNumber) {
-  const answer = await ask(`/api/log/${eventNumber}`);
-  if (!answer.ok) return;
-  const { event, pictures, complete } = await answer.json();
+  const found = await askLog(`/api/log/${eventNumber}`);
+  if (!found) return;
+  const { event, pictures, complete } = found;
   at("event-title").textContent = `Event ${event.number}, ${when(event.time)}`;
   at("event-text").textContent = complete ? "" : "Its pictures are still being written.";
   at("event-causes").replaceChildren(...event.causes.map((cause) => {
@@ -418,7 +449,7 @@ function forever(work, every) {
 
 at("login-open").onclick = openLogin;
 at("login").querySelector("form").addEventListener("submit", logIn);
-at("logout").onclick = async () => { await change("/api/logout", {}); await readSession(); };
+at("logout").onclick = logOut;
 at("restart").onclick = openRestart;
 at("teach").onclick = openTeach;
 at("confirm-looked").onchange = () => { at("confirm-send").disabled = !at("confirm-looked").checked; };
@@ -427,5 +458,5 @@ for (const button of document.querySelectorAll("dialog .close")) button.onclick 
 // A page that was hidden, or a computer that slept, has nothing to show until it has heard again.
 document.addEventListener("visibilitychange", () => { lastAsked = null; showState(); });
 setInterval(showState, 100);
-forever(async () => { if (session.title === undefined) await readSession(); else if (session.may_look) await readStatus(); }, STATUS_EVERY_MS);
+forever(async () => { if (sessionIsOld) await readSession(); else if (session.may_look) await readStatus(); }, STATUS_EVERY_MS);
 forever(readPicture, PICTURE_EVERY_MS);
