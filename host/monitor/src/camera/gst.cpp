@@ -228,7 +228,14 @@ class GstGrabber : public Grabber {
 
   [[noreturn]] void fail_by_bus(const std::string& otherwise) {
     check_bus();
-    throw CameraError("GStreamer: " + otherwise);
+    GstBus* bus = gst_element_get_bus(pipeline_.get());
+    // The reason may come a moment behind the state.
+    GstMessage* reason = gst_bus_timed_pop_filtered(bus, GST_SECOND, GST_MESSAGE_ERROR);
+    gst_object_unref(bus);
+    if (reason == nullptr) throw CameraError("GStreamer: " + otherwise);
+    const std::string problem = problem_in(*reason);
+    gst_message_unref(reason);
+    throw CameraError("GStreamer: " + problem);
   }
 
   void check_bus() {
