@@ -88,7 +88,7 @@ inline constexpr std::array<RegisterField, 261> kRegisterFields = {{
     {0x0BC, "smooth", {4, 3}, "Pixels of a row that differ by more are not alike; 4 grey levels."},
     {0x0BC, "similar", {7, 4}, "Pixels of a column that differ by more do not vote for each other; 4 grey levels."},
     {0x0BC, "quorum", {11, 8}, "Smallest sum of votes that says skin; at least 1."},
-    {0x0BC, "clear_quorum", {19, 8}, "Smallest sum of votes against that says clear; 8 votes where 19 rows vote, in proportion where fewer do, at least 1."},
+    {0x0BC, "clear_quorum", {19, 8}, "Smallest sum of votes against that says clear; 8 votes where 19 rows vote, in proportion where fewer do, two thirds of that without paths; at least 1."},
     {0x0BC, "boundary", {27, 4}, "Where the skin ends, 0 (nearest) to 14: before and behind it at 1/2 + boundary / 14 px by a parabola; measured: host/src/plan/boundary_table.def."},
     {0x0C0, "slot", {0, 4}, "0 to 14."},
     {0x0C4, "word64", {0, 16}, "Index of a 64-bit word. An upload invalidates every table that it overlaps."},

@@ -392,7 +392,8 @@ inline constexpr Field kSmooth{4, 3};
 inline constexpr Field kSimilar{7, 4};
 /// Smallest sum of votes that says skin; at least 1.
 inline constexpr Field kQuorum{11, 8};
-/// Smallest sum of votes against that says clear; 8 votes where 19 rows vote, in proportion where fewer do, at least 1.
+/// Smallest sum of votes against that says clear; 8 votes where 19 rows vote, in proportion where fewer do, two thirds
+/// of that without paths; at least 1.
 inline constexpr Field kClearQuorum{19, 8};
 /// Where the skin ends, 0 (nearest) to 14: before and behind it at 1/2 + boundary / 14 px by a parabola; measured:
 /// host/src/plan/boundary_table.def.
