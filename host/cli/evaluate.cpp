@@ -176,7 +176,8 @@ json to_json(const Score& s) {
           {"objects", s.objects},
           {"found", s.found},
           {"false_per_frame", s.false_objects},
-          {"undecidable", s.undecidable_share()}};
+          {"undecidable", s.undecidable_share()},
+          {"called_clear", s.called_clear_share()}};
 }
 
 /// Mean of every figure, over frames or pairs; of objects the sum.
@@ -221,17 +222,17 @@ json to_json(const std::vector<PairResult>& pairs) {
 }
 
 void print_row(const std::string& pair, const std::string& method, const json& row, bool timed) {
-  fmt::print("{:<12} {:<11} {:9.3f} {:7.3f} {:6.3f}   {:4}/{:<4} {:9.2f} {:11.3f}", pair, method,
+  fmt::print("{:<12} {:<11} {:9.3f} {:7.3f} {:6.3f}   {:4}/{:<4} {:9.2f} {:11.3f} {:12.3f}", pair, method,
              row["precision"].get<double>(), row["recall"].get<double>(), row["iou"].get<double>(),
              row["found"].get<int>(), row["objects"].get<int>(), row["false_per_frame"].get<double>(),
-             row["undecidable"].get<double>());
+             row["undecidable"].get<double>(), row["called_clear"].get<double>());
   if (timed) fmt::print(" {:7.1f}", 1000 * row["seconds"].get<double>());
   fmt::print("\n");
 }
 
 void print_table(const json& result) {
-  fmt::print("{:<12} {:<11} {:>9} {:>7} {:>6}   {:>9} {:>9} {:>11} {:>7}\n", "pair", "method", "precision", "recall",
-             "IoU", "found", "false", "undecidable", "ms");
+  fmt::print("{:<12} {:<11} {:>9} {:>7} {:>6}   {:>9} {:>9} {:>11} {:>12} {:>7}\n", "pair", "method", "precision",
+             "recall", "IoU", "found", "false", "undecidable", "called clear", "ms");
   for (const json& pair : result["pairs"]) {
     const auto name = pair["name"].get<std::string>();
     for (const char* method : kMethodNames) {

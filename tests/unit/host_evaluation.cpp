@@ -161,6 +161,8 @@ TEST_CASE("Answers are scored by pixel and by object") {
   CHECK(nothing.found == 0);
   CHECK(nothing.iou() == 0);
   CHECK(nothing.recall() == 0);
+  CHECK(nothing.called_clear_share() == 1);
+  CHECK(score(truth, 20, 1, answers).called_clear_share() == 0);
 
   fill(60, 10, 70, 30, Answer::skin);         // half of the block
   fill(70, 10, 80, 20, Answer::undecidable);  // a quarter of it
@@ -171,6 +173,8 @@ TEST_CASE("Answers are scored by pixel and by object") {
   CHECK(s.missed == 200);
   CHECK(s.wrong == 109);
   CHECK(s.undecidable == 100);
+  CHECK(s.called_clear == 100);
+  CHECK(s.called_clear_share() == Approx(0.25));
   CHECK(s.precision() == Approx(200.0 / 309));
   CHECK(s.recall() == Approx(0.5));
   CHECK(s.iou() == Approx(200.0 / 509));

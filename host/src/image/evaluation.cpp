@@ -91,6 +91,10 @@ double Score::precision() const { return ratio_of(hits, hits + wrong); }
 double Score::recall() const { return ratio_of(hits, hits + missed); }
 double Score::iou() const { return ratio_of(hits, hits + wrong + missed); }
 double Score::undecidable_share() const { return counted == 0 ? 0 : ratio_of(undecidable, counted); }
+double Score::called_clear_share() const {
+  const std::int64_t inside = hits + missed;
+  return inside == 0 ? 0 : ratio_of(called_clear, inside);
+}
 
 Score score(const GroundTruth& truth, double disparity_px, double tolerance_px, const std::vector<Answer>& answers) {
   Score result;
@@ -109,6 +113,7 @@ Score score(const GroundTruth& truth, double disparity_px, double tolerance_px, 
     result.hits += skin && inside ? 1 : 0;
     result.wrong += skin && !inside ? 1 : 0;
     result.missed += !skin && inside ? 1 : 0;
+    result.called_clear += inside && answers[i] == Answer::clear ? 1 : 0;
     result.undecidable += answers[i] == Answer::undecidable ? 1 : 0;
   }
   for (const auto& [pixels, covered] : large_regions(in_skin, answered)) {

@@ -42,9 +42,10 @@ class GroundTruth {
 /// skin, of at least 0.2 % of the image; it is found where at least 30 % of it is answered `skin`. A false object is a
 /// region of such answers, of that size, less than 10 % of which is within tolerance + 1 px.
 struct Score {
-  std::int64_t hits = 0;    ///< answered skin and within the tolerance
-  std::int64_t wrong = 0;   ///< answered skin, elsewhere
-  std::int64_t missed = 0;  ///< not answered skin though within the tolerance
+  std::int64_t hits = 0;          ///< answered skin and within the tolerance
+  std::int64_t wrong = 0;         ///< answered skin, elsewhere
+  std::int64_t missed = 0;        ///< not answered skin though within the tolerance
+  std::int64_t called_clear = 0;  ///< of the missed, those answered clear: the dangerous ones
   std::int64_t undecidable = 0;
   std::int64_t counted = 0;
   int objects = 0;
@@ -55,7 +56,9 @@ struct Score {
   double precision() const;
   double recall() const;
   double iou() const;
+  // 0 where there is nothing.
   double undecidable_share() const;
+  double called_clear_share() const;  ///< of the pixels within the tolerance
 };
 
 /// `answers`: one for each pixel of the truth.
