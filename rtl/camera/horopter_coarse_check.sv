@@ -52,7 +52,7 @@ module horopter_coarse_check (
 
   // --- pairs: one of three things in a clock ---
   logic clear;  // the frame is over
-  logic [1:0] held_q;  // a cell that has come
+  (* nowrshmsk *) logic [1:0] held_q;  // a cell that has come; see horopter_frame_control
   logic [8:0] left_q, right_q;  // {start, mean}
   logic ahead_q;  // whose cells wait
   logic [ADDR_BITS-1:0] write_addr_q, read_addr_q;

@@ -97,7 +97,7 @@ module horopter_areas #(
   // --- places ---
   logic [COLUMN_BITS-1:0] column_q, column;
   logic [SIDE_BITS-1:0] inner_q, inner;  // row in its block
-  logic [INDEX_BITS-1:0] row_q, row, index_q;  // first block of the row; block
+  logic [INDEX_BITS-1:0] row_q, row, next_row_q, index_q;  // first block of the row, of the row of blocks below; block
   logic [INDEX_BITS-1:0] blocks_q;  // of a row
   logic read_q;
   assign column = pixel_first_i ? '0 : column_q;
@@ -105,12 +105,13 @@ module horopter_areas #(
   assign row = pixel_first_i ? '0 : row_q;
   always_ff @(posedge clk_i) begin
     blocks_q <= INDEX_BITS'((32'(width_i) + SIDE - 1) >> SIDE_BITS);
+    next_row_q <= row_q + blocks_q;
     read_q <= rst_ni && pixel_valid_i;
     if (pixel_valid_i) begin
       index_q <= row + INDEX_BITS'(column >> SIDE_BITS);
       column_q <= pixel_last_i ? '0 : column + 1'b1;
       inner_q <= inner + SIDE_BITS'(pixel_last_i);
-      row_q <= row + (pixel_last_i && inner == '1 ? blocks_q : '0);
+      row_q <= pixel_last_i && inner == '1 ? next_row_q : row;
     end
   end
 

@@ -106,7 +106,8 @@ module horopter_frame_control (
   logic released, held, stuck;  // the interlock
   logic open_q, open_slot_q, left_slot_q, right_slot_q, judged_slot_q, late_rises;
   logic [1:0] empty_q;  // the image check has found nothing in the camera's image
-  logic [1:0] left_checked_q, right_checked_q;  // by record
+  // In yosys a write at a variable place is a subtraction and a shift otherwise.
+  (* nowrshmsk *) logic [1:0] left_checked_q, right_checked_q;  // by record
   logic [4:0] begin_q;  // the table's entry is there some clocks after the begin
   always_ff @(posedge clk_i) begin
     arriving_q <= '0;
@@ -174,7 +175,7 @@ module horopter_frame_control (
   logic state_ended_q, runs_ended_q, counted_q, objects_ended_q, judged_by_both_q, overlooked_q;
   logic alarm_q, object_alarm_q;
   logic complete, publishing, publish_q;
-  logic [1:0] accepts;  // records that still take faults
+  (* nowrshmsk *) logic [1:0] accepts;  // records that still take faults
   horopter_csr_pkg::faults_t set_record0, set_record1, set_event;
   assign complete = active_i && state_ended_q && runs_ended_q && counted_q && objects_ended_q && judged_by_both_q && !publishing && !publish_q && !publish_o;
   always_ff @(posedge clk_i) begin
@@ -205,7 +206,7 @@ module horopter_frame_control (
 
   horopter_csr_pkg::faults_t faults0_q, faults1_q, event_q, total_q, read_faults, unchecked;
   logic [1:0] bad_q;  // by record
-  logic found_q, others_bad_q;
+  logic found_q, others_bad_q, faulty_q;  // faulty_q: total_q has a fault
   assign read_faults = (read_slot_i ? faults1_q : faults0_q) | event_q;
   // A frame without its image checks or without all its rows, and without a fault of a camera's stream that explains it,
   // was not checked: not safe.
@@ -228,6 +229,7 @@ module horopter_frame_control (
       bad_q <= 2'b00;
       others_bad_q <= 1'b0;
       total_q <= '0;
+      faulty_q <= 1'b0;
     end else begin
       faults0_q <= (open_q && !open_slot_q ? '0 : faults0_q) | set_record0;
       faults1_q <= (open_q && open_slot_q ? '0 : faults1_q) | set_record1;
@@ -239,6 +241,7 @@ module horopter_frame_control (
       if (health_valid_i[0]) left_checked_q[left_slot_q] <= 1'b1;
       if (health_valid_i[1]) right_checked_q[right_slot_q] <= 1'b1;
       if (publishing) total_q <= read_faults | unchecked;
+      if (publishing) faulty_q <= (read_faults | unchecked) != '0;
       fault_set_o <= set_record0 | set_record1 | set_event | transient_q;
       if (publish_q && total_q.machine.internal) fault_set_o.machine.internal <= 1'b1;
       if (publish_q && total_q.machine.overlooked) fault_set_o.machine.overlooked <= 1'b1;
@@ -259,7 +262,7 @@ module horopter_frame_control (
   logic [23:0] skin_q, undecidable_q, unsupervised_q, misses_q;
   logic good, seen, counts, passes;  // a frame that shows an alarm may be one of too few
   assign seen = alarm_q || object_alarm_q;
-  assign good = total_q == '0 && !(seen && counts) && table_ok_i;
+  assign good = !faulty_q && !(seen && counts) && table_ok_i;
   always_ff @(posedge clk_i) begin
     publish_q <= 1'b0;
     publish_o <= 1'b0;

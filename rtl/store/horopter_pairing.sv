@@ -65,13 +65,14 @@ module horopter_pairing #(
     input  logic                 free_i  // read_slot_i is published
 );
   logic open_q, slot_q;
-  logic [1:0] joined_q, ended_q, busy_q;
+  logic [1:0] joined_q, ended_q;
+  (* nowrshmsk *) logic [1:0] busy_q;  // see horopter_frame_control
   logic [11:0] left_rows_q[2];
   logic [11:0] right_rows_q[2];
   logic [LEFT_BITS:0] left_base_q[2];
   logic [LEFT_BITS-1:0] left_base_slot_q[2];
   logic [RING_BITS:0] base_q[2];
-  logic [1:0] left_ended_q, right_ended_q;
+  (* nowrshmsk *) logic [1:0] left_ended_q, right_ended_q;
   logic [RING_BITS-1:0] base_slot_q[2];
   logic [1:0] cut_q;
   logic doubtful_q;  // the count of the images is in doubt

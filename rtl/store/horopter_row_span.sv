@@ -64,10 +64,10 @@ module horopter_row_span #(
   logic [31:0] word;
   logic [11:0] first_q, end_q;
   assign word = odd_q ? even_i : odd_i;  // a row is longer than a fetch
-  assign error_o = sent_q[LATENCY] && error_i && table_ok_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) sent_q <= '0;
     else sent_q <= {sent_q[LATENCY-1:1], fetch_q};
+    error_o <= rst_ni && sent_q[LATENCY] && error_i && table_ok_i;
     if (sent_q[LATENCY]) begin
       first_q <= word[11:0];
       end_q <= word[27:16];

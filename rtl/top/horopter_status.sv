@@ -130,7 +130,7 @@ module horopter_status #(
   end
   assign running_o = running_q;
 
-  logic late, waiting;
+  logic late, waiting, waiting_q, restart_written_q;
   logic contactors_bad, contactors_ready;
   assign status_o.running = running_q;
   assign status_o.bad_geometry = bad_geometry_q;
@@ -140,7 +140,7 @@ module horopter_status #(
   assign status_o.left_silent = silent_i[0];
   assign status_o.right_silent = silent_i[1];
   assign status_o.late = late;
-  assign status_o.waiting = waiting && contactors_ready;
+  assign status_o.waiting = waiting_q;
   assign status_o.by_itself = interlock_i.by_itself;
   assign status_o.taught = taught_i;
 
@@ -151,6 +151,8 @@ module horopter_status #(
   assign irq_set_o.fault = faults_set_o != '0;
   always_ff @(posedge clk_i) begin
     reset_q <= !rst_ni;
+    waiting_q <= rst_ni && waiting && contactors_ready;
+    restart_written_q <= rst_ni && restart_valid_i && restart_key_i == horopter_csr_pkg::RESTART_KEY;
     faults_set_o <= rst_ni && !reset_q ? fault_set : '0;
     if (rst_ni && bad_upload_i) faults_set_o.machine.map_crc <= 1'b1;
     if (rst_ni && refused_upload_i) faults_set_o.machine.map_busy <= 1'b1;
@@ -214,7 +216,7 @@ module horopter_status #(
       .restart_i(restart_i),
       .contactors_bad_i(contactors_bad),
       .contactors_ready_i(contactors_ready),
-      .restart_written_i(restart_valid_i && restart_key_i == horopter_csr_pkg::RESTART_KEY),
+      .restart_written_i(restart_written_q),
       .miss_i(miss),
       .state_first_i(state_first_i),
       .state_end_i(state_end_i),
