@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the ECP5's cells can do and yosys does not use: changes to a netlist in yosys's JSON, between synthesis and placing.
 
-  scripts/ecp5.py FILE MODULE    merges look-up tables into carry cells; rtl/equivalence proves the result equal
+  scripts/ecp5.py FILE MODULE    all but the output registers, and copies of much that would do without: rtl/equivalence
+                                 proves the result equal
 """
 import itertools
 import json
@@ -148,18 +149,107 @@ def merge_into_carries(module):
     return merged
 
 
+def invert_resets(module):
+    """A flip-flop of the ECP5 can invert its reset itself; yosys gives it an inverter. Of a reset of the whole machine that is
+    one look-up table for thousands of flip-flops, and its way once more. Changes the netlist; returns how many resets were."""
+    cells, users = module["cells"], _users(module)
+    inverted = 0
+    for cell in list(cells.values()):
+        if cell["type"] != "LUT4":
+            continue
+        ports = cell["connections"]
+        table = int(cell["parameters"]["INIT"], 2), [ports[p][0] for p in "ABCD"]
+        support = _support(*table)
+        if len(support) != 1 or _table_value(*table, {support[0]: 1}):
+            continue
+        for name, port in users.get(ports["Z"][0], []):
+            flip_flop = cells.get(name)
+            if port == "LSR" and flip_flop["type"] == "TRELLIS_FF" and flip_flop["parameters"]["LSRMUX"].strip() == "LSR":
+                flip_flop["connections"]["LSR"] = [support[0]]
+                flip_flop["parameters"]["LSRMUX"] = "INV"
+                inverted += 1
+    return inverted
+
+
+def _instance(name):
+    return name.lstrip("\\").rsplit(".", 1)[0]
+
+
+def _load(readers):
+    """What they are to a net: the flip-flops of a slice have one enable and one reset."""
+    return sum(1 if port not in ("CE", "LSR") else 1 / 4 for _, port in readers)
+
+
+def _shares(readers, most):
+    """Readers in shares of a load of at most `most`, neighbours by name together; a new instance begins one if half of that is
+    full."""
+    shares = [[]]
+    for reader in sorted(readers):
+        other = shares[-1] and _instance(shares[-1][-1][0]) != _instance(reader[0])
+        if _load([*shares[-1], reader]) > most or (other and _load(shares[-1]) >= most / 2):
+            shares.append([])
+        shares[-1].append(reader)
+    return shares
+
+
+def copy_drivers(module, most=32):
+    """nextpnr copies nothing: what a flip-flop or a look-up table drives may lie all over the part. One with a load of more
+    than `most` gets copies, each with a share of its readers. Changes the netlist; returns how many copies were made."""
+    cells, users = module["cells"], _users(module)
+    free = itertools.count(1 + max(bit for cell in cells.values() for bits in cell["connections"].values() for bit in bits
+                                   if isinstance(bit, int)))
+    copies = 0
+
+    def copy(name, number, output):
+        nonlocal copies
+        made = json.loads(json.dumps(cells[name]))
+        made["connections"][output] = [next(free)]
+        made["attributes"].pop("BEL", None)
+        cells[f"{name}_copy_{number}"] = made
+        copies += 1
+        for port, bits in made["connections"].items():
+            if made["port_directions"][port] == "input":
+                for bit in bits:
+                    users.setdefault(bit, []).append((f"{name}_copy_{number}", port))
+        return made["connections"][output][0]
+
+    drivers = {cell["connections"]["Z"][0]: name for name, cell in cells.items() if cell["type"] == "LUT4"}
+    for kind, output in ("LUT4", "Z"), ("TRELLIS_FF", "Q"), ("TRELLIS_FF", "Q"):  # once more: for what copies read
+        for name in [n for n, c in cells.items() if c["type"] == kind]:
+            net = cells[name]["connections"][output][0]
+            readers = users.get(net, [])
+            if _load(readers) <= most or any(cell is None for cell, _ in readers):
+                continue
+            shares = _shares(readers, most)
+            data = cells[name]["connections"].get("DI", [None])[0] if kind == "TRELLIS_FF" else None
+            table = drivers.get(data) if len(users.get(data, [])) == 1 else None  # it lies in the flip-flop's slice
+            for number, share in enumerate(shares[1:], 1):
+                own = copy(name, number, output)
+                if table:
+                    flip_flop = cells[f"{name}_copy_{number}"]
+                    users[data].remove((f"{name}_copy_{number}", "DI"))
+                    flip_flop["connections"]["DI"] = [copy(table, number, "Z")]
+                for cell, port in share:
+                    cells[cell]["connections"][port] = [own if bit == net else bit for bit in cells[cell]["connections"][port]]
+            users[net] = shares[0]
+    return copies
+
+
 def improve(module):
     """All of the above. Changes the netlist; returns a sentence for each that found something."""
     found = ((merge_into_carries(module), "look-up tables merged into carry cells"),
-             (use_output_registers(module), "flip-flops moved into the output registers of block memories"))
+             (use_output_registers(module), "flip-flops moved into the output registers of block memories"),
+             (invert_resets(module), "resets inverted by their flip-flops"),
+             (copy_drivers(module), "copies of what drives many"))
     return [f"{count} {what}" for count, what in found if count]
 
 
 def main():
     file, name = pathlib.Path(sys.argv[1]), sys.argv[2]
     design = json.loads(file.read_text(encoding="utf-8"))
-    merged = merge_into_carries(design["modules"][name])
-    print(f"{name}: {merged} look-up tables merged into carry cells", file=sys.stderr)
+    module = design["modules"][name]
+    print(f"{name}: {merge_into_carries(module)} look-up tables merged into carry cells, {invert_resets(module)} resets inverted, "
+          f"{copy_drivers(module, most=8)} copies", file=sys.stderr)
     file.write_text(json.dumps(design), encoding="utf-8")
 
 

@@ -111,17 +111,19 @@ def sources(profile_name, family=None):
     return [folder / profile_name / "horopter_profile_pkg.sv", *emitted, *written]
 
 
-def place_memories(module, target, profile_name):
+def place_memories(module, target, profile_name, decision):
     """Gives the block memories of the whole design (instance u_dut) their sites, where constraints/floorplan.yaml plans
-    the profile on the target. Changes the netlist; returns how many have one."""
+    the profile, or the profile with this rule, on the target. Changes the netlist; returns how many have one."""
     plan = yaml.safe_load((ROOT / "constraints/floorplan.yaml").read_text(encoding="utf-8")).get(target, {})
-    if profile_name not in plan.get("plans", {}):
+    plans = plan.get("plans", {})
+    areas = plans.get(f"{profile_name} {decision}", plans.get(profile_name))
+    if areas is None:
         return 0
     columns = plan["sites"]["columns"]
     natural = lambda name: [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
     memories = sorted((n for n, c in module["cells"].items() if c["type"] == "DP16KD"), key=natural)
     taken = set()
-    for area in plan["plans"][profile_name]:
+    for area in areas:
         prefix = "u_dut." + (area["instance"] + "." if area["instance"] else "")
         names = [n for n in memories if n not in taken and n.lstrip("\\").startswith(prefix)]
         sites = []
