@@ -200,18 +200,21 @@ def copy_drivers(module, most=32):
                                    if isinstance(bit, int)))
     copies = 0
 
-    def copy(name, number, output):
+    def copy(name, output):
         nonlocal copies
+        copies += 1  # in the name, which is then no other copy's
+        copied = f"{name}_copy_{copies}"
+        if copied in cells:
+            sys.exit(f"ecp5: there is a cell {copied} already")
         made = json.loads(json.dumps(cells[name]))
         made["connections"][output] = [next(free)]
         made["attributes"].pop("BEL", None)
-        cells[f"{name}_copy_{number}"] = made
-        copies += 1
+        cells[copied] = made
         for port, bits in made["connections"].items():
             if made["port_directions"][port] == "input":
                 for bit in bits:
-                    users.setdefault(bit, []).append((f"{name}_copy_{number}", port))
-        return made["connections"][output][0]
+                    users.setdefault(bit, []).append((copied, port))
+        return copied, made["connections"][output][0]
 
     drivers = {cell["connections"]["Z"][0]: name for name, cell in cells.items() if cell["type"] == "LUT4"}
     for kind, output in ("LUT4", "Z"), ("TRELLIS_FF", "Q"), ("TRELLIS_FF", "Q"):  # once more: for what copies read
@@ -223,16 +226,34 @@ def copy_drivers(module, most=32):
             shares = _shares(readers, most)
             data = cells[name]["connections"].get("DI", [None])[0] if kind == "TRELLIS_FF" else None
             table = drivers.get(data) if len(users.get(data, [])) == 1 else None  # it lies in the flip-flop's slice
-            for number, share in enumerate(shares[1:], 1):
-                own = copy(name, number, output)
+            for share in shares[1:]:
+                copied, own = copy(name, output)
                 if table:
-                    flip_flop = cells[f"{name}_copy_{number}"]
-                    users[data].remove((f"{name}_copy_{number}", "DI"))
-                    flip_flop["connections"]["DI"] = [copy(table, number, "Z")]
+                    users[data].remove((copied, "DI"))
+                    cells[copied]["connections"]["DI"] = [copy(table, "Z")[1]]
                 for cell, port in share:
                     cells[cell]["connections"][port] = [own if bit == net else bit for bit in cells[cell]["connections"][port]]
-            users[net] = shares[0]
+            moved = {reader for share in shares[1:] for reader in share}
+            users[net] = [reader for reader in users[net] if reader not in moved]  # with those that copies have become
     return copies
+
+
+def check_drivers(module):
+    """Every net that is read has one driver; a sentence and the end where it has none or several. nextpnr places a design
+    all the same."""
+    drivers = {}
+    for name, cell in module["cells"].items():
+        for port, bits in cell["connections"].items():
+            if cell["port_directions"][port] != "input":
+                for bit in bits:
+                    drivers.setdefault(bit, []).append(name)
+    for port in module["ports"].values():
+        if port["direction"] == "input":
+            for bit in port["bits"]:
+                drivers.setdefault(bit, []).append("a port")
+    for bit, readers in _users(module).items():
+        if isinstance(bit, int) and readers != [(None, None)] and len(drivers.get(bit, [])) != 1:
+            sys.exit(f"ecp5: {readers[0][0]}, {readers[0][1]}: its net has {len(drivers.get(bit, []))} drivers, expected one")
 
 
 def improve(module):
@@ -241,6 +262,7 @@ def improve(module):
              (use_output_registers(module), "flip-flops moved into the output registers of block memories"),
              (invert_resets(module), "resets inverted by their flip-flops"),
              (copy_drivers(module), "copies of what drives many"))
+    check_drivers(module)
     return [f"{count} {what}" for count, what in found if count]
 
 
@@ -250,6 +272,7 @@ def main():
     module = design["modules"][name]
     print(f"{name}: {merge_into_carries(module)} look-up tables merged into carry cells, {invert_resets(module)} resets inverted, "
           f"{copy_drivers(module, most=8)} copies", file=sys.stderr)
+    check_drivers(module)
     file.write_text(json.dumps(design), encoding="utf-8")
 
 
