@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The main of every co-simulation test: a failing test case prints the command that repeats it.
-#define CATCH_CONFIG_MAIN
+// Of every co-simulation test: a failing test case prints the command that repeats it.
+#define CATCH_CONFIG_EXTERNAL_INTERFACES
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <iostream>
