@@ -65,6 +65,38 @@ def use_output_registers(module):
     return moved
 
 
+def use_product_registers(module):
+    """The same for the multipliers, where the flip-flops have neither enable nor reset. Changes the netlist; returns how many
+    flip-flops moved."""
+    cells, users = module["cells"], _users(module)
+    moved = 0
+    for cell in [c for c in cells.values() if c["type"] == "MULT18X18D"]:
+        ports, chosen, clocks = cell["connections"], {}, set()
+        for i in range(36):
+            readers = users.get(ports[f"P{i}"][0], [])
+            if not readers:
+                continue
+            flip_flop = cells.get(readers[0][0])
+            if (len(readers) != 1 or flip_flop is None or flip_flop["type"] != "TRELLIS_FF" or readers[0][1] != "DI"
+                    or flip_flop["parameters"]["CLKMUX"] != "CLK" or flip_flop["parameters"]["CEMUX"].strip() != "1"
+                    or flip_flop["parameters"]["REGSET"] != "RESET" or flip_flop["connections"].get("LSR", ["0"]) != ["0"]):
+                break
+            clocks.add(flip_flop["connections"]["CLK"][0])
+            chosen[f"P{i}"] = readers[0][0]
+        else:
+            if len(clocks) != 1:
+                continue
+            cell["parameters"] |= {"REG_OUTPUT_CLK": "CLK0", "REG_OUTPUT_CE": "CE0", "REG_OUTPUT_RST": "RST0"}
+            for port, net in ("CLK0", clocks.pop()), ("CE0", "1"), ("RST0", "0"):
+                ports[port] = [net]
+                cell["port_directions"][port] = "input"
+            for port, name in chosen.items():
+                ports[port] = cells[name]["connections"]["Q"]
+                del cells[name]
+            moved += len(chosen)
+    return moved
+
+
 def _table_value(init, inputs, values):
     """Output of a look-up table whose inputs A to D are nets or constants."""
     index = sum(values.get(net, net == "1") << place for place, net in enumerate(inputs))
@@ -260,6 +292,7 @@ def improve(module):
     """All of the above. Changes the netlist; returns a sentence for each that found something."""
     found = ((merge_into_carries(module), "look-up tables merged into carry cells"),
              (use_output_registers(module), "flip-flops moved into the output registers of block memories"),
+             (use_product_registers(module), "flip-flops moved into the output registers of multipliers"),
              (invert_resets(module), "resets inverted by their flip-flops"),
              (copy_drivers(module), "copies of what drives many"))
     check_drivers(module)
@@ -271,7 +304,7 @@ def main():
     design = json.loads(file.read_text(encoding="utf-8"))
     module = design["modules"][name]
     print(f"{name}: {merge_into_carries(module)} look-up tables merged into carry cells, {invert_resets(module)} resets inverted, "
-          f"{copy_drivers(module, most=8)} copies", file=sys.stderr)
+          f"{copy_drivers(module, most=12)} copies", file=sys.stderr)
     check_drivers(module)
     file.write_text(json.dumps(design), encoding="utf-8")
 
