@@ -452,12 +452,11 @@ class Agreement {
 
   template <class Position>
   void take_cell(const Position& at, const CellGrey& means, const Config& config) {
-    const Index last(cells_of(config.width) - lit<1>());
     if (at.column == 0) rows_passed_above_ = at.row == 0 ? u<5>(1) : u<5>(cat(rows_passed_above_, true));
     const CellCodes codes = census_.step(at.column, at.row == 0 && at.column == 0, rows_passed_above_.bit(4), means);
     sharpness_.step(at.row == 0 && at.column == 0, at.column < 2, means);
     fresh_.write(at.column, codes);
-    if (at.column == last) start_row(Index(at.row), last, config);
+    if (at.column + lit<1>() == cells_of(config.width)) start_row(Index(at.row), Index(at.column), config);
   }
 
   /// A row of cells is complete: its codes join those above, and the row `middle` above is compared.

@@ -6,7 +6,7 @@
 // Clear is earned: a pixel is clear only where `agreement` has shown that both cameras see its place, and nothing nearer
 // than the skin there. Otherwise it is undecidable, and `unproven` or `hidden` says why.
 //
-// Config  width, height of the result in px, at most the template's; width > the offset. compete, where there are two
+// Config  width, height of the result in px, at most the template's; width > the offset and 2, height > 1. compete, where there are two
 //         offsets: the second holds; it may change between frames.
 // Out     one beat for each pixel of the result, in raster order from (0, 0): first, last (of a row), end (last of the
 //         frame). The raster is shifted as a whole: the last pixels of a row, as many as the offset's columns, come
@@ -89,8 +89,7 @@ class Aligner {
     active_ = (active_ || start) && !out.end;
     // The next beat's `last_` is known from the count before, so that the counter's loop holds one subtraction only.
     if (start) [[unlikely]] {
-      final_row_ = config.height == 1;
-      last_ = config.width == 2;
+      final_row_ = last_ = false;
       columns_left_ = Column(config.width - lit<1>());
       rows_left_ = config.height;
     } else if (last_) [[unlikely]] {

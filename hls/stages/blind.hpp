@@ -19,6 +19,7 @@
 // Memory: SIDE + 1 rows of states, and two numbers a block. Reset forgets that anything was taught.
 #pragma once
 
+#include "horopter/hls/sliced_memory.hpp"
 #include "stages/stream.hpp"
 
 namespace horopter::stages {
@@ -108,11 +109,16 @@ class BlindBlocks {
   using RowCount = u<inner_bits + 1>;
   static constexpr int count_bits = bits_for(SIDE * (2 * SIDE - 1));
   using Count = u<count_bits>;
-  // What is kept of a block stays for as long as the machine runs: in steps of 2^coarse, rounded up, with a parity bit.
-  static constexpr int coarse = inner_bits - 3;
+  // What is kept of a block stays for as long as the machine runs: in steps of 2^coarse, 1/64 of a block's pixels, rounded
+  // up, with a parity bit.
+  static constexpr int coarse = 2 * inner_bits - 6;
   static constexpr int word_bits = count_bits - coarse + 1;
   using Word = u<word_bits>;
-  using Place = u<bits_for(blocks_across* blocks_down - 1)>;
+  static constexpr std::size_t all_blocks = std::size_t{blocks_across} * blocks_down;
+  using Place = u<bits_for(all_blocks - 1)>;
+  // So deep that slices of 2 bits take no more block memories than whole words do.
+  using TaughtMemory = std::conditional_t<(all_blocks > 6144), SlicedMemory<word_bits, all_blocks, min_row_beats>,
+                                          RAM<Word, all_blocks, min_row_beats>>;
   using States = u<2 * rows_kept>;
   using RowsKept = u<bits_for(rows_kept)>;
 
@@ -170,7 +176,7 @@ class BlindBlocks {
                                                 : shl<coarse>(word.template bits<word_bits - 2, 0>()));
     const auto stored = shr<coarse>((known < count ? count : known) + lit<(1 << coarse) - 1>());
     if (teaches_) taught_.write(place, even(u<word_bits - 1>(stored)));
-    const auto limit = known + shl<2 * inner_bits - 6>(config.blind_margin);
+    const auto limit = known + shl<coarse>(config.blind_margin);
     blind_.write(cat(block, u<1>(odd_)), u<1>(watches_ && count > limit));
   }
 
@@ -187,7 +193,7 @@ class BlindBlocks {
 
   ColumnMemory<States, WIDTH> states_;
   RAM<Count, blocks_across, min_row_beats> counts_;                   // undecidable in this row of blocks so far
-  RAM<Word, blocks_across * blocks_down, min_row_beats> taught_;      // largest number of a frame
+  TaughtMemory taught_;                                               // largest number of a frame
   RAM<u<1>, 2 << bits_for(blocks_across - 1), min_row_beats> blind_;  // of two rows of blocks in turn
   Column x_{0};                                                       // of the next pixel, unless a row begins
   Column before_{0}, before_end_{WIDTH - 2};                          // the last row's last column but one

@@ -62,9 +62,9 @@ class CoarseCheck {
     left_steps_.add(in.first, abs(g) >= config.blind_step && !first_, config.blind_share);
     right_steps_.add(in.first, abs(h) >= config.blind_step && !first_, config.blind_share);
     places_.step(in.first, in.start);
-    const u<8> small_step = u<8>(shr<3>(config.blind_step + shl<1>(config.blind_step)));
-    left_parts_.add(in.first, places_, abs(g) >= small_step && !first_);
-    right_parts_.add(in.first, places_, abs(h) >= small_step && !first_);
+    left_parts_.add(in.first, places_, abs(g) >= small_step_ && !first_);
+    right_parts_.add(in.first, places_, abs(h) >= small_step_ && !first_);
+    small_step_ = u<8>(shr<3>(config.blind_step + shl<1>(config.blind_step)));  // from a row's second cell on
 
     // Of the row's second cell there is no determinant.
     const bool counts = !first_ && !second_;
@@ -174,6 +174,7 @@ class CoarseCheck {
 
   u<8> left_{0};
   u<8> right_{0};
+  u<8> small_step_{0};
   Step g_{0};
   Step h_{0};
   u<3> column_{0};

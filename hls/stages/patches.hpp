@@ -443,10 +443,14 @@ class Patches {
     u<5> column;
   };
 
-  static u<4> code_of(s<15> gx, s<15> gy) {
-    return cat(u<1>(gx < -gradient_limit), u<1>(gx > gradient_limit), u<1>(gy < -gradient_limit),
-               u<1>(gy > gradient_limit));
+  /// Below -gradient_limit, above it; in look-up tables, as a comparison behind a sum is a second carry chain.
+  static u<2> beyond(s<15> g) {
+    static_assert(gradient_limit == 1 << 8);
+    const bool below = g.negative() && g.template bits<13, 8>() != 63;
+    const bool above = !g.negative() && (g.template bits<13, 9>() != 0 || (g.bit(8) && g.template bits<7, 0>() != 0));
+    return cat(u<1>(below), u<1>(above));
   }
+  static u<4> code_of(s<15> gx, s<15> gy) { return cat(beyond(gx), beyond(gy)); }
 
   /// Pixels of the right window, then of the left one, become bits. Both have rows of right_window beats.
   void code(Word word) {
@@ -646,8 +650,8 @@ class Patches {
     partly_ = shl<4>(sum.up) > clear_limit_ || shl<4>(sum.down) > clear_limit_;
     clear_limit_ = u<11>(shl<2>(sum.places) + sum.places);
     const bool says = config.on_skin_limit != lit<on_skin_limit_never>();
-    large_ = says && on_skin_ >= lit<least_on_skin>() && shl<5>(on_skin_) > on_skin_most_;
-    on_skin_most_ = u<13>(places_ * config.on_skin_limit);
+    const u<13> on_skin_most(places_ * config.on_skin_limit);  // 1/32 place
+    large_ = says && on_skin_ >= lit<least_on_skin>() && shl<5>(on_skin_) > on_skin_most;
 
     for (std::size_t q = 0; q < 4; ++q) {
       const u<1> here(vote_.counts && (q >= 2) == lower_ && (q % 2 == 1) == vote_.right);
@@ -837,7 +841,6 @@ class Patches {
   bool doubted_ = false, doubted_before_ = false;  // the last round, and the one before
   PatchRound round_;
   Places on_skin_{0};
-  u<13> on_skin_most_{0};  // 1/32 place
   bool large_ = false, overlooked_ = false;
   bool spoiled_ = false;  // a frame of the round follows one with an alarm
   bool suspected_ = false, moved_ = false;

@@ -80,13 +80,16 @@ module horopter_camera_input #(
   localparam int unsigned DEPTH = 64;
   localparam int unsigned LEVEL = 48;
 
+  logic live_q, test_input_q;  // their registers lie far away
+  always_ff @(posedge clk_i) {live_q, test_input_q} <= {live_i, test_input_i};
+
   logic in_valid, in_first, in_last, full_overflow, almost_full;
   logic [7:0] in_pixel;
-  assign s_axis_tready = live_i || (rst_ni && !test_input_i && room_o);
-  assign in_valid = test_input_i ? test_valid_i && (live_i || other_room_i) : s_axis_tvalid;
-  assign in_first = test_input_i ? test_first_i : s_axis_tuser;
-  assign in_last = test_input_i ? test_last_i : s_axis_tlast;
-  assign in_pixel = test_input_i ? test_data_i : s_axis_tdata;
+  assign s_axis_tready = live_q || (rst_ni && !test_input_q && room_o);
+  assign in_valid = test_input_q ? test_valid_i && (live_q || other_room_i) : s_axis_tvalid;
+  assign in_first = test_input_q ? test_first_i : s_axis_tuser;
+  assign in_last = test_input_q ? test_last_i : s_axis_tlast;
+  assign in_pixel = test_input_q ? test_data_i : s_axis_tdata;
 
   logic queue_valid, queue_ready, head_valid, head_ready;
   logic [9:0] queue_data, head_data;
@@ -131,7 +134,7 @@ module horopter_camera_input #(
   ) u_framer (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
-      .live_i(live_i),
+      .live_i(live_q),
       .width_i(width_i),
       .height_i(height_i),
       .timeout_i(timeout_i),
@@ -175,7 +178,7 @@ module horopter_camera_input #(
   );
   assign stream_o.silent = lost_silent || lost_silent_i;
   // Only a live camera can lose a pixel at the FIFO: without, a full one makes it wait.
-  assign stream_o.overflow = overflow || (full_overflow && live_i);
+  assign stream_o.overflow = overflow || (full_overflow && live_q);
 
   assign health_end_o = write_en_o && write_end;
   horopter_health u_health (

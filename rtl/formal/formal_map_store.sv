@@ -79,6 +79,8 @@ module formal_map_store (
   (* hierconn *) wire [11:0] \dut.height_q ;
   (* hierconn *) wire [23:0] \dut.size_q ;
   (* hierconn *) wire [23:0] \dut.end_q ;
+  (* hierconn *) wire [11:0] \dut.areas64_q ;
+  (* hierconn *) wire [11:0] \dut.spans64_q ;
   (* hierconn *) wire \dut.complete_q ;
   (* hierconn *) wire [4:0] \dut.write_addr_q ;
   (* hierconn *) wire \dut.odd_q ;
@@ -153,7 +155,7 @@ module formal_map_store (
         assert (\dut.step_q <= 7'd13);
         if (\dut.step_q < 7'd12) begin
           assert (32'(\dut.size_q ) + 32'd4095 <= 32'd4095 << \dut.step_q );
-          assert (\dut.end_q == (\dut.step_q == 7'd0 ? 24'(\dut.base_q ) + spans_words : behind_spans));
+          assert (\dut.end_q == (\dut.step_q <= 7'd1 ? 24'(\dut.base_q ) : \dut.step_q == 7'd2 ? behind_spans - spans_words : behind_spans));
         end
       end
       if (\dut.state_q == SIZE && \dut.step_q == 7'd13) assert (\dut.too_large_q == (\dut.end_q > 24'd16) && (\dut.bad_size_q || \dut.size_q != 24'd0));
@@ -179,7 +181,9 @@ module formal_map_store (
       if (\dut.state_q == WALK && \dut.step_q >= 7'd1) assert (16'(\dut.write_addr_q ) == \dut.base_q );
       if (\dut.state_q == WALK && \dut.step_q >= 7'd2) assert (!\dut.complete_q );
       if (\dut.state_q == HEAD3)
-        assert (\dut.end_q == 24'(\dut.base_q ) + spans_words && \dut.size_q == 24'd0 && \dut.step_q == 7'd0);
+        assert (\dut.end_q == 24'(\dut.base_q ) && \dut.size_q == 24'd0 && \dut.step_q == 7'd0);
+      if (\dut.state_q == HEAD3 || \dut.state_q == SIZE) assert (24'(\dut.spans64_q ) == spans_words);
+      if (\dut.state_q == SIZE && \dut.step_q != 7'd0) assert (24'(\dut.areas64_q ) == (24'(\dut.areas_q ) + 24'd1) / 2);
       if (\dut.state_q >= SIZE) assert (\dut.areas_q <= 12'd4090);
       if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.area_next_q && \dut.facts_q == \dut.areas_q + 12'd5);
       if (\dut.state_q == FACTS) begin

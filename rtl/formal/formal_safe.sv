@@ -152,9 +152,10 @@ module formal_safe (
   // Identical images are a fault with the second image check of a record; a check follows its image's last pixel.
   logic [1:0] left_checked = 2'b00, right_checked = 2'b00, ended = 2'b00;
   logic left_slot, right_slot, opened = 1'b0, opened_slot, identical;
-  assign identical = same_image && ((health_valid[0] && right_checked[left_slot])
-      || (health_valid[1] && (health_valid[0] || left_checked[right_slot])));
+  logic [1:0] checks = 2'b00;  // that have just come
+  assign identical = same_image && ((checks[0] && right_checked[left_slot]) || (checks[1] && left_checked[right_slot]));
   always @(posedge clk_i) begin
+    checks <= rst_ni ? health_valid : 2'b00;
     opened <= rst_ni && open;
     opened_slot <= open_slot;
     ended <= ended | health_end;

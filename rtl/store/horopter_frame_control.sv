@@ -27,7 +27,7 @@ module horopter_frame_control (
     input  logic [       1:0] health_valid_i,
     input  horopter_csr_pkg::health_t left_health_i,
     input  horopter_csr_pkg::health_t right_health_i,
-    input  logic              same_image_i,  // the images last checked are the same
+    input  logic              same_image_i,  // the images last checked are the same; a clock after health_valid_i
     input  horopter_csr_pkg::stream_faults_t left_stream_i,
     input  horopter_csr_pkg::stream_faults_t right_stream_i,
     input  logic              judged_i,  // the check of both images
@@ -106,6 +106,7 @@ module horopter_frame_control (
   logic released, held, stuck;  // the interlock
   logic open_q, open_slot_q, left_slot_q, right_slot_q, judged_slot_q, late_rises;
   logic [1:0] empty_q;  // the image check has found nothing in the camera's image
+  logic [1:0] health_valid_q;
   // In yosys a write at a variable place is a subtraction and a shift otherwise.
   (* nowrshmsk *) logic [1:0] left_checked_q, right_checked_q;  // by record
   logic [4:0] begin_q;  // the table's entry is there some clocks after the begin
@@ -117,6 +118,7 @@ module horopter_frame_control (
     outgoing_q <= '0;
     event_in_q <= '0;
     transient_q <= '0;
+    health_valid_q <= rst_ni ? health_valid_i : 2'b00;
     if (!rst_ni) begin
       open_q <= 1'b0;
       begin_q <= 5'd0;
@@ -129,8 +131,8 @@ module horopter_frame_control (
       if (health_valid_i[1]) right_health_q.right.image <= right_health_i.image;
       if (health_valid_i[1]) right_health_q.right.torn <= right_health_i.torn;
       // Told with the second of the two.
-      left_health_q.machine.identical_images <= health_valid_i[0] && same_image_i && right_checked_q[left_slot_q];
-      right_health_q.machine.identical_images <= health_valid_i[1] && same_image_i && (left_checked_q[right_slot_q] || health_valid_i[0]);
+      left_health_q.machine.identical_images <= health_valid_q[0] && same_image_i && right_checked_q[left_slot_q];
+      right_health_q.machine.identical_images <= health_valid_q[1] && same_image_i && left_checked_q[right_slot_q];
       judged_q.machine.one_camera <= judged_i && one_camera_i && !same_image_i;  // that says it already
       judged_q.left.blind <= judged_i && blind_i[0] && !empty_q[0];
       judged_q.right.blind <= judged_i && blind_i[1] && !empty_q[1];
@@ -393,9 +395,10 @@ module horopter_frame_control (
   logic bad_now;
   assign bad_now = found_q || object_now_q[2:1] != 2'b00 || fault_set_o != '0 || (late_o && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
   logic good_before_q, bad_before_q;  // the frame published before, and all since
+  // Of a fault between the picture and this clock fault_set_o tells.
   logic good_frame, bad_frame;
-  assign good_frame = good && !others_bad_q && event_q == '0;
-  assign bad_frame = total_q != '0 || ((alarm_q || object_alarm_q) && !passes) || !table_ok_i || others_bad_q || event_q != '0;
+  assign good_frame = good && !others_bad_q;
+  assign bad_frame = total_q != '0 || ((alarm_q || object_alarm_q) && !passes) || !table_ok_i || others_bad_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || bad_now) begin
       safe_q <= 1'b0;

@@ -188,10 +188,13 @@ module horopter_left_store #(
     end
     assign read_addr = {block_row_q, x_q};
 
+    // Between two rows slot_q is there some clocks before anything is read, and a row that is read stays as it came.
+    logic is_bad_q;
     logic [5:1] read_q, good_q;
     always_ff @(posedge clk_i) begin
+      is_bad_q <= is_bad;
       read_q <= {read_q[4:1], read};
-      good_q <= {good_q[4:1], read && !is_bad};
+      good_q <= {good_q[4:1], read && !is_bad_q};
       pixel_o <= pixel;
       mask_o <= good_q[5];
       parity_error_o <= read_q[5] && error;

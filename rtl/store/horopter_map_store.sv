@@ -119,8 +119,7 @@ module horopter_map_store #(
   logic [11:0] facts_q;  // words of facts that are still to come
   logic [11:0] areas_q;  // words of areas among them at first
   logic area_next_q;  // the next word of facts is one of these
-  logic [11:0] areas64;  // words64 of them
-  assign areas64 = 12'((13'(areas_q) + 13'd1) >> 1);
+  logic [11:0] areas64_q, spans64_q;  // words64 of them, of spans, a clock later
   logic [ADDR_BITS-1:0] spans_base_q;  // behind them, from WALK on
   logic [3:0] fact_q;  // one-hot: which of the first four is next
   logic [47:0] unsupervised_q;
@@ -133,7 +132,7 @@ module horopter_map_store #(
   logic odd_q, complete_q;  // areas and data: the odd bank's is next; all is there
   assign end_addr = end_q[ADDR_BITS:0];
   logic consistent_q, differs_q, bad_size_q, too_large_q;
-  logic [11:0] cells_x_q, cells_y_q;
+  logic [11:0] cells_x_q, cells_y_q, expected_columns_q, expected_pairs_q;
 
   // A word turns once through the CRC, byte by byte, then it is taken.
   logic [31:0] data;
@@ -191,7 +190,9 @@ module horopter_map_store #(
       .read_data_o(extent),
       .parity_error_o(extent_error)
   );
-  logic meets_q, overlaps_q, overlap_in_use, slot_valid_q;
+  logic meets_q, overlaps_q, overlap_in_use_q, slot_valid_q;
+  logic walked_q;  // as of the clock before, like overlap_in_use_q
+  logic [8:0] in_use_q;  // what it was decided for
   assign slot_extent_o = slot_valid_q ? {16'(extent[2*ADDR_BITS:ADDR_BITS]), 16'(extent[ADDR_BITS-1:0])} : 32'd0;
   assign walk_slot = step_q[5:2];
   always_ff @(posedge clk_i) begin
@@ -200,8 +201,14 @@ module horopter_map_store #(
     overlaps_q <= valid_q[walk_slot] && walk_slot != slot_q && meets_q;
   end
 
-  // Decided when the walk is over: the selection may change during it.
-  assign overlap_in_use = running_i && (overlap_q[selected_slot_i] || overlap_q[active_slot_i]);
+  // Decided when the walk is over, for what is in use then: the selection may change during it.
+  logic in_use_stays;
+  assign in_use_stays = in_use_q == {running_i, selected_slot_i, active_slot_i};
+  always_ff @(posedge clk_i) begin
+    in_use_q <= {running_i, selected_slot_i, active_slot_i};
+    overlap_in_use_q <= running_i && (overlap_q[selected_slot_i] || overlap_q[active_slot_i]);
+    walked_q <= state_q == WALK && step_q[6];
+  end
   assign store_entry = checked_q && right_q;
 
   always_ff @(posedge clk_i) begin
@@ -265,8 +272,8 @@ module horopter_map_store #(
         end
 
         WALK:
-        if (step_q == 7'd64) begin
-          if (overlap_in_use) begin
+        if (walked_q && in_use_stays) begin
+          if (overlap_in_use_q) begin
             state_q <= IDLE;
             error_o <= IN_USE;
             refused_o <= 1'b1;
@@ -309,10 +316,13 @@ module horopter_map_store #(
     halve_x_q <= next_step < 7'(nx_q);
     halve_y_q <= next_step < 7'(ny_q);
     // With c = (size - 1) >> n there are c + 1 cells, c + 2 control points; in pairs c / 2 + 1, and one more if c is odd.
-    differs_q <= columns_q != cells_x_q + 12'd2 || 12'(pairs_q) != 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]);
+    expected_columns_q <= cells_x_q + 12'd2;
+    expected_pairs_q <= 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]);
+    differs_q <= columns_q != expected_columns_q || 12'(pairs_q) != expected_pairs_q;
     bad_size_q <= !consistent_q || differs_q || size_q == 24'd0;
     too_large_q <= 32'(end_q) > WORDS;
-    spans_base_q <= base_q[ADDR_BITS-1:0] + ADDR_BITS'(areas64);
+    areas64_q <= 12'((13'(areas_q) + 13'd1) >> 1);
+    spans_base_q <= base_q[ADDR_BITS-1:0] + ADDR_BITS'(areas64_q);
     complete_q <= write_addr_q == end_addr;
     case (state_q)
       HEAD0:
@@ -337,7 +347,8 @@ module horopter_map_store #(
         cells_x_q <= data[11:0] - 12'd1;
         cells_y_q <= data[27:16] - 12'd1;
         size_q <= 24'd0;
-        end_q <= 24'(base_q) + (spans_q ? 24'(data[27:17]) + 24'(data[16]) : 24'd0);
+        spans64_q <= spans_q ? 12'(data[27:17]) + 12'(data[16]) : 12'd0;
+        end_q <= 24'(base_q);
         step_q <= 7'd0;
       end
 
@@ -359,13 +370,14 @@ module horopter_map_store #(
         end
         if (halve_x_q) cells_x_q <= {1'b0, cells_x_q[11:1]};
         if (halve_y_q) cells_y_q <= {1'b0, cells_y_q[11:1]};
-        if (step_q == 7'd0) end_q <= end_q + 24'(areas64);
+        if (step_q == 7'd1) end_q <= end_q + 24'(areas64_q);
+        if (step_q == 7'd2) end_q <= end_q + 24'(spans64_q);
         if (step_q == 7'd11) end_q <= end_q + size_q;
       end
 
       // Four clocks a slot: read, compare, judge, note.
       WALK: begin
-        step_q <= step_q + 7'd1;
+        if (!step_q[6]) step_q <= step_q + 7'd1;
         if (step_q[1:0] == 2'd3 && overlaps_q) overlap_q <= overlap_q | 16'd1 << walk_slot;
         write_addr_q <= {1'b0, base_q[ADDR_BITS-1:0]};
         odd_q <= 1'b0;

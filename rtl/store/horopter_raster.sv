@@ -89,7 +89,7 @@ module horopter_raster #(
   logic [X_BITS-1:0] x_q;
   logic [ROW_BITS-1:0] y_q;
   logic [COUNT_BITS-1:0] count_q;
-  logic live_q, first_q, slot_q, ready_q, active_q, published_q;
+  logic live_q, first_q, slot_q, busy_q, ready_q, active_q, published_q;
   logic ready;  // the row in progress is there
   logic cell_end_x;  // this pixel loads the next column
   logic [ROW_BITS-1:0] flush_rows;
@@ -110,7 +110,7 @@ module horopter_raster #(
   assign row_o = state_q == WAIT_ROW && 32'(count_q) == 1 && live_q;
   assign map_read_o = issue_prime || (issue_pixel && loads);
   // One behind, but rows only ever arrive. Before a frame begins, y_q is 0.
-  always_ff @(posedge clk_i) ready_q <= ready;
+  always_ff @(posedge clk_i) {busy_q, ready_q} <= {busy_i[slot_q], ready};
 
   always_ff @(posedge clk_i) begin
     begin_o <= 1'b0;
@@ -132,7 +132,7 @@ module horopter_raster #(
         IDLE: begin
           if (!count_q[3]) begin
             count_q <= count_q + 1'b1;
-          end else if (busy_i[slot_q] && ready_q) begin
+          end else if (busy_q && ready_q) begin
             begin_o <= 1'b1;
             lookup_o <= 1'b1;
             active_q <= 1'b1;

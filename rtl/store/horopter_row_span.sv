@@ -4,7 +4,7 @@
 //
 // The pool has the words of an even and of the odd row below at one address, from base_i on, before the control points.
 // row_i: one clock for each row, from 0 on, at least 2 clocks before its prime beat is issued and after the last beat of the
-// row before was. setup_i: the table is known, the next row_i is that of row 0. Word and beat come as long after their
+// row before was. setup_i: the table is known, a clock later first_control_o, too; the next row_i is that of row 0. Word and beat come as long after their
 // addresses. outside_o belongs to the beat that is there, 0 of a table without spans. error_o: a word came with a parity
 // error. A span whose end is not behind its beginning holds no pixel, wherever both are.
 module horopter_row_span #(
@@ -42,7 +42,8 @@ module horopter_row_span #(
     $fatal(1, "horopter_row_span: LATENCY must be 2 or more");
   end
 
-  assign first_control_o = base_i + (spans_i ? ADDR_BITS'(height_i[11:1]) + ADDR_BITS'(height_i[0]) : '0);
+  always_ff @(posedge clk_i)
+    first_control_o <= base_i + (spans_i ? ADDR_BITS'(height_i[11:1]) + ADDR_BITS'(height_i[0]) : '0);
 
   logic fetch_q, odd_q;  // odd_q: the next row is
   logic [ADDR_BITS-1:0] addr_q;

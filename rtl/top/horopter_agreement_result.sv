@@ -29,9 +29,7 @@ module horopter_agreement_result #(
   // FRAME_REGION is at 0x19C, FRAME_AGREEMENT at 0x150: the word of index 52.
   (* ram_style = "distributed" *)
   logic [31:0] words[64];
-  logic [31:0] word_q;  // a block memory's data come late in the clock
-  logic [5:0] index;
-  assign index = read_addr_i[7] ? region_select_i : {2'b11, read_addr_i[5:2]};
+  logic [5:0] index_q;
   logic unused_addr;
   assign unused_addr = ^{read_addr_i[11:8], read_addr_i[6], read_addr_i[1:0]};
   logic [COUNT_BITS-1:0] hidden_q, unproven_q;
@@ -40,8 +38,8 @@ module horopter_agreement_result #(
   assign too_undecidable_o = {1'b0, undecidable_o} > limit_q;
   always_ff @(posedge clk_i) begin
     if (word_valid_i) words[index_i] <= prove_i ? word_i : '0;
-    word_q <= words[index];
-    word_o <= word_q;
+    index_q <= read_addr_i[7] ? region_select_i : {2'b11, read_addr_i[5:2]};
+    word_o <= words[index_q];
     limit_q <= {1'b0, undecidable_limit_i} + {1'b0, undecidable_limit_i >> 3} + {1'b0, undecidable_limit_i >> 4};
     if (state_valid_i) begin
       undecidable_o <= (state_first_i ? '0 : undecidable_o) + COUNT_BITS'(undecidable_i);

@@ -7,7 +7,7 @@
 //
 // ended_o: one clock, everything of the frame has been said; overflow_o comes with it. alarm_o: an object of the frame so far,
 // or of the last one until the next begins, has reached the limit. taught_o: at least one frame was taught. frame_*: of the
-// largest object, 0 without one, and the number of blind pixels, from ended_o on. m_axis_objects: as in horopter_top, by
+// largest object, 0 without one, and the number of blind pixels, from three clocks after ended_o on. m_axis_objects: as in horopter_top, by
 // bus_rst_ni a beat that is offered stays. frame_i: the number of the frame. rst_ni: of the streaming core.
 module horopter_object_check #(
     parameter bit BLIND = 1'b1,
@@ -164,6 +164,23 @@ module horopter_object_check #(
       .done_o(done)
   );
   logic waits_q;  // for the end
+  // The largest, two clocks later than the object and the end: its comparison is long. Objects are at least 4 clocks apart.
+  logic object_q, larger_q;
+  logic [1:0] last_q;
+  logic [COUNT_BITS-1:0] object_pixels_q;
+  logic [31:0] object_area_q;
+  logic [COLUMN_BITS-1:0] object_left_q, object_right_q;
+  logic [ROW_BITS-1:0] object_top_q, object_bottom_q;
+  always_ff @(posedge clk_i) begin
+    object_q <= rst_ni && valid && object_ended;
+    larger_q <= rst_ni && object_q && object_pixels_q > largest_q;
+    last_q <= rst_ni ? {last_q[0], ended_o} : 2'b00;
+    if (valid && object_ended) begin
+      object_pixels_q <= pixels;
+      object_area_q <= area;
+      {object_left_q, object_right_q, object_top_q, object_bottom_q} <= {left, right, top, bottom};
+    end
+  end
   always_ff @(posedge clk_i) begin
     ended_o <= rst_ni && valid && done && waits_q && !ended_o;
     if (valid) overflow_o <= overflow;
@@ -172,14 +189,11 @@ module horopter_object_check #(
     else idle_q <= (looks ? blind_valid && blind_done && blind_idle_q && !idle_q : state_valid_i && state_end_i) || (idle_q && !(valid && done));
     if (!rst_ni || ended_o) waits_q <= 1'b0;
     else if (state_valid_i && state_end_i) waits_q <= 1'b1;
-    if (!rst_ni || ended_o) largest_q <= '0;
-    else if (valid && object_ended && pixels > largest_q) begin
-      largest_q <= pixels;
-      area_q <= area;
-      left_q <= left;
-      right_q <= right;
-      top_q <= top;
-      bottom_q <= bottom;
+    if (!rst_ni || last_q[1]) largest_q <= '0;
+    else if (larger_q) begin
+      largest_q <= object_pixels_q;
+      area_q <= object_area_q;
+      {left_q, right_q, top_q, bottom_q} <= {object_left_q, object_right_q, object_top_q, object_bottom_q};
     end
     if (!rst_ni) begin
       frame_pixels_o <= 24'd0;
@@ -187,7 +201,7 @@ module horopter_object_check #(
       frame_rows_o <= '0;
       frame_area_o <= 32'd0;
       frame_blind_o <= 24'd0;
-    end else if (ended_o) begin
+    end else if (last_q[1]) begin
       frame_pixels_o <= 24'(largest_q);
       frame_area_o <= largest_q == '0 ? 32'd0 : area_q;
       frame_blind_o <= 24'(blind_q);

@@ -146,11 +146,13 @@ module horopter_status #(
 
   // The core's reset comes a clock after rst_ni: what it says between them is of the time before.
   logic reset_q;
+  logic same_image_q;
   horopter_csr_pkg::faults_t fault_set;
   assign irq_set_o.frame = frame_done_o && !reset_q;
   assign irq_set_o.fault = faults_set_o != '0;
   always_ff @(posedge clk_i) begin
     reset_q <= !rst_ni;
+    same_image_q <= left_signature_i == right_signature_i;
     waiting_q <= rst_ni && waiting && contactors_ready;
     restart_written_q <= rst_ni && restart_valid_i && restart_key_i == horopter_csr_pkg::RESTART_KEY;
     faults_set_o <= rst_ni && !reset_q ? fault_set : '0;
@@ -188,7 +190,7 @@ module horopter_status #(
       .health_valid_i(health_valid_i),
       .left_health_i(left_health_i),
       .right_health_i(right_health_i),
-      .same_image_i(left_signature_i == right_signature_i),
+      .same_image_i(same_image_q),
       .judged_i(judged_i),
       .judged_slot_i(judged_slot_i),
       .one_camera_i(one_camera_i),

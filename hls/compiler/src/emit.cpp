@@ -751,13 +751,16 @@ class Emitter {
         << "_mem[i] = " << literal(std::vector<bool>(stored, false)) << ";\n`endif\n"
         << "  logic " << range(static_cast<std::uint32_t>(width)) << name << "_raddr;\n  assign " << name
         << "_raddr = " << assigned(ram.read_address, stage) << ";\n";
-    out << "  logic " << name << "_re;\n  assign " << name << "_re = " << enable(stage);
-    if (ram.read_enable != kOne) out << " & " << expression(Bits{ram.read_enable}, stage);
+    // What is read without being asked for means nothing: an enable would only have a way to every block memory.
+    const std::string asked = "  logic " + name + "_re;\n  assign " + name + "_re = " + enable(stage) +
+                              (ram.read_enable != kOne ? " & " + expression(Bits{ram.read_enable}, stage) : "") + ";\n";
+    out << (parity() ? asked : "`ifndef SYNTHESIS\n" + asked + "`endif\n");
     const std::string& data = signals_[node_signal_[ram.read]].name;
     const std::string word = parity() ? name + "_word_q" : data;
-    out << ";\n  logic " << range(stored) << word << ";\n"
-        << "  always_ff @(posedge clk_i) begin\n    if (" << name << "_re) " << word << " <= " << name << "_mem["
-        << address_index(name + "_raddr", width, address_bits(ram.depth)) << "];\n  end\n";
+    out << "  logic " << range(stored) << word << ";\n"
+        << "  always_ff @(posedge clk_i) begin\n    if (" << (loads_outputs(stage) ? enable(stage) : "en_i") << ") "
+        << word << " <= " << name << "_mem[" << address_index(name + "_raddr", width, address_bits(ram.depth))
+        << "];\n  end\n";
     if (!parity()) return;
     out << "  logic " << range(ram.width) << data << ";\n  assign " << data << " = " << word << "[" << ram.width - 1
         << ":0];\n  logic " << name << "_read_q, " << name << "_error;\n"

@@ -23,7 +23,7 @@ std::vector<std::uint8_t> BlindWatch::frame(const Image& states, const BlindSett
   if (!settings.teach && !settings.watch) return {};
   std::vector<std::uint8_t> blind(settings.teach ? 0 : states.pixels.size());
   const int margin = settings.margin_pixels(side_);
-  const int step = side_ / 8;  // in which the machine keeps it
+  const int step = side_ * side_ / 64;  // in which the machine keeps it
   for (Block& block : blocks_) {
     const auto each_undecidable = [&](const auto& act) {
       for (int y = block.y; y < block.y + block.height; ++y) {

@@ -73,34 +73,32 @@ module horopter_align (
   assign and_30 = last_q & and_19;
   logic and_31;
   assign and_31 = final_row_q & and_30;
+  // hls/stages/align.hpp:95
+  logic not_34;
+  assign not_34 = ~and_28;
+  // hls/stages/align.hpp:107
+  logic not_43;
+  assign not_43 = ~equal_23;
   // hls/stages/align.hpp:105
-  logic select_38;
-  assign select_38 = and_28 ? (cfg_width_i == 9'h2) : ((~last_q) & (columns_left_q == 9'h2));
-  logic select_42;
-  assign select_42 = and_28 ? (cfg_height_i == 9'h1) : (last_q ? (rows_left_q == 9'h2) : final_row_q);
-  // hls/stages/align.hpp:108
-  logic not_44;
-  assign not_44 = ~equal_23;
-  // hls/stages/align.hpp:106
-  logic not_47;
-  assign not_47 = ~equal_26;
-  // hls/stages/align.hpp:105
-  logic [8:0] select_52;
-  assign select_52 = and_28 ? (cfg_width_i + 9'h1ff) : (last_q ? cfg_width_i : (columns_left_q + 9'h1ff));
-  logic [8:0] select_55;
-  assign select_55 = and_28 ? cfg_height_i : (last_q ? (rows_left_q + 9'h1ff) : rows_left_q);
+  logic not_46;
+  assign not_46 = ~equal_26;
+  // hls/stages/align.hpp:104
+  logic [8:0] select_51;
+  assign select_51 = and_28 ? (cfg_width_i + 9'h1ff) : (last_q ? cfg_width_i : (columns_left_q + 9'h1ff));
+  logic [8:0] select_54;
+  assign select_54 = and_28 ? cfg_height_i : (last_q ? (rows_left_q + 9'h1ff) : rows_left_q);
   // hls/stages/align.hpp:77
-  logic equal_56;
-  assign equal_56 = state_i == 2'h0;
+  logic equal_55;
+  assign equal_55 = state_i == 2'h0;
   // hls/stages/align.hpp:79
-  logic and_57;
-  assign and_57 = marks_nearer_i & equal_56;
+  logic and_56;
+  assign and_56 = marks_nearer_i & equal_55;
   // hls/stages/align.hpp:81
-  logic and_59;
-  assign and_59 = equal_56 & (~marks_seen_i);
+  logic and_58;
+  assign and_58 = equal_55 & (~marks_seen_i);
   // hls/stages/align.hpp:72
-  logic and_62;
-  assign and_62 = idle_q & not_18;
+  logic and_61;
+  assign and_61 = idle_q & not_18;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -117,25 +115,25 @@ module horopter_align (
     end else if (s0_en) begin
       active_q <= or_29 & (~and_31);
       idle_q <= and_31;
-      last_q <= select_38;
-      final_row_q <= select_42;
+      last_q <= not_34 & ((~last_q) & (columns_left_q == 9'h2));
+      final_row_q <= not_34 & (last_q ? (rows_left_q == 9'h2) : final_row_q);
       started_q <= and_20 | and_27;
       row_ended_q <= marks_last_i;
-      rows_q <= marks_last_i ? (select_22 + {3'h0, not_44}) : select_22;
-      columns_q <= select_25 + {3'h0, not_47};
-      columns_left_q <= select_52;
-      rows_left_q <= select_55;
+      rows_q <= marks_last_i ? (select_22 + {3'h0, not_43}) : select_22;
+      columns_q <= select_25 + {3'h0, not_46};
+      columns_left_q <= select_51;
+      rows_left_q <= select_54;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = (and_57 | and_59) ? 2'h2 : state_i;
+  assign state_o = (and_56 | and_58) ? 2'h2 : state_i;
   assign first_o = and_28;
   assign last_o = and_30;
   assign end_v_o = and_31;
-  assign idle_o = and_62;
-  assign hidden_o = and_57;
-  assign unproven_o = and_59;
-  assign valid_o = valid_i & (and_62 | or_29);
+  assign idle_o = and_61;
+  assign hidden_o = and_56;
+  assign unproven_o = and_58;
+  assign valid_o = valid_i & (and_61 | or_29);
 
 endmodule

@@ -64,61 +64,61 @@ module horopter_blind (
   logic watches_q;
   logic session_q;
   logic has_taught_q;
-  // hls/stages/blind.hpp:64
+  // hls/stages/blind.hpp:65
   logic not_32;
   assign not_32 = ~idle_i;
   logic and_33;
   assign and_33 = first_i & not_32;
-  // hls/stages/blind.hpp:66
+  // hls/stages/blind.hpp:67
   logic [8:0] x;
   assign x = (row_ended_q | and_33) ? 9'h0 : x_q;
-  // hls/stages/blind.hpp:64
+  // hls/stages/blind.hpp:65
   logic and_36;
   assign and_36 = idle_i & more_q;
-  // hls/stages/blind.hpp:77
+  // hls/stages/blind.hpp:78
   logic or_37;
   assign or_37 = not_32 | and_36;
-  // hls/stages/blind.hpp:76
+  // hls/stages/blind.hpp:77
   logic [5:0] block;
   assign block = (last_block_q < x[8:3]) ? last_block_q : x[8:3];
-  // hls/stages/blind.hpp:159
+  // hls/stages/blind.hpp:165
   logic ends;
   assign ends = last_i | ((~(last_block_q == block)) & (x[2:0] == 3'h7));
-  // hls/stages/blind.hpp:163
+  // hls/stages/blind.hpp:169
   logic and_46;
   assign and_46 = not_32 & ends;
-  // hls/stages/blind.hpp:68
+  // hls/stages/blind.hpp:69
   logic or_48;
   assign or_48 = new_block_q | and_33;
   logic [2:0] select_52;
   assign select_52 = and_33 ? 3'h0 : inner_row_q;
-  // hls/stages/blind.hpp:151
+  // hls/stages/blind.hpp:157
   logic equal_53;
   assign equal_53 = select_52 == 3'h0;
-  // hls/stages/blind.hpp:68
+  // hls/stages/blind.hpp:69
   logic [10:0] select_56;
   assign select_56 = and_33 ? 11'h0 : place_q;
-  // hls/stages/blind.hpp:167
+  // hls/stages/blind.hpp:173
   logic [10:0] place;
   assign place = select_56 + {5'h0, block};
-  // hls/stages/blind.hpp:166
+  // hls/stages/blind.hpp:172
   logic equal_58;
   assign equal_58 = select_52 == 3'h7;
-  // hls/stages/blind.hpp:68
+  // hls/stages/blind.hpp:69
   logic [8:0] select_59;
   assign select_59 = and_33 ? 9'h0 : row_q;
-  // hls/stages/blind.hpp:166
+  // hls/stages/blind.hpp:172
   logic [9:0] sum_60;
   assign sum_60 = {1'b0, select_59} + 10'h1;
   logic equal_61;
   assign equal_61 = {sum_60[9], cfg_height_i} == {1'b0, sum_60[8:0]};
-  // hls/stages/blind.hpp:79
+  // hls/stages/blind.hpp:80
   logic and_64;
   assign and_64 = not_32 & (ends & (equal_58 | equal_61));
-  // hls/stages/blind.hpp:64
+  // hls/stages/blind.hpp:65
   logic not_79;
   assign not_79 = ~and_33;
-  // hls/stages/blind.hpp:68
+  // hls/stages/blind.hpp:69
   logic and_80;
   assign and_80 = ended_q & not_79;
   logic and_82;
@@ -127,48 +127,48 @@ module horopter_blind (
   assign select_83 = and_33 ? cfg_teach_i : teaches_q;
   logic select_89;
   assign select_89 = and_33 ? (has_taught_q & (not_84 & (session_q | not_85))) : has_taught_q;
-  // hls/stages/blind.hpp:79
+  // hls/stages/blind.hpp:80
   logic and_110;
   assign and_110 = not_32 & (ends & (equal_58 ? select_83 : (select_83 & equal_61)));
-  // hls/stages/blind.hpp:68
+  // hls/stages/blind.hpp:69
   logic and_111;
   assign and_111 = odd_q & not_79;
-  // hls/stages/blind.hpp:151
+  // hls/stages/blind.hpp:157
   logic not_113;
   assign not_113 = ~(and_111 ^ equal_53);
-  // hls/stages/blind.hpp:68
+  // hls/stages/blind.hpp:69
   logic [3:0] select_114;
   assign select_114 = and_33 ? 4'h0 : above_q;
-  // hls/stages/blind.hpp:152
+  // hls/stages/blind.hpp:158
   logic equal_115;
   assign equal_115 = select_114 == 4'h9;
-  // hls/stages/blind.hpp:151
+  // hls/stages/blind.hpp:157
   logic and_116;
   assign and_116 = or_37 & equal_115;
-  // hls/stages/blind.hpp:65
+  // hls/stages/blind.hpp:66
   logic last;
   assign last = idle_i ? at_end_q : last_i;
-  // hls/stages/blind.hpp:83
+  // hls/stages/blind.hpp:84
   logic [8:0] select_126;
   assign select_126 = (not_32 & last) ? before_v_q : before_end_q;
-  // hls/stages/blind.hpp:81
+  // hls/stages/blind.hpp:82
   logic and_127;
   assign and_127 = last & or_37;
-  // hls/stages/blind.hpp:82
+  // hls/stages/blind.hpp:83
   logic [10:0] select_141;
   assign select_141 = and_127 ? (equal_58 ? (select_56 + 11'h2f) : select_56) : select_56;
   logic [3:0] select_146;
   assign select_146 = and_127 ? (equal_115 ? select_114 : (select_114 + 4'h1)) : select_114;
-  // hls/stages/blind.hpp:88
+  // hls/stages/blind.hpp:89
   logic or_148;
   assign or_148 = and_33 | (and_36 & last);
-  // hls/stages/blind.hpp:68
+  // hls/stages/blind.hpp:69
   logic and_161;
   assign and_161 = first_above_q & not_79;
   logic select_166;
   assign select_166 = and_33 ? (session_q & (cfg_teach_i & not_84)) : session_q;
 
-  // Memory states, 378 x 18, DISTANCE 16, hls/stages/blind.hpp:188; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory states, 378 x 18, DISTANCE 16, hls/stages/blind.hpp:194; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] states_mem [0:377];
@@ -177,14 +177,16 @@ module horopter_blind (
 `endif
   logic [8:0] states_raddr;
   assign states_raddr = x;
+`ifndef SYNTHESIS
   logic states_re;
   assign states_re = s0_en & or_37;
+`endif
   logic [17:0] states_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (states_re) states_rdata_q <= states_mem[states_raddr];
+    if (en_i) states_rdata_q <= states_mem[states_raddr];
   end
 
-  // Memory counts, 47 x 7, DISTANCE 16, hls/stages/blind.hpp:189; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory counts, 47 x 7, DISTANCE 16, hls/stages/blind.hpp:195; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -194,14 +196,16 @@ module horopter_blind (
 `endif
   logic [5:0] counts_raddr;
   assign counts_raddr = block;
+`ifndef SYNTHESIS
   logic counts_re;
   assign counts_re = s0_en & and_46;
+`endif
   logic [6:0] counts_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (counts_re) counts_rdata_q <= counts_mem[counts_raddr];
+    if (en_i) counts_rdata_q <= counts_mem[counts_raddr];
   end
 
-  // Memory taught, 1692 x 8, DISTANCE 16, hls/stages/blind.hpp:190; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory taught, 1692 x 8, DISTANCE 16, hls/stages/blind.hpp:196; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] taught_mem [0:1691];
@@ -210,14 +214,16 @@ module horopter_blind (
 `endif
   logic [10:0] taught_raddr;
   assign taught_raddr = place;
+`ifndef SYNTHESIS
   logic taught_re;
   assign taught_re = s0_en & and_64;
+`endif
   logic [7:0] taught_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (taught_re) taught_rdata_q <= taught_mem[taught_raddr];
+    if (en_i) taught_rdata_q <= taught_mem[taught_raddr];
   end
 
-  // Memory blind, 128 x 1, DISTANCE 16, hls/stages/blind.hpp:191; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory blind, 128 x 1, DISTANCE 16, hls/stages/blind.hpp:197; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic blind_mem [0:127];
@@ -226,11 +232,13 @@ module horopter_blind (
 `endif
   logic [6:0] blind_raddr;
   assign blind_raddr = {block, not_113};
+`ifndef SYNTHESIS
   logic blind_re;
   assign blind_re = s0_en & and_116;
+`endif
   logic blind_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (blind_re) blind_rdata_q <= blind_mem[blind_raddr];
+    if (en_i) blind_rdata_q <= blind_mem[blind_raddr];
   end
 
   always_ff @(posedge clk_i) begin
@@ -316,27 +324,27 @@ module horopter_blind (
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [3:0] in_row_q;
-  // hls/stages/blind.hpp:160
+  // hls/stages/blind.hpp:166
   logic equal_50;
   assign equal_50 = state_s1_q == 2'h2;
   logic [3:0] sum_51;
   assign sum_51 = (or_48_s1_q ? 4'h0 : in_row_q) + {3'h0, equal_50};
-  // hls/stages/blind.hpp:164
+  // hls/stages/blind.hpp:170
   logic [6:0] sum_55;
   assign sum_55 = {3'h0, sum_51} + (equal_53_s1_q ? 7'h0 : counts_rdata_q);
-  // hls/stages/blind.hpp:78
+  // hls/stages/blind.hpp:79
   logic [6:0] known;
   assign known = (^taught_rdata_q) ? 7'h0 : (has_taught_q ? taught_rdata_q[6:0] : 7'h0);
-  // hls/stages/blind.hpp:171
+  // hls/stages/blind.hpp:177
   logic [6:0] stored;
   assign stored = (known < sum_55) ? sum_55 : known;
-  // hls/stages/blind.hpp:121
+  // hls/stages/blind.hpp:127
   logic parity_106;
   assign parity_106 = ^stored;
-  // hls/stages/blind.hpp:174
+  // hls/stages/blind.hpp:180
   logic and_122;
   assign and_122 = watches_q & (({1'b0, cfg_blind_margin_i} + {2'h0, known}) < {2'h0, sum_55});
-  // hls/stages/blind.hpp:155
+  // hls/stages/blind.hpp:161
   logic and_172;
   assign and_172 = equal_115_s1_q & (blind_rdata_q & (states_rdata_q[17:16] == 2'h2));
 

@@ -47,11 +47,13 @@ module horopter_cells (
 `endif
   logic [6:0] sums_raddr;
   assign sums_raddr = select_8;
+`ifndef SYNTHESIS
   logic sums_re;
   assign sums_re = s0_en & equal_10;
+`endif
   logic [13:0] sums_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (sums_re) sums_rdata_q <= sums_mem[sums_raddr];
+    if (en_i) sums_rdata_q <= sums_mem[sums_raddr];
   end
 
   always_ff @(posedge clk_i) begin

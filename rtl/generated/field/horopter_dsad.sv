@@ -53,11 +53,13 @@ module horopter_dsad (
 `endif
   logic [8:0] memory_raddr;
   assign memory_raddr = select_18;
+`ifndef SYNTHESIS
   logic memory_re;
   assign memory_re = s0_en;
+`endif
   logic [95:0] memory_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
+    if (en_i) memory_rdata_q <= memory_mem[memory_raddr];
   end
 
   // Memory columns_values, 16 x 16, DISTANCE 7, hls/stages/dsad.hpp:104; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
@@ -70,11 +72,13 @@ module horopter_dsad (
 `endif
   logic [3:0] columns_values_raddr;
   assign columns_values_raddr = columns_place_q + 4'h7;
+`ifndef SYNTHESIS
   logic columns_values_re;
   assign columns_values_re = s0_en;
+`endif
   logic [15:0] columns_values_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (columns_values_re) columns_values_rdata_q <= columns_values_mem[columns_values_raddr];
+    if (en_i) columns_values_rdata_q <= columns_values_mem[columns_values_raddr];
   end
 
   always_ff @(posedge clk_i) begin

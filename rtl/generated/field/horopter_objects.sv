@@ -68,11 +68,13 @@ module horopter_objects (
 `endif
   logic [8:0] above_raddr;
   assign above_raddr = x;
+`ifndef SYNTHESIS
   logic above_re;
   assign above_re = s0_en & not_271;
+`endif
   logic above_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (above_re) above_rdata_q <= above_mem[above_raddr];
+    if (en_i) above_rdata_q <= above_mem[above_raddr];
   end
 
   always_ff @(posedge clk_i) begin
@@ -198,11 +200,13 @@ module horopter_objects (
 `endif
   logic [5:0] queue_raddr;
   assign queue_raddr = read_q;
+`ifndef SYNTHESIS
   logic queue_re;
   assign queue_re = s1_en & (not_274 & (equal_275 & not_277));
+`endif
   logic [67:0] queue_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (queue_re) queue_rdata_q <= queue_mem[queue_raddr];
+    if (en_i) queue_rdata_q <= queue_mem[queue_raddr];
   end
 
   // Memory above, write
@@ -1305,11 +1309,13 @@ module horopter_objects (
 `endif
   logic [4:0] objects_raddr;
   assign objects_raddr = label;
+`ifndef SYNTHESIS
   logic objects_re;
   assign objects_re = s2_en & or_320;
+`endif
   logic [153:0] objects_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (objects_re) objects_rdata_q <= objects_mem[objects_raddr];
+    if (en_i) objects_rdata_q <= objects_mem[objects_raddr];
   end
 
   // Memory queue, write

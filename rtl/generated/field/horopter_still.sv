@@ -44,11 +44,13 @@ module horopter_still (
 `endif
   logic [7:0] kept_raddr;
   assign kept_raddr = index_q;
+`ifndef SYNTHESIS
   logic kept_re;
   assign kept_re = s0_en & and_17;
+`endif
   logic [31:0] kept_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (kept_re) kept_rdata_q <= kept_mem[kept_raddr];
+    if (en_i) kept_rdata_q <= kept_mem[kept_raddr];
   end
 
   always_ff @(posedge clk_i) begin

@@ -45,18 +45,18 @@ module horopter_align (
   assign select_27 = marks_first_i ? 4'h0 : (row_ended_q ? 4'h0 : columns_q);
   logic equal_28;
   assign equal_28 = {columns, select_27[2:1], columns} == {select_27[3], 2'h0, select_27[0]};
-  // hls/stages/align.hpp:106
-  logic not_49;
-  assign not_49 = ~equal_28;
+  // hls/stages/align.hpp:105
+  logic not_48;
+  assign not_48 = ~equal_28;
   // hls/stages/align.hpp:77
-  logic equal_58;
-  assign equal_58 = state_i == 2'h0;
+  logic equal_57;
+  assign equal_57 = state_i == 2'h0;
   // hls/stages/align.hpp:79
-  logic and_59;
-  assign and_59 = marks_nearer_i & equal_58;
+  logic and_58;
+  assign and_58 = marks_nearer_i & equal_57;
   // hls/stages/align.hpp:81
-  logic and_61;
-  assign and_61 = equal_58 & (~marks_seen_i);
+  logic and_60;
+  assign and_60 = equal_57 & (~marks_seen_i);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -64,22 +64,22 @@ module horopter_align (
       columns_q <= 4'h0;
     end else if (s0_en) begin
       row_ended_q <= marks_last_i;
-      columns_q <= select_27 + {3'h0, not_49};
+      columns_q <= select_27 + {3'h0, not_48};
     end
   end
 
   logic marks_first_s1_q;
   logic equal_28_s1_q;
-  logic and_59_s1_q;
-  logic and_61_s1_q;
-  logic [1:0] select_63_s1_q;
+  logic and_58_s1_q;
+  logic and_60_s1_q;
+  logic [1:0] select_62_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       marks_first_s1_q <= marks_first_i;
       equal_28_s1_q <= equal_28;
-      and_59_s1_q <= and_59;
-      and_61_s1_q <= and_61;
-      select_63_s1_q <= (and_59 | and_61) ? 2'h2 : state_i;
+      and_58_s1_q <= and_58;
+      and_60_s1_q <= and_60;
+      select_62_s1_q <= (and_58 | and_60) ? 2'h2 : state_i;
     end
   end
 
@@ -117,22 +117,20 @@ module horopter_align (
   assign and_32 = last_q & and_20;
   logic and_33;
   assign and_33 = final_row_q & and_32;
-  // hls/stages/align.hpp:105
-  logic select_40;
-  assign select_40 = and_30 ? (cfg_width_i == 11'h2) : ((~last_q) & (columns_left_q == 11'h2));
-  logic select_44;
-  assign select_44 = and_30 ? (cfg_height_i == 11'h1) : (last_q ? (rows_left_q == 11'h2) : final_row_q);
-  // hls/stages/align.hpp:108
-  logic not_46;
-  assign not_46 = ~equal_25;
-  // hls/stages/align.hpp:105
-  logic [10:0] select_54;
-  assign select_54 = and_30 ? (cfg_width_i + 11'h7ff) : (last_q ? cfg_width_i : (columns_left_q + 11'h7ff));
-  logic [10:0] select_57;
-  assign select_57 = and_30 ? cfg_height_i : (last_q ? (rows_left_q + 11'h7ff) : rows_left_q);
+  // hls/stages/align.hpp:95
+  logic not_36;
+  assign not_36 = ~and_30;
+  // hls/stages/align.hpp:107
+  logic not_45;
+  assign not_45 = ~equal_25;
+  // hls/stages/align.hpp:104
+  logic [10:0] select_53;
+  assign select_53 = and_30 ? (cfg_width_i + 11'h7ff) : (last_q ? cfg_width_i : (columns_left_q + 11'h7ff));
+  logic [10:0] select_56;
+  assign select_56 = and_30 ? cfg_height_i : (last_q ? (rows_left_q + 11'h7ff) : rows_left_q);
   // hls/stages/align.hpp:72
-  logic and_64;
-  assign and_64 = idle_q & not_19;
+  logic and_63;
+  assign and_63 = idle_q & not_19;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -147,40 +145,40 @@ module horopter_align (
     end else if (s1_en) begin
       active_q <= or_31 & (~and_33);
       idle_q <= and_33;
-      last_q <= select_40;
-      final_row_q <= select_44;
+      last_q <= not_36 & ((~last_q) & (columns_left_q == 11'h2));
+      final_row_q <= not_36 & (last_q ? (rows_left_q == 11'h2) : final_row_q);
       started_q <= and_21 | and_29;
-      rows_q <= row_ended_q ? (select_24 + {3'h0, not_46}) : select_24;
-      columns_left_q <= select_54;
-      rows_left_q <= select_57;
+      rows_q <= row_ended_q ? (select_24 + {3'h0, not_45}) : select_24;
+      columns_left_q <= select_53;
+      rows_left_q <= select_56;
     end
   end
 
   logic and_30_s2_q;
   logic and_32_s2_q;
-  logic and_59_s2_q;
-  logic and_61_s2_q;
-  logic [1:0] select_63_s2_q;
-  logic and_64_s2_q;
+  logic and_58_s2_q;
+  logic and_60_s2_q;
+  logic [1:0] select_62_s2_q;
+  logic and_63_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       and_30_s2_q <= and_30;
       and_32_s2_q <= and_32;
-      and_59_s2_q <= and_59_s1_q;
-      and_61_s2_q <= and_61_s1_q;
-      select_63_s2_q <= select_63_s1_q;
-      and_64_s2_q <= and_64;
+      and_58_s2_q <= and_58_s1_q;
+      and_60_s2_q <= and_60_s1_q;
+      select_62_s2_q <= select_62_s1_q;
+      and_63_s2_q <= and_63;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = select_63_s2_q;
+  assign state_o = select_62_s2_q;
   assign first_o = and_30_s2_q;
   assign last_o = and_32_s2_q;
   assign end_v_o = idle_q;
-  assign idle_o = and_64_s2_q;
-  assign hidden_o = and_59_s2_q;
-  assign unproven_o = and_61_s2_q;
+  assign idle_o = and_63_s2_q;
+  assign hidden_o = and_58_s2_q;
+  assign unproven_o = and_60_s2_q;
   assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
@@ -189,7 +187,7 @@ module horopter_align (
       valid_s2_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
-      valid_s2_q <= valid_s1_q & (and_64 | or_31);
+      valid_s2_q <= valid_s1_q & (and_63 | or_31);
     end
   end
 

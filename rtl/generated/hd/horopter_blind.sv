@@ -3,7 +3,7 @@
 //
 // Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 91 bits, pipeline 328 bits, memories 140056 bits.
+// State 91 bits, pipeline 325 bits, memories 131896 bits.
 module horopter_blind (
   input  logic clk_i,
   input  logic rst_ni,
@@ -42,12 +42,12 @@ module horopter_blind (
   assign s8_en = en_i & valid_s8_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_86;
-  assign not_86 = ~cfg_forget_i;
   logic not_87;
-  assign not_87 = ~cfg_teach_i;
-  logic [6:0] select_139;
-  assign select_139 = (7'h78 < cfg_width_i[10:4]) ? 7'h77 : (cfg_width_i[10:4] + 7'h7f);
+  assign not_87 = ~cfg_forget_i;
+  logic not_88;
+  assign not_88 = ~cfg_teach_i;
+  logic [6:0] select_138;
+  assign select_138 = (7'h78 < cfg_width_i[10:4]) ? 7'h77 : (cfg_width_i[10:4] + 7'h7f);
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
 
@@ -74,42 +74,42 @@ module horopter_blind (
   logic more_q;
   logic row_ended_q;
   logic at_end_q;
-  // hls/stages/blind.hpp:64
+  // hls/stages/blind.hpp:65
   logic not_32;
   assign not_32 = ~idle_s1_q;
   logic and_33;
   assign and_33 = first_s1_q & not_32;
-  // hls/stages/blind.hpp:66
+  // hls/stages/blind.hpp:67
   logic [10:0] x;
   assign x = (row_ended_q | and_33) ? 11'h0 : x_q;
-  // hls/stages/blind.hpp:64
+  // hls/stages/blind.hpp:65
   logic and_36;
   assign and_36 = idle_s1_q & more_q;
-  // hls/stages/blind.hpp:77
+  // hls/stages/blind.hpp:78
   logic or_37;
   assign or_37 = not_32 | and_36;
-  // hls/stages/blind.hpp:68
+  // hls/stages/blind.hpp:69
   logic [10:0] select_59;
   assign select_59 = and_33 ? 11'h0 : row_q;
-  // hls/stages/blind.hpp:166
+  // hls/stages/blind.hpp:172
   logic [11:0] sum_60;
   assign sum_60 = {1'b0, select_59} + 12'h1;
-  // hls/stages/blind.hpp:65
+  // hls/stages/blind.hpp:66
   logic last;
   assign last = idle_s1_q ? at_end_q : last_s1_q;
-  // hls/stages/blind.hpp:83
-  logic [10:0] select_131;
-  assign select_131 = (not_32 & last) ? before_v_q : before_end_q;
-  // hls/stages/blind.hpp:81
-  logic and_132;
-  assign and_132 = last & or_37;
-  logic [6:0] select_141;
-  assign select_141 = and_33 ? ((cfg_width_i[10:5] == 6'h0) ? 7'h1 : select_139) : last_block_q;
-  // hls/stages/blind.hpp:88
-  logic or_153;
-  assign or_153 = and_33 | (and_36 & last);
+  // hls/stages/blind.hpp:84
+  logic [10:0] select_130;
+  assign select_130 = (not_32 & last) ? before_v_q : before_end_q;
+  // hls/stages/blind.hpp:82
+  logic and_131;
+  assign and_131 = last & or_37;
+  logic [6:0] select_140;
+  assign select_140 = and_33 ? ((cfg_width_i[10:5] == 6'h0) ? 7'h1 : select_138) : last_block_q;
+  // hls/stages/blind.hpp:89
+  logic or_152;
+  assign or_152 = and_33 | (and_36 & last);
 
-  // Memory states, 1920 x 34, DISTANCE 16, hls/stages/blind.hpp:188; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
+  // Memory states, 1920 x 34, DISTANCE 16, hls/stages/blind.hpp:194; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [33:0] states_mem [0:1919];
@@ -118,11 +118,13 @@ module horopter_blind (
 `endif
   logic [10:0] states_raddr;
   assign states_raddr = x;
+`ifndef SYNTHESIS
   logic states_re;
   assign states_re = s1_en & or_37;
+`endif
   logic [33:0] states_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (states_re) states_rdata_q <= states_mem[states_raddr];
+    if (en_i) states_rdata_q <= states_mem[states_raddr];
   end
 
   always_ff @(posedge clk_i) begin
@@ -139,13 +141,13 @@ module horopter_blind (
     end else if (s1_en) begin
       x_q <= x + 11'h1;
       before_v_q <= x;
-      before_end_q <= select_131;
-      row_q <= and_132 ? sum_60[10:0] : select_59;
-      last_block_q <= select_141;
-      rows_left_q <= or_153 ? (and_33 ? 5'h11 : (rows_left_q + 5'h1f)) : rows_left_q;
-      more_q <= or_153 ? (and_33 | (~(rows_left_q == 5'h1))) : more_q;
+      before_end_q <= select_130;
+      row_q <= and_131 ? sum_60[10:0] : select_59;
+      last_block_q <= select_140;
+      rows_left_q <= or_152 ? (and_33 ? 5'h11 : (rows_left_q + 5'h1f)) : rows_left_q;
+      more_q <= or_152 ? (and_33 | (~(rows_left_q == 5'h1))) : more_q;
       row_ended_q <= last;
-      at_end_q <= (~(x < select_131)) & (~last);
+      at_end_q <= (~(x < select_130)) & (~last);
     end
   end
 
@@ -158,8 +160,8 @@ module horopter_blind (
   logic or_37_s2_q;
   logic less_39_s2_q;
   logic [11:0] sum_60_s2_q;
-  logic and_132_s2_q;
-  logic and_183_s2_q;
+  logic and_131_s2_q;
+  logic and_182_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       state_s2_q <= state_s1_q;
@@ -171,39 +173,39 @@ module horopter_blind (
       or_37_s2_q <= or_37;
       less_39_s2_q <= last_block_q < x[10:4];
       sum_60_s2_q <= sum_60;
-      and_132_s2_q <= and_132;
-      and_183_s2_q <= idle_s1_q & (~more_q);
+      and_131_s2_q <= and_131;
+      and_182_s2_q <= idle_s1_q & (~more_q);
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic [3:0] inner_row_q;
   logic [9:0] place_q;
-  // hls/stages/blind.hpp:76
+  // hls/stages/blind.hpp:77
   logic [6:0] block;
   assign block = less_39_s2_q ? last_block_s2_q : before_v_q[10:4];
-  // hls/stages/blind.hpp:159
+  // hls/stages/blind.hpp:165
   logic ends;
   assign ends = last_s2_q | ((~(last_block_s2_q == block)) & (before_v_q[3:0] == 4'hf));
-  // hls/stages/blind.hpp:68
+  // hls/stages/blind.hpp:69
   logic [3:0] select_52;
   assign select_52 = and_33_s2_q ? 4'h0 : inner_row_q;
   logic [9:0] select_56;
   assign select_56 = and_33_s2_q ? 10'h0 : place_q;
-  // hls/stages/blind.hpp:166
+  // hls/stages/blind.hpp:172
   logic equal_58;
   assign equal_58 = select_52 == 4'hf;
-  // hls/stages/blind.hpp:82
-  logic [9:0] select_146;
-  assign select_146 = and_132_s2_q ? (equal_58 ? (select_56 + 10'hf) : select_56) : select_56;
+  // hls/stages/blind.hpp:83
+  logic [9:0] select_145;
+  assign select_145 = and_131_s2_q ? (equal_58 ? (select_56 + 10'hf) : select_56) : select_56;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       inner_row_q <= 4'h0;
       place_q <= 10'h0;
     end else if (s2_en) begin
-      inner_row_q <= and_132_s2_q ? (select_52 + 4'h1) : select_52;
-      place_q <= select_146;
+      inner_row_q <= and_131_s2_q ? (select_52 + 4'h1) : select_52;
+      place_q <= select_145;
     end
   end
 
@@ -221,8 +223,8 @@ module horopter_blind (
   logic equal_58_s3_q;
   logic equal_61_s3_q;
   logic last_s3_q;
-  logic and_132_s3_q;
-  logic and_183_s3_q;
+  logic and_131_s3_q;
+  logic and_182_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       state_s3_q <= state_s2_q;
@@ -239,31 +241,31 @@ module horopter_blind (
       equal_58_s3_q <= equal_58;
       equal_61_s3_q <= {sum_60_s2_q[11], cfg_height_i} == {1'b0, sum_60_s2_q[10:0]};
       last_s3_q <= row_ended_q;
-      and_132_s3_q <= and_132_s2_q;
-      and_183_s3_q <= and_183_s2_q;
+      and_131_s3_q <= and_131_s2_q;
+      and_182_s3_q <= and_182_s2_q;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   logic new_block_q;
   logic teaches_q;
-  // hls/stages/blind.hpp:163
+  // hls/stages/blind.hpp:169
   logic and_46;
   assign and_46 = not_32_s3_q & ends_s3_q;
-  // hls/stages/blind.hpp:68
+  // hls/stages/blind.hpp:69
   logic or_48;
   assign or_48 = new_block_q | and_33_s3_q;
-  // hls/stages/blind.hpp:79
+  // hls/stages/blind.hpp:80
   logic and_64;
   assign and_64 = not_32_s3_q & (ends_s3_q & (equal_58_s3_q | equal_61_s3_q));
-  // hls/stages/blind.hpp:68
-  logic select_85;
-  assign select_85 = and_33_s3_q ? cfg_teach_i : teaches_q;
-  // hls/stages/blind.hpp:79
-  logic and_114;
-  assign and_114 = ends_s3_q & (equal_58_s3_q ? select_85 : (select_85 & equal_61_s3_q));
+  // hls/stages/blind.hpp:69
+  logic select_86;
+  assign select_86 = and_33_s3_q ? cfg_teach_i : teaches_q;
+  // hls/stages/blind.hpp:80
+  logic and_102;
+  assign and_102 = ends_s3_q & (equal_58_s3_q ? select_86 : (select_86 & equal_61_s3_q));
 
-  // Memory counts, 120 x 9, DISTANCE 16, hls/stages/blind.hpp:189; read in stage 3, written in stage 6: 3 < 6 < 3 + DISTANCE.
+  // Memory counts, 120 x 9, DISTANCE 16, hls/stages/blind.hpp:195; read in stage 3, written in stage 6: 3 < 6 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] counts_mem [0:119];
@@ -272,27 +274,85 @@ module horopter_blind (
 `endif
   logic [6:0] counts_raddr;
   assign counts_raddr = block_s3_q;
+`ifndef SYNTHESIS
   logic counts_re;
   assign counts_re = s3_en & and_46;
+`endif
   logic [8:0] counts_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (counts_re) counts_rdata_q <= counts_mem[counts_raddr];
+    if (en_i) counts_rdata_q <= counts_mem[counts_raddr];
   end
 
-  // Memory taught, 8160 x 9, DISTANCE 16, hls/stages/blind.hpp:190; read in stage 3, written in stage 8: 3 < 8 < 3 + DISTANCE.
+  // Memory taught_low, 8160 x 2, DISTANCE 16, hls/include/horopter/hls/sliced_memory.hpp:33; read in stage 3, written in stage 8: 3 < 8 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [8:0] taught_mem [0:8159];
+  logic [1:0] taught_low_mem [0:8159];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 8160; i++) taught_mem[i] = 9'h0;
+  initial for (int i = 0; i < 8160; i++) taught_low_mem[i] = 2'h0;
 `endif
-  logic [12:0] taught_raddr;
-  assign taught_raddr = {sum_57_s3_q, block_s3_q[2:0]};
-  logic taught_re;
-  assign taught_re = s3_en & and_64;
-  logic [8:0] taught_rdata_q;
+  logic [12:0] taught_low_raddr;
+  assign taught_low_raddr = {sum_57_s3_q, block_s3_q[2:0]};
+`ifndef SYNTHESIS
+  logic taught_low_re;
+  assign taught_low_re = s3_en & and_64;
+`endif
+  logic [1:0] taught_low_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (taught_re) taught_rdata_q <= taught_mem[taught_raddr];
+    if (en_i) taught_low_rdata_q <= taught_low_mem[taught_low_raddr];
+  end
+
+  // Memory taught_high_low, 8160 x 2, DISTANCE 16, hls/include/horopter/hls/sliced_memory.hpp:33; read in stage 3, written in stage 8: 3 < 8 < 3 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [1:0] taught_high_low_mem [0:8159];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 8160; i++) taught_high_low_mem[i] = 2'h0;
+`endif
+  logic [12:0] taught_high_low_raddr;
+  assign taught_high_low_raddr = {sum_57_s3_q, block_s3_q[2:0]};
+`ifndef SYNTHESIS
+  logic taught_high_low_re;
+  assign taught_high_low_re = s3_en & and_64;
+`endif
+  logic [1:0] taught_high_low_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) taught_high_low_rdata_q <= taught_high_low_mem[taught_high_low_raddr];
+  end
+
+  // Memory taught_high_high_low, 8160 x 2, DISTANCE 16, hls/include/horopter/hls/sliced_memory.hpp:33; read in stage 3, written in stage 8: 3 < 8 < 3 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [1:0] taught_high_high_low_mem [0:8159];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 8160; i++) taught_high_high_low_mem[i] = 2'h0;
+`endif
+  logic [12:0] taught_high_high_low_raddr;
+  assign taught_high_high_low_raddr = {sum_57_s3_q, block_s3_q[2:0]};
+`ifndef SYNTHESIS
+  logic taught_high_high_low_re;
+  assign taught_high_high_low_re = s3_en & and_64;
+`endif
+  logic [1:0] taught_high_high_low_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) taught_high_high_low_rdata_q <= taught_high_high_low_mem[taught_high_high_low_raddr];
+  end
+
+  // Memory taught_high_high_high, 8160 x 2, DISTANCE 16, hls/include/horopter/hls/sliced_memory.hpp:34; read in stage 3, written in stage 8: 3 < 8 < 3 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [1:0] taught_high_high_high_mem [0:8159];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 8160; i++) taught_high_high_high_mem[i] = 2'h0;
+`endif
+  logic [12:0] taught_high_high_high_raddr;
+  assign taught_high_high_high_raddr = {sum_57_s3_q, block_s3_q[2:0]};
+`ifndef SYNTHESIS
+  logic taught_high_high_high_re;
+  assign taught_high_high_high_re = s3_en & and_64;
+`endif
+  logic [1:0] taught_high_high_high_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) taught_high_high_high_rdata_q <= taught_high_high_high_mem[taught_high_high_high_raddr];
   end
 
   // Memory states, write
@@ -334,7 +394,7 @@ module horopter_blind (
       teaches_q <= 1'b0;
     end else if (s3_en) begin
       new_block_q <= idle_s3_q ? or_48 : ends_s3_q;
-      teaches_q <= select_85;
+      teaches_q <= select_86;
     end
   end
 
@@ -350,11 +410,11 @@ module horopter_blind (
   logic [9:0] sum_57_s4_q;
   logic equal_58_s4_q;
   logic and_64_s4_q;
-  logic and_115_s4_q;
+  logic and_103_s4_q;
   logic last_s4_q;
-  logic and_132_s4_q;
-  logic equal_179_s4_q;
-  logic and_183_s4_q;
+  logic and_131_s4_q;
+  logic equal_178_s4_q;
+  logic and_182_s4_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       idle_s4_q <= idle_s3_q;
@@ -369,11 +429,11 @@ module horopter_blind (
       sum_57_s4_q <= sum_57_s3_q;
       equal_58_s4_q <= equal_58_s3_q;
       and_64_s4_q <= and_64;
-      and_115_s4_q <= not_32_s3_q & and_114;
+      and_103_s4_q <= not_32_s3_q & and_102;
       last_s4_q <= last_s3_q;
-      and_132_s4_q <= and_132_s3_q;
-      equal_179_s4_q <= x_s3_q == 11'h0;
-      and_183_s4_q <= and_183_s3_q;
+      and_131_s4_q <= and_131_s3_q;
+      equal_178_s4_q <= x_s3_q == 11'h0;
+      and_182_s4_q <= and_182_s3_q;
     end
   end
 
@@ -385,31 +445,31 @@ module horopter_blind (
   logic watches_q;
   logic session_q;
   logic has_taught_q;
-  // hls/stages/blind.hpp:64
-  logic not_81;
-  assign not_81 = ~and_33_s4_q;
-  // hls/stages/blind.hpp:68
-  logic and_82;
-  assign and_82 = ended_q & not_81;
-  logic and_84;
-  assign and_84 = idle_s4_q & (~and_82);
-  logic select_91;
-  assign select_91 = and_33_s4_q ? (has_taught_q & (not_86 & (session_q | not_87))) : has_taught_q;
-  logic and_116;
-  assign and_116 = odd_q & not_81;
-  logic [4:0] select_119;
-  assign select_119 = and_33_s4_q ? 5'h0 : above_q;
-  // hls/stages/blind.hpp:152
-  logic equal_120;
-  assign equal_120 = select_119 == 5'h11;
-  // hls/stages/blind.hpp:82
-  logic [4:0] select_151;
-  assign select_151 = and_132_s4_q ? (equal_120 ? select_119 : (select_119 + 5'h1)) : select_119;
-  // hls/stages/blind.hpp:68
-  logic and_166;
-  assign and_166 = first_above_q & not_81;
-  logic select_171;
-  assign select_171 = and_33_s4_q ? (session_q & (cfg_teach_i & not_86)) : session_q;
+  // hls/stages/blind.hpp:65
+  logic not_82;
+  assign not_82 = ~and_33_s4_q;
+  // hls/stages/blind.hpp:69
+  logic and_83;
+  assign and_83 = ended_q & not_82;
+  logic and_85;
+  assign and_85 = idle_s4_q & (~and_83);
+  logic select_92;
+  assign select_92 = and_33_s4_q ? (has_taught_q & (not_87 & (session_q | not_88))) : has_taught_q;
+  logic and_115;
+  assign and_115 = odd_q & not_82;
+  logic [4:0] select_118;
+  assign select_118 = and_33_s4_q ? 5'h0 : above_q;
+  // hls/stages/blind.hpp:158
+  logic equal_119;
+  assign equal_119 = select_118 == 5'h11;
+  // hls/stages/blind.hpp:83
+  logic [4:0] select_150;
+  assign select_150 = and_131_s4_q ? (equal_119 ? select_118 : (select_118 + 5'h1)) : select_118;
+  // hls/stages/blind.hpp:69
+  logic and_165;
+  assign and_165 = first_above_q & not_82;
+  logic select_170;
+  assign select_170 = and_33_s4_q ? (session_q & (cfg_teach_i & not_87)) : session_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -421,13 +481,13 @@ module horopter_blind (
       session_q <= 1'b0;
       has_taught_q <= 1'b0;
     end else if (s4_en) begin
-      odd_q <= and_132_s4_q ? (and_116 ^ equal_58_s4_q) : and_116;
-      above_q <= select_151;
-      first_above_q <= and_132_s4_q ? (select_119 == 5'h10) : and_166;
-      ended_q <= and_82 | and_84;
-      watches_q <= and_33_s4_q ? (cfg_watch_i & not_87) : watches_q;
-      session_q <= and_84 ? (teaches_q | select_171) : select_171;
-      has_taught_q <= and_84 ? (teaches_q | select_91) : select_91;
+      odd_q <= and_131_s4_q ? (and_115 ^ equal_58_s4_q) : and_115;
+      above_q <= select_150;
+      first_above_q <= and_131_s4_q ? (select_118 == 5'h10) : and_165;
+      ended_q <= and_83 | and_85;
+      watches_q <= and_33_s4_q ? (cfg_watch_i & not_88) : watches_q;
+      session_q <= and_85 ? (teaches_q | select_170) : select_170;
+      has_taught_q <= and_85 ? (teaches_q | select_92) : select_92;
     end
   end
 
@@ -442,13 +502,16 @@ module horopter_blind (
   logic equal_53_s5_q;
   logic [9:0] sum_57_s5_q;
   logic and_64_s5_q;
-  logic [8:0] taught_rdata_s5_q;
+  logic [1:0] taught_low_rdata_s5_q;
+  logic [1:0] taught_high_high_high_rdata_s5_q;
+  logic [1:0] taught_high_high_low_rdata_s5_q;
+  logic [1:0] taught_high_low_rdata_s5_q;
+  logic and_103_s5_q;
   logic and_115_s5_q;
-  logic and_116_s5_q;
-  logic equal_120_s5_q;
+  logic equal_119_s5_q;
   logic last_s5_q;
-  logic and_181_s5_q;
-  logic and_183_s5_q;
+  logic and_180_s5_q;
+  logic and_182_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       idle_s5_q <= idle_s4_q;
@@ -462,31 +525,39 @@ module horopter_blind (
       equal_53_s5_q <= equal_53_s4_q;
       sum_57_s5_q <= sum_57_s4_q;
       and_64_s5_q <= and_64_s4_q;
-      taught_rdata_s5_q <= taught_rdata_q;
-      and_115_s5_q <= and_115_s4_q;
-      and_116_s5_q <= and_116;
-      equal_120_s5_q <= equal_120;
+      taught_low_rdata_s5_q <= taught_low_rdata_q;
+      taught_high_high_high_rdata_s5_q <= taught_high_high_high_rdata_q;
+      taught_high_high_low_rdata_s5_q <= taught_high_high_low_rdata_q;
+      taught_high_low_rdata_s5_q <= taught_high_low_rdata_q;
+      and_103_s5_q <= and_103_s4_q;
+      and_115_s5_q <= and_115;
+      equal_119_s5_q <= equal_119;
       last_s5_q <= last_s4_q;
-      and_181_s5_q <= or_37_s4_q & (and_166 & equal_179_s4_q);
-      and_183_s5_q <= and_183_s4_q;
+      and_180_s5_q <= or_37_s4_q & (and_165 & equal_178_s4_q);
+      and_182_s5_q <= and_182_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [4:0] in_row_q;
-  // hls/stages/blind.hpp:160
+  // hls/stages/blind.hpp:166
   logic [4:0] sum_51;
   assign sum_51 = (or_48_s5_q ? 5'h0 : in_row_q) + {4'h0, equal_50_s5_q};
-  // hls/stages/blind.hpp:78
-  logic [7:0] known;
-  assign known = (^taught_rdata_s5_q) ? 8'h0 : (has_taught_q ? taught_rdata_s5_q[7:0] : 8'h0);
-  // hls/stages/blind.hpp:151
-  logic not_118;
-  assign not_118 = ~(and_116_s5_q ^ equal_53_s5_q);
-  logic and_121;
-  assign and_121 = or_37_s5_q & equal_120_s5_q;
+  // hls/stages/blind.hpp:127
+  logic parity_81;
+  assign parity_81 = ^{taught_high_low_rdata_s5_q, taught_high_high_low_rdata_s5_q, taught_high_high_high_rdata_s5_q, taught_low_rdata_s5_q};
+  // hls/stages/blind.hpp:79
+  logic [6:0] select_95;
+  assign select_95 = has_taught_q ? {taught_high_high_high_rdata_s5_q[0], taught_high_high_low_rdata_s5_q, taught_high_low_rdata_s5_q, taught_low_rdata_s5_q} : 7'h0;
+  logic [6:0] known;
+  assign known = parity_81 ? 7'h0 : select_95;
+  // hls/stages/blind.hpp:157
+  logic not_117;
+  assign not_117 = ~(and_115_s5_q ^ equal_53_s5_q);
+  logic and_120;
+  assign and_120 = or_37_s5_q & equal_119_s5_q;
 
-  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:191; read in stage 5, written in stage 7: 5 < 7 < 5 + DISTANCE.
+  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:197; read in stage 5, written in stage 7: 5 < 7 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic blind_mem [0:255];
@@ -494,12 +565,14 @@ module horopter_blind (
   initial for (int i = 0; i < 256; i++) blind_mem[i] = 1'b0;
 `endif
   logic [7:0] blind_raddr;
-  assign blind_raddr = {block_s5_q, not_118};
+  assign blind_raddr = {block_s5_q, not_117};
+`ifndef SYNTHESIS
   logic blind_re;
-  assign blind_re = s5_en & and_121;
+  assign blind_re = s5_en & and_120;
+`endif
   logic blind_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (blind_re) blind_rdata_q <= blind_mem[blind_raddr];
+    if (en_i) blind_rdata_q <= blind_mem[blind_raddr];
   end
 
   always_ff @(posedge clk_i) begin
@@ -517,16 +590,16 @@ module horopter_blind (
   logic [8:0] sum_55_s6_q;
   logic [9:0] sum_57_s6_q;
   logic and_64_s6_q;
-  logic select_93_s6_q;
-  logic [7:0] known_s6_q;
+  logic select_94_s6_q;
+  logic [6:0] known_s6_q;
+  logic and_103_s6_q;
   logic and_115_s6_q;
-  logic and_116_s6_q;
-  logic equal_120_s6_q;
-  logic and_121_s6_q;
-  logic select_124_s6_q;
+  logic equal_119_s6_q;
+  logic and_120_s6_q;
+  logic select_123_s6_q;
   logic last_s6_q;
-  logic and_181_s6_q;
-  logic and_183_s6_q;
+  logic and_180_s6_q;
+  logic and_182_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       or_37_s6_q <= or_37_s5_q;
@@ -536,26 +609,26 @@ module horopter_blind (
       sum_55_s6_q <= {4'h0, sum_51} + (equal_53_s5_q ? 9'h0 : counts_rdata_s5_q);
       sum_57_s6_q <= sum_57_s5_q;
       and_64_s6_q <= and_64_s5_q;
-      select_93_s6_q <= has_taught_q;
+      select_94_s6_q <= has_taught_q;
       known_s6_q <= known;
+      and_103_s6_q <= and_103_s5_q;
       and_115_s6_q <= and_115_s5_q;
-      and_116_s6_q <= and_116_s5_q;
-      equal_120_s6_q <= equal_120_s5_q;
-      and_121_s6_q <= and_121;
-      select_124_s6_q <= watches_q;
+      equal_119_s6_q <= equal_119_s5_q;
+      and_120_s6_q <= and_120;
+      select_123_s6_q <= watches_q;
       last_s6_q <= last_s5_q;
-      and_181_s6_q <= and_181_s5_q;
-      and_183_s6_q <= and_183_s5_q;
+      and_180_s6_q <= and_180_s5_q;
+      and_182_s6_q <= and_182_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/blind.hpp:171
-  logic [8:0] select_97;
-  assign select_97 = ({known_s6_q, 1'b0} < sum_55_s6_q) ? sum_55_s6_q : {known_s6_q, 1'b0};
-  // hls/stages/blind.hpp:173
-  logic [8:0] sum_125;
-  assign sum_125 = {1'b0, cfg_blind_margin_i} + {2'h0, known_s6_q[7:1]};
+  // hls/stages/blind.hpp:177
+  logic [8:0] select_98;
+  assign select_98 = ({known_s6_q, 2'h0} < sum_55_s6_q) ? sum_55_s6_q : {known_s6_q, 2'h0};
+  // hls/stages/blind.hpp:179
+  logic [8:0] limit;
+  assign limit = {1'b0, cfg_blind_margin_i} + {2'h0, known_s6_q};
 
   // Memory counts, write
   logic [6:0] counts_waddr;
@@ -603,18 +676,18 @@ module horopter_blind (
   logic [6:0] block_s7_q;
   logic [9:0] sum_57_s7_q;
   logic and_64_s7_q;
-  logic select_93_s7_q;
-  logic [8:0] select_97_s7_q;
+  logic select_94_s7_q;
+  logic [8:0] select_98_s7_q;
+  logic and_103_s7_q;
   logic and_115_s7_q;
-  logic and_116_s7_q;
-  logic equal_120_s7_q;
-  logic and_121_s7_q;
+  logic equal_119_s7_q;
+  logic and_120_s7_q;
   logic blind_rdata_s7_q;
-  logic select_124_s7_q;
-  logic less_126_s7_q;
+  logic select_123_s7_q;
+  logic less_125_s7_q;
   logic last_s7_q;
-  logic and_181_s7_q;
-  logic and_183_s7_q;
+  logic and_180_s7_q;
+  logic and_182_s7_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       or_37_s7_q <= or_37_s6_q;
@@ -622,36 +695,36 @@ module horopter_blind (
       block_s7_q <= block_s6_q;
       sum_57_s7_q <= sum_57_s6_q;
       and_64_s7_q <= and_64_s6_q;
-      select_93_s7_q <= select_93_s6_q;
-      select_97_s7_q <= select_97;
+      select_94_s7_q <= select_94_s6_q;
+      select_98_s7_q <= select_98;
+      and_103_s7_q <= and_103_s6_q;
       and_115_s7_q <= and_115_s6_q;
-      and_116_s7_q <= and_116_s6_q;
-      equal_120_s7_q <= equal_120_s6_q;
-      and_121_s7_q <= and_121_s6_q;
+      equal_119_s7_q <= equal_119_s6_q;
+      and_120_s7_q <= and_120_s6_q;
       blind_rdata_s7_q <= blind_rdata_q;
-      select_124_s7_q <= select_124_s6_q;
-      less_126_s7_q <= {sum_125, known_s6_q[0], 1'b0} < {2'h0, sum_55_s6_q};
+      select_123_s7_q <= select_123_s6_q;
+      less_125_s7_q <= {limit, 2'h0} < {2'h0, sum_55_s6_q};
       last_s7_q <= last_s6_q;
-      and_181_s7_q <= and_181_s6_q;
-      and_183_s7_q <= and_183_s6_q;
+      and_180_s7_q <= and_180_s6_q;
+      and_182_s7_q <= and_182_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/blind.hpp:171
-  logic [8:0] stored;
-  assign stored = select_97_s7_q + 9'h1;
-  // hls/stages/blind.hpp:155
-  logic and_177;
-  assign and_177 = equal_120_s7_q & (blind_rdata_s7_q & (states_rdata_s7_q == 2'h2));
+  // hls/stages/blind.hpp:177
+  logic [8:0] sum_99;
+  assign sum_99 = select_98_s7_q + 9'h3;
+  // hls/stages/blind.hpp:161
+  logic and_176;
+  assign and_176 = equal_119_s7_q & (blind_rdata_s7_q & (states_rdata_s7_q == 2'h2));
 
   // Memory blind, write
   logic [7:0] blind_waddr;
-  assign blind_waddr = {block_s7_q, and_116_s7_q};
+  assign blind_waddr = {block_s7_q, and_115_s7_q};
   logic blind_we;
   assign blind_we = s7_en & and_64_s7_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (blind_we) blind_mem[blind_waddr] <= select_124_s7_q & less_126_s7_q;
+    if (blind_we) blind_mem[blind_waddr] <= select_123_s7_q & less_125_s7_q;
   end
 `ifndef SYNTHESIS
   logic [7:0] blind_raddr_s6_sim;
@@ -678,120 +751,291 @@ module horopter_blind (
 
   logic [2:0] block_s8_q;
   logic [9:0] sum_57_s8_q;
-  logic select_93_s8_q;
-  logic [7:0] stored_s8_q;
-  logic and_115_s8_q;
-  logic and_121_s8_q;
+  logic select_94_s8_q;
+  logic [6:0] sum_99_s8_q;
+  logic and_103_s8_q;
+  logic and_120_s8_q;
   logic last_s8_q;
-  logic [1:0] select_174_s8_q;
-  logic and_178_s8_q;
-  logic and_181_s8_q;
-  logic and_183_s8_q;
+  logic [1:0] select_173_s8_q;
+  logic and_177_s8_q;
+  logic and_180_s8_q;
+  logic and_182_s8_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       block_s8_q <= block_s7_q[2:0];
       sum_57_s8_q <= sum_57_s7_q;
-      select_93_s8_q <= select_93_s7_q;
-      stored_s8_q <= stored[8:1];
-      and_115_s8_q <= and_115_s7_q;
-      and_121_s8_q <= and_121_s7_q;
+      select_94_s8_q <= select_94_s7_q;
+      sum_99_s8_q <= sum_99[8:2];
+      and_103_s8_q <= and_103_s7_q;
+      and_120_s8_q <= and_120_s7_q;
       last_s8_q <= last_s7_q;
-      select_174_s8_q <= or_37_s7_q ? states_rdata_s7_q : 2'h0;
-      and_178_s8_q <= or_37_s7_q & and_177;
-      and_181_s8_q <= and_181_s7_q;
-      and_183_s8_q <= and_183_s7_q;
+      select_173_s8_q <= or_37_s7_q ? states_rdata_s7_q : 2'h0;
+      and_177_s8_q <= or_37_s7_q & and_176;
+      and_180_s8_q <= and_180_s7_q;
+      and_182_s8_q <= and_182_s7_q;
     end
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/blind.hpp:121
-  logic parity_111;
-  assign parity_111 = ^stored_s8_q;
+  // hls/stages/blind.hpp:127
+  logic parity_114;
+  assign parity_114 = ^sum_99_s8_q;
 
-  // Memory taught, write
-  logic [12:0] taught_waddr;
-  assign taught_waddr = {sum_57_s8_q, block_s8_q};
-  logic taught_we;
-  assign taught_we = s8_en & and_115_s8_q;
+  // Memory taught_low, write
+  logic [12:0] taught_low_waddr;
+  assign taught_low_waddr = {sum_57_s8_q, block_s8_q};
+  logic taught_low_we;
+  assign taught_low_we = s8_en & and_103_s8_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (taught_we) taught_mem[taught_waddr] <= {parity_111, stored_s8_q};
+    if (taught_low_we) taught_low_mem[taught_low_waddr] <= sum_99_s8_q[1:0];
   end
 `ifndef SYNTHESIS
-  logic [12:0] taught_raddr_s4_sim;
-  logic taught_re_s4_sim;
-  logic [12:0] taught_raddr_s5_sim;
-  logic taught_re_s5_sim;
-  logic [12:0] taught_raddr_s6_sim;
-  logic taught_re_s6_sim;
-  logic [12:0] taught_raddr_s7_sim;
-  logic taught_re_s7_sim;
+  logic [12:0] taught_low_raddr_s4_sim;
+  logic taught_low_re_s4_sim;
+  logic [12:0] taught_low_raddr_s5_sim;
+  logic taught_low_re_s5_sim;
+  logic [12:0] taught_low_raddr_s6_sim;
+  logic taught_low_re_s6_sim;
+  logic [12:0] taught_low_raddr_s7_sim;
+  logic taught_low_re_s7_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      taught_re_s4_sim <= 1'b0;
-      taught_re_s5_sim <= 1'b0;
-      taught_re_s6_sim <= 1'b0;
-      taught_re_s7_sim <= 1'b0;
+      taught_low_re_s4_sim <= 1'b0;
+      taught_low_re_s5_sim <= 1'b0;
+      taught_low_re_s6_sim <= 1'b0;
+      taught_low_re_s7_sim <= 1'b0;
     end else if (en_i) begin
-      taught_re_s4_sim <= taught_re;
-      taught_raddr_s4_sim <= taught_raddr;
-      taught_re_s5_sim <= taught_re_s4_sim;
-      taught_raddr_s5_sim <= taught_raddr_s4_sim;
-      taught_re_s6_sim <= taught_re_s5_sim;
-      taught_raddr_s6_sim <= taught_raddr_s5_sim;
-      taught_re_s7_sim <= taught_re_s6_sim;
-      taught_raddr_s7_sim <= taught_raddr_s6_sim;
+      taught_low_re_s4_sim <= taught_low_re;
+      taught_low_raddr_s4_sim <= taught_low_raddr;
+      taught_low_re_s5_sim <= taught_low_re_s4_sim;
+      taught_low_raddr_s5_sim <= taught_low_raddr_s4_sim;
+      taught_low_re_s6_sim <= taught_low_re_s5_sim;
+      taught_low_raddr_s6_sim <= taught_low_raddr_s5_sim;
+      taught_low_re_s7_sim <= taught_low_re_s6_sim;
+      taught_low_raddr_s7_sim <= taught_low_raddr_s6_sim;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (rst_ni && taught_we) begin
-      if (taught_re && taught_raddr == taught_waddr) begin
-        $error("taught: address %0d is read less than DISTANCE steps after its write", taught_waddr);
+    if (rst_ni && taught_low_we) begin
+      if (taught_low_re && taught_low_raddr == taught_low_waddr) begin
+        $error("taught_low: address %0d is read less than DISTANCE steps after its write", taught_low_waddr);
       end
-      if (taught_re_s4_sim && taught_raddr_s4_sim == taught_waddr) begin
-        $error("taught: address %0d is read less than DISTANCE steps after its write", taught_waddr);
+      if (taught_low_re_s4_sim && taught_low_raddr_s4_sim == taught_low_waddr) begin
+        $error("taught_low: address %0d is read less than DISTANCE steps after its write", taught_low_waddr);
       end
-      if (taught_re_s5_sim && taught_raddr_s5_sim == taught_waddr) begin
-        $error("taught: address %0d is read less than DISTANCE steps after its write", taught_waddr);
+      if (taught_low_re_s5_sim && taught_low_raddr_s5_sim == taught_low_waddr) begin
+        $error("taught_low: address %0d is read less than DISTANCE steps after its write", taught_low_waddr);
       end
-      if (taught_re_s6_sim && taught_raddr_s6_sim == taught_waddr) begin
-        $error("taught: address %0d is read less than DISTANCE steps after its write", taught_waddr);
+      if (taught_low_re_s6_sim && taught_low_raddr_s6_sim == taught_low_waddr) begin
+        $error("taught_low: address %0d is read less than DISTANCE steps after its write", taught_low_waddr);
       end
-      if (taught_re_s7_sim && taught_raddr_s7_sim == taught_waddr) begin
-        $error("taught: address %0d is read less than DISTANCE steps after its write", taught_waddr);
+      if (taught_low_re_s7_sim && taught_low_raddr_s7_sim == taught_low_waddr) begin
+        $error("taught_low: address %0d is read less than DISTANCE steps after its write", taught_low_waddr);
       end
-      if (taught_waddr >= 13'd8160) $error("taught: write outside, address %0d", taught_waddr);
+      if (taught_low_waddr >= 13'd8160) $error("taught_low: write outside, address %0d", taught_low_waddr);
     end
-    if (rst_ni && taught_re && taught_raddr >= 13'd8160) $error("taught: read outside, address %0d", taught_raddr);
+    if (rst_ni && taught_low_re && taught_low_raddr >= 13'd8160) $error("taught_low: read outside, address %0d", taught_low_raddr);
   end
 `endif
 
-  logic select_93_s9_q;
-  logic and_121_s9_q;
+  // Memory taught_high_low, write
+  logic [12:0] taught_high_low_waddr;
+  assign taught_high_low_waddr = {sum_57_s8_q, block_s8_q};
+  logic taught_high_low_we;
+  assign taught_high_low_we = s8_en & and_103_s8_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (taught_high_low_we) taught_high_low_mem[taught_high_low_waddr] <= sum_99_s8_q[3:2];
+  end
+`ifndef SYNTHESIS
+  logic [12:0] taught_high_low_raddr_s4_sim;
+  logic taught_high_low_re_s4_sim;
+  logic [12:0] taught_high_low_raddr_s5_sim;
+  logic taught_high_low_re_s5_sim;
+  logic [12:0] taught_high_low_raddr_s6_sim;
+  logic taught_high_low_re_s6_sim;
+  logic [12:0] taught_high_low_raddr_s7_sim;
+  logic taught_high_low_re_s7_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      taught_high_low_re_s4_sim <= 1'b0;
+      taught_high_low_re_s5_sim <= 1'b0;
+      taught_high_low_re_s6_sim <= 1'b0;
+      taught_high_low_re_s7_sim <= 1'b0;
+    end else if (en_i) begin
+      taught_high_low_re_s4_sim <= taught_high_low_re;
+      taught_high_low_raddr_s4_sim <= taught_high_low_raddr;
+      taught_high_low_re_s5_sim <= taught_high_low_re_s4_sim;
+      taught_high_low_raddr_s5_sim <= taught_high_low_raddr_s4_sim;
+      taught_high_low_re_s6_sim <= taught_high_low_re_s5_sim;
+      taught_high_low_raddr_s6_sim <= taught_high_low_raddr_s5_sim;
+      taught_high_low_re_s7_sim <= taught_high_low_re_s6_sim;
+      taught_high_low_raddr_s7_sim <= taught_high_low_raddr_s6_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && taught_high_low_we) begin
+      if (taught_high_low_re && taught_high_low_raddr == taught_high_low_waddr) begin
+        $error("taught_high_low: address %0d is read less than DISTANCE steps after its write", taught_high_low_waddr);
+      end
+      if (taught_high_low_re_s4_sim && taught_high_low_raddr_s4_sim == taught_high_low_waddr) begin
+        $error("taught_high_low: address %0d is read less than DISTANCE steps after its write", taught_high_low_waddr);
+      end
+      if (taught_high_low_re_s5_sim && taught_high_low_raddr_s5_sim == taught_high_low_waddr) begin
+        $error("taught_high_low: address %0d is read less than DISTANCE steps after its write", taught_high_low_waddr);
+      end
+      if (taught_high_low_re_s6_sim && taught_high_low_raddr_s6_sim == taught_high_low_waddr) begin
+        $error("taught_high_low: address %0d is read less than DISTANCE steps after its write", taught_high_low_waddr);
+      end
+      if (taught_high_low_re_s7_sim && taught_high_low_raddr_s7_sim == taught_high_low_waddr) begin
+        $error("taught_high_low: address %0d is read less than DISTANCE steps after its write", taught_high_low_waddr);
+      end
+      if (taught_high_low_waddr >= 13'd8160) $error("taught_high_low: write outside, address %0d", taught_high_low_waddr);
+    end
+    if (rst_ni && taught_high_low_re && taught_high_low_raddr >= 13'd8160) $error("taught_high_low: read outside, address %0d", taught_high_low_raddr);
+  end
+`endif
+
+  // Memory taught_high_high_low, write
+  logic [12:0] taught_high_high_low_waddr;
+  assign taught_high_high_low_waddr = {sum_57_s8_q, block_s8_q};
+  logic taught_high_high_low_we;
+  assign taught_high_high_low_we = s8_en & and_103_s8_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (taught_high_high_low_we) taught_high_high_low_mem[taught_high_high_low_waddr] <= sum_99_s8_q[5:4];
+  end
+`ifndef SYNTHESIS
+  logic [12:0] taught_high_high_low_raddr_s4_sim;
+  logic taught_high_high_low_re_s4_sim;
+  logic [12:0] taught_high_high_low_raddr_s5_sim;
+  logic taught_high_high_low_re_s5_sim;
+  logic [12:0] taught_high_high_low_raddr_s6_sim;
+  logic taught_high_high_low_re_s6_sim;
+  logic [12:0] taught_high_high_low_raddr_s7_sim;
+  logic taught_high_high_low_re_s7_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      taught_high_high_low_re_s4_sim <= 1'b0;
+      taught_high_high_low_re_s5_sim <= 1'b0;
+      taught_high_high_low_re_s6_sim <= 1'b0;
+      taught_high_high_low_re_s7_sim <= 1'b0;
+    end else if (en_i) begin
+      taught_high_high_low_re_s4_sim <= taught_high_high_low_re;
+      taught_high_high_low_raddr_s4_sim <= taught_high_high_low_raddr;
+      taught_high_high_low_re_s5_sim <= taught_high_high_low_re_s4_sim;
+      taught_high_high_low_raddr_s5_sim <= taught_high_high_low_raddr_s4_sim;
+      taught_high_high_low_re_s6_sim <= taught_high_high_low_re_s5_sim;
+      taught_high_high_low_raddr_s6_sim <= taught_high_high_low_raddr_s5_sim;
+      taught_high_high_low_re_s7_sim <= taught_high_high_low_re_s6_sim;
+      taught_high_high_low_raddr_s7_sim <= taught_high_high_low_raddr_s6_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && taught_high_high_low_we) begin
+      if (taught_high_high_low_re && taught_high_high_low_raddr == taught_high_high_low_waddr) begin
+        $error("taught_high_high_low: address %0d is read less than DISTANCE steps after its write", taught_high_high_low_waddr);
+      end
+      if (taught_high_high_low_re_s4_sim && taught_high_high_low_raddr_s4_sim == taught_high_high_low_waddr) begin
+        $error("taught_high_high_low: address %0d is read less than DISTANCE steps after its write", taught_high_high_low_waddr);
+      end
+      if (taught_high_high_low_re_s5_sim && taught_high_high_low_raddr_s5_sim == taught_high_high_low_waddr) begin
+        $error("taught_high_high_low: address %0d is read less than DISTANCE steps after its write", taught_high_high_low_waddr);
+      end
+      if (taught_high_high_low_re_s6_sim && taught_high_high_low_raddr_s6_sim == taught_high_high_low_waddr) begin
+        $error("taught_high_high_low: address %0d is read less than DISTANCE steps after its write", taught_high_high_low_waddr);
+      end
+      if (taught_high_high_low_re_s7_sim && taught_high_high_low_raddr_s7_sim == taught_high_high_low_waddr) begin
+        $error("taught_high_high_low: address %0d is read less than DISTANCE steps after its write", taught_high_high_low_waddr);
+      end
+      if (taught_high_high_low_waddr >= 13'd8160) $error("taught_high_high_low: write outside, address %0d", taught_high_high_low_waddr);
+    end
+    if (rst_ni && taught_high_high_low_re && taught_high_high_low_raddr >= 13'd8160) $error("taught_high_high_low: read outside, address %0d", taught_high_high_low_raddr);
+  end
+`endif
+
+  // Memory taught_high_high_high, write
+  logic [12:0] taught_high_high_high_waddr;
+  assign taught_high_high_high_waddr = {sum_57_s8_q, block_s8_q};
+  logic taught_high_high_high_we;
+  assign taught_high_high_high_we = s8_en & and_103_s8_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (taught_high_high_high_we) taught_high_high_high_mem[taught_high_high_high_waddr] <= {parity_114, sum_99_s8_q[6]};
+  end
+`ifndef SYNTHESIS
+  logic [12:0] taught_high_high_high_raddr_s4_sim;
+  logic taught_high_high_high_re_s4_sim;
+  logic [12:0] taught_high_high_high_raddr_s5_sim;
+  logic taught_high_high_high_re_s5_sim;
+  logic [12:0] taught_high_high_high_raddr_s6_sim;
+  logic taught_high_high_high_re_s6_sim;
+  logic [12:0] taught_high_high_high_raddr_s7_sim;
+  logic taught_high_high_high_re_s7_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      taught_high_high_high_re_s4_sim <= 1'b0;
+      taught_high_high_high_re_s5_sim <= 1'b0;
+      taught_high_high_high_re_s6_sim <= 1'b0;
+      taught_high_high_high_re_s7_sim <= 1'b0;
+    end else if (en_i) begin
+      taught_high_high_high_re_s4_sim <= taught_high_high_high_re;
+      taught_high_high_high_raddr_s4_sim <= taught_high_high_high_raddr;
+      taught_high_high_high_re_s5_sim <= taught_high_high_high_re_s4_sim;
+      taught_high_high_high_raddr_s5_sim <= taught_high_high_high_raddr_s4_sim;
+      taught_high_high_high_re_s6_sim <= taught_high_high_high_re_s5_sim;
+      taught_high_high_high_raddr_s6_sim <= taught_high_high_high_raddr_s5_sim;
+      taught_high_high_high_re_s7_sim <= taught_high_high_high_re_s6_sim;
+      taught_high_high_high_raddr_s7_sim <= taught_high_high_high_raddr_s6_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && taught_high_high_high_we) begin
+      if (taught_high_high_high_re && taught_high_high_high_raddr == taught_high_high_high_waddr) begin
+        $error("taught_high_high_high: address %0d is read less than DISTANCE steps after its write", taught_high_high_high_waddr);
+      end
+      if (taught_high_high_high_re_s4_sim && taught_high_high_high_raddr_s4_sim == taught_high_high_high_waddr) begin
+        $error("taught_high_high_high: address %0d is read less than DISTANCE steps after its write", taught_high_high_high_waddr);
+      end
+      if (taught_high_high_high_re_s5_sim && taught_high_high_high_raddr_s5_sim == taught_high_high_high_waddr) begin
+        $error("taught_high_high_high: address %0d is read less than DISTANCE steps after its write", taught_high_high_high_waddr);
+      end
+      if (taught_high_high_high_re_s6_sim && taught_high_high_high_raddr_s6_sim == taught_high_high_high_waddr) begin
+        $error("taught_high_high_high: address %0d is read less than DISTANCE steps after its write", taught_high_high_high_waddr);
+      end
+      if (taught_high_high_high_re_s7_sim && taught_high_high_high_raddr_s7_sim == taught_high_high_high_waddr) begin
+        $error("taught_high_high_high: address %0d is read less than DISTANCE steps after its write", taught_high_high_high_waddr);
+      end
+      if (taught_high_high_high_waddr >= 13'd8160) $error("taught_high_high_high: write outside, address %0d", taught_high_high_high_waddr);
+    end
+    if (rst_ni && taught_high_high_high_re && taught_high_high_high_raddr >= 13'd8160) $error("taught_high_high_high: read outside, address %0d", taught_high_high_high_raddr);
+  end
+`endif
+
+  logic select_94_s9_q;
+  logic and_120_s9_q;
   logic last_s9_q;
-  logic [1:0] select_174_s9_q;
-  logic and_178_s9_q;
-  logic and_181_s9_q;
-  logic and_183_s9_q;
+  logic [1:0] select_173_s9_q;
+  logic and_177_s9_q;
+  logic and_180_s9_q;
+  logic and_182_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
-      select_93_s9_q <= select_93_s8_q;
-      and_121_s9_q <= and_121_s8_q;
+      select_94_s9_q <= select_94_s8_q;
+      and_120_s9_q <= and_120_s8_q;
       last_s9_q <= last_s8_q;
-      select_174_s9_q <= select_174_s8_q;
-      and_178_s9_q <= and_178_s8_q;
-      and_181_s9_q <= and_181_s8_q;
-      and_183_s9_q <= and_183_s8_q;
+      select_173_s9_q <= select_173_s8_q;
+      and_177_s9_q <= and_177_s8_q;
+      and_180_s9_q <= and_180_s8_q;
+      and_182_s9_q <= and_182_s8_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign there_o = and_121_s9_q;
-  assign state_o = select_174_s9_q;
-  assign blind_o = and_178_s9_q;
-  assign first_o = and_181_s9_q;
+  assign there_o = and_120_s9_q;
+  assign state_o = select_173_s9_q;
+  assign blind_o = and_177_s9_q;
+  assign first_o = and_180_s9_q;
   assign last_o = last_s9_q;
-  assign done_o = and_183_s9_q;
-  assign taught_o = select_93_s9_q;
+  assign done_o = and_182_s9_q;
+  assign taught_o = select_94_s9_q;
   assign valid_o = valid_s9_q;
 
   always_ff @(posedge clk_i) begin
@@ -820,6 +1064,6 @@ module horopter_blind (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{stored[0], cfg_width_i[3:0]};
+  assign unused_bits = ^{sum_99[1:0], cfg_width_i[3:0]};
 
 endmodule

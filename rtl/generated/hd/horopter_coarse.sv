@@ -3,7 +3,7 @@
 //
 // Latency 7 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 286 bits, pipeline 262 bits, memories 0 bits.
+// State 293 bits, pipeline 262 bits, memories 0 bits.
 module horopter_coarse (
   input  logic clk_i,
   input  logic rst_ni,
@@ -32,10 +32,10 @@ module horopter_coarse (
   assign s6_en = en_i & valid_s6_q;
 
   // Of the configuration alone: not pipelined.
-  logic [8:0] sum_106;
-  assign sum_106 = {1'b0, cfg_blind_step_i} + {2'h0, cfg_blind_step_i[7:1]};
-  logic equal_158;
-  assign equal_158 = cfg_blind_share_i == 8'h0;
+  logic [8:0] sum_34;
+  assign sum_34 = {1'b0, cfg_blind_step_i} + {2'h0, cfg_blind_step_i[7:1]};
+  logic equal_159;
+  assign equal_159 = cfg_blind_share_i == 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [7:0] left_q;
@@ -85,55 +85,56 @@ module horopter_coarse (
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   // hls/stages/coarse.hpp:72
-  logic [17:0] product_42;
-  assign product_42 = $signed({{9{g_s1_q[8]}}, g_s1_q}) * $signed({{9{h_q[8]}}, h_q});
-  logic [17:0] product_43;
-  assign product_43 = $signed({{9{h_s1_q[8]}}, h_s1_q}) * $signed({{9{g_q[8]}}, g_q});
+  logic [17:0] product_44;
+  assign product_44 = $signed({{9{g_s1_q[8]}}, g_s1_q}) * $signed({{9{h_q[8]}}, h_q});
+  logic [17:0] product_45;
+  assign product_45 = $signed({{9{h_s1_q[8]}}, h_s1_q}) * $signed({{9{g_q[8]}}, g_q});
   // hls/stages/coarse.hpp:73
-  logic [17:0] product_49;
-  assign product_49 = $signed({{9{g_q[8]}}, g_q}) * $signed({{9{h_q[8]}}, h_q});
+  logic [17:0] product_51;
+  assign product_51 = $signed({{9{g_q[8]}}, g_q}) * $signed({{9{h_q[8]}}, h_q});
   // hls/stages/coarse.hpp:62
-  logic [7:0] xor_54;
-  assign xor_54 = g_q[7:0] ^ {8{g_q[8]}};
+  logic [7:0] xor_56;
+  assign xor_56 = g_q[7:0] ^ {8{g_q[8]}};
   // hls/stages/coarse.hpp:63
-  logic [7:0] xor_83;
-  assign xor_83 = h_q[7:0] ^ {8{h_q[8]}};
+  logic [7:0] xor_85;
+  assign xor_85 = h_q[7:0] ^ {8{h_q[8]}};
   // hls/stages/coarse.hpp:150
-  logic not_110;
-  assign not_110 = ~places_column_q[6];
-  logic [3:0] select_111;
-  assign select_111 = places_column_q[5] ? {places_column_q[6], 1'b0, not_110, 1'b0} : {1'b0, places_column_q[6], 1'b0, not_110};
-  logic [7:0] select_112;
-  assign select_112 = places_column_q[4] ? {select_111[3], 1'b0, select_111[2], 1'b0, select_111[1], 1'b0, select_111[0], 1'b0} : {1'b0, select_111[3], 1'b0, select_111[2], 1'b0, select_111[1], 1'b0, select_111[0]};
-  logic [15:0] select_113;
-  assign select_113 = places_column_q[3] ? {select_112[7], 1'b0, select_112[6], 1'b0, select_112[5], 1'b0, select_112[4], 1'b0, select_112[3], 1'b0, select_112[2], 1'b0, select_112[1], 1'b0, select_112[0], 1'b0} : {1'b0, select_112[7], 1'b0, select_112[6], 1'b0, select_112[5], 1'b0, select_112[4], 1'b0, select_112[3], 1'b0, select_112[2], 1'b0, select_112[1], 1'b0, select_112[0]};
+  logic not_111;
+  assign not_111 = ~places_column_q[6];
+  logic [3:0] select_112;
+  assign select_112 = places_column_q[5] ? {places_column_q[6], 1'b0, not_111, 1'b0} : {1'b0, places_column_q[6], 1'b0, not_111};
+  logic [7:0] select_113;
+  assign select_113 = places_column_q[4] ? {select_112[3], 1'b0, select_112[2], 1'b0, select_112[1], 1'b0, select_112[0], 1'b0} : {1'b0, select_112[3], 1'b0, select_112[2], 1'b0, select_112[1], 1'b0, select_112[0]};
+  logic [15:0] select_114;
+  assign select_114 = places_column_q[3] ? {select_113[7], 1'b0, select_113[6], 1'b0, select_113[5], 1'b0, select_113[4], 1'b0, select_113[3], 1'b0, select_113[2], 1'b0, select_113[1], 1'b0, select_113[0], 1'b0} : {1'b0, select_113[7], 1'b0, select_113[6], 1'b0, select_113[5], 1'b0, select_113[4], 1'b0, select_113[3], 1'b0, select_113[2], 1'b0, select_113[1], 1'b0, select_113[0]};
 
   logic first_s2_q;
   logic start_s2_q;
-  logic [17:0] product_42_s2_q;
-  logic [17:0] product_43_s2_q;
-  logic [17:0] product_49_s2_q;
-  logic [8:0] sum_55_s2_q;
-  logic [8:0] sum_84_s2_q;
-  logic select_92_s2_q;
-  logic equal_93_s2_q;
-  logic [15:0] select_113_s2_q;
+  logic [17:0] product_44_s2_q;
+  logic [17:0] product_45_s2_q;
+  logic [17:0] product_51_s2_q;
+  logic [8:0] sum_57_s2_q;
+  logic [8:0] sum_86_s2_q;
+  logic select_94_s2_q;
+  logic equal_95_s2_q;
+  logic [15:0] select_114_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       first_s2_q <= first_s1_q;
       start_s2_q <= start_s1_q;
-      product_42_s2_q <= product_42;
-      product_43_s2_q <= product_43;
-      product_49_s2_q <= product_49;
-      sum_55_s2_q <= {8'h0, g_q[8]} + {1'b0, xor_54};
-      sum_84_s2_q <= {8'h0, h_q[8]} + {1'b0, xor_83};
-      select_92_s2_q <= places_column_q[2];
-      equal_93_s2_q <= places_column_q[1:0] == 2'h0;
-      select_113_s2_q <= select_113;
+      product_44_s2_q <= product_44;
+      product_45_s2_q <= product_45;
+      product_51_s2_q <= product_51;
+      sum_57_s2_q <= {8'h0, g_q[8]} + {1'b0, xor_56};
+      sum_86_s2_q <= {8'h0, h_q[8]} + {1'b0, xor_85};
+      select_94_s2_q <= places_column_q[2];
+      equal_95_s2_q <= places_column_q[1:0] == 2'h0;
+      select_114_s2_q <= select_114;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
+  logic [6:0] small_step_q;
   logic [2:0] column_q;
   logic second_q;
   logic [20:0] products_q;
@@ -142,50 +143,51 @@ module horopter_coarse (
   logic [31:0] left_parts_strips_q;
   logic [31:0] right_parts_strips_q;
   // hls/stages/coarse.hpp:60
-  logic [2:0] select_37;
-  assign select_37 = start_s2_q ? 3'h0 : column_q;
+  logic [2:0] select_39;
+  assign select_39 = start_s2_q ? 3'h0 : column_q;
   // hls/stages/coarse.hpp:76
-  logic equal_39;
-  assign equal_39 = select_37 == 3'h7;
+  logic equal_41;
+  assign equal_41 = select_39 == 3'h7;
   // hls/stages/coarse.hpp:60
-  logic not_40;
-  assign not_40 = ~start_s2_q;
-  logic and_41;
-  assign and_41 = second_q & not_40;
+  logic not_42;
+  assign not_42 = ~start_s2_q;
+  logic and_43;
+  assign and_43 = second_q & not_42;
   // hls/stages/coarse.hpp:72
-  logic [18:0] difference_44;
-  assign difference_44 = {product_42_s2_q[17], product_42_s2_q} - {product_43_s2_q[17], product_43_s2_q};
+  logic [18:0] difference_46;
+  assign difference_46 = {product_44_s2_q[17], product_44_s2_q} - {product_45_s2_q[17], product_45_s2_q};
   // hls/stages/coarse.hpp:76
-  logic [20:0] select_51;
-  assign select_51 = and_41 ? products_q : (products_q + {{3{product_49_s2_q[17]}}, product_49_s2_q});
-  logic [11:0] select_57;
-  assign select_57 = and_41 ? texture_q : (texture_q + {3'h0, sum_55_s2_q});
+  logic [20:0] select_53;
+  assign select_53 = and_43 ? products_q : (products_q + {{3{product_51_s2_q[17]}}, product_51_s2_q});
+  logic [11:0] select_59;
+  assign select_59 = and_43 ? texture_q : (texture_q + {3'h0, sum_57_s2_q});
   // hls/stages/coarse.hpp:137
-  logic and_94;
-  assign and_94 = places_first_row_q & not_40;
+  logic and_96;
+  assign and_96 = places_first_row_q & not_42;
   // hls/stages/coarse.hpp:64
   logic one_more;
-  assign one_more = first_s2_q ? equal_93_s2_q : (and_94 & equal_93_s2_q);
+  assign one_more = first_s2_q ? equal_95_s2_q : (and_96 & equal_95_s2_q);
   // hls/stages/coarse.hpp:138
-  logic or_103;
-  assign or_103 = first_s2_q | and_94;
+  logic or_105;
+  assign or_105 = first_s2_q | and_96;
   // hls/stages/coarse.hpp:143
-  logic or_108;
-  assign or_108 = start_s2_q | (sum_55_s2_q < {2'h0, sum_106[8:2]});
+  logic or_109;
+  assign or_109 = start_s2_q | (sum_57_s2_q < {2'h0, small_step_q});
   // hls/stages/coarse.hpp:151
   logic [31:0] seen;
   assign seen = first_s2_q ? 32'h0 : left_parts_strips_q;
   // hls/stages/coarse.hpp:150
   logic [31:0] here;
-  assign here = select_92_s2_q ? {select_113_s2_q[15], 1'b0, select_113_s2_q[14], 1'b0, select_113_s2_q[13], 1'b0, select_113_s2_q[12], 1'b0, select_113_s2_q[11], 1'b0, select_113_s2_q[10], 1'b0, select_113_s2_q[9], 1'b0, select_113_s2_q[8], 1'b0, select_113_s2_q[7], 1'b0, select_113_s2_q[6], 1'b0, select_113_s2_q[5], 1'b0, select_113_s2_q[4], 1'b0, select_113_s2_q[3], 1'b0, select_113_s2_q[2], 1'b0, select_113_s2_q[1], 1'b0, select_113_s2_q[0], 1'b0} : {1'b0, select_113_s2_q[15], 1'b0, select_113_s2_q[14], 1'b0, select_113_s2_q[13], 1'b0, select_113_s2_q[12], 1'b0, select_113_s2_q[11], 1'b0, select_113_s2_q[10], 1'b0, select_113_s2_q[9], 1'b0, select_113_s2_q[8], 1'b0, select_113_s2_q[7], 1'b0, select_113_s2_q[6], 1'b0, select_113_s2_q[5], 1'b0, select_113_s2_q[4], 1'b0, select_113_s2_q[3], 1'b0, select_113_s2_q[2], 1'b0, select_113_s2_q[1], 1'b0, select_113_s2_q[0]};
+  assign here = select_94_s2_q ? {select_114_s2_q[15], 1'b0, select_114_s2_q[14], 1'b0, select_114_s2_q[13], 1'b0, select_114_s2_q[12], 1'b0, select_114_s2_q[11], 1'b0, select_114_s2_q[10], 1'b0, select_114_s2_q[9], 1'b0, select_114_s2_q[8], 1'b0, select_114_s2_q[7], 1'b0, select_114_s2_q[6], 1'b0, select_114_s2_q[5], 1'b0, select_114_s2_q[4], 1'b0, select_114_s2_q[3], 1'b0, select_114_s2_q[2], 1'b0, select_114_s2_q[1], 1'b0, select_114_s2_q[0], 1'b0} : {1'b0, select_114_s2_q[15], 1'b0, select_114_s2_q[14], 1'b0, select_114_s2_q[13], 1'b0, select_114_s2_q[12], 1'b0, select_114_s2_q[11], 1'b0, select_114_s2_q[10], 1'b0, select_114_s2_q[9], 1'b0, select_114_s2_q[8], 1'b0, select_114_s2_q[7], 1'b0, select_114_s2_q[6], 1'b0, select_114_s2_q[5], 1'b0, select_114_s2_q[4], 1'b0, select_114_s2_q[3], 1'b0, select_114_s2_q[2], 1'b0, select_114_s2_q[1], 1'b0, select_114_s2_q[0]};
   // hls/stages/coarse.hpp:151
-  logic or_133;
-  assign or_133 = start_s2_q | (sum_84_s2_q < {2'h0, sum_106[8:2]});
+  logic or_134;
+  assign or_134 = start_s2_q | (sum_86_s2_q < {2'h0, small_step_q});
   logic [31:0] seen_2;
   assign seen_2 = first_s2_q ? 32'h0 : right_parts_strips_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      small_step_q <= 7'h0;
       column_q <= 3'h0;
       second_q <= 1'b0;
       products_q <= 21'h0;
@@ -194,46 +196,47 @@ module horopter_coarse (
       left_parts_strips_q <= 32'h0;
       right_parts_strips_q <= 32'h0;
     end else if (s2_en) begin
-      column_q <= select_37 + 3'h1;
+      small_step_q <= sum_34[8:2];
+      column_q <= select_39 + 3'h1;
       second_q <= start_s2_q;
-      products_q <= equal_39 ? 21'h0 : (start_s2_q ? 21'h0 : select_51);
-      texture_q <= equal_39 ? 12'h0 : (start_s2_q ? 12'h0 : select_57);
-      places_first_row_q <= first_s2_q ? or_103 : (and_94 & or_103);
-      left_parts_strips_q <= or_108 ? seen : (here | seen);
-      right_parts_strips_q <= or_133 ? seen_2 : (here | seen_2);
+      products_q <= equal_41 ? 21'h0 : (start_s2_q ? 21'h0 : select_53);
+      texture_q <= equal_41 ? 12'h0 : (start_s2_q ? 12'h0 : select_59);
+      places_first_row_q <= first_s2_q ? or_105 : (and_96 & or_105);
+      left_parts_strips_q <= or_109 ? seen : (here | seen);
+      right_parts_strips_q <= or_134 ? seen_2 : (here | seen_2);
     end
   end
 
   logic first_s3_q;
-  logic equal_39_s3_q;
-  logic not_40_s3_q;
-  logic and_41_s3_q;
-  logic [18:0] difference_44_s3_q;
-  logic [5:0] select_60_s3_q;
-  logic [20:0] select_67_s3_q;
-  logic not_79_s3_q;
-  logic not_87_s3_q;
+  logic equal_41_s3_q;
+  logic not_42_s3_q;
+  logic and_43_s3_q;
+  logic [18:0] difference_46_s3_q;
+  logic [5:0] select_62_s3_q;
+  logic [20:0] select_69_s3_q;
+  logic not_81_s3_q;
+  logic not_89_s3_q;
   logic one_more_s3_q;
-  logic or_108_s3_q;
-  logic equal_123_s3_q;
-  logic or_133_s3_q;
-  logic equal_143_s3_q;
+  logic or_109_s3_q;
+  logic equal_124_s3_q;
+  logic or_134_s3_q;
+  logic equal_144_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       first_s3_q <= first_s2_q;
-      equal_39_s3_q <= equal_39;
-      not_40_s3_q <= not_40;
-      and_41_s3_q <= and_41;
-      difference_44_s3_q <= difference_44;
-      select_60_s3_q <= start_s2_q ? texture_q[11:6] : select_57[11:6];
-      select_67_s3_q <= start_s2_q ? products_q : select_51;
-      not_79_s3_q <= ~(start_s2_q | (sum_55_s2_q < {1'b0, cfg_blind_step_i}));
-      not_87_s3_q <= ~(start_s2_q | (sum_84_s2_q < {1'b0, cfg_blind_step_i}));
+      equal_41_s3_q <= equal_41;
+      not_42_s3_q <= not_42;
+      and_43_s3_q <= and_43;
+      difference_46_s3_q <= difference_46;
+      select_62_s3_q <= start_s2_q ? texture_q[11:6] : select_59[11:6];
+      select_69_s3_q <= start_s2_q ? products_q : select_53;
+      not_81_s3_q <= ~(start_s2_q | (sum_57_s2_q < {1'b0, cfg_blind_step_i}));
+      not_89_s3_q <= ~(start_s2_q | (sum_86_s2_q < {1'b0, cfg_blind_step_i}));
       one_more_s3_q <= one_more;
-      or_108_s3_q <= or_108;
-      equal_123_s3_q <= (here & seen) == 32'h0;
-      or_133_s3_q <= or_133;
-      equal_143_s3_q <= (here & seen_2) == 32'h0;
+      or_109_s3_q <= or_109;
+      equal_124_s3_q <= (here & seen) == 32'h0;
+      or_134_s3_q <= or_134;
+      equal_144_s3_q <= (here & seen_2) == 32'h0;
     end
   end
 
@@ -250,70 +253,70 @@ module horopter_coarse (
   logic [9:0] right_parts_blind_strips_q;
   logic [9:0] right_parts_blind_rows_q;
   // hls/stages/coarse.hpp:72
-  logic [20:0] sum_45;
-  assign sum_45 = determinants_q + {{2{difference_44_s3_q[18]}}, difference_44_s3_q};
+  logic [20:0] sum_47;
+  assign sum_47 = determinants_q + {{2{difference_46_s3_q[18]}}, difference_46_s3_q};
   // hls/stages/coarse.hpp:76
-  logic [20:0] select_46;
-  assign select_46 = and_41_s3_q ? determinants_q : sum_45;
+  logic [20:0] select_48;
+  assign select_48 = and_43_s3_q ? determinants_q : sum_47;
   logic [20:0] determinants;
-  assign determinants = second_q ? determinants_q : select_46;
+  assign determinants = second_q ? determinants_q : select_48;
   // hls/stages/coarse.hpp:79
-  logic [21:0] sum_68;
-  assign sum_68 = {select_67_s3_q[20], select_67_s3_q} + {{2{select_67_s3_q[20]}}, select_67_s3_q[20:1]};
+  logic [21:0] sum_70;
+  assign sum_70 = {select_69_s3_q[20], select_69_s3_q} + {{2{select_69_s3_q[20]}}, select_69_s3_q[20:1]};
   // hls/stages/coarse.hpp:111
-  logic [9:0] difference_80;
-  assign difference_80 = {1'b0, not_79_s3_q, 8'h0} - {2'h0, cfg_blind_share_i};
+  logic [9:0] difference_82;
+  assign difference_82 = {1'b0, not_81_s3_q, 8'h0} - {2'h0, cfg_blind_share_i};
   // hls/stages/coarse.hpp:112
-  logic [21:0] sum_82;
-  assign sum_82 = {{12{difference_80[9]}}, difference_80} + (first_s3_q ? 22'h0 : left_steps_balance_q);
+  logic [21:0] sum_84;
+  assign sum_84 = {{12{difference_82[9]}}, difference_82} + (first_s3_q ? 22'h0 : left_steps_balance_q);
   // hls/stages/coarse.hpp:111
-  logic [9:0] difference_88;
-  assign difference_88 = {1'b0, not_87_s3_q, 8'h0} - {2'h0, cfg_blind_share_i};
+  logic [9:0] difference_90;
+  assign difference_90 = {1'b0, not_89_s3_q, 8'h0} - {2'h0, cfg_blind_share_i};
   // hls/stages/coarse.hpp:112
-  logic [21:0] sum_90;
-  assign sum_90 = {{12{difference_88[9]}}, difference_88} + (first_s3_q ? 22'h0 : right_steps_balance_q);
+  logic [21:0] sum_92;
+  assign sum_92 = {{12{difference_90[9]}}, difference_90} + (first_s3_q ? 22'h0 : right_steps_balance_q);
   // hls/stages/coarse.hpp:140
   logic [4:0] rows_before;
   assign rows_before = first_s3_q ? 5'h0 : places_rows_q;
   // hls/stages/coarse.hpp:141
-  logic and_101;
-  assign and_101 = second_q & (~rows_before[4]);
+  logic and_103;
+  assign and_103 = second_q & (~rows_before[4]);
   // hls/stages/coarse.hpp:152
-  logic not_117;
-  assign not_117 = ~or_108_s3_q;
+  logic not_118;
+  assign not_118 = ~or_109_s3_q;
   // hls/stages/coarse.hpp:168
-  logic [9:0] sum_121;
-  assign sum_121 = {8'h0, {2{one_more_s3_q}}} + (first_s3_q ? 10'h0 : left_parts_blind_strips_q);
-  // hls/stages/coarse.hpp:66
-  logic and_124;
-  assign and_124 = not_117 & equal_123_s3_q;
+  logic [9:0] sum_122;
+  assign sum_122 = {8'h0, {2{one_more_s3_q}}} + (first_s3_q ? 10'h0 : left_parts_blind_strips_q);
+  // hls/stages/coarse.hpp:65
+  logic and_125;
+  assign and_125 = not_118 & equal_124_s3_q;
   // hls/stages/coarse.hpp:168
-  logic [7:0] sum_125;
-  assign sum_125 = {8{and_124}} + sum_121[9:2];
-  logic [9:0] sum_127;
-  assign sum_127 = {8'h0, {2{second_q}}} + (first_s3_q ? 10'h0 : left_parts_blind_rows_q);
-  logic not_130;
-  assign not_130 = ~((second_q | or_108_s3_q) ? or_108_s3_q : left_parts_row_seen_q);
-  logic [7:0] sum_131;
-  assign sum_131 = sum_127[9:2] + {8{not_130}};
+  logic [7:0] sum_126;
+  assign sum_126 = {8{and_125}} + sum_122[9:2];
+  logic [9:0] sum_128;
+  assign sum_128 = {8'h0, {2{second_q}}} + (first_s3_q ? 10'h0 : left_parts_blind_rows_q);
+  logic not_131;
+  assign not_131 = ~((second_q | or_109_s3_q) ? or_109_s3_q : left_parts_row_seen_q);
+  logic [7:0] sum_132;
+  assign sum_132 = sum_128[9:2] + {8{not_131}};
   // hls/stages/coarse.hpp:152
-  logic not_137;
-  assign not_137 = ~or_133_s3_q;
+  logic not_138;
+  assign not_138 = ~or_134_s3_q;
   // hls/stages/coarse.hpp:168
-  logic [9:0] sum_141;
-  assign sum_141 = {8'h0, {2{one_more_s3_q}}} + (first_s3_q ? 10'h0 : right_parts_blind_strips_q);
+  logic [9:0] sum_142;
+  assign sum_142 = {8'h0, {2{one_more_s3_q}}} + (first_s3_q ? 10'h0 : right_parts_blind_strips_q);
   // hls/stages/coarse.hpp:152
-  logic and_144;
-  assign and_144 = equal_143_s3_q & not_137;
+  logic and_145;
+  assign and_145 = equal_144_s3_q & not_138;
   // hls/stages/coarse.hpp:168
-  logic [7:0] sum_145;
-  assign sum_145 = {8{and_144}} + sum_141[9:2];
-  logic [9:0] sum_147;
-  assign sum_147 = {8'h0, {2{second_q}}} + (first_s3_q ? 10'h0 : right_parts_blind_rows_q);
-  logic not_150;
-  assign not_150 = ~((second_q | or_133_s3_q) ? or_133_s3_q : right_parts_row_seen_q);
-  logic [7:0] sum_151;
-  assign sum_151 = sum_147[9:2] + {8{not_150}};
+  logic [7:0] sum_146;
+  assign sum_146 = {8{and_145}} + sum_142[9:2];
+  logic [9:0] sum_148;
+  assign sum_148 = {8'h0, {2{second_q}}} + (first_s3_q ? 10'h0 : right_parts_blind_rows_q);
+  logic not_151;
+  assign not_151 = ~((second_q | or_134_s3_q) ? or_134_s3_q : right_parts_row_seen_q);
+  logic [7:0] sum_152;
+  assign sum_152 = sum_148[9:2] + {8{not_151}};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -329,140 +332,140 @@ module horopter_coarse (
       right_parts_blind_strips_q <= 10'h0;
       right_parts_blind_rows_q <= 10'h0;
     end else if (s3_en) begin
-      determinants_q <= equal_39_s3_q ? 21'h0 : (second_q ? 21'h0 : select_46);
-      left_steps_balance_q <= sum_82;
-      right_steps_balance_q <= sum_90;
+      determinants_q <= equal_41_s3_q ? 21'h0 : (second_q ? 21'h0 : select_48);
+      left_steps_balance_q <= sum_84;
+      right_steps_balance_q <= sum_92;
       places_strips_q <= {5'h0, one_more_s3_q} + (first_s3_q ? 6'h0 : places_strips_q);
-      places_rows_q <= rows_before + {4'h0, and_101};
-      left_parts_row_seen_q <= not_117 | (left_parts_row_seen_q & not_40_s3_q);
-      left_parts_blind_strips_q <= {sum_125, sum_121[1:0]};
-      left_parts_blind_rows_q <= {sum_131, sum_127[1:0]};
-      right_parts_row_seen_q <= not_137 | (right_parts_row_seen_q & not_40_s3_q);
-      right_parts_blind_strips_q <= {sum_145, sum_141[1:0]};
-      right_parts_blind_rows_q <= {sum_151, sum_147[1:0]};
+      places_rows_q <= rows_before + {4'h0, and_103};
+      left_parts_row_seen_q <= not_118 | (left_parts_row_seen_q & not_42_s3_q);
+      left_parts_blind_strips_q <= {sum_126, sum_122[1:0]};
+      left_parts_blind_rows_q <= {sum_132, sum_128[1:0]};
+      right_parts_row_seen_q <= not_138 | (right_parts_row_seen_q & not_42_s3_q);
+      right_parts_blind_strips_q <= {sum_146, sum_142[1:0]};
+      right_parts_blind_rows_q <= {sum_152, sum_148[1:0]};
     end
   end
 
   logic first_s4_q;
-  logic and_63_s4_q;
+  logic and_65_s4_q;
   logic [20:0] determinants_s4_q;
-  logic select_67_s4_q;
-  logic [21:0] sum_68_s4_q;
+  logic select_69_s4_q;
+  logic [21:0] sum_70_s4_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       first_s4_q <= first_s3_q;
-      and_63_s4_q <= equal_39_s3_q & (~(select_60_s3_q == 6'h0));
+      and_65_s4_q <= equal_41_s3_q & (~(select_62_s3_q == 6'h0));
       determinants_s4_q <= determinants;
-      select_67_s4_q <= select_67_s3_q[0];
-      sum_68_s4_q <= sum_68;
+      select_69_s4_q <= select_69_s3_q[0];
+      sum_70_s4_q <= sum_70;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   // hls/stages/coarse.hpp:80
-  logic less_69;
-  assign less_69 = $signed({determinants_s4_q, 5'h0}) < $signed({{3{sum_68_s4_q[21]}}, sum_68_s4_q, select_67_s4_q});
-  logic [21:0] sum_70;
-  assign sum_70 = {determinants_s4_q[20], determinants_s4_q} + {{4{sum_68_s4_q[21]}}, sum_68_s4_q[21:4]};
+  logic less_71;
+  assign less_71 = $signed({determinants_s4_q, 5'h0}) < $signed({{3{sum_70_s4_q[21]}}, sum_70_s4_q, select_69_s4_q});
+  logic [21:0] sum_72;
+  assign sum_72 = {determinants_s4_q[20], determinants_s4_q} + {{4{sum_70_s4_q[21]}}, sum_70_s4_q[21:4]};
   // hls/stages/coarse.hpp:160
-  logic equal_162;
-  assign equal_162 = places_strips_q[5:3] == 3'h0;
+  logic equal_163;
+  assign equal_163 = places_strips_q[5:3] == 3'h0;
   // hls/stages/coarse.hpp:114
-  logic or_165;
-  assign or_165 = (places_rows_q[4] & (~left_parts_blind_rows_q[9])) | (~(left_parts_blind_strips_q[9] | equal_162));
-  logic select_166;
-  assign select_166 = (left_steps_balance_q[21] | equal_158) ? left_steps_balance_q[21] : or_165;
+  logic or_166;
+  assign or_166 = (places_rows_q[4] & (~left_parts_blind_rows_q[9])) | (~(left_parts_blind_strips_q[9] | equal_163));
+  logic select_167;
+  assign select_167 = (left_steps_balance_q[21] | equal_159) ? left_steps_balance_q[21] : or_166;
   // hls/stages/coarse.hpp:99
-  logic or_172;
-  assign or_172 = (places_rows_q[4] & (~right_parts_blind_rows_q[9])) | (~(right_parts_blind_strips_q[9] | equal_162));
-  logic select_173;
-  assign select_173 = (right_steps_balance_q[21] | equal_158) ? right_steps_balance_q[21] : or_172;
+  logic or_173;
+  assign or_173 = (places_rows_q[4] & (~right_parts_blind_rows_q[9])) | (~(right_parts_blind_strips_q[9] | equal_163));
+  logic select_174;
+  assign select_174 = (right_steps_balance_q[21] | equal_159) ? right_steps_balance_q[21] : or_173;
 
   logic first_s5_q;
-  logic and_63_s5_q;
-  logic select_67_s5_q;
-  logic [3:0] sum_68_s5_q;
-  logic less_69_s5_q;
-  logic [21:0] sum_70_s5_q;
-  logic select_166_s5_q;
-  logic select_173_s5_q;
+  logic and_65_s5_q;
+  logic select_69_s5_q;
+  logic [3:0] sum_70_s5_q;
+  logic less_71_s5_q;
+  logic [21:0] sum_72_s5_q;
+  logic select_167_s5_q;
+  logic select_174_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       first_s5_q <= first_s4_q;
-      and_63_s5_q <= and_63_s4_q;
-      select_67_s5_q <= select_67_s4_q;
-      sum_68_s5_q <= sum_68_s4_q[3:0];
-      less_69_s5_q <= less_69;
-      sum_70_s5_q <= sum_70;
-      select_166_s5_q <= select_166;
-      select_173_s5_q <= select_173;
+      and_65_s5_q <= and_65_s4_q;
+      select_69_s5_q <= select_69_s4_q;
+      sum_70_s5_q <= sum_70_s4_q[3:0];
+      less_71_s5_q <= less_71;
+      sum_72_s5_q <= sum_72;
+      select_167_s5_q <= select_167;
+      select_174_s5_q <= select_174;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [11:0] segments_missing_q;
   // hls/stages/coarse.hpp:82
-  logic [11:0] select_65;
-  assign select_65 = first_s5_q ? {4'h0, cfg_one_camera_segments_i} : (segments_missing_q + {12{and_63_s5_q}});
+  logic [11:0] select_67;
+  assign select_67 = first_s5_q ? {4'h0, cfg_one_camera_segments_i} : (segments_missing_q + {12{and_65_s5_q}});
   // hls/stages/coarse.hpp:80
-  logic less_71;
-  assign less_71 = $signed({sum_70_s5_q, sum_68_s5_q, select_67_s5_q}) < $signed(27'h1);
-  logic not_72;
-  assign not_72 = ~less_71;
+  logic less_73;
+  assign less_73 = $signed({sum_72_s5_q, sum_70_s5_q, select_69_s5_q}) < $signed(27'h1);
+  logic not_74;
+  assign not_74 = ~less_73;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       segments_missing_q <= 12'h0;
     end else if (s5_en) begin
-      segments_missing_q <= select_65;
+      segments_missing_q <= select_67;
     end
   end
 
   logic first_s6_q;
-  logic [1:0] select_74_s6_q;
-  logic select_166_s6_q;
-  logic select_173_s6_q;
+  logic [1:0] select_76_s6_q;
+  logic select_167_s6_q;
+  logic select_174_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       first_s6_q <= first_s5_q;
-      select_74_s6_q <= and_63_s5_q ? (less_69_s5_q ? {less_71, not_72} : 2'h2) : 2'h0;
-      select_166_s6_q <= select_166_s5_q;
-      select_173_s6_q <= select_173_s5_q;
+      select_76_s6_q <= and_65_s5_q ? (less_71_s5_q ? {less_73, not_74} : 2'h2) : 2'h0;
+      select_167_s6_q <= select_167_s5_q;
+      select_174_s6_q <= select_174_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   logic [12:0] score_q;
   // hls/stages/coarse.hpp:83
-  logic [12:0] select_76;
-  assign select_76 = first_s6_q ? 13'h0 : (score_q + {{11{select_74_s6_q[1]}}, 1'b0, select_74_s6_q[0]});
+  logic [12:0] select_78;
+  assign select_78 = first_s6_q ? 13'h0 : (score_q + {{11{select_76_s6_q[1]}}, 1'b0, select_76_s6_q[0]});
   // hls/stages/coarse.hpp:99
-  logic and_155;
-  assign and_155 = (~(cfg_one_camera_segments_i == 8'h0)) & ($signed(segments_missing_q) < $signed(12'h1));
+  logic and_156;
+  assign and_156 = (~(cfg_one_camera_segments_i == 8'h0)) & ($signed(segments_missing_q) < $signed(12'h1));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       score_q <= 13'h0;
     end else if (s6_en) begin
-      score_q <= select_76;
+      score_q <= select_78;
     end
   end
 
-  logic and_157_s7_q;
-  logic select_166_s7_q;
-  logic select_173_s7_q;
+  logic and_158_s7_q;
+  logic select_167_s7_q;
+  logic select_174_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
-      and_157_s7_q <= and_155 & (~select_76[12]);
-      select_166_s7_q <= select_166_s6_q;
-      select_173_s7_q <= select_173_s6_q;
+      and_158_s7_q <= and_156 & (~select_78[12]);
+      select_167_s7_q <= select_167_s6_q;
+      select_174_s7_q <= select_174_s6_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign one_camera_o = and_157_s7_q;
-  assign left_blind_o = select_166_s7_q;
-  assign right_blind_o = select_173_s7_q;
+  assign one_camera_o = and_158_s7_q;
+  assign left_blind_o = select_167_s7_q;
+  assign right_blind_o = select_174_s7_q;
   assign valid_o = valid_s7_q;
 
   always_ff @(posedge clk_i) begin
@@ -487,6 +490,6 @@ module horopter_coarse (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^sum_106[1:0];
+  assign unused_bits = ^sum_34[1:0];
 
 endmodule

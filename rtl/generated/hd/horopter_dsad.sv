@@ -54,11 +54,13 @@ module horopter_dsad (
 `endif
   logic [10:0] memory_raddr;
   assign memory_raddr = select_34;
+`ifndef SYNTHESIS
   logic memory_re;
   assign memory_re = s0_en;
+`endif
   logic [95:0] memory_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (memory_re) memory_rdata_q <= memory_mem[memory_raddr];
+    if (en_i) memory_rdata_q <= memory_mem[memory_raddr];
   end
 
   always_ff @(posedge clk_i) begin

@@ -77,11 +77,13 @@ module horopter_objects (
 `endif
   logic [10:0] above_raddr;
   assign above_raddr = x;
+`ifndef SYNTHESIS
   logic above_re;
   assign above_re = s0_en & not_270;
+`endif
   logic above_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (above_re) above_rdata_q <= above_mem[above_raddr];
+    if (en_i) above_rdata_q <= above_mem[above_raddr];
   end
 
   always_ff @(posedge clk_i) begin
@@ -378,11 +380,13 @@ module horopter_objects (
 `endif
   logic [5:0] queue_raddr;
   assign queue_raddr = read_s4_q;
+`ifndef SYNTHESIS
   logic queue_re;
   assign queue_re = s4_en & (not_273_s4_q & (equal_274_s4_q & not_276_s4_q));
+`endif
   logic [77:0] queue_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (queue_re) queue_rdata_q <= queue_mem[queue_raddr];
+    if (en_i) queue_rdata_q <= queue_mem[queue_raddr];
   end
 
   always_ff @(posedge clk_i) begin
@@ -2244,11 +2248,13 @@ module horopter_objects (
 `endif
   logic [4:0] objects_raddr;
   assign objects_raddr = label_s8_q;
+`ifndef SYNTHESIS
   logic objects_re;
   assign objects_re = s8_en & or_320_s8_q;
+`endif
   logic [181:0] objects_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (objects_re) objects_rdata_q <= objects_mem[objects_raddr];
+    if (en_i) objects_rdata_q <= objects_mem[objects_raddr];
   end
 
   logic [10:0] event_run_left_s9_q;

@@ -162,11 +162,13 @@ module horopter_plane_sums (
 `endif
   logic [10:0] feature_memory_raddr;
   assign feature_memory_raddr = select_858;
+`ifndef SYNTHESIS
   logic feature_memory_re;
   assign feature_memory_re = s0_en;
+`endif
   logic [167:0] feature_memory_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (feature_memory_re) feature_memory_rdata_q <= feature_memory_mem[feature_memory_raddr];
+    if (en_i) feature_memory_rdata_q <= feature_memory_mem[feature_memory_raddr];
   end
 
   always_ff @(posedge clk_i) begin
@@ -1308,11 +1310,13 @@ module horopter_plane_sums (
 `endif
   logic [10:0] column_memory_raddr;
   assign column_memory_raddr = select_861;
+`ifndef SYNTHESIS
   logic column_memory_re;
   assign column_memory_re = s2_en & or_862;
+`endif
   logic [183:0] column_memory_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (column_memory_re) column_memory_rdata_q <= column_memory_mem[column_memory_raddr];
+    if (en_i) column_memory_rdata_q <= column_memory_mem[column_memory_raddr];
   end
 
   // Memory feature_memory, write

@@ -76,34 +76,32 @@ module horopter_align (
   assign and_32 = last_q & and_20;
   logic and_33;
   assign and_33 = final_row_q & and_32;
+  // hls/stages/align.hpp:95
+  logic not_36;
+  assign not_36 = ~and_30;
+  // hls/stages/align.hpp:107
+  logic not_45;
+  assign not_45 = ~equal_25;
   // hls/stages/align.hpp:105
-  logic select_40;
-  assign select_40 = and_30 ? (cfg_width_i == 10'h2) : ((~last_q) & (columns_left_q == 10'h2));
-  logic select_44;
-  assign select_44 = and_30 ? (cfg_height_i == 9'h1) : (last_q ? (rows_left_q == 9'h2) : final_row_q);
-  // hls/stages/align.hpp:108
-  logic not_46;
-  assign not_46 = ~equal_25;
-  // hls/stages/align.hpp:106
-  logic not_49;
-  assign not_49 = ~equal_28;
-  // hls/stages/align.hpp:105
-  logic [9:0] select_54;
-  assign select_54 = and_30 ? (cfg_width_i + 10'h3ff) : (last_q ? cfg_width_i : (columns_left_q + 10'h3ff));
-  logic [8:0] select_57;
-  assign select_57 = and_30 ? cfg_height_i : (last_q ? (rows_left_q + 9'h1ff) : rows_left_q);
+  logic not_48;
+  assign not_48 = ~equal_28;
+  // hls/stages/align.hpp:104
+  logic [9:0] select_53;
+  assign select_53 = and_30 ? (cfg_width_i + 10'h3ff) : (last_q ? cfg_width_i : (columns_left_q + 10'h3ff));
+  logic [8:0] select_56;
+  assign select_56 = and_30 ? cfg_height_i : (last_q ? (rows_left_q + 9'h1ff) : rows_left_q);
   // hls/stages/align.hpp:77
-  logic equal_58;
-  assign equal_58 = state_i == 2'h0;
+  logic equal_57;
+  assign equal_57 = state_i == 2'h0;
   // hls/stages/align.hpp:79
-  logic and_59;
-  assign and_59 = marks_nearer_i & equal_58;
+  logic and_58;
+  assign and_58 = marks_nearer_i & equal_57;
   // hls/stages/align.hpp:81
-  logic and_61;
-  assign and_61 = equal_58 & (~marks_seen_i);
+  logic and_60;
+  assign and_60 = equal_57 & (~marks_seen_i);
   // hls/stages/align.hpp:72
-  logic and_64;
-  assign and_64 = idle_q & not_19;
+  logic and_63;
+  assign and_63 = idle_q & not_19;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -120,25 +118,25 @@ module horopter_align (
     end else if (s0_en) begin
       active_q <= or_31 & (~and_33);
       idle_q <= and_33;
-      last_q <= select_40;
-      final_row_q <= select_44;
+      last_q <= not_36 & ((~last_q) & (columns_left_q == 10'h2));
+      final_row_q <= not_36 & (last_q ? (rows_left_q == 9'h2) : final_row_q);
       started_q <= and_21 | and_29;
       row_ended_q <= marks_last_i;
-      rows_q <= marks_last_i ? (select_24 + {4'h0, not_46}) : select_24;
-      columns_q <= select_27 + {4'h0, not_49};
-      columns_left_q <= select_54;
-      rows_left_q <= select_57;
+      rows_q <= marks_last_i ? (select_24 + {4'h0, not_45}) : select_24;
+      columns_q <= select_27 + {4'h0, not_48};
+      columns_left_q <= select_53;
+      rows_left_q <= select_56;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign state_o = (and_59 | and_61) ? 2'h2 : state_i;
+  assign state_o = (and_58 | and_60) ? 2'h2 : state_i;
   assign first_o = and_30;
   assign last_o = and_32;
   assign end_v_o = and_33;
-  assign idle_o = and_64;
-  assign hidden_o = and_59;
-  assign unproven_o = and_61;
-  assign valid_o = valid_i & (and_64 | or_31);
+  assign idle_o = and_63;
+  assign hidden_o = and_58;
+  assign unproven_o = and_60;
+  assign valid_o = valid_i & (and_63 | or_31);
 
 endmodule

@@ -69,7 +69,7 @@ module horopter_ballot (
   assign memory_re = s0_en & or_21;
   logic [270:0] memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (memory_re) memory_word_q <= memory_mem[memory_raddr];
+    if (en_i) memory_word_q <= memory_mem[memory_raddr];
   end
   logic [269:0] memory_rdata_q;
   assign memory_rdata_q = memory_word_q[269:0];

@@ -65,11 +65,13 @@ module horopter_health (
 `endif
   logic [5:0] above_raddr;
   assign above_raddr = place[9:4];
+`ifndef SYNTHESIS
   logic above_re;
   assign above_re = s0_en & equal_30;
+`endif
   logic [31:0] above_rdata_q;
   always_ff @(posedge clk_i) begin
-    if (above_re) above_rdata_q <= above_mem[above_raddr];
+    if (en_i) above_rdata_q <= above_mem[above_raddr];
   end
 
   always_ff @(posedge clk_i) begin

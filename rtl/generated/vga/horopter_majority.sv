@@ -54,7 +54,7 @@ module horopter_majority (
   assign memory_re = s0_en;
   logic [18:0] memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (memory_re) memory_word_q <= memory_mem[memory_raddr];
+    if (en_i) memory_word_q <= memory_mem[memory_raddr];
   end
   logic [17:0] memory_rdata_q;
   assign memory_rdata_q = memory_word_q[17:0];

@@ -519,7 +519,7 @@ module horopter_plane_sums (
   assign feature_memory_re = s0_en;
   logic [168:0] feature_memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (feature_memory_re) feature_memory_word_q <= feature_memory_mem[feature_memory_raddr];
+    if (en_i) feature_memory_word_q <= feature_memory_mem[feature_memory_raddr];
   end
   logic [167:0] feature_memory_rdata_q;
   assign feature_memory_rdata_q = feature_memory_word_q[167:0];
@@ -540,7 +540,7 @@ module horopter_plane_sums (
   assign column_memory_re = s0_en & or_864;
   logic [184:0] column_memory_word_q;
   always_ff @(posedge clk_i) begin
-    if (column_memory_re) column_memory_word_q <= column_memory_mem[column_memory_raddr];
+    if (en_i) column_memory_word_q <= column_memory_mem[column_memory_raddr];
   end
   logic [183:0] column_memory_rdata_q;
   assign column_memory_rdata_q = column_memory_word_q[183:0];
