@@ -25,75 +25,69 @@ def _users(module):
     return users
 
 
+def _registers_behind(cells, users, outputs):
+    """What takes a cell's outputs, {port: bit}: ({port: flip-flop}, clock, enable or "1"), where each that is read goes to one
+    flip-flop and nowhere else, and these are alike, without reset; else None."""
+    chosen, kinds = {}, set()
+    for port, bit in outputs.items():
+        readers = users.get(bit, [])
+        if not readers:
+            continue
+        name, entry = readers[0]
+        if len(readers) != 1 or name is None or cells[name]["type"] != "TRELLIS_FF" or entry != "DI":
+            return None
+        ports, parameters = cells[name]["connections"], cells[name]["parameters"]
+        enable = parameters["CEMUX"].strip()
+        if (parameters["CLKMUX"] != "CLK" or parameters["REGSET"] != "RESET" or ports.get("LSR", ["0"]) != ["0"]
+                or enable not in ("1", "CE")):  # it may invert its enable
+            return None
+        kinds.add((ports["CLK"][0], "1" if enable == "1" else ports["CE"][0]))
+        chosen[port] = name
+    return (chosen, *kinds.pop()) if len(kinds) == 1 else None
+
+
+def _move_in(cells, cell, chosen):
+    for port, name in chosen.items():
+        cell["connections"][port] = cells[name]["connections"]["Q"]
+        del cells[name]
+    return len(chosen)
+
+
 def use_output_registers(module):
     """yosys does not use the output registers of ECP5's block memories: where every bit that is read goes to a flip-flop
     of the same clock and nowhere else, that flip-flop moves into the memory. With words of 36 bits (Lattice's PDPW16KD) the
     outputs of both ports are the word that port B reads. Changes the netlist; returns how many flip-flops moved."""
     cells, users = module["cells"], _users(module)
     moved = 0
-    for cell in list(cells.values()):
-        if cell["type"] != "DP16KD" or cell["parameters"]["REGMODE_B"] != "NOREG":
-            continue
-        ports, chosen, enables, fits = cell["connections"], {}, set(), True
+    for cell in [c for c in cells.values() if c["type"] == "DP16KD" and c["parameters"]["REGMODE_B"] == "NOREG"]:
+        ports = cell["connections"]
         wide = int(cell["parameters"]["DATA_WIDTH_A"], 2) == 36
-        outputs = [f"DO{side}{i}" for side in ("AB" if wide else "B") for i in range(18)]
         if not wide and any(users.get(bit) for i in range(18) for bit in ports[f"DOA{i}"]):
             continue  # the write port is read, too
-        for port in outputs:
-            readers = users.get(ports[port][0], [])
-            if not readers:
-                continue
-            flip_flop = cells.get(readers[0][0])
-            fits = (len(readers) == 1 and flip_flop is not None and flip_flop["type"] == "TRELLIS_FF" and readers[0][1] == "DI"
-                    and flip_flop["connections"]["CLK"] == ports["CLKB"] and flip_flop["parameters"]["CLKMUX"] == "CLK"
-                    and flip_flop["parameters"]["REGSET"] == "RESET" and flip_flop["connections"].get("LSR", ["0"]) == ["0"])
-            if not fits:
-                break
-            enabled = flip_flop["parameters"]["CEMUX"].strip() != "1"
-            enables.add(flip_flop["connections"]["CE"][0] if enabled else "1")
-            chosen[port] = readers[0][0]
-        if not fits or not chosen or len(enables) != 1:
+        sides = "AB" if wide else "B"
+        found = _registers_behind(cells, users, {f"DO{side}{i}": ports[f"DO{side}{i}"][0] for side in sides for i in range(18)})
+        if found is None or found[1] != ports["CLKB"][0]:
             continue
-        enable = [enables.pop()]
-        for side in "AB" if wide else "B":
+        for side in sides:
             cell["parameters"][f"REGMODE_{side}"] = "OUTREG"
-            ports[f"OCE{side}"] = enable
-        for port, name in chosen.items():
-            ports[port] = cells[name]["connections"]["Q"]
-            del cells[name]
-        moved += len(chosen)
+            ports[f"OCE{side}"] = [found[2]]
+        moved += _move_in(cells, cell, found[0])
     return moved
 
 
 def use_product_registers(module):
-    """The same for the multipliers, where the flip-flops have neither enable nor reset. Changes the netlist; returns how many
-    flip-flops moved."""
+    """The same for the multipliers. Changes the netlist; returns how many flip-flops moved."""
     cells, users = module["cells"], _users(module)
     moved = 0
     for cell in [c for c in cells.values() if c["type"] == "MULT18X18D"]:
-        ports, chosen, clocks = cell["connections"], {}, set()
-        for i in range(36):
-            readers = users.get(ports[f"P{i}"][0], [])
-            if not readers:
-                continue
-            flip_flop = cells.get(readers[0][0])
-            if (len(readers) != 1 or flip_flop is None or flip_flop["type"] != "TRELLIS_FF" or readers[0][1] != "DI"
-                    or flip_flop["parameters"]["CLKMUX"] != "CLK" or flip_flop["parameters"]["CEMUX"].strip() != "1"
-                    or flip_flop["parameters"]["REGSET"] != "RESET" or flip_flop["connections"].get("LSR", ["0"]) != ["0"]):
-                break
-            clocks.add(flip_flop["connections"]["CLK"][0])
-            chosen[f"P{i}"] = readers[0][0]
-        else:
-            if len(clocks) != 1:
-                continue
-            cell["parameters"] |= {"REG_OUTPUT_CLK": "CLK0", "REG_OUTPUT_CE": "CE0", "REG_OUTPUT_RST": "RST0"}
-            for port, net in ("CLK0", clocks.pop()), ("CE0", "1"), ("RST0", "0"):
-                ports[port] = [net]
-                cell["port_directions"][port] = "input"
-            for port, name in chosen.items():
-                ports[port] = cells[name]["connections"]["Q"]
-                del cells[name]
-            moved += len(chosen)
+        found = _registers_behind(cells, users, {f"P{i}": cell["connections"][f"P{i}"][0] for i in range(36)})
+        if found is None:
+            continue
+        cell["parameters"] |= {"REG_OUTPUT_CLK": "CLK0", "REG_OUTPUT_CE": "CE0", "REG_OUTPUT_RST": "RST0"}
+        for port, net in ("CLK0", found[1]), ("CE0", found[2]), ("RST0", "0"):
+            cell["connections"][port] = [net]
+            cell["port_directions"][port] = "input"
+        moved += _move_in(cells, cell, found[0])
     return moved
 
 
