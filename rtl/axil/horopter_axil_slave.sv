@@ -3,7 +3,7 @@
 //
 // Address and data of a write may come in either order. One write and one read at a time, each answered after its
 // access; awready, wready and arready come from registers and do not wait for valid. A write access (write_valid_o) is
-// held until write_ready_i. The data of a read is taken READ_CLOCKS after its address.
+// held until write_ready_i, and answered a clock later, when the registers have what was written. The data of a read is taken READ_CLOCKS after its address.
 // An access is to a register of four bytes, whichever of its bytes the address names: read_addr_o and write_addr_o are
 // multiples of 4, the strobes say which bytes are written. write_error_i, read_error_i become SLVERR. awprot and arprot are ignored. Reset: idle, what was under way is dropped.
 module horopter_axil_slave #(
@@ -46,12 +46,12 @@ module horopter_axil_slave #(
   assign unused_byte = ^{s_axil_awaddr[1:0], s_axil_araddr[1:0]};
 
   // Write: both halves are caught, then the access is made while no answer waits.
-  logic have_addr_q, have_data_q, bvalid_q;
+  logic have_addr_q, have_data_q, accessed_q, bvalid_q;
   logic [1:0] bresp_q;
 
   assign s_axil_awready = !have_addr_q;
   assign s_axil_wready = !have_data_q;
-  assign write_valid_o = have_addr_q && have_data_q && !bvalid_q;
+  assign write_valid_o = have_addr_q && have_data_q && !accessed_q && !bvalid_q;
   assign s_axil_bvalid = bvalid_q;
   assign s_axil_bresp = bresp_q;
 
@@ -59,18 +59,20 @@ module horopter_axil_slave #(
     if (!rst_ni) begin
       have_addr_q <= 1'b0;
       have_data_q <= 1'b0;
+      accessed_q <= 1'b0;
       bvalid_q <= 1'b0;
       bresp_q <= OKAY;
     end else begin
+      accessed_q <= write_valid_o && write_ready_i;
+      if (accessed_q) bvalid_q <= 1'b1;
+      else if (s_axil_bready) bvalid_q <= 1'b0;
       if (write_valid_o && write_ready_i) begin
         have_addr_q <= 1'b0;
         have_data_q <= 1'b0;
-        bvalid_q <= 1'b1;
         bresp_q <= write_error_i ? SLVERR : OKAY;
       end else begin
         if (s_axil_awvalid) have_addr_q <= 1'b1;
         if (s_axil_wvalid) have_data_q <= 1'b1;
-        if (s_axil_bready) bvalid_q <= 1'b0;
       end
     end
     if (!have_addr_q) write_addr_o <= {s_axil_awaddr[ADDR_BITS-1:2], 2'b00};

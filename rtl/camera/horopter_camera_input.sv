@@ -52,7 +52,7 @@ module horopter_camera_input #(
     output logic                             far_o,
     output logic                             deep_o,
     output logic                             silent_o,
-    output logic                             pausing_o,
+    output logic                             gone_o,
     output logic                             frame_done_o,
     input  logic                             lost_silent_i,  // the frame that it does not deliver
     // store, see horopter_framer
@@ -155,7 +155,7 @@ module horopter_camera_input #(
       .far_o(far_o),
       .deep_o(deep_o),
       .silent_o(silent_o),
-      .pausing_o(pausing_o),
+      .gone_o(gone_o),
       .keep_i(keep_i),
       .stored_o(stored_o),
       .slot_o(slot_o),

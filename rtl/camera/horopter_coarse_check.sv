@@ -56,14 +56,17 @@ module horopter_coarse_check (
   logic [8:0] left_q, right_q;  // {start, mean}
   logic ahead_q;  // whose cells wait
   logic [ADDR_BITS-1:0] write_addr_q, read_addr_q;
-  logic empty, meets, pushes, pops;
-  logic [1:0] reading_q;  // a word is on its way
+  logic empty_q;  // as of the clock before: nothing is decided in the clock after a change of the addresses
+  logic meets, pushes, pops;
+  logic pushed_q;  // a word is on its way into the memory
+  logic [8:0] pushed_word_q;
+  logic [1:0] reading_q;  // a word is on its way out of it
   logic [8:0] memory_word;
-  logic unused_parity;
-  assign empty = write_addr_q == read_addr_q;
-  assign meets = held_q == 2'b11 && empty && reading_q == 2'b00;
-  assign pops = held_q[!ahead_q] && !empty && reading_q == 2'b00;
-  assign pushes = !meets && !pops && (empty ? held_q != 2'b00 : held_q[ahead_q]) && reading_q == 2'b00;
+  logic ready, unused_parity;
+  assign ready = reading_q == 2'b00 && !pushed_q;
+  assign meets = held_q == 2'b11 && empty_q && ready;
+  assign pops = held_q[!ahead_q] && !empty_q && ready;
+  assign pushes = !meets && !pops && (empty_q ? held_q != 2'b00 : held_q[ahead_q]) && ready;
 
   horopter_ram #(
       .WIDTH(9),
@@ -71,9 +74,9 @@ module horopter_coarse_check (
       .OUTPUT_REGISTER(1'b1)
   ) u_waiting (
       .clk_i(clk_i),
-      .write_en_i(pushes),
+      .write_en_i(pushed_q),
       .write_addr_i(write_addr_q),
-      .write_data_i((empty ? held_q[1] : ahead_q) ? right_q : left_q),
+      .write_data_i(pushed_word_q),
       .read_en_i(pops),
       .read_addr_i(read_addr_q),
       .read_data_o(memory_word),
@@ -85,6 +88,9 @@ module horopter_coarse_check (
   always_ff @(posedge clk_i) begin
     pair_valid_q <= 1'b0;
     reading_q <= {reading_q[0], pops};
+    pushed_q <= pushes;
+    pushed_word_q <= (empty_q ? held_q[1] : ahead_q) ? right_q : left_q;
+    empty_q <= write_addr_q == read_addr_q && !pushed_q;
     if (meets || reading_q[1]) begin
       pair_valid_q <= 1'b1;
       pair_left_q <= meets || ahead_q ? left_q : memory_word;
@@ -94,10 +100,10 @@ module horopter_coarse_check (
     end
     if (pair_valid_q) begun_q <= 1'b1;
     if (pushes) begin
-      if (empty) ahead_q <= held_q[1];
-      held_q[empty ? held_q[1] : ahead_q] <= 1'b0;
-      write_addr_q <= write_addr_q + 1'b1;
+      if (empty_q) ahead_q <= held_q[1];
+      held_q[empty_q ? held_q[1] : ahead_q] <= 1'b0;
     end
+    if (pushed_q) write_addr_q <= write_addr_q + 1'b1;
     if (pops) read_addr_q <= read_addr_q + 1'b1;
     if (valid_i[0]) begin
       held_q[0] <= 1'b1;
@@ -110,6 +116,8 @@ module horopter_coarse_check (
     if (!rst_ni || clear) begin
       held_q <= 2'b00;
       reading_q <= 2'b00;
+      pushed_q <= 1'b0;
+      empty_q <= 1'b1;
       write_addr_q <= '0;
       read_addr_q <= '0;
       pair_valid_q <= 1'b0;

@@ -2,7 +2,7 @@
 // Made by scripts/generate-registers from rtl/csr/registers.yaml: change that, not this.
 //
 // The register block. Write: write_valid_i with address, data and strobes stays until write_ready_o (in the next clock
-// but for stream registers); write_error_o is valid with it, and a refused write changes nothing. Read: read_data_o and
+// but for stream registers), and is stored by the end of the clock after that; write_error_o is valid with it, and a refused write changes nothing. Read: read_data_o and
 // read_error_o follow read_addr_i three clocks later, every clock. Partial writes follow the strobes; of a stream
 // register they are an error. Reset: synchronous, all storage to its reset value.
 // changed_o: a register that the bus writes has changed without a write, and has not been written since (horopter_guard).
@@ -181,6 +181,56 @@ module horopter_csr #(
       && !(restart_valid_o && !restart_ready_i)
       && !(map_control_valid_o && !map_control_ready_i)
       && !(map_data_valid_o && !map_data_ready_i);
+
+  // What is written is stored a clock later. One-hot: which register.
+  logic [40:0] store_q;
+  logic [31:0] data_q;
+  logic [3:0] strb_q;
+  always_ff @(posedge clk_i) begin
+    store_q[0] <= write_q && write_group_q[0] && write_word_q[0];
+    store_q[1] <= write_q && write_group_q[0] && write_word_q[1];
+    store_q[2] <= write_q && write_group_q[0] && write_word_q[3];
+    store_q[3] <= write_q && write_group_q[0] && write_word_q[4];
+    store_q[4] <= write_q && write_group_q[0] && write_word_q[5];
+    store_q[5] <= write_q && write_group_q[0] && write_word_q[6];
+    store_q[6] <= write_q && write_group_q[0] && write_word_q[7];
+    store_q[7] <= write_q && write_group_q[1] && write_word_q[0];
+    store_q[8] <= write_q && write_group_q[1] && write_word_q[2];
+    store_q[9] <= write_q && write_group_q[1] && write_word_q[4];
+    store_q[10] <= write_q && write_group_q[2] && write_word_q[0];
+    store_q[11] <= write_q && write_group_q[2] && write_word_q[1];
+    store_q[12] <= write_q && write_group_q[2] && write_word_q[2];
+    store_q[13] <= write_q && write_group_q[2] && write_word_q[3];
+    store_q[14] <= write_q && write_group_q[2] && write_word_q[4];
+    store_q[15] <= write_q && write_group_q[2] && write_word_q[5];
+    store_q[16] <= write_q && write_group_q[3] && write_word_q[0];
+    store_q[17] <= write_q && write_group_q[3] && write_word_q[1];
+    store_q[18] <= write_q && write_group_q[3] && write_word_q[2];
+    store_q[19] <= write_q && write_group_q[3] && write_word_q[3];
+    store_q[20] <= write_q && write_group_q[3] && write_word_q[4];
+    store_q[21] <= write_q && write_group_q[3] && write_word_q[5];
+    store_q[22] <= write_q && write_group_q[3] && write_word_q[6];
+    store_q[23] <= write_q && write_group_q[3] && write_word_q[7];
+    store_q[24] <= write_q && write_group_q[4] && write_word_q[0];
+    store_q[25] <= write_q && write_group_q[4] && write_word_q[1];
+    store_q[26] <= write_q && write_group_q[4] && write_word_q[7];
+    store_q[27] <= write_q && write_group_q[6] && write_word_q[4];
+    store_q[28] <= write_q && write_group_q[6] && write_word_q[5];
+    store_q[29] <= write_q && write_group_q[6] && write_word_q[6];
+    store_q[30] <= write_q && write_group_q[6] && write_word_q[7];
+    store_q[31] <= write_q && write_group_q[7] && write_word_q[0];
+    store_q[32] <= write_q && write_group_q[7] && write_word_q[1];
+    store_q[33] <= write_q && write_group_q[8] && write_word_q[0];
+    store_q[34] <= write_q && write_group_q[8] && write_word_q[1];
+    store_q[35] <= write_q && write_group_q[8] && write_word_q[2];
+    store_q[36] <= write_q && write_group_q[8] && write_word_q[3];
+    store_q[37] <= write_q && write_group_q[8] && write_word_q[6];
+    store_q[38] <= write_q && write_group_q[9] && write_word_q[0];
+    store_q[39] <= write_q && write_group_q[9] && write_word_q[4];
+    store_q[40] <= write_q && write_group_q[10] && write_word_q[0];
+    data_q <= write_data_i;
+    strb_q <= write_strb_i;
+  end
 
   // CONTROL: Run control. While enable is 0 the streaming core is in reset.
   logic        control_enable_q;
@@ -407,284 +457,239 @@ module horopter_csr #(
       blocks_dim_q <= 1'd0;
       object_area_limit_of_1024_q <= 32'd4294967295;
     end else begin
-      if (write_q && write_group_q[0] && write_word_q[0]) begin  // CONTROL
-        if (write_strb_i[0]) control_enable_q <= write_data_i[0];
+      if (store_q[0]) begin  // CONTROL
+        if (strb_q[0]) control_enable_q <= data_q[0];
       end
-      if (write_q && write_group_q[0] && write_word_q[1]) begin  // MODE
-        if (write_strb_i[0]) begin
-          mode_live_q <= write_data_i[0];
-          mode_test_input_q <= write_data_i[1];
+      if (store_q[1]) begin  // MODE
+        if (strb_q[0]) begin
+          mode_live_q <= data_q[0];
+          mode_test_input_q <= data_q[1];
         end
       end
-      if (write_q && write_group_q[0] && write_word_q[3]) begin  // WIDTH
-        if (write_strb_i[0]) width_px_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) width_px_q[11:8] <= write_data_i[11:8];
+      if (store_q[2]) begin  // WIDTH
+        if (strb_q[0]) width_px_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) width_px_q[11:8] <= data_q[11:8];
       end
-      if (write_q && write_group_q[0] && write_word_q[4]) begin  // HEIGHT
-        if (write_strb_i[0]) height_rows_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) height_rows_q[11:8] <= write_data_i[11:8];
+      if (store_q[3]) begin  // HEIGHT
+        if (strb_q[0]) height_rows_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) height_rows_q[11:8] <= data_q[11:8];
       end
-      if (write_q && write_group_q[0] && write_word_q[5]) begin  // LOOKAHEAD
-        if (write_strb_i[0]) lookahead_rows_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) lookahead_rows_q[11:8] <= write_data_i[11:8];
+      if (store_q[4]) begin  // LOOKAHEAD
+        if (strb_q[0]) lookahead_rows_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) lookahead_rows_q[11:8] <= data_q[11:8];
       end
-      if (write_q && write_group_q[0] && write_word_q[6]) begin  // TIMEOUT
-        if (write_strb_i[0]) timeout_clocks_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) timeout_clocks_q[15:8] <= write_data_i[15:8];
-        if (write_strb_i[2]) timeout_clocks_q[23:16] <= write_data_i[23:16];
-        if (write_strb_i[3]) timeout_clocks_q[31:24] <= write_data_i[31:24];
+      if (store_q[5]) begin  // TIMEOUT
+        if (strb_q[0]) timeout_clocks_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) timeout_clocks_q[15:8] <= data_q[15:8];
+        if (strb_q[2]) timeout_clocks_q[23:16] <= data_q[23:16];
+        if (strb_q[3]) timeout_clocks_q[31:24] <= data_q[31:24];
       end
-      if (write_q && write_group_q[0] && write_word_q[7]) begin  // TABLE_SELECT
-        if (write_strb_i[0]) table_select_slot_q[3:0] <= write_data_i[3:0];
+      if (store_q[6]) begin  // TABLE_SELECT
+        if (strb_q[0]) table_select_slot_q[3:0] <= data_q[3:0];
       end
-      if (write_q && write_group_q[1] && write_word_q[0]) begin  // IRQ_ENABLE
-        if (write_strb_i[0]) begin
-          irq_enable_frame_q <= write_data_i[0];
-          irq_enable_fault_q <= write_data_i[1];
+      if (store_q[7]) begin  // IRQ_ENABLE
+        if (strb_q[0]) begin
+          irq_enable_frame_q <= data_q[0];
+          irq_enable_fault_q <= data_q[1];
         end
       end
-      if (write_q && write_group_q[1] && write_word_q[2]) begin  // INTERLOCK
-        if (write_strb_i[0]) begin
-          interlock_by_itself_q <= write_data_i[0];
-          interlock_by_pin_q <= write_data_i[1];
-          interlock_by_register_q <= write_data_i[2];
-          interlock_frames_q[3:0] <= write_data_i[6:3];
+      if (store_q[8]) begin  // INTERLOCK
+        if (strb_q[0]) begin
+          interlock_by_itself_q <= data_q[0];
+          interlock_by_pin_q <= data_q[1];
+          interlock_by_register_q <= data_q[2];
+          interlock_frames_q[3:0] <= data_q[6:3];
         end
       end
-      if (write_q && write_group_q[1] && write_word_q[4]) begin  // FEEDBACK
-        if (write_strb_i[0]) feedback_clocks_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) feedback_clocks_q[15:8] <= write_data_i[15:8];
-        if (write_strb_i[2]) feedback_clocks_q[23:16] <= write_data_i[23:16];
-        if (write_strb_i[3]) feedback_clocks_q[31:24] <= write_data_i[31:24];
+      if (store_q[9]) begin  // FEEDBACK
+        if (strb_q[0]) feedback_clocks_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) feedback_clocks_q[15:8] <= data_q[15:8];
+        if (strb_q[2]) feedback_clocks_q[23:16] <= data_q[23:16];
+        if (strb_q[3]) feedback_clocks_q[31:24] <= data_q[31:24];
       end
-      if (write_q && write_group_q[2] && write_word_q[0]) begin  // SUM_LIMIT
-        if (write_strb_i[0]) sum_limit_value_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) sum_limit_value_q[15:8] <= write_data_i[15:8];
+      if (store_q[10]) begin  // SUM_LIMIT
+        if (strb_q[0]) sum_limit_value_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) sum_limit_value_q[15:8] <= data_q[15:8];
       end
-      if (write_q && write_group_q[2] && write_word_q[1]) begin  // SELF_LIMIT
-        if (write_strb_i[0]) self_limit_value_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) self_limit_value_q[15:8] <= write_data_i[15:8];
+      if (store_q[11]) begin  // SELF_LIMIT
+        if (strb_q[0]) self_limit_value_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) self_limit_value_q[15:8] <= data_q[15:8];
       end
-      if (write_q && write_group_q[2] && write_word_q[2]) begin  // TEXTURE_LIMIT
-        if (write_strb_i[0]) texture_limit_sum_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) texture_limit_sum_q[15:8] <= write_data_i[15:8];
+      if (store_q[12]) begin  // TEXTURE_LIMIT
+        if (strb_q[0]) texture_limit_sum_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) texture_limit_sum_q[15:8] <= data_q[15:8];
       end
-      if (write_q && write_group_q[2] && write_word_q[3]) begin  // ALARM_LIMIT
-        if (write_strb_i[0]) alarm_limit_pixels_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) alarm_limit_pixels_q[15:8] <= write_data_i[15:8];
-        if (write_strb_i[2]) alarm_limit_pixels_q[23:16] <= write_data_i[23:16];
+      if (store_q[13]) begin  // ALARM_LIMIT
+        if (strb_q[0]) alarm_limit_pixels_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) alarm_limit_pixels_q[15:8] <= data_q[15:8];
+        if (strb_q[2]) alarm_limit_pixels_q[23:16] <= data_q[23:16];
       end
-      if (write_q && write_group_q[2] && write_word_q[4]) begin  // ALARM_FRAMES
-        if (write_strb_i[0]) begin
-          alarm_frames_needed_q[2:0] <= write_data_i[2:0];
-          alarm_frames_of_q[2:0] <= write_data_i[5:3];
+      if (store_q[14]) begin  // ALARM_FRAMES
+        if (strb_q[0]) begin
+          alarm_frames_needed_q[2:0] <= data_q[2:0];
+          alarm_frames_of_q[2:0] <= data_q[5:3];
         end
       end
-      if (write_q && write_group_q[2] && write_word_q[5]) begin  // UNSUPERVISED_LIMIT
-        if (write_strb_i[0]) unsupervised_limit_pixels_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) unsupervised_limit_pixels_q[15:8] <= write_data_i[15:8];
-        if (write_strb_i[2]) unsupervised_limit_pixels_q[23:16] <= write_data_i[23:16];
+      if (store_q[15]) begin  // UNSUPERVISED_LIMIT
+        if (strb_q[0]) unsupervised_limit_pixels_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) unsupervised_limit_pixels_q[15:8] <= data_q[15:8];
+        if (strb_q[2]) unsupervised_limit_pixels_q[23:16] <= data_q[23:16];
       end
-      if (write_q && write_group_q[3] && write_word_q[0]) begin  // BLACK_LEVEL
-        if (write_strb_i[0]) black_level_grey_q[7:0] <= write_data_i[7:0];
+      if (store_q[16]) begin  // BLACK_LEVEL
+        if (strb_q[0]) black_level_grey_q[7:0] <= data_q[7:0];
       end
-      if (write_q && write_group_q[3] && write_word_q[1]) begin  // BLACK_LIMIT
-        if (write_strb_i[0]) black_limit_pixels_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) black_limit_pixels_q[15:8] <= write_data_i[15:8];
-        if (write_strb_i[2]) black_limit_pixels_q[23:16] <= write_data_i[23:16];
+      if (store_q[17]) begin  // BLACK_LIMIT
+        if (strb_q[0]) black_limit_pixels_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) black_limit_pixels_q[15:8] <= data_q[15:8];
+        if (strb_q[2]) black_limit_pixels_q[23:16] <= data_q[23:16];
       end
-      if (write_q && write_group_q[3] && write_word_q[2]) begin  // WHITE_LEVEL
-        if (write_strb_i[0]) white_level_grey_q[7:0] <= write_data_i[7:0];
+      if (store_q[18]) begin  // WHITE_LEVEL
+        if (strb_q[0]) white_level_grey_q[7:0] <= data_q[7:0];
       end
-      if (write_q && write_group_q[3] && write_word_q[3]) begin  // WHITE_LIMIT
-        if (write_strb_i[0]) white_limit_pixels_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) white_limit_pixels_q[15:8] <= write_data_i[15:8];
-        if (write_strb_i[2]) white_limit_pixels_q[23:16] <= write_data_i[23:16];
+      if (store_q[19]) begin  // WHITE_LIMIT
+        if (strb_q[0]) white_limit_pixels_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) white_limit_pixels_q[15:8] <= data_q[15:8];
+        if (strb_q[2]) white_limit_pixels_q[23:16] <= data_q[23:16];
       end
-      if (write_q && write_group_q[3] && write_word_q[4]) begin  // CONSTANT_LIMIT
-        if (write_strb_i[0]) constant_limit_grey_q[7:0] <= write_data_i[7:0];
+      if (store_q[20]) begin  // CONSTANT_LIMIT
+        if (strb_q[0]) constant_limit_grey_q[7:0] <= data_q[7:0];
       end
-      if (write_q && write_group_q[3] && write_word_q[5]) begin  // FROZEN_LIMIT
-        if (write_strb_i[0]) frozen_limit_frames_q[7:0] <= write_data_i[7:0];
+      if (store_q[21]) begin  // FROZEN_LIMIT
+        if (strb_q[0]) frozen_limit_frames_q[7:0] <= data_q[7:0];
       end
-      if (BOTH_RULES && write_q && write_group_q[3] && write_word_q[6]) begin  // DECISION
-        if (write_strb_i[0]) decision_compete_q <= write_data_i[0];
+      if (BOTH_RULES && store_q[22]) begin  // DECISION
+        if (strb_q[0]) decision_compete_q <= data_q[0];
       end
-      if (COMPETE && write_q && write_group_q[3] && write_word_q[7]) begin  // COMPETE
-        if (write_strb_i[0]) begin
-          compete_bias_q[3:0] <= write_data_i[3:0];
-          compete_smooth_q[2:0] <= write_data_i[6:4];
-          compete_similar_q[0] <= write_data_i[7];
+      if (COMPETE && store_q[23]) begin  // COMPETE
+        if (strb_q[0]) begin
+          compete_bias_q[3:0] <= data_q[3:0];
+          compete_smooth_q[2:0] <= data_q[6:4];
+          compete_similar_q[0] <= data_q[7];
         end
-        if (write_strb_i[1]) begin
-          compete_similar_q[3:1] <= write_data_i[10:8];
-          compete_quorum_q[4:0] <= write_data_i[15:11];
+        if (strb_q[1]) begin
+          compete_similar_q[3:1] <= data_q[10:8];
+          compete_quorum_q[4:0] <= data_q[15:11];
         end
-        if (write_strb_i[2]) begin
-          compete_quorum_q[7:5] <= write_data_i[18:16];
-          compete_clear_quorum_q[4:0] <= write_data_i[23:19];
+        if (strb_q[2]) begin
+          compete_quorum_q[7:5] <= data_q[18:16];
+          compete_clear_quorum_q[4:0] <= data_q[23:19];
         end
-        if (write_strb_i[3]) begin
-          compete_clear_quorum_q[7:5] <= write_data_i[26:24];
-          compete_boundary_q[3:0] <= write_data_i[30:27];
-        end
-      end
-      if (write_q && write_group_q[4] && write_word_q[0]) begin  // MAP_SLOT
-        if (write_strb_i[0]) map_slot_slot_q[3:0] <= write_data_i[3:0];
-      end
-      if (write_q && write_group_q[4] && write_word_q[1]) begin  // MAP_BASE
-        if (write_strb_i[0]) map_base_word64_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) map_base_word64_q[15:8] <= write_data_i[15:8];
-      end
-      if (write_q && write_group_q[4] && write_word_q[7]) begin  // MAP_UNDECIDABLE_LIMIT
-        if (write_strb_i[0]) map_undecidable_limit_pixels_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) map_undecidable_limit_pixels_q[15:8] <= write_data_i[15:8];
-        if (write_strb_i[2]) map_undecidable_limit_pixels_q[23:16] <= write_data_i[23:16];
-      end
-      if (write_q && write_group_q[6] && write_word_q[4]) begin  // AGREEMENT
-        if (write_strb_i[0]) begin
-          agreement_prove_q <= write_data_i[0];
-          agreement_nearer_below_q <= write_data_i[1];
-          agreement_nearer_above_q <= write_data_i[2];
-          agreement_shift_lowest_q[4:0] <= write_data_i[7:3];
-        end
-        if (write_strb_i[1]) begin
-          agreement_shift_lowest_q[5] <= write_data_i[8];
-          agreement_shift_highest_q[5:0] <= write_data_i[14:9];
-          agreement_unproven_skin_q[0] <= write_data_i[15];
-        end
-        if (write_strb_i[2]) agreement_unproven_skin_q[7:1] <= write_data_i[22:16];
-      end
-      if (write_q && write_group_q[6] && write_word_q[5]) begin  // AGREEMENT_LIMITS
-        if (write_strb_i[0]) agreement_limits_explained_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) agreement_limits_regions_q[7:0] <= write_data_i[15:8];
-        if (write_strb_i[2]) agreement_limits_unproven_q[7:0] <= write_data_i[23:16];
-        if (write_strb_i[3]) agreement_limits_hidden_q[7:0] <= write_data_i[31:24];
-      end
-      if (write_q && write_group_q[6] && write_word_q[6]) begin  // HIDDEN
-        if (write_strb_i[0]) hidden_frames_q[7:0] <= write_data_i[7:0];
-      end
-      if (write_q && write_group_q[6] && write_word_q[7]) begin  // REGISTRATION
-        if (write_strb_i[0]) begin
-          registration_moved_q[5:0] <= write_data_i[5:0];
-          registration_moved_half_q[1:0] <= write_data_i[7:6];
-        end
-        if (write_strb_i[1]) begin
-          registration_moved_half_q[5:2] <= write_data_i[11:8];
-          registration_patches_q[3:0] <= write_data_i[15:12];
-        end
-        if (write_strb_i[2]) begin
-          registration_patches_q[5:4] <= write_data_i[17:16];
-          registration_on_skin_q[4:0] <= write_data_i[22:18];
-          registration_on_skin_cells_q[0] <= write_data_i[23];
-        end
-        if (write_strb_i[3]) registration_on_skin_cells_q[7:1] <= write_data_i[30:24];
-      end
-      if (write_q && write_group_q[7] && write_word_q[0]) begin  // EPIPOLAR
-        if (write_strb_i[0]) epipolar_slope_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) epipolar_slope_q[15:8] <= write_data_i[15:8];
-        if (write_strb_i[2]) epipolar_column_q[7:0] <= write_data_i[23:16];
-        if (write_strb_i[3]) epipolar_column_q[15:8] <= write_data_i[31:24];
-      end
-      if (write_q && write_group_q[7] && write_word_q[1]) begin  // EPIPOLAR_CHANGE
-        if (write_strb_i[0]) epipolar_change_row_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) epipolar_change_row_q[15:8] <= write_data_i[15:8];
-        if (write_strb_i[2]) epipolar_change_both_q[7:0] <= write_data_i[23:16];
-        if (write_strb_i[3]) epipolar_change_both_q[15:8] <= write_data_i[31:24];
-      end
-      if (write_q && write_group_q[8] && write_word_q[0]) begin  // ONE_CAMERA
-        if (write_strb_i[0]) one_camera_segments_q[7:0] <= write_data_i[7:0];
-      end
-      if (write_q && write_group_q[8] && write_word_q[1]) begin  // BLIND_STEP
-        if (write_strb_i[0]) blind_step_grey_q[7:0] <= write_data_i[7:0];
-      end
-      if (write_q && write_group_q[8] && write_word_q[2]) begin  // BLIND_SHARE
-        if (write_strb_i[0]) blind_share_of_256_q[7:0] <= write_data_i[7:0];
-      end
-      if (write_q && write_group_q[8] && write_word_q[3]) begin  // STILL_LIMIT
-        if (write_strb_i[0]) still_limit_frames_q[7:0] <= write_data_i[7:0];
-      end
-      if (write_q && write_group_q[8] && write_word_q[6]) begin  // REGION_SELECT
-        if (write_strb_i[0]) region_select_region_q[5:0] <= write_data_i[5:0];
-      end
-      if (write_q && write_group_q[9] && write_word_q[0]) begin  // OBJECT_LIMIT
-        if (write_strb_i[0]) object_limit_pixels_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) object_limit_pixels_q[15:8] <= write_data_i[15:8];
-        if (write_strb_i[2]) object_limit_pixels_q[23:16] <= write_data_i[23:16];
-      end
-      if (BLIND && write_q && write_group_q[9] && write_word_q[4]) begin  // BLOCKS
-        if (write_strb_i[0]) begin
-          blocks_watch_q <= write_data_i[0];
-          blocks_teach_q <= write_data_i[1];
-          blocks_margin_q[5:0] <= write_data_i[7:2];
-        end
-        if (write_strb_i[1]) begin
-          blocks_margin_q[7:6] <= write_data_i[9:8];
-          blocks_dim_q <= write_data_i[10];
+        if (strb_q[3]) begin
+          compete_clear_quorum_q[7:5] <= data_q[26:24];
+          compete_boundary_q[3:0] <= data_q[30:27];
         end
       end
-      if (write_q && write_group_q[10] && write_word_q[0]) begin  // OBJECT_AREA_LIMIT
-        if (write_strb_i[0]) object_area_limit_of_1024_q[7:0] <= write_data_i[7:0];
-        if (write_strb_i[1]) object_area_limit_of_1024_q[15:8] <= write_data_i[15:8];
-        if (write_strb_i[2]) object_area_limit_of_1024_q[23:16] <= write_data_i[23:16];
-        if (write_strb_i[3]) object_area_limit_of_1024_q[31:24] <= write_data_i[31:24];
+      if (store_q[24]) begin  // MAP_SLOT
+        if (strb_q[0]) map_slot_slot_q[3:0] <= data_q[3:0];
+      end
+      if (store_q[25]) begin  // MAP_BASE
+        if (strb_q[0]) map_base_word64_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) map_base_word64_q[15:8] <= data_q[15:8];
+      end
+      if (store_q[26]) begin  // MAP_UNDECIDABLE_LIMIT
+        if (strb_q[0]) map_undecidable_limit_pixels_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) map_undecidable_limit_pixels_q[15:8] <= data_q[15:8];
+        if (strb_q[2]) map_undecidable_limit_pixels_q[23:16] <= data_q[23:16];
+      end
+      if (store_q[27]) begin  // AGREEMENT
+        if (strb_q[0]) begin
+          agreement_prove_q <= data_q[0];
+          agreement_nearer_below_q <= data_q[1];
+          agreement_nearer_above_q <= data_q[2];
+          agreement_shift_lowest_q[4:0] <= data_q[7:3];
+        end
+        if (strb_q[1]) begin
+          agreement_shift_lowest_q[5] <= data_q[8];
+          agreement_shift_highest_q[5:0] <= data_q[14:9];
+          agreement_unproven_skin_q[0] <= data_q[15];
+        end
+        if (strb_q[2]) agreement_unproven_skin_q[7:1] <= data_q[22:16];
+      end
+      if (store_q[28]) begin  // AGREEMENT_LIMITS
+        if (strb_q[0]) agreement_limits_explained_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) agreement_limits_regions_q[7:0] <= data_q[15:8];
+        if (strb_q[2]) agreement_limits_unproven_q[7:0] <= data_q[23:16];
+        if (strb_q[3]) agreement_limits_hidden_q[7:0] <= data_q[31:24];
+      end
+      if (store_q[29]) begin  // HIDDEN
+        if (strb_q[0]) hidden_frames_q[7:0] <= data_q[7:0];
+      end
+      if (store_q[30]) begin  // REGISTRATION
+        if (strb_q[0]) begin
+          registration_moved_q[5:0] <= data_q[5:0];
+          registration_moved_half_q[1:0] <= data_q[7:6];
+        end
+        if (strb_q[1]) begin
+          registration_moved_half_q[5:2] <= data_q[11:8];
+          registration_patches_q[3:0] <= data_q[15:12];
+        end
+        if (strb_q[2]) begin
+          registration_patches_q[5:4] <= data_q[17:16];
+          registration_on_skin_q[4:0] <= data_q[22:18];
+          registration_on_skin_cells_q[0] <= data_q[23];
+        end
+        if (strb_q[3]) registration_on_skin_cells_q[7:1] <= data_q[30:24];
+      end
+      if (store_q[31]) begin  // EPIPOLAR
+        if (strb_q[0]) epipolar_slope_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) epipolar_slope_q[15:8] <= data_q[15:8];
+        if (strb_q[2]) epipolar_column_q[7:0] <= data_q[23:16];
+        if (strb_q[3]) epipolar_column_q[15:8] <= data_q[31:24];
+      end
+      if (store_q[32]) begin  // EPIPOLAR_CHANGE
+        if (strb_q[0]) epipolar_change_row_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) epipolar_change_row_q[15:8] <= data_q[15:8];
+        if (strb_q[2]) epipolar_change_both_q[7:0] <= data_q[23:16];
+        if (strb_q[3]) epipolar_change_both_q[15:8] <= data_q[31:24];
+      end
+      if (store_q[33]) begin  // ONE_CAMERA
+        if (strb_q[0]) one_camera_segments_q[7:0] <= data_q[7:0];
+      end
+      if (store_q[34]) begin  // BLIND_STEP
+        if (strb_q[0]) blind_step_grey_q[7:0] <= data_q[7:0];
+      end
+      if (store_q[35]) begin  // BLIND_SHARE
+        if (strb_q[0]) blind_share_of_256_q[7:0] <= data_q[7:0];
+      end
+      if (store_q[36]) begin  // STILL_LIMIT
+        if (strb_q[0]) still_limit_frames_q[7:0] <= data_q[7:0];
+      end
+      if (store_q[37]) begin  // REGION_SELECT
+        if (strb_q[0]) region_select_region_q[5:0] <= data_q[5:0];
+      end
+      if (store_q[38]) begin  // OBJECT_LIMIT
+        if (strb_q[0]) object_limit_pixels_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) object_limit_pixels_q[15:8] <= data_q[15:8];
+        if (strb_q[2]) object_limit_pixels_q[23:16] <= data_q[23:16];
+      end
+      if (BLIND && store_q[39]) begin  // BLOCKS
+        if (strb_q[0]) begin
+          blocks_watch_q <= data_q[0];
+          blocks_teach_q <= data_q[1];
+          blocks_margin_q[5:0] <= data_q[7:2];
+        end
+        if (strb_q[1]) begin
+          blocks_margin_q[7:6] <= data_q[9:8];
+          blocks_dim_q <= data_q[10];
+        end
+      end
+      if (store_q[40]) begin  // OBJECT_AREA_LIMIT
+        if (strb_q[0]) object_area_limit_of_1024_q[7:0] <= data_q[7:0];
+        if (strb_q[1]) object_area_limit_of_1024_q[15:8] <= data_q[15:8];
+        if (strb_q[2]) object_area_limit_of_1024_q[23:16] <= data_q[23:16];
+        if (strb_q[3]) object_area_limit_of_1024_q[31:24] <= data_q[31:24];
       end
     end
   end
 
-  // Each of these registers is guarded from the clock on in which it has its new value.
-  logic [40:0] written_q, guard_error;
-  always_ff @(posedge clk_i) begin
-    written_q <= '0;
-    if (!rst_ni) written_q <= '1;
-    if (write_q && write_group_q[0] && write_word_q[0]) written_q[0] <= 1'b1;
-    if (write_q && write_group_q[0] && write_word_q[1]) written_q[1] <= 1'b1;
-    if (write_q && write_group_q[0] && write_word_q[3]) written_q[2] <= 1'b1;
-    if (write_q && write_group_q[0] && write_word_q[4]) written_q[3] <= 1'b1;
-    if (write_q && write_group_q[0] && write_word_q[5]) written_q[4] <= 1'b1;
-    if (write_q && write_group_q[0] && write_word_q[6]) written_q[5] <= 1'b1;
-    if (write_q && write_group_q[0] && write_word_q[7]) written_q[6] <= 1'b1;
-    if (write_q && write_group_q[1] && write_word_q[0]) written_q[7] <= 1'b1;
-    if (write_q && write_group_q[1] && write_word_q[2]) written_q[8] <= 1'b1;
-    if (write_q && write_group_q[1] && write_word_q[4]) written_q[9] <= 1'b1;
-    if (write_q && write_group_q[2] && write_word_q[0]) written_q[10] <= 1'b1;
-    if (write_q && write_group_q[2] && write_word_q[1]) written_q[11] <= 1'b1;
-    if (write_q && write_group_q[2] && write_word_q[2]) written_q[12] <= 1'b1;
-    if (write_q && write_group_q[2] && write_word_q[3]) written_q[13] <= 1'b1;
-    if (write_q && write_group_q[2] && write_word_q[4]) written_q[14] <= 1'b1;
-    if (write_q && write_group_q[2] && write_word_q[5]) written_q[15] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[0]) written_q[16] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[1]) written_q[17] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[2]) written_q[18] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[3]) written_q[19] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[4]) written_q[20] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[5]) written_q[21] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[6]) written_q[22] <= 1'b1;
-    if (write_q && write_group_q[3] && write_word_q[7]) written_q[23] <= 1'b1;
-    if (write_q && write_group_q[4] && write_word_q[0]) written_q[24] <= 1'b1;
-    if (write_q && write_group_q[4] && write_word_q[1]) written_q[25] <= 1'b1;
-    if (write_q && write_group_q[4] && write_word_q[7]) written_q[26] <= 1'b1;
-    if (write_q && write_group_q[6] && write_word_q[4]) written_q[27] <= 1'b1;
-    if (write_q && write_group_q[6] && write_word_q[5]) written_q[28] <= 1'b1;
-    if (write_q && write_group_q[6] && write_word_q[6]) written_q[29] <= 1'b1;
-    if (write_q && write_group_q[6] && write_word_q[7]) written_q[30] <= 1'b1;
-    if (write_q && write_group_q[7] && write_word_q[0]) written_q[31] <= 1'b1;
-    if (write_q && write_group_q[7] && write_word_q[1]) written_q[32] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[0]) written_q[33] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[1]) written_q[34] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[2]) written_q[35] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[3]) written_q[36] <= 1'b1;
-    if (write_q && write_group_q[8] && write_word_q[6]) written_q[37] <= 1'b1;
-    if (write_q && write_group_q[9] && write_word_q[0]) written_q[38] <= 1'b1;
-    if (write_q && write_group_q[9] && write_word_q[4]) written_q[39] <= 1'b1;
-    if (write_q && write_group_q[10] && write_word_q[0]) written_q[40] <= 1'b1;
-    changed_o <= guard_error != '0;
-  end
+  // Each of these registers is guarded.
+  logic [40:0] guard_error;
+  always_ff @(posedge clk_i) changed_o <= guard_error != '0;
   horopter_guard #(
       .WIDTH(1)
   ) u_control_guard (
       .clk_i(clk_i),
-      .written_i(written_q[0]),
+      .write_i(store_q[0] || !rst_ni),
       .value_i({control_enable_q}),
       .error_o(guard_error[0])
   );
@@ -692,7 +697,7 @@ module horopter_csr #(
       .WIDTH(2)
   ) u_mode_guard (
       .clk_i(clk_i),
-      .written_i(written_q[1]),
+      .write_i(store_q[1] || !rst_ni),
       .value_i({mode_test_input_q, mode_live_q}),
       .error_o(guard_error[1])
   );
@@ -700,7 +705,7 @@ module horopter_csr #(
       .WIDTH(12)
   ) u_width_guard (
       .clk_i(clk_i),
-      .written_i(written_q[2]),
+      .write_i(store_q[2] || !rst_ni),
       .value_i({width_px_q}),
       .error_o(guard_error[2])
   );
@@ -708,7 +713,7 @@ module horopter_csr #(
       .WIDTH(12)
   ) u_height_guard (
       .clk_i(clk_i),
-      .written_i(written_q[3]),
+      .write_i(store_q[3] || !rst_ni),
       .value_i({height_rows_q}),
       .error_o(guard_error[3])
   );
@@ -716,7 +721,7 @@ module horopter_csr #(
       .WIDTH(12)
   ) u_lookahead_guard (
       .clk_i(clk_i),
-      .written_i(written_q[4]),
+      .write_i(store_q[4] || !rst_ni),
       .value_i({lookahead_rows_q}),
       .error_o(guard_error[4])
   );
@@ -724,7 +729,7 @@ module horopter_csr #(
       .WIDTH(32)
   ) u_timeout_guard (
       .clk_i(clk_i),
-      .written_i(written_q[5]),
+      .write_i(store_q[5] || !rst_ni),
       .value_i({timeout_clocks_q}),
       .error_o(guard_error[5])
   );
@@ -732,7 +737,7 @@ module horopter_csr #(
       .WIDTH(4)
   ) u_table_select_guard (
       .clk_i(clk_i),
-      .written_i(written_q[6]),
+      .write_i(store_q[6] || !rst_ni),
       .value_i({table_select_slot_q}),
       .error_o(guard_error[6])
   );
@@ -740,7 +745,7 @@ module horopter_csr #(
       .WIDTH(2)
   ) u_irq_enable_guard (
       .clk_i(clk_i),
-      .written_i(written_q[7]),
+      .write_i(store_q[7] || !rst_ni),
       .value_i({irq_enable_fault_q, irq_enable_frame_q}),
       .error_o(guard_error[7])
   );
@@ -748,7 +753,7 @@ module horopter_csr #(
       .WIDTH(7)
   ) u_interlock_guard (
       .clk_i(clk_i),
-      .written_i(written_q[8]),
+      .write_i(store_q[8] || !rst_ni),
       .value_i({interlock_frames_q, interlock_by_register_q, interlock_by_pin_q, interlock_by_itself_q}),
       .error_o(guard_error[8])
   );
@@ -756,7 +761,7 @@ module horopter_csr #(
       .WIDTH(32)
   ) u_feedback_guard (
       .clk_i(clk_i),
-      .written_i(written_q[9]),
+      .write_i(store_q[9] || !rst_ni),
       .value_i({feedback_clocks_q}),
       .error_o(guard_error[9])
   );
@@ -764,7 +769,7 @@ module horopter_csr #(
       .WIDTH(16)
   ) u_sum_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[10]),
+      .write_i(store_q[10] || !rst_ni),
       .value_i({sum_limit_value_q}),
       .error_o(guard_error[10])
   );
@@ -772,7 +777,7 @@ module horopter_csr #(
       .WIDTH(16)
   ) u_self_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[11]),
+      .write_i(store_q[11] || !rst_ni),
       .value_i({self_limit_value_q}),
       .error_o(guard_error[11])
   );
@@ -780,7 +785,7 @@ module horopter_csr #(
       .WIDTH(16)
   ) u_texture_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[12]),
+      .write_i(store_q[12] || !rst_ni),
       .value_i({texture_limit_sum_q}),
       .error_o(guard_error[12])
   );
@@ -788,7 +793,7 @@ module horopter_csr #(
       .WIDTH(24)
   ) u_alarm_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[13]),
+      .write_i(store_q[13] || !rst_ni),
       .value_i({alarm_limit_pixels_q}),
       .error_o(guard_error[13])
   );
@@ -796,7 +801,7 @@ module horopter_csr #(
       .WIDTH(6)
   ) u_alarm_frames_guard (
       .clk_i(clk_i),
-      .written_i(written_q[14]),
+      .write_i(store_q[14] || !rst_ni),
       .value_i({alarm_frames_of_q, alarm_frames_needed_q}),
       .error_o(guard_error[14])
   );
@@ -804,7 +809,7 @@ module horopter_csr #(
       .WIDTH(24)
   ) u_unsupervised_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[15]),
+      .write_i(store_q[15] || !rst_ni),
       .value_i({unsupervised_limit_pixels_q}),
       .error_o(guard_error[15])
   );
@@ -812,7 +817,7 @@ module horopter_csr #(
       .WIDTH(8)
   ) u_black_level_guard (
       .clk_i(clk_i),
-      .written_i(written_q[16]),
+      .write_i(store_q[16] || !rst_ni),
       .value_i({black_level_grey_q}),
       .error_o(guard_error[16])
   );
@@ -820,7 +825,7 @@ module horopter_csr #(
       .WIDTH(24)
   ) u_black_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[17]),
+      .write_i(store_q[17] || !rst_ni),
       .value_i({black_limit_pixels_q}),
       .error_o(guard_error[17])
   );
@@ -828,7 +833,7 @@ module horopter_csr #(
       .WIDTH(8)
   ) u_white_level_guard (
       .clk_i(clk_i),
-      .written_i(written_q[18]),
+      .write_i(store_q[18] || !rst_ni),
       .value_i({white_level_grey_q}),
       .error_o(guard_error[18])
   );
@@ -836,7 +841,7 @@ module horopter_csr #(
       .WIDTH(24)
   ) u_white_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[19]),
+      .write_i(store_q[19] || !rst_ni),
       .value_i({white_limit_pixels_q}),
       .error_o(guard_error[19])
   );
@@ -844,7 +849,7 @@ module horopter_csr #(
       .WIDTH(8)
   ) u_constant_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[20]),
+      .write_i(store_q[20] || !rst_ni),
       .value_i({constant_limit_grey_q}),
       .error_o(guard_error[20])
   );
@@ -852,7 +857,7 @@ module horopter_csr #(
       .WIDTH(8)
   ) u_frozen_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[21]),
+      .write_i(store_q[21] || !rst_ni),
       .value_i({frozen_limit_frames_q}),
       .error_o(guard_error[21])
   );
@@ -860,7 +865,7 @@ module horopter_csr #(
       .WIDTH(1)
   ) u_decision_guard (
       .clk_i(clk_i),
-      .written_i(written_q[22]),
+      .write_i(store_q[22] || !rst_ni),
       .value_i({decision_compete_q}),
       .error_o(guard_error[22])
   );
@@ -868,7 +873,7 @@ module horopter_csr #(
       .WIDTH(31)
   ) u_compete_guard (
       .clk_i(clk_i),
-      .written_i(written_q[23]),
+      .write_i(store_q[23] || !rst_ni),
       .value_i({compete_boundary_q, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q}),
       .error_o(guard_error[23])
   );
@@ -876,7 +881,7 @@ module horopter_csr #(
       .WIDTH(4)
   ) u_map_slot_guard (
       .clk_i(clk_i),
-      .written_i(written_q[24]),
+      .write_i(store_q[24] || !rst_ni),
       .value_i({map_slot_slot_q}),
       .error_o(guard_error[24])
   );
@@ -884,7 +889,7 @@ module horopter_csr #(
       .WIDTH(16)
   ) u_map_base_guard (
       .clk_i(clk_i),
-      .written_i(written_q[25]),
+      .write_i(store_q[25] || !rst_ni),
       .value_i({map_base_word64_q}),
       .error_o(guard_error[25])
   );
@@ -892,7 +897,7 @@ module horopter_csr #(
       .WIDTH(24)
   ) u_map_undecidable_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[26]),
+      .write_i(store_q[26] || !rst_ni),
       .value_i({map_undecidable_limit_pixels_q}),
       .error_o(guard_error[26])
   );
@@ -900,7 +905,7 @@ module horopter_csr #(
       .WIDTH(23)
   ) u_agreement_guard (
       .clk_i(clk_i),
-      .written_i(written_q[27]),
+      .write_i(store_q[27] || !rst_ni),
       .value_i({agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q}),
       .error_o(guard_error[27])
   );
@@ -908,7 +913,7 @@ module horopter_csr #(
       .WIDTH(32)
   ) u_agreement_limits_guard (
       .clk_i(clk_i),
-      .written_i(written_q[28]),
+      .write_i(store_q[28] || !rst_ni),
       .value_i({agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q}),
       .error_o(guard_error[28])
   );
@@ -916,7 +921,7 @@ module horopter_csr #(
       .WIDTH(8)
   ) u_hidden_guard (
       .clk_i(clk_i),
-      .written_i(written_q[29]),
+      .write_i(store_q[29] || !rst_ni),
       .value_i({hidden_frames_q}),
       .error_o(guard_error[29])
   );
@@ -924,7 +929,7 @@ module horopter_csr #(
       .WIDTH(31)
   ) u_registration_guard (
       .clk_i(clk_i),
-      .written_i(written_q[30]),
+      .write_i(store_q[30] || !rst_ni),
       .value_i({registration_on_skin_cells_q, registration_on_skin_q, registration_patches_q, registration_moved_half_q, registration_moved_q}),
       .error_o(guard_error[30])
   );
@@ -932,7 +937,7 @@ module horopter_csr #(
       .WIDTH(32)
   ) u_epipolar_guard (
       .clk_i(clk_i),
-      .written_i(written_q[31]),
+      .write_i(store_q[31] || !rst_ni),
       .value_i({epipolar_column_q, epipolar_slope_q}),
       .error_o(guard_error[31])
   );
@@ -940,7 +945,7 @@ module horopter_csr #(
       .WIDTH(32)
   ) u_epipolar_change_guard (
       .clk_i(clk_i),
-      .written_i(written_q[32]),
+      .write_i(store_q[32] || !rst_ni),
       .value_i({epipolar_change_both_q, epipolar_change_row_q}),
       .error_o(guard_error[32])
   );
@@ -948,7 +953,7 @@ module horopter_csr #(
       .WIDTH(8)
   ) u_one_camera_guard (
       .clk_i(clk_i),
-      .written_i(written_q[33]),
+      .write_i(store_q[33] || !rst_ni),
       .value_i({one_camera_segments_q}),
       .error_o(guard_error[33])
   );
@@ -956,7 +961,7 @@ module horopter_csr #(
       .WIDTH(8)
   ) u_blind_step_guard (
       .clk_i(clk_i),
-      .written_i(written_q[34]),
+      .write_i(store_q[34] || !rst_ni),
       .value_i({blind_step_grey_q}),
       .error_o(guard_error[34])
   );
@@ -964,7 +969,7 @@ module horopter_csr #(
       .WIDTH(8)
   ) u_blind_share_guard (
       .clk_i(clk_i),
-      .written_i(written_q[35]),
+      .write_i(store_q[35] || !rst_ni),
       .value_i({blind_share_of_256_q}),
       .error_o(guard_error[35])
   );
@@ -972,7 +977,7 @@ module horopter_csr #(
       .WIDTH(8)
   ) u_still_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[36]),
+      .write_i(store_q[36] || !rst_ni),
       .value_i({still_limit_frames_q}),
       .error_o(guard_error[36])
   );
@@ -980,7 +985,7 @@ module horopter_csr #(
       .WIDTH(6)
   ) u_region_select_guard (
       .clk_i(clk_i),
-      .written_i(written_q[37]),
+      .write_i(store_q[37] || !rst_ni),
       .value_i({region_select_region_q}),
       .error_o(guard_error[37])
   );
@@ -988,7 +993,7 @@ module horopter_csr #(
       .WIDTH(24)
   ) u_object_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[38]),
+      .write_i(store_q[38] || !rst_ni),
       .value_i({object_limit_pixels_q}),
       .error_o(guard_error[38])
   );
@@ -996,7 +1001,7 @@ module horopter_csr #(
       .WIDTH(11)
   ) u_blocks_guard (
       .clk_i(clk_i),
-      .written_i(written_q[39]),
+      .write_i(store_q[39] || !rst_ni),
       .value_i({blocks_dim_q, blocks_margin_q, blocks_teach_q, blocks_watch_q}),
       .error_o(guard_error[39])
   );
@@ -1004,7 +1009,7 @@ module horopter_csr #(
       .WIDTH(32)
   ) u_object_area_limit_guard (
       .clk_i(clk_i),
-      .written_i(written_q[40]),
+      .write_i(store_q[40] || !rst_ni),
       .value_i({object_area_limit_of_1024_q}),
       .error_o(guard_error[40])
   );
@@ -1055,9 +1060,9 @@ module horopter_csr #(
   logic [31:0] group_0E_q;
   logic [12:0] wanted_q;
   logic known_q, memory_wanted_q, memory_known_q;
-  logic [2:0] word_q;
+  logic [7:0] word_q;
   always_ff @(posedge clk_i) begin
-    word_q <= read_addr_i[4:2];
+    word_q <= 8'd1 << read_addr_i[4:2];
     wanted_q <= '0;
     memory_wanted_q <= 1'b0;
     case (read_addr_i)
@@ -1080,128 +1085,106 @@ module horopter_csr #(
     endcase
     group_00_q <= 32'd0;
     if (wanted_q[0])
-      case (word_q)
-        3'h0: group_00_q <= 32'h484F524F;
-        3'h1: group_00_q <= {16'h2, 16'h8};
-        3'h2: group_00_q <= {build_size_height_i, build_size_width_i};
-        3'h3: group_00_q <= {build_store_pool_kib_i, build_store_rows_i};
-        3'h4: group_00_q <= {1'd0, build_window_blind_i, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i};
-        3'h5: group_00_q <= build_clock_khz_i;
-        default: group_00_q <= {11'd0, build_compete_paths_i, build_compete_ballot_reach_i, build_compete_sum_columns_i, build_compete_sum_rows_i, build_compete_planes_i};
-      endcase
+      group_00_q <= (word_q[0] ? 32'h484F524F : 32'd0)
+        | (word_q[1] ? {16'h2, 16'h8} : 32'd0)
+        | (word_q[2] ? {build_size_height_i, build_size_width_i} : 32'd0)
+        | (word_q[3] ? {build_store_pool_kib_i, build_store_rows_i} : 32'd0)
+        | (word_q[4] ? {1'd0, build_window_blind_i, build_window_compete_i, build_window_thesis_i, build_window_hypotheses_i, build_window_weight_bits_i, build_window_subsample_i, build_window_majority_i, build_window_dsad_i} : 32'd0)
+        | (word_q[5] ? build_clock_khz_i : 32'd0)
+        | (word_q[6] ? {11'd0, build_compete_paths_i, build_compete_ballot_reach_i, build_compete_sum_columns_i, build_compete_sum_rows_i, build_compete_planes_i} : 32'd0);
     group_02_q <= 32'd0;
     if (wanted_q[1])
-      case (word_q)
-        3'h0: group_02_q <= {31'd0, control_enable_q};
-        3'h1: group_02_q <= {30'd0, mode_test_input_q, mode_live_q};
-        3'h2: group_02_q <= {21'd0, status_i};
-        3'h3: group_02_q <= {20'd0, width_px_q};
-        3'h4: group_02_q <= {20'd0, height_rows_q};
-        3'h5: group_02_q <= {20'd0, lookahead_rows_q};
-        3'h6: group_02_q <= timeout_clocks_q;
-        default: group_02_q <= {28'd0, table_select_slot_q};
-      endcase
+      group_02_q <= (word_q[0] ? {31'd0, control_enable_q} : 32'd0)
+        | (word_q[1] ? {30'd0, mode_test_input_q, mode_live_q} : 32'd0)
+        | (word_q[2] ? {21'd0, status_i} : 32'd0)
+        | (word_q[3] ? {20'd0, width_px_q} : 32'd0)
+        | (word_q[4] ? {20'd0, height_rows_q} : 32'd0)
+        | (word_q[5] ? {20'd0, lookahead_rows_q} : 32'd0)
+        | (word_q[6] ? timeout_clocks_q : 32'd0)
+        | (word_q[7] ? {28'd0, table_select_slot_q} : 32'd0);
     group_03_q <= 32'd0;
     if (wanted_q[2])
-      case (word_q)
-        3'h0: group_03_q <= {30'd0, irq_enable_fault_q, irq_enable_frame_q};
-        3'h1: group_03_q <= {30'd0, irq_status_q};
-        3'h2: group_03_q <= {25'd0, interlock_frames_q, interlock_by_register_q, interlock_by_pin_q, interlock_by_itself_q};
-        default: group_03_q <= feedback_clocks_q;
-      endcase
+      group_03_q <= (word_q[0] ? {30'd0, irq_enable_fault_q, irq_enable_frame_q} : 32'd0)
+        | (word_q[1] ? {30'd0, irq_status_q} : 32'd0)
+        | (word_q[2] ? {25'd0, interlock_frames_q, interlock_by_register_q, interlock_by_pin_q, interlock_by_itself_q} : 32'd0)
+        | (word_q[4] ? feedback_clocks_q : 32'd0);
     group_04_q <= 32'd0;
     if (wanted_q[3])
-      case (word_q)
-        3'h0: group_04_q <= {16'd0, sum_limit_value_q};
-        3'h1: group_04_q <= {16'd0, self_limit_value_q};
-        3'h2: group_04_q <= {16'd0, texture_limit_sum_q};
-        3'h3: group_04_q <= {8'd0, alarm_limit_pixels_q};
-        3'h4: group_04_q <= {26'd0, alarm_frames_of_q, alarm_frames_needed_q};
-        default: group_04_q <= {8'd0, unsupervised_limit_pixels_q};
-      endcase
+      group_04_q <= (word_q[0] ? {16'd0, sum_limit_value_q} : 32'd0)
+        | (word_q[1] ? {16'd0, self_limit_value_q} : 32'd0)
+        | (word_q[2] ? {16'd0, texture_limit_sum_q} : 32'd0)
+        | (word_q[3] ? {8'd0, alarm_limit_pixels_q} : 32'd0)
+        | (word_q[4] ? {26'd0, alarm_frames_of_q, alarm_frames_needed_q} : 32'd0)
+        | (word_q[5] ? {8'd0, unsupervised_limit_pixels_q} : 32'd0);
     group_05_q <= 32'd0;
     if (wanted_q[4])
-      case (word_q)
-        3'h0: group_05_q <= {24'd0, black_level_grey_q};
-        3'h1: group_05_q <= {8'd0, black_limit_pixels_q};
-        3'h2: group_05_q <= {24'd0, white_level_grey_q};
-        3'h3: group_05_q <= {8'd0, white_limit_pixels_q};
-        3'h4: group_05_q <= {24'd0, constant_limit_grey_q};
-        3'h5: group_05_q <= {24'd0, frozen_limit_frames_q};
-        3'h6: group_05_q <= {31'd0, decision_compete_q};
-        default: group_05_q <= {1'd0, compete_boundary_q, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q};
-      endcase
+      group_05_q <= (word_q[0] ? {24'd0, black_level_grey_q} : 32'd0)
+        | (word_q[1] ? {8'd0, black_limit_pixels_q} : 32'd0)
+        | (word_q[2] ? {24'd0, white_level_grey_q} : 32'd0)
+        | (word_q[3] ? {8'd0, white_limit_pixels_q} : 32'd0)
+        | (word_q[4] ? {24'd0, constant_limit_grey_q} : 32'd0)
+        | (word_q[5] ? {24'd0, frozen_limit_frames_q} : 32'd0)
+        | (word_q[6] ? {31'd0, decision_compete_q} : 32'd0)
+        | (word_q[7] ? {1'd0, compete_boundary_q, compete_clear_quorum_q, compete_quorum_q, compete_similar_q, compete_smooth_q, compete_bias_q} : 32'd0);
     group_06_q <= 32'd0;
     if (wanted_q[5])
-      case (word_q)
-        3'h0: group_06_q <= {28'd0, map_slot_slot_q};
-        3'h1: group_06_q <= {16'd0, map_base_word64_q};
-        3'h4: group_06_q <= {24'd0, map_status_active_slot_i, map_status_error_i, map_status_busy_i};
-        3'h5: group_06_q <= {17'd0, map_valid_slots_i};
-        3'h6: group_06_q <= map_crc_value_i;
-        default: group_06_q <= {8'd0, map_undecidable_limit_pixels_q};
-      endcase
+      group_06_q <= (word_q[0] ? {28'd0, map_slot_slot_q} : 32'd0)
+        | (word_q[1] ? {16'd0, map_base_word64_q} : 32'd0)
+        | (word_q[4] ? {24'd0, map_status_active_slot_i, map_status_error_i, map_status_busy_i} : 32'd0)
+        | (word_q[5] ? {17'd0, map_valid_slots_i} : 32'd0)
+        | (word_q[6] ? map_crc_value_i : 32'd0)
+        | (word_q[7] ? {8'd0, map_undecidable_limit_pixels_q} : 32'd0);
     group_07_q <= 32'd0;
     if (wanted_q[6])
-      case (word_q)
-        3'h0: group_07_q <= {2'd0, faults_cameras_q[27:14], 2'd0, faults_cameras_q[13:0]};
-        3'h1: group_07_q <= {10'd0, faults_machine_q};
-        default: group_07_q <= {map_extent_end_word64_i, map_extent_base_word64_i};
-      endcase
+      group_07_q <= (word_q[0] ? {2'd0, faults_cameras_q[27:14], 2'd0, faults_cameras_q[13:0]} : 32'd0)
+        | (word_q[1] ? {10'd0, faults_machine_q} : 32'd0)
+        | (word_q[2] ? {map_extent_end_word64_i, map_extent_base_word64_i} : 32'd0);
     group_08_q <= 32'd0;
     if (wanted_q[7])
-      case (word_q)
-        3'h0: group_08_q <= frame_sequence_value_i;
-        3'h1: group_08_q <= {25'd0, frame_status_i};
-        3'h2: group_08_q <= {2'd0, frame_faults_cameras_i[27:14], 2'd0, frame_faults_cameras_i[13:0]};
-        3'h3: group_08_q <= frame_table_crc_value_i;
-        3'h4: group_08_q <= {8'd0, frame_skin_pixels_i};
-        3'h5: group_08_q <= {8'd0, frame_undecidable_pixels_i};
-        3'h6: group_08_q <= {8'd0, frame_unsupervised_pixels_i};
-        default: group_08_q <= {8'd0, frame_misses_pixels_i};
-      endcase
+      group_08_q <= (word_q[0] ? frame_sequence_value_i : 32'd0)
+        | (word_q[1] ? {25'd0, frame_status_i} : 32'd0)
+        | (word_q[2] ? {2'd0, frame_faults_cameras_i[27:14], 2'd0, frame_faults_cameras_i[13:0]} : 32'd0)
+        | (word_q[3] ? frame_table_crc_value_i : 32'd0)
+        | (word_q[4] ? {8'd0, frame_skin_pixels_i} : 32'd0)
+        | (word_q[5] ? {8'd0, frame_undecidable_pixels_i} : 32'd0)
+        | (word_q[6] ? {8'd0, frame_unsupervised_pixels_i} : 32'd0)
+        | (word_q[7] ? {8'd0, frame_misses_pixels_i} : 32'd0);
     group_09_q <= 32'd0;
     if (wanted_q[8])
-      case (word_q)
-        3'h0: group_09_q <= frame_cycles_clocks_i;
-        3'h1: group_09_q <= frame_latency_clocks_i;
-        3'h2: group_09_q <= frame_tail_clocks_i;
-        3'h3: group_09_q <= {10'd0, frame_faults_machine_i};
-        3'h4: group_09_q <= {9'd0, agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q};
-        3'h5: group_09_q <= {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q};
-        3'h6: group_09_q <= {24'd0, hidden_frames_q};
-        default: group_09_q <= {1'd0, registration_on_skin_cells_q, registration_on_skin_q, registration_patches_q, registration_moved_half_q, registration_moved_q};
-      endcase
+      group_09_q <= (word_q[0] ? frame_cycles_clocks_i : 32'd0)
+        | (word_q[1] ? frame_latency_clocks_i : 32'd0)
+        | (word_q[2] ? frame_tail_clocks_i : 32'd0)
+        | (word_q[3] ? {10'd0, frame_faults_machine_i} : 32'd0)
+        | (word_q[4] ? {9'd0, agreement_unproven_skin_q, agreement_shift_highest_q, agreement_shift_lowest_q, agreement_nearer_above_q, agreement_nearer_below_q, agreement_prove_q} : 32'd0)
+        | (word_q[5] ? {agreement_limits_hidden_q, agreement_limits_unproven_q, agreement_limits_regions_q, agreement_limits_explained_q} : 32'd0)
+        | (word_q[6] ? {24'd0, hidden_frames_q} : 32'd0)
+        | (word_q[7] ? {1'd0, registration_on_skin_cells_q, registration_on_skin_q, registration_patches_q, registration_moved_half_q, registration_moved_q} : 32'd0);
     group_0A_q <= 32'd0;
     if (wanted_q[9])
-      case (word_q)
-        3'h0: group_0A_q <= {epipolar_column_q, epipolar_slope_q};
-        default: group_0A_q <= {epipolar_change_both_q, epipolar_change_row_q};
-      endcase
+      group_0A_q <= (word_q[0] ? {epipolar_column_q, epipolar_slope_q} : 32'd0)
+        | (word_q[1] ? {epipolar_change_both_q, epipolar_change_row_q} : 32'd0);
     group_0C_q <= 32'd0;
     if (wanted_q[10])
-      case (word_q)
-        3'h0: group_0C_q <= {24'd0, one_camera_segments_q};
-        3'h1: group_0C_q <= {24'd0, blind_step_grey_q};
-        3'h2: group_0C_q <= {24'd0, blind_share_of_256_q};
-        3'h3: group_0C_q <= {24'd0, still_limit_frames_q};
-        3'h4: group_0C_q <= {8'd0, frame_hidden_pixels_i};
-        3'h5: group_0C_q <= {8'd0, frame_unproven_pixels_pixels_i};
-        default: group_0C_q <= {26'd0, region_select_region_q};
-      endcase
+      group_0C_q <= (word_q[0] ? {24'd0, one_camera_segments_q} : 32'd0)
+        | (word_q[1] ? {24'd0, blind_step_grey_q} : 32'd0)
+        | (word_q[2] ? {24'd0, blind_share_of_256_q} : 32'd0)
+        | (word_q[3] ? {24'd0, still_limit_frames_q} : 32'd0)
+        | (word_q[4] ? {8'd0, frame_hidden_pixels_i} : 32'd0)
+        | (word_q[5] ? {8'd0, frame_unproven_pixels_pixels_i} : 32'd0)
+        | (word_q[6] ? {26'd0, region_select_region_q} : 32'd0);
     group_0D_q <= 32'd0;
     if (wanted_q[11])
-      case (word_q)
-        3'h0: group_0D_q <= {8'd0, object_limit_pixels_q};
-        3'h1: group_0D_q <= {8'd0, frame_object_pixels_i};
-        3'h2: group_0D_q <= {4'd0, frame_object_columns_i[23:12], 4'd0, frame_object_columns_i[11:0]};
-        3'h3: group_0D_q <= {4'd0, frame_object_rows_i[23:12], 4'd0, frame_object_rows_i[11:0]};
-        3'h4: group_0D_q <= {21'd0, blocks_dim_q, blocks_margin_q, blocks_teach_q, blocks_watch_q};
-        3'h5: group_0D_q <= {8'd0, frame_blind_pixels_i};
-        3'h6: group_0D_q <= {16'd0, taught_frames_i};
-        default: group_0D_q <= frame_object_area_of_1024_i;
-      endcase
-    group_0E_q <= wanted_q[12] ? object_area_limit_of_1024_q : 32'd0;
+      group_0D_q <= (word_q[0] ? {8'd0, object_limit_pixels_q} : 32'd0)
+        | (word_q[1] ? {8'd0, frame_object_pixels_i} : 32'd0)
+        | (word_q[2] ? {4'd0, frame_object_columns_i[23:12], 4'd0, frame_object_columns_i[11:0]} : 32'd0)
+        | (word_q[3] ? {4'd0, frame_object_rows_i[23:12], 4'd0, frame_object_rows_i[11:0]} : 32'd0)
+        | (word_q[4] ? {21'd0, blocks_dim_q, blocks_margin_q, blocks_teach_q, blocks_watch_q} : 32'd0)
+        | (word_q[5] ? {8'd0, frame_blind_pixels_i} : 32'd0)
+        | (word_q[6] ? {16'd0, taught_frames_i} : 32'd0)
+        | (word_q[7] ? frame_object_area_of_1024_i : 32'd0);
+    group_0E_q <= 32'd0;
+    if (wanted_q[12])
+      group_0E_q <= (word_q[0] ? object_area_limit_of_1024_q : 32'd0);
     known_q <= wanted_q != '0;
     memory_known_q <= memory_wanted_q;
     read_data_o <= group_00_q | group_02_q | group_03_q | group_04_q | group_05_q | group_06_q | group_07_q | group_08_q | group_09_q | group_0A_q | group_0C_q | group_0D_q | group_0E_q | (memory_known_q ? memory_word_i : 32'd0);

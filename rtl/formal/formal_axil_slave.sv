@@ -58,6 +58,7 @@ module formal_axil_slave (
   // Registers of the device, joined when the hierarchy is flattened (yosys: hierconn).
   (* hierconn *) wire \dut.have_addr_q ;
   (* hierconn *) wire \dut.have_data_q ;
+  (* hierconn *) wire \dut.accessed_q ;
   (* hierconn *) wire [1:0] \dut.read_q ;
 
   logic past_valid = 1'b0, past_reset = 1'b1;
@@ -98,8 +99,8 @@ module formal_axil_slave (
     if (past_valid) begin
       if (past_reset) assert (!bvalid && !rvalid && !write_valid);
       // Never an answer without its request; the books agree with the slave's state.
-      assert (aw_open == {2'd0, \dut.have_addr_q } + {2'd0, bvalid});
-      assert (w_open == {2'd0, \dut.have_data_q } + {2'd0, bvalid});
+      assert (aw_open == {2'd0, \dut.have_addr_q } + {2'd0, bvalid || \dut.accessed_q });
+      assert (w_open == {2'd0, \dut.have_data_q } + {2'd0, bvalid || \dut.accessed_q });
       assert (ar_open == {2'd0, !arready});
       assert (\dut.read_q <= 2'd2);
       if (bvalid) assert (aw_open != 3'd0 && w_open != 3'd0 && bresp == expected_bresp);
@@ -109,11 +110,12 @@ module formal_axil_slave (
       if (past_r_stall) assert (rvalid && rresp == past_rresp && rdata == past_rdata);
       if (past_access_stall && !past_reset)
         assert (write_valid && write_addr == past_write_addr && write_data == past_write_data);
-      // An access is made once, with what was sent, and answered at once.
-      if (past_write) assert (!write_valid && bvalid);
+      // An access is made once, with what was sent, and answered a clock later.
+      if (past_write) assert (!write_valid && \dut.accessed_q );
+      if (\dut.accessed_q ) assert (!bvalid && past_write);
       if (\dut.have_addr_q ) assert (write_addr == caught_addr);
       if (\dut.have_data_q ) assert (write_data == caught_data);
-      cover (past_write && bvalid && bresp == 2'b10);
+      cover (bvalid && bresp == 2'b10);
       cover (rvalid && rresp == 2'b00 && past_r_stall);
     end
   end

@@ -85,6 +85,8 @@ module formal_map_store (
   (* hierconn *) wire [4:0] \dut.write_addr_q ;
   (* hierconn *) wire \dut.odd_q ;
   (* hierconn *) wire [6:0] \dut.step_q ;
+  (* hierconn *) wire \dut.sized_q ;
+  (* hierconn *) wire \dut.writes_q ;
   (* hierconn *) wire \dut.meets_q ;
   (* hierconn *) wire \dut.overlaps_q ;
   (* hierconn *) wire \dut.bad_size_q ;
@@ -147,6 +149,7 @@ module formal_map_store (
       if (valid[watched]) assert (5'(first) < behind && behind <= 5'd16);
       assert (!\dut.valid_q [15]);
       assert (!(\dut.waiting_q && \dut.take ));
+      if (\dut.take ) assert (\dut.writes_q == (\dut.state_q == DATA || (\dut.state_q == FACTS && \dut.area_next_q )));
       if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.waiting_q && !\dut.take );
       if (data_ready)
         assert (\dut.state_q != SIZE && \dut.state_q != WALK && !\dut.start_q && !\dut.waiting_q && !\dut.take && !\dut.checked_q );
@@ -180,9 +183,10 @@ module formal_map_store (
       end
       if (\dut.state_q == WALK && \dut.step_q >= 7'd1) assert (16'(\dut.write_addr_q ) == \dut.base_q );
       if (\dut.state_q == WALK && \dut.step_q >= 7'd2) assert (!\dut.complete_q );
-      if (\dut.state_q == HEAD3)
-        assert (\dut.end_q == 24'(\dut.base_q ) && \dut.size_q == 24'd0 && \dut.step_q == 7'd0);
-      if (\dut.state_q == HEAD3 || \dut.state_q == SIZE) assert (24'(\dut.spans64_q ) == spans_words);
+      if (\dut.state_q == HEAD3 && \dut.sized_q ) assert (!\dut.waiting_q && !\dut.take && !data_ready);
+      if (\dut.state_q == HEAD3 && !\dut.sized_q ) assert (\dut.end_q == 24'(\dut.base_q ) && \dut.size_q == 24'd0);
+      if (\dut.state_q == HEAD3) assert (\dut.step_q == 7'd0);
+      if ((\dut.state_q == HEAD3 && !\dut.sized_q ) || \dut.state_q == SIZE) assert (24'(\dut.spans64_q ) == spans_words);
       if (\dut.state_q == SIZE && \dut.step_q != 7'd0) assert (24'(\dut.areas64_q ) == (24'(\dut.areas_q ) + 24'd1) / 2);
       if (\dut.state_q >= SIZE) assert (\dut.areas_q <= 12'd4090);
       if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.area_next_q && \dut.facts_q == \dut.areas_q + 12'd5);

@@ -39,17 +39,12 @@ module horopter_ram #(
   end
 
   logic [WORD_BITS-1:0] write_word;
-  logic [WORD_BITS-1:0] out_word;
-  if (PARITY) begin : g_parity
-    assign write_word = {^write_data_i, write_data_i};
-    assign parity_error_o = ^out_word;
-  end else begin : g_no_parity
-    assign write_word = write_data_i;
-    assign parity_error_o = 1'b0;
-  end
-  assign read_data_o = out_word[WIDTH-1:0];
+  logic odd;  // number of ones in the word read
+  assign write_word = WORD_BITS'({^write_data_i, write_data_i});
+  assign parity_error_o = PARITY && odd;
 
   if (!(FAST && OUTPUT_REGISTER)) begin : g_one
+    logic [WORD_BITS-1:0] out_word;
     horopter_ram_bank #(
         .WIDTH(WORD_BITS),
         .DEPTH(DEPTH),
@@ -63,6 +58,8 @@ module horopter_ram #(
         .read_addr_i(read_addr_i),
         .read_data_o(out_word)
     );
+    assign read_data_o = out_word[WIDTH-1:0];
+    assign odd = ^out_word;
   end else begin : g_banks
     // The deep banks come first, so a bank's number follows from the upper bits of the address.
     function automatic [BANK_BITS-1:0] bank_of(input [ADDR_BITS-1:0] addr);
@@ -90,7 +87,8 @@ module horopter_ram #(
       if (read_en_q) read_bank_q <= bank_of(read_addr_q);
       read_bank_q2 <= read_bank_q;
       group_words_q <= group_words;
-      out_word <= chosen_word;
+      read_data_o <= chosen_word[WIDTH-1:0];
+      odd <= ^chosen_word;
     end
     for (genvar g = 0; g < GROUPS; g++) begin : g_group
       localparam int unsigned COUNT = g < GROUPS - 1 ? GROUP_BANKS : LAST_BANKS;

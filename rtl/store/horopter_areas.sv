@@ -4,7 +4,8 @@
 // clock, while the raster generator waits; and found for each pixel of the result.
 //
 // begin_i: one clock; 3 clocks later the table's entry is there, and stays. It has areas_i words of areas, in the pool's
-// words64 before base_i, even bank first. busy_o: from then on until all is stored; nothing else may read the pool then.
+// words64 before base_i, even bank first. busy_o: from the clock after begin_i on until all is stored; nothing else may
+// read the pool then.
 // The pool's words come READ clocks after their addresses. Without a table, and where it has no word, the code is the one
 // of an area that is not known.
 //
@@ -62,14 +63,15 @@ module horopter_areas #(
   logic [31:0] word_q;
   assign read_o = reading_q && left_q != 12'd0;
   assign addr_o = addr_q;
-  assign busy_o = begin_i || begin_q != '0 || reading_q || valid_q != '0 || write_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       begin_q <= '0;
       reading_q <= 1'b0;
       valid_q <= '0;
       write_q <= 1'b0;
+      busy_o <= 1'b0;
     end else begin
+      busy_o <= begin_i || begin_q != '0 || reading_q || valid_q != '0 || write_q;
       begin_q <= {begin_q[2:1], begin_i};
       reading_q <= begin_q[3] || (read_o && read_word_q != '1);
       valid_q <= {valid_q[READ-1:1], read_o};

@@ -207,19 +207,33 @@ module horopter_frame_control (
   end
 
   horopter_csr_pkg::faults_t faults0_q, faults1_q, event_q, total_q, read_faults, unchecked;
+  logic [1:0] incomplete_q;  // an image of the record, as of the clock before
   logic [1:0] bad_q;  // by record
-  logic found_q, others_bad_q, faulty_q;  // faulty_q: total_q has a fault
+  logic found_q, others_bad_q;
+  // Whether fault_set_o, total_q have a fault: by groups of their bits, as one bit would come from too many.
+  localparam int unsigned FAULTS = $bits(fault_set_o);
+  localparam int unsigned FAULT_GROUPS = (FAULTS + 7) / 8;
+  function automatic [FAULT_GROUPS-1:0] groups_of(input horopter_csr_pkg::faults_t faults);
+    for (int unsigned i = 0; i < FAULT_GROUPS; i++) groups_of[i] = 8'(FAULTS'(faults) >> (8 * i)) != 8'd0;
+  endfunction
+  logic [FAULT_GROUPS-1:0] set_q;
+  logic [FAULT_GROUPS:0] faulty_q;  // the highest: what is unchecked
+  logic told_q;  // publish_q told of a fault of the frame as a whole
+  logic set_now;  // fault_set_o has a fault
+  assign set_now = set_q != '0 || told_q;
+  horopter_csr_pkg::faults_t fault_set;
+  assign fault_set = set_record0 | set_record1 | set_event | transient_q;
   assign read_faults = (read_slot_i ? faults1_q : faults0_q) | event_q;
   // A frame without its image checks or without all its rows, and without a fault of a camera's stream that explains it,
   // was not checked: not safe.
   always_comb begin
     unchecked = '0;
     unchecked.machine.internal = !read_faults.machine.skew
-        && ((!(left_checked_q[read_slot_i] && whole_i[0]) && read_faults.left.stream == '0)
-            || (!(right_checked_q[read_slot_i] && whole_i[1]) && read_faults.right.stream == '0));
+        && ((incomplete_q[0] && read_faults.left.stream == '0) || (incomplete_q[1] && read_faults.right.stream == '0));
     unchecked.machine.overlooked = overlooked_q && !(alarm_q || object_alarm_q);  // with an alarm it is none
   end
   always_ff @(posedge clk_i) begin
+    incomplete_q <= ~({right_checked_q[read_slot_i], left_checked_q[read_slot_i]} & whole_i);
     if (!rst_ni) begin
       faults0_q <= '0;
       faults1_q <= '0;
@@ -231,7 +245,9 @@ module horopter_frame_control (
       bad_q <= 2'b00;
       others_bad_q <= 1'b0;
       total_q <= '0;
-      faulty_q <= 1'b0;
+      faulty_q <= '0;
+      set_q <= '0;
+      told_q <= 1'b0;
     end else begin
       faults0_q <= (open_q && !open_slot_q ? '0 : faults0_q) | set_record0;
       faults1_q <= (open_q && open_slot_q ? '0 : faults1_q) | set_record1;
@@ -243,12 +259,14 @@ module horopter_frame_control (
       if (health_valid_i[0]) left_checked_q[left_slot_q] <= 1'b1;
       if (health_valid_i[1]) right_checked_q[right_slot_q] <= 1'b1;
       if (publishing) total_q <= read_faults | unchecked;
-      if (publishing) faulty_q <= (read_faults | unchecked) != '0;
-      fault_set_o <= set_record0 | set_record1 | set_event | transient_q;
+      if (publishing) faulty_q <= {unchecked != '0, groups_of(read_faults)};
+      fault_set_o <= fault_set;
+      set_q <= groups_of(fault_set);
+      told_q <= publish_q && (total_q.machine.internal || total_q.machine.overlooked);
       if (publish_q && total_q.machine.internal) fault_set_o.machine.internal <= 1'b1;
       if (publish_q && total_q.machine.overlooked) fault_set_o.machine.overlooked <= 1'b1;
-      found_q <= fault_set_o != '0;
-      // Until this has followed a fault, fault_set_o and found_q tell of it.
+      found_q <= set_now;
+      // Until this has followed a fault, set_now and found_q tell of it.
       bad_q <= {faults1_q != '0, faults0_q != '0};
       others_bad_q <= bad_q[!read_slot_i] && busy_i[!read_slot_i];
     end
@@ -264,7 +282,7 @@ module horopter_frame_control (
   logic [23:0] skin_q, undecidable_q, unsupervised_q, misses_q;
   logic good, seen, counts, passes;  // a frame that shows an alarm may be one of too few
   assign seen = alarm_q || object_alarm_q;
-  assign good = !faulty_q && !(seen && counts) && table_ok_i;
+  assign good = faulty_q == '0 && !(seen && counts) && table_ok_i;
   always_ff @(posedge clk_i) begin
     publish_q <= 1'b0;
     publish_o <= 1'b0;
@@ -393,9 +411,9 @@ module horopter_frame_control (
   logic [2:0] object_now_q;
   always_ff @(posedge clk_i) object_now_q <= rst_ni ? {object_now_q[1:0], object_alarm_i && counts} : 3'b000;
   logic bad_now;
-  assign bad_now = found_q || object_now_q[2:1] != 2'b00 || fault_set_o != '0 || (late_o && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
+  assign bad_now = found_q || object_now_q[2:1] != 2'b00 || set_now || (late_o && !publish_q) || silent_i != 2'b00 || !safe_allowed_i;
   logic good_before_q, bad_before_q;  // the frame published before, and all since
-  // Of a fault between the picture and this clock fault_set_o tells.
+  // Of a fault between the picture and this clock set_now tells.
   logic good_frame, bad_frame;
   assign good_frame = good && !others_bad_q;
   assign bad_frame = total_q != '0 || ((alarm_q || object_alarm_q) && !passes) || !table_ok_i || others_bad_q;

@@ -45,7 +45,7 @@ module horopter_framer #(
     output logic                 far_o,  // more than 64 px into the frame
     output logic                 deep_o,  // at least 3 / 2 EXTRA_LINES rows into the frame
     output logic                 silent_o,  // for the timeout
-    output logic                 pausing_o,  // live: for longer than any pause within a frame
+    output logic                 gone_o,  // it is silent, or, live, pauses for longer than any pause within a frame
     // into the store
     input  logic [  SLOT_BITS:0] keep_i,  // rows before this one (counted as stored_o) are no longer needed
     output logic [  SLOT_BITS:0] stored_o,  // complete rows so far, modulo twice the ring's or a little more
@@ -125,16 +125,18 @@ module horopter_framer #(
   // start of frame, so that the result keeps up with the other camera.
   logic [13:0] pause_q;
   logic [14:0] next_pause;
-  logic pausing_q;
+  logic pausing_q, gone_q;
   assign next_pause = {1'b0, heard_q ? {width_i, 2'b00} : pause_q} + {15{!heard_q}};
   always_ff @(posedge clk_i) begin
     pause_q <= next_pause[13:0];
     pausing_q <= rst_ni && !s_valid_i && (pausing_q || (live_i && next_pause[14]));
+    gone_q <= rst_ni && !s_valid_i
+        && ((!patience_i && (silent_q || out_of_patience)) || pausing_q || (live_i && next_pause[14]));
   end
-  assign pausing_o = pausing_q;
+  assign gone_o = gone_q;
 
   // What the head of the stream means in a frame.
-  logic in_frame, early, take, at_end, complete, last_row, overflow, ends_early, gone;
+  logic in_frame, early, take, at_end, complete, last_row, overflow, ends_early;
   assign in_frame = state_q == LINE || state_q == SKIP;
   assign early = in_frame && s_valid_i && s_first_i && !fresh_q;
   assign overflow = state_q == LINE && blocked_q && live_i && almost_full_i;
@@ -142,8 +144,7 @@ module horopter_framer #(
   assign at_end = row_end_q;
   assign complete = take && (s_last_i || at_end);
   assign last_row = last_row_q;
-  assign gone = silent_q || pausing_q;
-  assign ends_early = in_frame && (early || overflow || cut_i || gone);
+  assign ends_early = in_frame && (early || overflow || cut_i || gone_q);
 
   // A start of frame waits for its grant, or is dropped; what comes between frames, or is too much of a row, goes.
   assign s_ready_o = state_q == LINE ? !blocked_q && (fresh_q || !s_first_i) : drop_q || !s_first_i;
@@ -269,7 +270,7 @@ module horopter_framer #(
       // A frame cut short: by a new start of frame, or by what makes the rest of it worthless.
       if (ends_early) begin
         frame_done_o <= 1'b1;
-        missing_line_o <= early || (gone && !s_valid_i && !silent_q);
+        missing_line_o <= early || (gone_q && !s_valid_i && !silent_q);
         overflow_o <= overflow && !early;
         lost_silent_o <= silent_q && !s_valid_i;
         state_q <= early ? START : WAIT;

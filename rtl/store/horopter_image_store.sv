@@ -282,10 +282,12 @@ module horopter_image_store #(
     // Requests for the next row end long after the answers for this one, so that what was said of it then still holds.
     logic [SLOT_BITS:0] keep_rows_q, keep_base_q;  // modulo, within a ring's rows of rows_i
     logic row_asked, row_read, last_row_q, past_back_q, passes_q;
+    logic [11:0] height_less_1_q;
     assign row_asked = valid_i && last_i && live_i;
     assign row_read = valid_q[8] && last_q[8] && live_q[8];
     always_ff @(posedge clk_i) begin
-      if (row_asked) last_row_q <= 12'(row_q) == height_i - 12'd1;
+      height_less_1_q <= height_i - 12'd1;
+      if (row_asked) last_row_q <= 12'(row_q) == height_less_1_q;
       if (begin_i) past_back_q <= 1'b0;
       else if (row_asked && row_q[INDEX_BITS-1:0] == INDEX_BITS'(BACK)) past_back_q <= 1'b1;  // the first of those
       passes_q <= past_back_q && keep_rows_q != rows_i[SLOT_BITS:0];

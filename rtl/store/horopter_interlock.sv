@@ -29,11 +29,12 @@ module horopter_interlock (
   always_ff @(posedge clk_i) restart_q <= {restart_q[1:0], restart_i};
 
   logic [7:0] held_frames_q;  // published while it was pressed; 0 where the pin is not asked
-  logic pressed, request, let_go, bad;
+  logic pressed, request, let_go;
+  logic bad_q;  // of the clock before: what this takes back leads to nothing in that one clock, as safe_o asks for itself
   logic spoiled_q;  // something was wrong during this press; after reset until the button is let go
   assign pressed = restart_q[1];
   assign let_go = !pressed && !restart_q[2];
-  assign bad = bad_now_i || (published_i && !good_i);
+  always_ff @(posedge clk_i) bad_q <= bad_now_i || (published_i && !good_i);
   assign request = (restart_q[2] && !pressed && held_frames_q != 8'd0 && !stuck_o && !spoiled_q)
       || (settings_i.by_register && restart_written_i);
   assign stuck_o = held_frames_q == 8'hFF;
@@ -43,25 +44,25 @@ module horopter_interlock (
   end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) spoiled_q <= 1'b1;
-    else spoiled_q <= !let_go && (spoiled_q || bad);
+    else spoiled_q <= !let_go && (spoiled_q || bad_q);
   end
 
   logic [3:0] good_frames_q;
   logic enough;
   assign enough = good_frames_q != 4'd0 && good_frames_q >= settings_i.frames;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || bad) good_frames_q <= 4'd0;
+    if (!rst_ni || bad_q) good_frames_q <= 4'd0;
     else if (published_i && good_frames_q != 4'hF) good_frames_q <= good_frames_q + 4'd1;
   end
 
   logic released_q = 1'b0, held_q = 1'b1;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || bad) released_q <= 1'b0;
+    if (!rst_ni || bad_q) released_q <= 1'b0;
     else if (request && enough) released_q <= 1'b1;
   end
   // The same, said the other way round and stored again.
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || bad) held_q <= 1'b1;
+    if (!rst_ni || bad_q) held_q <= 1'b1;
     else if (request && enough) held_q <= 1'b0;
   end
   assign released_o = released_q || settings_i.by_itself;

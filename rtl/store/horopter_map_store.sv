@@ -306,6 +306,7 @@ module horopter_map_store #(
 
   // What the states work with; none of it needs a reset, a start sets the state that sets it.
   logic halve_x_q, halve_y_q;  // this place of the shifts counts
+  logic sized_q;  // the image's size came in the clock before
   logic [6:0] next_step;
   assign next_step = state_q == SIZE ? step_q + 7'd1 : 7'd0;
   always_ff @(posedge clk_i) begin
@@ -343,12 +344,7 @@ module horopter_map_store #(
       if (take) begin
         width_q <= data[11:0];
         height_q <= data[27:16];
-        if (data[15:12] != 4'd0 || data[31:28] != 4'd0 || data[11:0] == 12'd0 || data[27:16] == 12'd0) consistent_q <= 1'b0;
-        cells_x_q <= data[11:0] - 12'd1;
-        cells_y_q <= data[27:16] - 12'd1;
-        size_q <= 24'd0;
-        spans64_q <= spans_q ? 12'(data[27:17]) + 12'(data[16]) : 12'd0;
-        end_q <= 24'(base_q);
+        if (data[15:12] != 4'd0 || data[31:28] != 4'd0) consistent_q <= 1'b0;
         step_q <= 7'd0;
       end
 
@@ -402,6 +398,16 @@ module horopter_map_store #(
 
       default: ;
     endcase
+    // Words are more than two clocks apart.
+    sized_q <= state_q == HEAD2 && take;
+    if (sized_q) begin
+      if (width_q == 12'd0 || height_q == 12'd0) consistent_q <= 1'b0;
+      cells_x_q <= width_q - 12'd1;
+      cells_y_q <= height_q - 12'd1;
+      size_q <= 24'd0;
+      spans64_q <= spans_q ? 12'(height_q[11:1]) + 12'(height_q[0]) : 12'd0;
+      end_q <= 24'(base_q);
+    end
   end
   assign busy_o = state_q != IDLE || start_q || waiting_q || take;
   assign valid_o = valid_q[14:0];
@@ -504,7 +510,7 @@ module horopter_map_store #(
       .WIDTH(32)
   ) u_crc_guard (
       .clk_i(clk_i),
-      .written_i(looked_up_q),
+      .write_i(lookup_q),
       .value_i(table_crc_o),
       .error_o(guard_error[0])
   );
@@ -512,14 +518,16 @@ module horopter_map_store #(
       .WIDTH(ADDR_BITS + 31)
   ) u_geometry_guard (
       .clk_i(clk_i),
-      .written_i(looked_up_q),
+      .write_i(lookup_q),
       .value_i({table_base_o, table_nx_o, table_ny_o, table_columns_o, table_spans_o, table_areas_o}),
       .error_o(guard_error[1])
   );
 
   // --- pool ---
   logic write, write_even, write_odd, even_error, odd_error;
-  assign write = take && (state_q == DATA || (state_q == FACTS && area_next_q));
+  logic writes_q;  // as of the clock before: the state changes more than two clocks before the next word
+  always_ff @(posedge clk_i) writes_q <= state_q == DATA || (state_q == FACTS && area_next_q);
+  assign write = take && writes_q;
   assign write_even = write && !odd_q;
   assign write_odd = write && odd_q;
   horopter_ram #(

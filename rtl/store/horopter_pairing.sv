@@ -36,7 +36,7 @@ module horopter_pairing #(
     input  logic [          1:0] far_i,
     input  logic [          1:0] deep_i,
     input  logic [          1:0] silent_i,
-    input  logic [          1:0] pausing_i,
+    input  logic [          1:0] gone_i,
     input  logic [          1:0] broken_i,  // the framer has found the frames of its camera broken
     input  logic [          1:0] row_done_i,
     input  logic [          1:0] frame_done_i,
@@ -148,8 +148,8 @@ module horopter_pairing #(
         if (absent[c]) begin
           joined_q[c] <= 1'b1;
           ended_q[c] <= 1'b1;
-          lost_silent_o[c] <= silent_i[c] || pausing_i[c];
-          if (!silent_i[c] && !pausing_i[c]) skew_o <= 1'b1;
+          lost_silent_o[c] <= gone_i[c];
+          if (!gone_i[c]) skew_o <= 1'b1;
         end
         // Live: the other camera's next frame is here and this one is still in the last.
         if (live_i && open_q && joined_q[c] && !ended_q[c] && !frame_done_i[c] && !cut_q[c] && urgent_q[1-c]

@@ -90,20 +90,23 @@ module horopter_output #(
 
   // Runs cover their rows, so that the ends tell row and start of each.
   logic [ROW_BITS-1:0] out_row_q;
-  logic [ROW_BITS-1:0] last_row_q;
+  logic [ROW_BITS-1:0] before_last_row_q;
+  logic last_row_q;  // of the result, which has more than one: out_row_q is that, decided with it
   logic [COLUMN_BITS-1:0] out_run_start_q, out_run_end, last_column_q;
   logic [1:0] out_run_state;
   logic out_row_ends;
   always_ff @(posedge clk_i) begin
     last_column_q <= COLUMN_BITS'(result_width_i - 1'b1);
-    last_row_q <= ROW_BITS'(result_height_i - 1'b1);
+    before_last_row_q <= ROW_BITS'(result_height_i - HEIGHT_BITS'(2));
     if (!core_rst_ni) begin
       out_row_q <= '0;
+      last_row_q <= 1'b0;
       out_run_start_q <= '0;
     end else if (out_run_valid && out_run_ready) begin
       out_run_start_q <= out_row_ends ? '0 : out_run_end + 1'b1;
       if (out_run_last) out_row_q <= '0;
       else if (out_row_ends) out_row_q <= out_row_q + 1'b1;
+      last_row_q <= !out_run_last && (out_row_ends ? out_row_q == before_last_row_q : last_row_q);
     end
   end
   logic written_run;
@@ -134,7 +137,7 @@ module horopter_output #(
       .overflow_o(overflow_o[1])
   );
   assign runs_end_o = out_run_valid && out_run_ready && out_run_last;
-  assign rows_error_o = runs_end_o && (!out_row_ends || out_row_q != last_row_q);
+  assign rows_error_o = runs_end_o && (!out_row_ends || !last_row_q);
   logic [ROW_BITS-1:0] sent_row;
   logic [COLUMN_BITS-1:0] sent_start, sent_end;
   logic [1:0] sent_state;

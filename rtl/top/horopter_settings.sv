@@ -111,7 +111,7 @@ module horopter_settings #(
     unsupervised_limit_o <= expected_q < unsupervised_set ? expected_q : unsupervised_set;
   end
 
-  // Both groups, in words, are guarded from the clock on in which they have their new values.
+  // Both groups are guarded, in words.
   localparam int unsigned OPEN_BITS = 32 + 2 * PIXEL_BITS;
   localparam int unsigned BEGIN_BITS = 2 * SUM_BITS + TEXTURE_BITS + 3 * COUNT_BITS + $bits(agreement_o)
       + $bits(agreement_limits_o) + $bits(blocks_o) + 8 + $bits(registration_o)
@@ -123,7 +123,6 @@ module horopter_settings #(
   logic [32*BEGIN_WORDS-1:0] begun;
   logic [OPEN_WORDS-1:0] open_error;
   logic [BEGIN_WORDS-1:0] begin_error;
-  logic opened_q, begun_q;
   assign opened = (32 * OPEN_WORDS)'({
       black_level_o, white_level_o, constant_limit_o, frozen_limit_o, black_limit_o, white_limit_o});
   assign begun = (32 * BEGIN_WORDS)'({
@@ -135,7 +134,7 @@ module horopter_settings #(
         .WIDTH(32)
     ) u_guard (
         .clk_i(clk_i),
-        .written_i(opened_q),
+        .write_i(open_i || !rst_ni),
         .value_i(opened[32*w+:32]),
         .error_o(open_error[w])
     );
@@ -145,14 +144,12 @@ module horopter_settings #(
         .WIDTH(32)
     ) u_guard (
         .clk_i(clk_i),
-        .written_i(begun_q),
+        .write_i(begin_i || !rst_ni),
         .value_i(begun[32*w+:32]),
         .error_o(begin_error[w])
     );
   end
   always_ff @(posedge clk_i) begin
-    opened_q <= open_i || !rst_ni;
-    begun_q <= begin_i || !rst_ni;
     changed_o <= rst_ni && (open_error != '0 || begin_error != '0);
   end
 

@@ -454,7 +454,7 @@ module horopter_top #(
 
   // ------------------------------------------------------------------------------------------------ cameras in
   // Index 0 = left, 1 = right.
-  logic [1:0] room, start, start_empty, urgent, grant, deny, cut, near, far, deep, pausing, pair_silent, frame_ended;
+  logic [1:0] room, start, start_empty, urgent, grant, deny, cut, near, far, deep, gone, pair_silent, frame_ended;
   logic [1:0] write_en, row_done, row_bad, silence, health_end, health_valid;
   logic [11:0] left_write_x, right_write_x;
   logic [LEFT_BITS:0] left_stored, left_keep;
@@ -511,7 +511,7 @@ module horopter_top #(
       .far_o(far[0]),
       .deep_o(deep[0]),
       .silent_o(silent[0]),
-      .pausing_o(pausing[0]),
+      .gone_o(gone[0]),
       .frame_done_o(frame_ended[0]),
       .lost_silent_i(pair_silent[0]),
       .keep_i(left_keep),
@@ -572,7 +572,7 @@ module horopter_top #(
       .far_o(far[1]),
       .deep_o(deep[1]),
       .silent_o(silent[1]),
-      .pausing_o(pausing[1]),
+      .gone_o(gone[1]),
       .frame_done_o(frame_ended[1]),
       .lost_silent_i(pair_silent[1]),
       .keep_i(right_keep),
@@ -620,7 +620,7 @@ module horopter_top #(
       .far_i(far),
       .deep_i(deep),
       .silent_i(silent),
-      .pausing_i(pausing),
+      .gone_i(gone),
       .broken_i({right_stream != '0, left_stream != '0}),
       .row_done_i(row_done),
       .frame_done_i(frame_ended),
@@ -925,7 +925,7 @@ module horopter_top #(
       .WIDTH(2 * RING_BITS + 1)
   ) u_right_base_guard (
       .clk_i(clk_i),
-      .written_i(!frame_active),
+      .write_i(!frame_active),
       .value_i({right_base, right_base_slot}),
       .error_o(place_error[1])
   );
