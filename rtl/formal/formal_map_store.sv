@@ -87,6 +87,7 @@ module formal_map_store (
   (* hierconn *) wire [6:0] \dut.step_q ;
   (* hierconn *) wire \dut.sized_q ;
   (* hierconn *) wire \dut.writes_q ;
+  (* hierconn *) wire \dut.last_fact_q ;
   (* hierconn *) wire \dut.meets_q ;
   (* hierconn *) wire \dut.overlaps_q ;
   (* hierconn *) wire \dut.bad_size_q ;
@@ -195,6 +196,7 @@ module formal_map_store (
         assert (\dut.area_next_q == (\dut.facts_q <= \dut.areas_q ));
         assert (16'(\dut.write_addr_q ) == \dut.base_q + 16'(areas_written[11:1]) && \dut.odd_q == areas_written[0]);
         assert (!\dut.complete_q );
+        if (\dut.take ) assert (\dut.last_fact_q == (\dut.facts_q == 12'd1));
       end
       if (\dut.state_q == WALK && \dut.step_q >= 7'd1) assert (!\dut.odd_q );
       if (\dut.state_q > WALK && valid[watched]) assert (apart);

@@ -280,12 +280,14 @@ module horopter_frame_control (
   assign arrived_time = read_slot_i ? arrived_time1_q : arrived_time0_q;
   logic state_first_q, first_seen_q;
   logic [23:0] skin_q, undecidable_q, unsupervised_q, misses_q;
+  logic [31:0] next_sequence_q;
   logic good, seen, counts, passes;  // a frame that shows an alarm may be one of too few
   assign seen = alarm_q || object_alarm_q;
   assign good = faulty_q == '0 && !(seen && counts) && table_ok_i;
   always_ff @(posedge clk_i) begin
     publish_q <= 1'b0;
     publish_o <= 1'b0;
+    next_sequence_q <= frame_sequence_o + 32'd1;
     frame_done_o <= 1'b0;
     state_first_q <= state_first_i;
     if (state_first_q && !first_seen_q) first_time_q <= time_q;
@@ -359,7 +361,7 @@ module horopter_frame_control (
         publish_o <= 1'b1;
         frame_done_o <= 1'b1;
         heartbeat_o <= !heartbeat_o;
-        frame_sequence_o <= frame_sequence_o + 32'd1;
+        frame_sequence_o <= next_sequence_q;
         frame_seen_o <= seen;
         frame_alarm_o <= seen && !good;
         frame_safe_o <= good;
@@ -387,8 +389,10 @@ module horopter_frame_control (
     else if (publish_q) forget_o <= teaching_i && (beside_teaching != '0 || seen);
   end
 
+  logic no_table_q;  // the frame's table does not change before it is published
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || (publish_q && !table_ok_i)) frame_table_crc_o <= 32'd0;
+    no_table_q <= !table_ok_i;
+    if (!rst_ni || (publish_q && no_table_q)) frame_table_crc_o <= 32'd0;
     else if (publish_q) frame_table_crc_o <= table_crc_i;
   end
 

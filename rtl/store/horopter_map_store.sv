@@ -16,7 +16,7 @@
 // Directory: lookup_i for one clock asks for lookup_slot_i; from two clocks later on the table_* outputs tell,
 // until the next lookup. table_ok_o: it was valid, and made for this width and height. table_error_o: what they tell is
 // not what was stored (parity).
-// data_ready_o falls for 6 clocks after each word, in which its bytes go through the CRC, and for some 80 after the
+// data_ready_o falls for 7 clocks after each word, in which its bytes go through the CRC, and for some 80 after the
 // fourth. busy_o: an upload or a word of one is under way, error_o may still change. Reset: all slots invalid.
 module horopter_map_store #(
     parameter int unsigned POOL_BYTES = 81920,
@@ -117,6 +117,7 @@ module horopter_map_store #(
   logic [15:0] base_q;
   logic [31:0] crc_q;
   logic [11:0] facts_q;  // words of facts that are still to come
+  logic last_fact_q;  // one is; as of the clock before
   logic [11:0] areas_q;  // words of areas among them at first
   logic area_next_q;  // the next word of facts is one of these
   logic [11:0] areas64_q, spans64_q;  // words64 of them, of spans, a clock later
@@ -136,9 +137,10 @@ module horopter_map_store #(
 
   // A word turns once through the CRC, byte by byte, then it is taken.
   logic [31:0] data;
-  logic [3:0] byte_q;  // one-hot: bytes that are through
+  logic [4:0] byte_q;  // one-hot: bytes that are through; after the fourth the word waits a clock, and is compared
   logic start_q, waiting_q, take, slot_in_use_q, store_entry;  // a start counts a clock later
   logic checked_q, right_q;  // the last word was taken in the clock before, and was the CRC
+  logic first_bad_q, count_bad_q;  // as the first word, as that with the number of facts it is not possible
   logic data_ready_q;  // of the clock before: later than need be, never too early
   assign data_ready_o = data_ready_q;
   assign start_ready_o = 1'b1;
@@ -152,16 +154,18 @@ module horopter_map_store #(
     if (!rst_ni || start_q) begin
       waiting_q <= 1'b0;
     end else if (waiting_q) begin
-      waiting_q <= !byte_q[3];
-      take <= byte_q[3];
+      waiting_q <= !byte_q[4];
+      take <= byte_q[4];
     end else begin
       waiting_q <= data_valid_i && data_ready_o;
     end
-    byte_q <= waiting_q ? {byte_q[2:0], 1'b0} : 4'd1;
-    if (waiting_q) data <= {data[7:0], data[31:8]};
+    byte_q <= waiting_q ? {byte_q[3:0], 1'b0} : 5'd1;
+    if (waiting_q && !byte_q[4]) data <= {data[7:0], data[31:8]};
     else if (data_valid_i && data_ready_o) data <= data_i;
     if (start_q) crc_q <= 32'hFFFFFFFF;
-    else if (waiting_q) crc_q <= crc_byte(crc_q, data[7:0]);
+    else if (waiting_q && !byte_q[4]) crc_q <= crc_byte(crc_q, data[7:0]);
+    first_bad_q <= data[31:8] != FIRST_WORD || data[3] || data[6:4] > LARGEST_SPACING || data[2:0] > LARGEST_SPACING;
+    count_bad_q <= data[11:0] < FEWEST_FACTS || (data[11:0] != FEWEST_FACTS) != data[16];
   end
   // As of the clock of a start: slot_i and the selection do not change then nor in the next, and the active slot can only
   // become the selected one.
@@ -236,7 +240,7 @@ module horopter_map_store #(
       case (state_q)
         HEAD0:
         if (take) begin
-          if (data[31:8] != FIRST_WORD || data[3] || data[6:4] > LARGEST_SPACING || data[2:0] > LARGEST_SPACING) begin
+          if (first_bad_q) begin
             state_q <= IDLE;
             error_o <= BAD_HEADER;
             bad_upload_o <= 1'b1;
@@ -251,7 +255,7 @@ module horopter_map_store #(
 
         HEAD3:
         if (take) begin
-          if (data[11:0] < FEWEST_FACTS || (data[11:0] != FEWEST_FACTS) != data[16]) begin
+          if (count_bad_q) begin
             state_q <= IDLE;
             error_o <= BAD_HEADER;
             bad_upload_o <= 1'b1;
@@ -283,7 +287,7 @@ module horopter_map_store #(
           end
         end
 
-        FACTS: if (take && facts_q == 12'd1) state_q <= DATA;
+        FACTS: if (take && last_fact_q) state_q <= DATA;
 
         DATA: if (complete_q) state_q <= CHECK;  // words are more than two clocks apart
 
@@ -325,6 +329,7 @@ module horopter_map_store #(
     areas64_q <= 12'((13'(areas_q) + 13'd1) >> 1);
     spans_base_q <= base_q[ADDR_BITS-1:0] + ADDR_BITS'(areas64_q);
     complete_q <= write_addr_q == end_addr;
+    last_fact_q <= facts_q == 12'd1;
     case (state_q)
       HEAD0:
       if (take) begin
@@ -384,8 +389,8 @@ module horopter_map_store #(
         facts_q <= facts_q - 12'd1;
         fact_q <= {fact_q[2:0], 1'b0};
         area_next_q <= area_next_q || facts_q == areas_q + 12'd1;
-        if (area_next_q) odd_q <= !odd_q && facts_q != 12'd1;
-        if (area_next_q && (odd_q || facts_q == 12'd1)) write_addr_q <= write_addr_q + 1'b1;
+        if (area_next_q) odd_q <= !odd_q && !last_fact_q;
+        if (area_next_q && (odd_q || last_fact_q)) write_addr_q <= write_addr_q + 1'b1;
         if (fact_q[2]) unsupervised_q[23:0] <= data[23:0];
         if (fact_q[3]) unsupervised_q[47:24] <= data[23:0];
       end

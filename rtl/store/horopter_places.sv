@@ -161,6 +161,10 @@ module horopter_places #(
       .exists_o(odd_exists),
       .of_skin_o(odd_of_skin)
   );
+  // The table is there clocks before the first beat: what comes from far away takes one of them.
+  logic [2:0] spacing_x_log2, nx_q;
+  always_ff @(posedge clk_i) nx_q <= table_nx_i;
+  assign spacing_x_log2 = FAST ? nx_q : table_nx_i;
   horopter_map_expand u_map_expand (
       .clk_i(clk_i),
       .rst_ni(rst_ni),
@@ -182,7 +186,7 @@ module horopter_places #(
       .marks_first_i(beat_first),
       .marks_last_i(beat_last),
       .marks_live_i(beat_live),
-      .cfg_spacing_x_log2_i(table_nx_i),
+      .cfg_spacing_x_log2_i(spacing_x_log2),
       .valid_o(valid_o),
       .x_o(x_o),
       .y_o(y_o),

@@ -35,7 +35,6 @@ module horopter_agreement_result #(
   logic [COUNT_BITS-1:0] hidden_q, unproven_q;
   // A skin behind everything is hidden almost everywhere: too little is decided for a frame that is safe.
   logic [COUNT_BITS:0] limit_q;
-  assign too_undecidable_o = {1'b0, undecidable_o} > limit_q;
   always_ff @(posedge clk_i) begin
     if (word_valid_i) words[index_i] <= prove_i ? word_i : '0;
     index_q <= read_addr_i[7] ? region_select_i : {2'b11, read_addr_i[5:2]};
@@ -43,6 +42,8 @@ module horopter_agreement_result #(
     limit_q <= {1'b0, undecidable_limit_i} + {1'b0, undecidable_limit_i >> 3} + {1'b0, undecidable_limit_i >> 4};
     if (state_valid_i) begin
       undecidable_o <= (state_first_i ? '0 : undecidable_o) + COUNT_BITS'(undecidable_i);
+      too_undecidable_o <= (!state_first_i && too_undecidable_o)
+          || (undecidable_i && {1'b0, state_first_i ? '0 : undecidable_o} == limit_q);
       hidden_q <= (state_first_i ? '0 : hidden_q) + COUNT_BITS'(hidden_i);
       unproven_q <= (state_first_i ? '0 : unproven_q) + COUNT_BITS'(unproven_pixel_i);
     end
