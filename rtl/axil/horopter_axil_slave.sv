@@ -3,9 +3,11 @@
 //
 // Address and data of a write may come in either order. One write and one read at a time, each answered after its
 // access; awready, wready and arready come from registers and do not wait for valid. A write access (write_valid_o) is
-// held until write_ready_i, and answered a clock later, when the registers have what was written. The data of a read is taken READ_CLOCKS after its address.
+// held until write_ready_i. It is answered a clock later: then the register has what was written, and the next access may
+// come. The data of a read is taken READ_CLOCKS after its address.
 // An access is to a register of four bytes, whichever of its bytes the address names: read_addr_o and write_addr_o are
-// multiples of 4, the strobes say which bytes are written. write_error_i, read_error_i become SLVERR. awprot and arprot are ignored. Reset: idle, what was under way is dropped.
+// multiples of 4, the strobes say which bytes are written. write_error_i, read_error_i become SLVERR. awprot and arprot are
+// ignored. Reset: idle, what was under way is dropped.
 module horopter_axil_slave #(
     parameter int unsigned ADDR_BITS = 12,
     parameter int unsigned READ_CLOCKS = 3
@@ -66,10 +68,10 @@ module horopter_axil_slave #(
       accessed_q <= write_valid_o && write_ready_i;
       if (accessed_q) bvalid_q <= 1'b1;
       else if (s_axil_bready) bvalid_q <= 1'b0;
-      if (write_valid_o && write_ready_i) begin
+      if (write_valid_o && write_ready_i) bresp_q <= write_error_i ? SLVERR : OKAY;
+      if (accessed_q) begin
         have_addr_q <= 1'b0;
         have_data_q <= 1'b0;
-        bresp_q <= write_error_i ? SLVERR : OKAY;
       end else begin
         if (s_axil_awvalid) have_addr_q <= 1'b1;
         if (s_axil_wvalid) have_data_q <= 1'b1;

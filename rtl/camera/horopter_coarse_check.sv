@@ -56,7 +56,7 @@ module horopter_coarse_check (
   logic [8:0] left_q, right_q;  // {start, mean}
   logic ahead_q;  // whose cells wait
   logic [ADDR_BITS-1:0] write_addr_q, read_addr_q;
-  logic empty_q;  // as of the clock before: nothing is decided in the clock after a change of the addresses
+  logic empty_q;  // as of the clock before. A word on its way in counts; after a pop nothing is decided for two clocks.
   logic meets, pushes, pops;
   logic pushed_q;  // a word is on its way into the memory
   logic [8:0] pushed_word_q;

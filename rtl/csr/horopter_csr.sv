@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by scripts/generate-registers from rtl/csr/registers.yaml: change that, not this.
 //
-// The register block. Write: write_valid_i with address, data and strobes stays until write_ready_o (in the next clock
-// but for stream registers), and is stored by the end of the clock after that; write_error_o is valid with it, and a refused write changes nothing. Read: read_data_o and
-// read_error_o follow read_addr_i three clocks later, every clock. Partial writes follow the strobes; of a stream
-// register they are an error. Reset: synchronous, all storage to its reset value.
+// The register block. Write: write_valid_i with address, data and strobes stays until write_ready_o, in the next clock but
+// for stream registers. write_error_o is valid with it, and a refused write changes nothing. The register changes two clocks
+// after write_ready_o; the next write must not come before. Read: read_data_o and read_error_o follow read_addr_i three
+// clocks later, every clock. Partial writes follow the strobes; of a stream register they are an error. Reset: synchronous,
+// all storage to its reset value.
 // changed_o: a register that the bus writes has changed without a write, and has not been written since (horopter_guard).
 // memory_word_i: of registers whose words lie in a memory, the word of read_addr_i two clocks later.
 module horopter_csr #(
@@ -228,6 +229,7 @@ module horopter_csr #(
     store_q[38] <= write_q && write_group_q[9] && write_word_q[0];
     store_q[39] <= write_q && write_group_q[9] && write_word_q[4];
     store_q[40] <= write_q && write_group_q[10] && write_word_q[0];
+    if (!rst_ni) store_q <= '0;
     data_q <= write_data_i;
     strb_q <= write_strb_i;
   end

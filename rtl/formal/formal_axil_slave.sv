@@ -99,8 +99,8 @@ module formal_axil_slave (
     if (past_valid) begin
       if (past_reset) assert (!bvalid && !rvalid && !write_valid);
       // Never an answer without its request; the books agree with the slave's state.
-      assert (aw_open == {2'd0, \dut.have_addr_q } + {2'd0, bvalid || \dut.accessed_q });
-      assert (w_open == {2'd0, \dut.have_data_q } + {2'd0, bvalid || \dut.accessed_q });
+      assert (aw_open == {2'd0, \dut.have_addr_q } + {2'd0, bvalid});
+      assert (w_open == {2'd0, \dut.have_data_q } + {2'd0, bvalid});
       assert (ar_open == {2'd0, !arready});
       assert (\dut.read_q <= 2'd2);
       if (bvalid) assert (aw_open != 3'd0 && w_open != 3'd0 && bresp == expected_bresp);
@@ -112,7 +112,7 @@ module formal_axil_slave (
         assert (write_valid && write_addr == past_write_addr && write_data == past_write_data);
       // An access is made once, with what was sent, and answered a clock later.
       if (past_write) assert (!write_valid && \dut.accessed_q );
-      if (\dut.accessed_q ) assert (!bvalid && past_write);
+      if (\dut.accessed_q ) assert (!bvalid && past_write && \dut.have_addr_q && \dut.have_data_q );
       if (\dut.have_addr_q ) assert (write_addr == caught_addr);
       if (\dut.have_data_q ) assert (write_data == caught_data);
       cover (bvalid && bresp == 2'b10);

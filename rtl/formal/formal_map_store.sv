@@ -87,6 +87,7 @@ module formal_map_store (
   (* hierconn *) wire [6:0] \dut.step_q ;
   (* hierconn *) wire \dut.sized_q ;
   (* hierconn *) wire \dut.writes_q ;
+  (* hierconn *) wire \dut.running_q ;
   (* hierconn *) wire \dut.last_fact_q ;
   (* hierconn *) wire \dut.meets_q ;
   (* hierconn *) wire \dut.overlaps_q ;
@@ -110,9 +111,9 @@ module formal_map_store (
   logic [4:0] behind;
   logic past_valid = 1'b0, past_in_use = 1'b0, past_lookup_valid = 1'b0;
   logic [3:0] past_slot, past_selected, past_active;
-  logic past_running;
+  logic past_running = 1'b0, before_running = 1'b0;  // a clock ago, which is what the device works with; two clocks ago
   logic in_use;
-  assign in_use = running && valid[watched] && (watched == selected_slot || watched == active_slot);
+  assign in_use = past_running && valid[watched] && (watched == selected_slot || watched == active_slot);
 
   always @(posedge clk_i) begin
     past_valid <= 1'b1;
@@ -120,6 +121,7 @@ module formal_map_store (
     past_selected <= selected_slot;
     past_active <= active_slot;
     past_running <= running;
+    before_running <= past_running;
     past_in_use <= rst_ni && in_use;
     if (\dut.store_entry && \dut.slot_q == watched) begin
       first <= \dut.base_q [3:0];
@@ -142,13 +144,15 @@ module formal_map_store (
     if (\dut.state_q == WALK && \dut.step_q [1:0] != 2'd0 && \dut.step_q [5:2] == watched && valid[watched])
       assume (\dut.extent == {behind, first});
     // The bus: a start's slot and the selection were there before it counts; a begin makes the selected slot the active one.
-    if (\dut.start_q ) assume (slot == past_slot && selected_slot == past_selected && running == past_running);
+    if (\dut.start_q )
+      assume (slot == past_slot && selected_slot == past_selected && running == past_running && past_running == before_running);
     assume (active_slot == past_active || active_slot == past_selected);
 
     if (past_valid) begin
       // --- invariants that lead to the properties ---
       if (valid[watched]) assert (5'(first) < behind && behind <= 5'd16);
       assert (!\dut.valid_q [15]);
+      assert (\dut.running_q == past_running);
       assert (!(\dut.waiting_q && \dut.take ));
       if (\dut.take ) assert (\dut.writes_q == (\dut.state_q == DATA || (\dut.state_q == FACTS && \dut.area_next_q )));
       if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.waiting_q && !\dut.take );

@@ -2,7 +2,8 @@
 // Watches a value that only a write may change: its parity is taken after each write, and compared ever after.
 //
 // write_i: the value is written by this clock's edge, or may be anything (reset). error_o: an odd number of bits has changed
-// since; it comes three clocks later and stays until the next write. Registers in front lie where the value is.
+// since; it comes three clocks later and stays until the next write. The first registers are small, so that they can lie near
+// the value.
 module horopter_guard #(
     parameter int unsigned WIDTH = 8
 ) (

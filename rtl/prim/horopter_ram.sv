@@ -7,7 +7,7 @@
 // PARITY = 1 stores even parity beside each word (the ninth bit of block memories); parity_error_o comes with the data.
 // Contents are zero at power-up (with correct parity) and survive reset: there is none.
 // FAST = 1 with OUTPUT_REGISTER: read latency 5, writes a clock later. Registers take the ways to and from the blocks,
-// which lie far apart. Banks are one block deep, each with its own output register, a multiplexer in two steps behind them. Deep
+// which lie far apart. The parity is that of the word before the last of them. Banks are one block deep, each with its own output register, a multiplexer in two steps behind them. Deep
 // memories are laid out as far as they fill it in banks of 16384 words of 1-bit blocks, which need no multiplexer, the
 // rest in banks of 2048 words.
 module horopter_ram #(

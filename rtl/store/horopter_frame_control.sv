@@ -210,7 +210,7 @@ module horopter_frame_control (
   logic [1:0] incomplete_q;  // an image of the record, as of the clock before
   logic [1:0] bad_q;  // by record
   logic found_q, others_bad_q;
-  // Whether fault_set_o, total_q have a fault: by groups of their bits, as one bit would come from too many.
+  // set_q: fault_set_o has a fault; faulty_q: total_q has one. A bit tells of eight: one for all would take too long.
   localparam int unsigned FAULTS = $bits(fault_set_o);
   localparam int unsigned FAULT_GROUPS = (FAULTS + 7) / 8;
   function automatic [FAULT_GROUPS-1:0] groups_of(input horopter_csr_pkg::faults_t faults);

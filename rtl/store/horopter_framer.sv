@@ -108,16 +108,16 @@ module horopter_framer #(
   // Silence: the camera could send and does not. Clocks left count down, from a clock later on, as that needs no comparison;
   // the choice stands before the adder, whose carry cells take it in.
   logic [31:0] patience_q;
-  logic heard, heard_q, out_of_patience, silent_q;
+  logic heard, heard_q, out_of_patience_q, silent_q;
   logic [32:0] next_patience;
   assign heard = !rst_ni || s_valid_i || patience_i;
   assign next_patience = {1'b0, heard_q ? timeout_i : patience_q} + {33{!heard_q}};
-  assign out_of_patience = next_patience[32];
   always_ff @(posedge clk_i) begin
     heard_q <= heard;
     patience_q <= next_patience[31:0];
-    silent_q <= !heard && (silent_q || out_of_patience);
-    silence_o <= !heard && !silent_q && out_of_patience;
+    out_of_patience_q <= !heard && next_patience[32];
+    silent_q <= !heard && (silent_q || out_of_patience_q);
+    silence_o <= !heard && !silent_q && out_of_patience_q;
   end
   assign silent_o = silent_q;
 
@@ -125,13 +125,13 @@ module horopter_framer #(
   // start of frame, so that the result keeps up with the other camera.
   logic [13:0] pause_q;
   logic [14:0] next_pause;
-  logic pausing_q, gone_q;
+  logic paused_q, pausing_q, gone_q;
   assign next_pause = {1'b0, heard_q ? {width_i, 2'b00} : pause_q} + {15{!heard_q}};
   always_ff @(posedge clk_i) begin
     pause_q <= next_pause[13:0];
-    pausing_q <= rst_ni && !s_valid_i && (pausing_q || (live_i && next_pause[14]));
-    gone_q <= rst_ni && !s_valid_i
-        && ((!patience_i && (silent_q || out_of_patience)) || pausing_q || (live_i && next_pause[14]));
+    paused_q <= rst_ni && !s_valid_i && live_i && next_pause[14];
+    pausing_q <= rst_ni && !s_valid_i && (pausing_q || paused_q);
+    gone_q <= rst_ni && !s_valid_i && ((!patience_i && (silent_q || out_of_patience_q)) || pausing_q || paused_q);
   end
   assign gone_o = gone_q;
 

@@ -30,11 +30,15 @@ module horopter_interlock (
 
   logic [7:0] held_frames_q;  // published while it was pressed; 0 where the pin is not asked
   logic pressed, request, let_go;
-  logic bad_q;  // of the clock before: what this takes back leads to nothing in that one clock, as safe_o asks for itself
+  // Both a clock late. A restart that bad_q takes back lasts a clock; in it safe_o is low, as it asks bad_now_i itself.
+  logic bad_q, published_q;
   logic spoiled_q;  // something was wrong during this press; after reset until the button is let go
   assign pressed = restart_q[1];
   assign let_go = !pressed && !restart_q[2];
-  always_ff @(posedge clk_i) bad_q <= bad_now_i || (published_i && !good_i);
+  always_ff @(posedge clk_i) begin
+    bad_q <= bad_now_i || (published_i && !good_i);
+    published_q <= rst_ni && published_i;
+  end
   assign request = (restart_q[2] && !pressed && held_frames_q != 8'd0 && !stuck_o && !spoiled_q)
       || (settings_i.by_register && restart_written_i);
   assign stuck_o = held_frames_q == 8'hFF;
@@ -52,7 +56,7 @@ module horopter_interlock (
   assign enough = good_frames_q != 4'd0 && good_frames_q >= settings_i.frames;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || bad_q) good_frames_q <= 4'd0;
-    else if (published_i && good_frames_q != 4'hF) good_frames_q <= good_frames_q + 4'd1;
+    else if (published_q && good_frames_q != 4'hF) good_frames_q <= good_frames_q + 4'd1;
   end
 
   logic released_q = 1'b0, held_q = 1'b1;
@@ -67,5 +71,5 @@ module horopter_interlock (
   end
   assign released_o = released_q || settings_i.by_itself;
   assign held_o = held_q && !settings_i.by_itself;
-  assign waiting_o = held_o && enough;
+  assign waiting_o = held_o && enough && !bad_q;
 endmodule

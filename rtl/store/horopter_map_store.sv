@@ -74,6 +74,10 @@ module horopter_map_store #(
     $fatal(1, "horopter_map_store: POOL_BYTES must be a multiple of 8 from 64 to 512 KiB");
   end
 
+  // A clock late: frames begin some clocks after the machine has started.
+  logic running_q;
+  always_ff @(posedge clk_i) running_q <= running_i;
+
   localparam logic [2:0] NO_ERROR = 3'd0;
   localparam logic [2:0] IN_USE = 3'd1;
   localparam logic [2:0] BAD_HEADER = 3'd2;
@@ -170,7 +174,7 @@ module horopter_map_store #(
   // As of the clock of a start: slot_i and the selection do not change then nor in the next, and the active slot can only
   // become the selected one.
   always_ff @(posedge clk_i)
-    slot_in_use_q <= running_i && (slot_i == selected_slot_i || slot_i == active_slot_i)
+    slot_in_use_q <= running_q && (slot_i == selected_slot_i || slot_i == active_slot_i)
         && slot_i != NONE && (valid_q[slot_i] || store_entry);
 
   logic store_limit;
@@ -207,10 +211,10 @@ module horopter_map_store #(
 
   // Decided when the walk is over, for what is in use then: the selection may change during it.
   logic in_use_stays;
-  assign in_use_stays = in_use_q == {running_i, selected_slot_i, active_slot_i};
+  assign in_use_stays = in_use_q == {running_q, selected_slot_i, active_slot_i};
   always_ff @(posedge clk_i) begin
-    in_use_q <= {running_i, selected_slot_i, active_slot_i};
-    overlap_in_use_q <= running_i && (overlap_q[selected_slot_i] || overlap_q[active_slot_i]);
+    in_use_q <= {running_q, selected_slot_i, active_slot_i};
+    overlap_in_use_q <= running_q && (overlap_q[selected_slot_i] || overlap_q[active_slot_i]);
     walked_q <= state_q == WALK && step_q[6];
   end
   assign store_entry = checked_q && right_q;

@@ -43,7 +43,7 @@ module horopter_agreement_result #(
     if (state_valid_i) begin
       undecidable_o <= (state_first_i ? '0 : undecidable_o) + COUNT_BITS'(undecidable_i);
       too_undecidable_o <= (!state_first_i && too_undecidable_o)
-          || (undecidable_i && {1'b0, state_first_i ? '0 : undecidable_o} == limit_q);
+          || (undecidable_i && {1'b0, state_first_i ? '0 : undecidable_o} >= limit_q);
       hidden_q <= (state_first_i ? '0 : hidden_q) + COUNT_BITS'(hidden_i);
       unproven_q <= (state_first_i ? '0 : unproven_q) + COUNT_BITS'(unproven_pixel_i);
     end

@@ -91,7 +91,7 @@ module horopter_output #(
   // Runs cover their rows, so that the ends tell row and start of each.
   logic [ROW_BITS-1:0] out_row_q;
   logic [ROW_BITS-1:0] before_last_row_q;
-  logic last_row_q;  // of the result, which has more than one: out_row_q is that, decided with it
+  logic last_row_q;  // out_row_q is the result's last row, which is not its first
   logic [COLUMN_BITS-1:0] out_run_start_q, out_run_end, last_column_q;
   logic [1:0] out_run_state;
   logic out_row_ends;

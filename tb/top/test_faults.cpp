@@ -593,20 +593,41 @@ TEST_CASE("a reset of one clock leaves no fault and no event behind", "[faults]"
   }
 }
 
+/// A clock in which `host` alone does something.
+void clock_of(Vga& machine, AxilMaster<std::uint16_t>& host) {
+  host.drive();
+  machine.model().clk_i = 0;
+  machine.model().eval();
+  host.sample();
+  machine.model().clk_i = 1;
+  machine.model().eval();
+}
+
 /// One access to the registers, with the strobes of a master that writes bytes.
 AxilMaster<std::uint16_t>::Answer access(Vga& machine, const AxilMaster<std::uint16_t>::Access& access) {
   AxilMaster<std::uint16_t> host{HOROPTER_TB_AXIL(machine.model(), s_axil), 1};
   host.post(access);
-  while (!host.idle()) {
-    host.drive();
-    machine.model().clk_i = 0;
-    machine.model().eval();
-    host.sample();
-    machine.model().clk_i = 1;
-    machine.model().eval();
-  }
+  while (!host.idle()) clock_of(machine, host);
   host.reset();
   return host.answer();
+}
+
+TEST_CASE("a reset of one clock leaves no write behind", "[faults]") {
+  Watch watch;
+  auto& machine = watch.machine;
+  auto& model = machine.model();
+  machine.simulation().reset(1);
+  const std::uint32_t after_reset = machine.read(reg::timeout::kAddress);
+  for (unsigned clocks = 0; clocks < 10; ++clocks) {
+    CAPTURE(clocks);
+    AxilMaster<std::uint16_t> host{HOROPTER_TB_AXIL(model, s_axil), 1};
+    host.post({true, reg::timeout::kAddress, ~after_reset});
+    for (unsigned i = 0; i < clocks; ++i) clock_of(machine, host);
+    host.reset();
+    host.drive();
+    machine.simulation().reset(1);
+    CHECK(machine.read(reg::timeout::kAddress) == after_reset);
+  }
 }
 
 TEST_CASE("the registers refuse what they must", "[faults]") {
