@@ -202,7 +202,6 @@ module horopter_framer #(
         end
 
         START: begin
-          row_start_q <= 1'b1;
           row_end_q <= 1'b0;
           last_row_q <= 1'b0;
           near_q <= 1'b1;
@@ -223,12 +222,10 @@ module horopter_framer #(
         LINE: begin
           if (take) begin
             fresh_q <= 1'b0;
-            row_start_q <= 1'b0;
             row_end_q <= x_q == before_last_x_q;
             if (x_q[6]) far_q <= 1'b1;
           end
           if (complete) begin
-            row_start_q <= 1'b1;
             row_end_q <= 1'b0;
             far_q <= 1'b1;
             stored_q <= stored_q + 1'b1;
@@ -294,6 +291,7 @@ module horopter_framer #(
     full_q <= 32'(used) >= SLOTS;
     nearly_full_q <= 32'(used) >= SLOTS - 1;
     stored_now_q <= complete;
+    row_start_q <= complete || state_q == START || (row_start_q && !take);
     if (complete) blocked_q <= nearly_full_q;
     else blocked_q <= (stored_now_q ? blocked_q : full_q) && (state_q == START || (row_start_q && !take));
   end

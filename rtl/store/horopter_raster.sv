@@ -109,7 +109,7 @@ module horopter_raster #(
   assign setup_o = state_q == SETUP;
   assign row_o = state_q == WAIT_ROW && 32'(count_q) == 1 && live_q;
   assign map_read_o = issue_prime || (issue_pixel && loads);
-  // One behind, but rows only ever arrive. Before a frame begins, y_q is 0.
+  // Some clocks behind, but rows only ever arrive. Before a frame begins, y_q is 0.
   always_ff @(posedge clk_i) {busy_q, ready_q} <= {busy_i[slot_q], ready};
 
   always_ff @(posedge clk_i) begin
@@ -230,7 +230,12 @@ module horopter_raster #(
     assign last_x = last_x_q;
     assign last_y = last_y_q;
     assign flushed = flushed_q;
-    assign ready = !live_q || ((right_rows_i > ahead_q || right_complete_q || right_ended_i) && (left_rows_i > 12'(y_q) || left_ended_i));
+    logic right_ready_q, left_ready_q;
+    always_ff @(posedge clk_i) begin
+      right_ready_q <= right_rows_i > ahead_q || right_complete_q || right_ended_i;
+      left_ready_q <= left_rows_i > 12'(y_q) || left_ended_i;
+    end
+    assign ready = !live_q || (right_ready_q && left_ready_q);
 
     logic odd_cell_q, cell_end_x_q, cell_end_y_q;
     logic [MAP_ADDR_BITS-1:0] even_row_q, odd_row_q, even_addr_q, odd_addr_q, row_below;

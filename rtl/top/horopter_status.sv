@@ -121,11 +121,14 @@ module horopter_status #(
     $fatal(1, "horopter_status: WIDTH must be a multiple of SUBSAMPLE, WIDTH and HEIGHT in the range of the registers");
   end
 
-  logic bad_geometry_q;
+  logic bad_width_q, bad_height_q, bad_lookahead_q, bad_geometry_q;
   logic running_q = 1'b0;  // in reset before the first clock, too
   always_ff @(posedge clk_i) begin
-    bad_geometry_q <= 32'(width_i) > WIDTH || 32'(width_i) < MIN_WIDTH || 32'(width_i) % SUBSAMPLE != 0
-        || 32'(height_i) > HEIGHT || 32'(height_i) < MIN_HEIGHT || 32'(lookahead_i) > MAX_LOOKAHEAD;
+    // Registers do not change in the clocks before enable_i rises.
+    bad_width_q <= 32'(width_i) > WIDTH || 32'(width_i) < MIN_WIDTH || 32'(width_i) % SUBSAMPLE != 0;
+    bad_height_q <= 32'(height_i) > HEIGHT || 32'(height_i) < MIN_HEIGHT;
+    bad_lookahead_q <= 32'(lookahead_i) > MAX_LOOKAHEAD;
+    bad_geometry_q <= bad_width_q || bad_height_q || bad_lookahead_q;
     running_q <= rst_ni && enable_i && !bad_geometry_q;
   end
   assign running_o = running_q;
