@@ -139,11 +139,12 @@ module formal_safe (
       .fault_set_o(fault_set),
       .late_o(late),
       .heartbeat_o(heartbeat),
-      .waiting_o(),
+      .waiting_o(waiting),
       .safe_o(safe),
       .unsafe_o(unsafe)
   );
 
+  logic waiting;
   logic past_valid = 1'b0, past_safe = 1'b0, past_reset = 1'b1, past_ready = 1'b0;
   logic [3:0] fault_age = 4'd0;  // bit i: a fault came i + 1 clocks ago
   logic good_before = 1'b0;  // the frame published before was good, and no fault has come since
@@ -235,6 +236,8 @@ module formal_safe (
         assert (good_frames >= interlock.frames && good_frames != 4'd0);  // this one comes on top
       end
       if (safe && !past_safe) assert (past_ready);
+      // Waits for a restart only after so many good frames: this one comes on top of those published since something was wrong.
+      if (waiting) assert (good_frames >= interlock.frames && good_frames != 4'd0);
       // A fault is felt after its register, its collection and the decision: 3 clocks.
       if (fault_age[2] || fault_age[3]) assert (!safe || frame_done);
       if (fault_age[2]) assert (!safe);
