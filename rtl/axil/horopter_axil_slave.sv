@@ -48,7 +48,7 @@ module horopter_axil_slave #(
   assign unused_byte = ^{s_axil_awaddr[1:0], s_axil_araddr[1:0]};
 
   // Write: both halves are caught, then the access is made while no answer waits.
-  logic have_addr_q, have_data_q, accessed_q, bvalid_q;
+  logic have_addr_q, have_data_q, accessed_q, error_q, bvalid_q;
   logic [1:0] bresp_q;
 
   assign s_axil_awready = !have_addr_q;
@@ -68,7 +68,7 @@ module horopter_axil_slave #(
       accessed_q <= write_valid_o && write_ready_i;
       if (accessed_q) bvalid_q <= 1'b1;
       else if (s_axil_bready) bvalid_q <= 1'b0;
-      if (write_valid_o && write_ready_i) bresp_q <= write_error_i ? SLVERR : OKAY;
+      if (accessed_q) bresp_q <= error_q ? SLVERR : OKAY;
       if (accessed_q) begin
         have_addr_q <= 1'b0;
         have_data_q <= 1'b0;
@@ -77,6 +77,7 @@ module horopter_axil_slave #(
         if (s_axil_wvalid) have_data_q <= 1'b1;
       end
     end
+    error_q <= write_error_i;
     if (!have_addr_q) write_addr_o <= {s_axil_awaddr[ADDR_BITS-1:2], 2'b00};
     if (!have_data_q) begin
       write_data_o <= s_axil_wdata;
@@ -100,19 +101,17 @@ module horopter_axil_slave #(
     waited_q <= read_q == READ_WAIT ? {waited_q[READ_CLOCKS-1:1], 1'b1} : '0;
     if (!rst_ni) begin
       read_q <= READ_IDLE;
-      s_axil_rresp <= OKAY;
     end else begin
       case (read_q)
         READ_IDLE: if (s_axil_arvalid) read_q <= READ_WAIT;
-        READ_WAIT:
-        if (waited_q[READ_CLOCKS]) begin
-          read_q <= READ_ANSWER;
-          s_axil_rresp <= read_error_i ? SLVERR : OKAY;
-        end
+        READ_WAIT: if (waited_q[READ_CLOCKS]) read_q <= READ_ANSWER;
         default: if (s_axil_rready) read_q <= READ_IDLE;
       endcase
     end
     if (read_q == READ_IDLE) read_addr_o <= {s_axil_araddr[ADDR_BITS-1:2], 2'b00};
-    if (read_q == READ_WAIT) s_axil_rdata <= read_data_i;
+    if (read_q == READ_WAIT) begin
+      s_axil_rdata <= read_data_i;
+      s_axil_rresp <= read_error_i ? SLVERR : OKAY;
+    end
   end
 endmodule

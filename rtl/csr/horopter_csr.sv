@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by scripts/generate-registers from rtl/csr/registers.yaml: change that, not this.
 //
-// The register block. Write: write_valid_i with address, data and strobes stays until write_ready_o, in the next clock but
+// The register block. Write: write_valid_i with address, data and strobes stays until write_ready_o, two clocks later but
 // for stream registers. write_error_o is valid with it, and a refused write changes nothing. The register changes two clocks
 // after write_ready_o; the next write must not come before. Read: read_data_o and read_error_o follow read_addr_i three
 // clocks later, every clock. Partial writes follow the strobes; of a stream register they are an error. Reset: synchronous,
@@ -142,13 +142,16 @@ module horopter_csr #(
     input  logic [31:0] frame_object_area_of_1024_i,
     output logic [31:0] object_area_limit_of_1024_o
 );
-  // The address is decoded always, into a group of eight words and the word; it counts from the second clock of a write on.
-  logic taken_q, write_q;
+  // The address is decoded always, in the first clock of a write into a group of eight words and the word, in the second into
+  // whether it may be written. It counts from the third on.
+  logic seen_q, taken_q, write_q;
   logic [10:0] write_group_q;
   logic [7:0] write_word_q;
+  logic free, lockable, whole;  // written always, unless locked, as all four bytes
   assign write_q = taken_q && !write_error_o;
   always_ff @(posedge clk_i) begin
-    taken_q <= rst_ni && write_valid_i && !write_ready_o;
+    seen_q <= rst_ni && write_valid_i && !write_ready_o;
+    taken_q <= rst_ni && write_valid_i && seen_q && !write_ready_o;
     write_word_q <= 8'd1 << write_addr_i[4:2];
     write_group_q[0] <= write_addr_i[11:5] == 7'h02;
     write_group_q[1] <= write_addr_i[11:5] == 7'h03;
@@ -161,16 +164,25 @@ module horopter_csr #(
     write_group_q[8] <= write_addr_i[11:5] == 7'h0C;
     write_group_q[9] <= write_addr_i[11:5] == 7'h0D;
     write_group_q[10] <= write_addr_i[11:5] == 7'h0E;
-    case (write_addr_i)
-      12'h040, 12'h058, 12'h05C, 12'h060, 12'h064, 12'h080, 12'h084, 12'h088, 12'h08C, 12'h094, 12'h0A0, 12'h0A4,
-      12'h0A8, 12'h0AC, 12'h0B0, 12'h0B4, 12'h0B8, 12'h0BC, 12'h0C0, 12'h0C4, 12'h0DC, 12'h0E0, 12'h0E4, 12'h134,
-      12'h138, 12'h13C, 12'h140, 12'h144, 12'h180, 12'h184, 12'h188, 12'h18C, 12'h198, 12'h1A0, 12'h1B0, 12'h1C0:
-      write_error_o <= 1'b0;
-      12'h044, 12'h04C, 12'h050, 12'h054, 12'h068, 12'h070, 12'h090, 12'h130: write_error_o <= locked_i;
-      12'h06C, 12'h0C8, 12'h0CC: write_error_o <= write_strb_i != 4'hF;
-      default: write_error_o <= 1'b1;
-    endcase
+    write_error_o <= !(free || (lockable && !locked_i) || (whole && write_strb_i == 4'hF));
   end
+  assign free = (write_group_q[0] && (write_word_q & 8'hC1) != 8'd0)
+      || (write_group_q[1] && (write_word_q & 8'h03) != 8'd0)
+      || (write_group_q[2] && (write_word_q & 8'h2F) != 8'd0)
+      || (write_group_q[3] && (write_word_q & 8'hFF) != 8'd0)
+      || (write_group_q[4] && (write_word_q & 8'h83) != 8'd0)
+      || (write_group_q[5] && (write_word_q & 8'h03) != 8'd0)
+      || (write_group_q[6] && (write_word_q & 8'hE0) != 8'd0)
+      || (write_group_q[7] && (write_word_q & 8'h03) != 8'd0)
+      || (write_group_q[8] && (write_word_q & 8'h4F) != 8'd0)
+      || (write_group_q[9] && (write_word_q & 8'h11) != 8'd0)
+      || (write_group_q[10] && (write_word_q & 8'h01) != 8'd0);
+  assign lockable = (write_group_q[0] && (write_word_q & 8'h3A) != 8'd0)
+      || (write_group_q[1] && (write_word_q & 8'h14) != 8'd0)
+      || (write_group_q[2] && (write_word_q & 8'h10) != 8'd0)
+      || (write_group_q[6] && (write_word_q & 8'h10) != 8'd0);
+  assign whole = (write_group_q[1] && (write_word_q & 8'h08) != 8'd0)
+      || (write_group_q[4] && (write_word_q & 8'h0C) != 8'd0);
 
   assign restart_valid_o = write_q && write_group_q[1] && write_word_q[3];
   assign restart_key_o = write_data_i[31:0];

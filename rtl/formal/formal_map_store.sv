@@ -99,6 +99,8 @@ module formal_map_store (
   (* hierconn *) wire \dut.checked_q ;
   (* hierconn *) wire \dut.waiting_q ;
   (* hierconn *) wire \dut.take ;
+  (* hierconn *) wire [31:0] \dut.data ;
+  (* hierconn *) wire [15:0] \dut.slot_mask_q ;
   (* hierconn *) wire [8:0] \dut.extent ;
   (* hierconn *) wire \dut.store_entry ;
   (* hierconn *) wire \dut.store_limit ;
@@ -111,6 +113,8 @@ module formal_map_store (
   logic [4:0] behind;
   logic past_valid = 1'b0, past_in_use = 1'b0, past_lookup_valid = 1'b0;
   logic [3:0] past_slot, past_selected, past_active;
+  logic [31:0] past_data;
+  logic past_take = 1'b0;
   logic past_running = 1'b0, before_running = 1'b0;  // a clock ago, which is what the device works with; two clocks ago
   logic in_use;
   assign in_use = past_running && valid[watched] && (watched == selected_slot || watched == active_slot);
@@ -118,6 +122,8 @@ module formal_map_store (
   always @(posedge clk_i) begin
     past_valid <= 1'b1;
     past_slot <= slot;
+    past_data <= \dut.data ;
+    past_take <= rst_ni && \dut.take ;
     past_selected <= selected_slot;
     past_active <= active_slot;
     past_running <= running;
@@ -152,12 +158,16 @@ module formal_map_store (
       // --- invariants that lead to the properties ---
       if (valid[watched]) assert (5'(first) < behind && behind <= 5'd16);
       assert (!\dut.valid_q [15]);
+      if (\dut.start_q ) assert (\dut.slot_mask_q == 16'd1 << slot);
+      if (\dut.checked_q && !\dut.start_q ) assert (\dut.slot_mask_q == 16'd1 << \dut.slot_q );
       assert (\dut.running_q == past_running);
       assert (!(\dut.waiting_q && \dut.take ));
       if (\dut.take ) assert (\dut.writes_q == (\dut.state_q == DATA || (\dut.state_q == FACTS && \dut.area_next_q )));
       if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.waiting_q && !\dut.take );
       if (data_ready)
         assert (\dut.state_q != SIZE && \dut.state_q != WALK && !\dut.start_q && !\dut.waiting_q && !\dut.take && !\dut.checked_q );
+      if (\dut.checked_q ) assert (past_take);
+      if (past_take) assert (\dut.data == past_data && !data_ready && !\dut.waiting_q );
       if (\dut.checked_q ) assert (\dut.state_q == CHECK && !\dut.waiting_q && !\dut.take );
       if (\dut.state_q == SIZE) begin
         assert (\dut.step_q <= 7'd13);
@@ -206,6 +216,7 @@ module formal_map_store (
       if (\dut.state_q > WALK && valid[watched]) assert (apart);
 
       // --- properties ---
+      if (\dut.store_entry ) assert (\dut.data == past_data);  // u_entry: STEADY
       if ((\dut.write_even || \dut.write_odd ) && valid[watched])
         assert (\dut.write_addr_q < 5'(first) || \dut.write_addr_q >= behind);
       if (past_in_use) assert (valid[watched] || !rst_ni);

@@ -6,16 +6,18 @@
 // Reading an address in the clock in which it is written gives an undefined word, so that no bypass logic is needed.
 // PARITY = 1 stores even parity beside each word (the ninth bit of block memories); parity_error_o comes with the data.
 // Contents are zero at power-up (with correct parity) and survive reset: there is none.
+// STEADY = 1 without FAST: what is written stands a clock before it is, so that its parity comes from a register.
 // FAST = 1 with OUTPUT_REGISTER: read latency 5, writes a clock later. Registers take the ways to and from the blocks,
-// which lie far apart. The parity is that of the word before the last of them. Banks are one block deep, each with its own output register, a multiplexer in two steps behind them. Deep
-// memories are laid out as far as they fill it in banks of 16384 words of 1-bit blocks, which need no multiplexer, the
-// rest in banks of 2048 words.
+// which lie far apart. The parity is that of the word before the last of them. Banks are one block deep, each with its own
+// output register, a multiplexer in two steps behind them. Deep memories are laid out as far as they fill it in banks of
+// 16384 words of 1-bit blocks, which need no multiplexer, the rest in banks of 2048 words.
 module horopter_ram #(
     parameter int unsigned WIDTH = 8,
     parameter int unsigned DEPTH = 1024,
     parameter bit PARITY = 1'b0,
     parameter bit OUTPUT_REGISTER = 1'b0,
     parameter bit FAST = 1'b0,
+    parameter bit STEADY = 1'b0,
     parameter int unsigned ADDR_BITS = DEPTH > 1 ? $clog2(DEPTH) : 1
 ) (
     input  logic                 clk_i,
@@ -40,7 +42,13 @@ module horopter_ram #(
 
   logic [WORD_BITS-1:0] write_word;
   logic odd;  // number of ones in the word read
-  assign write_word = WORD_BITS'({^write_data_i, write_data_i});
+  logic parity;
+  if (STEADY) begin : g_parity
+    always_ff @(posedge clk_i) parity <= ^write_data_i;
+  end else begin : g_no_parity
+    assign parity = ^write_data_i;
+  end
+  assign write_word = WORD_BITS'({parity, write_data_i});
   assign parity_error_o = PARITY && odd;
 
   if (!(FAST && OUTPUT_REGISTER)) begin : g_one

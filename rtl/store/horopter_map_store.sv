@@ -126,6 +126,7 @@ module horopter_map_store #(
   logic area_next_q;  // the next word of facts is one of these
   logic [11:0] areas64_q, spans64_q;  // words64 of them, of spans, a clock later
   logic [ADDR_BITS-1:0] spans_base_q;  // behind them, from WALK on
+  logic writes_q;  // words go into the pool; as of the clock before: the state changes more than two clocks before the next word
   logic [3:0] fact_q;  // one-hot: which of the first four is next
   logic [47:0] unsupervised_q;
   // By slot; the last one, which is none, stays 0, as a power of two needs no bounds.
@@ -144,6 +145,10 @@ module horopter_map_store #(
   logic [4:0] byte_q;  // one-hot: bytes that are through; after the fourth the word waits a clock, and is compared
   logic start_q, waiting_q, take, slot_in_use_q, store_entry;  // a start counts a clock later
   logic checked_q, right_q;  // the last word was taken in the clock before, and was the CRC
+  logic overlap_in_use_q;  // what the walk found
+  logic walked_q;  // as of the clock before, like overlap_in_use_q
+  logic [8:0] in_use_q;  // what it was decided for
+  logic in_use_stays;
   logic first_bad_q, count_bad_q;  // as the first word, as that with the number of facts it is not possible
   logic data_ready_q;  // of the clock before: later than need be, never too early
   assign data_ready_o = data_ready_q;
@@ -178,7 +183,19 @@ module horopter_map_store #(
         && slot_i != NONE && (valid_q[slot_i] || store_entry);
 
   logic store_limit;
+  assign store_entry = checked_q && right_q;
   assign store_limit = start_q && slot_i != NONE && !slot_in_use_q;
+
+  // One-hot: the slot of the start or of the end of an upload. As of the clock before: a start's is there then.
+  logic [15:0] slot_mask_q;
+  logic replaces;  // the walk ends, and what overlaps goes
+  always_ff @(posedge clk_i) slot_mask_q <= 16'd1 << (start_valid_i ? slot_i : slot_q);
+  assign replaces = state_q == WALK && walked_q && in_use_stays && !overlap_in_use_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) valid_q <= 16'd0;
+    else if (!start_q) valid_q <= (valid_q & ~(replaces ? overlap_q : 16'd0)) | (store_entry ? slot_mask_q : 16'd0);
+    else if (!slot_in_use_q) valid_q <= valid_q & ~slot_mask_q;
+  end
 
   // Extent of each table, for the walk, else of slot_i.
   logic [2*ADDR_BITS:0] extent;
@@ -187,7 +204,8 @@ module horopter_map_store #(
   horopter_ram #(
       .WIDTH(2 * ADDR_BITS + 1),
       .DEPTH(16),
-      .PARITY(PARITY)
+      .PARITY(PARITY),
+      .STEADY(1'b1)
   ) u_extent (
       .clk_i(clk_i),
       .write_en_i(store_entry),
@@ -198,9 +216,7 @@ module horopter_map_store #(
       .read_data_o(extent),
       .parity_error_o(extent_error)
   );
-  logic meets_q, overlaps_q, overlap_in_use_q, slot_valid_q;
-  logic walked_q;  // as of the clock before, like overlap_in_use_q
-  logic [8:0] in_use_q;  // what it was decided for
+  logic meets_q, overlaps_q, slot_valid_q;
   assign slot_extent_o = slot_valid_q ? {16'(extent[2*ADDR_BITS:ADDR_BITS]), 16'(extent[ADDR_BITS-1:0])} : 32'd0;
   assign walk_slot = step_q[5:2];
   always_ff @(posedge clk_i) begin
@@ -210,21 +226,18 @@ module horopter_map_store #(
   end
 
   // Decided when the walk is over, for what is in use then: the selection may change during it.
-  logic in_use_stays;
   assign in_use_stays = in_use_q == {running_q, selected_slot_i, active_slot_i};
   always_ff @(posedge clk_i) begin
     in_use_q <= {running_q, selected_slot_i, active_slot_i};
     overlap_in_use_q <= running_q && (overlap_q[selected_slot_i] || overlap_q[active_slot_i]);
     walked_q <= state_q == WALK && step_q[6];
   end
-  assign store_entry = checked_q && right_q;
 
   always_ff @(posedge clk_i) begin
     bad_upload_o <= 1'b0;
     refused_o <= 1'b0;
     if (!rst_ni) begin
       state_q <= IDLE;
-      valid_q <= 16'd0;
       error_o <= NO_ERROR;
     end else if (start_q) begin
       if (slot_i == NONE) begin
@@ -238,7 +251,6 @@ module horopter_map_store #(
       end else begin
         state_q <= HEAD0;
         error_o <= NO_ERROR;
-        valid_q <= valid_q & ~(16'd1 << slot_i);
       end
     end else begin
       case (state_q)
@@ -287,7 +299,6 @@ module horopter_map_store #(
             refused_o <= 1'b1;
           end else begin
             state_q <= FACTS;
-            valid_q <= valid_q & ~overlap_q;
           end
         end
 
@@ -298,9 +309,7 @@ module horopter_map_store #(
         CHECK:
         if (checked_q) begin
           state_q <= IDLE;
-          if (right_q) begin
-            valid_q <= valid_q | 16'd1 << slot_q;
-          end else begin
+          if (!right_q) begin
             error_o <= WRONG_CRC;
             bad_upload_o <= 1'b1;
           end
@@ -393,20 +402,16 @@ module horopter_map_store #(
         facts_q <= facts_q - 12'd1;
         fact_q <= {fact_q[2:0], 1'b0};
         area_next_q <= area_next_q || facts_q == areas_q + 12'd1;
-        if (area_next_q) odd_q <= !odd_q && !last_fact_q;
-        if (area_next_q && (odd_q || last_fact_q)) write_addr_q <= write_addr_q + 1'b1;
         if (fact_q[2]) unsupervised_q[23:0] <= data[23:0];
         if (fact_q[3]) unsupervised_q[47:24] <= data[23:0];
       end
 
-      DATA:
-      if (take) begin
-        odd_q <= !odd_q;
-        if (odd_q) write_addr_q <= write_addr_q + 1'b1;
-      end
-
       default: ;
     endcase
+    if (take && writes_q) begin
+      odd_q <= !odd_q && !last_fact_q;
+      if (odd_q || last_fact_q) write_addr_q <= write_addr_q + 1'b1;
+    end
     // Words are more than two clocks apart.
     sized_q <= state_q == HEAD2 && take;
     if (sized_q) begin
@@ -432,7 +437,8 @@ module horopter_map_store #(
   horopter_ram #(
       .WIDTH(ENTRY_BITS),
       .DEPTH(16),
-      .PARITY(PARITY)
+      .PARITY(PARITY),
+      .STEADY(1'b1)
   ) u_entry (
       .clk_i(clk_i),
       .write_en_i(store_entry),
@@ -495,7 +501,8 @@ module horopter_map_store #(
   horopter_ram #(
       .WIDTH(48),
       .DEPTH(16),
-      .PARITY(PARITY)
+      .PARITY(PARITY),
+      .STEADY(1'b1)
   ) u_unsupervised (
       .clk_i(clk_i),
       .write_en_i(store_entry),
@@ -534,7 +541,6 @@ module horopter_map_store #(
 
   // --- pool ---
   logic write, write_even, write_odd, even_error, odd_error;
-  logic writes_q;  // as of the clock before: the state changes more than two clocks before the next word
   always_ff @(posedge clk_i) writes_q <= state_q == DATA || (state_q == FACTS && area_next_q);
   assign write = take && writes_q;
   assign write_even = write && !odd_q;
