@@ -152,7 +152,7 @@ module horopter_csr #(
   always_ff @(posedge clk_i) begin
     seen_q <= rst_ni && write_valid_i && !write_ready_o;
     taken_q <= rst_ni && write_valid_i && seen_q && !write_ready_o;
-    write_word_q <= 8'd1 << write_addr_i[4:2];
+    write_word_q <= write_addr_i[1:0] == 2'd0 ? 8'd1 << write_addr_i[4:2] : 8'd0;
     write_group_q[0] <= write_addr_i[11:5] == 7'h02;
     write_group_q[1] <= write_addr_i[11:5] == 7'h03;
     write_group_q[2] <= write_addr_i[11:5] == 7'h04;
