@@ -113,8 +113,12 @@ class CellAverager {
     for (std::size_t i = 0; i < 2; ++i) sum[i] = Sum((starts ? Sum(0) : *running_[i]) + pixel[i]);
     const bool whole = (starts || running_mask_) && mask;
     const bool all_of_skin = (starts || running_of_skin_) && of_skin;
-    if (starts) place_ = at.column == 0 && at.x == 0 ? Place(0) : Place(place_ + lit<1>());
-    const bool stores = at.live && ends && place_ < words;
+    if (starts) {
+      const bool row_starts = at.column == 0 && at.x == 0;
+      inside_ = row_starts || (inside_ && place_ != words - 1);
+      place_ = row_starts ? Place(0) : Place(place_ + lit<1>());
+    }
+    const bool stores = at.live && ends && inside_;
     Quarter word;
     if (stores) {
       word = memory_.read(place_);
@@ -147,7 +151,9 @@ class CellAverager {
   template <class Position>
   void pass_quarters(const Position& at, int count, Pixels pixels) {
     auto place = next_place(at);
-    place_ = Place(place + static_cast<unsigned>(count) - 1);
+    const unsigned last = place + static_cast<unsigned>(count) - 1;
+    place_ = Place(last);
+    inside_ = last < words;
     if (!at.live) return;
     for (; count > 0 && place < words; --count, ++place, pixels += quarter) sum_quarter(place, at.y == 0, pixels);
   }
@@ -156,7 +162,8 @@ class CellAverager {
   CellGrey pass_quarter(const Position& at, const Pixels& pixels) {
     const auto place = next_place(at);
     place_ = Place(place);
-    if (!at.live || place >= words) return {};
+    inside_ = place < words;
+    if (!at.live || !inside_) return {};
     CellGrey out = add_quarter(at.x == 0, at.y == CELL - 1, sum_quarter(place, at.y == 0, pixels));
     out.valid = out.valid && at.x == CELL - quarter;
     return out;
@@ -175,7 +182,8 @@ class CellAverager {
 #ifndef __HLSC__
   template <class Position>
   [[nodiscard]] unsigned next_place(const Position& at) const {
-    return at.column == 0 && at.x == 0 ? 0 : static_cast<unsigned>(place_.value()) + 1;
+    if (at.column == 0 && at.x == 0) return 0;
+    return inside_ ? static_cast<unsigned>(place_.value()) + 1 : static_cast<unsigned>(words);
   }
 
   [[gnu::always_inline]] Quarter sum_quarter(unsigned place, bool first_row, const Pixels& pixels) {
@@ -230,6 +238,7 @@ class CellAverager {
   std::array<Kept<u<mean_bits + 2>>, 2> total_{};
   std::array<Kept<u<mean_bits + 5>>, 2> detail_{};
   Place place_{0};
+  bool inside_ = true;  // the place is in the memory; it is no longer compared where it is used
   bool running_mask_ = false, running_of_skin_ = false;
   bool mask_ = false, of_skin_ = false;
 };

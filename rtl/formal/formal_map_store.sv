@@ -89,7 +89,9 @@ module formal_map_store (
   (* hierconn *) wire \dut.writes_q ;
   (* hierconn *) wire \dut.running_q ;
   (* hierconn *) wire \dut.last_fact_q ;
-  (* hierconn *) wire \dut.meets_q ;
+  (* hierconn *) wire \dut.misread_q ;
+  (* hierconn *) wire \dut.begins_before_q ;
+  (* hierconn *) wire \dut.ends_behind_q ;
   (* hierconn *) wire \dut.overlaps_q ;
   (* hierconn *) wire \dut.bad_size_q ;
   (* hierconn *) wire \dut.too_large_q ;
@@ -187,7 +189,7 @@ module formal_map_store (
       if (\dut.state_q != IDLE) assert (\dut.slot_q != 4'd15 && !valid[\dut.slot_q ]);
       if (\dut.state_q == WALK && valid[watched]) begin
         assert (\dut.overlap_q [watched] == (\dut.step_q > {1'b0, watched, 2'b11} && !apart));
-        if (\dut.step_q == {1'b0, watched, 2'b10}) assert (\dut.meets_q == !apart);
+        if (\dut.step_q == {1'b0, watched, 2'b10}) assert ((\dut.misread_q || (\dut.begins_before_q && \dut.ends_behind_q )) == !apart);
         if (\dut.step_q == {1'b0, watched, 2'b11}) assert (\dut.overlaps_q == !apart);
       end
       if (\dut.state_q == DATA) begin

@@ -461,7 +461,7 @@ module horopter_frame_control (
       .gap_i(late_o || silent_i != 2'b00),
       .published_i(publish_o),
       .seen_i(frame_seen_o),
-      .faulty_i(frame_faults_o != '0),
+      .faulty_i(faulty_q != '0),  // as of frame_faults_o, from publishing on
       .decide_i(begin_q[4]),
       .raw_i(teaching_i),
       .counts_o(counts),

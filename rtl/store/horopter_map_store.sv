@@ -216,13 +216,14 @@ module horopter_map_store #(
       .read_data_o(extent),
       .parity_error_o(extent_error)
   );
-  logic meets_q, overlaps_q, slot_valid_q;
+  logic misread_q, begins_before_q, ends_behind_q, overlaps_q, slot_valid_q;
   assign slot_extent_o = slot_valid_q ? {16'(extent[2*ADDR_BITS:ADDR_BITS]), 16'(extent[ADDR_BITS-1:0])} : 32'd0;
   assign walk_slot = step_q[5:2];
   always_ff @(posedge clk_i) begin
-    meets_q <= extent_error
-        || ({1'b0, extent[ADDR_BITS-1:0]} < end_addr && extent[2*ADDR_BITS:ADDR_BITS] > {1'b0, base_q[ADDR_BITS-1:0]});
-    overlaps_q <= valid_q[walk_slot] && walk_slot != slot_q && meets_q;
+    misread_q <= extent_error;
+    begins_before_q <= {1'b0, extent[ADDR_BITS-1:0]} < end_addr;
+    ends_behind_q <= extent[2*ADDR_BITS:ADDR_BITS] > {1'b0, base_q[ADDR_BITS-1:0]};
+    overlaps_q <= valid_q[walk_slot] && walk_slot != slot_q && (misread_q || (begins_before_q && ends_behind_q));
   end
 
   // Decided when the walk is over, for what is in use then: the selection may change during it.

@@ -3,7 +3,7 @@
 //
 // Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 3079 bits, pipeline 850 bits, memories 66527 bits.
+// State 3080 bits, pipeline 850 bits, memories 66527 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -72,22 +72,22 @@ module horopter_agreement (
   assign s3_en = en_i & valid_s3_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2348;
-  assign not_2348 = ~cfg_prove_i;
-  logic [5:0] sum_2561;
-  assign sum_2561 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_3621;
-  assign difference_3621 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_3834;
-  assign not_3834 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_3892;
-  assign difference_3892 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_4139;
-  assign less_4139 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_4140;
-  assign sum_4140 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic [7:0] select_4141;
-  assign select_4141 = less_4139 ? {sum_4140, cfg_height_i[5:3]} : 8'h0;
+  logic not_2354;
+  assign not_2354 = ~cfg_prove_i;
+  logic [5:0] sum_2567;
+  assign sum_2567 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_3627;
+  assign difference_3627 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_3840;
+  assign not_3840 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [6:0] difference_3898;
+  assign difference_3898 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_4145;
+  assign less_4145 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_4146;
+  assign sum_4146 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic [7:0] select_4147;
+  assign select_4147 = less_4145 ? {sum_4146, cfg_height_i[5:3]} : 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic left_first_q;
@@ -105,6 +105,7 @@ module horopter_agreement (
   logic raster_row_ended_q;
   logic raster_final_row_q;
   logic [7:0] averager_place_q;
+  logic averager_inside_q;
   logic [2:0] run_phase_q;
   logic [5:0] run_shift_q;
   logic run_last_shift_q;
@@ -155,405 +156,407 @@ module horopter_agreement (
   logic [4:0] patches_column_q;
   logic patches_column_ends_q;
   // hls/stages/census.hpp:36
-  logic [2:0] select_508;
-  assign select_508 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
-  logic [5:0] select_510;
-  assign select_510 = sample_pair_first_q ? 6'h0 : (raster_row_ended_q ? 6'h0 : raster_at_column_q);
-  // hls/stages/census.hpp:116
-  logic [7:0] select_513;
-  assign select_513 = ({select_510, select_508} == 9'h0) ? 8'h0 : (averager_place_q + 8'h1);
+  logic [2:0] select_509;
+  assign select_509 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
+  logic [5:0] select_511;
+  assign select_511 = sample_pair_first_q ? 6'h0 : (raster_row_ended_q ? 6'h0 : raster_at_column_q);
   // hls/stages/census.hpp:117
-  logic [7:0] select_514;
-  assign select_514 = select_508[0] ? averager_place_q : select_513;
+  logic equal_512;
+  assign equal_512 = {select_511, select_509} == 9'h0;
+  // hls/stages/census.hpp:121
+  logic [7:0] select_515;
+  assign select_515 = select_509[0] ? averager_place_q : (equal_512 ? 8'h0 : (averager_place_q + 8'h1));
+  logic select_520;
+  assign select_520 = select_509[0] ? averager_inside_q : (equal_512 | (averager_inside_q & (~(averager_place_q == 8'hbc))));
   // hls/stages/census.hpp:42
-  logic or_515;
-  assign or_515 = sample_pair_first_q | raster_at_live_q;
+  logic or_521;
+  assign or_521 = sample_pair_first_q | raster_at_live_q;
   // hls/stages/agreement.hpp:418
-  logic and_518;
-  assign and_518 = (select_508[0] & or_515) & (select_514 < 8'hbd);
+  logic and_523;
+  assign and_523 = select_520 & (select_509[0] & or_521);
   // hls/stages/census.hpp:42
-  logic [2:0] select_523;
-  assign select_523 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  logic [2:0] select_528;
+  assign select_528 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
   // hls/stages/agreement.hpp:276
   logic [5:0] last;
-  assign last = sample_pair_whole_q ? select_510 : 6'h0;
+  assign last = sample_pair_whole_q ? select_511 : 6'h0;
   // hls/stages/census.hpp:51
-  logic equal_540;
-  assign equal_540 = select_508 == 3'h7;
+  logic equal_545;
+  assign equal_545 = select_509 == 3'h7;
   // hls/stages/census.hpp:54
-  logic equal_541;
-  assign equal_541 = select_523 == 3'h7;
-  // hls/stages/census.hpp:127
-  logic and_542;
-  assign and_542 = equal_541 & and_518;
+  logic equal_546;
+  assign equal_546 = select_528 == 3'h7;
+  // hls/stages/census.hpp:131
+  logic and_547;
+  assign and_547 = equal_546 & and_523;
   // hls/stages/agreement.hpp:276
-  logic and_544;
-  assign and_544 = sample_pair_whole_q & (equal_540 & and_542);
+  logic and_549;
+  assign and_549 = sample_pair_whole_q & (equal_545 & and_547);
   // hls/stages/agreement.hpp:196
   logic so;
   assign so = run_phase_q == 3'h6;
   // hls/stages/agreement.hpp:623
-  logic equal_573;
-  assign equal_573 = run_phase_q == 3'h5;
+  logic equal_578;
+  assign equal_578 = run_phase_q == 3'h5;
   // hls/stages/agreement.hpp:594
-  logic or_574;
-  assign or_574 = so | equal_573;
+  logic or_579;
+  assign or_579 = so | equal_578;
   // hls/stages/agreement.hpp:592
-  logic [7:0] sum_575;
-  assign sum_575 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+  logic [7:0] sum_580;
+  assign sum_580 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
   // hls/stages/agreement.hpp:594
-  logic [7:0] select_576;
-  assign select_576 = run_shift_q[5] ? x_q : sum_575;
-  logic less_577;
-  assign less_577 = {2'h0, last_q} < select_576;
+  logic [7:0] select_581;
+  assign select_581 = run_shift_q[5] ? x_q : sum_580;
+  logic less_582;
+  assign less_582 = {2'h0, last_q} < select_581;
   // hls/stages/agreement.hpp:226
-  logic not_578;
-  assign not_578 = ~less_577;
+  logic not_583;
+  assign not_583 = ~less_582;
   // hls/stages/agreement.hpp:614
-  logic equal_588;
-  assign equal_588 = run_phase_q == 3'h3;
+  logic equal_593;
+  assign equal_593 = run_phase_q == 3'h3;
   // hls/stages/agreement.hpp:615
-  logic equal_589;
-  assign equal_589 = run_phase_q == 3'h2;
+  logic equal_594;
+  assign equal_594 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:149
-  logic and_590;
-  assign and_590 = equal_589 & not_578;
-  logic select_592;
-  assign select_592 = or_574 ? not_578 : (equal_588 ? not_578 : and_590);
+  logic and_595;
+  assign and_595 = equal_594 & not_583;
+  logic select_597;
+  assign select_597 = or_579 ? not_583 : (equal_593 ? not_583 : and_595);
   // hls/stages/agreement.hpp:798
   logic [7:0] x;
   assign x = x_q + 8'hfd;
   // hls/stages/agreement.hpp:796
-  logic [6:0] sum_606;
-  assign sum_606 = {1'b0, last_q} + 7'h3;
+  logic [6:0] sum_611;
+  assign sum_611 = {1'b0, last_q} + 7'h3;
   // hls/stages/agreement.hpp:149
-  logic and_611;
-  assign and_611 = equal_588 & (age_q[2] & (ends_cell_q & (~({1'b0, sum_606} < select_576))));
-  logic select_612;
-  assign select_612 = or_574 ? not_578 : and_611;
+  logic and_616;
+  assign and_616 = equal_593 & (age_q[2] & (ends_cell_q & (~({1'b0, sum_611} < select_581))));
+  logic select_617;
+  assign select_617 = or_579 ? not_583 : and_616;
   // hls/stages/agreement.hpp:821
   logic [5:0] right;
-  assign right = sum_575[5:0] + 6'h3d;
+  assign right = sum_580[5:0] + 6'h3d;
   // hls/stages/agreement.hpp:720
-  logic not_642;
-  assign not_642 = ~or_574;
+  logic not_647;
+  assign not_647 = ~or_579;
   // hls/stages/agreement.hpp:149
-  logic and_645;
-  assign and_645 = not_642 & ((~equal_588) & and_590);
+  logic and_650;
+  assign and_650 = not_647 & ((~equal_593) & and_595);
   // hls/stages/census.hpp:42
-  logic [5:0] select_672;
-  assign select_672 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
+  logic [5:0] select_677;
+  assign select_677 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:276
   logic [5:0] row;
-  assign row = sample_pair_whole_q ? select_672 : 6'h0;
+  assign row = sample_pair_whole_q ? select_677 : 6'h0;
   // hls/stages/patches.hpp:122
-  logic and_1670;
-  assign and_1670 = (select_508 == 3'h0) & (select_510 == 6'h0);
-  // hls/stages/patches.hpp:392
-  logic not_1671;
-  assign not_1671 = ~patches_begins_q;
-  // hls/stages/census.hpp:32
-  logic not_1674;
-  assign not_1674 = ~sample_pair_first_q;
-  // hls/stages/patches.hpp:362
   logic and_1675;
-  assign and_1675 = patches_capturing_q & not_1674;
+  assign and_1675 = (select_509 == 3'h0) & (select_511 == 6'h0);
+  // hls/stages/patches.hpp:392
+  logic not_1676;
+  assign not_1676 = ~patches_begins_q;
+  // hls/stages/census.hpp:32
+  logic not_1679;
+  assign not_1679 = ~sample_pair_first_q;
+  // hls/stages/patches.hpp:362
+  logic and_1680;
+  assign and_1680 = patches_capturing_q & not_1679;
   // hls/stages/patches.hpp:364
-  logic equal_1676;
-  assign equal_1676 = {or_515, select_523} == 4'hc;
+  logic equal_1681;
+  assign equal_1681 = {or_521, select_528} == 4'hc;
   // hls/stages/patches.hpp:311
-  logic equal_1678;
-  assign equal_1678 = patches_band_rows_rows_to_next_q == 4'h0;
+  logic equal_1683;
+  assign equal_1683 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/patches.hpp:125
-  logic and_1683;
-  assign and_1683 = (not_1671 & (patches_work_q == 3'h0)) & (~(and_1675 | ((~equal_1676) | (~equal_1678))));
+  logic and_1688;
+  assign and_1688 = (not_1676 & (patches_work_q == 3'h0)) & (~(and_1680 | ((~equal_1681) | (~equal_1683))));
   // hls/stages/patches.hpp:534
-  logic equal_1774;
-  assign equal_1774 = patches_work_q == 3'h4;
-  // hls/stages/patches.hpp:512
-  logic not_1775;
-  assign not_1775 = ~equal_1774;
-  // hls/stages/patches.hpp:505
-  logic equal_1776;
-  assign equal_1776 = patches_work_q == 3'h3;
-  // hls/stages/patches.hpp:458
-  logic not_1777;
-  assign not_1777 = ~equal_1776;
-  // hls/stages/patches.hpp:499
-  logic equal_1778;
-  assign equal_1778 = patches_work_q == 3'h2;
-  // hls/stages/patches.hpp:167
   logic equal_1779;
-  assign equal_1779 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:534
-  logic or_1780;
-  assign or_1780 = equal_1778 | equal_1779;
-  // hls/stages/patches.hpp:460
-  logic not_1781;
-  assign not_1781 = ~patches_second_q;
-  // hls/stages/patches.hpp:373
-  logic [4:0] select_1803;
-  assign select_1803 = and_1683 ? 5'h0 : (patches_row_q + 5'h1);
-  // hls/stages/patches.hpp:126
-  logic [4:0] select_1804;
-  assign select_1804 = and_1670 ? select_1803 : patches_row_q;
-  // hls/stages/patches.hpp:125
-  logic and_1806;
-  assign and_1806 = and_1675 & (patches_row_q == 5'h1f);
-  // hls/stages/patches.hpp:126
-  logic select_1810;
-  assign select_1810 = and_1670 ? (and_1683 | (and_1675 & (~and_1806))) : patches_capturing_q;
-  // hls/stages/patches.hpp:184
-  logic and_1818;
-  assign and_1818 = not_1775 & (not_1777 & (or_1780 & (patches_second_q & equal_1779)));
-  // hls/stages/patches.hpp:167
-  logic not_1835;
-  assign not_1835 = ~equal_1779;
-  // hls/stages/agreement.hpp:276
-  logic [3:0] select_1851;
-  assign select_1851 = and_1670 ? {select_1803[4], select_1803[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  assign equal_1779 = patches_work_q == 3'h4;
+  // hls/stages/patches.hpp:512
+  logic not_1780;
+  assign not_1780 = ~equal_1779;
+  // hls/stages/patches.hpp:505
+  logic equal_1781;
+  assign equal_1781 = patches_work_q == 3'h3;
   // hls/stages/patches.hpp:458
-  logic and_1861;
-  assign and_1861 = not_1775 & (or_1780 & not_1777);
+  logic not_1782;
+  assign not_1782 = ~equal_1781;
+  // hls/stages/patches.hpp:499
+  logic equal_1783;
+  assign equal_1783 = patches_work_q == 3'h2;
+  // hls/stages/patches.hpp:167
+  logic equal_1784;
+  assign equal_1784 = patches_work_q == 3'h1;
+  // hls/stages/patches.hpp:534
+  logic or_1785;
+  assign or_1785 = equal_1783 | equal_1784;
+  // hls/stages/patches.hpp:460
+  logic not_1786;
+  assign not_1786 = ~patches_second_q;
+  // hls/stages/patches.hpp:373
+  logic [4:0] select_1808;
+  assign select_1808 = and_1688 ? 5'h0 : (patches_row_q + 5'h1);
+  // hls/stages/patches.hpp:126
+  logic [4:0] select_1809;
+  assign select_1809 = and_1675 ? select_1808 : patches_row_q;
+  // hls/stages/patches.hpp:125
+  logic and_1811;
+  assign and_1811 = and_1680 & (patches_row_q == 5'h1f);
+  // hls/stages/patches.hpp:126
+  logic select_1815;
+  assign select_1815 = and_1675 ? (and_1688 | (and_1680 & (~and_1811))) : patches_capturing_q;
+  // hls/stages/patches.hpp:184
+  logic and_1823;
+  assign and_1823 = not_1780 & (not_1782 & (or_1785 & (patches_second_q & equal_1784)));
+  // hls/stages/patches.hpp:167
+  logic not_1840;
+  assign not_1840 = ~equal_1784;
+  // hls/stages/agreement.hpp:276
+  logic [3:0] select_1856;
+  assign select_1856 = and_1675 ? {select_1808[4], select_1808[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  // hls/stages/patches.hpp:458
+  logic and_1866;
+  assign and_1866 = not_1780 & (or_1785 & not_1782);
   // hls/stages/agreement.hpp:190
-  logic and_1972;
-  assign and_1972 = right_q & (~marks_first_i);
+  logic and_1977;
+  assign and_1977 = right_q & (~marks_first_i);
   // hls/stages/agreement.hpp:276
-  logic [2:0] select_2143;
-  assign select_2143 = sample_pair_whole_q ? (sample_last_q ? (select_523 + 3'h1) : select_523) : raster_at_y_q;
-  logic [5:0] select_2145;
-  assign select_2145 = sample_pair_whole_q ? (select_510 + {5'h0, equal_540}) : raster_at_column_q;
-  logic [5:0] select_2148;
-  assign select_2148 = sample_pair_whole_q ? (sample_last_q ? (select_672 + {5'h0, equal_541}) : select_672) : raster_at_row_q;
-  logic select_2152;
-  assign select_2152 = sample_pair_whole_q ? (sample_last_q ? (or_515 & (~raster_final_row_q)) : or_515) : raster_at_live_q;
+  logic [2:0] select_2148;
+  assign select_2148 = sample_pair_whole_q ? (sample_last_q ? (select_528 + 3'h1) : select_528) : raster_at_y_q;
+  logic [5:0] select_2150;
+  assign select_2150 = sample_pair_whole_q ? (select_511 + {5'h0, equal_545}) : raster_at_column_q;
+  logic [5:0] select_2153;
+  assign select_2153 = sample_pair_whole_q ? (sample_last_q ? (select_677 + {5'h0, equal_546}) : select_677) : raster_at_row_q;
+  logic select_2157;
+  assign select_2157 = sample_pair_whole_q ? (sample_last_q ? (or_521 & (~raster_final_row_q)) : or_521) : raster_at_live_q;
   // hls/stages/census.hpp:50
-  logic [8:0] select_2154;
-  assign select_2154 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [8:0] select_2159;
+  assign select_2159 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:276
-  logic select_2158;
-  assign select_2158 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  logic select_2163;
+  assign select_2163 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:459
-  logic [6:0] sum_2466;
-  assign sum_2466 = {1'b0, last} + 7'h1;
-  logic equal_2467;
-  assign equal_2467 = {sum_2466[6], cfg_width_i[8:3]} == {1'b0, sum_2466[5:0]};
+  logic [6:0] sum_2472;
+  assign sum_2472 = {1'b0, last} + 7'h1;
+  logic equal_2473;
+  assign equal_2473 = {sum_2472[6], cfg_width_i[8:3]} == {1'b0, sum_2472[5:0]};
   // hls/stages/agreement.hpp:464
-  logic and_2468;
-  assign and_2468 = and_544 & equal_2467;
+  logic and_2474;
+  assign and_2474 = and_549 & equal_2473;
   // hls/stages/agreement.hpp:523
-  logic select_2471;
-  assign select_2471 = (and_2468 | (~ends_cell_q)) ? and_2468 : ends_q;
+  logic select_2477;
+  assign select_2477 = (and_2474 | (~ends_cell_q)) ? and_2474 : ends_q;
   // hls/stages/agreement.hpp:529
   logic [2:0] now;
-  assign now = select_2471 ? (and_2468 ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2477 ? (and_2474 ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:534
-  logic [5:0] select_2475;
-  assign select_2475 = select_2471 ? (and_2468 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2478;
-  assign select_2478 = select_2471 ? (following_last_shift_q & (~and_2468)) : run_last_shift_q;
+  logic [5:0] select_2481;
+  assign select_2481 = select_2477 ? (and_2474 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2484;
+  assign select_2484 = select_2477 ? (following_last_shift_q & (~and_2474)) : run_last_shift_q;
   // hls/stages/agreement.hpp:607
-  logic and_2481;
-  assign and_2481 = run_last_shift_q & equal_588;
+  logic and_2487;
+  assign and_2487 = run_last_shift_q & equal_593;
   // hls/stages/agreement.hpp:616
-  logic select_2483;
-  assign select_2483 = equal_588 ? (~run_last_shift_q) : equal_589;
+  logic select_2489;
+  assign select_2489 = equal_593 ? (~run_last_shift_q) : equal_594;
   // hls/stages/agreement.hpp:620
-  logic equal_2484;
-  assign equal_2484 = run_phase_q == 3'h1;
-  logic not_2487;
-  assign not_2487 = ~select_2483;
+  logic equal_2490;
+  assign equal_2490 = run_phase_q == 3'h1;
+  logic not_2493;
+  assign not_2493 = ~select_2489;
   // hls/stages/agreement.hpp:623
-  logic equal_2489;
-  assign equal_2489 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:607
-  logic and_2490;
-  assign and_2490 = final_row_q & so;
-  // hls/stages/agreement.hpp:620
-  logic [1:0] select_2491;
-  assign select_2491 = equal_2489 ? 2'h1 : {2{and_2490}};
-  logic [2:0] select_2493;
-  assign select_2493 = (and_2481 | (select_2483 | equal_2484)) ? (equal_2484 ? 3'h2 : {not_2487, {2{select_2483}}}) : (equal_573 ? 3'h6 : {select_2491[0], select_2491});
+  logic equal_2495;
+  assign equal_2495 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:607
   logic and_2496;
-  assign and_2496 = select_2483 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
+  assign and_2496 = final_row_q & so;
+  // hls/stages/agreement.hpp:620
+  logic [1:0] select_2497;
+  assign select_2497 = equal_2495 ? 2'h1 : {2{and_2496}};
+  logic [2:0] select_2499;
+  assign select_2499 = (and_2487 | (select_2489 | equal_2490)) ? (equal_2490 ? 3'h2 : {not_2493, {2{select_2489}}}) : (equal_578 ? 3'h6 : {select_2497[0], select_2497});
+  // hls/stages/agreement.hpp:607
+  logic and_2502;
+  assign and_2502 = select_2489 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:630
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2499;
-  assign select_2499 = (plan_shift_q[5] & select_2483) ? value : 7'h0;
-  logic [1:0] or_2500;
-  assign or_2500 = {2{so}} | select_2499[5:4];
+  logic [6:0] select_2505;
+  assign select_2505 = (plan_shift_q[5] & select_2489) ? value : 7'h0;
+  logic [1:0] or_2506;
+  assign or_2506 = {2{so}} | select_2505[5:4];
   // hls/stages/agreement.hpp:633
-  logic [7:0] select_2501;
-  assign select_2501 = select_2483 ? plan_columns_q : 8'h0;
-  logic [6:0] or_2504;
-  assign or_2504 = select_2501[6:0] | ((equal_2484 | equal_2489) ? whole_q : 7'h0);
-  logic [1:0] or_2505;
-  assign or_2505 = {2{and_2481}} | or_2504[3:2];
+  logic [7:0] select_2507;
+  assign select_2507 = select_2489 ? plan_columns_q : 8'h0;
+  logic [6:0] or_2510;
+  assign or_2510 = select_2507[6:0] | ((equal_2490 | equal_2495) ? whole_q : 7'h0);
+  logic [1:0] or_2511;
+  assign or_2511 = {2{and_2487}} | or_2510[3:2];
   // hls/stages/agreement.hpp:634
-  logic [6:0] or_2507;
-  assign or_2507 = {or_2504[6:4], or_2505, or_2504[1:0]} | (equal_573 ? drawn_q : 7'h0);
-  logic [4:0] or_2508;
-  assign or_2508 = {5{so}} | {or_2507[6], or_2507[3:0]};
+  logic [6:0] or_2513;
+  assign or_2513 = {or_2510[6:4], or_2511, or_2510[1:0]} | (equal_578 ? drawn_q : 7'h0);
+  logic [4:0] or_2514;
+  assign or_2514 = {5{so}} | {or_2513[6], or_2513[3:0]};
   // hls/stages/agreement.hpp:640
-  logic not_2512;
-  assign not_2512 = ~run_shift_q[5];
-  logic [6:0] difference_2514;
-  assign difference_2514 = {1'b0, last_q} - {1'b0, least_q};
-  logic [7:0] select_2515;
-  assign select_2515 = equal_588 ? ({{7{not_2512}}, 1'b1} + run_span_q) : {difference_2514[6], difference_2514};
-  // hls/stages/agreement.hpp:523
-  logic [6:0] select_2519;
-  assign select_2519 = and_2468 ? 7'h0 : following_lowest_q;
-  // hls/stages/agreement.hpp:526
+  logic not_2518;
+  assign not_2518 = ~run_shift_q[5];
+  logic [6:0] difference_2520;
+  assign difference_2520 = {1'b0, last_q} - {1'b0, least_q};
   logic [7:0] select_2521;
-  assign select_2521 = select_2471 ? {select_2519[6], select_2519} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2524;
-  assign select_2524 = select_2471 ? (and_2468 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:520
-  logic [5:0] select_2532;
-  assign select_2532 = and_544 ? (equal_2467 ? ((5'he < last[5:1]) ? 6'h1d : last) : least_q) : least_q;
-  // hls/stages/agreement.hpp:473
-  logic [4:0] sum_2533;
-  assign sum_2533 = {1'b0, last[5:2]} + 5'h3;
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_2535;
-  assign select_2535 = and_544 ? (equal_2467 ? {sum_2533, last[1:0]} : whole_q) : whole_q;
-  // hls/stages/agreement.hpp:474
-  logic [4:0] sum_2536;
-  assign sum_2536 = {1'b0, last[5:2]} + 5'h1;
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_2538;
-  assign select_2538 = and_544 ? (equal_2467 ? {sum_2536, last[1:0]} : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:531
-  logic select_2552;
-  assign select_2552 = (ends_cell_q | select_2471) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_588 | (slot_q == 3'h6));
+  assign select_2521 = equal_593 ? ({{7{not_2518}}, 1'b1} + run_span_q) : {difference_2520[6], difference_2520};
+  // hls/stages/agreement.hpp:523
+  logic [6:0] select_2525;
+  assign select_2525 = and_2474 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:526
-  logic and_2556;
-  assign and_2556 = (~select_2471) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic [7:0] select_2527;
+  assign select_2527 = select_2477 ? {select_2525[6], select_2525} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2530;
+  assign select_2530 = select_2477 ? (and_2474 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  // hls/stages/agreement.hpp:520
+  logic [5:0] select_2538;
+  assign select_2538 = and_549 ? (equal_2473 ? ((5'he < last[5:1]) ? 6'h1d : last) : least_q) : least_q;
+  // hls/stages/agreement.hpp:473
+  logic [4:0] sum_2539;
+  assign sum_2539 = {1'b0, last[5:2]} + 5'h3;
+  // hls/stages/agreement.hpp:520
+  logic [6:0] select_2541;
+  assign select_2541 = and_549 ? (equal_2473 ? {sum_2539, last[1:0]} : whole_q) : whole_q;
+  // hls/stages/agreement.hpp:474
+  logic [4:0] sum_2542;
+  assign sum_2542 = {1'b0, last[5:2]} + 5'h1;
+  // hls/stages/agreement.hpp:520
+  logic [6:0] select_2544;
+  assign select_2544 = and_549 ? (equal_2473 ? {sum_2542, last[1:0]} : drawn_q) : drawn_q;
+  // hls/stages/agreement.hpp:531
+  logic select_2558;
+  assign select_2558 = (ends_cell_q | select_2477) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_593 | (slot_q == 3'h6));
+  // hls/stages/agreement.hpp:526
+  logic and_2562;
+  assign and_2562 = (~select_2477) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:476
-  logic [6:0] sum_2557;
-  assign sum_2557 = {1'b0, row} + 7'h1;
+  logic [6:0] sum_2563;
+  assign sum_2563 = {1'b0, row} + 7'h1;
   // hls/stages/agreement.hpp:460
-  logic select_2559;
-  assign select_2559 = equal_2467 ? ({sum_2557[6], cfg_height_i[8:3]} == {1'b0, sum_2557[5:0]}) : final_row_q;
+  logic select_2565;
+  assign select_2565 = equal_2473 ? ({sum_2563[6], cfg_height_i[8:3]} == {1'b0, sum_2563[5:0]}) : final_row_q;
   // hls/stages/patches.hpp:317
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
-  logic [3:0] select_2935;
-  assign select_2935 = and_1670 ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
-  // hls/stages/agreement.hpp:276
-  logic [3:0] select_2936;
-  assign select_2936 = sample_pair_whole_q ? select_2935 : patches_phase_q;
-  // hls/stages/patches.hpp:373
-  logic and_2937;
-  assign and_2937 = not_1674 & equal_1676;
-  logic [8:0] select_2938;
-  assign select_2938 = and_2937 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_2939;
-  assign select_2939 = and_2937 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_2940;
-  assign select_2940 = sample_pair_first_q ? select_2938 : select_2939;
+  logic [3:0] select_2941;
+  assign select_2941 = and_1675 ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
   // hls/stages/agreement.hpp:276
   logic [3:0] select_2942;
-  assign select_2942 = sample_pair_whole_q ? (and_1670 ? select_2940[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_2944;
-  assign select_2944 = sample_pair_whole_q ? (and_1670 ? select_2940[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_2947;
-  assign select_2947 = sample_pair_whole_q ? (equal_1678 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_2949;
-  assign select_2949 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_1678}) : patches_next_band_number_q;
-  // hls/stages/patches.hpp:330
-  logic equal_2950;
-  assign equal_2950 = phase[3:1] == 3'h0;
-  // hls/stages/patches.hpp:331
-  logic not_2951;
-  assign not_2951 = ~equal_2950;
+  assign select_2942 = sample_pair_whole_q ? select_2941 : patches_phase_q;
+  // hls/stages/patches.hpp:373
+  logic and_2943;
+  assign and_2943 = not_1679 & equal_1681;
+  logic [8:0] select_2944;
+  assign select_2944 = and_2943 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_2945;
+  assign select_2945 = and_2943 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_2946;
+  assign select_2946 = sample_pair_first_q ? select_2944 : select_2945;
   // hls/stages/agreement.hpp:276
+  logic [3:0] select_2948;
+  assign select_2948 = sample_pair_whole_q ? (and_1675 ? select_2946[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_2950;
+  assign select_2950 = sample_pair_whole_q ? (and_1675 ? select_2946[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
   logic [3:0] select_2953;
-  assign select_2953 = sample_pair_whole_q ? (phase + {not_2951, 1'b1, not_2951, equal_2950}) : patches_first_band_rows_to_next_q;
-  // hls/stages/agreement.hpp:470
-  logic equal_2955;
-  assign equal_2955 = row == 6'h3;
-  // hls/stages/patches.hpp:87
+  assign select_2953 = sample_pair_whole_q ? (equal_1683 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_2955;
+  assign select_2955 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_1683}) : patches_next_band_number_q;
+  // hls/stages/patches.hpp:330
+  logic equal_2956;
+  assign equal_2956 = phase[3:1] == 3'h0;
+  // hls/stages/patches.hpp:331
+  logic not_2957;
+  assign not_2957 = ~equal_2956;
+  // hls/stages/agreement.hpp:276
   logic [3:0] select_2959;
-  assign select_2959 = equal_2955 ? ((select_2936 == 4'h6) ? 4'h0 : (select_2936 + 4'h1)) : patches_choosing_rows_to_next_q;
-  logic equal_2960;
-  assign equal_2960 = select_2959 == 4'h0;
-  // hls/stages/agreement.hpp:460
-  logic [3:0] select_2963;
-  assign select_2963 = equal_2467 ? (equal_2960 ? 4'h6 : (select_2959 + 4'hf)) : patches_choosing_rows_to_next_q;
+  assign select_2959 = sample_pair_whole_q ? (phase + {not_2957, 1'b1, not_2957, equal_2956}) : patches_first_band_rows_to_next_q;
+  // hls/stages/agreement.hpp:470
+  logic equal_2961;
+  assign equal_2961 = row == 6'h3;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_2965;
-  assign select_2965 = equal_2955 ? 5'h0 : patches_choosing_number_q;
+  logic [3:0] select_2965;
+  assign select_2965 = equal_2961 ? ((select_2942 == 4'h6) ? 4'h0 : (select_2942 + 4'h1)) : patches_choosing_rows_to_next_q;
+  logic equal_2966;
+  assign equal_2966 = select_2965 == 4'h0;
   // hls/stages/agreement.hpp:460
-  logic [4:0] select_2967;
-  assign select_2967 = equal_2467 ? (select_2965 + {4'h0, equal_2960}) : patches_choosing_number_q;
+  logic [3:0] select_2969;
+  assign select_2969 = equal_2473 ? (equal_2966 ? 4'h6 : (select_2965 + 4'hf)) : patches_choosing_rows_to_next_q;
+  // hls/stages/patches.hpp:87
+  logic [4:0] select_2971;
+  assign select_2971 = equal_2961 ? 5'h0 : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:460
+  logic [4:0] select_2973;
+  assign select_2973 = equal_2473 ? (select_2971 + {4'h0, equal_2966}) : patches_choosing_number_q;
   // hls/stages/agreement.hpp:520
-  logic select_2972;
-  assign select_2972 = and_544 ? (equal_2467 ? ((6'h2 < row) & equal_2960) : patches_chooses_q) : patches_chooses_q;
-  logic [4:0] select_2974;
-  assign select_2974 = and_544 ? (equal_2467 ? select_2965 : patches_choosing_band_q) : patches_choosing_band_q;
+  logic select_2978;
+  assign select_2978 = and_549 ? (equal_2473 ? ((6'h2 < row) & equal_2966) : patches_chooses_q) : patches_chooses_q;
+  logic [4:0] select_2980;
+  assign select_2980 = and_549 ? (equal_2473 ? select_2971 : patches_choosing_band_q) : patches_choosing_band_q;
   // hls/stages/patches.hpp:371
-  logic or_2997;
-  assign or_2997 = select_510[0] | select_672[5];
-  logic [7:0] sum_2998;
-  assign sum_2998 = {1'b0, select_510[2:1], or_2997, select_672[4:1]} + 8'h1;
-  logic less_2999;
-  assign less_2999 = {sum_2998, select_672[0], select_523, 1'b0} < {4'h0, cfg_height_i};
+  logic or_3003;
+  assign or_3003 = select_511[0] | select_677[5];
+  logic [7:0] sum_3004;
+  assign sum_3004 = {1'b0, select_511[2:1], or_3003, select_677[4:1]} + 8'h1;
+  logic less_3005;
+  assign less_3005 = {sum_3004, select_677[0], select_528, 1'b0} < {4'h0, cfg_height_i};
   // hls/stages/patches.hpp:126
-  logic select_3002;
-  assign select_3002 = and_1670 ? (and_1683 ? (~less_2999) : patches_lower_q) : patches_lower_q;
+  logic select_3008;
+  assign select_3008 = and_1675 ? (and_1688 ? (~less_3005) : patches_lower_q) : patches_lower_q;
   // hls/stages/patches.hpp:393
-  logic or_3041;
-  assign or_3041 = patches_begins_q | patches_ends_q;
+  logic or_3047;
+  assign or_3047 = patches_begins_q | patches_ends_q;
   // hls/stages/patches.hpp:395
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:187
-  logic and_3047;
-  assign and_3047 = equal_1774 & not_1781;
+  logic and_3053;
+  assign and_3053 = equal_1779 & not_1786;
   // hls/stages/patches.hpp:399
-  logic and_3048;
-  assign and_3048 = not_1835 & and_3047;
-  logic [1:0] select_3050;
-  assign select_3050 = equal_1776 ? 2'h0 : (equal_1778 ? 2'h3 : {equal_1779, and_3048});
+  logic and_3054;
+  assign and_3054 = not_1840 & and_3053;
+  logic [1:0] select_3056;
+  assign select_3056 = equal_1781 ? 2'h0 : (equal_1783 ? 2'h3 : {equal_1784, and_3054});
   // hls/stages/patches.hpp:279
-  logic equal_3052;
-  assign equal_3052 = patches_following_q == 3'h4;
+  logic equal_3058;
+  assign equal_3058 = patches_following_q == 3'h4;
   // hls/stages/patches.hpp:277
-  logic not_3053;
-  assign not_3053 = ~equal_3052;
+  logic not_3059;
+  assign not_3059 = ~equal_3058;
   // hls/stages/patches.hpp:279
-  logic equal_3054;
-  assign equal_3054 = patches_following_q == 3'h3;
+  logic equal_3060;
+  assign equal_3060 = patches_following_q == 3'h3;
   // hls/stages/patches.hpp:275
-  logic not_3055;
-  assign not_3055 = ~equal_3054;
+  logic not_3061;
+  assign not_3061 = ~equal_3060;
   // hls/stages/patches.hpp:283
-  logic not_3057;
-  assign not_3057 = ~(patches_following_q == 3'h2);
-  logic and_3060;
-  assign and_3060 = (~(patches_following_q == 3'h1)) & not_3057;
+  logic not_3063;
+  assign not_3063 = ~(patches_following_q == 3'h2);
+  logic and_3066;
+  assign and_3066 = (~(patches_following_q == 3'h1)) & not_3063;
   // hls/stages/patches.hpp:397
-  logic [1:0] select_3061;
-  assign select_3061 = equal_3054 ? 2'h2 : {and_3060, not_3057};
-  logic [3:0] select_3062;
-  assign select_3062 = equal_3052 ? 4'h2 : {select_3061, {2{not_3055}}};
+  logic [1:0] select_3067;
+  assign select_3067 = equal_3060 ? 2'h2 : {and_3066, not_3063};
+  logic [3:0] select_3068;
+  assign select_3068 = equal_3058 ? 4'h2 : {select_3067, {2{not_3061}}};
   // hls/stages/patches.hpp:405
-  logic not_3065;
-  assign not_3065 = ~or_3041;
+  logic not_3071;
+  assign not_3071 = ~or_3047;
   // hls/stages/patches.hpp:394
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
   // hls/stages/patches.hpp:406
-  logic [11:0] select_3070;
-  assign select_3070 = or_3041 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  logic [11:0] select_3076;
+  assign select_3076 = or_3047 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/patches.hpp:187
-  logic [4:0] select_3072;
-  assign select_3072 = or_3041 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  logic [4:0] select_3078;
+  assign select_3078 = or_3047 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
   // Memory fresh, 47 x 33, DISTANCE 12, hls/stages/agreement.hpp:1372; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -567,7 +570,7 @@ module horopter_agreement (
   assign fresh_raddr = x_q[5:0];
 `ifndef SYNTHESIS
   logic fresh_re;
-  assign fresh_re = s0_en & and_645;
+  assign fresh_re = s0_en & and_650;
 `endif
   logic [32:0] fresh_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -586,7 +589,7 @@ module horopter_agreement (
   assign left_raddr = x_q[5:0];
 `ifndef SYNTHESIS
   logic left_re;
-  assign left_re = s0_en & select_592;
+  assign left_re = s0_en & select_597;
 `endif
   logic [84:0] left_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -602,10 +605,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) right_codes_mem[i] = 99'h0;
 `endif
   logic [5:0] right_codes_raddr;
-  assign right_codes_raddr = or_574 ? x_q[5:0] : (equal_588 ? sum_575[5:0] : x_q[5:0]);
+  assign right_codes_raddr = or_579 ? x_q[5:0] : (equal_593 ? sum_580[5:0] : x_q[5:0]);
 `ifndef SYNTHESIS
   logic right_codes_re;
-  assign right_codes_re = s0_en & select_592;
+  assign right_codes_re = s0_en & select_597;
 `endif
   logic [98:0] right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -621,10 +624,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) best_left_mem[i] = 62'h0;
 `endif
   logic [5:0] best_left_raddr;
-  assign best_left_raddr = or_574 ? x_q[5:0] : x[5:0];
+  assign best_left_raddr = or_579 ? x_q[5:0] : x[5:0];
 `ifndef SYNTHESIS
   logic best_left_re;
-  assign best_left_re = s0_en & select_612;
+  assign best_left_re = s0_en & select_617;
 `endif
   logic [61:0] best_left_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -642,7 +645,7 @@ module horopter_agreement (
   assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
 `ifndef SYNTHESIS
   logic patches_right_0_re;
-  assign patches_right_0_re = s0_en & (not_1775 & (not_1777 & (or_1780 & (equal_1779 & not_1781))));
+  assign patches_right_0_re = s0_en & (not_1780 & (not_1782 & (or_1785 & (equal_1784 & not_1786))));
 `endif
   logic [7:0] patches_right_0_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -660,7 +663,7 @@ module horopter_agreement (
   assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
 `ifndef SYNTHESIS
   logic patches_right_1_re;
-  assign patches_right_1_re = s0_en & and_1818;
+  assign patches_right_1_re = s0_en & and_1823;
 `endif
   logic [7:0] patches_right_1_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -678,7 +681,7 @@ module horopter_agreement (
   assign patches_left_raddr = {patches_second_q, patches_code_row_q[3:0], patches_column_q[3:0]};
 `ifndef SYNTHESIS
   logic patches_left_re;
-  assign patches_left_re = s0_en & (not_1775 & (not_1777 & (not_1835 & or_1780)));
+  assign patches_left_re = s0_en & (not_1780 & (not_1782 & (not_1840 & or_1785)));
 `endif
   logic [7:0] patches_left_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -697,7 +700,7 @@ module horopter_agreement (
   assign patches_columns_above_raddr = patches_column_q;
 `ifndef SYNTHESIS
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s0_en & and_1861;
+  assign patches_columns_above_re = s0_en & and_1866;
 `endif
   logic [31:0] patches_columns_above_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -721,6 +724,7 @@ module horopter_agreement (
       raster_row_ended_q <= 1'b1;
       raster_final_row_q <= 1'b0;
       averager_place_q <= 8'h0;
+      averager_inside_q <= 1'b1;
       run_phase_q <= 3'h0;
       run_shift_q <= 6'h0;
       run_last_shift_q <= 1'b0;
@@ -771,70 +775,71 @@ module horopter_agreement (
       patches_column_q <= 5'h0;
       patches_column_ends_q <= 1'b0;
     end else if (s0_en) begin
-      left_first_q <= and_1972 ? left_first_q : marks_first_i;
-      right_q <= (~and_1972) & (~marks_last_i);
+      left_first_q <= and_1977 ? left_first_q : marks_first_i;
+      right_q <= (~and_1977) & (~marks_last_i);
       sample_pair_first_q <= left_first_q;
-      sample_pair_whole_q <= and_1972;
+      sample_pair_whole_q <= and_1977;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_508 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_2143;
-      raster_at_column_q <= select_2145;
-      raster_at_row_q <= select_2148;
-      raster_at_live_q <= select_2152;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2154 : raster_rows_left_q;
+      raster_at_x_q <= sample_pair_whole_q ? (select_509 + 3'h1) : raster_at_x_q;
+      raster_at_y_q <= select_2148;
+      raster_at_column_q <= select_2150;
+      raster_at_row_q <= select_2153;
+      raster_at_live_q <= select_2157;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2159 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2158;
-      averager_place_q <= sample_pair_whole_q ? select_514 : averager_place_q;
+      raster_final_row_q <= select_2163;
+      averager_place_q <= sample_pair_whole_q ? select_515 : averager_place_q;
+      averager_inside_q <= sample_pair_whole_q ? select_520 : averager_inside_q;
       run_phase_q <= now;
-      run_shift_q <= select_2475;
-      run_last_shift_q <= select_2478;
-      run_span_q <= select_2471 ? (and_2468 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2493;
-      following_shift_q <= select_2483 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2496;
+      run_shift_q <= select_2481;
+      run_last_shift_q <= select_2484;
+      run_span_q <= select_2477 ? (and_2474 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2499;
+      following_shift_q <= select_2489 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2502;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2499[6], or_2500, select_2499[3:0]};
-      following_columns_q <= {select_2501[7], or_2508[4], or_2507[5:4], or_2508[3:0]};
-      plan_shift_q <= equal_588 ? (run_shift_q + 6'h1) : (6'h0 - least_q);
-      plan_span_q <= select_2515;
+      following_lowest_q <= {select_2505[6], or_2506, select_2505[3:0]};
+      following_columns_q <= {select_2507[7], or_2514[4], or_2513[5:4], or_2514[3:0]};
+      plan_shift_q <= equal_593 ? (run_shift_q + 6'h1) : (6'h0 - least_q);
+      plan_span_q <= select_2521;
       plan_columns_q <= (plan_span_q < 8'h3) ? 8'h6 : (plan_span_q + 8'h3);
-      x_q <= select_2521;
-      columns_left_q <= select_2524;
-      last_q <= and_544 ? (equal_2467 ? last : last_q) : last_q;
-      least_q <= select_2532;
-      whole_q <= select_2535;
-      drawn_q <= select_2538;
-      age_q <= select_2471 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2471 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2552;
-      ends_q <= and_2556;
-      final_row_q <= and_544 ? select_2559 : final_row_q;
+      x_q <= select_2527;
+      columns_left_q <= select_2530;
+      last_q <= and_549 ? (equal_2473 ? last : last_q) : last_q;
+      least_q <= select_2538;
+      whole_q <= select_2541;
+      drawn_q <= select_2544;
+      age_q <= select_2477 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2477 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2558;
+      ends_q <= and_2562;
+      final_row_q <= and_549 ? select_2565 : final_row_q;
       shift_first_q <= {run_shift_q[5], run_shift_q} == (7'h0 - {1'b0, least_q});
-      patches_phase_q <= select_2936;
-      patches_band_rows_rows_to_next_q <= select_2942;
-      patches_band_rows_number_q <= select_2944;
-      patches_next_band_rows_to_next_q <= select_2947;
-      patches_next_band_number_q <= select_2949;
-      patches_first_band_rows_to_next_q <= select_2953;
-      patches_first_band_number_q <= sample_pair_whole_q ? equal_2950 : patches_first_band_number_q;
-      patches_choosing_rows_to_next_q <= and_544 ? select_2963 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_544 ? select_2967 : patches_choosing_number_q;
-      patches_chooses_q <= select_2972;
-      patches_choosing_band_q <= select_2974;
-      patches_capturing_q <= sample_pair_whole_q ? select_1810 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_q ? select_3002 : patches_lower_q;
-      patches_row_q <= sample_pair_whole_q ? select_1804 : patches_row_q;
-      patches_work_q <= or_3041 ? following : patches_work_q;
-      patches_second_q <= not_1671 & (patches_second_q | (patches_ends_q & equal_1774));
-      patches_following_q <= equal_1774 ? {2'h0, and_3047} : {equal_1776, select_3050};
-      patches_following_beats_q <= {select_3062, not_3053};
-      patches_begins_q <= sample_pair_whole_q & (and_1670 & and_1806);
-      patches_ends_q <= not_3065 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3070;
-      patches_code_row_q <= select_3072;
-      patches_column_q <= or_3041 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3065 & (patches_column_q == 5'h1e);
+      patches_phase_q <= select_2942;
+      patches_band_rows_rows_to_next_q <= select_2948;
+      patches_band_rows_number_q <= select_2950;
+      patches_next_band_rows_to_next_q <= select_2953;
+      patches_next_band_number_q <= select_2955;
+      patches_first_band_rows_to_next_q <= select_2959;
+      patches_first_band_number_q <= sample_pair_whole_q ? equal_2956 : patches_first_band_number_q;
+      patches_choosing_rows_to_next_q <= and_549 ? select_2969 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_549 ? select_2973 : patches_choosing_number_q;
+      patches_chooses_q <= select_2978;
+      patches_choosing_band_q <= select_2980;
+      patches_capturing_q <= sample_pair_whole_q ? select_1815 : patches_capturing_q;
+      patches_lower_q <= sample_pair_whole_q ? select_3008 : patches_lower_q;
+      patches_row_q <= sample_pair_whole_q ? select_1809 : patches_row_q;
+      patches_work_q <= or_3047 ? following : patches_work_q;
+      patches_second_q <= not_1676 & (patches_second_q | (patches_ends_q & equal_1779));
+      patches_following_q <= equal_1779 ? {2'h0, and_3053} : {equal_1781, select_3056};
+      patches_following_beats_q <= {select_3068, not_3059};
+      patches_begins_q <= sample_pair_whole_q & (and_1675 & and_1811);
+      patches_ends_q <= not_3071 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3076;
+      patches_code_row_q <= select_3078;
+      patches_column_q <= or_3047 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3071 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -858,45 +863,45 @@ module horopter_agreement (
   logic patches_second_s1_q;
   logic [4:0] patches_code_row_s1_q;
   logic [4:0] patches_column_s1_q;
-  logic [2:0] select_508_s1_q;
-  logic [5:0] select_510_s1_q;
-  logic [7:0] select_514_s1_q;
-  logic and_518_s1_q;
-  logic equal_524_s1_q;
+  logic [2:0] select_509_s1_q;
+  logic [5:0] select_511_s1_q;
+  logic [7:0] select_515_s1_q;
+  logic and_523_s1_q;
+  logic equal_529_s1_q;
   logic [5:0] last_s1_2_q;
-  logic and_542_s1_q;
-  logic and_544_s1_q;
-  logic equal_569_s1_q;
+  logic and_547_s1_q;
+  logic and_549_s1_q;
+  logic equal_574_s1_q;
   logic so_s1_q;
-  logic equal_573_s1_q;
-  logic or_574_s1_q;
-  logic less_577_s1_q;
-  logic not_578_s1_q;
-  logic equal_588_s1_q;
+  logic equal_578_s1_q;
+  logic or_579_s1_q;
+  logic less_582_s1_q;
+  logic not_583_s1_q;
+  logic equal_593_s1_q;
   logic [6:0] x_s1_2_q;
-  logic select_612_s1_q;
+  logic select_617_s1_q;
   logic [5:0] right_s1_q;
-  logic and_645_s1_q;
+  logic and_650_s1_q;
   logic [5:0] row_s1_q;
-  logic and_1556_s1_q;
-  logic equal_1557_s1_q;
-  logic and_1670_s1_q;
-  logic and_1683_s1_q;
-  logic equal_1774_s1_q;
-  logic not_1775_s1_q;
-  logic equal_1776_s1_q;
-  logic not_1777_s1_q;
-  logic equal_1778_s1_q;
+  logic and_1561_s1_q;
+  logic equal_1562_s1_q;
+  logic and_1675_s1_q;
+  logic and_1688_s1_q;
   logic equal_1779_s1_q;
-  logic or_1780_s1_q;
-  logic [4:0] select_1804_s1_q;
-  logic select_1810_s1_q;
-  logic [3:0] select_1851_s1_q;
-  logic and_1861_s1_q;
-  logic equal_2467_s1_q;
-  logic and_2468_s1_q;
-  logic or_3041_s1_q;
-  logic not_3065_s1_q;
+  logic not_1780_s1_q;
+  logic equal_1781_s1_q;
+  logic not_1782_s1_q;
+  logic equal_1783_s1_q;
+  logic equal_1784_s1_q;
+  logic or_1785_s1_q;
+  logic [4:0] select_1809_s1_q;
+  logic select_1815_s1_q;
+  logic [3:0] select_1856_s1_q;
+  logic and_1866_s1_q;
+  logic equal_2473_s1_q;
+  logic and_2474_s1_q;
+  logic or_3047_s1_q;
+  logic not_3071_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -919,45 +924,45 @@ module horopter_agreement (
       patches_second_s1_q <= patches_second_q;
       patches_code_row_s1_q <= patches_code_row_q;
       patches_column_s1_q <= patches_column_q;
-      select_508_s1_q <= select_508;
-      select_510_s1_q <= select_510;
-      select_514_s1_q <= select_514;
-      and_518_s1_q <= and_518;
-      equal_524_s1_q <= select_523 == 3'h0;
+      select_509_s1_q <= select_509;
+      select_511_s1_q <= select_511;
+      select_515_s1_q <= select_515;
+      and_523_s1_q <= and_523;
+      equal_529_s1_q <= select_528 == 3'h0;
       last_s1_2_q <= last;
-      and_542_s1_q <= and_542;
-      and_544_s1_q <= and_544;
-      equal_569_s1_q <= run_phase_q == 3'h7;
+      and_547_s1_q <= and_547;
+      and_549_s1_q <= and_549;
+      equal_574_s1_q <= run_phase_q == 3'h7;
       so_s1_q <= so;
-      equal_573_s1_q <= equal_573;
-      or_574_s1_q <= or_574;
-      less_577_s1_q <= less_577;
-      not_578_s1_q <= not_578;
-      equal_588_s1_q <= equal_588;
+      equal_578_s1_q <= equal_578;
+      or_579_s1_q <= or_579;
+      less_582_s1_q <= less_582;
+      not_583_s1_q <= not_583;
+      equal_593_s1_q <= equal_593;
       x_s1_2_q <= x[6:0];
-      select_612_s1_q <= select_612;
+      select_617_s1_q <= select_617;
       right_s1_q <= right;
-      and_645_s1_q <= and_645;
+      and_650_s1_q <= and_650;
       row_s1_q <= row;
-      and_1556_s1_q <= not_642 & and_611;
-      equal_1557_s1_q <= {x[7:6], last_q} == {2'h0, x[5:0]};
-      and_1670_s1_q <= and_1670;
-      and_1683_s1_q <= and_1683;
-      equal_1774_s1_q <= equal_1774;
-      not_1775_s1_q <= not_1775;
-      equal_1776_s1_q <= equal_1776;
-      not_1777_s1_q <= not_1777;
-      equal_1778_s1_q <= equal_1778;
+      and_1561_s1_q <= not_647 & and_616;
+      equal_1562_s1_q <= {x[7:6], last_q} == {2'h0, x[5:0]};
+      and_1675_s1_q <= and_1675;
+      and_1688_s1_q <= and_1688;
       equal_1779_s1_q <= equal_1779;
-      or_1780_s1_q <= or_1780;
-      select_1804_s1_q <= select_1804;
-      select_1810_s1_q <= select_1810;
-      select_1851_s1_q <= select_1851;
-      and_1861_s1_q <= and_1861;
-      equal_2467_s1_q <= equal_2467;
-      and_2468_s1_q <= and_2468;
-      or_3041_s1_q <= or_3041;
-      not_3065_s1_q <= not_3065;
+      not_1780_s1_q <= not_1780;
+      equal_1781_s1_q <= equal_1781;
+      not_1782_s1_q <= not_1782;
+      equal_1783_s1_q <= equal_1783;
+      equal_1784_s1_q <= equal_1784;
+      or_1785_s1_q <= or_1785;
+      select_1809_s1_q <= select_1809;
+      select_1815_s1_q <= select_1815;
+      select_1856_s1_q <= select_1856;
+      and_1866_s1_q <= and_1866;
+      equal_2473_s1_q <= equal_2473;
+      and_2474_s1_q <= and_2474;
+      or_3047_s1_q <= or_3047;
+      not_3071_s1_q <= not_3071;
     end
   end
 
@@ -1020,45 +1025,45 @@ module horopter_agreement (
   logic [8:0] region_across_next_q;
   logic [7:0] columns_begin_rest_q;
   logic [6:0] columns_begin_back_q;
-  // hls/stages/census.hpp:120
-  logic and_519;
-  assign and_519 = sample_pair_whole_s1_q & and_518_s1_q;
+  // hls/stages/census.hpp:124
+  logic and_524;
+  assign and_524 = sample_pair_whole_s1_q & and_523_s1_q;
   // hls/stages/agreement.hpp:668
-  logic equal_563;
-  assign equal_563 = row_q == 6'h0;
+  logic equal_568;
+  assign equal_568 = row_q == 6'h0;
   // hls/stages/patches.hpp:106
-  logic equal_564;
-  assign equal_564 = x_s1_q == 8'h0;
+  logic equal_569;
+  assign equal_569 = x_s1_q == 8'h0;
   // hls/stages/agreement.hpp:259
   logic first;
-  assign first = equal_563 & equal_564;
+  assign first = equal_568 & equal_569;
   // hls/stages/moments.hpp:57
-  logic [11:0] select_567;
-  assign select_567 = moments_starts_q ? 12'h1 : (moments_place_q + {11'h0, moments_taken_q});
+  logic [11:0] select_572;
+  assign select_572 = moments_starts_q ? 12'h1 : (moments_place_q + {11'h0, moments_taken_q});
   // hls/stages/agreement.hpp:788
-  logic [10:0] select_568;
-  assign select_568 = first ? 11'h0 : select_567[10:0];
+  logic [10:0] select_573;
+  assign select_573 = first ? 11'h0 : select_572[10:0];
   // hls/stages/agreement.hpp:1009
-  logic not_570;
-  assign not_570 = ~equal_569_s1_q;
+  logic not_575;
+  assign not_575 = ~equal_574_s1_q;
   // hls/stages/agreement.hpp:201
-  logic not_572;
-  assign not_572 = ~so_s1_q;
+  logic not_577;
+  assign not_577 = ~so_s1_q;
   // hls/stages/agreement.hpp:226
   logic inside_v;
-  assign inside_v = or_574_s1_q & not_578_s1_q;
+  assign inside_v = or_579_s1_q & not_583_s1_q;
   // hls/stages/moments.hpp:63
   logic [11:0] place;
-  assign place = first ? 12'h0 : select_567;
+  assign place = first ? 12'h0 : select_572;
   // hls/stages/moments.hpp:104
-  logic not_582;
-  assign not_582 = ~(12'h66c < place);
+  logic not_587;
+  assign not_587 = ~(12'h66c < place);
   // hls/stages/agreement.hpp:788
-  logic and_586;
-  assign and_586 = not_570 & (not_572 & (equal_573_s1_q & (inside_v & not_582)));
+  logic and_591;
+  assign and_591 = not_575 & (not_577 & (equal_578_s1_q & (inside_v & not_587)));
   // hls/stages/agreement.hpp:975
-  logic and_602;
-  assign and_602 = (or_574_s1_q & (left_rdata_q[67] & not_578_s1_q)) & (~(row_q[5:3] == 3'h0));
+  logic and_607;
+  assign and_607 = (or_579_s1_q & (left_rdata_q[67] & not_583_s1_q)) & (~(row_q[5:3] == 3'h0));
   // hls/stages/agreement.hpp:966
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
@@ -1066,802 +1071,802 @@ module horopter_agreement (
   logic [7:0] found;
   assign found = x_s1_q + {{2{shift[5]}}, shift};
   // hls/stages/agreement.hpp:968
-  logic [5:0] select_621;
-  assign select_621 = ({2'h0, last_s1_q} < found) ? 6'h0 : found[5:0];
+  logic [5:0] select_626;
+  assign select_626 = ({2'h0, last_s1_q} < found) ? 6'h0 : found[5:0];
   // hls/stages/agreement.hpp:668
-  logic not_742;
-  assign not_742 = ~equal_563;
+  logic not_747;
+  assign not_747 = ~equal_568;
   // hls/stages/agreement.hpp:671
-  logic and_743;
-  assign and_743 = left_rdata_q[12] & not_742;
-  logic and_744;
-  assign and_744 = left_rdata_q[30] & not_742;
-  logic and_745;
-  assign and_745 = left_rdata_q[48] & not_742;
-  logic and_746;
-  assign and_746 = left_rdata_q[66] & not_742;
-  // hls/stages/agreement.hpp:672
-  logic and_747;
-  assign and_747 = right_codes_rdata_q[12] & not_742;
   logic and_748;
-  assign and_748 = right_codes_rdata_q[27] & not_742;
+  assign and_748 = left_rdata_q[12] & not_747;
   logic and_749;
-  assign and_749 = right_codes_rdata_q[42] & not_742;
+  assign and_749 = left_rdata_q[30] & not_747;
   logic and_750;
-  assign and_750 = right_codes_rdata_q[57] & not_742;
+  assign and_750 = left_rdata_q[48] & not_747;
   logic and_751;
-  assign and_751 = right_codes_rdata_q[72] & not_742;
+  assign and_751 = left_rdata_q[66] & not_747;
+  // hls/stages/agreement.hpp:672
   logic and_752;
-  assign and_752 = right_codes_rdata_q[85] & not_742;
-  // hls/stages/agreement.hpp:221
+  assign and_752 = right_codes_rdata_q[12] & not_747;
+  logic and_753;
+  assign and_753 = right_codes_rdata_q[27] & not_747;
+  logic and_754;
+  assign and_754 = right_codes_rdata_q[42] & not_747;
+  logic and_755;
+  assign and_755 = right_codes_rdata_q[57] & not_747;
+  logic and_756;
+  assign and_756 = right_codes_rdata_q[72] & not_747;
   logic and_757;
-  assign and_757 = left_rdata_q[48] & not_578_s1_q;
-  logic and_758;
-  assign and_758 = right_codes_rdata_q[42] & not_578_s1_q;
-  logic [11:0] select_759;
-  assign select_759 = less_577_s1_q ? 12'h0 : left_rdata_q[47:36];
-  logic [11:0] select_760;
-  assign select_760 = less_577_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
-  // hls/stages/agreement.hpp:684
+  assign and_757 = right_codes_rdata_q[85] & not_747;
+  // hls/stages/agreement.hpp:221
+  logic and_762;
+  assign and_762 = left_rdata_q[48] & not_583_s1_q;
+  logic and_763;
+  assign and_763 = right_codes_rdata_q[42] & not_583_s1_q;
   logic [11:0] select_764;
-  assign select_764 = and_757 ? (and_758 ? (~(select_759 ^ select_760)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_770;
-  assign parity_770 = ^select_764[5:3];
-  logic parity_773;
-  assign parity_773 = ^select_764[8:6];
-  logic parity_776;
-  assign parity_776 = ^select_764[11:3];
-  // hls/stages/agreement.hpp:221
-  logic and_780;
-  assign and_780 = left_rdata_q[66] & not_578_s1_q;
-  logic and_781;
-  assign and_781 = right_codes_rdata_q[57] & not_578_s1_q;
-  logic [11:0] select_782;
-  assign select_782 = less_577_s1_q ? 12'h0 : left_rdata_q[65:54];
-  logic [11:0] select_783;
-  assign select_783 = less_577_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
+  assign select_764 = less_582_s1_q ? 12'h0 : left_rdata_q[47:36];
+  logic [11:0] select_765;
+  assign select_765 = less_582_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
   // hls/stages/agreement.hpp:684
+  logic [11:0] select_769;
+  assign select_769 = and_762 ? (and_763 ? (~(select_764 ^ select_765)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_775;
+  assign parity_775 = ^select_769[5:3];
+  logic parity_778;
+  assign parity_778 = ^select_769[8:6];
+  logic parity_781;
+  assign parity_781 = ^select_769[11:3];
+  // hls/stages/agreement.hpp:221
+  logic and_785;
+  assign and_785 = left_rdata_q[66] & not_583_s1_q;
+  logic and_786;
+  assign and_786 = right_codes_rdata_q[57] & not_583_s1_q;
   logic [11:0] select_787;
-  assign select_787 = and_780 ? (and_781 ? (~(select_782 ^ select_783)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_790;
-  assign parity_790 = ^select_787[8:6];
-  logic parity_793;
-  assign parity_793 = ^select_787[11:9];
-  // hls/stages/agreement.hpp:221
-  logic and_797;
-  assign and_797 = left_rdata_q[84] & not_578_s1_q;
-  logic and_798;
-  assign and_798 = right_codes_rdata_q[72] & not_578_s1_q;
-  logic [11:0] select_799;
-  assign select_799 = less_577_s1_q ? 12'h0 : left_rdata_q[83:72];
-  logic [11:0] select_800;
-  assign select_800 = less_577_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
+  assign select_787 = less_582_s1_q ? 12'h0 : left_rdata_q[65:54];
+  logic [11:0] select_788;
+  assign select_788 = less_582_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
   // hls/stages/agreement.hpp:684
+  logic [11:0] select_792;
+  assign select_792 = and_785 ? (and_786 ? (~(select_787 ^ select_788)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_795;
+  assign parity_795 = ^select_792[8:6];
+  logic parity_798;
+  assign parity_798 = ^select_792[11:9];
+  // hls/stages/agreement.hpp:221
+  logic and_802;
+  assign and_802 = left_rdata_q[84] & not_583_s1_q;
+  logic and_803;
+  assign and_803 = right_codes_rdata_q[72] & not_583_s1_q;
   logic [11:0] select_804;
-  assign select_804 = and_797 ? (and_798 ? (~(select_799 ^ select_800)) : 12'h0) : 12'h0;
+  assign select_804 = less_582_s1_q ? 12'h0 : left_rdata_q[83:72];
+  logic [11:0] select_805;
+  assign select_805 = less_582_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_809;
+  assign select_809 = and_802 ? (and_803 ? (~(select_804 ^ select_805)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_810;
-  assign parity_810 = ^select_804[2:0];
-  logic parity_813;
-  assign parity_813 = ^select_804[5:3];
-  logic parity_816;
-  assign parity_816 = ^select_804[8:0];
-  logic parity_822;
-  assign parity_822 = ^select_804[11:9];
-  logic parity_825;
-  assign parity_825 = ^select_787[2:0];
-  logic parity_828;
-  assign parity_828 = ^{select_804[11:9], select_787[5:0]};
-  logic parity_831;
-  assign parity_831 = ^{select_804, select_787, select_764[2:0]};
-  logic xor_832;
-  assign xor_832 = parity_776 ^ parity_831;
+  logic parity_815;
+  assign parity_815 = ^select_809[2:0];
+  logic parity_818;
+  assign parity_818 = ^select_809[5:3];
+  logic parity_821;
+  assign parity_821 = ^select_809[8:0];
+  logic parity_827;
+  assign parity_827 = ^select_809[11:9];
+  logic parity_830;
+  assign parity_830 = ^select_792[2:0];
+  logic parity_833;
+  assign parity_833 = ^{select_809[11:9], select_792[5:0]};
+  logic parity_836;
+  assign parity_836 = ^{select_809, select_792, select_769[2:0]};
+  logic xor_837;
+  assign xor_837 = parity_781 ^ parity_836;
   // hls/stages/count_bits.hpp:23
-  logic or_836;
-  assign or_836 = (select_764[1:0] == 2'h3) | (select_764[2] & (select_764[0] | select_764[1]));
+  logic or_841;
+  assign or_841 = (select_769[1:0] == 2'h3) | (select_769[2] & (select_769[0] | select_769[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_840;
-  assign or_840 = (select_787[7:6] == 2'h3) | (select_787[8] & (select_787[6] | select_787[7]));
-  logic or_844;
-  assign or_844 = (select_787[10:9] == 2'h3) | (select_787[11] & (select_787[9] | select_787[10]));
+  logic or_845;
+  assign or_845 = (select_792[7:6] == 2'h3) | (select_792[8] & (select_792[6] | select_792[7]));
+  logic or_849;
+  assign or_849 = (select_792[10:9] == 2'h3) | (select_792[11] & (select_792[9] | select_792[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_852;
-  assign or_852 = (select_804[7:6] == 2'h3) | (select_804[8] & (~(select_804[7:6] == 2'h0)));
+  logic or_857;
+  assign or_857 = (select_809[7:6] == 2'h3) | (select_809[8] & (~(select_809[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_856;
-  assign or_856 = (select_804[1:0] == 2'h3) | (select_804[2] & (select_804[0] | select_804[1]));
-  logic or_860;
-  assign or_860 = (select_804[4:3] == 2'h3) | (select_804[5] & (select_804[3] | select_804[4]));
+  logic or_861;
+  assign or_861 = (select_809[1:0] == 2'h3) | (select_809[2] & (select_809[0] | select_809[1]));
+  logic or_865;
+  assign or_865 = (select_809[4:3] == 2'h3) | (select_809[5] & (select_809[3] | select_809[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_863;
-  assign parity_863 = ^{or_860, or_856, or_852};
+  logic parity_868;
+  assign parity_868 = ^{or_865, or_861, or_857};
   // hls/stages/count_bits.hpp:23
-  logic or_867;
-  assign or_867 = (select_787[4:3] == 2'h3) | (select_787[5] & (select_787[3] | select_787[4]));
+  logic or_872;
+  assign or_872 = (select_792[4:3] == 2'h3) | (select_792[5] & (select_792[3] | select_792[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_871;
-  assign or_871 = (select_804[10:9] == 2'h3) | (select_804[11] & (select_804[9] | select_804[10]));
-  logic or_875;
-  assign or_875 = (select_787[1:0] == 2'h3) | (select_787[2] & (select_787[0] | select_787[1]));
+  logic or_876;
+  assign or_876 = (select_809[10:9] == 2'h3) | (select_809[11] & (select_809[9] | select_809[10]));
+  logic or_880;
+  assign or_880 = (select_792[1:0] == 2'h3) | (select_792[2] & (select_792[0] | select_792[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_878;
-  assign parity_878 = ^{or_875, or_871, or_867};
-  logic parity_881;
-  assign parity_881 = ^{or_875, or_871, or_867, or_860, or_856, or_852, or_844, or_840, or_836};
+  logic parity_883;
+  assign parity_883 = ^{or_880, or_876, or_872};
+  logic parity_886;
+  assign parity_886 = ^{or_880, or_876, or_872, or_865, or_861, or_857, or_849, or_845, or_841};
   // hls/stages/count_bits.hpp:25
-  logic and_882;
-  assign and_882 = parity_776 & parity_831;
-  logic or_886;
-  assign or_886 = (parity_770 & parity_773) | ((^select_764[11:9]) & (parity_770 | parity_773));
-  logic and_889;
-  assign and_889 = (^{select_787[11:6], select_764[2:0]}) & (parity_816 | parity_828);
-  logic or_890;
-  assign or_890 = (parity_816 & parity_828) | and_889;
+  logic and_887;
+  assign and_887 = parity_781 & parity_836;
+  logic or_891;
+  assign or_891 = (parity_775 & parity_778) | ((^select_769[11:9]) & (parity_775 | parity_778));
+  logic and_894;
+  assign and_894 = (^{select_792[11:6], select_769[2:0]}) & (parity_821 | parity_833);
+  logic or_895;
+  assign or_895 = (parity_821 & parity_833) | and_894;
   // hls/stages/count_bits.hpp:23
-  logic or_897;
-  assign or_897 = (select_764[10:9] == 2'h3) | (select_764[11] & (select_764[9] | select_764[10]));
+  logic or_902;
+  assign or_902 = (select_769[10:9] == 2'h3) | (select_769[11] & (select_769[9] | select_769[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_901;
-  assign or_901 = (select_764[4:3] == 2'h3) | (select_764[5] & (select_764[3] | select_764[4]));
-  logic or_905;
-  assign or_905 = (select_764[7:6] == 2'h3) | (select_764[8] & (select_764[6] | select_764[7]));
+  logic or_906;
+  assign or_906 = (select_769[4:3] == 2'h3) | (select_769[5] & (select_769[3] | select_769[4]));
+  logic or_910;
+  assign or_910 = (select_769[7:6] == 2'h3) | (select_769[8] & (select_769[6] | select_769[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_908;
-  assign parity_908 = ^{or_905, or_901, or_897};
+  logic parity_913;
+  assign parity_913 = ^{or_910, or_906, or_902};
   // hls/stages/count_bits.hpp:25
-  logic or_912;
-  assign or_912 = (parity_790 & parity_793) | ((^select_764[2:0]) & (parity_790 | parity_793));
-  logic or_916;
-  assign or_916 = (parity_810 & parity_813) | ((^select_804[8:6]) & (parity_810 | parity_813));
-  logic or_920;
-  assign or_920 = (parity_822 & parity_825) | ((^select_787[5:3]) & (parity_822 | parity_825));
+  logic or_917;
+  assign or_917 = (parity_795 & parity_798) | ((^select_769[2:0]) & (parity_795 | parity_798));
+  logic or_921;
+  assign or_921 = (parity_815 & parity_818) | ((^select_809[8:6]) & (parity_815 | parity_818));
+  logic or_925;
+  assign or_925 = (parity_827 & parity_830) | ((^select_792[5:3]) & (parity_827 | parity_830));
   // hls/stages/count_bits.hpp:24
-  logic parity_923;
-  assign parity_923 = ^{or_920, or_916, or_912};
-  logic parity_926;
-  assign parity_926 = ^{or_920, or_916, or_912, or_905, or_901, or_897, or_890, or_886, and_882};
-  logic xor_927;
-  assign xor_927 = parity_881 ^ parity_926;
+  logic parity_928;
+  assign parity_928 = ^{or_925, or_921, or_917};
+  logic parity_931;
+  assign parity_931 = ^{or_925, or_921, or_917, or_910, or_906, or_902, or_895, or_891, and_887};
+  logic xor_932;
+  assign xor_932 = parity_886 ^ parity_931;
   // hls/stages/count_bits.hpp:25
-  logic and_928;
-  assign and_928 = parity_881 & parity_926;
-  logic or_932;
-  assign or_932 = (parity_863 & parity_878) | ((^{or_844, or_840, or_836}) & (parity_863 | parity_878));
-  logic or_936;
-  assign or_936 = (parity_908 & parity_923) | ((^{or_890, or_886, and_882}) & (parity_908 | parity_923));
-  logic or_943;
-  assign or_943 = (or_840 & or_844) | (or_836 & (or_840 | or_844));
-  logic or_947;
-  assign or_947 = (or_856 & or_860) | (or_852 & (or_856 | or_860));
-  logic or_951;
-  assign or_951 = (or_871 & or_875) | (or_867 & (or_871 | or_875));
+  logic and_933;
+  assign and_933 = parity_886 & parity_931;
+  logic or_937;
+  assign or_937 = (parity_868 & parity_883) | ((^{or_849, or_845, or_841}) & (parity_868 | parity_883));
+  logic or_941;
+  assign or_941 = (parity_913 & parity_928) | ((^{or_895, or_891, and_887}) & (parity_913 | parity_928));
+  logic or_948;
+  assign or_948 = (or_845 & or_849) | (or_841 & (or_845 | or_849));
+  logic or_952;
+  assign or_952 = (or_861 & or_865) | (or_857 & (or_861 | or_865));
+  logic or_956;
+  assign or_956 = (or_876 & or_880) | (or_872 & (or_876 | or_880));
   // hls/stages/count_bits.hpp:24
-  logic parity_954;
-  assign parity_954 = ^{or_951, or_947, or_943};
+  logic parity_959;
+  assign parity_959 = ^{or_956, or_952, or_948};
   // hls/stages/count_bits.hpp:25
-  logic or_958;
-  assign or_958 = (or_886 & or_890) | (and_882 & (or_886 | or_890));
-  logic or_962;
-  assign or_962 = (or_901 & or_905) | (or_897 & (or_901 | or_905));
-  logic or_966;
-  assign or_966 = (or_916 & or_920) | (or_912 & (or_916 | or_920));
+  logic or_963;
+  assign or_963 = (or_891 & or_895) | (and_887 & (or_891 | or_895));
+  logic or_967;
+  assign or_967 = (or_906 & or_910) | (or_902 & (or_906 | or_910));
+  logic or_971;
+  assign or_971 = (or_921 & or_925) | (or_917 & (or_921 | or_925));
   // hls/stages/count_bits.hpp:24
-  logic parity_969;
-  assign parity_969 = ^{or_966, or_962, or_958};
-  logic parity_972;
-  assign parity_972 = ^{or_966, or_962, or_958, or_951, or_947, or_943, or_936, or_932, and_928};
+  logic parity_974;
+  assign parity_974 = ^{or_971, or_967, or_963};
+  logic parity_977;
+  assign parity_977 = ^{or_971, or_967, or_963, or_956, or_952, or_948, or_941, or_937, and_933};
   // hls/stages/count_bits.hpp:25
-  logic or_976;
-  assign or_976 = (parity_954 & parity_969) | ((^{or_936, or_932, and_928}) & (parity_954 | parity_969));
-  logic or_980;
-  assign or_980 = (or_932 & or_936) | (and_928 & (or_932 | or_936));
-  logic or_984;
-  assign or_984 = (or_947 & or_951) | (or_943 & (or_947 | or_951));
-  logic or_988;
-  assign or_988 = (or_962 & or_966) | (or_958 & (or_962 | or_966));
+  logic or_981;
+  assign or_981 = (parity_959 & parity_974) | ((^{or_941, or_937, and_933}) & (parity_959 | parity_974));
+  logic or_985;
+  assign or_985 = (or_937 & or_941) | (and_933 & (or_937 | or_941));
+  logic or_989;
+  assign or_989 = (or_952 & or_956) | (or_948 & (or_952 | or_956));
+  logic or_993;
+  assign or_993 = (or_967 & or_971) | (or_963 & (or_967 | or_971));
   // hls/stages/count_bits.hpp:24
-  logic parity_993;
-  assign parity_993 = ^{or_988, or_984, or_980, or_976};
+  logic parity_998;
+  assign parity_998 = ^{or_993, or_989, or_985, or_981};
   // hls/stages/count_bits.hpp:25
-  logic or_997;
-  assign or_997 = (or_984 & or_988) | (or_980 & (or_984 | or_988));
-  logic and_998;
-  assign and_998 = or_976 & (^{or_988, or_984, or_980});
+  logic or_1002;
+  assign or_1002 = (or_989 & or_993) | (or_985 & (or_989 | or_993));
+  logic and_1003;
+  assign and_1003 = or_981 & (^{or_993, or_989, or_985});
   // hls/stages/count_bits.hpp:24
-  logic xor_999;
-  assign xor_999 = or_997 ^ and_998;
+  logic xor_1004;
+  assign xor_1004 = or_1002 ^ and_1003;
   // hls/stages/count_bits.hpp:27
-  logic and_1000;
-  assign and_1000 = or_997 & and_998;
+  logic and_1005;
+  assign and_1005 = or_1002 & and_1003;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1001;
-  assign select_1001 = equal_588_s1_q ? {and_1000, xor_999, parity_993, parity_972, xor_927, xor_832} : 6'h0;
+  logic [5:0] select_1006;
+  assign select_1006 = equal_593_s1_q ? {and_1005, xor_1004, parity_998, parity_977, xor_932, xor_837} : 6'h0;
   logic [5:0] column;
-  assign column = or_574_s1_q ? 6'h0 : select_1001;
+  assign column = or_579_s1_q ? 6'h0 : select_1006;
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1012;
-  assign select_1012 = (slot_s1_q[0] ? and_798 : and_781) ? (~(select_759 ^ (slot_s1_q[0] ? select_800 : select_783))) : 12'h0;
-  logic [11:0] select_1013;
-  assign select_1013 = and_757 ? select_1012 : 12'h0;
+  logic [11:0] select_1017;
+  assign select_1017 = (slot_s1_q[0] ? and_803 : and_786) ? (~(select_764 ^ (slot_s1_q[0] ? select_805 : select_788))) : 12'h0;
+  logic [11:0] select_1018;
+  assign select_1018 = and_762 ? select_1017 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1019;
-  assign parity_1019 = ^select_1013[5:3];
-  logic parity_1022;
-  assign parity_1022 = ^select_1013[8:6];
-  logic parity_1025;
-  assign parity_1025 = ^select_1013[11:3];
+  logic parity_1024;
+  assign parity_1024 = ^select_1018[5:3];
+  logic parity_1027;
+  assign parity_1027 = ^select_1018[8:6];
+  logic parity_1030;
+  assign parity_1030 = ^select_1018[11:3];
   // hls/stages/agreement.hpp:221
-  logic and_1029;
-  assign and_1029 = right_codes_rdata_q[85] & not_578_s1_q;
-  logic [11:0] select_1031;
-  assign select_1031 = less_577_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1035;
-  assign select_1035 = (slot_s1_q[0] ? and_1029 : and_798) ? (~(select_782 ^ (slot_s1_q[0] ? select_1031 : select_800))) : 12'h0;
+  logic and_1034;
+  assign and_1034 = right_codes_rdata_q[85] & not_583_s1_q;
   logic [11:0] select_1036;
-  assign select_1036 = and_780 ? select_1035 : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1039;
-  assign parity_1039 = ^select_1036[8:6];
-  logic parity_1042;
-  assign parity_1042 = ^select_1036[11:9];
-  // hls/stages/agreement.hpp:734
-  logic select_1047;
-  assign select_1047 = slot_s1_q[0] ? (right_codes_rdata_q[98] & not_578_s1_q) : and_1029;
-  logic [11:0] select_1049;
-  assign select_1049 = slot_s1_q[0] ? (less_577_s1_q ? 12'h0 : right_codes_rdata_q[97:86]) : select_1031;
+  assign select_1036 = less_582_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1053;
-  assign select_1053 = and_797 ? (select_1047 ? (~(select_799 ^ select_1049)) : 12'h0) : 12'h0;
+  logic [11:0] select_1040;
+  assign select_1040 = (slot_s1_q[0] ? and_1034 : and_803) ? (~(select_787 ^ (slot_s1_q[0] ? select_1036 : select_805))) : 12'h0;
+  logic [11:0] select_1041;
+  assign select_1041 = and_785 ? select_1040 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1059;
-  assign parity_1059 = ^select_1053[2:0];
-  logic parity_1062;
-  assign parity_1062 = ^select_1053[5:3];
-  logic parity_1065;
-  assign parity_1065 = ^select_1053[8:0];
-  logic parity_1071;
-  assign parity_1071 = ^select_1053[11:9];
-  logic parity_1074;
-  assign parity_1074 = ^select_1036[2:0];
-  logic parity_1077;
-  assign parity_1077 = ^{select_1053[11:9], select_1036[5:0]};
-  logic parity_1080;
-  assign parity_1080 = ^{select_1053, select_1036, select_1013[2:0]};
-  logic xor_1081;
-  assign xor_1081 = parity_1025 ^ parity_1080;
+  logic parity_1044;
+  assign parity_1044 = ^select_1041[8:6];
+  logic parity_1047;
+  assign parity_1047 = ^select_1041[11:9];
+  // hls/stages/agreement.hpp:734
+  logic select_1052;
+  assign select_1052 = slot_s1_q[0] ? (right_codes_rdata_q[98] & not_583_s1_q) : and_1034;
+  logic [11:0] select_1054;
+  assign select_1054 = slot_s1_q[0] ? (less_582_s1_q ? 12'h0 : right_codes_rdata_q[97:86]) : select_1036;
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1058;
+  assign select_1058 = and_802 ? (select_1052 ? (~(select_804 ^ select_1054)) : 12'h0) : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1064;
+  assign parity_1064 = ^select_1058[2:0];
+  logic parity_1067;
+  assign parity_1067 = ^select_1058[5:3];
+  logic parity_1070;
+  assign parity_1070 = ^select_1058[8:0];
+  logic parity_1076;
+  assign parity_1076 = ^select_1058[11:9];
+  logic parity_1079;
+  assign parity_1079 = ^select_1041[2:0];
+  logic parity_1082;
+  assign parity_1082 = ^{select_1058[11:9], select_1041[5:0]};
+  logic parity_1085;
+  assign parity_1085 = ^{select_1058, select_1041, select_1018[2:0]};
+  logic xor_1086;
+  assign xor_1086 = parity_1030 ^ parity_1085;
   // hls/stages/count_bits.hpp:23
-  logic or_1085;
-  assign or_1085 = (select_1013[1:0] == 2'h3) | (select_1013[2] & (select_1013[0] | select_1013[1]));
+  logic or_1090;
+  assign or_1090 = (select_1018[1:0] == 2'h3) | (select_1018[2] & (select_1018[0] | select_1018[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1089;
-  assign or_1089 = (select_1036[7:6] == 2'h3) | (select_1036[8] & (select_1036[6] | select_1036[7]));
-  logic or_1093;
-  assign or_1093 = (select_1036[10:9] == 2'h3) | (select_1036[11] & (select_1036[9] | select_1036[10]));
+  logic or_1094;
+  assign or_1094 = (select_1041[7:6] == 2'h3) | (select_1041[8] & (select_1041[6] | select_1041[7]));
+  logic or_1098;
+  assign or_1098 = (select_1041[10:9] == 2'h3) | (select_1041[11] & (select_1041[9] | select_1041[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1101;
-  assign or_1101 = (select_1053[7:6] == 2'h3) | (select_1053[8] & (~(select_1053[7:6] == 2'h0)));
+  logic or_1106;
+  assign or_1106 = (select_1058[7:6] == 2'h3) | (select_1058[8] & (~(select_1058[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1105;
-  assign or_1105 = (select_1053[1:0] == 2'h3) | (select_1053[2] & (select_1053[0] | select_1053[1]));
-  logic or_1109;
-  assign or_1109 = (select_1053[4:3] == 2'h3) | (select_1053[5] & (select_1053[3] | select_1053[4]));
+  logic or_1110;
+  assign or_1110 = (select_1058[1:0] == 2'h3) | (select_1058[2] & (select_1058[0] | select_1058[1]));
+  logic or_1114;
+  assign or_1114 = (select_1058[4:3] == 2'h3) | (select_1058[5] & (select_1058[3] | select_1058[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1112;
-  assign parity_1112 = ^{or_1109, or_1105, or_1101};
+  logic parity_1117;
+  assign parity_1117 = ^{or_1114, or_1110, or_1106};
   // hls/stages/count_bits.hpp:23
-  logic or_1116;
-  assign or_1116 = (select_1036[4:3] == 2'h3) | (select_1036[5] & (select_1036[3] | select_1036[4]));
+  logic or_1121;
+  assign or_1121 = (select_1041[4:3] == 2'h3) | (select_1041[5] & (select_1041[3] | select_1041[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1120;
-  assign or_1120 = (select_1053[10:9] == 2'h3) | (select_1053[11] & (select_1053[9] | select_1053[10]));
-  logic or_1124;
-  assign or_1124 = (select_1036[1:0] == 2'h3) | (select_1036[2] & (select_1036[0] | select_1036[1]));
+  logic or_1125;
+  assign or_1125 = (select_1058[10:9] == 2'h3) | (select_1058[11] & (select_1058[9] | select_1058[10]));
+  logic or_1129;
+  assign or_1129 = (select_1041[1:0] == 2'h3) | (select_1041[2] & (select_1041[0] | select_1041[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1127;
-  assign parity_1127 = ^{or_1124, or_1120, or_1116};
-  logic parity_1130;
-  assign parity_1130 = ^{or_1124, or_1120, or_1116, or_1109, or_1105, or_1101, or_1093, or_1089, or_1085};
+  logic parity_1132;
+  assign parity_1132 = ^{or_1129, or_1125, or_1121};
+  logic parity_1135;
+  assign parity_1135 = ^{or_1129, or_1125, or_1121, or_1114, or_1110, or_1106, or_1098, or_1094, or_1090};
   // hls/stages/count_bits.hpp:25
-  logic and_1131;
-  assign and_1131 = parity_1025 & parity_1080;
-  logic or_1135;
-  assign or_1135 = (parity_1019 & parity_1022) | ((^select_1013[11:9]) & (parity_1019 | parity_1022));
-  logic and_1138;
-  assign and_1138 = (^{select_1036[11:6], select_1013[2:0]}) & (parity_1065 | parity_1077);
-  logic or_1139;
-  assign or_1139 = (parity_1065 & parity_1077) | and_1138;
+  logic and_1136;
+  assign and_1136 = parity_1030 & parity_1085;
+  logic or_1140;
+  assign or_1140 = (parity_1024 & parity_1027) | ((^select_1018[11:9]) & (parity_1024 | parity_1027));
+  logic and_1143;
+  assign and_1143 = (^{select_1041[11:6], select_1018[2:0]}) & (parity_1070 | parity_1082);
+  logic or_1144;
+  assign or_1144 = (parity_1070 & parity_1082) | and_1143;
   // hls/stages/count_bits.hpp:23
-  logic or_1146;
-  assign or_1146 = (select_1013[10:9] == 2'h3) | (select_1013[11] & (select_1013[9] | select_1013[10]));
+  logic or_1151;
+  assign or_1151 = (select_1018[10:9] == 2'h3) | (select_1018[11] & (select_1018[9] | select_1018[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1150;
-  assign or_1150 = (select_1013[4:3] == 2'h3) | (select_1013[5] & (select_1013[3] | select_1013[4]));
-  logic or_1154;
-  assign or_1154 = (select_1013[7:6] == 2'h3) | (select_1013[8] & (select_1013[6] | select_1013[7]));
+  logic or_1155;
+  assign or_1155 = (select_1018[4:3] == 2'h3) | (select_1018[5] & (select_1018[3] | select_1018[4]));
+  logic or_1159;
+  assign or_1159 = (select_1018[7:6] == 2'h3) | (select_1018[8] & (select_1018[6] | select_1018[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1157;
-  assign parity_1157 = ^{or_1154, or_1150, or_1146};
+  logic parity_1162;
+  assign parity_1162 = ^{or_1159, or_1155, or_1151};
   // hls/stages/count_bits.hpp:25
-  logic or_1161;
-  assign or_1161 = (parity_1039 & parity_1042) | ((^select_1013[2:0]) & (parity_1039 | parity_1042));
-  logic or_1165;
-  assign or_1165 = (parity_1059 & parity_1062) | ((^select_1053[8:6]) & (parity_1059 | parity_1062));
-  logic or_1169;
-  assign or_1169 = (parity_1071 & parity_1074) | ((^select_1036[5:3]) & (parity_1071 | parity_1074));
+  logic or_1166;
+  assign or_1166 = (parity_1044 & parity_1047) | ((^select_1018[2:0]) & (parity_1044 | parity_1047));
+  logic or_1170;
+  assign or_1170 = (parity_1064 & parity_1067) | ((^select_1058[8:6]) & (parity_1064 | parity_1067));
+  logic or_1174;
+  assign or_1174 = (parity_1076 & parity_1079) | ((^select_1041[5:3]) & (parity_1076 | parity_1079));
   // hls/stages/count_bits.hpp:24
-  logic parity_1172;
-  assign parity_1172 = ^{or_1169, or_1165, or_1161};
-  logic parity_1175;
-  assign parity_1175 = ^{or_1169, or_1165, or_1161, or_1154, or_1150, or_1146, or_1139, or_1135, and_1131};
-  logic xor_1176;
-  assign xor_1176 = parity_1130 ^ parity_1175;
+  logic parity_1177;
+  assign parity_1177 = ^{or_1174, or_1170, or_1166};
+  logic parity_1180;
+  assign parity_1180 = ^{or_1174, or_1170, or_1166, or_1159, or_1155, or_1151, or_1144, or_1140, and_1136};
+  logic xor_1181;
+  assign xor_1181 = parity_1135 ^ parity_1180;
   // hls/stages/count_bits.hpp:25
-  logic and_1177;
-  assign and_1177 = parity_1130 & parity_1175;
-  logic or_1181;
-  assign or_1181 = (parity_1112 & parity_1127) | ((^{or_1093, or_1089, or_1085}) & (parity_1112 | parity_1127));
-  logic or_1185;
-  assign or_1185 = (parity_1157 & parity_1172) | ((^{or_1139, or_1135, and_1131}) & (parity_1157 | parity_1172));
-  logic or_1192;
-  assign or_1192 = (or_1089 & or_1093) | (or_1085 & (or_1089 | or_1093));
-  logic or_1196;
-  assign or_1196 = (or_1105 & or_1109) | (or_1101 & (or_1105 | or_1109));
-  logic or_1200;
-  assign or_1200 = (or_1120 & or_1124) | (or_1116 & (or_1120 | or_1124));
+  logic and_1182;
+  assign and_1182 = parity_1135 & parity_1180;
+  logic or_1186;
+  assign or_1186 = (parity_1117 & parity_1132) | ((^{or_1098, or_1094, or_1090}) & (parity_1117 | parity_1132));
+  logic or_1190;
+  assign or_1190 = (parity_1162 & parity_1177) | ((^{or_1144, or_1140, and_1136}) & (parity_1162 | parity_1177));
+  logic or_1197;
+  assign or_1197 = (or_1094 & or_1098) | (or_1090 & (or_1094 | or_1098));
+  logic or_1201;
+  assign or_1201 = (or_1110 & or_1114) | (or_1106 & (or_1110 | or_1114));
+  logic or_1205;
+  assign or_1205 = (or_1125 & or_1129) | (or_1121 & (or_1125 | or_1129));
   // hls/stages/count_bits.hpp:24
-  logic parity_1203;
-  assign parity_1203 = ^{or_1200, or_1196, or_1192};
+  logic parity_1208;
+  assign parity_1208 = ^{or_1205, or_1201, or_1197};
   // hls/stages/count_bits.hpp:25
-  logic or_1207;
-  assign or_1207 = (or_1135 & or_1139) | (and_1131 & (or_1135 | or_1139));
-  logic or_1211;
-  assign or_1211 = (or_1150 & or_1154) | (or_1146 & (or_1150 | or_1154));
-  logic or_1215;
-  assign or_1215 = (or_1165 & or_1169) | (or_1161 & (or_1165 | or_1169));
+  logic or_1212;
+  assign or_1212 = (or_1140 & or_1144) | (and_1136 & (or_1140 | or_1144));
+  logic or_1216;
+  assign or_1216 = (or_1155 & or_1159) | (or_1151 & (or_1155 | or_1159));
+  logic or_1220;
+  assign or_1220 = (or_1170 & or_1174) | (or_1166 & (or_1170 | or_1174));
   // hls/stages/count_bits.hpp:24
-  logic parity_1218;
-  assign parity_1218 = ^{or_1215, or_1211, or_1207};
-  logic parity_1221;
-  assign parity_1221 = ^{or_1215, or_1211, or_1207, or_1200, or_1196, or_1192, or_1185, or_1181, and_1177};
+  logic parity_1223;
+  assign parity_1223 = ^{or_1220, or_1216, or_1212};
+  logic parity_1226;
+  assign parity_1226 = ^{or_1220, or_1216, or_1212, or_1205, or_1201, or_1197, or_1190, or_1186, and_1182};
   // hls/stages/count_bits.hpp:25
-  logic or_1225;
-  assign or_1225 = (parity_1203 & parity_1218) | ((^{or_1185, or_1181, and_1177}) & (parity_1203 | parity_1218));
-  logic or_1229;
-  assign or_1229 = (or_1181 & or_1185) | (and_1177 & (or_1181 | or_1185));
-  logic or_1233;
-  assign or_1233 = (or_1196 & or_1200) | (or_1192 & (or_1196 | or_1200));
-  logic or_1237;
-  assign or_1237 = (or_1211 & or_1215) | (or_1207 & (or_1211 | or_1215));
+  logic or_1230;
+  assign or_1230 = (parity_1208 & parity_1223) | ((^{or_1190, or_1186, and_1182}) & (parity_1208 | parity_1223));
+  logic or_1234;
+  assign or_1234 = (or_1186 & or_1190) | (and_1182 & (or_1186 | or_1190));
+  logic or_1238;
+  assign or_1238 = (or_1201 & or_1205) | (or_1197 & (or_1201 | or_1205));
+  logic or_1242;
+  assign or_1242 = (or_1216 & or_1220) | (or_1212 & (or_1216 | or_1220));
   // hls/stages/count_bits.hpp:24
-  logic parity_1242;
-  assign parity_1242 = ^{or_1237, or_1233, or_1229, or_1225};
+  logic parity_1247;
+  assign parity_1247 = ^{or_1242, or_1238, or_1234, or_1230};
   // hls/stages/count_bits.hpp:25
-  logic or_1246;
-  assign or_1246 = (or_1233 & or_1237) | (or_1229 & (or_1233 | or_1237));
-  logic and_1247;
-  assign and_1247 = or_1225 & (^{or_1237, or_1233, or_1229});
+  logic or_1251;
+  assign or_1251 = (or_1238 & or_1242) | (or_1234 & (or_1238 | or_1242));
+  logic and_1252;
+  assign and_1252 = or_1230 & (^{or_1242, or_1238, or_1234});
   // hls/stages/count_bits.hpp:24
-  logic xor_1248;
-  assign xor_1248 = or_1246 ^ and_1247;
+  logic xor_1253;
+  assign xor_1253 = or_1251 ^ and_1252;
   // hls/stages/count_bits.hpp:27
-  logic and_1249;
-  assign and_1249 = or_1246 & and_1247;
+  logic and_1254;
+  assign and_1254 = or_1251 & and_1252;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1250;
-  assign select_1250 = equal_588_s1_q ? {and_1249, xor_1248, parity_1242, parity_1221, xor_1176, xor_1081} : 6'h0;
+  logic [5:0] select_1255;
+  assign select_1255 = equal_593_s1_q ? {and_1254, xor_1253, parity_1247, parity_1226, xor_1181, xor_1086} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_574_s1_q ? 6'h0 : select_1250;
+  assign column_2 = or_579_s1_q ? 6'h0 : select_1255;
   // hls/stages/agreement.hpp:221
-  logic and_1258;
-  assign and_1258 = right_codes_rdata_q[27] & not_578_s1_q;
+  logic and_1263;
+  assign and_1263 = right_codes_rdata_q[27] & not_583_s1_q;
   // hls/stages/agreement.hpp:734
-  logic select_1259;
-  assign select_1259 = slot_s1_q[0] ? (right_codes_rdata_q[12] & not_578_s1_q) : and_1258;
+  logic select_1264;
+  assign select_1264 = slot_s1_q[0] ? (right_codes_rdata_q[12] & not_583_s1_q) : and_1263;
   // hls/stages/agreement.hpp:221
-  logic [11:0] select_1261;
-  assign select_1261 = less_577_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
-  // hls/stages/agreement.hpp:734
-  logic [11:0] select_1262;
-  assign select_1262 = slot_s1_q[0] ? (less_577_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) : select_1261;
-  // hls/stages/agreement.hpp:684
   logic [11:0] select_1266;
-  assign select_1266 = and_757 ? (select_1259 ? (~(select_759 ^ select_1262)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1272;
-  assign parity_1272 = ^select_1266[5:3];
-  logic parity_1275;
-  assign parity_1275 = ^select_1266[8:6];
-  logic parity_1278;
-  assign parity_1278 = ^select_1266[11:3];
+  assign select_1266 = less_582_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
+  // hls/stages/agreement.hpp:734
+  logic [11:0] select_1267;
+  assign select_1267 = slot_s1_q[0] ? (less_582_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) : select_1266;
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1286;
-  assign select_1286 = (slot_s1_q[0] ? and_1258 : and_758) ? (~(select_782 ^ (slot_s1_q[0] ? select_1261 : select_760))) : 12'h0;
-  logic [11:0] select_1287;
-  assign select_1287 = and_780 ? select_1286 : 12'h0;
+  logic [11:0] select_1271;
+  assign select_1271 = and_762 ? (select_1264 ? (~(select_764 ^ select_1267)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1290;
-  assign parity_1290 = ^select_1287[8:6];
-  logic parity_1293;
-  assign parity_1293 = ^select_1287[11:9];
+  logic parity_1277;
+  assign parity_1277 = ^select_1271[5:3];
+  logic parity_1280;
+  assign parity_1280 = ^select_1271[8:6];
+  logic parity_1283;
+  assign parity_1283 = ^select_1271[11:3];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1301;
-  assign select_1301 = (slot_s1_q[0] ? and_758 : and_781) ? (~(select_799 ^ (slot_s1_q[0] ? select_760 : select_783))) : 12'h0;
-  logic [11:0] select_1302;
-  assign select_1302 = and_797 ? select_1301 : 12'h0;
+  logic [11:0] select_1291;
+  assign select_1291 = (slot_s1_q[0] ? and_1263 : and_763) ? (~(select_787 ^ (slot_s1_q[0] ? select_1266 : select_765))) : 12'h0;
+  logic [11:0] select_1292;
+  assign select_1292 = and_785 ? select_1291 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1308;
-  assign parity_1308 = ^select_1302[2:0];
-  logic parity_1311;
-  assign parity_1311 = ^select_1302[5:3];
-  logic parity_1314;
-  assign parity_1314 = ^select_1302[8:0];
-  logic parity_1320;
-  assign parity_1320 = ^select_1302[11:9];
-  logic parity_1323;
-  assign parity_1323 = ^select_1287[2:0];
-  logic parity_1326;
-  assign parity_1326 = ^{select_1302[11:9], select_1287[5:0]};
-  logic parity_1329;
-  assign parity_1329 = ^{select_1302, select_1287, select_1266[2:0]};
-  logic xor_1330;
-  assign xor_1330 = parity_1278 ^ parity_1329;
+  logic parity_1295;
+  assign parity_1295 = ^select_1292[8:6];
+  logic parity_1298;
+  assign parity_1298 = ^select_1292[11:9];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1306;
+  assign select_1306 = (slot_s1_q[0] ? and_763 : and_786) ? (~(select_804 ^ (slot_s1_q[0] ? select_765 : select_788))) : 12'h0;
+  logic [11:0] select_1307;
+  assign select_1307 = and_802 ? select_1306 : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1313;
+  assign parity_1313 = ^select_1307[2:0];
+  logic parity_1316;
+  assign parity_1316 = ^select_1307[5:3];
+  logic parity_1319;
+  assign parity_1319 = ^select_1307[8:0];
+  logic parity_1325;
+  assign parity_1325 = ^select_1307[11:9];
+  logic parity_1328;
+  assign parity_1328 = ^select_1292[2:0];
+  logic parity_1331;
+  assign parity_1331 = ^{select_1307[11:9], select_1292[5:0]};
+  logic parity_1334;
+  assign parity_1334 = ^{select_1307, select_1292, select_1271[2:0]};
+  logic xor_1335;
+  assign xor_1335 = parity_1283 ^ parity_1334;
   // hls/stages/count_bits.hpp:23
-  logic or_1334;
-  assign or_1334 = (select_1266[1:0] == 2'h3) | (select_1266[2] & (select_1266[0] | select_1266[1]));
+  logic or_1339;
+  assign or_1339 = (select_1271[1:0] == 2'h3) | (select_1271[2] & (select_1271[0] | select_1271[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1338;
-  assign or_1338 = (select_1287[7:6] == 2'h3) | (select_1287[8] & (select_1287[6] | select_1287[7]));
-  logic or_1342;
-  assign or_1342 = (select_1287[10:9] == 2'h3) | (select_1287[11] & (select_1287[9] | select_1287[10]));
+  logic or_1343;
+  assign or_1343 = (select_1292[7:6] == 2'h3) | (select_1292[8] & (select_1292[6] | select_1292[7]));
+  logic or_1347;
+  assign or_1347 = (select_1292[10:9] == 2'h3) | (select_1292[11] & (select_1292[9] | select_1292[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1350;
-  assign or_1350 = (select_1302[7:6] == 2'h3) | (select_1302[8] & (~(select_1302[7:6] == 2'h0)));
+  logic or_1355;
+  assign or_1355 = (select_1307[7:6] == 2'h3) | (select_1307[8] & (~(select_1307[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1354;
-  assign or_1354 = (select_1302[1:0] == 2'h3) | (select_1302[2] & (select_1302[0] | select_1302[1]));
-  logic or_1358;
-  assign or_1358 = (select_1302[4:3] == 2'h3) | (select_1302[5] & (select_1302[3] | select_1302[4]));
+  logic or_1359;
+  assign or_1359 = (select_1307[1:0] == 2'h3) | (select_1307[2] & (select_1307[0] | select_1307[1]));
+  logic or_1363;
+  assign or_1363 = (select_1307[4:3] == 2'h3) | (select_1307[5] & (select_1307[3] | select_1307[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1361;
-  assign parity_1361 = ^{or_1358, or_1354, or_1350};
+  logic parity_1366;
+  assign parity_1366 = ^{or_1363, or_1359, or_1355};
   // hls/stages/count_bits.hpp:23
-  logic or_1365;
-  assign or_1365 = (select_1287[4:3] == 2'h3) | (select_1287[5] & (select_1287[3] | select_1287[4]));
+  logic or_1370;
+  assign or_1370 = (select_1292[4:3] == 2'h3) | (select_1292[5] & (select_1292[3] | select_1292[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1369;
-  assign or_1369 = (select_1302[10:9] == 2'h3) | (select_1302[11] & (select_1302[9] | select_1302[10]));
-  logic or_1373;
-  assign or_1373 = (select_1287[1:0] == 2'h3) | (select_1287[2] & (select_1287[0] | select_1287[1]));
+  logic or_1374;
+  assign or_1374 = (select_1307[10:9] == 2'h3) | (select_1307[11] & (select_1307[9] | select_1307[10]));
+  logic or_1378;
+  assign or_1378 = (select_1292[1:0] == 2'h3) | (select_1292[2] & (select_1292[0] | select_1292[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1376;
-  assign parity_1376 = ^{or_1373, or_1369, or_1365};
-  logic parity_1379;
-  assign parity_1379 = ^{or_1373, or_1369, or_1365, or_1358, or_1354, or_1350, or_1342, or_1338, or_1334};
+  logic parity_1381;
+  assign parity_1381 = ^{or_1378, or_1374, or_1370};
+  logic parity_1384;
+  assign parity_1384 = ^{or_1378, or_1374, or_1370, or_1363, or_1359, or_1355, or_1347, or_1343, or_1339};
   // hls/stages/count_bits.hpp:25
-  logic and_1380;
-  assign and_1380 = parity_1278 & parity_1329;
-  logic or_1384;
-  assign or_1384 = (parity_1272 & parity_1275) | ((^select_1266[11:9]) & (parity_1272 | parity_1275));
-  logic and_1387;
-  assign and_1387 = (^{select_1287[11:6], select_1266[2:0]}) & (parity_1314 | parity_1326);
-  logic or_1388;
-  assign or_1388 = (parity_1314 & parity_1326) | and_1387;
+  logic and_1385;
+  assign and_1385 = parity_1283 & parity_1334;
+  logic or_1389;
+  assign or_1389 = (parity_1277 & parity_1280) | ((^select_1271[11:9]) & (parity_1277 | parity_1280));
+  logic and_1392;
+  assign and_1392 = (^{select_1292[11:6], select_1271[2:0]}) & (parity_1319 | parity_1331);
+  logic or_1393;
+  assign or_1393 = (parity_1319 & parity_1331) | and_1392;
   // hls/stages/count_bits.hpp:23
-  logic or_1395;
-  assign or_1395 = (select_1266[10:9] == 2'h3) | (select_1266[11] & (select_1266[9] | select_1266[10]));
+  logic or_1400;
+  assign or_1400 = (select_1271[10:9] == 2'h3) | (select_1271[11] & (select_1271[9] | select_1271[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1399;
-  assign or_1399 = (select_1266[4:3] == 2'h3) | (select_1266[5] & (select_1266[3] | select_1266[4]));
-  logic or_1403;
-  assign or_1403 = (select_1266[7:6] == 2'h3) | (select_1266[8] & (select_1266[6] | select_1266[7]));
+  logic or_1404;
+  assign or_1404 = (select_1271[4:3] == 2'h3) | (select_1271[5] & (select_1271[3] | select_1271[4]));
+  logic or_1408;
+  assign or_1408 = (select_1271[7:6] == 2'h3) | (select_1271[8] & (select_1271[6] | select_1271[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1406;
-  assign parity_1406 = ^{or_1403, or_1399, or_1395};
+  logic parity_1411;
+  assign parity_1411 = ^{or_1408, or_1404, or_1400};
   // hls/stages/count_bits.hpp:25
-  logic or_1410;
-  assign or_1410 = (parity_1290 & parity_1293) | ((^select_1266[2:0]) & (parity_1290 | parity_1293));
-  logic or_1414;
-  assign or_1414 = (parity_1308 & parity_1311) | ((^select_1302[8:6]) & (parity_1308 | parity_1311));
-  logic or_1418;
-  assign or_1418 = (parity_1320 & parity_1323) | ((^select_1287[5:3]) & (parity_1320 | parity_1323));
+  logic or_1415;
+  assign or_1415 = (parity_1295 & parity_1298) | ((^select_1271[2:0]) & (parity_1295 | parity_1298));
+  logic or_1419;
+  assign or_1419 = (parity_1313 & parity_1316) | ((^select_1307[8:6]) & (parity_1313 | parity_1316));
+  logic or_1423;
+  assign or_1423 = (parity_1325 & parity_1328) | ((^select_1292[5:3]) & (parity_1325 | parity_1328));
   // hls/stages/count_bits.hpp:24
-  logic parity_1421;
-  assign parity_1421 = ^{or_1418, or_1414, or_1410};
-  logic parity_1424;
-  assign parity_1424 = ^{or_1418, or_1414, or_1410, or_1403, or_1399, or_1395, or_1388, or_1384, and_1380};
-  logic xor_1425;
-  assign xor_1425 = parity_1379 ^ parity_1424;
+  logic parity_1426;
+  assign parity_1426 = ^{or_1423, or_1419, or_1415};
+  logic parity_1429;
+  assign parity_1429 = ^{or_1423, or_1419, or_1415, or_1408, or_1404, or_1400, or_1393, or_1389, and_1385};
+  logic xor_1430;
+  assign xor_1430 = parity_1384 ^ parity_1429;
   // hls/stages/count_bits.hpp:25
-  logic and_1426;
-  assign and_1426 = parity_1379 & parity_1424;
-  logic or_1430;
-  assign or_1430 = (parity_1361 & parity_1376) | ((^{or_1342, or_1338, or_1334}) & (parity_1361 | parity_1376));
-  logic or_1434;
-  assign or_1434 = (parity_1406 & parity_1421) | ((^{or_1388, or_1384, and_1380}) & (parity_1406 | parity_1421));
-  logic or_1441;
-  assign or_1441 = (or_1338 & or_1342) | (or_1334 & (or_1338 | or_1342));
-  logic or_1445;
-  assign or_1445 = (or_1354 & or_1358) | (or_1350 & (or_1354 | or_1358));
-  logic or_1449;
-  assign or_1449 = (or_1369 & or_1373) | (or_1365 & (or_1369 | or_1373));
+  logic and_1431;
+  assign and_1431 = parity_1384 & parity_1429;
+  logic or_1435;
+  assign or_1435 = (parity_1366 & parity_1381) | ((^{or_1347, or_1343, or_1339}) & (parity_1366 | parity_1381));
+  logic or_1439;
+  assign or_1439 = (parity_1411 & parity_1426) | ((^{or_1393, or_1389, and_1385}) & (parity_1411 | parity_1426));
+  logic or_1446;
+  assign or_1446 = (or_1343 & or_1347) | (or_1339 & (or_1343 | or_1347));
+  logic or_1450;
+  assign or_1450 = (or_1359 & or_1363) | (or_1355 & (or_1359 | or_1363));
+  logic or_1454;
+  assign or_1454 = (or_1374 & or_1378) | (or_1370 & (or_1374 | or_1378));
   // hls/stages/count_bits.hpp:24
-  logic parity_1452;
-  assign parity_1452 = ^{or_1449, or_1445, or_1441};
+  logic parity_1457;
+  assign parity_1457 = ^{or_1454, or_1450, or_1446};
   // hls/stages/count_bits.hpp:25
-  logic or_1456;
-  assign or_1456 = (or_1384 & or_1388) | (and_1380 & (or_1384 | or_1388));
-  logic or_1460;
-  assign or_1460 = (or_1399 & or_1403) | (or_1395 & (or_1399 | or_1403));
-  logic or_1464;
-  assign or_1464 = (or_1414 & or_1418) | (or_1410 & (or_1414 | or_1418));
+  logic or_1461;
+  assign or_1461 = (or_1389 & or_1393) | (and_1385 & (or_1389 | or_1393));
+  logic or_1465;
+  assign or_1465 = (or_1404 & or_1408) | (or_1400 & (or_1404 | or_1408));
+  logic or_1469;
+  assign or_1469 = (or_1419 & or_1423) | (or_1415 & (or_1419 | or_1423));
   // hls/stages/count_bits.hpp:24
-  logic parity_1467;
-  assign parity_1467 = ^{or_1464, or_1460, or_1456};
-  logic parity_1470;
-  assign parity_1470 = ^{or_1464, or_1460, or_1456, or_1449, or_1445, or_1441, or_1434, or_1430, and_1426};
+  logic parity_1472;
+  assign parity_1472 = ^{or_1469, or_1465, or_1461};
+  logic parity_1475;
+  assign parity_1475 = ^{or_1469, or_1465, or_1461, or_1454, or_1450, or_1446, or_1439, or_1435, and_1431};
   // hls/stages/count_bits.hpp:25
-  logic or_1474;
-  assign or_1474 = (parity_1452 & parity_1467) | ((^{or_1434, or_1430, and_1426}) & (parity_1452 | parity_1467));
-  logic or_1478;
-  assign or_1478 = (or_1430 & or_1434) | (and_1426 & (or_1430 | or_1434));
-  logic or_1482;
-  assign or_1482 = (or_1445 & or_1449) | (or_1441 & (or_1445 | or_1449));
-  logic or_1486;
-  assign or_1486 = (or_1460 & or_1464) | (or_1456 & (or_1460 | or_1464));
+  logic or_1479;
+  assign or_1479 = (parity_1457 & parity_1472) | ((^{or_1439, or_1435, and_1431}) & (parity_1457 | parity_1472));
+  logic or_1483;
+  assign or_1483 = (or_1435 & or_1439) | (and_1431 & (or_1435 | or_1439));
+  logic or_1487;
+  assign or_1487 = (or_1450 & or_1454) | (or_1446 & (or_1450 | or_1454));
+  logic or_1491;
+  assign or_1491 = (or_1465 & or_1469) | (or_1461 & (or_1465 | or_1469));
   // hls/stages/count_bits.hpp:24
-  logic parity_1491;
-  assign parity_1491 = ^{or_1486, or_1482, or_1478, or_1474};
+  logic parity_1496;
+  assign parity_1496 = ^{or_1491, or_1487, or_1483, or_1479};
   // hls/stages/count_bits.hpp:25
-  logic or_1495;
-  assign or_1495 = (or_1482 & or_1486) | (or_1478 & (or_1482 | or_1486));
-  logic and_1496;
-  assign and_1496 = or_1474 & (^{or_1486, or_1482, or_1478});
+  logic or_1500;
+  assign or_1500 = (or_1487 & or_1491) | (or_1483 & (or_1487 | or_1491));
+  logic and_1501;
+  assign and_1501 = or_1479 & (^{or_1491, or_1487, or_1483});
   // hls/stages/count_bits.hpp:24
-  logic xor_1497;
-  assign xor_1497 = or_1495 ^ and_1496;
+  logic xor_1502;
+  assign xor_1502 = or_1500 ^ and_1501;
   // hls/stages/count_bits.hpp:27
-  logic and_1498;
-  assign and_1498 = or_1495 & and_1496;
+  logic and_1503;
+  assign and_1503 = or_1500 & and_1501;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1499;
-  assign select_1499 = equal_588_s1_q ? {and_1498, xor_1497, parity_1491, parity_1470, xor_1425, xor_1330} : 6'h0;
+  logic [5:0] select_1504;
+  assign select_1504 = equal_593_s1_q ? {and_1503, xor_1502, parity_1496, parity_1475, xor_1430, xor_1335} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_574_s1_q ? 6'h0 : select_1499;
+  assign column_3 = or_579_s1_q ? 6'h0 : select_1504;
   // hls/stages/agreement.hpp:788
-  logic and_1567;
-  assign and_1567 = ends_cell_s1_q & inside_v;
-  logic and_1569;
-  assign and_1569 = not_570 & (so_s1_q & and_1567);
-  logic [5:0] select_1573;
-  assign select_1573 = so_s1_q ? x_s1_q[5:0] : (or_574_s1_q ? (less_577_s1_q ? 6'h0 : select_621) : 6'h0);
+  logic and_1572;
+  assign and_1572 = ends_cell_s1_q & inside_v;
+  logic and_1574;
+  assign and_1574 = not_575 & (so_s1_q & and_1572);
+  logic [5:0] select_1578;
+  assign select_1578 = so_s1_q ? x_s1_q[5:0] : (or_579_s1_q ? (less_582_s1_q ? 6'h0 : select_626) : 6'h0);
   // hls/stages/agreement.hpp:247
-  logic or_1577;
-  assign or_1577 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  logic or_1582;
+  assign or_1582 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
   // hls/stages/agreement.hpp:149
-  logic and_1586;
-  assign and_1586 = or_574_s1_q & (slot_s1_q[2] & not_578_s1_q);
+  logic and_1591;
+  assign and_1591 = or_579_s1_q & (slot_s1_q[2] & not_583_s1_q);
   // hls/stages/registration.hpp:218
-  logic [16:0] select_1702;
-  assign select_1702 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_1707;
+  assign select_1707 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
-  assign change = ($signed(10'h0) < $signed(select_1702[16:7])) ? 8'h7f : select_1702[7:0];
+  assign change = ($signed(10'h0) < $signed(select_1707[16:7])) ? 8'h7f : select_1707[7:0];
   // hls/stages/patches.hpp:172
   logic [7:0] pixel;
-  assign pixel = equal_1779_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
+  assign pixel = equal_1784_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
-  assign pixel_2 = equal_1779_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
+  assign pixel_2 = equal_1784_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
   // hls/stages/patches.hpp:500
-  logic less_1867;
-  assign less_1867 = 5'he < patches_along_q;
+  logic less_1872;
+  assign less_1872 = 5'he < patches_along_q;
   // hls/stages/patches.hpp:501
-  logic or_1868;
-  assign or_1868 = equal_1778_s1_q | less_1867;
+  logic or_1873;
+  assign or_1873 = equal_1783_s1_q | less_1872;
   // hls/stages/patches.hpp:504
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
-  logic select_1873;
-  assign select_1873 = equal_1778_s1_q ? patches_column_s1_q[0] : (or_1868 ? (patches_along_q == 5'h10) : (~new_row));
-  logic not_1874;
-  assign not_1874 = ~or_1868;
+  logic select_1878;
+  assign select_1878 = equal_1783_s1_q ? patches_column_s1_q[0] : (or_1873 ? (patches_along_q == 5'h10) : (~new_row));
+  logic not_1879;
+  assign not_1879 = ~or_1873;
   // hls/stages/patches.hpp:501
-  logic [4:0] sum_1875;
-  assign sum_1875 = patches_down_by_q + {1'b0, patches_match_row_q};
+  logic [4:0] sum_1880;
+  assign sum_1880 = patches_down_by_q + {1'b0, patches_match_row_q};
   // hls/stages/patches.hpp:503
-  logic [4:0] select_1878;
-  assign select_1878 = or_1868 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_1875) + 5'h1) : sum_1875;
+  logic [4:0] select_1883;
+  assign select_1883 = or_1873 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_1880) + 5'h1) : sum_1880;
   // hls/stages/patches.hpp:505
-  logic [4:0] select_1879;
-  assign select_1879 = equal_1778_s1_q ? 5'h0 : select_1878;
-  logic or_1880;
-  assign or_1880 = equal_1778_s1_q | equal_1776_s1_q;
+  logic [4:0] select_1884;
+  assign select_1884 = equal_1783_s1_q ? 5'h0 : select_1883;
+  logic or_1885;
+  assign or_1885 = equal_1783_s1_q | equal_1781_s1_q;
   // hls/stages/patches.hpp:481
-  logic equal_1882;
-  assign equal_1882 = patches_column_s1_q == 5'h1f;
+  logic equal_1887;
+  assign equal_1887 = patches_column_s1_q == 5'h1f;
   logic of_row;
   assign of_row = patches_column_s1_q == 5'h11;
-  logic equal_1884;
-  assign equal_1884 = patches_column_s1_q == 5'h18;
+  logic equal_1889;
+  assign equal_1889 = patches_column_s1_q == 5'h18;
   // hls/stages/patches.hpp:483
-  logic and_1886;
-  assign and_1886 = of_row & (~equal_1884);
+  logic and_1891;
+  assign and_1891 = of_row & (~equal_1889);
   logic [1:0] of_row_2;
-  assign of_row_2 = equal_1882 ? 2'h3 : {equal_1884, and_1886};
+  assign of_row_2 = equal_1887 ? 2'h3 : {equal_1889, and_1891};
   // hls/stages/patches.hpp:469
-  logic [8:0] sum_1889;
-  assign sum_1889 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
-  logic [8:0] sum_1890;
-  assign sum_1890 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
+  logic [8:0] sum_1894;
+  assign sum_1894 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
+  logic [8:0] sum_1895;
+  assign sum_1895 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
   logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_1889, pixel_2[0]} - {1'b0, sum_1890, patches_columns_above_rdata_q[24]};
+  assign down_2 = {1'b0, sum_1894, pixel_2[0]} - {1'b0, sum_1895, patches_columns_above_rdata_q[24]};
   // hls/stages/patches.hpp:471
-  logic [11:0] sum_1892;
-  assign sum_1892 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_1893;
-  assign sum_1893 = {{4{down_2[10]}}, down_2[10:2]} + {sum_1892[11], sum_1892};
-  logic [13:0] sum_1894;
-  assign sum_1894 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_1893, down_2[1]};
-  logic [12:0] sum_1895;
-  assign sum_1895 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1894[13:1];
-  logic [14:0] sum_1896;
-  assign sum_1896 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_1895, sum_1894[0], down_2[0]};
+  logic [11:0] sum_1897;
+  assign sum_1897 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_1898;
+  assign sum_1898 = {{4{down_2[10]}}, down_2[10:2]} + {sum_1897[11], sum_1897};
+  logic [13:0] sum_1899;
+  assign sum_1899 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_1898, down_2[1]};
+  logic [12:0] sum_1900;
+  assign sum_1900 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1899[13:1];
+  logic [14:0] sum_1901;
+  assign sum_1901 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_1900, sum_1899[0], down_2[0]};
   // hls/stages/patches.hpp:453
-  logic or_1903;
-  assign or_1903 = (sum_1896[8] & (~(sum_1896[7:0] == 8'h0))) | (~(sum_1896[13:9] == 5'h0));
+  logic or_1908;
+  assign or_1908 = (sum_1901[8] & (~(sum_1901[7:0] == 8'h0))) | (~(sum_1901[13:9] == 5'h0));
   // hls/stages/patches.hpp:467
-  logic [8:0] sum_1908;
-  assign sum_1908 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
-  logic [9:0] sum_1909;
-  assign sum_1909 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_1908};
-  logic [10:0] sum_1910;
-  assign sum_1910 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_1909, patches_columns_above_rdata_q[25]};
-  logic [9:0] sum_1911;
-  assign sum_1911 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_1910[10:1];
+  logic [8:0] sum_1913;
+  assign sum_1913 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
+  logic [9:0] sum_1914;
+  assign sum_1914 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_1913};
+  logic [10:0] sum_1915;
+  assign sum_1915 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_1914, patches_columns_above_rdata_q[25]};
+  logic [9:0] sum_1916;
+  assign sum_1916 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_1915[10:1];
   // hls/stages/patches.hpp:468
   logic [11:0] smooth;
-  assign smooth = {sum_1911, sum_1910[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  assign smooth = {sum_1916, sum_1915[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
   // hls/stages/patches.hpp:470
-  logic [12:0] sum_1913;
-  assign sum_1913 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
-  logic [12:0] sum_1914;
-  assign sum_1914 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_1915;
-  assign difference_1915 = {1'b0, sum_1913, smooth[0]} - {1'b0, sum_1914, patches_smooth_values_3_q[0]};
+  logic [12:0] sum_1918;
+  assign sum_1918 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
+  logic [12:0] sum_1919;
+  assign sum_1919 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_1920;
+  assign difference_1920 = {1'b0, sum_1918, smooth[0]} - {1'b0, sum_1919, patches_smooth_values_3_q[0]};
   // hls/stages/patches.hpp:453
-  logic or_1922;
-  assign or_1922 = (difference_1915[8] & (~(difference_1915[7:0] == 8'h0))) | (~(difference_1915[13:9] == 5'h0));
+  logic or_1927;
+  assign or_1927 = (difference_1920[8] & (~(difference_1920[7:0] == 8'h0))) | (~(difference_1920[13:9] == 5'h0));
   // hls/stages/patches.hpp:482
-  logic or_1930;
-  assign or_1930 = (((patches_column_s1_q == 5'ha) | of_row) | equal_1884) | equal_1882;
+  logic or_1935;
+  assign or_1935 = (((patches_column_s1_q == 5'ha) | of_row) | equal_1889) | equal_1887;
   // hls/stages/patches.hpp:477
-  logic and_1935;
-  assign and_1935 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
+  logic and_1940;
+  assign and_1940 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
   // hls/stages/patches.hpp:184
-  logic and_1939;
-  assign and_1939 = not_1777_s1_q & (or_1780_s1_q & (or_1930 & (equal_1779_s1_q & and_1935)));
+  logic and_1944;
+  assign and_1944 = not_1782_s1_q & (or_1785_s1_q & (or_1935 & (equal_1784_s1_q & and_1940)));
   // hls/stages/patches.hpp:172
-  logic and_1949;
-  assign and_1949 = (~(equal_1779_s1_q | (~and_1935))) & (~patches_column_s1_q[4]);
+  logic and_1954;
+  assign and_1954 = (~(equal_1784_s1_q | (~and_1940))) & (~patches_column_s1_q[4]);
   // hls/stages/patches.hpp:184
-  logic and_1953;
-  assign and_1953 = not_1777_s1_q & (or_1780_s1_q & (and_1949 & (patches_column_s1_q == 5'hf)));
+  logic and_1958;
+  assign and_1958 = not_1782_s1_q & (or_1785_s1_q & (and_1954 & (patches_column_s1_q == 5'hf)));
   // hls/stages/patches.hpp:546
-  logic less_1955;
-  assign less_1955 = patches_step_q[4:0] < 5'h11;
-  logic equal_1956;
-  assign equal_1956 = patches_step_q[6:5] == 2'h0;
-  logic not_1957;
-  assign not_1957 = ~equal_1956;
-  logic equal_1958;
-  assign equal_1958 = patches_step_q[6:5] == 2'h3;
-  logic not_1959;
-  assign not_1959 = ~equal_1958;
+  logic less_1960;
+  assign less_1960 = patches_step_q[4:0] < 5'h11;
+  logic equal_1961;
+  assign equal_1961 = patches_step_q[6:5] == 2'h0;
+  logic not_1962;
+  assign not_1962 = ~equal_1961;
+  logic equal_1963;
+  assign equal_1963 = patches_step_q[6:5] == 2'h3;
+  logic not_1964;
+  assign not_1964 = ~equal_1963;
   // hls/stages/patches.hpp:560
-  logic select_1962;
-  assign select_1962 = equal_1958 ? (less_1955 & (less_1955 & not_1959)) : less_1955;
+  logic select_1967;
+  assign select_1967 = equal_1963 ? (less_1960 & (less_1960 & not_1964)) : less_1960;
   // hls/stages/patches.hpp:184
-  logic and_1965;
-  assign and_1965 = equal_1774_s1_q & (less_1955 ? (not_1957 & select_1962) : select_1962);
+  logic and_1970;
+  assign and_1970 = equal_1779_s1_q & (less_1960 ? (not_1962 & select_1967) : select_1967);
   // hls/stages/division.hpp:34
-  logic [5:0] sum_1993;
-  assign sum_1993 = region_across_rest_q[8:3] + 6'h1;
+  logic [5:0] sum_1998;
+  assign sum_1998 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:460
-  logic select_2564;
-  assign select_2564 = equal_2467_s1_q ? (~({row_s1_q, 1'b0} < {sum_2561, cfg_height_i[3]})) : lower_half_q;
+  logic select_2570;
+  assign select_2570 = equal_2473_s1_q ? (~({row_s1_q, 1'b0} < {sum_2567, cfg_height_i[3]})) : lower_half_q;
   // hls/stages/agreement.hpp:520
-  logic and_2825;
-  assign and_2825 = and_544_s1_q & (equal_2467_s1_q & (row_s1_q[5:2] == 4'h0));
+  logic and_2831;
+  assign and_2831 = and_549_s1_q & (equal_2473_s1_q & (row_s1_q[5:2] == 4'h0));
   // hls/stages/registration.hpp:128
-  logic and_2826;
-  assign and_2826 = and_2468_s1_q & and_2825;
+  logic and_2832;
+  assign and_2832 = and_2474_s1_q & and_2831;
   // hls/stages/registration.hpp:127
-  logic and_2828;
-  assign and_2828 = and_2468_s1_q & (~and_2825);
+  logic and_2834;
+  assign and_2834 = and_2474_s1_q & (~and_2831);
   // hls/stages/registration.hpp:129
-  logic [15:0] select_2829;
-  assign select_2829 = and_2828 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_2835;
+  assign select_2835 = and_2834 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_2831;
-  assign select_2831 = and_2826 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2829[15]}}, select_2829});
+  logic [23:0] select_2837;
+  assign select_2837 = and_2832 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2835[15]}}, select_2835});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_2832;
-  assign select_2832 = and_2828 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_2838;
+  assign select_2838 = and_2834 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2832[15]}}, select_2832};
+  assign both = registration_slope_change_q + {{12{select_2838[15]}}, select_2838};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_2834;
-  assign select_2834 = and_2826 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2840;
+  assign select_2840 = and_2832 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:149
-  logic and_2835;
-  assign and_2835 = ends_cell_s1_q & so_s1_q;
+  logic and_2841;
+  assign and_2841 = ends_cell_s1_q & so_s1_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2835 ? registration_slope_change_q : 28'h0);
+  assign column_5 = registration_slope_q + (and_2841 ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:187
-  logic select_3080;
-  assign select_3080 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3086;
+  assign select_3086 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/patches.hpp:184
-  logic [11:0] select_3083;
-  assign select_3083 = equal_1776_s1_q ? patches_smooth_values_0_q : (or_1780_s1_q ? smooth : patches_smooth_values_0_q);
-  logic [11:0] select_3085;
-  assign select_3085 = or_1780_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
-  logic [11:0] select_3087;
-  assign select_3087 = equal_1774_s1_q ? patches_smooth_values_1_q : (equal_1776_s1_q ? patches_smooth_values_1_q : select_3085);
-  logic [11:0] select_3088;
-  assign select_3088 = or_1780_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
-  logic [11:0] select_3090;
-  assign select_3090 = equal_1774_s1_q ? patches_smooth_values_2_q : (equal_1776_s1_q ? patches_smooth_values_2_q : select_3088);
+  logic [11:0] select_3089;
+  assign select_3089 = equal_1781_s1_q ? patches_smooth_values_0_q : (or_1785_s1_q ? smooth : patches_smooth_values_0_q);
   logic [11:0] select_3091;
-  assign select_3091 = or_1780_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  assign select_3091 = or_1785_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
   logic [11:0] select_3093;
-  assign select_3093 = equal_1774_s1_q ? patches_smooth_values_3_q : (equal_1776_s1_q ? patches_smooth_values_3_q : select_3091);
-  logic [10:0] select_3095;
-  assign select_3095 = equal_1776_s1_q ? patches_down_values_0_q : (or_1780_s1_q ? down_2 : patches_down_values_0_q);
-  logic [10:0] select_3098;
-  assign select_3098 = equal_1776_s1_q ? patches_down_values_1_q : (or_1780_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
+  assign select_3093 = equal_1779_s1_q ? patches_smooth_values_1_q : (equal_1781_s1_q ? patches_smooth_values_1_q : select_3091);
+  logic [11:0] select_3094;
+  assign select_3094 = or_1785_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3096;
+  assign select_3096 = equal_1779_s1_q ? patches_smooth_values_2_q : (equal_1781_s1_q ? patches_smooth_values_2_q : select_3094);
+  logic [11:0] select_3097;
+  assign select_3097 = or_1785_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3099;
+  assign select_3099 = equal_1779_s1_q ? patches_smooth_values_3_q : (equal_1781_s1_q ? patches_smooth_values_3_q : select_3097);
   logic [10:0] select_3101;
-  assign select_3101 = equal_1776_s1_q ? patches_down_values_2_q : (or_1780_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
+  assign select_3101 = equal_1781_s1_q ? patches_down_values_0_q : (or_1785_s1_q ? down_2 : patches_down_values_0_q);
   logic [10:0] select_3104;
-  assign select_3104 = equal_1776_s1_q ? patches_down_values_3_q : (or_1780_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
+  assign select_3104 = equal_1781_s1_q ? patches_down_values_1_q : (or_1785_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
+  logic [10:0] select_3107;
+  assign select_3107 = equal_1781_s1_q ? patches_down_values_2_q : (or_1785_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
+  logic [10:0] select_3110;
+  assign select_3110 = equal_1781_s1_q ? patches_down_values_3_q : (or_1785_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
   // hls/stages/patches.hpp:175
-  logic and_3141;
-  assign and_3141 = patches_along_ends_q & patches_match_row_ends_q;
+  logic and_3147;
+  assign and_3147 = patches_along_ends_q & patches_match_row_ends_q;
   // hls/stages/patches.hpp:413
-  logic [4:0] select_3146;
-  assign select_3146 = or_3041_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  logic [4:0] select_3152;
+  assign select_3152 = or_3047_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:415
-  logic [3:0] select_3148;
-  assign select_3148 = and_3141 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  logic [3:0] select_3154;
+  assign select_3154 = and_3147 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/patches.hpp:184
-  logic [4:0] select_3504;
-  assign select_3504 = equal_1774_s1_q ? patches_summed_down_by_q : (equal_1776_s1_q ? patches_down_by_q : patches_summed_down_by_q);
+  logic [4:0] select_3510;
+  assign select_3510 = equal_1779_s1_q ? patches_summed_down_by_q : (equal_1781_s1_q ? patches_down_by_q : patches_summed_down_by_q);
   // hls/stages/patches.hpp:556
-  logic and_3537;
-  assign and_3537 = less_1955 & (patches_step_q[6:5] == 2'h1);
+  logic and_3543;
+  assign and_3543 = less_1960 & (patches_step_q[6:5] == 2'h1);
   // hls/stages/patches.hpp:560
-  logic select_3540;
-  assign select_3540 = equal_1958 ? (less_1955 ? (not_1959 & and_3537) : and_3537) : and_3537;
+  logic select_3546;
+  assign select_3546 = equal_1963 ? (less_1960 ? (not_1964 & and_3543) : and_3543) : and_3543;
   // hls/stages/patches.hpp:184
-  logic select_3543;
-  assign select_3543 = equal_1774_s1_q ? (less_1955 ? (not_1957 & select_3540) : select_3540) : patches_read_searches_q;
+  logic select_3549;
+  assign select_3549 = equal_1779_s1_q ? (less_1960 ? (not_1962 & select_3546) : select_3546) : patches_read_searches_q;
   // hls/stages/agreement.hpp:205
-  logic [8:0] select_3882;
-  assign select_3882 = so_s1_q ? (and_2835 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
+  logic [8:0] select_3888;
+  assign select_3888 = so_s1_q ? (and_2841 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3884;
-  assign sum_3884 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
+  logic [8:0] sum_3890;
+  assign sum_3890 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3885;
-  assign select_3885 = sum_1993[5] ? {1'b1, sum_1993[4:0], region_across_rest_q[2:0]} : sum_3884;
+  logic [8:0] select_3891;
+  assign select_3891 = sum_1998[5] ? {1'b1, sum_1998[4:0], region_across_rest_q[2:0]} : sum_3890;
   // hls/stages/agreement.hpp:460
-  logic [7:0] select_3887;
-  assign select_3887 = equal_2467_s1_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
-  logic [6:0] select_3890;
-  assign select_3890 = equal_2467_s1_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
+  logic [7:0] select_3893;
+  assign select_3893 = equal_2473_s1_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
+  logic [6:0] select_3896;
+  assign select_3896 = equal_2473_s1_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
 
-  // Memory averager_memory, 189 x 26, DISTANCE 16, hls/stages/census.hpp:227; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory averager_memory, 189 x 26, DISTANCE 16, hls/stages/census.hpp:235; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [25:0] averager_memory_mem [0:188];
@@ -1869,17 +1874,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 189; i++) averager_memory_mem[i] = 26'h0;
 `endif
   logic [7:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_514_s1_q;
+  assign averager_memory_raddr = select_515_s1_q;
 `ifndef SYNTHESIS
   logic averager_memory_re;
-  assign averager_memory_re = s1_en & and_519;
+  assign averager_memory_re = s1_en & and_524;
 `endif
   logic [25:0] averager_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
-  // Memory census_memory, 47 x 78, DISTANCE 16, hls/stages/census.hpp:340; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory census_memory, 47 x 78, DISTANCE 16, hls/stages/census.hpp:349; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1891,7 +1896,7 @@ module horopter_agreement (
   assign census_memory_raddr = last_s1_2_q;
 `ifndef SYNTHESIS
   logic census_memory_re;
-  assign census_memory_re = s1_en & and_544_s1_q;
+  assign census_memory_re = s1_en & and_549_s1_q;
 `endif
   logic [77:0] census_memory_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1906,10 +1911,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 1645; i++) moments_memory_mem[i] = 4'h0;
 `endif
   logic [10:0] moments_memory_raddr;
-  assign moments_memory_raddr = select_568;
+  assign moments_memory_raddr = select_573;
 `ifndef SYNTHESIS
   logic moments_memory_re;
-  assign moments_memory_re = s1_en & and_586;
+  assign moments_memory_re = s1_en & and_591;
 `endif
   logic [3:0] moments_memory_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1925,10 +1930,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) best_right_mem[i] = 29'h0;
 `endif
   logic [5:0] best_right_raddr;
-  assign best_right_raddr = or_574_s1_q ? select_621 : right_s1_q;
+  assign best_right_raddr = or_579_s1_q ? select_626 : right_s1_q;
 `ifndef SYNTHESIS
   logic best_right_re;
-  assign best_right_re = s1_en & select_612_s1_q;
+  assign best_right_re = s1_en & select_617_s1_q;
 `endif
   logic [28:0] best_right_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1947,7 +1952,7 @@ module horopter_agreement (
   assign shown_right_raddr = x_s1_q[5:0];
 `ifndef SYNTHESIS
   logic shown_right_re;
-  assign shown_right_re = s1_en & and_1569;
+  assign shown_right_re = s1_en & and_1574;
 `endif
   logic [1:0] shown_right_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1966,7 +1971,7 @@ module horopter_agreement (
   assign left_turns_raddr = x_s1_q[5:0];
 `ifndef SYNTHESIS
   logic left_turns_re;
-  assign left_turns_re = s1_en & and_1586;
+  assign left_turns_re = s1_en & and_1591;
 `endif
   logic [1:0] left_turns_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1982,10 +1987,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) right_turns_mem[i] = 2'h0;
 `endif
   logic [5:0] right_turns_raddr;
-  assign right_turns_raddr = select_621;
+  assign right_turns_raddr = select_626;
 `ifndef SYNTHESIS
   logic right_turns_re;
-  assign right_turns_re = s1_en & and_1586;
+  assign right_turns_re = s1_en & and_1591;
 `endif
   logic [1:0] right_turns_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2000,10 +2005,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 28'h0;
 `endif
   logic [6:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = {select_1879, not_1874, select_1873};
+  assign patches_right_codes_raddr = {select_1884, not_1879, select_1878};
 `ifndef SYNTHESIS
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s1_en & or_1880;
+  assign patches_right_codes_re = s1_en & or_1885;
 `endif
   logic [27:0] patches_right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2022,7 +2027,7 @@ module horopter_agreement (
   assign patches_left_codes_raddr = patches_match_row_q;
 `ifndef SYNTHESIS
   logic patches_left_codes_re;
-  assign patches_left_codes_re = s1_en & (not_1775_s1_q & (new_row & equal_1776_s1_q));
+  assign patches_left_codes_re = s1_en & (not_1780_s1_q & (new_row & equal_1781_s1_q));
 `endif
   logic [47:0] patches_left_codes_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2041,7 +2046,7 @@ module horopter_agreement (
   assign patches_rows_raddr = patches_step_q[4:0];
 `ifndef SYNTHESIS
   logic patches_rows_re;
-  assign patches_rows_re = s1_en & and_1965;
+  assign patches_rows_re = s1_en & and_1970;
 `endif
   logic [14:0] patches_rows_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2060,7 +2065,7 @@ module horopter_agreement (
   assign seen_columns_raddr = x_s1_q[5:0];
 `ifndef SYNTHESIS
   logic seen_columns_re;
-  assign seen_columns_re = s1_en & and_1569;
+  assign seen_columns_re = s1_en & and_1574;
 `endif
   logic [17:0] seen_columns_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2071,9 +2076,9 @@ module horopter_agreement (
   logic [5:0] left_waddr;
   assign left_waddr = x_s1_q[5:0];
   logic left_we;
-  assign left_we = s1_en & and_645_s1_q;
+  assign left_we = s1_en & and_650_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_we) left_mem[left_waddr] <= {and_746, left_rdata_q[65:49], and_745, left_rdata_q[47:31], and_744, left_rdata_q[29:13], and_743, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+    if (left_we) left_mem[left_waddr] <= {and_751, left_rdata_q[65:49], and_750, left_rdata_q[47:31], and_749, left_rdata_q[29:13], and_748, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2091,9 +2096,9 @@ module horopter_agreement (
   logic [5:0] right_codes_waddr;
   assign right_codes_waddr = x_s1_q[5:0];
   logic right_codes_we;
-  assign right_codes_we = s1_en & and_645_s1_q;
+  assign right_codes_we = s1_en & and_650_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_752, right_codes_rdata_q[84:73], and_751, right_codes_rdata_q[71:60], and_750, right_codes_rdata_q[56:43], and_749, right_codes_rdata_q[41:28], and_748, right_codes_rdata_q[26:13], and_747, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
+    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_757, right_codes_rdata_q[84:73], and_756, right_codes_rdata_q[71:60], and_755, right_codes_rdata_q[56:43], and_754, right_codes_rdata_q[41:28], and_753, right_codes_rdata_q[26:13], and_752, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2111,7 +2116,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_waddr;
   assign patches_columns_above_waddr = patches_column_s1_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s1_en & and_1861_s1_q;
+  assign patches_columns_above_we = s1_en & and_1866_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_columns_above_we) patches_columns_above_mem[patches_columns_above_waddr] <= {patches_columns_above_rdata_q[23:0], pixel_2};
   end
@@ -2158,36 +2163,36 @@ module horopter_agreement (
       columns_begin_rest_q <= 8'h0;
       columns_begin_back_q <= 7'h0;
     end else if (s1_en) begin
-      moments_place_q <= select_567;
-      moments_taken_q <= not_570 & (not_572 & (equal_573_s1_q & inside_v));
-      moments_starts_q <= not_570 & (not_572 & (equal_573_s1_q & (inside_v & first)));
-      row_q <= and_544_s1_q ? (equal_2467_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_544_s1_q ? select_2564 : lower_half_q;
-      registration_slope_row_q <= select_2831;
-      registration_slope_change_q <= select_2834;
+      moments_place_q <= select_572;
+      moments_taken_q <= not_575 & (not_577 & (equal_578_s1_q & inside_v));
+      moments_starts_q <= not_575 & (not_577 & (equal_578_s1_q & (inside_v & first)));
+      row_q <= and_549_s1_q ? (equal_2473_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_549_s1_q ? select_2570 : lower_half_q;
+      registration_slope_row_q <= select_2837;
+      registration_slope_change_q <= select_2840;
       registration_slope_q <= so_s1_q ? column_5 : {registration_slope_row_q, 4'h0};
-      patches_along_ends_q <= not_3065_s1_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3065_s1_q & select_3080;
-      patches_smooth_values_0_q <= equal_1774_s1_q ? patches_smooth_values_0_q : select_3083;
-      patches_smooth_values_1_q <= select_3087;
-      patches_smooth_values_2_q <= select_3090;
-      patches_smooth_values_3_q <= select_3093;
-      patches_down_values_0_q <= equal_1774_s1_q ? patches_down_values_0_q : select_3095;
-      patches_down_values_1_q <= equal_1774_s1_q ? patches_down_values_1_q : select_3098;
-      patches_down_values_2_q <= equal_1774_s1_q ? patches_down_values_2_q : select_3101;
-      patches_down_values_3_q <= equal_1774_s1_q ? patches_down_values_3_q : select_3104;
-      patches_down_by_q <= or_3041_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3141});
-      patches_along_q <= select_3146;
-      patches_match_row_q <= or_3041_s1_q ? 4'h0 : select_3148;
-      patches_summed_last_q <= not_1775_s1_q & (equal_1776_s1_q & and_3141);
-      patches_summed_down_by_q <= select_3504;
-      patches_step_q <= or_3041_s1_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3543;
-      region_across_rest_q <= select_3882;
+      patches_along_ends_q <= not_3071_s1_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3071_s1_q & select_3086;
+      patches_smooth_values_0_q <= equal_1779_s1_q ? patches_smooth_values_0_q : select_3089;
+      patches_smooth_values_1_q <= select_3093;
+      patches_smooth_values_2_q <= select_3096;
+      patches_smooth_values_3_q <= select_3099;
+      patches_down_values_0_q <= equal_1779_s1_q ? patches_down_values_0_q : select_3101;
+      patches_down_values_1_q <= equal_1779_s1_q ? patches_down_values_1_q : select_3104;
+      patches_down_values_2_q <= equal_1779_s1_q ? patches_down_values_2_q : select_3107;
+      patches_down_values_3_q <= equal_1779_s1_q ? patches_down_values_3_q : select_3110;
+      patches_down_by_q <= or_3047_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3147});
+      patches_along_q <= select_3152;
+      patches_match_row_q <= or_3047_s1_q ? 4'h0 : select_3154;
+      patches_summed_last_q <= not_1780_s1_q & (equal_1781_s1_q & and_3147);
+      patches_summed_down_by_q <= select_3510;
+      patches_step_q <= or_3047_s1_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3549;
+      region_across_rest_q <= select_3888;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3885;
-      columns_begin_rest_q <= and_544_s1_q ? select_3887 : columns_begin_rest_q;
-      columns_begin_back_q <= and_544_s1_q ? select_3890 : columns_begin_back_q;
+      region_across_next_q <= select_3891;
+      columns_begin_rest_q <= and_549_s1_q ? select_3893 : columns_begin_rest_q;
+      columns_begin_back_q <= and_549_s1_q ? select_3896 : columns_begin_back_q;
     end
   end
 
@@ -2286,89 +2291,89 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s2_q;
   logic [4:0] patches_step_s2_q;
   logic patches_read_searches_s2_q;
-  logic [2:0] select_508_s2_q;
-  logic [5:0] select_510_s2_q;
-  logic [7:0] select_514_s2_q;
-  logic and_518_s2_q;
-  logic and_519_s2_q;
-  logic equal_524_s2_q;
+  logic [2:0] select_509_s2_q;
+  logic [5:0] select_511_s2_q;
+  logic [7:0] select_515_s2_q;
+  logic and_523_s2_q;
+  logic and_524_s2_q;
+  logic equal_529_s2_q;
   logic [5:0] last_s2_2_q;
-  logic and_542_s2_q;
-  logic and_544_s2_q;
-  logic equal_564_s2_q;
-  logic [10:0] select_568_s2_q;
+  logic and_547_s2_q;
+  logic and_549_s2_q;
   logic equal_569_s2_q;
-  logic not_570_s2_q;
+  logic [10:0] select_573_s2_q;
+  logic equal_574_s2_q;
+  logic not_575_s2_q;
   logic so_s2_q;
-  logic not_572_s2_q;
-  logic equal_573_s2_q;
-  logic or_574_s2_q;
-  logic less_577_s2_q;
-  logic not_578_s2_q;
+  logic not_577_s2_q;
+  logic equal_578_s2_q;
+  logic or_579_s2_q;
+  logic less_582_s2_q;
+  logic not_583_s2_q;
   logic inside_v_s2_q;
-  logic not_582_s2_q;
-  logic and_586_s2_q;
-  logic and_595_s2_q;
-  logic and_603_s2_q;
+  logic not_587_s2_q;
+  logic and_591_s2_q;
+  logic and_600_s2_q;
+  logic and_608_s2_q;
   logic [6:0] x_s2_2_q;
   logic [61:0] best_left_rdata_s2_q;
   logic [5:0] right_s2_q;
-  logic and_634_s2_q;
   logic and_639_s2_q;
-  logic and_641_s2_q;
-  logic equal_674_s2_q;
+  logic and_644_s2_q;
+  logic and_646_s2_q;
+  logic equal_679_s2_q;
   logic [5:0] column_s2_q;
-  logic [5:0] select_1252_s2_q;
-  logic [5:0] select_1501_s2_q;
-  logic and_1556_s2_q;
-  logic equal_1557_s2_q;
-  logic and_1567_s2_q;
-  logic and_1569_s2_q;
-  logic [5:0] select_1573_s2_q;
-  logic or_1577_s2_q;
-  logic and_1670_s2_q;
-  logic and_1683_s2_q;
-  logic less_1697_s2_q;
+  logic [5:0] select_1257_s2_q;
+  logic [5:0] select_1506_s2_q;
+  logic and_1561_s2_q;
+  logic equal_1562_s2_q;
+  logic and_1572_s2_q;
+  logic and_1574_s2_q;
+  logic [5:0] select_1578_s2_q;
+  logic or_1582_s2_q;
+  logic and_1675_s2_q;
+  logic and_1688_s2_q;
+  logic less_1702_s2_q;
   logic [7:0] change_s2_q;
-  logic equal_1774_s2_q;
-  logic equal_1776_s2_q;
   logic equal_1779_s2_q;
-  logic or_1780_s2_q;
-  logic [4:0] select_1804_s2_q;
-  logic select_1810_s2_q;
-  logic [3:0] select_1851_s2_q;
-  logic less_1867_s2_q;
+  logic equal_1781_s2_q;
+  logic equal_1784_s2_q;
+  logic or_1785_s2_q;
+  logic [4:0] select_1809_s2_q;
+  logic select_1815_s2_q;
+  logic [3:0] select_1856_s2_q;
+  logic less_1872_s2_q;
   logic new_row_s2_q;
-  logic or_1880_s2_q;
+  logic or_1885_s2_q;
   logic [1:0] of_row_2_s2_q;
-  logic not_1897_s2_q;
-  logic or_1903_s2_q;
-  logic and_1907_s2_q;
-  logic and_1923_s2_q;
-  logic and_1926_s2_q;
-  logic and_1940_s2_q;
-  logic and_1949_s2_q;
+  logic not_1902_s2_q;
+  logic or_1908_s2_q;
+  logic and_1912_s2_q;
+  logic and_1928_s2_q;
+  logic and_1931_s2_q;
+  logic and_1945_s2_q;
   logic and_1954_s2_q;
-  logic less_1955_s2_q;
-  logic equal_1956_s2_q;
-  logic not_1957_s2_q;
-  logic equal_1958_s2_q;
-  logic not_1959_s2_q;
-  logic and_1972_s2_q;
-  logic select_1974_s2_q;
+  logic and_1959_s2_q;
+  logic less_1960_s2_q;
+  logic equal_1961_s2_q;
+  logic not_1962_s2_q;
+  logic equal_1963_s2_q;
+  logic not_1964_s2_q;
   logic and_1977_s2_q;
-  logic sum_1993_s2_q;
-  logic and_2014_s2_q;
-  logic and_2132_s2_q;
-  logic equal_2278_s2_q;
-  logic equal_2467_s2_q;
-  logic and_2594_s2_q;
-  logic equal_2679_s2_q;
-  logic less_3117_s2_q;
-  logic equal_3460_s2_q;
-  logic equal_3544_s2_q;
-  logic less_3870_s2_q;
-  logic equal_4089_s2_q;
+  logic select_1979_s2_q;
+  logic and_1982_s2_q;
+  logic sum_1998_s2_q;
+  logic and_2019_s2_q;
+  logic and_2137_s2_q;
+  logic equal_2284_s2_q;
+  logic equal_2473_s2_q;
+  logic and_2600_s2_q;
+  logic equal_2685_s2_q;
+  logic less_3123_s2_q;
+  logic equal_3466_s2_q;
+  logic equal_3550_s2_q;
+  logic less_3876_s2_q;
+  logic equal_4095_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -2400,89 +2405,89 @@ module horopter_agreement (
       patches_summed_down_by_s2_q <= patches_summed_down_by_q;
       patches_step_s2_q <= patches_step_q[4:0];
       patches_read_searches_s2_q <= patches_read_searches_q;
-      select_508_s2_q <= select_508_s1_q;
-      select_510_s2_q <= select_510_s1_q;
-      select_514_s2_q <= select_514_s1_q;
-      and_518_s2_q <= and_518_s1_q;
-      and_519_s2_q <= and_519;
-      equal_524_s2_q <= equal_524_s1_q;
+      select_509_s2_q <= select_509_s1_q;
+      select_511_s2_q <= select_511_s1_q;
+      select_515_s2_q <= select_515_s1_q;
+      and_523_s2_q <= and_523_s1_q;
+      and_524_s2_q <= and_524;
+      equal_529_s2_q <= equal_529_s1_q;
       last_s2_2_q <= last_s1_2_q;
-      and_542_s2_q <= and_542_s1_q;
-      and_544_s2_q <= and_544_s1_q;
-      equal_564_s2_q <= equal_564;
-      select_568_s2_q <= select_568;
-      equal_569_s2_q <= equal_569_s1_q;
-      not_570_s2_q <= not_570;
+      and_547_s2_q <= and_547_s1_q;
+      and_549_s2_q <= and_549_s1_q;
+      equal_569_s2_q <= equal_569;
+      select_573_s2_q <= select_573;
+      equal_574_s2_q <= equal_574_s1_q;
+      not_575_s2_q <= not_575;
       so_s2_q <= so_s1_q;
-      not_572_s2_q <= not_572;
-      equal_573_s2_q <= equal_573_s1_q;
-      or_574_s2_q <= or_574_s1_q;
-      less_577_s2_q <= less_577_s1_q;
-      not_578_s2_q <= not_578_s1_q;
+      not_577_s2_q <= not_577;
+      equal_578_s2_q <= equal_578_s1_q;
+      or_579_s2_q <= or_579_s1_q;
+      less_582_s2_q <= less_582_s1_q;
+      not_583_s2_q <= not_583_s1_q;
       inside_v_s2_q <= inside_v;
-      not_582_s2_q <= not_582;
-      and_586_s2_q <= and_586;
-      and_595_s2_q <= or_574_s1_q & (left_rdata_q[70] & not_578_s1_q);
-      and_603_s2_q <= (or_574_s1_q & (left_rdata_q[68] & not_578_s1_q)) & and_602;
+      not_587_s2_q <= not_587;
+      and_591_s2_q <= and_591;
+      and_600_s2_q <= or_579_s1_q & (left_rdata_q[70] & not_583_s1_q);
+      and_608_s2_q <= (or_579_s1_q & (left_rdata_q[68] & not_583_s1_q)) & and_607;
       x_s2_2_q <= x_s1_2_q;
       best_left_rdata_s2_q <= best_left_rdata_q;
       right_s2_q <= right_s1_q;
-      and_634_s2_q <= or_574_s1_q & (left_rdata_q[71] & not_578_s1_q);
-      and_639_s2_q <= or_574_s1_q & (right_codes_rdata_q[58] & not_578_s1_q);
-      and_641_s2_q <= or_574_s1_q & (right_codes_rdata_q[59] & not_578_s1_q);
-      equal_674_s2_q <= row_s1_q == 6'h0;
+      and_639_s2_q <= or_579_s1_q & (left_rdata_q[71] & not_583_s1_q);
+      and_644_s2_q <= or_579_s1_q & (right_codes_rdata_q[58] & not_583_s1_q);
+      and_646_s2_q <= or_579_s1_q & (right_codes_rdata_q[59] & not_583_s1_q);
+      equal_679_s2_q <= row_s1_q == 6'h0;
       column_s2_q <= column;
-      select_1252_s2_q <= age_s1_q[3] ? sums_0_columns_values_13_q : 6'h0;
-      select_1501_s2_q <= age_s1_q[3] ? sums_1_columns_values_13_q : 6'h0;
-      and_1556_s2_q <= and_1556_s1_q;
-      equal_1557_s2_q <= equal_1557_s1_q;
-      and_1567_s2_q <= and_1567;
-      and_1569_s2_q <= and_1569;
-      select_1573_s2_q <= select_1573;
-      or_1577_s2_q <= or_1577;
-      and_1670_s2_q <= and_1670_s1_q;
-      and_1683_s2_q <= and_1683_s1_q;
-      less_1697_s2_q <= 5'h4 < row_q[5:1];
+      select_1257_s2_q <= age_s1_q[3] ? sums_0_columns_values_13_q : 6'h0;
+      select_1506_s2_q <= age_s1_q[3] ? sums_1_columns_values_13_q : 6'h0;
+      and_1561_s2_q <= and_1561_s1_q;
+      equal_1562_s2_q <= equal_1562_s1_q;
+      and_1572_s2_q <= and_1572;
+      and_1574_s2_q <= and_1574;
+      select_1578_s2_q <= select_1578;
+      or_1582_s2_q <= or_1582;
+      and_1675_s2_q <= and_1675_s1_q;
+      and_1688_s2_q <= and_1688_s1_q;
+      less_1702_s2_q <= 5'h4 < row_q[5:1];
       change_s2_q <= change;
-      equal_1774_s2_q <= equal_1774_s1_q;
-      equal_1776_s2_q <= equal_1776_s1_q;
       equal_1779_s2_q <= equal_1779_s1_q;
-      or_1780_s2_q <= or_1780_s1_q;
-      select_1804_s2_q <= select_1804_s1_q;
-      select_1810_s2_q <= select_1810_s1_q;
-      select_1851_s2_q <= select_1851_s1_q;
-      less_1867_s2_q <= less_1867;
+      equal_1781_s2_q <= equal_1781_s1_q;
+      equal_1784_s2_q <= equal_1784_s1_q;
+      or_1785_s2_q <= or_1785_s1_q;
+      select_1809_s2_q <= select_1809_s1_q;
+      select_1815_s2_q <= select_1815_s1_q;
+      select_1856_s2_q <= select_1856_s1_q;
+      less_1872_s2_q <= less_1872;
       new_row_s2_q <= new_row;
-      or_1880_s2_q <= or_1880;
+      or_1885_s2_q <= or_1885;
       of_row_2_s2_q <= of_row_2;
-      not_1897_s2_q <= ~sum_1896[14];
-      or_1903_s2_q <= or_1903;
-      and_1907_s2_q <= sum_1896[14] & (~(sum_1896[13:8] == 6'h3f));
-      and_1923_s2_q <= (~difference_1915[14]) & or_1922;
-      and_1926_s2_q <= difference_1915[14] & (~(difference_1915[13:8] == 6'h3f));
-      and_1940_s2_q <= not_1775_s1_q & and_1939;
-      and_1949_s2_q <= and_1949;
-      and_1954_s2_q <= not_1775_s1_q & and_1953;
-      less_1955_s2_q <= less_1955;
-      equal_1956_s2_q <= equal_1956;
-      not_1957_s2_q <= not_1957;
-      equal_1958_s2_q <= equal_1958;
-      not_1959_s2_q <= not_1959;
-      and_1972_s2_q <= sample_pair_whole_q;
-      select_1974_s2_q <= left_first_q;
-      and_1977_s2_q <= right_q;
-      sum_1993_s2_q <= sum_1993[5];
-      and_2014_s2_q <= or_574_s1_q & (left_rdata_q[69] & not_578_s1_q);
-      and_2132_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
-      equal_2278_s2_q <= (last_s1_2_q | row_s1_q) == 6'h0;
-      equal_2467_s2_q <= equal_2467_s1_q;
-      and_2594_s2_q <= or_574_s1_q & (not_578_s1_q & and_602);
-      equal_2679_s2_q <= shift == 6'h0;
-      less_3117_s2_q <= 4'he < patches_column_s1_q[4:1];
-      equal_3460_s2_q <= patches_match_row_q == 4'h0;
-      equal_3544_s2_q <= patches_step_q[6:5] == 2'h2;
-      less_3870_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_4089_s2_q <= row_s1_q[5:3] == 3'h0;
+      not_1902_s2_q <= ~sum_1901[14];
+      or_1908_s2_q <= or_1908;
+      and_1912_s2_q <= sum_1901[14] & (~(sum_1901[13:8] == 6'h3f));
+      and_1928_s2_q <= (~difference_1920[14]) & or_1927;
+      and_1931_s2_q <= difference_1920[14] & (~(difference_1920[13:8] == 6'h3f));
+      and_1945_s2_q <= not_1780_s1_q & and_1944;
+      and_1954_s2_q <= and_1954;
+      and_1959_s2_q <= not_1780_s1_q & and_1958;
+      less_1960_s2_q <= less_1960;
+      equal_1961_s2_q <= equal_1961;
+      not_1962_s2_q <= not_1962;
+      equal_1963_s2_q <= equal_1963;
+      not_1964_s2_q <= not_1964;
+      and_1977_s2_q <= sample_pair_whole_q;
+      select_1979_s2_q <= left_first_q;
+      and_1982_s2_q <= right_q;
+      sum_1998_s2_q <= sum_1998[5];
+      and_2019_s2_q <= or_579_s1_q & (left_rdata_q[69] & not_583_s1_q);
+      and_2137_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
+      equal_2284_s2_q <= (last_s1_2_q | row_s1_q) == 6'h0;
+      equal_2473_s2_q <= equal_2473_s1_q;
+      and_2600_s2_q <= or_579_s1_q & (not_583_s1_q & and_607);
+      equal_2685_s2_q <= shift == 6'h0;
+      less_3123_s2_q <= 4'he < patches_column_s1_q[4:1];
+      equal_3466_s2_q <= patches_match_row_q == 4'h0;
+      equal_3550_s2_q <= patches_step_q[6:5] == 2'h2;
+      less_3876_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_4095_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
@@ -2668,161 +2673,161 @@ module horopter_agreement (
   logic was_next_row_q;
   logic [10:0] seen_base_q;
   // hls/stages/census.hpp:113
-  logic [11:0] select_522;
-  assign select_522 = select_508_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
-  // hls/stages/census.hpp:122
-  logic [11:0] sum_526;
-  assign sum_526 = select_522 + (equal_524_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
+  logic [11:0] select_527;
+  assign select_527 = select_509_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  // hls/stages/census.hpp:126
+  logic [11:0] sum_531;
+  assign sum_531 = select_527 + (equal_529_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
   // hls/stages/census.hpp:113
-  logic [11:0] sum_528;
-  assign sum_528 = {4'h0, sample_pair_pixel_1_q} + (select_508_s2_q[0] ? averager_running_1_q : 12'h0);
-  // hls/stages/census.hpp:122
-  logic [11:0] sum_530;
-  assign sum_530 = sum_528 + (equal_524_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
+  logic [11:0] sum_533;
+  assign sum_533 = {4'h0, sample_pair_pixel_1_q} + (select_509_s2_q[0] ? averager_running_1_q : 12'h0);
+  // hls/stages/census.hpp:126
+  logic [11:0] sum_535;
+  assign sum_535 = sum_533 + (equal_529_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
   // hls/stages/agreement.hpp:418
   logic whole;
-  assign whole = select_508_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
-  // hls/stages/census.hpp:123
-  logic and_534;
-  assign and_534 = whole & (averager_memory_rdata_q[24] | equal_524_s2_q);
+  assign whole = select_509_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
+  // hls/stages/census.hpp:127
+  logic and_539;
+  assign and_539 = whole & (averager_memory_rdata_q[24] | equal_529_s2_q);
   // hls/stages/agreement.hpp:418
   logic all_of_skin;
-  assign all_of_skin = select_508_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
-  // hls/stages/census.hpp:124
-  logic and_538;
-  assign and_538 = all_of_skin & (averager_memory_rdata_q[25] | equal_524_s2_q);
-  // hls/stages/census.hpp:207
+  assign all_of_skin = select_509_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  // hls/stages/census.hpp:128
+  logic and_543;
+  assign and_543 = all_of_skin & (averager_memory_rdata_q[25] | equal_529_s2_q);
+  // hls/stages/census.hpp:215
   logic [8:0] grey;
-  assign grey = and_518_s2_q ? sum_526[11:3] : 9'h0;
-  // hls/stages/census.hpp:127
-  logic equal_547;
-  assign equal_547 = select_508_s2_q == 3'h1;
-  // hls/stages/census.hpp:208
+  assign grey = and_523_s2_q ? sum_531[11:3] : 9'h0;
+  // hls/stages/census.hpp:131
+  logic equal_552;
+  assign equal_552 = select_509_s2_q == 3'h1;
+  // hls/stages/census.hpp:216
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_547 ? 11'h0 : averager_total_0_q);
+  assign total = {2'h0, grey} + (equal_552 ? 11'h0 : averager_total_0_q);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_550;
-  assign select_550 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
-  // hls/stages/census.hpp:207
+  logic [8:0] select_555;
+  assign select_555 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
+  // hls/stages/census.hpp:215
   logic [8:0] grey_2;
-  assign grey_2 = and_518_s2_q ? sum_530[11:3] : 9'h0;
-  // hls/stages/census.hpp:208
+  assign grey_2 = and_523_s2_q ? sum_535[11:3] : 9'h0;
+  // hls/stages/census.hpp:216
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_547 ? 11'h0 : averager_total_1_q);
+  assign total_2 = {2'h0, grey_2} + (equal_552 ? 11'h0 : averager_total_1_q);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_554;
-  assign select_554 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
-  // hls/stages/census.hpp:207
-  logic and_555;
-  assign and_555 = and_518_s2_q & and_534;
-  // hls/stages/census.hpp:127
-  logic select_557;
-  assign select_557 = equal_547 ? and_555 : (averager_mask_q & and_555);
+  logic [8:0] select_559;
+  assign select_559 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
+  // hls/stages/census.hpp:215
+  logic and_560;
+  assign and_560 = and_523_s2_q & and_539;
+  // hls/stages/census.hpp:131
+  logic select_562;
+  assign select_562 = equal_552 ? and_560 : (averager_mask_q & and_560);
   // hls/stages/agreement.hpp:276
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s2_q & select_557;
-  // hls/stages/census.hpp:207
-  logic and_559;
-  assign and_559 = and_518_s2_q & and_538;
-  // hls/stages/census.hpp:127
-  logic select_561;
-  assign select_561 = equal_547 ? and_559 : (averager_of_skin_q & and_559);
+  assign whole_2 = sample_pair_whole_s2_q & select_562;
+  // hls/stages/census.hpp:215
+  logic and_564;
+  assign and_564 = and_523_s2_q & and_543;
+  // hls/stages/census.hpp:131
+  logic select_566;
+  assign select_566 = equal_552 ? and_564 : (averager_of_skin_q & and_564);
   // hls/stages/agreement.hpp:276
-  logic and_562;
-  assign and_562 = sample_pair_whole_s2_q & select_561;
+  logic and_567;
+  assign and_567 = sample_pair_whole_s2_q & select_566;
   // hls/stages/agreement.hpp:978
-  logic select_616;
-  assign select_616 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  logic select_621;
+  assign select_621 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
   // hls/stages/agreement.hpp:979
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:992
-  logic [8:0] difference_626;
-  assign difference_626 = {2'h0, chosen} - {1'b0, x_s2_q};
+  logic [8:0] difference_631;
+  assign difference_631 = {2'h0, chosen} - {1'b0, x_s2_q};
   // hls/stages/agreement.hpp:993
-  logic [9:0] sum_627;
-  assign sum_627 = {difference_626[8], difference_626} + 10'h1;
+  logic [9:0] sum_632;
+  assign sum_632 = {difference_631[8], difference_631} + 10'h1;
   // hls/stages/agreement.hpp:247
-  logic and_629;
-  assign and_629 = (and_603_s2_q & select_616) & ({{22{sum_627[9]}}, sum_627} < 32'h3);
+  logic and_634;
+  assign and_634 = (and_608_s2_q & select_621) & ({{22{sum_632[9]}}, sum_632} < 32'h3);
   // hls/stages/agreement.hpp:149
-  logic and_631;
-  assign and_631 = or_574_s2_q & (not_578_s2_q & and_629);
+  logic and_636;
+  assign and_636 = or_579_s2_q & (not_583_s2_q & and_634);
   // hls/stages/moments.hpp:77
-  logic and_632;
-  assign and_632 = and_595_s2_q & and_631;
-  // hls/stages/census.hpp:296
-  logic less_647;
-  assign less_647 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_648;
-  assign less_648 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
-  logic less_649;
-  assign less_649 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_650;
-  assign less_650 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_651;
-  assign less_651 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  logic and_637;
+  assign and_637 = and_600_s2_q & and_636;
+  // hls/stages/census.hpp:305
   logic less_652;
-  assign less_652 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_652 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_653;
-  assign less_653 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_653 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_654;
-  assign less_654 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_654 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_655;
-  assign less_655 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_655 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_656;
-  assign less_656 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_656 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_657;
-  assign less_657 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_657 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_658;
-  assign less_658 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:297
+  assign less_658 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_659;
-  assign less_659 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_659 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_660;
-  assign less_660 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_660 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_661;
-  assign less_661 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_661 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_662;
-  assign less_662 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_662 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_663;
-  assign less_663 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_663 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:306
   logic less_664;
-  assign less_664 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_664 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_665;
-  assign less_665 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_665 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_666;
-  assign less_666 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_666 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_667;
-  assign less_667 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_667 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_668;
-  assign less_668 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_668 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_669;
-  assign less_669 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_669 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_670;
-  assign less_670 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_670 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_671;
+  assign less_671 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_672;
+  assign less_672 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_673;
+  assign less_673 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_674;
+  assign less_674 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_675;
+  assign less_675 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   // hls/stages/agreement.hpp:455
-  logic equal_671;
-  assign equal_671 = last_s2_2_q == 6'h0;
-  logic [3:0] select_675;
-  assign select_675 = equal_674_s2_q ? 4'h0 : rows_passed_above_q[3:0];
+  logic equal_676;
+  assign equal_676 = last_s2_2_q == 6'h0;
+  logic [3:0] select_680;
+  assign select_680 = equal_679_s2_q ? 4'h0 : rows_passed_above_q[3:0];
   // hls/stages/agreement.hpp:456
-  logic [4:0] select_676;
-  assign select_676 = equal_671 ? {select_675, 1'b1} : rows_passed_above_q;
-  // hls/stages/census.hpp:278
-  logic [3:0] select_677;
-  assign select_677 = equal_671 ? 4'h0 : census_filled_q;
-  // hls/stages/census.hpp:301
-  logic and_678;
-  assign and_678 = select_676[4] & select_677[3];
-  // hls/stages/census.hpp:288
-  logic and_680;
-  assign and_680 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
-  logic and_682;
-  assign and_682 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_680);
+  logic [4:0] select_681;
+  assign select_681 = equal_676 ? {select_680, 1'b1} : rows_passed_above_q;
+  // hls/stages/census.hpp:287
+  logic [3:0] select_682;
+  assign select_682 = equal_676 ? 4'h0 : census_filled_q;
+  // hls/stages/census.hpp:310
+  logic and_683;
+  assign and_683 = select_681[4] & select_682[3];
+  // hls/stages/census.hpp:297
+  logic and_685;
+  assign and_685 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
+  logic and_687;
+  assign and_687 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_685);
   // hls/stages/agreement.hpp:456
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_682;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_687;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_q & whole_3;
   logic whole_5;
@@ -2861,220 +2866,220 @@ module horopter_agreement (
   assign whole_21 = census_columns_values_3_cell_3_mask_q & whole_20;
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
-  // hls/stages/census.hpp:272
-  logic [9:0] difference_705;
-  assign difference_705 = {1'b0, select_550} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [8:0] xor_706;
-  assign xor_706 = difference_705[8:0] ^ {9{difference_705[9]}};
-  logic [9:0] sum_707;
-  assign sum_707 = {9'h0, difference_705[9]} + {1'b0, xor_706};
-  logic [9:0] difference_708;
-  assign difference_708 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [8:0] xor_709;
-  assign xor_709 = difference_708[8:0] ^ {9{difference_708[9]}};
-  logic [9:0] sum_710;
-  assign sum_710 = {9'h0, difference_708[9]} + {1'b0, xor_709};
-  logic [9:0] difference_712;
-  assign difference_712 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [8:0] xor_713;
-  assign xor_713 = difference_712[8:0] ^ {9{difference_712[9]}};
-  logic [9:0] sum_714;
-  assign sum_714 = {9'h0, difference_712[9]} + {1'b0, xor_713};
-  logic [10:0] sum_715;
-  assign sum_715 = ({1'b0, sum_707} + {1'b0, sum_710}) + {1'b0, sum_714};
-  logic [9:0] difference_716;
-  assign difference_716 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [8:0] xor_717;
-  assign xor_717 = difference_716[8:0] ^ {9{difference_716[9]}};
-  logic [9:0] sum_718;
-  assign sum_718 = {9'h0, difference_716[9]} + {1'b0, xor_717};
-  logic [9:0] difference_720;
-  assign difference_720 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  logic [8:0] xor_721;
-  assign xor_721 = difference_720[8:0] ^ {9{difference_720[9]}};
+  // hls/stages/census.hpp:281
+  logic [9:0] difference_710;
+  assign difference_710 = {1'b0, select_555} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [8:0] xor_711;
+  assign xor_711 = difference_710[8:0] ^ {9{difference_710[9]}};
+  logic [9:0] sum_712;
+  assign sum_712 = {9'h0, difference_710[9]} + {1'b0, xor_711};
+  logic [9:0] difference_713;
+  assign difference_713 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [8:0] xor_714;
+  assign xor_714 = difference_713[8:0] ^ {9{difference_713[9]}};
+  logic [9:0] sum_715;
+  assign sum_715 = {9'h0, difference_713[9]} + {1'b0, xor_714};
+  logic [9:0] difference_717;
+  assign difference_717 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [8:0] xor_718;
+  assign xor_718 = difference_717[8:0] ^ {9{difference_717[9]}};
+  logic [9:0] sum_719;
+  assign sum_719 = {9'h0, difference_717[9]} + {1'b0, xor_718};
+  logic [10:0] sum_720;
+  assign sum_720 = ({1'b0, sum_712} + {1'b0, sum_715}) + {1'b0, sum_719};
+  logic [9:0] difference_721;
+  assign difference_721 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [8:0] xor_722;
+  assign xor_722 = difference_721[8:0] ^ {9{difference_721[9]}};
+  logic [9:0] sum_723;
+  assign sum_723 = {9'h0, difference_721[9]} + {1'b0, xor_722};
+  logic [9:0] difference_725;
+  assign difference_725 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [8:0] xor_726;
+  assign xor_726 = difference_725[8:0] ^ {9{difference_725[9]}};
   // hls/stages/agreement.hpp:456
-  logic and_729;
-  assign and_729 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
-  logic and_730;
-  assign and_730 = and_678 & and_729;
-  // hls/stages/census.hpp:308
+  logic and_734;
+  assign and_734 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
+  logic and_735;
+  assign and_735 = and_683 & and_734;
+  // hls/stages/census.hpp:317
   logic [9:0] half_grey_levels;
   assign half_grey_levels = {1'b0, census_columns_values_0_cell_2_left_q} - {1'b0, census_columns_values_1_cell_2_left_q};
   // hls/stages/moments.hpp:30
-  logic [6:0] sum_732;
-  assign sum_732 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
-  // hls/stages/census.hpp:308
-  logic and_734;
-  assign and_734 = and_730 & ({{5{sum_732[6]}}, sum_732, half_grey_levels[3:0]} < 16'hffe1);
-  // hls/stages/census.hpp:309
+  logic [6:0] sum_737;
+  assign sum_737 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
+  // hls/stages/census.hpp:317
+  logic and_739;
+  assign and_739 = and_735 & ({{5{sum_737[6]}}, sum_737, half_grey_levels[3:0]} < 16'hffe1);
+  // hls/stages/census.hpp:318
   logic [9:0] half_grey_levels_2;
   assign half_grey_levels_2 = {1'b0, census_columns_values_0_cell_2_right_q} - {1'b0, census_columns_values_1_cell_2_right_q};
   // hls/stages/moments.hpp:30
-  logic [6:0] sum_738;
-  assign sum_738 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
+  logic [6:0] sum_743;
+  assign sum_743 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
   // hls/stages/agreement.hpp:807
-  logic or_754;
-  assign or_754 = shift_first_s2_q | (~shift_not_right_q);
+  logic or_759;
+  assign or_759 = shift_first_s2_q | (~shift_not_right_q);
   // hls/stages/agreement.hpp:808
-  logic select_756;
-  assign select_756 = or_754 ? shift_first_s2_q : (~age_s2_q[1]);
+  logic select_761;
+  assign select_761 = or_759 ? shift_first_s2_q : (~age_s2_q[1]);
   // hls/stages/agreement.hpp:778
-  logic [5:0] select_1003;
-  assign select_1003 = age_s2_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1004;
-  assign difference_1004 = {1'b0, column_s2_q} - {1'b0, select_1003};
-  logic [7:0] sum_1006;
-  assign sum_1006 = {difference_1004[6], difference_1004} + (age_s2_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_1008;
+  assign select_1008 = age_s2_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1009;
+  assign difference_1009 = {1'b0, column_s2_q} - {1'b0, select_1008};
+  logic [7:0] sum_1011;
+  assign sum_1011 = {difference_1009[6], difference_1009} + (age_s2_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:755
-  logic [7:0] select_1007;
-  assign select_1007 = slot_s2_q[0] ? chosen_score_q : sum_1006;
+  logic [7:0] select_1012;
+  assign select_1012 = slot_s2_q[0] ? chosen_score_q : sum_1011;
   // hls/stages/agreement.hpp:778
-  logic [6:0] difference_1253;
-  assign difference_1253 = {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1252_s2_q};
+  logic [6:0] difference_1258;
+  assign difference_1258 = {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1257_s2_q};
   // hls/stages/agreement.hpp:749
-  logic equal_1254;
-  assign equal_1254 = {age_s2_q[0], slot_s2_q[0]} == 2'h0;
+  logic equal_1259;
+  assign equal_1259 = {age_s2_q[0], slot_s2_q[0]} == 2'h0;
   // hls/stages/agreement.hpp:778
-  logic [7:0] sum_1256;
-  assign sum_1256 = {difference_1253[6], difference_1253} + (equal_1254 ? 8'h0 : sums_0_sum_sums_values_1_q);
-  logic [6:0] difference_1502;
-  assign difference_1502 = {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1501_s2_q};
-  logic [7:0] sum_1504;
-  assign sum_1504 = {difference_1502[6], difference_1502} + (equal_1254 ? 8'h0 : sums_1_sum_sums_values_1_q);
+  logic [7:0] sum_1261;
+  assign sum_1261 = {difference_1258[6], difference_1258} + (equal_1259 ? 8'h0 : sums_0_sum_sums_values_1_q);
+  logic [6:0] difference_1507;
+  assign difference_1507 = {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1506_s2_q};
+  logic [7:0] sum_1509;
+  assign sum_1509 = {difference_1507[6], difference_1507} + (equal_1259 ? 8'h0 : sums_1_sum_sums_values_1_q);
   // hls/stages/agreement.hpp:751
-  logic less_1505;
-  assign less_1505 = sum_1256 < sum_1504;
-  logic [7:0] select_1506;
-  assign select_1506 = less_1505 ? sum_1504 : sum_1256;
-  logic less_1507;
-  assign less_1507 = select_1007 < select_1506;
+  logic less_1510;
+  assign less_1510 = sum_1261 < sum_1509;
+  logic [7:0] select_1511;
+  assign select_1511 = less_1510 ? sum_1509 : sum_1261;
+  logic less_1512;
+  assign less_1512 = select_1012 < select_1511;
   // hls/stages/agreement.hpp:801
   logic [7:0] of_best;
-  assign of_best = shift_allowed_q ? (less_1507 ? select_1506 : select_1007) : 8'h0;
+  assign of_best = shift_allowed_q ? (less_1512 ? select_1511 : select_1012) : 8'h0;
   // hls/stages/agreement.hpp:808
-  logic or_1511;
-  assign or_1511 = select_756 | (best_left_rdata_s2_q[16:9] < of_best);
+  logic or_1516;
+  assign or_1516 = select_761 | (best_left_rdata_s2_q[16:9] < of_best);
   // hls/stages/agreement.hpp:813
-  logic [5:0] select_1512;
-  assign select_1512 = or_1511 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
+  logic [5:0] select_1517;
+  assign select_1517 = or_1516 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
   // hls/stages/agreement.hpp:720
-  logic not_1513;
-  assign not_1513 = ~slot_s2_q[0];
+  logic not_1518;
+  assign not_1518 = ~slot_s2_q[0];
   // hls/stages/agreement.hpp:752
-  logic [1:0] select_1514;
-  assign select_1514 = less_1505 ? {slot_s2_q[0], not_1513} : 2'h0;
-  logic [2:0] select_1516;
-  assign select_1516 = less_1507 ? {select_1514, not_1513} : (slot_s2_q[0] ? chosen_place_q : 3'h2);
+  logic [1:0] select_1519;
+  assign select_1519 = less_1510 ? {slot_s2_q[0], not_1518} : 2'h0;
+  logic [2:0] select_1521;
+  assign select_1521 = less_1512 ? {select_1519, not_1518} : (slot_s2_q[0] ? chosen_place_q : 3'h2);
   // hls/stages/agreement.hpp:813
-  logic [2:0] select_1517;
-  assign select_1517 = or_1511 ? select_1516 : best_left_rdata_s2_q[8:6];
-  logic [7:0] select_1518;
-  assign select_1518 = or_1511 ? of_best : best_left_rdata_s2_q[16:9];
+  logic [2:0] select_1522;
+  assign select_1522 = or_1516 ? select_1521 : best_left_rdata_s2_q[8:6];
+  logic [7:0] select_1523;
+  assign select_1523 = or_1516 ? of_best : best_left_rdata_s2_q[16:9];
   // hls/stages/agreement.hpp:810
-  logic equal_1519;
-  assign equal_1519 = select_1516 == 3'h1;
-  logic or_1522;
-  assign or_1522 = equal_1519 | (~(select_1516 == 3'h2));
-  logic [7:0] select_1524;
-  assign select_1524 = or_1522 ? before_0_q : before_1_q;
-  logic [7:0] select_1525;
-  assign select_1525 = equal_1519 ? (or_1522 ? sum_1256 : {7'h0, shift_not_right_q}) : select_1524;
-  // hls/stages/agreement.hpp:813
-  logic [7:0] select_1526;
-  assign select_1526 = or_1511 ? select_1525 : best_left_rdata_s2_q[24:17];
+  logic equal_1524;
+  assign equal_1524 = select_1521 == 3'h1;
+  logic or_1527;
+  assign or_1527 = equal_1524 | (~(select_1521 == 3'h2));
   logic [7:0] select_1529;
-  assign select_1529 = or_1511 ? (equal_1519 ? select_1524 : (or_1522 ? sum_1504 : before_2_q)) : best_left_rdata_s2_q[32:25];
+  assign select_1529 = or_1527 ? before_0_q : before_1_q;
+  logic [7:0] select_1530;
+  assign select_1530 = equal_1524 ? (or_1527 ? sum_1261 : {7'h0, shift_not_right_q}) : select_1529;
+  // hls/stages/agreement.hpp:813
+  logic [7:0] select_1531;
+  assign select_1531 = or_1516 ? select_1530 : best_left_rdata_s2_q[24:17];
+  logic [7:0] select_1534;
+  assign select_1534 = or_1516 ? (equal_1524 ? select_1529 : (or_1527 ? sum_1509 : before_2_q)) : best_left_rdata_s2_q[32:25];
   // hls/stages/agreement.hpp:779
   logic [5:0] before_v;
   assign before_v = age_s2_q[1] ? middle_sum_columns_values_3_q : 6'h0;
   // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1531;
-  assign sum_1531 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
-  logic [6:0] sum_1532;
-  assign sum_1532 = {1'b0, before_v} + sum_1531;
+  logic [6:0] sum_1536;
+  assign sum_1536 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
+  logic [6:0] sum_1537;
+  assign sum_1537 = {1'b0, before_v} + sum_1536;
   // hls/stages/agreement.hpp:755
-  logic [6:0] select_1533;
-  assign select_1533 = slot_s2_q[0] ? chosen_near_q : sum_1532;
+  logic [6:0] select_1538;
+  assign select_1538 = slot_s2_q[0] ? chosen_near_q : sum_1537;
   // hls/stages/agreement.hpp:779
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[1] ? sums_0_columns_values_8_q : 6'h0;
   // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1535;
-  assign sum_1535 = {1'b0, sums_0_columns_values_4_q} + {1'b0, sums_0_columns_values_6_q};
-  logic [6:0] sum_1536;
-  assign sum_1536 = {1'b0, before_v_2} + sum_1535;
+  logic [6:0] sum_1540;
+  assign sum_1540 = {1'b0, sums_0_columns_values_4_q} + {1'b0, sums_0_columns_values_6_q};
+  logic [6:0] sum_1541;
+  assign sum_1541 = {1'b0, before_v_2} + sum_1540;
   // hls/stages/agreement.hpp:779
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[1] ? sums_1_columns_values_8_q : 6'h0;
   // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1538;
-  assign sum_1538 = {1'b0, sums_1_columns_values_4_q} + {1'b0, sums_1_columns_values_6_q};
-  logic [6:0] sum_1539;
-  assign sum_1539 = {1'b0, before_v_3} + sum_1538;
+  logic [6:0] sum_1543;
+  assign sum_1543 = {1'b0, sums_1_columns_values_4_q} + {1'b0, sums_1_columns_values_6_q};
+  logic [6:0] sum_1544;
+  assign sum_1544 = {1'b0, before_v_3} + sum_1543;
   // hls/stages/agreement.hpp:751
-  logic [6:0] select_1541;
-  assign select_1541 = (sum_1536 < sum_1539) ? sum_1539 : sum_1536;
+  logic [6:0] select_1546;
+  assign select_1546 = (sum_1541 < sum_1544) ? sum_1544 : sum_1541;
   // hls/stages/agreement.hpp:802
   logic [6:0] of_near;
-  assign of_near = shift_allowed_q ? ((select_1533 < select_1541) ? select_1541 : select_1533) : 7'h0;
+  assign of_near = shift_allowed_q ? ((select_1538 < select_1546) ? select_1546 : select_1538) : 7'h0;
   // hls/stages/agreement.hpp:813
-  logic less_1545;
-  assign less_1545 = best_left_rdata_s2_q[39:33] < of_near;
+  logic less_1550;
+  assign less_1550 = best_left_rdata_s2_q[39:33] < of_near;
   // hls/stages/agreement.hpp:817
-  logic [6:0] select_1547;
-  assign select_1547 = select_756 ? of_near : (less_1545 ? of_near : best_left_rdata_s2_q[39:33]);
-  logic [5:0] select_1549;
-  assign select_1549 = select_756 ? run_shift_s2_q : (less_1545 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
-  logic [7:0] select_1552;
-  assign select_1552 = (run_shift_s2_q == 6'h3f) ? of_best : (select_756 ? 8'h0 : best_left_rdata_s2_q[53:46]);
+  logic [6:0] select_1552;
+  assign select_1552 = select_761 ? of_near : (less_1550 ? of_near : best_left_rdata_s2_q[39:33]);
+  logic [5:0] select_1554;
+  assign select_1554 = select_761 ? run_shift_s2_q : (less_1550 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
+  logic [7:0] select_1557;
+  assign select_1557 = (run_shift_s2_q == 6'h3f) ? of_best : (select_761 ? 8'h0 : best_left_rdata_s2_q[53:46]);
   // hls/stages/agreement.hpp:818
-  logic [7:0] select_1555;
-  assign select_1555 = (run_shift_s2_q == 6'h1) ? of_best : (select_756 ? 8'h0 : best_left_rdata_s2_q[61:54]);
+  logic [7:0] select_1560;
+  assign select_1560 = (run_shift_s2_q == 6'h1) ? of_best : (select_761 ? 8'h0 : best_left_rdata_s2_q[61:54]);
   // hls/stages/agreement.hpp:823
-  logic select_1558;
-  assign select_1558 = or_754 ? shift_first_s2_q : equal_1557_s2_q;
+  logic select_1563;
+  assign select_1563 = or_759 ? shift_first_s2_q : equal_1562_s2_q;
   // hls/stages/agreement.hpp:824
-  logic or_1560;
-  assign or_1560 = select_1558 | (best_right_rdata_q[7:0] < of_best);
+  logic or_1565;
+  assign or_1565 = select_1563 | (best_right_rdata_q[7:0] < of_best);
   // hls/stages/agreement.hpp:828
-  logic [7:0] select_1561;
-  assign select_1561 = or_1560 ? of_best : best_right_rdata_q[7:0];
-  logic [6:0] select_1562;
-  assign select_1562 = or_1560 ? x_s2_2_q : best_right_rdata_q[14:8];
-  logic or_1564;
-  assign or_1564 = select_1558 | (best_right_rdata_q[21:15] < of_near);
+  logic [7:0] select_1566;
+  assign select_1566 = or_1565 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_1567;
+  assign select_1567 = or_1565 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_1569;
+  assign or_1569 = select_1563 | (best_right_rdata_q[21:15] < of_near);
   // hls/stages/agreement.hpp:832
-  logic [6:0] select_1565;
-  assign select_1565 = or_1564 ? of_near : best_right_rdata_q[21:15];
-  logic [6:0] select_1566;
-  assign select_1566 = or_1564 ? x_s2_2_q : best_right_rdata_q[28:22];
+  logic [6:0] select_1570;
+  assign select_1570 = or_1569 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_1571;
+  assign select_1571 = or_1569 ? x_s2_2_q : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:149
-  logic and_1580;
-  assign and_1580 = or_574_s2_q & (not_578_s2_q & (and_629 & or_1577_s2_q));
+  logic and_1585;
+  assign and_1585 = or_579_s2_q & (not_583_s2_q & (and_634 & or_1582_s2_q));
   // hls/stages/agreement.hpp:788
-  logic and_1581;
-  assign and_1581 = not_572_s2_q & and_1580;
-  logic and_1584;
-  assign and_1584 = not_570_s2_q & (so_s2_q ? and_1567_s2_q : (equal_573_s2_q & and_631));
-  // hls/stages/moments.hpp:73
-  logic and_1588;
-  assign and_1588 = moments_has_before_q & moments_memory_rdata_q[0];
-  // hls/stages/agreement.hpp:1003
+  logic and_1586;
+  assign and_1586 = not_577_s2_q & and_1585;
   logic and_1589;
-  assign and_1589 = not_582_s2_q & and_1588;
-  logic and_1592;
-  assign and_1592 = not_582_s2_q & (and_1588 & (moments_memory_rdata_q[1] ^ and_634_s2_q));
+  assign and_1589 = not_575_s2_q & (so_s2_q ? and_1572_s2_q : (equal_578_s2_q & and_636));
   // hls/stages/moments.hpp:73
-  logic and_1597;
-  assign and_1597 = moments_has_before_q & moments_memory_rdata_q[2];
+  logic and_1593;
+  assign and_1593 = moments_has_before_q & moments_memory_rdata_q[0];
   // hls/stages/agreement.hpp:1003
-  logic and_1598;
-  assign and_1598 = not_582_s2_q & and_1597;
-  logic and_1601;
-  assign and_1601 = not_582_s2_q & (and_1597 & (moments_memory_rdata_q[3] ^ and_641_s2_q));
+  logic and_1594;
+  assign and_1594 = not_587_s2_q & and_1593;
+  logic and_1597;
+  assign and_1597 = not_587_s2_q & (and_1593 & (moments_memory_rdata_q[1] ^ and_639_s2_q));
+  // hls/stages/moments.hpp:73
+  logic and_1602;
+  assign and_1602 = moments_has_before_q & moments_memory_rdata_q[2];
+  // hls/stages/agreement.hpp:1003
+  logic and_1603;
+  assign and_1603 = not_587_s2_q & and_1602;
+  logic and_1606;
+  assign and_1606 = not_587_s2_q & (and_1602 & (moments_memory_rdata_q[3] ^ and_646_s2_q));
   // hls/stages/agreement.hpp:1128
-  logic equal_1602;
-  assign equal_1602 = x_s2_q[6:4] == 3'h7;
+  logic equal_1607;
+  assign equal_1607 = x_s2_q[6:4] == 3'h7;
   // hls/stages/agreement.hpp:1178
   logic [1:0] quarter;
   assign quarter = x_s2_q[1:0] + 2'h1;
@@ -3082,652 +3087,652 @@ module horopter_agreement (
   logic all;
   assign all = x_s2_q[5:3] == 3'h4;
   // hls/stages/agreement.hpp:1129
-  logic [1:0] select_1605;
-  assign select_1605 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
+  logic [1:0] select_1610;
+  assign select_1610 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
   // hls/stages/agreement.hpp:1142
-  logic [3:0] select_1607;
-  assign select_1607 = equal_1602 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_1605});
+  logic [3:0] select_1612;
+  assign select_1612 = equal_1607 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_1610});
   // hls/stages/registration.hpp:107
-  logic [1:0] sum_1608;
-  assign sum_1608 = slot_s2_q[1:0] + 2'h3;
+  logic [1:0] sum_1613;
+  assign sum_1613 = slot_s2_q[1:0] + 2'h3;
   // hls/stages/agreement.hpp:788
-  logic [3:0] select_1609;
-  assign select_1609 = equal_569_s2_q ? select_1607 : {sum_1608, lower_half_s2_q, registration_of_right_q};
+  logic [3:0] select_1614;
+  assign select_1614 = equal_574_s2_q ? select_1612 : {sum_1613, lower_half_s2_q, registration_of_right_q};
   // hls/stages/patches.hpp:210
-  logic equal_1610;
-  assign equal_1610 = x_s2_q[5:0] == 6'h3f;
-  logic equal_1612;
-  assign equal_1612 = x_s2_q[5:0] == 6'h3e;
-  logic equal_1614;
-  assign equal_1614 = x_s2_q[5:0] == 6'h3d;
-  logic equal_1616;
-  assign equal_1616 = x_s2_q[5:0] == 6'h3c;
-  logic equal_1618;
-  assign equal_1618 = x_s2_q[5:0] == 6'h3b;
-  logic equal_1620;
-  assign equal_1620 = x_s2_q[5:0] == 6'h36;
-  logic equal_1622;
-  assign equal_1622 = x_s2_q[5:0] == 6'h35;
-  logic equal_1624;
-  assign equal_1624 = x_s2_q[5:0] == 6'h34;
+  logic equal_1615;
+  assign equal_1615 = x_s2_q[5:0] == 6'h3f;
+  logic equal_1617;
+  assign equal_1617 = x_s2_q[5:0] == 6'h3e;
+  logic equal_1619;
+  assign equal_1619 = x_s2_q[5:0] == 6'h3d;
+  logic equal_1621;
+  assign equal_1621 = x_s2_q[5:0] == 6'h3c;
+  logic equal_1623;
+  assign equal_1623 = x_s2_q[5:0] == 6'h3b;
+  logic equal_1625;
+  assign equal_1625 = x_s2_q[5:0] == 6'h36;
+  logic equal_1627;
+  assign equal_1627 = x_s2_q[5:0] == 6'h35;
+  logic equal_1629;
+  assign equal_1629 = x_s2_q[5:0] == 6'h34;
   // hls/stages/agreement.hpp:1178
-  logic and_1628;
-  assign and_1628 = (~equal_1618) & ((~equal_1620) & ((~equal_1622) & (~equal_1624)));
-  logic and_1632;
-  assign and_1632 = (~equal_1610) & ((~equal_1612) & ((~equal_1614) & ((~equal_1616) & and_1628)));
+  logic and_1633;
+  assign and_1633 = (~equal_1623) & ((~equal_1625) & ((~equal_1627) & (~equal_1629)));
+  logic and_1637;
+  assign and_1637 = (~equal_1615) & ((~equal_1617) & ((~equal_1619) & ((~equal_1621) & and_1633)));
   // hls/stages/agreement.hpp:1129
-  logic less_1633;
-  assign less_1633 = x_s2_q[5:0] < 6'h29;
+  logic less_1638;
+  assign less_1638 = x_s2_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
   logic [1:0] kind;
   assign kind = all ? {1'b0, x_s2_q[2]} : x_s2_q[2:1];
   // hls/stages/registration.hpp:160
-  logic or_1637;
-  assign or_1637 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
+  logic or_1642;
+  assign or_1642 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
   // hls/stages/agreement.hpp:1009
-  logic [4:0] sum_1642;
-  assign sum_1642 = {1'b0, last_s2_q[5:2]} + 5'h1;
+  logic [4:0] sum_1647;
+  assign sum_1647 = {1'b0, last_s2_q[5:2]} + 5'h1;
   // hls/stages/agreement.hpp:262
   logic right_2;
-  assign right_2 = inside_v_s2_q & ({2'h0, sum_1642, last_s2_q[1]} < x_s2_q);
+  assign right_2 = inside_v_s2_q & ({2'h0, sum_1647, last_s2_q[1]} < x_s2_q);
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = inside_v_s2_q ? (right_2 & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:107
-  logic [4:0] sum_1648;
-  assign sum_1648 = {2'h0, slot_s2_q} + 5'h1f;
-  logic and_1650;
-  assign and_1650 = half_ends & ({{3{sum_1648[4]}}, sum_1648} < 8'h3);
+  logic [4:0] sum_1653;
+  assign sum_1653 = {2'h0, slot_s2_q} + 5'h1f;
+  logic and_1655;
+  assign and_1655 = half_ends & ({{3{sum_1653[4]}}, sum_1653} < 8'h3);
   // hls/stages/agreement.hpp:788
-  logic and_1651;
-  assign and_1651 = so_s2_q & and_1650;
-  logic select_1652;
-  assign select_1652 = equal_569_s2_q ? (x_s2_q[6] & (equal_1602 ? and_1632 : (less_1633 & (~or_1637)))) : and_1651;
+  logic and_1656;
+  assign and_1656 = so_s2_q & and_1655;
+  logic select_1657;
+  assign select_1657 = equal_574_s2_q ? (x_s2_q[6] & (equal_1607 ? and_1637 : (less_1638 & (~or_1642)))) : and_1656;
   // hls/stages/registration.hpp:258
-  logic not_1654;
-  assign not_1654 = ~lower_half_s2_q;
-  logic [3:0] select_1655;
-  assign select_1655 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_1654, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_1654};
+  logic not_1659;
+  assign not_1659 = ~lower_half_s2_q;
+  logic [3:0] select_1660;
+  assign select_1660 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_1659, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_1659};
   // hls/stages/patches.hpp:373
-  logic [1:0] select_1684;
-  assign select_1684 = and_1683_s2_q ? 2'h1 : patches_fetch_q;
-  logic [4:0] select_1685;
-  assign select_1685 = and_1683_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
+  logic [1:0] select_1689;
+  assign select_1689 = and_1688_s2_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_1690;
+  assign select_1690 = and_1688_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
   // hls/stages/agreement.hpp:276
-  logic [5:0] select_1686;
-  assign select_1686 = and_1670_s2_q ? {select_1685, select_1684[1]} : {patches_band_q, patches_fetch_q[1]};
+  logic [5:0] select_1691;
+  assign select_1691 = and_1675_s2_q ? {select_1690, select_1689[1]} : {patches_band_q, patches_fetch_q[1]};
   // hls/stages/patches.hpp:126
-  logic [1:0] select_1687;
-  assign select_1687 = and_1670_s2_q ? select_1684 : patches_fetch_q;
-  logic equal_1688;
-  assign equal_1688 = select_1687 == 2'h0;
+  logic [1:0] select_1692;
+  assign select_1692 = and_1675_s2_q ? select_1689 : patches_fetch_q;
+  logic equal_1693;
+  assign equal_1693 = select_1692 == 2'h0;
   // hls/stages/patches.hpp:103
   logic right_3;
   assign right_3 = {3'h0, last_s2_q[5:1]} < x_s2_q;
   // hls/stages/agreement.hpp:788
-  logic and_1696;
-  assign and_1696 = not_570_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
+  logic and_1701;
+  assign and_1701 = not_575_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
   // hls/stages/registration.hpp:83
-  logic equal_1698;
-  assign equal_1698 = slot_s2_q == 3'h7;
+  logic equal_1703;
+  assign equal_1703 = slot_s2_q == 3'h7;
   // hls/stages/agreement.hpp:149
   logic [5:0] b;
-  assign b = or_574_s2_q ? (less_577_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
+  assign b = or_579_s2_q ? (less_582_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
   // hls/stages/registration.hpp:89
   logic [7:0] a;
-  assign a = equal_1698 ? registration_slope_here_q : change_s2_q;
+  assign a = equal_1703 ? registration_slope_here_q : change_s2_q;
   // hls/stages/registration.hpp:211
-  logic [6:0] select_1706;
-  assign select_1706 = b[0] ? a[7:1] : 7'h0;
-  logic [7:0] select_1707;
-  assign select_1707 = b[1] ? a : 8'h0;
-  logic [8:0] sum_1708;
-  assign sum_1708 = {{2{select_1706[6]}}, select_1706} + {select_1707[7], select_1707};
+  logic [6:0] select_1711;
+  assign select_1711 = b[0] ? a[7:1] : 7'h0;
+  logic [7:0] select_1712;
+  assign select_1712 = b[1] ? a : 8'h0;
+  logic [8:0] sum_1713;
+  assign sum_1713 = {{2{select_1711[6]}}, select_1711} + {select_1712[7], select_1712};
   // hls/stages/registration.hpp:212
-  logic [7:0] select_1709;
-  assign select_1709 = b[2] ? a : 8'h0;
-  logic [7:0] select_1710;
-  assign select_1710 = b[3] ? a : 8'h0;
-  logic [8:0] sum_1711;
-  assign sum_1711 = {{2{select_1709[7]}}, select_1709[7:1]} + {select_1710[7], select_1710};
-  // hls/stages/registration.hpp:214
-  logic [10:0] sum_1712;
-  assign sum_1712 = {{3{sum_1708[8]}}, sum_1708[8:1]} + {sum_1711[8], sum_1711, select_1709[0]};
-  // hls/stages/registration.hpp:213
-  logic [7:0] select_1713;
-  assign select_1713 = b[4] ? a : 8'h0;
   logic [7:0] select_1714;
-  assign select_1714 = b[5] ? a : 8'h0;
-  logic [8:0] difference_1715;
-  assign difference_1715 = {{2{select_1713[7]}}, select_1713[7:1]} - {select_1714[7], select_1714};
+  assign select_1714 = b[2] ? a : 8'h0;
+  logic [7:0] select_1715;
+  assign select_1715 = b[3] ? a : 8'h0;
+  logic [8:0] sum_1716;
+  assign sum_1716 = {{2{select_1714[7]}}, select_1714[7:1]} + {select_1715[7], select_1715};
   // hls/stages/registration.hpp:214
-  logic [9:0] sum_1716;
-  assign sum_1716 = {difference_1715, select_1713[0]} + {sum_1712[10], sum_1712[10:2]};
+  logic [10:0] sum_1717;
+  assign sum_1717 = {{3{sum_1713[8]}}, sum_1713[8:1]} + {sum_1716[8], sum_1716, select_1714[0]};
+  // hls/stages/registration.hpp:213
+  logic [7:0] select_1718;
+  assign select_1718 = b[4] ? a : 8'h0;
+  logic [7:0] select_1719;
+  assign select_1719 = b[5] ? a : 8'h0;
+  logic [8:0] difference_1720;
+  assign difference_1720 = {{2{select_1718[7]}}, select_1718[7:1]} - {select_1719[7], select_1719};
+  // hls/stages/registration.hpp:214
+  logic [9:0] sum_1721;
+  assign sum_1721 = {difference_1720, select_1718[0]} + {sum_1717[10], sum_1717[10:2]};
   // hls/stages/registration.hpp:107
   logic [10:0] expected;
-  assign expected = equal_1698 ? {sum_1716, sum_1712[1]} : registration_expected_q;
+  assign expected = equal_1703 ? {sum_1721, sum_1717[1]} : registration_expected_q;
   // hls/stages/patches.hpp:98
-  logic [9:0] sum_1718;
-  assign sum_1718 = {expected[10], expected[10:2]} + 10'h5;
+  logic [9:0] sum_1723;
+  assign sum_1723 = {expected[10], expected[10:2]} + 10'h5;
   // hls/stages/agreement.hpp:262
-  logic and_1721;
-  assign and_1721 = less_1697_s2_q & (and_631 & ({{4{sum_1718[9]}}, sum_1718, expected[1:0]} < 16'h29));
+  logic and_1726;
+  assign and_1726 = less_1702_s2_q & (and_636 & ({{4{sum_1723[9]}}, sum_1723, expected[1:0]} < 16'h29));
   // hls/stages/patches.hpp:104
-  logic and_1725;
-  assign and_1725 = ({4'h0, last_s2_q[5:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
+  logic and_1730;
+  assign and_1730 = ({4'h0, last_s2_q[5:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
   // hls/stages/patches.hpp:102
-  logic [9:0] sum_1731;
-  assign sum_1731 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
+  logic [9:0] sum_1736;
+  assign sum_1736 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
   // hls/stages/patches.hpp:106
-  logic [9:0] sum_1733;
-  assign sum_1733 = {sum_1731[9], sum_1731[9:1]} + 10'h1;
+  logic [9:0] sum_1738;
+  assign sum_1738 = {sum_1736[9], sum_1736[9:1]} + 10'h1;
   // hls/stages/agreement.hpp:1018
-  logic and_1736;
-  assign and_1736 = ($signed(9'h0) < $signed(sum_1731[9:1])) & (~($signed({5'h0, last_s2_q}) < $signed({sum_1733, sum_1731[0]})));
-  logic and_1737;
-  assign and_1737 = (~(and_1725 | (equal_564_s2_q | (~(x_s2_q < {2'h0, last_s2_q}))))) & and_1736;
-  // hls/stages/agreement.hpp:788
   logic and_1741;
-  assign and_1741 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1721 & and_1737)));
+  assign and_1741 = ($signed(9'h0) < $signed(sum_1736[9:1])) & (~($signed({5'h0, last_s2_q}) < $signed({sum_1738, sum_1736[0]})));
   logic and_1742;
-  assign and_1742 = not_570_s2_q & and_1741;
+  assign and_1742 = (~(and_1730 | (equal_569_s2_q | (~(x_s2_q < {2'h0, last_s2_q}))))) & and_1741;
+  // hls/stages/agreement.hpp:788
+  logic and_1746;
+  assign and_1746 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1726 & and_1742)));
+  logic and_1747;
+  assign and_1747 = not_575_s2_q & and_1746;
   // hls/stages/patches.hpp:156
-  logic and_1744;
-  assign and_1744 = and_1742 & (~patches_fixed_q);
+  logic and_1749;
+  assign and_1749 = and_1747 & (~patches_fixed_q);
   // hls/stages/patches.hpp:344
-  logic select_1745;
-  assign select_1745 = and_1744 ? and_1742 : patches_choice_valid_q;
+  logic select_1750;
+  assign select_1750 = and_1749 ? and_1747 : patches_choice_valid_q;
   // hls/stages/agreement.hpp:788
-  logic [6:0] select_1748;
-  assign select_1748 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q[6:0] : 7'h0) : 7'h0) : 7'h0;
+  logic [6:0] select_1753;
+  assign select_1753 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q[6:0] : 7'h0) : 7'h0) : 7'h0;
   // hls/stages/patches.hpp:344
-  logic [6:0] select_1750;
-  assign select_1750 = and_1744 ? (equal_569_s2_q ? 7'h0 : select_1748) : patches_choice_column_q;
+  logic [6:0] select_1755;
+  assign select_1755 = and_1749 ? (equal_574_s2_q ? 7'h0 : select_1753) : patches_choice_column_q;
   // hls/stages/agreement.hpp:788
-  logic [5:0] select_1753;
-  assign select_1753 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
+  logic [5:0] select_1758;
+  assign select_1758 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
   // hls/stages/patches.hpp:344
-  logic [5:0] select_1755;
-  assign select_1755 = and_1744 ? (equal_569_s2_q ? 6'h0 : select_1753) : patches_choice_shift_q;
+  logic [5:0] select_1760;
+  assign select_1760 = and_1749 ? (equal_574_s2_q ? 6'h0 : select_1758) : patches_choice_shift_q;
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_1756;
-  assign sum_1756 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_1716[9]}}, sum_1716[9:2]};
+  logic [12:0] sum_1761;
+  assign sum_1761 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_1721[9]}}, sum_1721[9:2]};
   // hls/stages/registration.hpp:218
-  logic [7:0] select_1759;
-  assign select_1759 = ($signed(sum_1756[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1756[7:0];
+  logic [7:0] select_1764;
+  assign select_1764 = ($signed(sum_1761[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1761[7:0];
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
-  assign slope = equal_1698 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_1756[12:7])) ? 8'h7f : select_1759);
+  assign slope = equal_1703 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_1761[12:7])) ? 8'h7f : select_1764);
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_1764;
-  assign select_1764 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_1769;
+  assign select_1769 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:344
-  logic [7:0] select_1766;
-  assign select_1766 = and_1744 ? (equal_569_s2_q ? 8'h0 : select_1764) : patches_choice_slope_q;
+  logic [7:0] select_1771;
+  assign select_1771 = and_1749 ? (equal_574_s2_q ? 8'h0 : select_1769) : patches_choice_slope_q;
   // hls/stages/patches.hpp:113
-  logic equal_1767;
-  assign equal_1767 = x_s2_q == {2'h0, last_s2_q};
+  logic equal_1772;
+  assign equal_1772 = x_s2_q == {2'h0, last_s2_q};
   // hls/stages/agreement.hpp:788
-  logic and_1771;
-  assign and_1771 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1725 | equal_1767)));
-  logic and_1772;
-  assign and_1772 = not_570_s2_q & and_1771;
+  logic and_1776;
+  assign and_1776 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1730 | equal_1772)));
+  logic and_1777;
+  assign and_1777 = not_575_s2_q & and_1776;
   // hls/stages/patches.hpp:344
-  logic and_1773;
-  assign and_1773 = patches_chooses_s2_q & and_1772;
+  logic and_1778;
+  assign and_1778 = patches_chooses_s2_q & and_1777;
   // hls/stages/patches.hpp:126
-  logic [4:0] select_1787;
-  assign select_1787 = and_1670_s2_q ? select_1685 : patches_band_q;
+  logic [4:0] select_1792;
+  assign select_1792 = and_1675_s2_q ? select_1690 : patches_band_q;
   // hls/stages/patches.hpp:353
-  logic equal_1788;
-  assign equal_1788 = {patches_choosing_band_s2_q, and_1696} == {select_1787, select_1687[1]};
+  logic equal_1793;
+  assign equal_1793 = {patches_choosing_band_s2_q, and_1701} == {select_1792, select_1692[1]};
   // hls/stages/patches.hpp:486
-  logic [2:0] sum_1888;
-  assign sum_1888 = patches_code_row_s2_q[4:2] + 3'h7;
+  logic [2:0] sum_1893;
+  assign sum_1893 = patches_code_row_s2_q[4:2] + 3'h7;
   // hls/stages/patches.hpp:453
-  logic and_1904;
-  assign and_1904 = not_1897_s2_q & or_1903_s2_q;
+  logic and_1909;
+  assign and_1909 = not_1902_s2_q & or_1908_s2_q;
   // hls/stages/patches.hpp:490
-  logic [1:0] sum_1944;
-  assign sum_1944 = patches_code_row_s2_q[3:2] + 2'h3;
+  logic [1:0] sum_1949;
+  assign sum_1949 = patches_code_row_s2_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:205
-  logic [7:0] select_1980;
-  assign select_1980 = so_s2_q ? region_columns_q : 8'h1;
+  logic [7:0] select_1985;
+  assign select_1985 = so_s2_q ? region_columns_q : 8'h1;
   // hls/stages/agreement.hpp:1050
-  logic or_1983;
-  assign or_1983 = select_1980[7] | (~({select_1980[5], select_1980[3], select_1980[1]} == 3'h0));
+  logic or_1988;
+  assign or_1988 = select_1985[7] | (~({select_1985[5], select_1985[3], select_1985[1]} == 3'h0));
   // hls/stages/agreement.hpp:1049
-  logic or_1986;
-  assign or_1986 = select_1980[7] | (~({select_1980[6], select_1980[3:2]} == 3'h0));
+  logic or_1991;
+  assign or_1991 = select_1985[7] | (~({select_1985[6], select_1985[3:2]} == 3'h0));
   // hls/stages/agreement.hpp:1048
-  logic or_1989;
-  assign or_1989 = select_1980[7] | (~(select_1980[6:4] == 3'h0));
+  logic or_1994;
+  assign or_1994 = select_1985[7] | (~(select_1985[6:4] == 3'h0));
   // hls/stages/agreement.hpp:788
-  logic [5:0] select_1990;
-  assign select_1990 = equal_569_s2_q ? x_s2_q[5:0] : {region_row_q, or_1989, or_1986, or_1983};
+  logic [5:0] select_1995;
+  assign select_1995 = equal_574_s2_q ? x_s2_q[5:0] : {region_row_q, or_1994, or_1991, or_1988};
   // hls/stages/agreement.hpp:1128
-  logic not_1991;
-  assign not_1991 = ~equal_1602;
+  logic not_1996;
+  assign not_1996 = ~equal_1607;
   // hls/stages/agreement.hpp:1058
-  logic or_1995;
-  assign or_1995 = (~sum_1993_s2_q) | equal_1767;
+  logic or_2000;
+  assign or_2000 = (~sum_1998_s2_q) | equal_1772;
   // hls/stages/agreement.hpp:788
-  logic and_1998;
-  assign and_1998 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_1995));
+  logic and_2003;
+  assign and_2003 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_2000));
   // hls/stages/agreement.hpp:262
   logic textured;
-  assign textured = inside_v_s2_q & (or_574_s2_q & (not_578_s2_q & and_603_s2_q));
+  assign textured = inside_v_s2_q & (or_579_s2_q & (not_583_s2_q & and_608_s2_q));
   logic explained;
-  assign explained = inside_v_s2_q & and_631;
+  assign explained = inside_v_s2_q & and_636;
   // hls/stages/agreement.hpp:149
-  logic and_2016;
-  assign and_2016 = or_574_s2_q & (not_578_s2_q & and_2014_s2_q);
+  logic and_2021;
+  assign and_2021 = or_579_s2_q & (not_583_s2_q & and_2019_s2_q);
   // hls/stages/agreement.hpp:262
-  logic and_2025;
-  assign and_2025 = inside_v_s2_q & and_2016;
+  logic and_2030;
+  assign and_2030 = inside_v_s2_q & and_2021;
   // hls/stages/agreement.hpp:1014
-  logic select_2026;
-  assign select_2026 = slot_s2_q[2] ? shown_shown_q : and_631;
+  logic select_2031;
+  assign select_2031 = slot_s2_q[2] ? shown_shown_q : and_636;
   // hls/stages/agreement.hpp:262
   logic shown;
-  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2026);
+  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2031);
   // hls/stages/agreement.hpp:1014
-  logic select_2029;
-  assign select_2029 = slot_s2_q[2] ? shown_nearer_q : and_1580;
+  logic select_2034;
+  assign select_2034 = slot_s2_q[2] ? shown_nearer_q : and_1585;
   // hls/stages/agreement.hpp:262
   logic near;
-  assign near = inside_v_s2_q & (select_2026 ? select_2029 : shown_right_rdata_q[1]);
+  assign near = inside_v_s2_q & (select_2031 ? select_2034 : shown_right_rdata_q[1]);
   // hls/stages/agreement.hpp:1271
-  logic select_2032;
-  assign select_2032 = done_q ? write_half_q : read_half_q;
+  logic select_2037;
+  assign select_2037 = done_q ? write_half_q : read_half_q;
   // hls/stages/agreement.hpp:1275
-  logic select_2033;
-  assign select_2033 = left_first_s2_q ? select_2032 : read_half_q;
-  logic or_2034;
-  assign or_2034 = left_first_s2_q | line_ended_q;
+  logic select_2038;
+  assign select_2038 = left_first_s2_q ? select_2037 : read_half_q;
+  logic or_2039;
+  assign or_2039 = left_first_s2_q | line_ended_q;
   // hls/stages/agreement.hpp:1276
-  logic [8:0] select_2035;
-  assign select_2035 = or_2034 ? 9'h0 : columns_passed_q;
+  logic [8:0] select_2040;
+  assign select_2040 = or_2039 ? 9'h0 : columns_passed_q;
   // hls/stages/agreement.hpp:1277
-  logic [9:0] select_2037;
-  assign select_2037 = left_first_s2_q ? 10'h1 : (or_2034 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
+  logic [9:0] select_2042;
+  assign select_2042 = left_first_s2_q ? 10'h1 : (or_2039 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
   // hls/stages/agreement.hpp:1280
-  logic and_2038;
-  assign and_2038 = select_2035[8] & select_2037[9];
+  logic and_2043;
+  assign and_2043 = select_2040[8] & select_2042[9];
   // hls/stages/agreement.hpp:436
   logic next_row;
-  assign next_row = and_2038 & (began_q & at_cell_end_q);
+  assign next_row = and_2043 & (began_q & at_cell_end_q);
   // hls/stages/agreement.hpp:1291
-  logic [5:0] select_2041;
-  assign select_2041 = next_row ? cfg_width_i[8:3] : 6'h0;
-  logic [10:0] select_2043;
-  assign select_2043 = left_first_s2_q ? 11'h0 : (seen_base_q + {5'h0, select_2041});
+  logic [5:0] select_2046;
+  assign select_2046 = next_row ? cfg_width_i[8:3] : 6'h0;
+  logic [10:0] select_2048;
+  assign select_2048 = left_first_s2_q ? 11'h0 : (seen_base_q + {5'h0, select_2046});
   // hls/stages/agreement.hpp:1301
-  logic equal_2044;
-  assign equal_2044 = seen_x_q == 3'h7;
-  logic [7:0] select_2046;
-  assign select_2046 = and_2038 ? 8'h0 : (seen_column_q + {7'h0, equal_2044});
+  logic equal_2049;
+  assign equal_2049 = seen_x_q == 3'h7;
+  logic [7:0] select_2051;
+  assign select_2051 = and_2043 ? 8'h0 : (seen_column_q + {7'h0, equal_2049});
   // hls/stages/agreement.hpp:1308
   logic [10:0] index;
-  assign index = select_2043 + {3'h0, select_2046};
+  assign index = select_2048 + {3'h0, select_2051};
   // hls/stages/agreement.hpp:1261
-  logic [11:0] sum_2048;
-  assign sum_2048 = {1'b0, {2{select_2033}}, 2'h0, {2{select_2033}}, 1'b0, {2{select_2033}}, 1'b0, select_2033} + {1'b0, index};
+  logic [11:0] sum_2053;
+  assign sum_2053 = {1'b0, {2{select_2038}}, 2'h0, {2{select_2038}}, 1'b0, {2{select_2038}}, 1'b0, select_2038} + {1'b0, index};
   // hls/stages/agreement.hpp:1274
-  logic not_2049;
-  assign not_2049 = ~left_first_s2_q;
+  logic not_2054;
+  assign not_2054 = ~left_first_s2_q;
   // hls/stages/agreement.hpp:436
-  logic and_2051;
-  assign and_2051 = not_2049 & (began_q | and_2038);
+  logic and_2056;
+  assign and_2056 = not_2054 & (began_q | and_2043);
   // hls/stages/agreement.hpp:1302
-  logic [2:0] select_2053;
-  assign select_2053 = and_2038 ? 3'h0 : (seen_x_q + 3'h1);
+  logic [2:0] select_2058;
+  assign select_2058 = and_2043 ? 3'h0 : (seen_x_q + 3'h1);
   // hls/stages/agreement.hpp:1307
-  logic and_2055;
-  assign and_2055 = and_2051 & (select_2053 == 3'h0);
-  logic less_2056;
-  assign less_2056 = select_2046 < {2'h0, cfg_width_i[8:3]};
+  logic and_2060;
+  assign and_2060 = and_2056 & (select_2058 == 3'h0);
+  logic less_2061;
+  assign less_2061 = select_2051 < {2'h0, cfg_width_i[8:3]};
   // hls/stages/agreement.hpp:438
-  logic and_2057;
-  assign and_2057 = and_2055 & less_2056;
-  logic and_2058;
-  assign and_2058 = and_1972_s2_q & and_2057;
+  logic and_2062;
+  assign and_2062 = and_2060 & less_2061;
+  logic and_2063;
+  assign and_2063 = and_1977_s2_q & and_2062;
   // hls/stages/agreement.hpp:278
-  logic select_2060;
-  assign select_2060 = and_1972_s2_q ? (left_first_s2_q ? and_2057 : and_2058) : and_2058;
+  logic select_2065;
+  assign select_2065 = and_1977_s2_q ? (left_first_s2_q ? and_2062 : and_2063) : and_2063;
   // hls/stages/agreement.hpp:1111
-  logic [7:0] sum_2062;
-  assign sum_2062 = {2'h0, x_s2_q[7:2]} + 8'hff;
+  logic [7:0] sum_2067;
+  assign sum_2067 = {2'h0, x_s2_q[7:2]} + 8'hff;
   logic [10:0] index_2;
-  assign index_2 = {sum_2062[7], sum_2062, x_s2_q[1:0]} + map_row_q;
+  assign index_2 = {sum_2067[7], sum_2067, x_s2_q[1:0]} + map_row_q;
   // hls/stages/agreement.hpp:1261
-  logic [11:0] sum_2064;
-  assign sum_2064 = {1'b0, {2{write_half_q}}, 2'h0, {2{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2};
+  logic [11:0] sum_2069;
+  assign sum_2069 = {1'b0, {2{write_half_q}}, 2'h0, {2{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2};
   // hls/stages/agreement.hpp:1030
-  logic and_2065;
-  assign and_2065 = seen_columns_rdata_q[14] & inside_v_s2_q;
-  logic and_2066;
-  assign and_2066 = seen_columns_rdata_q[10] & inside_v_s2_q;
-  logic and_2067;
-  assign and_2067 = seen_columns_rdata_q[5] & inside_v_s2_q;
-  logic and_2068;
-  assign and_2068 = seen_columns_rdata_q[0] & inside_v_s2_q;
+  logic and_2070;
+  assign and_2070 = seen_columns_rdata_q[14] & inside_v_s2_q;
+  logic and_2071;
+  assign and_2071 = seen_columns_rdata_q[10] & inside_v_s2_q;
+  logic and_2072;
+  assign and_2072 = seen_columns_rdata_q[5] & inside_v_s2_q;
+  logic and_2073;
+  assign and_2073 = seen_columns_rdata_q[0] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1087
-  logic [1:0] sum_2070;
-  assign sum_2070 = {1'b0, and_2067} + ({1'b0, textured} + {1'b0, and_2068});
+  logic [1:0] sum_2075;
+  assign sum_2075 = {1'b0, and_2072} + ({1'b0, textured} + {1'b0, and_2073});
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2065} + ({2'h0, and_2066} + {1'b0, sum_2070});
+  assign textured_2 = {2'h0, and_2070} + ({2'h0, and_2071} + {1'b0, sum_2075});
   // hls/stages/agreement.hpp:1030
-  logic [7:0] select_2079;
-  assign select_2079 = inside_v_s2_q ? (sum_1993_s2_q ? select_1980 : {select_1980[6:0], 1'b0}) : select_1980;
+  logic [7:0] select_2084;
+  assign select_2084 = inside_v_s2_q ? (sum_1998_s2_q ? select_1985 : {select_1985[6:0], 1'b0}) : select_1985;
   // hls/stages/agreement.hpp:1050
-  logic or_2082;
-  assign or_2082 = select_2079[7] | (~({select_2079[5], select_2079[3], select_2079[1]} == 3'h0));
+  logic or_2087;
+  assign or_2087 = select_2084[7] | (~({select_2084[5], select_2084[3], select_2084[1]} == 3'h0));
   // hls/stages/agreement.hpp:1030
-  logic and_2099;
-  assign and_2099 = seen_columns_rdata_q[16] & inside_v_s2_q;
-  logic and_2100;
-  assign and_2100 = seen_columns_rdata_q[12] & inside_v_s2_q;
-  logic and_2101;
-  assign and_2101 = seen_columns_rdata_q[8] & inside_v_s2_q;
-  logic and_2102;
-  assign and_2102 = seen_columns_rdata_q[3] & inside_v_s2_q;
+  logic and_2104;
+  assign and_2104 = seen_columns_rdata_q[16] & inside_v_s2_q;
+  logic and_2105;
+  assign and_2105 = seen_columns_rdata_q[12] & inside_v_s2_q;
+  logic and_2106;
+  assign and_2106 = seen_columns_rdata_q[8] & inside_v_s2_q;
+  logic and_2107;
+  assign and_2107 = seen_columns_rdata_q[3] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1089
-  logic [1:0] sum_2104;
-  assign sum_2104 = {1'b0, and_2101} + ({1'b0, shown} + {1'b0, and_2102});
+  logic [1:0] sum_2109;
+  assign sum_2109 = {1'b0, and_2106} + ({1'b0, shown} + {1'b0, and_2107});
   logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2099} + ({2'h0, and_2100} + {1'b0, sum_2104});
+  assign shown_2 = {2'h0, and_2104} + ({2'h0, and_2105} + {1'b0, sum_2109});
   // hls/stages/agreement.hpp:1030
-  logic and_2115;
-  assign and_2115 = seen_columns_rdata_q[17] & inside_v_s2_q;
-  logic and_2116;
-  assign and_2116 = seen_columns_rdata_q[13] & inside_v_s2_q;
-  logic and_2117;
-  assign and_2117 = seen_columns_rdata_q[9] & inside_v_s2_q;
-  logic and_2118;
-  assign and_2118 = seen_columns_rdata_q[4] & inside_v_s2_q;
+  logic and_2120;
+  assign and_2120 = seen_columns_rdata_q[17] & inside_v_s2_q;
+  logic and_2121;
+  assign and_2121 = seen_columns_rdata_q[13] & inside_v_s2_q;
+  logic and_2122;
+  assign and_2122 = seen_columns_rdata_q[9] & inside_v_s2_q;
+  logic and_2123;
+  assign and_2123 = seen_columns_rdata_q[4] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1090
-  logic [1:0] sum_2120;
-  assign sum_2120 = {1'b0, and_2117} + ({1'b0, near} + {1'b0, and_2118});
+  logic [1:0] sum_2125;
+  assign sum_2125 = {1'b0, and_2122} + ({1'b0, near} + {1'b0, and_2123});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2115} + ({2'h0, and_2116} + {1'b0, sum_2120});
+  assign near_2 = {2'h0, and_2120} + ({2'h0, and_2121} + {1'b0, sum_2125});
   // hls/stages/agreement.hpp:788
-  logic and_2136;
-  assign and_2136 = ends_cell_s2_q & (and_2132_s2_q & (~({1'b0, sum_1642, last_s2_q[1:0]} < x_s2_q)));
-  logic and_2138;
-  assign and_2138 = not_570_s2_q & (so_s2_q & and_2136);
+  logic and_2141;
+  assign and_2141 = ends_cell_s2_q & (and_2137_s2_q & (~({1'b0, sum_1647, last_s2_q[1:0]} < x_s2_q)));
+  logic and_2143;
+  assign and_2143 = not_575_s2_q & (so_s2_q & and_2141);
   // hls/stages/agreement.hpp:276
-  logic [10:0] select_2170;
-  assign select_2170 = sample_pair_whole_s2_q ? (and_542_s2_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2172;
-  assign select_2172 = sample_pair_whole_s2_q ? (and_542_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2191;
-  assign select_2191 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_2193;
-  assign select_2193 = sample_pair_whole_s2_q ? (and_542_s2_q ? select_557 : averager_mask_q) : averager_mask_q;
-  logic select_2195;
-  assign select_2195 = sample_pair_whole_s2_q ? (and_542_s2_q ? select_561 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:520
-  logic [8:0] select_2196;
-  assign select_2196 = and_544_s2_q ? select_550 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2197;
-  assign select_2197 = and_544_s2_q ? select_554 : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2199;
-  assign select_2199 = and_544_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2200;
-  assign select_2200 = and_544_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic [10:0] select_2175;
+  assign select_2175 = sample_pair_whole_s2_q ? (and_547_s2_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2177;
+  assign select_2177 = sample_pair_whole_s2_q ? (and_547_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2197;
+  assign select_2197 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2199;
+  assign select_2199 = sample_pair_whole_s2_q ? (and_547_s2_q ? select_562 : averager_mask_q) : averager_mask_q;
   logic select_2201;
-  assign select_2201 = and_544_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_2202;
-  assign select_2202 = and_544_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2203;
-  assign select_2203 = and_544_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2204;
-  assign select_2204 = and_544_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2205;
-  assign select_2205 = and_544_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_2206;
-  assign select_2206 = and_544_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2207;
-  assign select_2207 = and_544_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2208;
-  assign select_2208 = and_544_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_2209;
-  assign select_2209 = and_544_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2210;
-  assign select_2210 = and_544_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2211;
-  assign select_2211 = and_544_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_2212;
-  assign select_2212 = and_544_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2213;
-  assign select_2213 = and_544_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_2214;
-  assign select_2214 = and_544_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic [8:0] select_2215;
-  assign select_2215 = and_544_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2216;
-  assign select_2216 = and_544_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_2217;
-  assign select_2217 = and_544_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
-  logic [8:0] select_2218;
-  assign select_2218 = and_544_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2219;
-  assign select_2219 = and_544_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2220;
-  assign select_2220 = and_544_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2221;
-  assign select_2221 = and_544_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_2222;
-  assign select_2222 = and_544_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2223;
-  assign select_2223 = and_544_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2224;
-  assign select_2224 = and_544_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
-  logic [8:0] select_2225;
-  assign select_2225 = and_544_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2226;
-  assign select_2226 = and_544_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2227;
-  assign select_2227 = and_544_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
-  logic [8:0] select_2228;
-  assign select_2228 = and_544_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2229;
-  assign select_2229 = and_544_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_2230;
-  assign select_2230 = and_544_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic [8:0] select_2231;
-  assign select_2231 = and_544_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_2232;
-  assign select_2232 = and_544_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_2233;
-  assign select_2233 = and_544_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  logic [8:0] select_2234;
-  assign select_2234 = and_544_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_2235;
-  assign select_2235 = and_544_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_2236;
-  assign select_2236 = and_544_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic [8:0] select_2237;
-  assign select_2237 = and_544_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2238;
-  assign select_2238 = and_544_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_2239;
-  assign select_2239 = and_544_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
-  logic [8:0] select_2240;
-  assign select_2240 = and_544_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2241;
-  assign select_2241 = and_544_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic select_2242;
-  assign select_2242 = and_544_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2243;
-  assign select_2243 = and_544_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
-  logic [8:0] select_2244;
-  assign select_2244 = and_544_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2245;
-  assign select_2245 = and_544_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_2246;
-  assign select_2246 = and_544_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2247;
-  assign select_2247 = and_544_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_2248;
-  assign select_2248 = and_544_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2249;
-  assign select_2249 = and_544_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_2250;
-  assign select_2250 = and_544_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_2251;
-  assign select_2251 = and_544_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
-  // hls/stages/census.hpp:274
-  logic [9:0] difference_2253;
-  assign difference_2253 = {1'b0, select_554} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2254;
-  assign xor_2254 = difference_2253[8:0] ^ {9{difference_2253[9]}};
-  logic [9:0] sum_2255;
-  assign sum_2255 = {9'h0, difference_2253[9]} + {1'b0, xor_2254};
-  logic [9:0] difference_2256;
-  assign difference_2256 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2257;
-  assign xor_2257 = difference_2256[8:0] ^ {9{difference_2256[9]}};
-  logic [9:0] sum_2258;
-  assign sum_2258 = {9'h0, difference_2256[9]} + {1'b0, xor_2257};
-  logic [9:0] difference_2260;
-  assign difference_2260 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2261;
-  assign xor_2261 = difference_2260[8:0] ^ {9{difference_2260[9]}};
-  logic [9:0] sum_2262;
-  assign sum_2262 = {9'h0, difference_2260[9]} + {1'b0, xor_2261};
-  logic [10:0] sum_2263;
-  assign sum_2263 = ({1'b0, sum_2255} + {1'b0, sum_2258}) + {1'b0, sum_2262};
-  logic [9:0] difference_2264;
-  assign difference_2264 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2265;
-  assign xor_2265 = difference_2264[8:0] ^ {9{difference_2264[9]}};
-  logic [9:0] sum_2266;
-  assign sum_2266 = {9'h0, difference_2264[9]} + {1'b0, xor_2265};
-  logic [9:0] difference_2268;
-  assign difference_2268 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2269;
-  assign xor_2269 = difference_2268[8:0] ^ {9{difference_2268[9]}};
-  // hls/stages/moments.hpp:54
-  logic [13:0] sum_2290;
-  assign sum_2290 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
-  logic [13:0] sum_2292;
-  assign sum_2292 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
-  // hls/stages/agreement.hpp:1142
-  logic equal_2293;
-  assign equal_2293 = x_s2_q[6:0] == 7'h70;
-  // hls/stages/moments.hpp:117
-  logic [13:0] select_2294;
-  assign select_2294 = equal_2293 ? sum_2290 : moments_before_0_q;
-  logic [13:0] select_2296;
-  assign select_2296 = equal_2293 ? sum_2292 : moments_before_1_q;
-  // hls/stages/agreement.hpp:788
-  logic select_2299;
-  assign select_2299 = equal_569_s2_q ? (moments_has_before_q | equal_2293) : moments_has_before_q;
-  logic [13:0] select_2302;
-  assign select_2302 = equal_569_s2_q ? ((select_2296 < select_2294) ? select_2294 : select_2296) : moments_most_before_q;
-  // hls/stages/moments.hpp:117
-  logic [14:0] sum_2303;
-  assign sum_2303 = {1'b0, moments_most_before_q} + 15'h3;
-  // hls/stages/agreement.hpp:788
-  logic select_2306;
-  assign select_2306 = equal_569_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2303)) : moments_left_begins_q;
-  // hls/stages/moments.hpp:117
-  logic [14:0] sum_2307;
-  assign sum_2307 = {1'b0, sum_2292} + 15'h3;
-  // hls/stages/agreement.hpp:788
-  logic select_2310;
-  assign select_2310 = equal_569_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2307)) : moments_left_alone_q;
-  logic select_2313;
-  assign select_2313 = equal_569_s2_q ? (~({3'h0, select_2296[13:2]} < sum_2307)) : moments_left_other_stops_q;
-  logic select_2316;
-  assign select_2316 = equal_569_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2303)) : moments_right_begins_q;
-  // hls/stages/moments.hpp:117
-  logic [14:0] sum_2317;
-  assign sum_2317 = {1'b0, sum_2290} + 15'h3;
-  // hls/stages/agreement.hpp:788
-  logic select_2320;
-  assign select_2320 = equal_569_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2317)) : moments_right_alone_q;
-  logic select_2323;
-  assign select_2323 = equal_569_s2_q ? (~({3'h0, select_2294[13:2]} < sum_2317)) : moments_right_other_stops_q;
-  // hls/stages/moments.hpp:51
-  logic or_2326;
-  assign or_2326 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
-  // hls/stages/agreement.hpp:788
-  logic and_2334;
-  assign and_2334 = not_570_s2_q & (not_572_s2_q & (equal_573_s2_q & (inside_v_s2_q & and_1592)));
-  logic and_2338;
-  assign and_2338 = not_570_s2_q & (not_572_s2_q & (equal_573_s2_q & (inside_v_s2_q & and_1601)));
-  // hls/stages/moments.hpp:94
-  logic and_2340;
-  assign and_2340 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
-  logic select_2343;
-  assign select_2343 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2340)) : and_2340;
-  // hls/stages/agreement.hpp:788
-  logic and_2347;
-  assign and_2347 = equal_569_s2_q & (equal_2293 & (cfg_prove_i & (cfg_same_table_i & select_2343)));
-  // hls/stages/moments.hpp:95
-  logic and_2350;
-  assign and_2350 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
-  // hls/stages/census.hpp:359
-  logic [9:0] difference_2364;
-  assign difference_2364 = {1'b0, select_550} - {1'b0, sharpness_last_mean_0_q};
-  logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2364[9]} + (difference_2364[8:0] ^ {9{difference_2364[9]}});
-  logic [9:0] difference_2376;
-  assign difference_2376 = {1'b0, select_554} - {1'b0, sharpness_last_mean_1_q};
-  logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2376[9]} + (difference_2376[8:0] ^ {9{difference_2376[9]}});
-  // hls/stages/agreement.hpp:239
-  logic [5:0] select_2567;
-  assign select_2567 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_2568;
-  assign select_2568 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
-  logic [5:0] select_2569;
-  assign select_2569 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
-  logic [5:0] select_2570;
-  assign select_2570 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
-  logic [5:0] select_2571;
-  assign select_2571 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
-  logic [5:0] select_2572;
-  assign select_2572 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
-  logic [7:0] select_2576;
-  assign select_2576 = slot_s2_q[0] ? 8'h0 : sum_1006;
-  // hls/stages/agreement.hpp:751
-  logic less_2577;
-  assign less_2577 = select_2576 < select_1506;
-  // hls/stages/agreement.hpp:239
-  logic [6:0] select_2579;
-  assign select_2579 = slot_s2_q[0] ? 7'h0 : sum_1532;
-  // hls/stages/agreement.hpp:788
-  logic not_2584;
-  assign not_2584 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_2585;
-  assign less_2585 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  assign select_2201 = sample_pair_whole_s2_q ? (and_547_s2_q ? select_566 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/agreement.hpp:520
-  logic and_2592;
-  assign and_2592 = and_544_s2_q & (equal_674_s2_q & equal_2467_s2_q);
+  logic [8:0] select_2202;
+  assign select_2202 = and_549_s2_q ? select_555 : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2203;
+  assign select_2203 = and_549_s2_q ? select_559 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2205;
+  assign select_2205 = and_549_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_2206;
+  assign select_2206 = and_549_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2207;
+  assign select_2207 = and_549_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2208;
+  assign select_2208 = and_549_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2209;
+  assign select_2209 = and_549_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2210;
+  assign select_2210 = and_549_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2211;
+  assign select_2211 = and_549_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2212;
+  assign select_2212 = and_549_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_2213;
+  assign select_2213 = and_549_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2214;
+  assign select_2214 = and_549_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2215;
+  assign select_2215 = and_549_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2216;
+  assign select_2216 = and_549_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2217;
+  assign select_2217 = and_549_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2218;
+  assign select_2218 = and_549_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2219;
+  assign select_2219 = and_549_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2220;
+  assign select_2220 = and_549_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2221;
+  assign select_2221 = and_549_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_2222;
+  assign select_2222 = and_549_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2223;
+  assign select_2223 = and_549_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2224;
+  assign select_2224 = and_549_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2225;
+  assign select_2225 = and_549_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2226;
+  assign select_2226 = and_549_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2227;
+  assign select_2227 = and_549_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2228;
+  assign select_2228 = and_549_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_2229;
+  assign select_2229 = and_549_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2230;
+  assign select_2230 = and_549_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_2231;
+  assign select_2231 = and_549_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2232;
+  assign select_2232 = and_549_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2233;
+  assign select_2233 = and_549_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  logic [8:0] select_2234;
+  assign select_2234 = and_549_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2235;
+  assign select_2235 = and_549_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2236;
+  assign select_2236 = and_549_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic [8:0] select_2237;
+  assign select_2237 = and_549_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2238;
+  assign select_2238 = and_549_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2239;
+  assign select_2239 = and_549_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2240;
+  assign select_2240 = and_549_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2241;
+  assign select_2241 = and_549_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2242;
+  assign select_2242 = and_549_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2243;
+  assign select_2243 = and_549_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2244;
+  assign select_2244 = and_549_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2245;
+  assign select_2245 = and_549_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_2246;
+  assign select_2246 = and_549_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2247;
+  assign select_2247 = and_549_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_2248;
+  assign select_2248 = and_549_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2249;
+  assign select_2249 = and_549_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2250;
+  assign select_2250 = and_549_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2251;
+  assign select_2251 = and_549_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2252;
+  assign select_2252 = and_549_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2253;
+  assign select_2253 = and_549_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2254;
+  assign select_2254 = and_549_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2255;
+  assign select_2255 = and_549_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2256;
+  assign select_2256 = and_549_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2257;
+  assign select_2257 = and_549_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  // hls/stages/census.hpp:283
+  logic [9:0] difference_2259;
+  assign difference_2259 = {1'b0, select_559} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2260;
+  assign xor_2260 = difference_2259[8:0] ^ {9{difference_2259[9]}};
+  logic [9:0] sum_2261;
+  assign sum_2261 = {9'h0, difference_2259[9]} + {1'b0, xor_2260};
+  logic [9:0] difference_2262;
+  assign difference_2262 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2263;
+  assign xor_2263 = difference_2262[8:0] ^ {9{difference_2262[9]}};
+  logic [9:0] sum_2264;
+  assign sum_2264 = {9'h0, difference_2262[9]} + {1'b0, xor_2263};
+  logic [9:0] difference_2266;
+  assign difference_2266 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2267;
+  assign xor_2267 = difference_2266[8:0] ^ {9{difference_2266[9]}};
+  logic [9:0] sum_2268;
+  assign sum_2268 = {9'h0, difference_2266[9]} + {1'b0, xor_2267};
+  logic [10:0] sum_2269;
+  assign sum_2269 = ({1'b0, sum_2261} + {1'b0, sum_2264}) + {1'b0, sum_2268};
+  logic [9:0] difference_2270;
+  assign difference_2270 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2271;
+  assign xor_2271 = difference_2270[8:0] ^ {9{difference_2270[9]}};
+  logic [9:0] sum_2272;
+  assign sum_2272 = {9'h0, difference_2270[9]} + {1'b0, xor_2271};
+  logic [9:0] difference_2274;
+  assign difference_2274 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2275;
+  assign xor_2275 = difference_2274[8:0] ^ {9{difference_2274[9]}};
+  // hls/stages/moments.hpp:54
+  logic [13:0] sum_2296;
+  assign sum_2296 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2298;
+  assign sum_2298 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
+  // hls/stages/agreement.hpp:1142
+  logic equal_2299;
+  assign equal_2299 = x_s2_q[6:0] == 7'h70;
+  // hls/stages/moments.hpp:117
+  logic [13:0] select_2300;
+  assign select_2300 = equal_2299 ? sum_2296 : moments_before_0_q;
+  logic [13:0] select_2302;
+  assign select_2302 = equal_2299 ? sum_2298 : moments_before_1_q;
   // hls/stages/agreement.hpp:788
+  logic select_2305;
+  assign select_2305 = equal_574_s2_q ? (moments_has_before_q | equal_2299) : moments_has_before_q;
+  logic [13:0] select_2308;
+  assign select_2308 = equal_574_s2_q ? ((select_2302 < select_2300) ? select_2300 : select_2302) : moments_most_before_q;
+  // hls/stages/moments.hpp:117
+  logic [14:0] sum_2309;
+  assign sum_2309 = {1'b0, moments_most_before_q} + 15'h3;
+  // hls/stages/agreement.hpp:788
+  logic select_2312;
+  assign select_2312 = equal_574_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2309)) : moments_left_begins_q;
+  // hls/stages/moments.hpp:117
+  logic [14:0] sum_2313;
+  assign sum_2313 = {1'b0, sum_2298} + 15'h3;
+  // hls/stages/agreement.hpp:788
+  logic select_2316;
+  assign select_2316 = equal_574_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2313)) : moments_left_alone_q;
+  logic select_2319;
+  assign select_2319 = equal_574_s2_q ? (~({3'h0, select_2302[13:2]} < sum_2313)) : moments_left_other_stops_q;
+  logic select_2322;
+  assign select_2322 = equal_574_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2309)) : moments_right_begins_q;
+  // hls/stages/moments.hpp:117
+  logic [14:0] sum_2323;
+  assign sum_2323 = {1'b0, sum_2296} + 15'h3;
+  // hls/stages/agreement.hpp:788
+  logic select_2326;
+  assign select_2326 = equal_574_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2323)) : moments_right_alone_q;
+  logic select_2329;
+  assign select_2329 = equal_574_s2_q ? (~({3'h0, select_2300[13:2]} < sum_2323)) : moments_right_other_stops_q;
+  // hls/stages/moments.hpp:51
+  logic or_2332;
+  assign or_2332 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
+  // hls/stages/agreement.hpp:788
+  logic and_2340;
+  assign and_2340 = not_575_s2_q & (not_577_s2_q & (equal_578_s2_q & (inside_v_s2_q & and_1597)));
+  logic and_2344;
+  assign and_2344 = not_575_s2_q & (not_577_s2_q & (equal_578_s2_q & (inside_v_s2_q & and_1606)));
+  // hls/stages/moments.hpp:94
+  logic and_2346;
+  assign and_2346 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
+  logic select_2349;
+  assign select_2349 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2346)) : and_2346;
+  // hls/stages/agreement.hpp:788
+  logic and_2353;
+  assign and_2353 = equal_574_s2_q & (equal_2299 & (cfg_prove_i & (cfg_same_table_i & select_2349)));
+  // hls/stages/moments.hpp:95
+  logic and_2356;
+  assign and_2356 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  // hls/stages/census.hpp:368
+  logic [9:0] difference_2370;
+  assign difference_2370 = {1'b0, select_555} - {1'b0, sharpness_last_mean_0_q};
+  logic [8:0] contrast;
+  assign contrast = {8'h0, difference_2370[9]} + (difference_2370[8:0] ^ {9{difference_2370[9]}});
+  logic [9:0] difference_2382;
+  assign difference_2382 = {1'b0, select_559} - {1'b0, sharpness_last_mean_1_q};
+  logic [8:0] contrast_2;
+  assign contrast_2 = {8'h0, difference_2382[9]} + (difference_2382[8:0] ^ {9{difference_2382[9]}});
+  // hls/stages/agreement.hpp:239
+  logic [5:0] select_2573;
+  assign select_2573 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
+  logic [5:0] select_2574;
+  assign select_2574 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
+  logic [5:0] select_2575;
+  assign select_2575 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  logic [5:0] select_2576;
+  assign select_2576 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_2577;
+  assign select_2577 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_2578;
+  assign select_2578 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  logic [7:0] select_2582;
+  assign select_2582 = slot_s2_q[0] ? 8'h0 : sum_1011;
+  // hls/stages/agreement.hpp:751
+  logic less_2583;
+  assign less_2583 = select_2582 < select_1511;
+  // hls/stages/agreement.hpp:239
+  logic [6:0] select_2585;
+  assign select_2585 = slot_s2_q[0] ? 7'h0 : sum_1537;
+  // hls/stages/agreement.hpp:788
+  logic not_2590;
+  assign not_2590 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_2591;
+  assign less_2591 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  // hls/stages/agreement.hpp:520
   logic and_2598;
-  assign and_2598 = not_570_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_2594_s2_q)));
-  // hls/stages/agreement.hpp:1030
-  logic and_2618;
-  assign and_2618 = seen_columns_rdata_q[15] & inside_v_s2_q;
-  logic and_2619;
-  assign and_2619 = seen_columns_rdata_q[11] & inside_v_s2_q;
-  logic and_2620;
-  assign and_2620 = seen_columns_rdata_q[7] & inside_v_s2_q;
-  logic and_2621;
-  assign and_2621 = seen_columns_rdata_q[2] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1088
-  logic [1:0] sum_2623;
-  assign sum_2623 = {1'b0, and_2620} + ({1'b0, explained} + {1'b0, and_2621});
-  logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2618} + ({2'h0, and_2619} + {1'b0, sum_2623});
+  assign and_2598 = and_549_s2_q & (equal_679_s2_q & equal_2473_s2_q);
   // hls/stages/agreement.hpp:788
-  logic and_2659;
-  assign and_2659 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2594_s2_q & and_2016)));
+  logic and_2604;
+  assign and_2604 = not_575_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_2600_s2_q)));
+  // hls/stages/agreement.hpp:1030
+  logic and_2624;
+  assign and_2624 = seen_columns_rdata_q[15] & inside_v_s2_q;
+  logic and_2625;
+  assign and_2625 = seen_columns_rdata_q[11] & inside_v_s2_q;
+  logic and_2626;
+  assign and_2626 = seen_columns_rdata_q[7] & inside_v_s2_q;
+  logic and_2627;
+  assign and_2627 = seen_columns_rdata_q[2] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1088
+  logic [1:0] sum_2629;
+  assign sum_2629 = {1'b0, and_2626} + ({1'b0, explained} + {1'b0, and_2627});
+  logic [2:0] explained_2;
+  assign explained_2 = {2'h0, and_2624} + ({2'h0, and_2625} + {1'b0, sum_2629});
+  // hls/stages/agreement.hpp:788
+  logic and_2665;
+  assign and_2665 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2600_s2_q & and_2021)));
   // hls/stages/agreement.hpp:986
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
@@ -3735,707 +3740,707 @@ module horopter_agreement (
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
   // hls/stages/agreement.hpp:988
-  logic [7:0] difference_2683;
-  assign difference_2683 = best_left_rdata_s2_q[16:9] - lower;
-  logic less_2686;
-  assign less_2686 = {2'h0, difference_2683[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
+  logic [7:0] difference_2689;
+  assign difference_2689 = best_left_rdata_s2_q[16:9] - lower;
+  logic less_2692;
+  assign less_2692 = {2'h0, difference_2689[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
   // hls/stages/agreement.hpp:247
-  logic and_2689;
-  assign and_2689 = not_578_s2_q & (((and_2014_s2_q & and_629) & equal_2679_s2_q) & (~less_2686));
+  logic and_2695;
+  assign and_2695 = not_583_s2_q & (((and_2019_s2_q & and_634) & equal_2685_s2_q) & (~less_2692));
   // hls/stages/agreement.hpp:788
-  logic and_2693;
-  assign and_2693 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_574_s2_q & and_2689)));
+  logic and_2699;
+  assign and_2699 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_579_s2_q & and_2695)));
   // hls/stages/agreement.hpp:149
-  logic and_2698;
-  assign and_2698 = not_578_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
+  logic and_2704;
+  assign and_2704 = not_583_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
   // hls/stages/agreement.hpp:247
-  logic and_2700;
-  assign and_2700 = not_578_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_2701;
-  assign select_2701 = or_574_s2_q ? {and_2700, and_2698} : 2'h0;
-  // hls/stages/agreement.hpp:247
-  logic [1:0] select_2703;
-  assign select_2703 = less_577_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_2704;
-  assign select_2704 = or_574_s2_q ? select_2703 : 2'h0;
-  // hls/stages/agreement.hpp:1027
   logic and_2706;
-  assign and_2706 = and_631 & (select_2701[0] & select_2704[0]);
-  // hls/stages/agreement.hpp:788
-  logic and_2710;
-  assign and_2710 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2701[1] & and_2706)));
-  logic and_2711;
-  assign and_2711 = not_570_s2_q & and_2710;
-  logic and_2717;
-  assign and_2717 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2704[1] & and_2706)));
-  logic and_2718;
-  assign and_2718 = not_570_s2_q & and_2717;
-  // hls/stages/registration.hpp:76
-  logic less_2721;
-  assign less_2721 = slot_s2_q < 3'h3;
+  assign and_2706 = not_583_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_2723;
-  assign select_2723 = or_574_s2_q ? (less_577_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
-  logic [7:0] select_2725;
-  assign select_2725 = or_574_s2_q ? (less_577_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
-  logic [7:0] select_2727;
-  assign select_2727 = or_574_s2_q ? (less_577_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  logic [1:0] select_2707;
+  assign select_2707 = or_579_s2_q ? {and_2706, and_2704} : 2'h0;
+  // hls/stages/agreement.hpp:247
+  logic [1:0] select_2709;
+  assign select_2709 = less_582_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
+  // hls/stages/agreement.hpp:149
+  logic [1:0] select_2710;
+  assign select_2710 = or_579_s2_q ? select_2709 : 2'h0;
+  // hls/stages/agreement.hpp:1027
+  logic and_2712;
+  assign and_2712 = and_636 & (select_2707[0] & select_2710[0]);
+  // hls/stages/agreement.hpp:788
+  logic and_2716;
+  assign and_2716 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2707[1] & and_2712)));
+  logic and_2717;
+  assign and_2717 = not_575_s2_q & and_2716;
+  logic and_2723;
+  assign and_2723 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2710[1] & and_2712)));
+  logic and_2724;
+  assign and_2724 = not_575_s2_q & and_2723;
+  // hls/stages/registration.hpp:76
+  logic less_2727;
+  assign less_2727 = slot_s2_q < 3'h3;
+  // hls/stages/agreement.hpp:149
+  logic [7:0] select_2729;
+  assign select_2729 = or_579_s2_q ? (less_582_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_2731;
+  assign select_2731 = or_579_s2_q ? (less_582_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_2733;
+  assign select_2733 = or_579_s2_q ? (less_582_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_2725} - {1'b0, select_2727};
+  assign rise_2 = {1'b0, select_2731} - {1'b0, select_2733};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_2729;
-  assign select_2729 = rise_2[8] ? select_2725 : select_2727;
+  logic [7:0] select_2735;
+  assign select_2735 = rise_2[8] ? select_2731 : select_2733;
   logic [8:0] fall;
-  assign fall = {1'b0, select_2723} - {1'b0, select_2729};
+  assign fall = {1'b0, select_2729} - {1'b0, select_2735};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:37
-  logic not_2732;
-  assign not_2732 = ~registration_displacement_over_q[9];
+  logic not_2738;
+  assign not_2738 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2721 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2732};
+  assign left = less_2727 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2738};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_2734;
-  assign xor_2734 = rise_2[7:0] ^ {8{rise_2[8]}};
+  logic [7:0] xor_2740;
+  assign xor_2740 = rise_2[7:0] ^ {8{rise_2[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_2734};
+  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_2740};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_2740;
-  assign select_2740 = registration_displacement_over_q[9] ? wide : (~wide);
-  logic [9:0] taken_2;
-  assign taken_2 = less_2721 ? {taken, 1'b1} : {not_2732, select_2740, not_2732};
-  // hls/stages/registration.hpp:42
-  logic [10:0] sum_2742;
-  assign sum_2742 = {left, 1'b1} + {taken_2, less_2721};
-  // hls/stages/agreement.hpp:257
-  logic [4:0] select_2744;
-  assign select_2744 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/agreement.hpp:788
   logic [7:0] select_2746;
-  assign select_2746 = equal_569_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
-  logic [10:0] select_2748;
-  assign select_2748 = equal_569_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
+  assign select_2746 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [9:0] taken_2;
+  assign taken_2 = less_2727 ? {taken, 1'b1} : {not_2738, select_2746, not_2738};
+  // hls/stages/registration.hpp:42
+  logic [10:0] sum_2748;
+  assign sum_2748 = {left, 1'b1} + {taken_2, less_2727};
+  // hls/stages/agreement.hpp:257
+  logic [4:0] select_2750;
+  assign select_2750 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  // hls/stages/agreement.hpp:788
+  logic [7:0] select_2752;
+  assign select_2752 = equal_574_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
+  logic [10:0] select_2754;
+  assign select_2754 = equal_574_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_2749;
-  assign equal_2749 = slot_s2_q == 3'h4;
+  logic equal_2755;
+  assign equal_2755 = slot_s2_q == 3'h4;
   // hls/stages/agreement.hpp:262
-  logic and_2753;
-  assign and_2753 = and_631 & less_1697_s2_q;
+  logic and_2759;
+  assign and_2759 = and_636 & less_1702_s2_q;
   // hls/stages/agreement.hpp:149
-  logic [2:0] select_2755;
-  assign select_2755 = or_574_s2_q ? (less_577_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
+  logic [2:0] select_2761;
+  assign select_2761 = or_579_s2_q ? (less_582_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_2759;
-  assign sum_2759 = select_2755[2:1] + 2'h3;
+  logic [1:0] sum_2765;
+  assign sum_2765 = select_2761[2:1] + 2'h3;
   // hls/stages/registration.hpp:102
-  logic [7:0] select_2762;
-  assign select_2762 = (select_2725 < select_2727) ? ({sum_2759, select_2755[0], 5'h0} - {3'h0, select_2744}) : {sum_2759, select_2755[0], select_2744};
-  logic [7:0] select_2763;
-  assign select_2763 = ((select_2755 == 3'h0) | (select_2755 == 3'h4)) ? {sum_2759, select_2755[0], 5'h0} : select_2762;
+  logic [7:0] select_2768;
+  assign select_2768 = (select_2731 < select_2733) ? ({sum_2765, select_2761[0], 5'h0} - {3'h0, select_2750}) : {sum_2765, select_2761[0], select_2750};
+  logic [7:0] select_2769;
+  assign select_2769 = ((select_2761 == 3'h0) | (select_2761 == 3'h4)) ? {sum_2765, select_2761[0], 5'h0} : select_2768;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2763[7]}}, select_2763} - {sum_1716[9], sum_1716, sum_1712[1]};
+  assign value_2 = {{4{select_2769[7]}}, select_2769} - {sum_1721[9], sum_1721, sum_1717[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_2766;
-  assign select_2766 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_2772;
+  assign select_2772 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2766[11:7])) ? 12'h7f : select_2766;
+  assign residual = ($signed(5'h0) < $signed(select_2772[11:7])) ? 12'h7f : select_2772;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_2787;
-  assign difference_2787 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_2793;
+  assign difference_2793 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_2789;
-  assign and_2789 = and_2753 & ($signed(difference_2787) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_2795;
+  assign and_2795 = and_2759 & ($signed(difference_2793) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_2802;
-  assign less_2802 = $signed(difference_2787) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic less_2808;
+  assign less_2808 = $signed(difference_2793) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/agreement.hpp:788
-  logic select_2810;
-  assign select_2810 = so_s2_q ? (equal_2749 ? right_2 : registration_of_right_q) : registration_of_right_q;
-  logic select_2813;
-  assign select_2813 = so_s2_q ? (equal_1698 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
+  logic select_2816;
+  assign select_2816 = so_s2_q ? (equal_2755 ? right_2 : registration_of_right_q) : registration_of_right_q;
+  logic select_2819;
+  assign select_2819 = so_s2_q ? (equal_1703 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_2818;
-  assign select_2818 = (sum_1608 == 2'h2) ? (registration_fresh_q & (~select_1655)) : registration_fresh_q;
+  logic [3:0] select_2824;
+  assign select_2824 = (sum_1613 == 2'h2) ? (registration_fresh_q & (~select_1660)) : registration_fresh_q;
   // hls/stages/agreement.hpp:788
-  logic [3:0] select_2820;
-  assign select_2820 = so_s2_q ? (and_1650 ? select_2818 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_2826;
+  assign select_2826 = so_s2_q ? (and_1655 ? select_2824 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_2822;
-  assign select_2822 = and_2592 ? 4'hf : (equal_569_s2_q ? registration_fresh_q : select_2820);
+  logic [3:0] select_2828;
+  assign select_2828 = and_2598 ? 4'hf : (equal_574_s2_q ? registration_fresh_q : select_2826);
   // hls/stages/agreement.hpp:1129
   logic [1:0] quarter_2;
-  assign quarter_2 = all ? x_s2_q[1:0] : select_1605;
+  assign quarter_2 = all ? x_s2_q[1:0] : select_1610;
   // hls/stages/registration.hpp:258
-  logic not_2843;
-  assign not_2843 = ~quarter_2[1];
-  logic [3:0] select_2844;
-  assign select_2844 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2843, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2843};
+  logic not_2849;
+  assign not_2849 = ~quarter_2[1];
+  logic [3:0] select_2850;
+  assign select_2850 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2849, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2849};
   // hls/stages/patches.hpp:91
-  logic parity_2978;
-  assign parity_2978 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  logic parity_2984;
+  assign parity_2984 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
   // hls/stages/agreement.hpp:460
-  logic [15:0] select_2979;
-  assign select_2979 = equal_2467_s2_q ? {patches_chance_q[14:0], parity_2978} : patches_chance_q;
+  logic [15:0] select_2985;
+  assign select_2985 = equal_2473_s2_q ? {patches_chance_q[14:0], parity_2984} : patches_chance_q;
   // hls/stages/patches.hpp:345
-  logic not_2981;
-  assign not_2981 = ~and_1772;
+  logic not_2987;
+  assign not_2987 = ~and_1777;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
   // hls/stages/patches.hpp:110
-  logic [4:0] select_2983;
-  assign select_2983 = right_3 ? last_s2_q[5:1] : 5'h0;
+  logic [4:0] select_2989;
+  assign select_2989 = right_3 ? last_s2_q[5:1] : 5'h0;
   logic [5:0] from;
-  assign from = {1'b0, of_32} + {1'b0, select_2983};
+  assign from = {1'b0, of_32} + {1'b0, select_2989};
   // hls/stages/agreement.hpp:788
-  logic and_2989;
-  assign and_2989 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {2'h0, from}))));
+  logic and_2995;
+  assign and_2995 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {2'h0, from}))));
   // hls/stages/patches.hpp:156
-  logic and_2993;
-  assign and_2993 = not_2981 & (patches_fixed_q | ((not_570_s2_q & and_2989) & and_1744));
+  logic and_2999;
+  assign and_2999 = not_2987 & (patches_fixed_q | ((not_575_s2_q & and_2995) & and_1749));
   // hls/stages/patches.hpp:354
-  logic not_3006;
-  assign not_3006 = ~select_1687[1];
+  logic not_3012;
+  assign not_3012 = ~select_1692[1];
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3008;
-  assign select_3008 = sample_pair_whole_s2_q ? (equal_1688 ? select_1687 : {not_3006, 1'b0}) : patches_fetch_q;
+  logic [1:0] select_3014;
+  assign select_3014 = sample_pair_whole_s2_q ? (equal_1693 ? select_1692 : {not_3012, 1'b0}) : patches_fetch_q;
   // hls/stages/patches.hpp:522
   logic [55:0] other;
   assign other = new_row_s2_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
   // hls/stages/patches.hpp:184
-  logic [51:0] select_3107;
-  assign select_3107 = or_1780_s2_q ? {and_1926_s2_q, and_1923_s2_q, and_1907_s2_q, and_1904, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_3109;
-  assign select_3109 = equal_1774_s2_q ? patches_codes_at_q : (equal_1776_s2_q ? other[55:4] : select_3107);
+  logic [51:0] select_3113;
+  assign select_3113 = or_1785_s2_q ? {and_1931_s2_q, and_1928_s2_q, and_1912_s2_q, and_1909, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3115;
+  assign select_3115 = equal_1779_s2_q ? patches_codes_at_q : (equal_1781_s2_q ? other[55:4] : select_3113);
   // hls/stages/patches.hpp:505
   logic [27:0] word;
-  assign word = or_1880_s2_q ? patches_right_codes_rdata_q : 28'h0;
+  assign word = or_1885_s2_q ? patches_right_codes_rdata_q : 28'h0;
   // hls/stages/patches.hpp:521
-  logic [27:0] select_3112;
-  assign select_3112 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
+  logic [27:0] select_3118;
+  assign select_3118 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
   // hls/stages/patches.hpp:184
-  logic [27:0] select_3114;
-  assign select_3114 = equal_1776_s2_q ? (new_row_s2_q ? word : select_3112) : patches_codes_further_q;
+  logic [27:0] select_3120;
+  assign select_3120 = equal_1781_s2_q ? (new_row_s2_q ? word : select_3118) : patches_codes_further_q;
   // hls/stages/patches.hpp:523
-  logic [55:0] select_3116;
-  assign select_3116 = less_1867_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:493
-  logic [55:0] select_3118;
-  assign select_3118 = less_3117_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:184
-  logic [55:0] select_3120;
-  assign select_3120 = or_1780_s2_q ? (equal_1779_s2_q ? patches_next_codes_q : select_3118) : patches_next_codes_q;
   logic [55:0] select_3122;
-  assign select_3122 = equal_1774_s2_q ? patches_next_codes_q : (equal_1776_s2_q ? select_3116 : select_3120);
+  assign select_3122 = less_1872_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:493
+  logic [55:0] select_3124;
+  assign select_3124 = less_3123_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:184
+  logic [55:0] select_3126;
+  assign select_3126 = or_1785_s2_q ? (equal_1784_s2_q ? patches_next_codes_q : select_3124) : patches_next_codes_q;
+  logic [55:0] select_3128;
+  assign select_3128 = equal_1779_s2_q ? patches_next_codes_q : (equal_1781_s2_q ? select_3122 : select_3126);
   // hls/stages/count_bits.hpp:24
-  logic parity_3127;
-  assign parity_3127 = ^{and_1926_s2_q, and_1923_s2_q, and_1907_s2_q, and_1904};
+  logic parity_3133;
+  assign parity_3133 = ^{and_1931_s2_q, and_1928_s2_q, and_1912_s2_q, and_1909};
   // hls/stages/count_bits.hpp:25
-  logic or_3131;
-  assign or_3131 = ({and_1907_s2_q, and_1904} == 2'h3) | (and_1923_s2_q & (and_1907_s2_q | and_1904));
-  logic and_3132;
-  assign and_3132 = and_1926_s2_q & (^{and_1923_s2_q, and_1907_s2_q, and_1904});
+  logic or_3137;
+  assign or_3137 = ({and_1912_s2_q, and_1909} == 2'h3) | (and_1928_s2_q & (and_1912_s2_q | and_1909));
+  logic and_3138;
+  assign and_3138 = and_1931_s2_q & (^{and_1928_s2_q, and_1912_s2_q, and_1909});
   // hls/stages/count_bits.hpp:24
-  logic xor_3133;
-  assign xor_3133 = or_3131 ^ and_3132;
+  logic xor_3139;
+  assign xor_3139 = or_3137 ^ and_3138;
   // hls/stages/count_bits.hpp:27
-  logic and_3134;
-  assign and_3134 = or_3131 & and_3132;
+  logic and_3140;
+  assign and_3140 = or_3137 & and_3138;
   // hls/stages/patches.hpp:184
-  logic [2:0] select_3136;
-  assign select_3136 = or_1780_s2_q ? (and_1949_s2_q ? {and_3134, xor_3133, parity_3127} : 3'h0) : 3'h0;
+  logic [2:0] select_3142;
+  assign select_3142 = or_1785_s2_q ? (and_1954_s2_q ? {and_3140, xor_3139, parity_3133} : 3'h0) : 3'h0;
   // hls/stages/patches.hpp:167
-  logic [9:0] sum_3140;
-  assign sum_3140 = {7'h0, patches_set_q} + (equal_1779_s2_q ? 10'h0 : patches_size_q);
+  logic [9:0] sum_3146;
+  assign sum_3146 = {7'h0, patches_set_q} + (equal_1784_s2_q ? 10'h0 : patches_size_q);
   // hls/stages/patches.hpp:522
-  logic [47:0] select_3150;
-  assign select_3150 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  logic [47:0] select_3156;
+  assign select_3156 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
   // hls/stages/patches.hpp:184
-  logic [47:0] select_3152;
-  assign select_3152 = equal_1774_s2_q ? patches_left_row_q : (equal_1776_s2_q ? select_3150 : patches_left_row_q);
+  logic [47:0] select_3158;
+  assign select_3158 = equal_1779_s2_q ? patches_left_row_q : (equal_1781_s2_q ? select_3156 : patches_left_row_q);
   // hls/stages/patches.hpp:524
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3150;
+  assign bits = other[47:0] ^ select_3156;
   // hls/stages/count_bits.hpp:24
-  logic xor_3156;
-  assign xor_3156 = bits[17] ^ (^{select_3150[16:15], other[16:15]});
-  logic xor_3159;
-  assign xor_3159 = bits[11] ^ (^{select_3150[10:9], other[10:9]});
   logic xor_3162;
-  assign xor_3162 = bits[14] ^ (^{select_3150[13:12], other[13:12]});
+  assign xor_3162 = bits[17] ^ (^{select_3156[16:15], other[16:15]});
   logic xor_3165;
-  assign xor_3165 = xor_3156 ^ (^{select_3150[14:9], other[14:9]});
+  assign xor_3165 = bits[11] ^ (^{select_3156[10:9], other[10:9]});
   logic xor_3168;
-  assign xor_3168 = bits[47] ^ (^{select_3150[46:45], other[46:45]});
+  assign xor_3168 = bits[14] ^ (^{select_3156[13:12], other[13:12]});
   logic xor_3171;
-  assign xor_3171 = bits[8] ^ (^{select_3150[7:6], other[7:6]});
+  assign xor_3171 = xor_3162 ^ (^{select_3156[14:9], other[14:9]});
   logic xor_3174;
-  assign xor_3174 = bits[2] ^ (^{select_3150[1:0], other[1:0]});
+  assign xor_3174 = bits[47] ^ (^{select_3156[46:45], other[46:45]});
   logic xor_3177;
-  assign xor_3177 = bits[5] ^ (^{select_3150[4:3], other[4:3]});
+  assign xor_3177 = bits[8] ^ (^{select_3156[7:6], other[7:6]});
   logic xor_3180;
-  assign xor_3180 = xor_3171 ^ (^{select_3150[5:0], other[5:0]});
-  logic parity_3182;
-  assign parity_3182 = ^{select_3150[47:45], select_3150[8:0], other[47:45], other[8:0]};
+  assign xor_3180 = bits[2] ^ (^{select_3156[1:0], other[1:0]});
   logic xor_3183;
-  assign xor_3183 = xor_3165 ^ parity_3182;
+  assign xor_3183 = bits[5] ^ (^{select_3156[4:3], other[4:3]});
   logic xor_3186;
-  assign xor_3186 = bits[44] ^ (^{select_3150[43:42], other[43:42]});
+  assign xor_3186 = xor_3177 ^ (^{select_3156[5:0], other[5:0]});
+  logic parity_3188;
+  assign parity_3188 = ^{select_3156[47:45], select_3156[8:0], other[47:45], other[8:0]};
   logic xor_3189;
-  assign xor_3189 = bits[38] ^ (^{select_3150[37:36], other[37:36]});
+  assign xor_3189 = xor_3171 ^ parity_3188;
   logic xor_3192;
-  assign xor_3192 = bits[41] ^ (^{select_3150[40:39], other[40:39]});
+  assign xor_3192 = bits[44] ^ (^{select_3156[43:42], other[43:42]});
+  logic xor_3195;
+  assign xor_3195 = bits[38] ^ (^{select_3156[37:36], other[37:36]});
   logic xor_3198;
-  assign xor_3198 = bits[26] ^ (^{select_3150[25:24], other[25:24]});
-  logic xor_3201;
-  assign xor_3201 = bits[20] ^ (^{select_3150[19:18], other[19:18]});
+  assign xor_3198 = bits[41] ^ (^{select_3156[40:39], other[40:39]});
   logic xor_3204;
-  assign xor_3204 = bits[23] ^ (^{select_3150[22:21], other[22:21]});
+  assign xor_3204 = bits[26] ^ (^{select_3156[25:24], other[25:24]});
   logic xor_3207;
-  assign xor_3207 = xor_3198 ^ (^{select_3150[23:18], other[23:18]});
+  assign xor_3207 = bits[20] ^ (^{select_3156[19:18], other[19:18]});
   logic xor_3210;
-  assign xor_3210 = bits[35] ^ (^{select_3150[34:33], other[34:33]});
+  assign xor_3210 = bits[23] ^ (^{select_3156[22:21], other[22:21]});
   logic xor_3213;
-  assign xor_3213 = bits[29] ^ (^{select_3150[28:27], other[28:27]});
+  assign xor_3213 = xor_3204 ^ (^{select_3156[23:18], other[23:18]});
   logic xor_3216;
-  assign xor_3216 = bits[32] ^ (^{select_3150[31:30], other[31:30]});
+  assign xor_3216 = bits[35] ^ (^{select_3156[34:33], other[34:33]});
   logic xor_3219;
-  assign xor_3219 = xor_3210 ^ (^{select_3150[32:27], other[32:27]});
-  logic xor_3220;
-  assign xor_3220 = xor_3207 ^ xor_3219;
+  assign xor_3219 = bits[29] ^ (^{select_3156[28:27], other[28:27]});
+  logic xor_3222;
+  assign xor_3222 = bits[32] ^ (^{select_3156[31:30], other[31:30]});
+  logic xor_3225;
+  assign xor_3225 = xor_3216 ^ (^{select_3156[32:27], other[32:27]});
+  logic xor_3226;
+  assign xor_3226 = xor_3213 ^ xor_3225;
   // hls/stages/count_bits.hpp:25
-  logic or_3228;
-  assign or_3228 = (xor_3159 & xor_3162) | (xor_3156 & (xor_3159 | xor_3162));
-  logic or_3232;
-  assign or_3232 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3236;
-  assign or_3236 = (xor_3174 & xor_3177) | (xor_3171 & (xor_3174 | xor_3177));
+  logic or_3234;
+  assign or_3234 = (xor_3165 & xor_3168) | (xor_3162 & (xor_3165 | xor_3168));
+  logic or_3238;
+  assign or_3238 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+  logic or_3242;
+  assign or_3242 = (xor_3180 & xor_3183) | (xor_3177 & (xor_3180 | xor_3183));
   // hls/stages/count_bits.hpp:23
-  logic or_3243;
-  assign or_3243 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  logic or_3249;
+  assign or_3249 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
   // hls/stages/count_bits.hpp:25
-  logic or_3247;
-  assign or_3247 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-  logic or_3251;
-  assign or_3251 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+  logic or_3253;
+  assign or_3253 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  logic or_3257;
+  assign or_3257 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3254;
-  assign parity_3254 = ^{or_3251, or_3247, or_3243};
+  logic parity_3260;
+  assign parity_3260 = ^{or_3257, or_3253, or_3249};
   // hls/stages/count_bits.hpp:23
-  logic or_3258;
-  assign or_3258 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+  logic or_3264;
+  assign or_3264 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
   // hls/stages/count_bits.hpp:25
-  logic or_3262;
-  assign or_3262 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-  logic or_3266;
-  assign or_3266 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+  logic or_3268;
+  assign or_3268 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3272;
+  assign or_3272 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3269;
-  assign parity_3269 = ^{or_3266, or_3262, or_3258};
-  logic parity_3272;
-  assign parity_3272 = ^{or_3266, or_3262, or_3258, or_3251, or_3247, or_3243, or_3236, or_3232, or_3228};
+  logic parity_3275;
+  assign parity_3275 = ^{or_3272, or_3268, or_3264};
+  logic parity_3278;
+  assign parity_3278 = ^{or_3272, or_3268, or_3264, or_3257, or_3253, or_3249, or_3242, or_3238, or_3234};
   // hls/stages/count_bits.hpp:23
-  logic or_3276;
-  assign or_3276 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  logic or_3282;
+  assign or_3282 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
   // hls/stages/count_bits.hpp:25
-  logic or_3280;
-  assign or_3280 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3284;
-  assign or_3284 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+  logic or_3286;
+  assign or_3286 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3290;
+  assign or_3290 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
   // hls/stages/count_bits.hpp:23
-  logic or_3292;
-  assign or_3292 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+  logic or_3298;
+  assign or_3298 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_3296;
-  assign or_3296 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-  logic or_3300;
-  assign or_3300 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+  logic or_3302;
+  assign or_3302 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  logic or_3306;
+  assign or_3306 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3303;
-  assign parity_3303 = ^{or_3300, or_3296, or_3292};
+  logic parity_3309;
+  assign parity_3309 = ^{or_3306, or_3302, or_3298};
   // hls/stages/count_bits.hpp:23
-  logic or_3307;
-  assign or_3307 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+  logic or_3313;
+  assign or_3313 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
   // hls/stages/count_bits.hpp:25
-  logic or_3311;
-  assign or_3311 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-  logic or_3315;
-  assign or_3315 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  logic or_3317;
+  assign or_3317 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3321;
+  assign or_3321 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3318;
-  assign parity_3318 = ^{or_3315, or_3311, or_3307};
-  logic parity_3321;
-  assign parity_3321 = ^{or_3315, or_3311, or_3307, or_3300, or_3296, or_3292, or_3284, or_3280, or_3276};
+  logic parity_3324;
+  assign parity_3324 = ^{or_3321, or_3317, or_3313};
+  logic parity_3327;
+  assign parity_3327 = ^{or_3321, or_3317, or_3313, or_3306, or_3302, or_3298, or_3290, or_3286, or_3282};
   // hls/stages/count_bits.hpp:25
-  logic or_3325;
-  assign or_3325 = (xor_3189 & xor_3192) | (xor_3186 & (xor_3189 | xor_3192));
-  logic or_3329;
-  assign or_3329 = (xor_3201 & xor_3204) | (xor_3198 & (xor_3201 | xor_3204));
-  logic or_3333;
-  assign or_3333 = (xor_3213 & xor_3216) | (xor_3210 & (xor_3213 | xor_3216));
+  logic or_3331;
+  assign or_3331 = (xor_3195 & xor_3198) | (xor_3192 & (xor_3195 | xor_3198));
+  logic or_3335;
+  assign or_3335 = (xor_3207 & xor_3210) | (xor_3204 & (xor_3207 | xor_3210));
+  logic or_3339;
+  assign or_3339 = (xor_3219 & xor_3222) | (xor_3216 & (xor_3219 | xor_3222));
   // hls/stages/count_bits.hpp:24
-  logic parity_3336;
-  assign parity_3336 = ^{or_3333, or_3329, or_3325};
+  logic parity_3342;
+  assign parity_3342 = ^{or_3339, or_3335, or_3331};
   // hls/stages/count_bits.hpp:25
-  logic and_3337;
-  assign and_3337 = xor_3183 & (^{xor_3220, select_3150[44:36], other[44:36]});
-  logic or_3341;
-  assign or_3341 = (xor_3168 & xor_3180) | (xor_3165 & (xor_3168 | xor_3180));
-  logic and_3344;
-  assign and_3344 = (xor_3186 ^ (^{select_3150[41:36], other[41:36]})) & (xor_3207 | xor_3219);
-  logic or_3345;
-  assign or_3345 = (xor_3207 & xor_3219) | and_3344;
+  logic and_3343;
+  assign and_3343 = xor_3189 & (^{xor_3226, select_3156[44:36], other[44:36]});
+  logic or_3347;
+  assign or_3347 = (xor_3174 & xor_3186) | (xor_3171 & (xor_3174 | xor_3186));
+  logic and_3350;
+  assign and_3350 = (xor_3192 ^ (^{select_3156[41:36], other[41:36]})) & (xor_3213 | xor_3225);
+  logic or_3351;
+  assign or_3351 = (xor_3213 & xor_3225) | and_3350;
   // hls/stages/count_bits.hpp:24
-  logic parity_3348;
-  assign parity_3348 = ^{or_3345, or_3341, and_3337};
-  logic parity_3351;
-  assign parity_3351 = ^{or_3345, or_3341, and_3337, or_3333, or_3329, or_3325, or_3315, or_3311, or_3307, or_3300, or_3296, or_3292, or_3284, or_3280, or_3276};
-  logic parity_3353;
-  assign parity_3353 = ^{or_3345, or_3341, and_3337, or_3333, or_3329, or_3325, or_3315, or_3311, or_3307, or_3300, or_3296, or_3292, or_3284, or_3280, or_3276, or_3266, or_3262, or_3258, or_3251, or_3247, or_3243, or_3236, or_3232, or_3228};
+  logic parity_3354;
+  assign parity_3354 = ^{or_3351, or_3347, and_3343};
+  logic parity_3357;
+  assign parity_3357 = ^{or_3351, or_3347, and_3343, or_3339, or_3335, or_3331, or_3321, or_3317, or_3313, or_3306, or_3302, or_3298, or_3290, or_3286, or_3282};
+  logic parity_3359;
+  assign parity_3359 = ^{or_3351, or_3347, and_3343, or_3339, or_3335, or_3331, or_3321, or_3317, or_3313, or_3306, or_3302, or_3298, or_3290, or_3286, or_3282, or_3272, or_3268, or_3264, or_3257, or_3253, or_3249, or_3242, or_3238, or_3234};
   // hls/stages/count_bits.hpp:25
-  logic and_3354;
-  assign and_3354 = parity_3272 & parity_3351;
-  logic or_3358;
-  assign or_3358 = (parity_3254 & parity_3269) | ((^{or_3236, or_3232, or_3228}) & (parity_3254 | parity_3269));
-  logic or_3362;
-  assign or_3362 = (parity_3336 & parity_3348) | (parity_3321 & (parity_3336 | parity_3348));
-  logic or_3369;
-  assign or_3369 = (parity_3303 & parity_3318) | ((^{or_3284, or_3280, or_3276}) & (parity_3303 | parity_3318));
-  logic or_3373;
-  assign or_3373 = (or_3329 & or_3333) | (or_3325 & (or_3329 | or_3333));
-  logic or_3377;
-  assign or_3377 = (or_3341 & or_3345) | (and_3337 & (or_3341 | or_3345));
+  logic and_3360;
+  assign and_3360 = parity_3278 & parity_3357;
+  logic or_3364;
+  assign or_3364 = (parity_3260 & parity_3275) | ((^{or_3242, or_3238, or_3234}) & (parity_3260 | parity_3275));
+  logic or_3368;
+  assign or_3368 = (parity_3342 & parity_3354) | (parity_3327 & (parity_3342 | parity_3354));
+  logic or_3375;
+  assign or_3375 = (parity_3309 & parity_3324) | ((^{or_3290, or_3286, or_3282}) & (parity_3309 | parity_3324));
+  logic or_3379;
+  assign or_3379 = (or_3335 & or_3339) | (or_3331 & (or_3335 | or_3339));
+  logic or_3383;
+  assign or_3383 = (or_3347 & or_3351) | (and_3343 & (or_3347 | or_3351));
   // hls/stages/count_bits.hpp:23
-  logic or_3384;
-  assign or_3384 = (or_3280 & or_3284) | (or_3276 & (or_3280 | or_3284));
+  logic or_3390;
+  assign or_3390 = (or_3286 & or_3290) | (or_3282 & (or_3286 | or_3290));
   // hls/stages/count_bits.hpp:25
-  logic or_3388;
-  assign or_3388 = (or_3296 & or_3300) | (or_3292 & (or_3296 | or_3300));
-  logic or_3392;
-  assign or_3392 = (or_3311 & or_3315) | (or_3307 & (or_3311 | or_3315));
+  logic or_3394;
+  assign or_3394 = (or_3302 & or_3306) | (or_3298 & (or_3302 | or_3306));
+  logic or_3398;
+  assign or_3398 = (or_3317 & or_3321) | (or_3313 & (or_3317 | or_3321));
   // hls/stages/count_bits.hpp:24
-  logic parity_3395;
-  assign parity_3395 = ^{or_3392, or_3388, or_3384};
+  logic parity_3401;
+  assign parity_3401 = ^{or_3398, or_3394, or_3390};
   // hls/stages/count_bits.hpp:23
-  logic or_3399;
-  assign or_3399 = (or_3232 & or_3236) | (or_3228 & (or_3232 | or_3236));
+  logic or_3405;
+  assign or_3405 = (or_3238 & or_3242) | (or_3234 & (or_3238 | or_3242));
   // hls/stages/count_bits.hpp:25
-  logic or_3403;
-  assign or_3403 = (or_3247 & or_3251) | (or_3243 & (or_3247 | or_3251));
-  logic or_3407;
-  assign or_3407 = (or_3262 & or_3266) | (or_3258 & (or_3262 | or_3266));
+  logic or_3409;
+  assign or_3409 = (or_3253 & or_3257) | (or_3249 & (or_3253 | or_3257));
+  logic or_3413;
+  assign or_3413 = (or_3268 & or_3272) | (or_3264 & (or_3268 | or_3272));
   // hls/stages/count_bits.hpp:24
-  logic parity_3410;
-  assign parity_3410 = ^{or_3407, or_3403, or_3399};
-  logic parity_3413;
-  assign parity_3413 = ^{or_3407, or_3403, or_3399, or_3392, or_3388, or_3384, or_3377, or_3373, or_3369};
-  logic parity_3415;
-  assign parity_3415 = ^{or_3407, or_3403, or_3399, or_3392, or_3388, or_3384, or_3377, or_3373, or_3369, or_3362, or_3358, and_3354};
+  logic parity_3416;
+  assign parity_3416 = ^{or_3413, or_3409, or_3405};
+  logic parity_3419;
+  assign parity_3419 = ^{or_3413, or_3409, or_3405, or_3398, or_3394, or_3390, or_3383, or_3379, or_3375};
+  logic parity_3421;
+  assign parity_3421 = ^{or_3413, or_3409, or_3405, or_3398, or_3394, or_3390, or_3383, or_3379, or_3375, or_3368, or_3364, and_3360};
   // hls/stages/count_bits.hpp:25
-  logic or_3419;
-  assign or_3419 = (or_3373 & or_3377) | (or_3369 & (or_3373 | or_3377));
-  logic or_3423;
-  assign or_3423 = (or_3388 & or_3392) | (or_3384 & (or_3388 | or_3392));
-  logic or_3427;
-  assign or_3427 = (or_3403 & or_3407) | (or_3399 & (or_3403 | or_3407));
+  logic or_3425;
+  assign or_3425 = (or_3379 & or_3383) | (or_3375 & (or_3379 | or_3383));
+  logic or_3429;
+  assign or_3429 = (or_3394 & or_3398) | (or_3390 & (or_3394 | or_3398));
+  logic or_3433;
+  assign or_3433 = (or_3409 & or_3413) | (or_3405 & (or_3409 | or_3413));
   // hls/stages/count_bits.hpp:24
-  logic parity_3430;
-  assign parity_3430 = ^{or_3427, or_3423, or_3419};
+  logic parity_3436;
+  assign parity_3436 = ^{or_3433, or_3429, or_3425};
   // hls/stages/count_bits.hpp:25
-  logic and_3431;
-  assign and_3431 = (^{or_3362, or_3358, and_3354}) & parity_3413;
-  logic or_3435;
-  assign or_3435 = (or_3358 & or_3362) | (and_3354 & (or_3358 | or_3362));
-  logic or_3439;
-  assign or_3439 = (parity_3395 & parity_3410) | ((^{or_3377, or_3373, or_3369}) & (parity_3395 | parity_3410));
+  logic and_3437;
+  assign and_3437 = (^{or_3368, or_3364, and_3360}) & parity_3419;
+  logic or_3441;
+  assign or_3441 = (or_3364 & or_3368) | (and_3360 & (or_3364 | or_3368));
+  logic or_3445;
+  assign or_3445 = (parity_3401 & parity_3416) | ((^{or_3383, or_3379, or_3375}) & (parity_3401 | parity_3416));
   // hls/stages/count_bits.hpp:24
-  logic parity_3442;
-  assign parity_3442 = ^{or_3439, or_3435, and_3431};
+  logic parity_3448;
+  assign parity_3448 = ^{or_3445, or_3441, and_3437};
   // hls/stages/count_bits.hpp:25
-  logic and_3444;
-  assign and_3444 = parity_3430 & parity_3442;
-  logic or_3448;
-  assign or_3448 = (or_3423 & or_3427) | (or_3419 & (or_3423 | or_3427));
-  logic or_3452;
-  assign or_3452 = (or_3435 & or_3439) | (and_3431 & (or_3435 | or_3439));
+  logic and_3450;
+  assign and_3450 = parity_3436 & parity_3448;
+  logic or_3454;
+  assign or_3454 = (or_3429 & or_3433) | (or_3425 & (or_3429 | or_3433));
+  logic or_3458;
+  assign or_3458 = (or_3441 & or_3445) | (and_3437 & (or_3441 | or_3445));
   // hls/stages/patches.hpp:184
-  logic [4:0] select_3497;
-  assign select_3497 = equal_1776_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
-  logic select_3500;
-  assign select_3500 = equal_1774_s2_q ? patches_summed_first_q : (equal_1776_s2_q ? new_row_s2_q : patches_summed_first_q);
+  logic [4:0] select_3503;
+  assign select_3503 = equal_1781_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
+  logic select_3506;
+  assign select_3506 = equal_1779_s2_q ? patches_summed_first_q : (equal_1781_s2_q ? new_row_s2_q : patches_summed_first_q);
   // hls/stages/patches.hpp:556
-  logic [9:0] select_3507;
-  assign select_3507 = less_1955_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
+  logic [9:0] select_3513;
+  assign select_3513 = less_1960_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
   // hls/stages/patches.hpp:560
-  logic [9:0] select_3510;
-  assign select_3510 = equal_1958_s2_q ? (less_1955_s2_q ? (equal_1958_s2_q ? 10'h0 : select_3507) : 10'h0) : select_3507;
-  logic [9:0] select_3512;
-  assign select_3512 = less_1955_s2_q ? (equal_1956_s2_q ? 10'h0 : select_3510) : select_3510;
+  logic [9:0] select_3516;
+  assign select_3516 = equal_1963_s2_q ? (less_1960_s2_q ? (equal_1963_s2_q ? 10'h0 : select_3513) : 10'h0) : select_3513;
+  logic [9:0] select_3518;
+  assign select_3518 = less_1960_s2_q ? (equal_1961_s2_q ? 10'h0 : select_3516) : select_3516;
   // hls/stages/patches.hpp:556
-  logic [4:0] select_3514;
-  assign select_3514 = less_1955_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
+  logic [4:0] select_3520;
+  assign select_3520 = less_1960_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
   // hls/stages/patches.hpp:560
-  logic [4:0] select_3517;
-  assign select_3517 = equal_1958_s2_q ? (less_1955_s2_q ? (equal_1958_s2_q ? 5'h0 : select_3514) : 5'h0) : select_3514;
-  logic [4:0] select_3519;
-  assign select_3519 = less_1955_s2_q ? (equal_1956_s2_q ? 5'h0 : select_3517) : select_3517;
+  logic [4:0] select_3523;
+  assign select_3523 = equal_1963_s2_q ? (less_1960_s2_q ? (equal_1963_s2_q ? 5'h0 : select_3520) : 5'h0) : select_3520;
+  logic [4:0] select_3525;
+  assign select_3525 = less_1960_s2_q ? (equal_1961_s2_q ? 5'h0 : select_3523) : select_3523;
   // hls/stages/patches.hpp:556
-  logic [4:0] select_3521;
-  assign select_3521 = less_1955_s2_q ? patches_step_s2_q : 5'h0;
+  logic [4:0] select_3527;
+  assign select_3527 = less_1960_s2_q ? patches_step_s2_q : 5'h0;
   // hls/stages/patches.hpp:560
-  logic [4:0] select_3524;
-  assign select_3524 = equal_1958_s2_q ? (less_1955_s2_q ? (equal_1958_s2_q ? 5'h0 : select_3521) : 5'h0) : select_3521;
-  logic [4:0] select_3526;
-  assign select_3526 = less_1955_s2_q ? (equal_1956_s2_q ? 5'h0 : select_3524) : select_3524;
+  logic [4:0] select_3530;
+  assign select_3530 = equal_1963_s2_q ? (less_1960_s2_q ? (equal_1963_s2_q ? 5'h0 : select_3527) : 5'h0) : select_3527;
+  logic [4:0] select_3532;
+  assign select_3532 = less_1960_s2_q ? (equal_1961_s2_q ? 5'h0 : select_3530) : select_3530;
   // hls/stages/patches.hpp:556
-  logic and_3529;
-  assign and_3529 = less_1955_s2_q & (patches_step_s2_q == 5'h0);
+  logic and_3535;
+  assign and_3535 = less_1960_s2_q & (patches_step_s2_q == 5'h0);
   // hls/stages/patches.hpp:560
-  logic select_3532;
-  assign select_3532 = equal_1958_s2_q ? (less_1955_s2_q ? (not_1959_s2_q & and_3529) : and_3529) : and_3529;
+  logic select_3538;
+  assign select_3538 = equal_1963_s2_q ? (less_1960_s2_q ? (not_1964_s2_q & and_3535) : and_3535) : and_3535;
   // hls/stages/patches.hpp:184
-  logic select_3535;
-  assign select_3535 = equal_1774_s2_q ? (less_1955_s2_q ? (not_1957_s2_q & select_3532) : select_3532) : patches_read_first_q;
+  logic select_3541;
+  assign select_3541 = equal_1779_s2_q ? (less_1960_s2_q ? (not_1962_s2_q & select_3538) : select_3538) : patches_read_first_q;
   // hls/stages/patches.hpp:178
-  logic or_3546;
-  assign or_3546 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3547;
-  assign and_3547 = patches_read_searches_s2_q & or_3546;
+  logic or_3552;
+  assign or_3552 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3553;
+  assign and_3553 = patches_read_searches_s2_q & or_3552;
   // hls/stages/patches.hpp:540
-  logic [4:0] select_3548;
-  assign select_3548 = and_3547 ? patches_read_at_q : patches_peak_row_q;
+  logic [4:0] select_3554;
+  assign select_3554 = and_3553 ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:547
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3548};
+  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3554};
   // hls/stages/patches.hpp:556
-  logic and_3552;
-  assign and_3552 = less_1955_s2_q & (equal_3544_s2_q & (away == 6'h3f));
+  logic and_3558;
+  assign and_3558 = less_1960_s2_q & (equal_3550_s2_q & (away == 6'h3f));
   // hls/stages/patches.hpp:560
-  logic select_3555;
-  assign select_3555 = equal_1958_s2_q ? (less_1955_s2_q ? (not_1959_s2_q & and_3552) : and_3552) : and_3552;
+  logic select_3561;
+  assign select_3561 = equal_1963_s2_q ? (less_1960_s2_q ? (not_1964_s2_q & and_3558) : and_3558) : and_3558;
   // hls/stages/patches.hpp:184
-  logic select_3558;
-  assign select_3558 = equal_1774_s2_q ? (less_1955_s2_q ? (not_1957_s2_q & select_3555) : select_3555) : patches_read_above_q;
-  // hls/stages/patches.hpp:556
-  logic and_3561;
-  assign and_3561 = less_1955_s2_q & (equal_3544_s2_q & (away == 6'h1));
-  // hls/stages/patches.hpp:560
   logic select_3564;
-  assign select_3564 = equal_1958_s2_q ? (less_1955_s2_q ? (not_1959_s2_q & and_3561) : and_3561) : and_3561;
-  // hls/stages/patches.hpp:184
-  logic select_3567;
-  assign select_3567 = equal_1774_s2_q ? (less_1955_s2_q ? (not_1957_s2_q & select_3564) : select_3564) : patches_read_below_q;
-  // hls/stages/patches.hpp:553
-  logic [6:0] sum_3568;
-  assign sum_3568 = {away[5], away} + 7'h7d;
-  // hls/stages/patches.hpp:554
-  logic [9:0] select_3571;
-  assign select_3571 = (equal_3544_s2_q & ({sum_3568[6], sum_3568} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  assign select_3564 = equal_1779_s2_q ? (less_1960_s2_q ? (not_1962_s2_q & select_3561) : select_3561) : patches_read_above_q;
   // hls/stages/patches.hpp:556
-  logic [9:0] select_3572;
-  assign select_3572 = less_1955_s2_q ? select_3571 : 10'h3ff;
-  // hls/stages/patches.hpp:557
-  logic [9:0] select_3574;
-  assign select_3574 = less_1955_s2_q ? (equal_1958_s2_q ? 10'h3ff : select_3572) : 10'h3ff;
+  logic and_3567;
+  assign and_3567 = less_1960_s2_q & (equal_3550_s2_q & (away == 6'h1));
   // hls/stages/patches.hpp:560
-  logic [9:0] select_3575;
-  assign select_3575 = equal_1958_s2_q ? select_3574 : select_3572;
-  logic [9:0] select_3577;
-  assign select_3577 = less_1955_s2_q ? (equal_1956_s2_q ? 10'h3ff : select_3575) : select_3575;
-  // hls/stages/patches.hpp:539
-  logic [14:0] select_3579;
-  assign select_3579 = and_3547 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  logic select_3570;
+  assign select_3570 = equal_1963_s2_q ? (less_1960_s2_q ? (not_1964_s2_q & and_3567) : and_3567) : and_3567;
   // hls/stages/patches.hpp:184
+  logic select_3573;
+  assign select_3573 = equal_1779_s2_q ? (less_1960_s2_q ? (not_1962_s2_q & select_3570) : select_3570) : patches_read_below_q;
+  // hls/stages/patches.hpp:553
+  logic [6:0] sum_3574;
+  assign sum_3574 = {away[5], away} + 7'h7d;
+  // hls/stages/patches.hpp:554
+  logic [9:0] select_3577;
+  assign select_3577 = (equal_3550_s2_q & ({sum_3574[6], sum_3574} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  // hls/stages/patches.hpp:556
+  logic [9:0] select_3578;
+  assign select_3578 = less_1960_s2_q ? select_3577 : 10'h3ff;
+  // hls/stages/patches.hpp:557
   logic [9:0] select_3580;
-  assign select_3580 = equal_1774_s2_q ? select_3579[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3581;
-  assign select_3581 = equal_1774_s2_q ? select_3579[14:10] : patches_peak_best_column_q;
-  // hls/stages/patches.hpp:541
+  assign select_3580 = less_1960_s2_q ? (equal_1963_s2_q ? 10'h3ff : select_3578) : 10'h3ff;
+  // hls/stages/patches.hpp:560
+  logic [9:0] select_3581;
+  assign select_3581 = equal_1963_s2_q ? select_3580 : select_3578;
   logic [9:0] select_3583;
-  assign select_3583 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
-  // hls/stages/patches.hpp:542
-  logic [9:0] select_3585;
-  assign select_3585 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
-  // hls/stages/patches.hpp:543
-  logic [9:0] select_3588;
-  assign select_3588 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
+  assign select_3583 = less_1960_s2_q ? (equal_1961_s2_q ? 10'h3ff : select_3581) : select_3581;
+  // hls/stages/patches.hpp:539
+  logic [14:0] select_3585;
+  assign select_3585 = and_3553 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  // hls/stages/patches.hpp:184
+  logic [9:0] select_3586;
+  assign select_3586 = equal_1779_s2_q ? select_3585[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3587;
+  assign select_3587 = equal_1779_s2_q ? select_3585[14:10] : patches_peak_best_column_q;
+  // hls/stages/patches.hpp:541
   logic [9:0] select_3589;
-  assign select_3589 = patches_read_first_q ? patches_read_far_q : select_3588;
+  assign select_3589 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
+  // hls/stages/patches.hpp:542
+  logic [9:0] select_3591;
+  assign select_3591 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  // hls/stages/patches.hpp:543
+  logic [9:0] select_3594;
+  assign select_3594 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
+  logic [9:0] select_3595;
+  assign select_3595 = patches_read_first_q ? patches_read_far_q : select_3594;
   // hls/stages/patches.hpp:594
-  logic [9:0] difference_3592;
-  assign difference_3592 = select_3589 - select_3579[9:0];
+  logic [9:0] difference_3598;
+  assign difference_3598 = select_3595 - select_3585[9:0];
   // hls/stages/patches.hpp:579
-  logic less_3622;
-  assign less_3622 = select_3583 < select_3585;
+  logic less_3628;
+  assign less_3628 = select_3589 < select_3591;
   // hls/stages/patches.hpp:585
-  logic [1:0] sum_3623;
-  assign sum_3623 = select_3548[4:3] + 2'h3;
+  logic [1:0] sum_3629;
+  assign sum_3629 = select_3554[4:3] + 2'h3;
   // hls/stages/patches.hpp:580
   logic [9:0] high;
-  assign high = less_3622 ? select_3585 : select_3583;
+  assign high = less_3628 ? select_3591 : select_3589;
   logic [9:0] low;
-  assign low = (select_3585 < select_3583) ? select_3585 : select_3583;
+  assign low = (select_3591 < select_3589) ? select_3591 : select_3589;
   // hls/stages/patches.hpp:581
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall_2;
-  assign fall_2 = high - select_3579[9:0];
+  assign fall_2 = high - select_3585[9:0];
   // hls/stages/patches.hpp:583
-  logic not_3630;
-  assign not_3630 = ~({eight, 3'h0} < {3'h0, fall_2});
-  logic [10:0] sum_3631;
-  assign sum_3631 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
-  logic not_3633;
-  assign not_3633 = ~({eight, 3'h0} < {1'b0, sum_3631, fall_2[0]});
-  logic [1:0] sum_3634;
-  assign sum_3634 = {1'b0, not_3630} + {1'b0, not_3633};
+  logic not_3636;
+  assign not_3636 = ~({eight, 3'h0} < {3'h0, fall_2});
+  logic [10:0] sum_3637;
+  assign sum_3637 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
+  logic not_3639;
+  assign not_3639 = ~({eight, 3'h0} < {1'b0, sum_3637, fall_2[0]});
+  logic [1:0] sum_3640;
+  assign sum_3640 = {1'b0, not_3636} + {1'b0, not_3639};
   // hls/stages/patches.hpp:584
-  logic [10:0] sum_3635;
-  assign sum_3635 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
-  logic not_3637;
-  assign not_3637 = ~({eight, 3'h0} < {sum_3635, fall_2[1:0]});
-  logic not_3640;
-  assign not_3640 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
-  logic [1:0] sum_3641;
-  assign sum_3641 = {1'b0, not_3637} + {1'b0, not_3640};
+  logic [10:0] sum_3641;
+  assign sum_3641 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
+  logic not_3643;
+  assign not_3643 = ~({eight, 3'h0} < {sum_3641, fall_2[1:0]});
+  logic not_3646;
+  assign not_3646 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
+  logic [1:0] sum_3647;
+  assign sum_3647 = {1'b0, not_3643} + {1'b0, not_3646};
   // hls/stages/patches.hpp:583
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3634} + {1'b0, sum_3641};
+  assign fraction = {1'b0, sum_3640} + {1'b0, sum_3647};
   // hls/stages/patches.hpp:586
-  logic [7:0] select_3644;
-  assign select_3644 = less_3622 ? ({sum_3623, select_3548[2:0], 3'h0} - {5'h0, fraction}) : {sum_3623, select_3548[2:0], fraction};
+  logic [7:0] select_3650;
+  assign select_3650 = less_3628 ? ({sum_3629, select_3554[2:0], 3'h0} - {5'h0, fraction}) : {sum_3629, select_3554[2:0], fraction};
   // hls/stages/agreement.hpp:788
-  logic select_3867;
-  assign select_3867 = equal_569_s2_q ? shown_shown_q : (so_s2_q ? select_2026 : shown_shown_q);
-  logic select_3869;
-  assign select_3869 = equal_569_s2_q ? shown_nearer_q : (so_s2_q ? select_2029 : shown_nearer_q);
+  logic select_3873;
+  assign select_3873 = equal_574_s2_q ? shown_shown_q : (so_s2_q ? select_2031 : shown_shown_q);
+  logic select_3875;
+  assign select_3875 = equal_574_s2_q ? shown_nearer_q : (so_s2_q ? select_2034 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_3871;
-  assign sum_3871 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_3877;
+  assign sum_3877 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:460
-  logic [2:0] select_3873;
-  assign select_3873 = less_3870_s2_q ? (sum_3871[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_3875;
-  assign select_3875 = equal_2467_s2_q ? (equal_674_s2_q ? 3'h0 : select_3873) : region_row_q;
+  logic [2:0] select_3879;
+  assign select_3879 = less_3876_s2_q ? (sum_3877[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_3881;
+  assign select_3881 = equal_2473_s2_q ? (equal_679_s2_q ? 3'h0 : select_3879) : region_row_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3880;
-  assign select_3880 = equal_569_s2_q ? select_1980 : (so_s2_q ? (ends_cell_s2_q ? select_2079 : select_1980) : 8'h1);
+  logic [7:0] select_3886;
+  assign select_3886 = equal_574_s2_q ? select_1985 : (so_s2_q ? (ends_cell_s2_q ? select_2084 : select_1985) : 8'h1);
   // hls/stages/agreement.hpp:460
-  logic [8:0] select_3894;
-  assign select_3894 = equal_674_s2_q ? {{2{difference_3892[6]}}, difference_3892} : (less_3870_s2_q ? region_down_next_q : region_down_rest_q);
+  logic [8:0] select_3900;
+  assign select_3900 = equal_679_s2_q ? {{2{difference_3898[6]}}, difference_3898} : (less_3876_s2_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:520
-  logic [8:0] select_3896;
-  assign select_3896 = and_544_s2_q ? (equal_2467_s2_q ? select_3894 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:460
-  logic [6:0] select_3898;
-  assign select_3898 = equal_674_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_3900;
-  assign select_3900 = and_544_s2_q ? (equal_2467_s2_q ? select_3898 : region_down_back_q) : region_down_back_q;
-  // hls/stages/division.hpp:35
-  logic [8:0] sum_3901;
-  assign sum_3901 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
-  // hls/stages/division.hpp:36
   logic [8:0] select_3902;
-  assign select_3902 = sum_3871[7] ? {1'b1, sum_3871[6:0], region_down_rest_q[0]} : sum_3901;
+  assign select_3902 = and_549_s2_q ? (equal_2473_s2_q ? select_3900 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:460
+  logic [6:0] select_3904;
+  assign select_3904 = equal_679_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:520
+  logic [6:0] select_3906;
+  assign select_3906 = and_549_s2_q ? (equal_2473_s2_q ? select_3904 : region_down_back_q) : region_down_back_q;
+  // hls/stages/division.hpp:35
+  logic [8:0] sum_3907;
+  assign sum_3907 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  // hls/stages/division.hpp:36
+  logic [8:0] select_3908;
+  assign select_3908 = sum_3877[7] ? {1'b1, sum_3877[6:0], region_down_rest_q[0]} : sum_3907;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3871[7];
+  assign next = ~sum_3877[7];
   // hls/stages/agreement.hpp:460
-  logic select_3906;
-  assign select_3906 = equal_2467_s2_q ? (equal_674_s2_q | (less_3870_s2_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_3912;
+  assign select_3912 = equal_2473_s2_q ? (equal_679_s2_q | (less_3876_s2_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:205
-  logic or_3911;
-  assign or_3911 = segment_starts_q | not_572_s2_q;
+  logic or_3917;
+  assign or_3917 = segment_starts_q | not_577_s2_q;
   // hls/stages/agreement.hpp:1030
-  logic select_3914;
-  assign select_3914 = inside_v_s2_q ? (sum_1993_s2_q ? (equal_1767 & or_1995) : or_1995) : or_3911;
+  logic select_3920;
+  assign select_3920 = inside_v_s2_q ? (sum_1998_s2_q ? (equal_1772 & or_2000) : or_2000) : or_3917;
   // hls/stages/agreement.hpp:788
-  logic select_3917;
-  assign select_3917 = equal_569_s2_q ? or_3911 : (so_s2_q ? (ends_cell_s2_q ? select_3914 : or_3911) : or_3911);
+  logic select_3923;
+  assign select_3923 = equal_574_s2_q ? or_3917 : (so_s2_q ? (ends_cell_s2_q ? select_3920 : or_3917) : or_3917);
   // hls/stages/agreement.hpp:1147
-  logic equal_3941;
-  assign equal_3941 = x_s2_q[6:0] == 7'h7f;
+  logic equal_3947;
+  assign equal_3947 = x_s2_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:788
-  logic select_4077;
-  assign select_4077 = so_s2_q ? (ends_cell_s2_q ? and_2067 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4080;
-  assign select_4080 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
-  logic select_4082;
-  assign select_4082 = equal_569_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4080 : centres_values_0_of_skin_q);
   logic select_4083;
-  assign select_4083 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_4085;
-  assign select_4085 = equal_569_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4083 : centres_values_1_textured_q);
+  assign select_4083 = so_s2_q ? (ends_cell_s2_q ? and_2072 : centres_values_0_textured_q) : centres_values_0_textured_q;
   logic select_4086;
-  assign select_4086 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  assign select_4086 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
   logic select_4088;
-  assign select_4088 = equal_569_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4086 : centres_values_1_of_skin_q);
+  assign select_4088 = equal_574_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4086 : centres_values_0_of_skin_q);
+  logic select_4089;
+  assign select_4089 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4091;
+  assign select_4091 = equal_574_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4089 : centres_values_1_textured_q);
+  logic select_4092;
+  assign select_4092 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4094;
+  assign select_4094 = equal_574_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4092 : centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:460
-  logic [10:0] select_4092;
-  assign select_4092 = equal_2467_s2_q ? (equal_4089_s2_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
+  logic [10:0] select_4098;
+  assign select_4098 = equal_2473_s2_q ? (equal_4095_s2_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:520
-  logic [5:0] select_4095;
-  assign select_4095 = and_544_s2_q ? (equal_2467_s2_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
+  logic [5:0] select_4101;
+  assign select_4101 = and_549_s2_q ? (equal_2473_s2_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
   // hls/stages/agreement.hpp:1271
-  logic xor_4096;
-  assign xor_4096 = write_half_q ^ done_q;
+  logic xor_4102;
+  assign xor_4102 = write_half_q ^ done_q;
   // hls/stages/agreement.hpp:438
-  logic select_4098;
-  assign select_4098 = and_1972_s2_q ? (left_first_s2_q ? xor_4096 : write_half_q) : write_half_q;
+  logic select_4104;
+  assign select_4104 = and_1977_s2_q ? (left_first_s2_q ? xor_4102 : write_half_q) : write_half_q;
   // hls/stages/agreement.hpp:278
-  logic select_4100;
-  assign select_4100 = and_1972_s2_q ? (left_first_s2_q ? xor_4096 : select_4098) : write_half_q;
-  logic select_4102;
-  assign select_4102 = left_first_s2_q ? select_2032 : (and_1972_s2_q ? select_2033 : read_half_q);
-  logic and_4106;
-  assign and_4106 = (~drew_q) & (done_q | said_q);
-  logic [9:0] select_4115;
-  assign select_4115 = left_first_s2_q ? 10'h1 : (and_1972_s2_q ? select_2037 : rows_passed_q);
-  logic [8:0] select_4118;
-  assign select_4118 = left_first_s2_q ? {select_2035[7:0], or_2034} : (and_1972_s2_q ? {select_2035[7:0], or_2034} : columns_passed_q);
-  logic select_4121;
-  assign select_4121 = left_first_s2_q ? marks_last_s2_q : (and_1972_s2_q ? marks_last_s2_q : line_ended_q);
-  logic select_4124;
-  assign select_4124 = left_first_s2_q ? and_2051 : (and_1972_s2_q ? and_2051 : began_q);
-  logic [2:0] select_4127;
-  assign select_4127 = left_first_s2_q ? select_2053 : (and_1972_s2_q ? select_2053 : seen_x_q);
+  logic select_4106;
+  assign select_4106 = and_1977_s2_q ? (left_first_s2_q ? xor_4102 : select_4104) : write_half_q;
+  logic select_4108;
+  assign select_4108 = left_first_s2_q ? select_2037 : (and_1977_s2_q ? select_2038 : read_half_q);
+  logic and_4112;
+  assign and_4112 = (~drew_q) & (done_q | said_q);
+  logic [9:0] select_4121;
+  assign select_4121 = left_first_s2_q ? 10'h1 : (and_1977_s2_q ? select_2042 : rows_passed_q);
+  logic [8:0] select_4124;
+  assign select_4124 = left_first_s2_q ? {select_2040[7:0], or_2039} : (and_1977_s2_q ? {select_2040[7:0], or_2039} : columns_passed_q);
+  logic select_4127;
+  assign select_4127 = left_first_s2_q ? marks_last_s2_q : (and_1977_s2_q ? marks_last_s2_q : line_ended_q);
+  logic select_4130;
+  assign select_4130 = left_first_s2_q ? and_2056 : (and_1977_s2_q ? and_2056 : began_q);
+  logic [2:0] select_4133;
+  assign select_4133 = left_first_s2_q ? select_2058 : (and_1977_s2_q ? select_2058 : seen_x_q);
   // hls/stages/agreement.hpp:1300
-  logic [2:0] select_4132;
-  assign select_4132 = left_first_s2_q ? 3'h0 : (and_2038 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
+  logic [2:0] select_4138;
+  assign select_4138 = left_first_s2_q ? 3'h0 : (and_2043 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
   // hls/stages/agreement.hpp:278
-  logic [2:0] select_4134;
-  assign select_4134 = left_first_s2_q ? 3'h0 : (and_1972_s2_q ? select_4132 : seen_y_q);
-  logic [7:0] select_4137;
-  assign select_4137 = left_first_s2_q ? select_2046 : (and_1972_s2_q ? select_2046 : seen_column_q);
-  // hls/stages/agreement.hpp:436
+  logic [2:0] select_4140;
+  assign select_4140 = left_first_s2_q ? 3'h0 : (and_1977_s2_q ? select_4138 : seen_y_q);
   logic [7:0] select_4143;
-  assign select_4143 = left_first_s2_q ? select_4141 : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:278
-  logic [7:0] select_4145;
-  assign select_4145 = left_first_s2_q ? select_4141 : (and_1972_s2_q ? select_4143 : seen_rows_left_q);
+  assign select_4143 = left_first_s2_q ? select_2051 : (and_1977_s2_q ? select_2051 : seen_column_q);
   // hls/stages/agreement.hpp:436
-  logic and_4150;
-  assign and_4150 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
+  logic [7:0] select_4149;
+  assign select_4149 = left_first_s2_q ? select_4147 : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/agreement.hpp:278
-  logic select_4152;
-  assign select_4152 = left_first_s2_q ? and_4150 : (and_1972_s2_q ? and_4150 : at_cell_end_q);
-  logic select_4155;
-  assign select_4155 = left_first_s2_q ? next_row : (and_1972_s2_q ? next_row : was_next_row_q);
-  logic [10:0] select_4158;
-  assign select_4158 = left_first_s2_q ? 11'h0 : (and_1972_s2_q ? select_2043 : seen_base_q);
+  logic [7:0] select_4151;
+  assign select_4151 = left_first_s2_q ? select_4147 : (and_1977_s2_q ? select_4149 : seen_rows_left_q);
+  // hls/stages/agreement.hpp:436
+  logic and_4156;
+  assign and_4156 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
+  // hls/stages/agreement.hpp:278
+  logic select_4158;
+  assign select_4158 = left_first_s2_q ? and_4156 : (and_1977_s2_q ? and_4156 : at_cell_end_q);
+  logic select_4161;
+  assign select_4161 = left_first_s2_q ? next_row : (and_1977_s2_q ? next_row : was_next_row_q);
+  logic [10:0] select_4164;
+  assign select_4164 = left_first_s2_q ? 11'h0 : (and_1977_s2_q ? select_2048 : seen_base_q);
   // hls/stages/registration.hpp:258
-  logic not_4231;
-  assign not_4231 = ~quarter[1];
-  logic [3:0] select_4232;
-  assign select_4232 = quarter[0] ? {quarter[1], 1'b0, not_4231, 1'b0} : {1'b0, quarter[1], 1'b0, not_4231};
+  logic not_4237;
+  assign not_4237 = ~quarter[1];
+  logic [3:0] select_4238;
+  assign select_4238 = quarter[0] ? {quarter[1], 1'b0, not_4237, 1'b0} : {1'b0, quarter[1], 1'b0, not_4237};
 
   // Memory registration_sums, 12 x 32, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4446,10 +4451,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1609;
+  assign registration_sums_raddr = select_1614;
 `ifndef SYNTHESIS
   logic registration_sums_re;
-  assign registration_sums_re = s2_en & select_1652;
+  assign registration_sums_re = s2_en & select_1657;
 `endif
   logic [31:0] registration_sums_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4465,10 +4470,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 22'h0;
 `endif
   logic [5:0] patches_choices_raddr;
-  assign patches_choices_raddr = select_1686;
+  assign patches_choices_raddr = select_1691;
 `ifndef SYNTHESIS
   logic patches_choices_re;
-  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_1688));
+  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_1693));
 `endif
   logic [21:0] patches_choices_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4484,10 +4489,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 30'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1990;
+  assign regions_raddr = select_1995;
 `ifndef SYNTHESIS
   logic regions_re;
-  assign regions_re = s2_en & (equal_569_s2_q ? (x_s2_q[6] & not_1991) : and_1998);
+  assign regions_re = s2_en & (equal_574_s2_q ? (x_s2_q[6] & not_1996) : and_2003);
 `endif
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4502,10 +4507,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 3290; i++) map_mem[i] = 2'h0;
 `endif
   logic [11:0] map_raddr;
-  assign map_raddr = sum_2048;
+  assign map_raddr = sum_2053;
 `ifndef SYNTHESIS
   logic map_re;
-  assign map_re = s2_en & select_2060;
+  assign map_re = s2_en & select_2065;
 `endif
   logic [1:0] map_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4514,11 +4519,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [7:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_514_s2_q;
+  assign averager_memory_waddr = select_515_s2_q;
   logic averager_memory_we;
-  assign averager_memory_we = s2_en & and_519_s2_q;
+  assign averager_memory_we = s2_en & and_524_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_538, and_534, sum_530, sum_526};
+    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_543, and_539, sum_535, sum_531};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4536,9 +4541,9 @@ module horopter_agreement (
   logic [5:0] census_memory_waddr;
   assign census_memory_waddr = last_s2_2_q;
   logic census_memory_we;
-  assign census_memory_we = s2_en & and_544_s2_q;
+  assign census_memory_we = s2_en & and_549_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_562, whole_2, select_554, select_550};
+    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_567, whole_2, select_559, select_555};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4554,11 +4559,11 @@ module horopter_agreement (
 
   // Memory moments_memory, write
   logic [10:0] moments_memory_waddr;
-  assign moments_memory_waddr = select_568_s2_q;
+  assign moments_memory_waddr = select_573_s2_q;
   logic moments_memory_we;
-  assign moments_memory_we = s2_en & and_586_s2_q;
+  assign moments_memory_we = s2_en & and_591_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {and_641_s2_q, and_639_s2_q, and_634_s2_q, and_632};
+    if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {and_646_s2_q, and_644_s2_q, and_639_s2_q, and_637};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4576,9 +4581,9 @@ module horopter_agreement (
   logic [5:0] best_left_waddr;
   assign best_left_waddr = x_s2_2_q[5:0];
   logic best_left_we;
-  assign best_left_we = s2_en & and_1556_s2_q;
+  assign best_left_we = s2_en & and_1561_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1555, select_1552, select_1549, select_1547, select_1529, select_1526, select_1518, select_1517, select_1512};
+    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1560, select_1557, select_1554, select_1552, select_1534, select_1531, select_1523, select_1522, select_1517};
   end
 `ifndef SYNTHESIS
   logic [5:0] best_left_raddr_s1_sim;
@@ -4609,9 +4614,9 @@ module horopter_agreement (
   logic [5:0] best_right_waddr;
   assign best_right_waddr = right_s2_q;
   logic best_right_we;
-  assign best_right_we = s2_en & and_1556_s2_q;
+  assign best_right_we = s2_en & and_1561_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1566, select_1565, select_1562, select_1561};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1571, select_1570, select_1567, select_1566};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4627,11 +4632,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [5:0] shown_right_waddr;
-  assign shown_right_waddr = select_1573_s2_q;
+  assign shown_right_waddr = select_1578_s2_q;
   logic shown_right_we;
-  assign shown_right_we = s2_en & and_1584;
+  assign shown_right_we = s2_en & and_1589;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1581, not_572_s2_q};
+    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1586, not_577_s2_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4651,7 +4656,7 @@ module horopter_agreement (
   logic left_turns_we;
   assign left_turns_we = s2_en & moments_taken_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_turns_we) left_turns_mem[left_turns_waddr] <= {and_1592, and_1589};
+    if (left_turns_we) left_turns_mem[left_turns_waddr] <= {and_1597, and_1594};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4671,7 +4676,7 @@ module horopter_agreement (
   logic right_turns_we;
   assign right_turns_we = s2_en & moments_taken_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_turns_we) right_turns_mem[right_turns_waddr] <= {and_1601, and_1598};
+    if (right_turns_we) right_turns_mem[right_turns_waddr] <= {and_1606, and_1603};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4687,11 +4692,11 @@ module horopter_agreement (
 
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_1888, patches_code_row_s2_q[1:0], of_row_2_s2_q};
+  assign patches_right_codes_waddr = {sum_1893, patches_code_row_s2_q[1:0], of_row_2_s2_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s2_en & and_1940_s2_q;
+  assign patches_right_codes_we = s2_en & and_1945_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {and_1926_s2_q, and_1923_s2_q, and_1907_s2_q, and_1904, patches_codes_at_q[51:28]};
+    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {and_1931_s2_q, and_1928_s2_q, and_1912_s2_q, and_1909, patches_codes_at_q[51:28]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4707,11 +4712,11 @@ module horopter_agreement (
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_1944, patches_code_row_s2_q[1:0]};
+  assign patches_left_codes_waddr = {sum_1949, patches_code_row_s2_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s2_en & and_1954_s2_q;
+  assign patches_left_codes_we = s2_en & and_1959_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {and_1926_s2_q, and_1923_s2_q, and_1907_s2_q, and_1904, patches_codes_at_q[51:8]};
+    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {and_1931_s2_q, and_1928_s2_q, and_1912_s2_q, and_1909, patches_codes_at_q[51:8]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4729,9 +4734,9 @@ module horopter_agreement (
   logic [5:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s2_q[5:0];
   logic seen_columns_we;
-  assign seen_columns_we = s2_en & and_1569_s2_q;
+  assign seen_columns_we = s2_en & and_1574_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2025, textured};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2030, textured};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4857,107 +4862,107 @@ module horopter_agreement (
       sample_pair_pixel_1_q <= pixel_0_s2_q;
       sample_of_skin_q <= mask_s2_q;
       averager_running_mask_q <= sample_pair_whole_s2_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2191;
-      averager_mask_q <= select_2193;
-      averager_of_skin_q <= select_2195;
-      census_filled_q <= and_544_s2_q ? {select_677[2:0], 1'b1} : census_filled_q;
-      moments_turned_0_q <= sum_2290;
-      moments_turned_1_q <= sum_2292;
-      moments_before_0_q <= equal_569_s2_q ? select_2294 : moments_before_0_q;
-      moments_before_1_q <= equal_569_s2_q ? select_2296 : moments_before_1_q;
-      moments_has_before_q <= select_2299;
-      moments_most_before_q <= select_2302;
-      moments_left_begins_q <= select_2306;
-      moments_left_alone_q <= select_2310;
-      moments_left_other_stops_q <= select_2313;
-      moments_right_begins_q <= select_2316;
-      moments_right_alone_q <= select_2320;
-      moments_right_other_stops_q <= select_2323;
-      moments_out_of_step_q <= or_2326;
-      moments_turns_0_q <= and_2334;
-      moments_turns_1_q <= and_2338;
-      moments_begins_alone_q <= and_2347;
-      moments_ends_q <= equal_569_s2_q & (equal_2293 & (not_2348 | and_2350));
-      rows_passed_above_q <= and_544_s2_q ? select_676 : rows_passed_above_q;
-      chosen_score_q <= less_2577 ? select_1506 : select_2576;
-      chosen_near_q <= (select_2579 < select_1541) ? select_1541 : select_2579;
-      chosen_place_q <= less_2577 ? {select_1514, not_1513} : 3'h2;
-      before_0_q <= select_2576;
-      before_1_q <= sum_1256;
-      before_2_q <= sum_1504;
-      shift_allowed_q <= not_2584 & (~less_2585);
+      averager_running_of_skin_q <= select_2197;
+      averager_mask_q <= select_2199;
+      averager_of_skin_q <= select_2201;
+      census_filled_q <= and_549_s2_q ? {select_682[2:0], 1'b1} : census_filled_q;
+      moments_turned_0_q <= sum_2296;
+      moments_turned_1_q <= sum_2298;
+      moments_before_0_q <= equal_574_s2_q ? select_2300 : moments_before_0_q;
+      moments_before_1_q <= equal_574_s2_q ? select_2302 : moments_before_1_q;
+      moments_has_before_q <= select_2305;
+      moments_most_before_q <= select_2308;
+      moments_left_begins_q <= select_2312;
+      moments_left_alone_q <= select_2316;
+      moments_left_other_stops_q <= select_2319;
+      moments_right_begins_q <= select_2322;
+      moments_right_alone_q <= select_2326;
+      moments_right_other_stops_q <= select_2329;
+      moments_out_of_step_q <= or_2332;
+      moments_turns_0_q <= and_2340;
+      moments_turns_1_q <= and_2344;
+      moments_begins_alone_q <= and_2353;
+      moments_ends_q <= equal_574_s2_q & (equal_2299 & (not_2354 | and_2356));
+      rows_passed_above_q <= and_549_s2_q ? select_681 : rows_passed_above_q;
+      chosen_score_q <= less_2583 ? select_1511 : select_2582;
+      chosen_near_q <= (select_2585 < select_1546) ? select_1546 : select_2585;
+      chosen_place_q <= less_2583 ? {select_1519, not_1518} : 3'h2;
+      before_0_q <= select_2582;
+      before_1_q <= sum_1261;
+      before_2_q <= sum_1509;
+      shift_allowed_q <= not_2590 & (~less_2591);
       shift_not_right_q <= $signed(run_shift_s2_q) < $signed(6'h1);
-      counts_turned_left_q <= and_2592 ? 14'h0 : (counts_turned_left_q + {13'h0, and_2711});
-      counts_turned_right_q <= and_2592 ? 14'h0 : (counts_turned_right_q + {13'h0, and_2718});
-      registration_displacement_over_q <= so_s2_q ? sum_2742[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2744;
-      registration_slope_here_q <= select_2746;
-      registration_expected_q <= select_2748;
-      registration_of_right_q <= equal_569_s2_q ? registration_of_right_q : select_2810;
-      registration_was_inside_q <= equal_569_s2_q ? registration_was_inside_q : select_2813;
-      registration_fresh_q <= select_2822;
-      patches_chance_q <= and_544_s2_q ? select_2979 : patches_chance_q;
-      patches_fixed_q <= and_2993;
-      patches_choice_valid_q <= and_1772 ? (select_1745 & not_2981) : select_1745;
-      patches_choice_column_q <= select_1750;
-      patches_choice_shift_q <= select_1755;
-      patches_choice_slope_q <= select_1766;
-      patches_band_q <= sample_pair_whole_s2_q ? select_1787 : patches_band_q;
-      patches_fetch_q <= select_3008;
-      patches_codes_at_q <= select_3109;
-      patches_codes_further_q <= equal_1774_s2_q ? patches_codes_further_q : select_3114;
-      patches_next_codes_q <= select_3122;
-      patches_set_q <= equal_1774_s2_q ? 3'h0 : (equal_1776_s2_q ? 3'h0 : select_3136);
-      patches_size_q <= sum_3140;
-      patches_left_row_q <= select_3152;
-      patches_summed_row_column_q <= equal_1774_s2_q ? patches_summed_row_column_q : select_3497;
-      patches_summed_first_q <= select_3500;
-      patches_read_row_differing_q <= equal_1774_s2_q ? select_3512 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_1774_s2_q ? select_3519 : patches_read_row_column_q;
-      patches_read_at_q <= equal_1774_s2_q ? select_3526 : patches_read_at_q;
-      patches_read_first_q <= select_3535;
-      patches_read_above_q <= select_3558;
-      patches_read_below_q <= select_3567;
-      patches_read_far_q <= equal_1774_s2_q ? select_3577 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_3580;
-      patches_peak_best_column_q <= select_3581;
-      patches_peak_row_q <= equal_1774_s2_q ? select_3548 : patches_peak_row_q;
-      patches_peak_above_q <= equal_1774_s2_q ? select_3583 : patches_peak_above_q;
-      patches_peak_below_q <= equal_1774_s2_q ? select_3585 : patches_peak_below_q;
-      patches_peak_far_q <= equal_1774_s2_q ? select_3589 : patches_peak_far_q;
-      patches_frame_ended_q <= equal_569_s2_q & equal_2293;
-      shown_shown_q <= select_3867;
-      shown_nearer_q <= select_3869;
-      region_row_q <= and_544_s2_q ? select_3875 : region_row_q;
+      counts_turned_left_q <= and_2598 ? 14'h0 : (counts_turned_left_q + {13'h0, and_2717});
+      counts_turned_right_q <= and_2598 ? 14'h0 : (counts_turned_right_q + {13'h0, and_2724});
+      registration_displacement_over_q <= so_s2_q ? sum_2748[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2750;
+      registration_slope_here_q <= select_2752;
+      registration_expected_q <= select_2754;
+      registration_of_right_q <= equal_574_s2_q ? registration_of_right_q : select_2816;
+      registration_was_inside_q <= equal_574_s2_q ? registration_was_inside_q : select_2819;
+      registration_fresh_q <= select_2828;
+      patches_chance_q <= and_549_s2_q ? select_2985 : patches_chance_q;
+      patches_fixed_q <= and_2999;
+      patches_choice_valid_q <= and_1777 ? (select_1750 & not_2987) : select_1750;
+      patches_choice_column_q <= select_1755;
+      patches_choice_shift_q <= select_1760;
+      patches_choice_slope_q <= select_1771;
+      patches_band_q <= sample_pair_whole_s2_q ? select_1792 : patches_band_q;
+      patches_fetch_q <= select_3014;
+      patches_codes_at_q <= select_3115;
+      patches_codes_further_q <= equal_1779_s2_q ? patches_codes_further_q : select_3120;
+      patches_next_codes_q <= select_3128;
+      patches_set_q <= equal_1779_s2_q ? 3'h0 : (equal_1781_s2_q ? 3'h0 : select_3142);
+      patches_size_q <= sum_3146;
+      patches_left_row_q <= select_3158;
+      patches_summed_row_column_q <= equal_1779_s2_q ? patches_summed_row_column_q : select_3503;
+      patches_summed_first_q <= select_3506;
+      patches_read_row_differing_q <= equal_1779_s2_q ? select_3518 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_1779_s2_q ? select_3525 : patches_read_row_column_q;
+      patches_read_at_q <= equal_1779_s2_q ? select_3532 : patches_read_at_q;
+      patches_read_first_q <= select_3541;
+      patches_read_above_q <= select_3564;
+      patches_read_below_q <= select_3573;
+      patches_read_far_q <= equal_1779_s2_q ? select_3583 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_3586;
+      patches_peak_best_column_q <= select_3587;
+      patches_peak_row_q <= equal_1779_s2_q ? select_3554 : patches_peak_row_q;
+      patches_peak_above_q <= equal_1779_s2_q ? select_3589 : patches_peak_above_q;
+      patches_peak_below_q <= equal_1779_s2_q ? select_3591 : patches_peak_below_q;
+      patches_peak_far_q <= equal_1779_s2_q ? select_3595 : patches_peak_far_q;
+      patches_frame_ended_q <= equal_574_s2_q & equal_2299;
+      shown_shown_q <= select_3873;
+      shown_nearer_q <= select_3875;
+      region_row_q <= and_549_s2_q ? select_3881 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_3880;
-      region_down_rest_q <= select_3896;
-      region_down_back_q <= select_3900;
-      region_down_next_q <= select_3902;
-      region_fresh_q <= and_544_s2_q ? select_3906 : region_fresh_q;
-      segment_starts_q <= select_3917;
-      centres_values_0_textured_q <= equal_569_s2_q ? centres_values_0_textured_q : select_4077;
-      centres_values_0_of_skin_q <= select_4082;
-      centres_values_1_textured_q <= select_4085;
-      centres_values_1_of_skin_q <= select_4088;
-      map_row_q <= and_544_s2_q ? select_4092 : map_row_q;
-      map_width_q <= select_4095;
-      write_half_q <= select_4100;
-      read_half_q <= and_1972_s2_q ? select_4102 : read_half_q;
-      done_q <= and_1972_s2_q ? (not_2049 & and_4106) : and_4106;
+      region_columns_q <= select_3886;
+      region_down_rest_q <= select_3902;
+      region_down_back_q <= select_3906;
+      region_down_next_q <= select_3908;
+      region_fresh_q <= and_549_s2_q ? select_3912 : region_fresh_q;
+      segment_starts_q <= select_3923;
+      centres_values_0_textured_q <= equal_574_s2_q ? centres_values_0_textured_q : select_4083;
+      centres_values_0_of_skin_q <= select_4088;
+      centres_values_1_textured_q <= select_4091;
+      centres_values_1_of_skin_q <= select_4094;
+      map_row_q <= and_549_s2_q ? select_4098 : map_row_q;
+      map_width_q <= select_4101;
+      write_half_q <= select_4106;
+      read_half_q <= and_1977_s2_q ? select_4108 : read_half_q;
+      done_q <= and_1977_s2_q ? (not_2054 & and_4112) : and_4112;
       drew_q <= so_s2_q;
-      said_q <= equal_569_s2_q & equal_3941;
-      rows_passed_q <= and_1972_s2_q ? select_4115 : rows_passed_q;
-      columns_passed_q <= and_1972_s2_q ? select_4118 : columns_passed_q;
-      line_ended_q <= and_1972_s2_q ? select_4121 : line_ended_q;
-      began_q <= and_1972_s2_q ? select_4124 : began_q;
-      seen_x_q <= and_1972_s2_q ? select_4127 : seen_x_q;
-      seen_y_q <= and_1972_s2_q ? select_4134 : seen_y_q;
-      seen_column_q <= and_1972_s2_q ? select_4137 : seen_column_q;
-      seen_rows_left_q <= and_1972_s2_q ? select_4145 : seen_rows_left_q;
-      at_cell_end_q <= and_1972_s2_q ? select_4152 : at_cell_end_q;
-      was_next_row_q <= and_1972_s2_q ? select_4155 : was_next_row_q;
-      seen_base_q <= and_1972_s2_q ? select_4158 : seen_base_q;
+      said_q <= equal_574_s2_q & equal_3947;
+      rows_passed_q <= and_1977_s2_q ? select_4121 : rows_passed_q;
+      columns_passed_q <= and_1977_s2_q ? select_4124 : columns_passed_q;
+      line_ended_q <= and_1977_s2_q ? select_4127 : line_ended_q;
+      began_q <= and_1977_s2_q ? select_4130 : began_q;
+      seen_x_q <= and_1977_s2_q ? select_4133 : seen_x_q;
+      seen_y_q <= and_1977_s2_q ? select_4140 : seen_y_q;
+      seen_column_q <= and_1977_s2_q ? select_4143 : seen_column_q;
+      seen_rows_left_q <= and_1977_s2_q ? select_4151 : seen_rows_left_q;
+      at_cell_end_q <= and_1977_s2_q ? select_4158 : at_cell_end_q;
+      was_next_row_q <= and_1977_s2_q ? select_4161 : was_next_row_q;
+      seen_base_q <= and_1977_s2_q ? select_4164 : seen_base_q;
     end
   end
 
@@ -5043,81 +5048,81 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      left_pixel_q <= and_1972_s2_q ? left_pixel_q : pixel_0_s2_q;
-      averager_running_0_q <= sample_pair_whole_s2_q ? select_522 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s2_q ? sum_528 : averager_running_1_q;
-      averager_total_0_q <= select_2170;
-      averager_total_1_q <= select_2172;
-      census_columns_values_0_cell_0_left_q <= select_2196;
-      census_columns_values_0_cell_0_right_q <= select_2197;
-      census_columns_values_0_cell_0_mask_q <= and_544_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2199;
-      census_columns_values_0_cell_1_right_q <= select_2200;
-      census_columns_values_0_cell_1_mask_q <= select_2201;
-      census_columns_values_0_cell_2_left_q <= select_2202;
-      census_columns_values_0_cell_2_right_q <= select_2203;
-      census_columns_values_0_cell_2_mask_q <= select_2204;
-      census_columns_values_0_cell_2_of_skin_q <= select_2205;
-      census_columns_values_0_cell_3_left_q <= select_2206;
-      census_columns_values_0_cell_3_right_q <= select_2207;
-      census_columns_values_0_cell_3_mask_q <= select_2208;
-      census_columns_values_0_cell_4_left_q <= select_2209;
-      census_columns_values_0_cell_4_right_q <= select_2210;
-      census_columns_values_0_cell_4_mask_q <= select_2211;
-      census_columns_values_1_cell_0_left_q <= select_2212;
-      census_columns_values_1_cell_0_right_q <= select_2213;
-      census_columns_values_1_cell_0_mask_q <= select_2214;
-      census_columns_values_1_cell_1_left_q <= select_2215;
-      census_columns_values_1_cell_1_right_q <= select_2216;
-      census_columns_values_1_cell_1_mask_q <= select_2217;
-      census_columns_values_1_cell_2_left_q <= select_2218;
-      census_columns_values_1_cell_2_right_q <= select_2219;
-      census_columns_values_1_cell_2_mask_q <= select_2220;
-      census_columns_values_1_cell_2_of_skin_q <= select_2221;
-      census_columns_values_1_cell_3_left_q <= select_2222;
-      census_columns_values_1_cell_3_right_q <= select_2223;
-      census_columns_values_1_cell_3_mask_q <= select_2224;
-      census_columns_values_1_cell_4_left_q <= select_2225;
-      census_columns_values_1_cell_4_right_q <= select_2226;
-      census_columns_values_1_cell_4_mask_q <= select_2227;
-      census_columns_values_2_cell_0_left_q <= select_2228;
-      census_columns_values_2_cell_0_right_q <= select_2229;
-      census_columns_values_2_cell_0_mask_q <= select_2230;
-      census_columns_values_2_cell_1_left_q <= select_2231;
-      census_columns_values_2_cell_1_right_q <= select_2232;
-      census_columns_values_2_cell_1_mask_q <= select_2233;
-      census_columns_values_2_cell_2_left_q <= select_2234;
-      census_columns_values_2_cell_2_right_q <= select_2235;
-      census_columns_values_2_cell_2_mask_q <= select_2236;
-      census_columns_values_2_cell_3_left_q <= select_2237;
-      census_columns_values_2_cell_3_right_q <= select_2238;
-      census_columns_values_2_cell_3_mask_q <= select_2239;
-      census_columns_values_2_cell_4_left_q <= select_2240;
-      census_columns_values_2_cell_4_right_q <= select_2241;
-      census_columns_values_2_cell_4_mask_q <= select_2242;
-      census_columns_values_3_cell_0_mask_q <= select_2243;
-      census_columns_values_3_cell_1_left_q <= select_2244;
-      census_columns_values_3_cell_1_right_q <= select_2245;
-      census_columns_values_3_cell_1_mask_q <= select_2246;
-      census_columns_values_3_cell_2_mask_q <= select_2247;
-      census_columns_values_3_cell_3_left_q <= select_2248;
-      census_columns_values_3_cell_3_right_q <= select_2249;
-      census_columns_values_3_cell_3_mask_q <= select_2250;
-      census_columns_values_3_cell_4_mask_q <= select_2251;
-      sharpness_last_mean_0_q <= and_544_s2_q ? select_550 : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_544_s2_q ? select_554 : sharpness_last_mean_1_q;
+      left_pixel_q <= and_1977_s2_q ? left_pixel_q : pixel_0_s2_q;
+      averager_running_0_q <= sample_pair_whole_s2_q ? select_527 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s2_q ? sum_533 : averager_running_1_q;
+      averager_total_0_q <= select_2175;
+      averager_total_1_q <= select_2177;
+      census_columns_values_0_cell_0_left_q <= select_2202;
+      census_columns_values_0_cell_0_right_q <= select_2203;
+      census_columns_values_0_cell_0_mask_q <= and_549_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
+      census_columns_values_0_cell_1_left_q <= select_2205;
+      census_columns_values_0_cell_1_right_q <= select_2206;
+      census_columns_values_0_cell_1_mask_q <= select_2207;
+      census_columns_values_0_cell_2_left_q <= select_2208;
+      census_columns_values_0_cell_2_right_q <= select_2209;
+      census_columns_values_0_cell_2_mask_q <= select_2210;
+      census_columns_values_0_cell_2_of_skin_q <= select_2211;
+      census_columns_values_0_cell_3_left_q <= select_2212;
+      census_columns_values_0_cell_3_right_q <= select_2213;
+      census_columns_values_0_cell_3_mask_q <= select_2214;
+      census_columns_values_0_cell_4_left_q <= select_2215;
+      census_columns_values_0_cell_4_right_q <= select_2216;
+      census_columns_values_0_cell_4_mask_q <= select_2217;
+      census_columns_values_1_cell_0_left_q <= select_2218;
+      census_columns_values_1_cell_0_right_q <= select_2219;
+      census_columns_values_1_cell_0_mask_q <= select_2220;
+      census_columns_values_1_cell_1_left_q <= select_2221;
+      census_columns_values_1_cell_1_right_q <= select_2222;
+      census_columns_values_1_cell_1_mask_q <= select_2223;
+      census_columns_values_1_cell_2_left_q <= select_2224;
+      census_columns_values_1_cell_2_right_q <= select_2225;
+      census_columns_values_1_cell_2_mask_q <= select_2226;
+      census_columns_values_1_cell_2_of_skin_q <= select_2227;
+      census_columns_values_1_cell_3_left_q <= select_2228;
+      census_columns_values_1_cell_3_right_q <= select_2229;
+      census_columns_values_1_cell_3_mask_q <= select_2230;
+      census_columns_values_1_cell_4_left_q <= select_2231;
+      census_columns_values_1_cell_4_right_q <= select_2232;
+      census_columns_values_1_cell_4_mask_q <= select_2233;
+      census_columns_values_2_cell_0_left_q <= select_2234;
+      census_columns_values_2_cell_0_right_q <= select_2235;
+      census_columns_values_2_cell_0_mask_q <= select_2236;
+      census_columns_values_2_cell_1_left_q <= select_2237;
+      census_columns_values_2_cell_1_right_q <= select_2238;
+      census_columns_values_2_cell_1_mask_q <= select_2239;
+      census_columns_values_2_cell_2_left_q <= select_2240;
+      census_columns_values_2_cell_2_right_q <= select_2241;
+      census_columns_values_2_cell_2_mask_q <= select_2242;
+      census_columns_values_2_cell_3_left_q <= select_2243;
+      census_columns_values_2_cell_3_right_q <= select_2244;
+      census_columns_values_2_cell_3_mask_q <= select_2245;
+      census_columns_values_2_cell_4_left_q <= select_2246;
+      census_columns_values_2_cell_4_right_q <= select_2247;
+      census_columns_values_2_cell_4_mask_q <= select_2248;
+      census_columns_values_3_cell_0_mask_q <= select_2249;
+      census_columns_values_3_cell_1_left_q <= select_2250;
+      census_columns_values_3_cell_1_right_q <= select_2251;
+      census_columns_values_3_cell_1_mask_q <= select_2252;
+      census_columns_values_3_cell_2_mask_q <= select_2253;
+      census_columns_values_3_cell_3_left_q <= select_2254;
+      census_columns_values_3_cell_3_right_q <= select_2255;
+      census_columns_values_3_cell_3_mask_q <= select_2256;
+      census_columns_values_3_cell_4_mask_q <= select_2257;
+      sharpness_last_mean_0_q <= and_549_s2_q ? select_555 : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_549_s2_q ? select_559 : sharpness_last_mean_1_q;
       middle_sum_columns_values_0_q <= slot_s2_q[0] ? middle_sum_columns_values_0_q : column_s2_q;
-      middle_sum_columns_values_1_q <= select_2567;
-      middle_sum_columns_values_2_q <= select_2568;
-      middle_sum_columns_values_3_q <= select_2569;
-      middle_sum_columns_values_4_q <= select_2570;
-      middle_sum_columns_values_5_q <= select_2571;
-      middle_sum_columns_values_6_q <= select_2572;
-      middle_sum_sum_sums_values_0_q <= slot_s2_q[0] ? middle_sum_sum_sums_values_0_q : sum_1006;
-      sums_0_sum_sums_values_0_q <= sum_1256;
-      sums_0_sum_sums_values_1_q <= equal_1254 ? 8'h0 : sums_0_sum_sums_values_0_q;
-      sums_1_sum_sums_values_0_q <= sum_1504;
-      sums_1_sum_sums_values_1_q <= equal_1254 ? 8'h0 : sums_1_sum_sums_values_0_q;
+      middle_sum_columns_values_1_q <= select_2573;
+      middle_sum_columns_values_2_q <= select_2574;
+      middle_sum_columns_values_3_q <= select_2575;
+      middle_sum_columns_values_4_q <= select_2576;
+      middle_sum_columns_values_5_q <= select_2577;
+      middle_sum_columns_values_6_q <= select_2578;
+      middle_sum_sum_sums_values_0_q <= slot_s2_q[0] ? middle_sum_sum_sums_values_0_q : sum_1011;
+      sums_0_sum_sums_values_0_q <= sum_1261;
+      sums_0_sum_sums_values_1_q <= equal_1259 ? 8'h0 : sums_0_sum_sums_values_0_q;
+      sums_1_sum_sums_values_0_q <= sum_1509;
+      sums_1_sum_sums_values_1_q <= equal_1259 ? 8'h0 : sums_1_sum_sums_values_0_q;
     end
   end
 
@@ -5149,23 +5154,18 @@ module horopter_agreement (
   logic centres_values_1_textured_s3_q;
   logic centres_values_1_of_skin_s3_q;
   logic done_s3_q;
-  logic [2:0] select_508_s3_q;
-  logic [5:0] select_510_s3_q;
+  logic [2:0] select_509_s3_q;
+  logic [5:0] select_511_s3_q;
   logic [5:0] last_s3_q;
-  logic and_542_s3_q;
-  logic and_544_s3_q;
+  logic and_547_s3_q;
+  logic and_549_s3_q;
   logic [8:0] grey_s3_q;
-  logic equal_547_s3_q;
+  logic equal_552_s3_q;
   logic [8:0] grey_2_s3_q;
   logic whole_2_s3_q;
-  logic equal_564_s3_q;
   logic equal_569_s3_q;
-  logic not_570_s3_q;
-  logic less_647_s3_q;
-  logic less_648_s3_q;
-  logic less_649_s3_q;
-  logic less_650_s3_q;
-  logic less_651_s3_q;
+  logic equal_574_s3_q;
+  logic not_575_s3_q;
   logic less_652_s3_q;
   logic less_653_s3_q;
   logic less_654_s3_q;
@@ -5185,101 +5185,106 @@ module horopter_agreement (
   logic less_668_s3_q;
   logic less_669_s3_q;
   logic less_670_s3_q;
-  logic and_678_s3_q;
-  logic and_703_s3_q;
-  logic and_704_s3_q;
-  logic [11:0] sum_719_s3_q;
-  logic [9:0] sum_722_s3_q;
-  logic and_730_s3_q;
-  logic and_734_s3_q;
-  logic less_735_s3_q;
-  logic less_739_s3_q;
-  logic less_741_s3_q;
-  logic equal_1602_s3_q;
+  logic less_671_s3_q;
+  logic less_672_s3_q;
+  logic less_673_s3_q;
+  logic less_674_s3_q;
+  logic less_675_s3_q;
+  logic and_683_s3_q;
+  logic and_708_s3_q;
+  logic and_709_s3_q;
+  logic [11:0] sum_724_s3_q;
+  logic [9:0] sum_727_s3_q;
+  logic and_735_s3_q;
+  logic and_739_s3_q;
+  logic less_740_s3_q;
+  logic less_744_s3_q;
+  logic less_746_s3_q;
+  logic equal_1607_s3_q;
   logic all_s3_q;
-  logic [1:0] sum_1608_s3_q;
-  logic equal_1610_s3_q;
-  logic equal_1612_s3_q;
-  logic equal_1614_s3_q;
-  logic equal_1616_s3_q;
-  logic equal_1618_s3_q;
-  logic equal_1620_s3_q;
-  logic equal_1622_s3_q;
-  logic equal_1624_s3_q;
-  logic less_1633_s3_q;
-  logic or_1637_s3_q;
-  logic equal_1657_s3_q;
-  logic and_1667_s3_q;
-  logic and_1670_s3_q;
-  logic select_1687_s3_q;
-  logic equal_1688_s3_q;
-  logic and_1696_s3_q;
-  logic equal_1698_s3_q;
-  logic select_1745_s3_q;
-  logic and_1773_s3_q;
-  logic equal_1774_s3_q;
-  logic equal_1776_s3_q;
-  logic and_1789_s3_q;
-  logic [4:0] select_1804_s3_q;
-  logic select_1810_s3_q;
-  logic [3:0] select_1851_s3_q;
-  logic less_1955_s3_q;
-  logic equal_1956_s3_q;
-  logic not_1957_s3_q;
-  logic equal_1958_s3_q;
-  logic and_1972_s3_q;
-  logic select_1974_s3_q;
+  logic [1:0] sum_1613_s3_q;
+  logic equal_1615_s3_q;
+  logic equal_1617_s3_q;
+  logic equal_1619_s3_q;
+  logic equal_1621_s3_q;
+  logic equal_1623_s3_q;
+  logic equal_1625_s3_q;
+  logic equal_1627_s3_q;
+  logic equal_1629_s3_q;
+  logic less_1638_s3_q;
+  logic or_1642_s3_q;
+  logic equal_1662_s3_q;
+  logic and_1672_s3_q;
+  logic and_1675_s3_q;
+  logic select_1692_s3_q;
+  logic equal_1693_s3_q;
+  logic and_1701_s3_q;
+  logic equal_1703_s3_q;
+  logic select_1750_s3_q;
+  logic and_1778_s3_q;
+  logic equal_1779_s3_q;
+  logic equal_1781_s3_q;
+  logic and_1794_s3_q;
+  logic [4:0] select_1809_s3_q;
+  logic select_1815_s3_q;
+  logic [3:0] select_1856_s3_q;
+  logic less_1960_s3_q;
+  logic equal_1961_s3_q;
+  logic not_1962_s3_q;
+  logic equal_1963_s3_q;
   logic and_1977_s3_q;
-  logic or_1983_s3_q;
-  logic or_1986_s3_q;
-  logic or_1989_s3_q;
-  logic not_1991_s3_q;
+  logic select_1979_s3_q;
+  logic and_1982_s3_q;
+  logic or_1988_s3_q;
+  logic or_1991_s3_q;
+  logic or_1994_s3_q;
+  logic not_1996_s3_q;
   logic textured_s3_q;
   logic explained_s3_q;
-  logic and_2018_s3_q;
   logic and_2023_s3_q;
-  logic and_2055_s3_q;
-  logic less_2056_s3_q;
-  logic [11:0] sum_2064_s3_q;
+  logic and_2028_s3_q;
+  logic and_2060_s3_q;
+  logic less_2061_s3_q;
+  logic [11:0] sum_2069_s3_q;
   logic [2:0] textured_2_s3_q;
-  logic or_2082_s3_q;
-  logic or_2085_s3_q;
-  logic or_2088_s3_q;
+  logic or_2087_s3_q;
+  logic or_2090_s3_q;
+  logic or_2093_s3_q;
   logic [2:0] shown_2_s3_q;
   logic [2:0] near_2_s3_q;
-  logic and_2138_s3_q;
-  logic [11:0] sum_2267_s3_q;
-  logic [9:0] sum_2270_s3_q;
-  logic equal_2278_s3_q;
+  logic and_2143_s3_q;
+  logic [11:0] sum_2273_s3_q;
+  logic [9:0] sum_2276_s3_q;
+  logic equal_2284_s3_q;
   logic [8:0] contrast_s3_q;
   logic [8:0] contrast_2_s3_q;
-  logic and_2592_s3_q;
   logic and_2598_s3_q;
+  logic and_2604_s3_q;
   logic [2:0] explained_2_s3_q;
-  logic and_2660_s3_q;
-  logic and_2694_s3_q;
-  logic and_2752_s3_q;
-  logic and_2753_s3_q;
+  logic and_2666_s3_q;
+  logic and_2700_s3_q;
+  logic and_2758_s3_q;
+  logic and_2759_s3_q;
   logic [7:0] residual_s3_q;
-  logic and_2789_s3_q;
-  logic and_2803_s3_q;
-  logic equal_2846_s3_q;
-  logic parity_3224_s3_q;
-  logic parity_3353_s3_q;
-  logic parity_3415_s3_q;
-  logic xor_3443_s3_q;
-  logic parity_3455_s3_q;
-  logic or_3459_s3_q;
-  logic equal_3460_s3_q;
-  logic [4:0] select_3579_s3_q;
-  logic equal_3591_s3_q;
-  logic less_3593_s3_q;
-  logic less_3594_s3_q;
-  logic or_3599_s3_q;
-  logic [7:0] select_3644_s3_q;
-  logic equal_3941_s3_q;
-  logic and_4161_s3_q;
-  logic equal_4234_s3_q;
+  logic and_2795_s3_q;
+  logic and_2809_s3_q;
+  logic equal_2852_s3_q;
+  logic parity_3230_s3_q;
+  logic parity_3359_s3_q;
+  logic parity_3421_s3_q;
+  logic xor_3449_s3_q;
+  logic parity_3461_s3_q;
+  logic or_3465_s3_q;
+  logic equal_3466_s3_q;
+  logic [4:0] select_3585_s3_q;
+  logic equal_3597_s3_q;
+  logic less_3599_s3_q;
+  logic less_3600_s3_q;
+  logic or_3605_s3_q;
+  logic [7:0] select_3650_s3_q;
+  logic equal_3947_s3_q;
+  logic and_4167_s3_q;
+  logic equal_4240_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       saturated_s3_q <= saturated_s2_q;
@@ -5310,23 +5315,18 @@ module horopter_agreement (
       centres_values_1_textured_s3_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s3_q <= centres_values_1_of_skin_q;
       done_s3_q <= done_q;
-      select_508_s3_q <= select_508_s2_q;
-      select_510_s3_q <= select_510_s2_q;
+      select_509_s3_q <= select_509_s2_q;
+      select_511_s3_q <= select_511_s2_q;
       last_s3_q <= last_s2_2_q;
-      and_542_s3_q <= and_542_s2_q;
-      and_544_s3_q <= and_544_s2_q;
+      and_547_s3_q <= and_547_s2_q;
+      and_549_s3_q <= and_549_s2_q;
       grey_s3_q <= grey;
-      equal_547_s3_q <= equal_547;
+      equal_552_s3_q <= equal_552;
       grey_2_s3_q <= grey_2;
       whole_2_s3_q <= whole_2;
-      equal_564_s3_q <= equal_564_s2_q;
       equal_569_s3_q <= equal_569_s2_q;
-      not_570_s3_q <= not_570_s2_q;
-      less_647_s3_q <= less_647;
-      less_648_s3_q <= less_648;
-      less_649_s3_q <= less_649;
-      less_650_s3_q <= less_650;
-      less_651_s3_q <= less_651;
+      equal_574_s3_q <= equal_574_s2_q;
+      not_575_s3_q <= not_575_s2_q;
       less_652_s3_q <= less_652;
       less_653_s3_q <= less_653;
       less_654_s3_q <= less_654;
@@ -5346,101 +5346,106 @@ module horopter_agreement (
       less_668_s3_q <= less_668;
       less_669_s3_q <= less_669;
       less_670_s3_q <= less_670;
-      and_678_s3_q <= and_678;
-      and_703_s3_q <= whole_22 & and_678;
-      and_704_s3_q <= census_columns_values_1_cell_2_mask_q & and_678;
-      sum_719_s3_q <= {1'b0, sum_715} + {2'h0, sum_718};
-      sum_722_s3_q <= {9'h0, difference_720[9]} + {1'b0, xor_721};
-      and_730_s3_q <= and_730;
-      and_734_s3_q <= and_734;
-      less_735_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
-      less_739_s3_q <= {{5{sum_738[6]}}, sum_738, half_grey_levels_2[3:0]} < 16'hffe1;
-      less_741_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
-      equal_1602_s3_q <= equal_1602;
+      less_671_s3_q <= less_671;
+      less_672_s3_q <= less_672;
+      less_673_s3_q <= less_673;
+      less_674_s3_q <= less_674;
+      less_675_s3_q <= less_675;
+      and_683_s3_q <= and_683;
+      and_708_s3_q <= whole_22 & and_683;
+      and_709_s3_q <= census_columns_values_1_cell_2_mask_q & and_683;
+      sum_724_s3_q <= {1'b0, sum_720} + {2'h0, sum_723};
+      sum_727_s3_q <= {9'h0, difference_725[9]} + {1'b0, xor_726};
+      and_735_s3_q <= and_735;
+      and_739_s3_q <= and_739;
+      less_740_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
+      less_744_s3_q <= {{5{sum_743[6]}}, sum_743, half_grey_levels_2[3:0]} < 16'hffe1;
+      less_746_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
+      equal_1607_s3_q <= equal_1607;
       all_s3_q <= all;
-      sum_1608_s3_q <= sum_1608;
-      equal_1610_s3_q <= equal_1610;
-      equal_1612_s3_q <= equal_1612;
-      equal_1614_s3_q <= equal_1614;
-      equal_1616_s3_q <= equal_1616;
-      equal_1618_s3_q <= equal_1618;
-      equal_1620_s3_q <= equal_1620;
-      equal_1622_s3_q <= equal_1622;
-      equal_1624_s3_q <= equal_1624;
-      less_1633_s3_q <= less_1633;
-      or_1637_s3_q <= or_1637;
-      equal_1657_s3_q <= (registration_fresh_q & select_1655) == 4'h0;
-      and_1667_s3_q <= not_570_s2_q & and_1651;
-      and_1670_s3_q <= and_1670_s2_q;
-      select_1687_s3_q <= select_1687[1];
-      equal_1688_s3_q <= equal_1688;
-      and_1696_s3_q <= and_1696;
-      equal_1698_s3_q <= equal_1698;
-      select_1745_s3_q <= select_1745;
-      and_1773_s3_q <= and_1773;
-      equal_1774_s3_q <= equal_1774_s2_q;
-      equal_1776_s3_q <= equal_1776_s2_q;
-      and_1789_s3_q <= and_1773 & equal_1788;
-      select_1804_s3_q <= select_1804_s2_q;
-      select_1810_s3_q <= select_1810_s2_q;
-      select_1851_s3_q <= select_1851_s2_q;
-      less_1955_s3_q <= less_1955_s2_q;
-      equal_1956_s3_q <= equal_1956_s2_q;
-      not_1957_s3_q <= not_1957_s2_q;
-      equal_1958_s3_q <= equal_1958_s2_q;
-      and_1972_s3_q <= and_1972_s2_q;
-      select_1974_s3_q <= select_1974_s2_q;
+      sum_1613_s3_q <= sum_1613;
+      equal_1615_s3_q <= equal_1615;
+      equal_1617_s3_q <= equal_1617;
+      equal_1619_s3_q <= equal_1619;
+      equal_1621_s3_q <= equal_1621;
+      equal_1623_s3_q <= equal_1623;
+      equal_1625_s3_q <= equal_1625;
+      equal_1627_s3_q <= equal_1627;
+      equal_1629_s3_q <= equal_1629;
+      less_1638_s3_q <= less_1638;
+      or_1642_s3_q <= or_1642;
+      equal_1662_s3_q <= (registration_fresh_q & select_1660) == 4'h0;
+      and_1672_s3_q <= not_575_s2_q & and_1656;
+      and_1675_s3_q <= and_1675_s2_q;
+      select_1692_s3_q <= select_1692[1];
+      equal_1693_s3_q <= equal_1693;
+      and_1701_s3_q <= and_1701;
+      equal_1703_s3_q <= equal_1703;
+      select_1750_s3_q <= select_1750;
+      and_1778_s3_q <= and_1778;
+      equal_1779_s3_q <= equal_1779_s2_q;
+      equal_1781_s3_q <= equal_1781_s2_q;
+      and_1794_s3_q <= and_1778 & equal_1793;
+      select_1809_s3_q <= select_1809_s2_q;
+      select_1815_s3_q <= select_1815_s2_q;
+      select_1856_s3_q <= select_1856_s2_q;
+      less_1960_s3_q <= less_1960_s2_q;
+      equal_1961_s3_q <= equal_1961_s2_q;
+      not_1962_s3_q <= not_1962_s2_q;
+      equal_1963_s3_q <= equal_1963_s2_q;
       and_1977_s3_q <= and_1977_s2_q;
-      or_1983_s3_q <= or_1983;
-      or_1986_s3_q <= or_1986;
-      or_1989_s3_q <= or_1989;
-      not_1991_s3_q <= not_1991;
+      select_1979_s3_q <= select_1979_s2_q;
+      and_1982_s3_q <= and_1982_s2_q;
+      or_1988_s3_q <= or_1988;
+      or_1991_s3_q <= or_1991;
+      or_1994_s3_q <= or_1994;
+      not_1996_s3_q <= not_1996;
       textured_s3_q <= textured;
       explained_s3_q <= explained;
-      and_2018_s3_q <= inside_v_s2_q & (and_2016 & and_1580);
-      and_2023_s3_q <= not_570_s2_q & and_1998;
-      and_2055_s3_q <= and_2055;
-      less_2056_s3_q <= less_2056;
-      sum_2064_s3_q <= sum_2064;
+      and_2023_s3_q <= inside_v_s2_q & (and_2021 & and_1585);
+      and_2028_s3_q <= not_575_s2_q & and_2003;
+      and_2060_s3_q <= and_2060;
+      less_2061_s3_q <= less_2061;
+      sum_2069_s3_q <= sum_2069;
       textured_2_s3_q <= textured_2;
-      or_2082_s3_q <= or_2082;
-      or_2085_s3_q <= select_2079[7] | (~({select_2079[6], select_2079[3:2]} == 3'h0));
-      or_2088_s3_q <= select_2079[7] | (~(select_2079[6:4] == 3'h0));
+      or_2087_s3_q <= or_2087;
+      or_2090_s3_q <= select_2084[7] | (~({select_2084[6], select_2084[3:2]} == 3'h0));
+      or_2093_s3_q <= select_2084[7] | (~(select_2084[6:4] == 3'h0));
       shown_2_s3_q <= shown_2;
       near_2_s3_q <= near_2;
-      and_2138_s3_q <= and_2138;
-      sum_2267_s3_q <= {1'b0, sum_2263} + {2'h0, sum_2266};
-      sum_2270_s3_q <= {9'h0, difference_2268[9]} + {1'b0, xor_2269};
-      equal_2278_s3_q <= equal_2278_s2_q;
+      and_2143_s3_q <= and_2143;
+      sum_2273_s3_q <= {1'b0, sum_2269} + {2'h0, sum_2272};
+      sum_2276_s3_q <= {9'h0, difference_2274[9]} + {1'b0, xor_2275};
+      equal_2284_s3_q <= equal_2284_s2_q;
       contrast_s3_q <= contrast;
       contrast_2_s3_q <= contrast_2;
-      and_2592_s3_q <= and_2592;
       and_2598_s3_q <= and_2598;
+      and_2604_s3_q <= and_2604;
       explained_2_s3_q <= explained_2;
-      and_2660_s3_q <= not_570_s2_q & and_2659;
-      and_2694_s3_q <= not_570_s2_q & and_2693;
-      and_2752_s3_q <= not_570_s2_q & (so_s2_q & (half_ends & equal_2749));
-      and_2753_s3_q <= and_2753;
+      and_2666_s3_q <= not_575_s2_q & and_2665;
+      and_2700_s3_q <= not_575_s2_q & and_2699;
+      and_2758_s3_q <= not_575_s2_q & (so_s2_q & (half_ends & equal_2755));
+      and_2759_s3_q <= and_2759;
       residual_s3_q <= residual[7:0];
-      and_2789_s3_q <= and_2789;
-      and_2803_s3_q <= and_2753 & less_2802;
-      equal_2846_s3_q <= (registration_fresh_q & select_2844) == 4'h0;
-      parity_3224_s3_q <= ^{xor_3220, xor_3183, select_3150[44:36], other[44:36]};
-      parity_3353_s3_q <= parity_3353;
-      parity_3415_s3_q <= parity_3415;
-      xor_3443_s3_q <= parity_3430 ^ parity_3442;
-      parity_3455_s3_q <= ^{or_3452, or_3448, and_3444};
-      or_3459_s3_q <= (or_3448 & or_3452) | (and_3444 & (or_3448 | or_3452));
-      equal_3460_s3_q <= equal_3460_s2_q;
-      select_3579_s3_q <= select_3579[14:10];
-      equal_3591_s3_q <= select_3548[3:0] == 4'h0;
-      less_3593_s3_q <= {difference_3592, 3'h0} < {3'h0, sum_3140};
-      less_3594_s3_q <= select_3589 < select_3579[9:0];
-      or_3599_s3_q <= (sum_3140 < 10'h39) | ({1'b0, sum_3140[9:1]} < select_3579[9:0]);
-      select_3644_s3_q <= select_3644;
-      equal_3941_s3_q <= equal_3941;
-      and_4161_s3_q <= and_2138 & (sum_2064 == sum_2048);
-      equal_4234_s3_q <= (registration_fresh_q & select_4232) == 4'h0;
+      and_2795_s3_q <= and_2795;
+      and_2809_s3_q <= and_2759 & less_2808;
+      equal_2852_s3_q <= (registration_fresh_q & select_2850) == 4'h0;
+      parity_3230_s3_q <= ^{xor_3226, xor_3189, select_3156[44:36], other[44:36]};
+      parity_3359_s3_q <= parity_3359;
+      parity_3421_s3_q <= parity_3421;
+      xor_3449_s3_q <= parity_3436 ^ parity_3448;
+      parity_3461_s3_q <= ^{or_3458, or_3454, and_3450};
+      or_3465_s3_q <= (or_3454 & or_3458) | (and_3450 & (or_3454 | or_3458));
+      equal_3466_s3_q <= equal_3466_s2_q;
+      select_3585_s3_q <= select_3585[14:10];
+      equal_3597_s3_q <= select_3554[3:0] == 4'h0;
+      less_3599_s3_q <= {difference_3598, 3'h0} < {3'h0, sum_3146};
+      less_3600_s3_q <= select_3595 < select_3585[9:0];
+      or_3605_s3_q <= (sum_3146 < 10'h39) | ({1'b0, sum_3146[9:1]} < select_3585[9:0]);
+      select_3650_s3_q <= select_3650;
+      equal_3947_s3_q <= equal_3947;
+      and_4167_s3_q <= and_2143 & (sum_2069 == sum_2053);
+      equal_4240_s3_q <= (registration_fresh_q & select_4238) == 4'h0;
     end
   end
 
@@ -5618,1285 +5623,1285 @@ module horopter_agreement (
   logic proven_q;
   logic seen_q;
   logic nearer_q;
-  // hls/stages/census.hpp:272
+  // hls/stages/census.hpp:281
   logic [11:0] texture;
-  assign texture = sum_719_s3_q + {2'h0, sum_722_s3_q};
-  // hls/stages/census.hpp:283
-  logic [12:0] sum_724;
-  assign sum_724 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-  logic [13:0] sum_726;
-  assign sum_726 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_724});
-  // hls/stages/census.hpp:305
-  logic less_727;
-  assign less_727 = 9'h4 < sum_726[13:5];
-  logic and_728;
-  assign and_728 = and_678_s3_q & less_727;
+  assign texture = sum_724_s3_q + {2'h0, sum_727_s3_q};
+  // hls/stages/census.hpp:292
+  logic [12:0] sum_729;
+  assign sum_729 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+  logic [13:0] sum_731;
+  assign sum_731 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_729});
+  // hls/stages/census.hpp:314
+  logic less_732;
+  assign less_732 = 9'h4 < sum_731[13:5];
+  logic and_733;
+  assign and_733 = and_683_s3_q & less_732;
   // hls/stages/moments.hpp:30
-  logic and_740;
-  assign and_740 = (and_703_s3_q & and_730_s3_q) & less_739_s3_q;
+  logic and_745;
+  assign and_745 = (and_708_s3_q & and_735_s3_q) & less_744_s3_q;
   // hls/stages/registration.hpp:265
-  logic equal_1659;
-  assign equal_1659 = sum_1608_s3_q == 2'h0;
+  logic equal_1664;
+  assign equal_1664 = sum_1613_s3_q == 2'h0;
   // hls/stages/registration.hpp:263
   logic [6:0] down;
-  assign down = sum_1608_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_1613_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:265
-  logic [13:0] select_1661;
-  assign select_1661 = equal_1659 ? registration_half_across_q : {{7{down[6]}}, down};
-  logic [19:0] sum_1662;
-  assign sum_1662 = (equal_1657_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1661[13]}}, select_1661};
+  logic [13:0] select_1666;
+  assign select_1666 = equal_1664 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_1667;
+  assign sum_1667 = (equal_1662_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1666[13]}}, select_1666};
   // hls/stages/registration.hpp:264
   logic [6:0] up;
-  assign up = sum_1608_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_1613_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:266
-  logic [6:0] select_1665;
-  assign select_1665 = equal_1659 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_1666;
-  assign sum_1666 = (equal_1657_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1665[6]}}, select_1665};
+  logic [6:0] select_1670;
+  assign select_1670 = equal_1664 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_1671;
+  assign sum_1671 = (equal_1662_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1670[6]}}, select_1670};
   // hls/stages/patches.hpp:353
-  logic [21:0] select_1790;
-  assign select_1790 = and_1789_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1745_s3_q} : patches_choices_rdata_q;
+  logic [21:0] select_1795;
+  assign select_1795 = and_1794_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1750_s3_q} : patches_choices_rdata_q;
   // hls/stages/patches.hpp:127
-  logic select_1792;
-  assign select_1792 = equal_1688_s3_q ? patches_place_0_valid_q : (select_1687_s3_q ? patches_place_0_valid_q : select_1790[0]);
+  logic select_1797;
+  assign select_1797 = equal_1693_s3_q ? patches_place_0_valid_q : (select_1692_s3_q ? patches_place_0_valid_q : select_1795[0]);
   // hls/stages/patches.hpp:354
-  logic [20:0] select_1793;
-  assign select_1793 = select_1687_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1790[21:1];
+  logic [20:0] select_1798;
+  assign select_1798 = select_1692_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1795[21:1];
   // hls/stages/patches.hpp:127
-  logic [6:0] select_1794;
-  assign select_1794 = equal_1688_s3_q ? patches_place_0_column_q : select_1793[6:0];
-  logic [5:0] select_1795;
-  assign select_1795 = equal_1688_s3_q ? patches_place_0_shift_q : select_1793[12:7];
+  logic [6:0] select_1799;
+  assign select_1799 = equal_1693_s3_q ? patches_place_0_column_q : select_1798[6:0];
+  logic [5:0] select_1800;
+  assign select_1800 = equal_1693_s3_q ? patches_place_0_shift_q : select_1798[12:7];
   // hls/stages/patches.hpp:323
-  logic [6:0] sum_1796;
-  assign sum_1796 = select_1794 + {select_1795[5], select_1795};
+  logic [6:0] sum_1801;
+  assign sum_1801 = select_1799 + {select_1800[5], select_1800};
   // hls/stages/patches.hpp:324
-  logic [5:0] sum_1797;
-  assign sum_1797 = sum_1796[6:1] + 6'h3f;
+  logic [5:0] sum_1802;
+  assign sum_1802 = sum_1801[6:1] + 6'h3f;
   // hls/stages/patches.hpp:131
-  logic equal_1798;
-  assign equal_1798 = {sum_1797[5], select_510_s3_q, select_508_s3_q} == {1'b0, sum_1797[4:0], sum_1796[0], 3'h4};
+  logic equal_1803;
+  assign equal_1803 = {sum_1802[5], select_511_s3_q, select_509_s3_q} == {1'b0, sum_1802[4:0], sum_1801[0], 3'h4};
   // hls/stages/patches.hpp:133
-  logic or_1800;
-  assign or_1800 = and_1670_s3_q | (select_1792 & equal_1798);
+  logic or_1805;
+  assign or_1805 = and_1675_s3_q | (select_1797 & equal_1803);
   // hls/stages/agreement.hpp:276
-  logic [4:0] select_1801;
-  assign select_1801 = or_1800 ? 5'h0 : patches_right_next_0_q[4:0];
+  logic [4:0] select_1806;
+  assign select_1806 = or_1805 ? 5'h0 : patches_right_next_0_q[4:0];
   // hls/stages/patches.hpp:133
-  logic [5:0] select_1811;
-  assign select_1811 = or_1800 ? {and_1670_s3_q, 5'h0} : patches_right_next_0_q;
+  logic [5:0] select_1816;
+  assign select_1816 = or_1805 ? {and_1675_s3_q, 5'h0} : patches_right_next_0_q;
   // hls/stages/patches.hpp:137
-  logic and_1813;
-  assign and_1813 = select_1810_s3_q & (~select_1811[5]);
+  logic and_1818;
+  assign and_1818 = select_1815_s3_q & (~select_1816[5]);
   // hls/stages/patches.hpp:127
-  logic select_1821;
-  assign select_1821 = equal_1688_s3_q ? patches_place_1_valid_q : (select_1687_s3_q ? select_1790[0] : patches_place_1_valid_q);
+  logic select_1826;
+  assign select_1826 = equal_1693_s3_q ? patches_place_1_valid_q : (select_1692_s3_q ? select_1795[0] : patches_place_1_valid_q);
   // hls/stages/patches.hpp:354
-  logic [20:0] select_1822;
-  assign select_1822 = select_1687_s3_q ? select_1790[21:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  logic [20:0] select_1827;
+  assign select_1827 = select_1692_s3_q ? select_1795[21:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:127
-  logic [6:0] select_1823;
-  assign select_1823 = equal_1688_s3_q ? patches_place_1_column_q : select_1822[6:0];
-  logic [5:0] select_1824;
-  assign select_1824 = equal_1688_s3_q ? patches_place_1_shift_q : select_1822[12:7];
+  logic [6:0] select_1828;
+  assign select_1828 = equal_1693_s3_q ? patches_place_1_column_q : select_1827[6:0];
+  logic [5:0] select_1829;
+  assign select_1829 = equal_1693_s3_q ? patches_place_1_shift_q : select_1827[12:7];
   // hls/stages/patches.hpp:323
-  logic [6:0] sum_1825;
-  assign sum_1825 = select_1823 + {select_1824[5], select_1824};
+  logic [6:0] sum_1830;
+  assign sum_1830 = select_1828 + {select_1829[5], select_1829};
   // hls/stages/patches.hpp:324
-  logic [5:0] sum_1826;
-  assign sum_1826 = sum_1825[6:1] + 6'h3f;
+  logic [5:0] sum_1831;
+  assign sum_1831 = sum_1830[6:1] + 6'h3f;
   // hls/stages/patches.hpp:131
-  logic equal_1827;
-  assign equal_1827 = {sum_1826[5], select_510_s3_q, select_508_s3_q} == {1'b0, sum_1826[4:0], sum_1825[0], 3'h4};
+  logic equal_1832;
+  assign equal_1832 = {sum_1831[5], select_511_s3_q, select_509_s3_q} == {1'b0, sum_1831[4:0], sum_1830[0], 3'h4};
   // hls/stages/patches.hpp:133
-  logic or_1829;
-  assign or_1829 = and_1670_s3_q | (select_1821 & equal_1827);
+  logic or_1834;
+  assign or_1834 = and_1675_s3_q | (select_1826 & equal_1832);
   // hls/stages/agreement.hpp:276
-  logic [4:0] select_1830;
-  assign select_1830 = or_1829 ? 5'h0 : patches_right_next_1_q[4:0];
+  logic [4:0] select_1835;
+  assign select_1835 = or_1834 ? 5'h0 : patches_right_next_1_q[4:0];
   // hls/stages/patches.hpp:133
-  logic [5:0] select_1831;
-  assign select_1831 = or_1829 ? {and_1670_s3_q, 5'h0} : patches_right_next_1_q;
+  logic [5:0] select_1836;
+  assign select_1836 = or_1834 ? {and_1675_s3_q, 5'h0} : patches_right_next_1_q;
   // hls/stages/patches.hpp:137
-  logic and_1833;
-  assign and_1833 = select_1810_s3_q & (~select_1831[5]);
-  // hls/stages/patches.hpp:319
-  logic [6:0] sum_1840;
-  assign sum_1840 = select_1794 + 7'h7f;
-  // hls/stages/patches.hpp:132
-  logic equal_1841;
-  assign equal_1841 = {sum_1840[6], select_510_s3_q, select_508_s3_q} == {1'b0, sum_1840[5:0], 3'h4};
-  // hls/stages/patches.hpp:134
-  logic or_1843;
-  assign or_1843 = and_1670_s3_q | (select_1792 & equal_1841);
-  logic [4:0] select_1844;
-  assign select_1844 = or_1843 ? {and_1670_s3_q, 4'h0} : patches_left_next_0_q;
+  logic and_1838;
+  assign and_1838 = select_1815_s3_q & (~select_1836[5]);
   // hls/stages/patches.hpp:319
   logic [6:0] sum_1845;
-  assign sum_1845 = select_1823 + 7'h7f;
+  assign sum_1845 = select_1799 + 7'h7f;
   // hls/stages/patches.hpp:132
   logic equal_1846;
-  assign equal_1846 = {sum_1845[6], select_510_s3_q, select_508_s3_q} == {1'b0, sum_1845[5:0], 3'h4};
+  assign equal_1846 = {sum_1845[6], select_511_s3_q, select_509_s3_q} == {1'b0, sum_1845[5:0], 3'h4};
   // hls/stages/patches.hpp:134
+  logic or_1848;
+  assign or_1848 = and_1675_s3_q | (select_1797 & equal_1846);
   logic [4:0] select_1849;
-  assign select_1849 = (and_1670_s3_q | (select_1821 & equal_1846)) ? {and_1670_s3_q, 4'h0} : patches_left_next_1_q;
+  assign select_1849 = or_1848 ? {and_1675_s3_q, 4'h0} : patches_left_next_0_q;
+  // hls/stages/patches.hpp:319
+  logic [6:0] sum_1850;
+  assign sum_1850 = select_1828 + 7'h7f;
+  // hls/stages/patches.hpp:132
+  logic equal_1851;
+  assign equal_1851 = {sum_1850[6], select_511_s3_q, select_509_s3_q} == {1'b0, sum_1850[5:0], 3'h4};
+  // hls/stages/patches.hpp:134
+  logic [4:0] select_1854;
+  assign select_1854 = (and_1675_s3_q | (select_1826 & equal_1851)) ? {and_1675_s3_q, 4'h0} : patches_left_next_1_q;
   // hls/stages/patches.hpp:142
   logic [3:0] column_4;
-  assign column_4 = select_1844[4] ? select_1849[3:0] : select_1844[3:0];
+  assign column_4 = select_1849[4] ? select_1854[3:0] : select_1849[3:0];
   // hls/stages/agreement.hpp:276
-  logic select_1852;
-  assign select_1852 = or_1843 ? and_1670_s3_q : patches_left_next_0_q[4];
+  logic select_1857;
+  assign select_1857 = or_1848 ? and_1675_s3_q : patches_left_next_0_q[4];
   // hls/stages/patches.hpp:142
-  logic and_1858;
-  assign and_1858 = (select_1810_s3_q & (select_1804_s3_q[3] ^ select_1804_s3_q[4])) & ((~select_1844[4]) | (~select_1849[4]));
+  logic and_1863;
+  assign and_1863 = (select_1815_s3_q & (select_1809_s3_q[3] ^ select_1809_s3_q[4])) & ((~select_1849[4]) | (~select_1854[4]));
   // hls/stages/patches.hpp:184
-  logic less_1967;
-  assign less_1967 = patches_sums_values_0_q < patches_best_differing_q;
+  logic less_1972;
+  assign less_1972 = patches_sums_values_0_q < patches_best_differing_q;
   // hls/stages/patches.hpp:185
-  logic not_1968;
-  assign not_1968 = ~less_1967;
-  logic [1:0] select_1969;
-  assign select_1969 = patches_summed_first_s3_q ? 2'h2 : {less_1967, not_1968};
-  logic [12:0] select_1970;
-  assign select_1970 = select_1969[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
-  logic [14:0] select_1978;
-  assign select_1978 = select_1969[0] ? {patches_best_column_q, patches_best_differing_q} : {4'h0, and_1977_s3_q, 1'b0, select_1974_s3_q, left_pixel_q};
-  logic [14:0] select_1979;
-  assign select_1979 = select_1969[1] ? {select_1970[12:8], patches_sums_values_0_q[9:8], select_1970[7:0]} : select_1978;
-  // hls/stages/agreement.hpp:900
-  logic [5:0] select_2004;
-  assign select_2004 = segment_started_q ? segment_textured_q : 6'h0;
-  // hls/stages/agreement.hpp:901
-  logic [5:0] sum_2005;
-  assign sum_2005 = {5'h0, textured_s3_q} + select_2004;
-  // hls/stages/agreement.hpp:1061
-  logic [9:0] sum_2007;
-  assign sum_2007 = {4'h0, sum_2005} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
+  logic not_1973;
+  assign not_1973 = ~less_1972;
+  logic [1:0] select_1974;
+  assign select_1974 = patches_summed_first_s3_q ? 2'h2 : {less_1972, not_1973};
+  logic [12:0] select_1975;
+  assign select_1975 = select_1974[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
+  logic [14:0] select_1983;
+  assign select_1983 = select_1974[0] ? {patches_best_column_q, patches_best_differing_q} : {4'h0, and_1982_s3_q, 1'b0, select_1979_s3_q, left_pixel_q};
+  logic [14:0] select_1984;
+  assign select_1984 = select_1974[1] ? {select_1975[12:8], patches_sums_values_0_q[9:8], select_1975[7:0]} : select_1983;
   // hls/stages/agreement.hpp:900
   logic [5:0] select_2009;
-  assign select_2009 = segment_started_q ? segment_explained_q : 6'h0;
+  assign select_2009 = segment_started_q ? segment_textured_q : 6'h0;
   // hls/stages/agreement.hpp:901
   logic [5:0] sum_2010;
-  assign sum_2010 = {5'h0, explained_s3_q} + select_2009;
-  // hls/stages/agreement.hpp:1062
+  assign sum_2010 = {5'h0, textured_s3_q} + select_2009;
+  // hls/stages/agreement.hpp:1061
   logic [9:0] sum_2012;
-  assign sum_2012 = {4'h0, sum_2010} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
+  assign sum_2012 = {4'h0, sum_2010} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
   // hls/stages/agreement.hpp:900
-  logic [5:0] select_2019;
-  assign select_2019 = segment_started_q ? segment_nearer_q : 6'h0;
+  logic [5:0] select_2014;
+  assign select_2014 = segment_started_q ? segment_explained_q : 6'h0;
+  // hls/stages/agreement.hpp:901
+  logic [5:0] sum_2015;
+  assign sum_2015 = {5'h0, explained_s3_q} + select_2014;
+  // hls/stages/agreement.hpp:1062
+  logic [9:0] sum_2017;
+  assign sum_2017 = {4'h0, sum_2015} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
+  // hls/stages/agreement.hpp:900
+  logic [5:0] select_2024;
+  assign select_2024 = segment_started_q ? segment_nearer_q : 6'h0;
   // hls/stages/agreement.hpp:902
-  logic [5:0] sum_2020;
-  assign sum_2020 = {5'h0, and_2018_s3_q} + select_2019;
+  logic [5:0] sum_2025;
+  assign sum_2025 = {5'h0, and_2023_s3_q} + select_2024;
   // hls/stages/agreement.hpp:1063
-  logic [9:0] sum_2022;
-  assign sum_2022 = {4'h0, sum_2020} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
+  logic [9:0] sum_2027;
+  assign sum_2027 = {4'h0, sum_2025} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
   // hls/stages/agreement.hpp:1094
-  logic [2:0] select_2073;
-  assign select_2073 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2074;
-  assign difference_2074 = {1'b0, textured_2_s3_q} - {1'b0, select_2073};
+  logic [2:0] select_2078;
+  assign select_2078 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2079;
+  assign difference_2079 = {1'b0, textured_2_s3_q} - {1'b0, select_2078};
   logic [4:0] t;
-  assign t = {difference_2074[3], difference_2074} + (equal_564_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  assign t = {difference_2079[3], difference_2079} + (equal_569_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1100
-  logic equal_2077;
-  assign equal_2077 = t[4:1] == 4'h0;
+  logic equal_2082;
+  assign equal_2082 = t[4:1] == 4'h0;
   // hls/stages/agreement.hpp:1101
-  logic not_2089;
-  assign not_2089 = ~region_row_s3_q[2];
-  logic [2:0] select_2090;
-  assign select_2090 = region_row_s3_q[1] ? {1'b0, not_2089, 1'b0} : {region_row_s3_q[2], 1'b0, not_2089};
-  logic [5:0] select_2091;
-  assign select_2091 = region_row_s3_q[0] ? {select_2090[2], 1'b0, select_2090[1], 1'b0, select_2090[0], 1'b0} : {1'b0, select_2090[2], 1'b0, select_2090[1], 1'b0, select_2090[0]};
-  logic [11:0] select_2092;
-  assign select_2092 = or_2088_s3_q ? {select_2091[5], 1'b0, select_2091[4], 1'b0, select_2091[3], 1'b0, select_2091[2], 1'b0, select_2091[1], 1'b0, select_2091[0], 1'b0} : {1'b0, select_2091[5], 1'b0, select_2091[4], 1'b0, select_2091[3], 1'b0, select_2091[2], 1'b0, select_2091[1], 1'b0, select_2091[0]};
-  logic [23:0] select_2093;
-  assign select_2093 = or_2085_s3_q ? {select_2092[11], 1'b0, select_2092[10], 1'b0, select_2092[9], 1'b0, select_2092[8], 1'b0, select_2092[7], 1'b0, select_2092[6], 1'b0, select_2092[5], 1'b0, select_2092[4], 1'b0, select_2092[3], 1'b0, select_2092[2], 1'b0, select_2092[1], 1'b0, select_2092[0], 1'b0} : {1'b0, select_2092[11], 1'b0, select_2092[10], 1'b0, select_2092[9], 1'b0, select_2092[8], 1'b0, select_2092[7], 1'b0, select_2092[6], 1'b0, select_2092[5], 1'b0, select_2092[4], 1'b0, select_2092[3], 1'b0, select_2092[2], 1'b0, select_2092[1], 1'b0, select_2092[0]};
-  logic [47:0] select_2094;
-  assign select_2094 = or_2082_s3_q ? {select_2093[23], 1'b0, select_2093[22], 1'b0, select_2093[21], 1'b0, select_2093[20], 1'b0, select_2093[19], 1'b0, select_2093[18], 1'b0, select_2093[17], 1'b0, select_2093[16], 1'b0, select_2093[15], 1'b0, select_2093[14], 1'b0, select_2093[13], 1'b0, select_2093[12], 1'b0, select_2093[11], 1'b0, select_2093[10], 1'b0, select_2093[9], 1'b0, select_2093[8], 1'b0, select_2093[7], 1'b0, select_2093[6], 1'b0, select_2093[5], 1'b0, select_2093[4], 1'b0, select_2093[3], 1'b0, select_2093[2], 1'b0, select_2093[1], 1'b0, select_2093[0], 1'b0} : {1'b0, select_2093[23], 1'b0, select_2093[22], 1'b0, select_2093[21], 1'b0, select_2093[20], 1'b0, select_2093[19], 1'b0, select_2093[18], 1'b0, select_2093[17], 1'b0, select_2093[16], 1'b0, select_2093[15], 1'b0, select_2093[14], 1'b0, select_2093[13], 1'b0, select_2093[12], 1'b0, select_2093[11], 1'b0, select_2093[10], 1'b0, select_2093[9], 1'b0, select_2093[8], 1'b0, select_2093[7], 1'b0, select_2093[6], 1'b0, select_2093[5], 1'b0, select_2093[4], 1'b0, select_2093[3], 1'b0, select_2093[2], 1'b0, select_2093[1], 1'b0, select_2093[0]};
+  logic not_2094;
+  assign not_2094 = ~region_row_s3_q[2];
+  logic [2:0] select_2095;
+  assign select_2095 = region_row_s3_q[1] ? {1'b0, not_2094, 1'b0} : {region_row_s3_q[2], 1'b0, not_2094};
+  logic [5:0] select_2096;
+  assign select_2096 = region_row_s3_q[0] ? {select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0], 1'b0} : {1'b0, select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0]};
+  logic [11:0] select_2097;
+  assign select_2097 = or_2093_s3_q ? {select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0], 1'b0} : {1'b0, select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0]};
+  logic [23:0] select_2098;
+  assign select_2098 = or_2090_s3_q ? {select_2097[11], 1'b0, select_2097[10], 1'b0, select_2097[9], 1'b0, select_2097[8], 1'b0, select_2097[7], 1'b0, select_2097[6], 1'b0, select_2097[5], 1'b0, select_2097[4], 1'b0, select_2097[3], 1'b0, select_2097[2], 1'b0, select_2097[1], 1'b0, select_2097[0], 1'b0} : {1'b0, select_2097[11], 1'b0, select_2097[10], 1'b0, select_2097[9], 1'b0, select_2097[8], 1'b0, select_2097[7], 1'b0, select_2097[6], 1'b0, select_2097[5], 1'b0, select_2097[4], 1'b0, select_2097[3], 1'b0, select_2097[2], 1'b0, select_2097[1], 1'b0, select_2097[0]};
+  logic [47:0] select_2099;
+  assign select_2099 = or_2087_s3_q ? {select_2098[23], 1'b0, select_2098[22], 1'b0, select_2098[21], 1'b0, select_2098[20], 1'b0, select_2098[19], 1'b0, select_2098[18], 1'b0, select_2098[17], 1'b0, select_2098[16], 1'b0, select_2098[15], 1'b0, select_2098[14], 1'b0, select_2098[13], 1'b0, select_2098[12], 1'b0, select_2098[11], 1'b0, select_2098[10], 1'b0, select_2098[9], 1'b0, select_2098[8], 1'b0, select_2098[7], 1'b0, select_2098[6], 1'b0, select_2098[5], 1'b0, select_2098[4], 1'b0, select_2098[3], 1'b0, select_2098[2], 1'b0, select_2098[1], 1'b0, select_2098[0], 1'b0} : {1'b0, select_2098[23], 1'b0, select_2098[22], 1'b0, select_2098[21], 1'b0, select_2098[20], 1'b0, select_2098[19], 1'b0, select_2098[18], 1'b0, select_2098[17], 1'b0, select_2098[16], 1'b0, select_2098[15], 1'b0, select_2098[14], 1'b0, select_2098[13], 1'b0, select_2098[12], 1'b0, select_2098[11], 1'b0, select_2098[10], 1'b0, select_2098[9], 1'b0, select_2098[8], 1'b0, select_2098[7], 1'b0, select_2098[6], 1'b0, select_2098[5], 1'b0, select_2098[4], 1'b0, select_2098[3], 1'b0, select_2098[2], 1'b0, select_2098[1], 1'b0, select_2098[0]};
   // hls/stages/agreement.hpp:1030
-  logic and_2098;
-  assign and_2098 = good_known_q & (~((good_q & select_2094) == 48'h0));
+  logic and_2103;
+  assign and_2103 = good_known_q & (~((good_q & select_2099) == 48'h0));
   // hls/stages/agreement.hpp:1096
-  logic [2:0] select_2107;
-  assign select_2107 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2108;
-  assign difference_2108 = {1'b0, shown_2_s3_q} - {1'b0, select_2107};
+  logic [2:0] select_2112;
+  assign select_2112 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2113;
+  assign difference_2113 = {1'b0, shown_2_s3_q} - {1'b0, select_2112};
   logic [4:0] around;
-  assign around = {difference_2108[3], difference_2108} + (equal_564_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  assign around = {difference_2113[3], difference_2113} + (equal_569_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1103
-  logic [5:0] sum_2111;
-  assign sum_2111 = {1'b0, around} + {2'h0, around[4:1]};
+  logic [5:0] sum_2116;
+  assign sum_2116 = {1'b0, around} + {2'h0, around[4:1]};
   logic is_seen;
-  assign is_seen = equal_2077 ? and_2098 : (~({sum_2111, around[0]} < {2'h0, t}));
+  assign is_seen = equal_2082 ? and_2103 : (~({sum_2116, around[0]} < {2'h0, t}));
   // hls/stages/agreement.hpp:1097
-  logic [2:0] select_2123;
-  assign select_2123 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2124;
-  assign difference_2124 = {1'b0, near_2_s3_q} - {1'b0, select_2123};
+  logic [2:0] select_2128;
+  assign select_2128 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2129;
+  assign difference_2129 = {1'b0, near_2_s3_q} - {1'b0, select_2128};
   logic [4:0] n;
-  assign n = {difference_2124[3], difference_2124} + (equal_564_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  assign n = {difference_2129[3], difference_2129} + (equal_569_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1112
-  logic and_2128;
-  assign and_2128 = is_seen & ({1'b0, around[4:1]} < n);
+  logic and_2133;
+  assign and_2133 = is_seen & ({1'b0, around[4:1]} < n);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_2162;
-  assign select_2162 = sample_pair_whole_s3_q ? (and_542_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2164;
-  assign select_2164 = sample_pair_whole_s3_q ? (and_542_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2166;
-  assign select_2166 = sample_pair_whole_s3_q ? (and_542_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2168;
-  assign select_2168 = sample_pair_whole_s3_q ? (and_542_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
-  // hls/stages/census.hpp:209
-  logic [9:0] sum_2173;
-  assign sum_2173 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
-  logic [9:0] difference_2174;
-  assign difference_2174 = {1'b0, sum_2173[9:1]} - {1'b0, averager_quarter_1_0_q};
-  // hls/stages/census.hpp:210
-  logic [9:0] xor_2175;
-  assign xor_2175 = {difference_2174[8:0], sum_2173[0]} ^ {10{difference_2174[9]}};
+  logic [8:0] select_2167;
+  assign select_2167 = sample_pair_whole_s3_q ? (and_547_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2169;
+  assign select_2169 = sample_pair_whole_s3_q ? (and_547_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2171;
+  assign select_2171 = sample_pair_whole_s3_q ? (and_547_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2173;
+  assign select_2173 = sample_pair_whole_s3_q ? (and_547_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  // hls/stages/census.hpp:217
+  logic [9:0] sum_2178;
+  assign sum_2178 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
+  logic [9:0] difference_2179;
+  assign difference_2179 = {1'b0, sum_2178[9:1]} - {1'b0, averager_quarter_1_0_q};
+  // hls/stages/census.hpp:218
+  logic [9:0] xor_2180;
+  assign xor_2180 = {difference_2179[8:0], sum_2178[0]} ^ {10{difference_2179[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2174[9]} + {1'b0, xor_2175};
-  // hls/stages/census.hpp:211
+  assign size = {10'h0, difference_2179[9]} + {1'b0, xor_2180};
+  // hls/stages/census.hpp:219
   logic [13:0] detail;
-  assign detail = {3'h0, size} + (equal_547_s3_q ? 14'h0 : averager_detail_0_q);
+  assign detail = {3'h0, size} + (equal_552_s3_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2180;
-  assign select_2180 = sample_pair_whole_s3_q ? (and_542_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
-  // hls/stages/census.hpp:209
-  logic [9:0] sum_2181;
-  assign sum_2181 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
-  logic [9:0] difference_2182;
-  assign difference_2182 = {1'b0, sum_2181[9:1]} - {1'b0, averager_quarter_1_1_q};
-  // hls/stages/census.hpp:210
-  logic [9:0] xor_2183;
-  assign xor_2183 = {difference_2182[8:0], sum_2181[0]} ^ {10{difference_2182[9]}};
+  logic [13:0] select_2185;
+  assign select_2185 = sample_pair_whole_s3_q ? (and_547_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  // hls/stages/census.hpp:217
+  logic [9:0] sum_2186;
+  assign sum_2186 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
+  logic [9:0] difference_2187;
+  assign difference_2187 = {1'b0, sum_2186[9:1]} - {1'b0, averager_quarter_1_1_q};
+  // hls/stages/census.hpp:218
+  logic [9:0] xor_2188;
+  assign xor_2188 = {difference_2187[8:0], sum_2186[0]} ^ {10{difference_2187[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2182[9]} + {1'b0, xor_2183};
-  // hls/stages/census.hpp:211
+  assign size_2 = {10'h0, difference_2187[9]} + {1'b0, xor_2188};
+  // hls/stages/census.hpp:219
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2} + (equal_547_s3_q ? 14'h0 : averager_detail_1_q);
+  assign detail_2 = {3'h0, size_2} + (equal_552_s3_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2188;
-  assign select_2188 = sample_pair_whole_s3_q ? (and_542_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/census.hpp:274
-  logic [11:0] sum_2271;
-  assign sum_2271 = sum_2267_s3_q + {2'h0, sum_2270_s3_q};
+  logic [13:0] select_2193;
+  assign select_2193 = sample_pair_whole_s3_q ? (and_547_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  // hls/stages/census.hpp:283
+  logic [11:0] sum_2277;
+  assign sum_2277 = sum_2273_s3_q + {2'h0, sum_2276_s3_q};
   // hls/stages/agreement.hpp:520
-  logic [11:0] select_2273;
-  assign select_2273 = and_544_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2274;
-  assign select_2274 = and_544_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [11:0] select_2275;
-  assign select_2275 = and_544_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_2276;
-  assign select_2276 = and_544_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
-  // hls/stages/census.hpp:284
-  logic [12:0] sum_2279;
-  assign sum_2279 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2271};
-  logic [13:0] sum_2281;
-  assign sum_2281 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2279});
-  // hls/stages/census.hpp:311
-  logic and_2283;
-  assign and_2283 = and_703_s3_q & (9'h4 < sum_2281[13:5]);
-  // hls/stages/census.hpp:312
-  logic and_2284;
-  assign and_2284 = and_703_s3_q & less_727;
-  // hls/stages/census.hpp:313
-  logic [19:0] sum_2285;
-  assign sum_2285 = census_left_misses_q + {{17{and_2284}}, and_2283, 1'b0, and_2283};
+  logic [11:0] select_2279;
+  assign select_2279 = and_549_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2280;
+  assign select_2280 = and_549_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2281;
+  assign select_2281 = and_549_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2282;
+  assign select_2282 = and_549_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  // hls/stages/census.hpp:293
+  logic [12:0] sum_2285;
+  assign sum_2285 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2277};
+  logic [13:0] sum_2287;
+  assign sum_2287 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2285});
+  // hls/stages/census.hpp:320
+  logic and_2289;
+  assign and_2289 = and_708_s3_q & (9'h4 < sum_2287[13:5]);
+  // hls/stages/census.hpp:321
+  logic and_2290;
+  assign and_2290 = and_708_s3_q & less_732;
+  // hls/stages/census.hpp:322
+  logic [19:0] sum_2291;
+  assign sum_2291 = census_left_misses_q + {{17{and_2290}}, and_2289, 1'b0, and_2289};
   // hls/stages/agreement.hpp:520
-  logic [19:0] select_2287;
-  assign select_2287 = and_544_s3_q ? (equal_2278_s3_q ? 20'h0 : sum_2285) : census_left_misses_q;
+  logic [19:0] select_2293;
+  assign select_2293 = and_549_s3_q ? (equal_2284_s3_q ? 20'h0 : sum_2291) : census_left_misses_q;
   // hls/stages/agreement.hpp:276
-  logic [27:0] select_2357;
-  assign select_2357 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
+  logic [27:0] select_2363;
+  assign select_2363 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
   // hls/stages/agreement.hpp:520
-  logic select_2360;
-  assign select_2360 = and_544_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
-  // hls/stages/census.hpp:361
-  logic and_2363;
-  assign and_2363 = whole_2_s3_q & (~(last_s3_q[5:1] == 5'h0));
-  // hls/stages/agreement.hpp:457
+  logic select_2366;
+  assign select_2366 = and_549_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  // hls/stages/census.hpp:370
   logic and_2369;
-  assign and_2369 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
-  logic and_2370;
-  assign and_2370 = and_2363 & and_2369;
-  // hls/stages/census.hpp:360
-  logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2357[13:0]};
-  // hls/stages/census.hpp:362
-  logic [12:0] select_2372;
-  assign select_2372 = and_2370 ? detail_3[14:2] : 13'h0;
-  // hls/stages/census.hpp:363
-  logic [23:0] select_2374;
-  assign select_2374 = equal_2278_s3_q ? {11'h0, select_2372} : (sharpness_sums_detail_0_q + {11'h0, select_2372});
+  assign and_2369 = whole_2_s3_q & (~(last_s3_q[5:1] == 5'h0));
   // hls/stages/agreement.hpp:457
-  logic and_2381;
-  assign and_2381 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
-  logic and_2382;
-  assign and_2382 = and_2363 & and_2381;
-  // hls/stages/census.hpp:360
+  logic and_2375;
+  assign and_2375 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
+  logic and_2376;
+  assign and_2376 = and_2369 & and_2375;
+  // hls/stages/census.hpp:369
+  logic [14:0] detail_3;
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2363[13:0]};
+  // hls/stages/census.hpp:371
+  logic [12:0] select_2378;
+  assign select_2378 = and_2376 ? detail_3[14:2] : 13'h0;
+  // hls/stages/census.hpp:372
+  logic [23:0] select_2380;
+  assign select_2380 = equal_2284_s3_q ? {11'h0, select_2378} : (sharpness_sums_detail_0_q + {11'h0, select_2378});
+  // hls/stages/agreement.hpp:457
+  logic and_2387;
+  assign and_2387 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
+  logic and_2388;
+  assign and_2388 = and_2369 & and_2387;
+  // hls/stages/census.hpp:369
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2357[27:14]};
-  // hls/stages/census.hpp:362
-  logic [12:0] select_2384;
-  assign select_2384 = and_2382 ? detail_4[14:2] : 13'h0;
-  // hls/stages/census.hpp:363
-  logic [23:0] select_2386;
-  assign select_2386 = equal_2278_s3_q ? {11'h0, select_2384} : (sharpness_sums_detail_1_q + {11'h0, select_2384});
-  logic [8:0] select_2389;
-  assign select_2389 = and_2370 ? contrast_s3_q : 9'h0;
-  logic [23:0] sum_2390;
-  assign sum_2390 = (equal_2278_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2389};
-  logic [8:0] select_2393;
-  assign select_2393 = and_2382 ? contrast_2_s3_q : 9'h0;
-  logic [23:0] sum_2394;
-  assign sum_2394 = (equal_2278_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2393};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2363[27:14]};
+  // hls/stages/census.hpp:371
+  logic [12:0] select_2390;
+  assign select_2390 = and_2388 ? detail_4[14:2] : 13'h0;
+  // hls/stages/census.hpp:372
+  logic [23:0] select_2392;
+  assign select_2392 = equal_2284_s3_q ? {11'h0, select_2390} : (sharpness_sums_detail_1_q + {11'h0, select_2390});
+  logic [8:0] select_2395;
+  assign select_2395 = and_2376 ? contrast_s3_q : 9'h0;
+  logic [23:0] sum_2396;
+  assign sum_2396 = (equal_2284_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2395};
+  logic [8:0] select_2399;
+  assign select_2399 = and_2388 ? contrast_2_s3_q : 9'h0;
+  logic [23:0] sum_2400;
+  assign sum_2400 = (equal_2284_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2399};
   // hls/stages/agreement.hpp:211
-  logic equal_2396;
-  assign equal_2396 = x_s3_q[7:3] == 5'h0;
-  // hls/stages/census.hpp:376
-  logic less_2397;
-  assign less_2397 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
-  // hls/stages/census.hpp:415
-  logic less_2398;
-  assign less_2398 = x_s3_q[4:0] < 5'h3;
-  logic not_2399;
-  assign not_2399 = ~x_s3_q[1];
-  logic [2:0] select_2400;
-  assign select_2400 = x_s3_q[0] ? {1'b0, not_2399, 1'b0} : {x_s3_q[1], 1'b0, not_2399};
-  logic [5:0] select_2401;
-  assign select_2401 = slot_s3_q[2] ? {select_2400[2], 1'b0, select_2400[1], 1'b0, select_2400[0], 1'b0} : {1'b0, select_2400[2], 1'b0, select_2400[1], 1'b0, select_2400[0]};
-  logic [11:0] select_2402;
-  assign select_2402 = slot_s3_q[1] ? {select_2401[5], 1'b0, select_2401[4], 1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0], 1'b0} : {1'b0, select_2401[5], 1'b0, select_2401[4], 1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0]};
-  logic [23:0] select_2403;
-  assign select_2403 = slot_s3_q[0] ? {select_2402[11], 1'b0, select_2402[10], 1'b0, select_2402[9], 1'b0, select_2402[8], 1'b0, select_2402[7], 1'b0, select_2402[6], 1'b0, select_2402[5], 1'b0, select_2402[4], 1'b0, select_2402[3], 1'b0, select_2402[2], 1'b0, select_2402[1], 1'b0, select_2402[0], 1'b0} : {1'b0, select_2402[11], 1'b0, select_2402[10], 1'b0, select_2402[9], 1'b0, select_2402[8], 1'b0, select_2402[7], 1'b0, select_2402[6], 1'b0, select_2402[5], 1'b0, select_2402[4], 1'b0, select_2402[3], 1'b0, select_2402[2], 1'b0, select_2402[1], 1'b0, select_2402[0]};
-  // hls/stages/census.hpp:378
-  logic and_2407;
-  assign and_2407 = less_2398 & (~((sharpness_sums_contrast_1_q & select_2403) == 24'h0));
-  // hls/stages/census.hpp:383
-  logic [17:0] select_2409;
-  assign select_2409 = (less_2397 & and_2407) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic equal_2402;
+  assign equal_2402 = x_s3_q[7:3] == 5'h0;
+  // hls/stages/census.hpp:385
+  logic less_2403;
+  assign less_2403 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
+  // hls/stages/census.hpp:424
+  logic less_2404;
+  assign less_2404 = x_s3_q[4:0] < 5'h3;
+  logic not_2405;
+  assign not_2405 = ~x_s3_q[1];
+  logic [2:0] select_2406;
+  assign select_2406 = x_s3_q[0] ? {1'b0, not_2405, 1'b0} : {x_s3_q[1], 1'b0, not_2405};
+  logic [5:0] select_2407;
+  assign select_2407 = slot_s3_q[2] ? {select_2406[2], 1'b0, select_2406[1], 1'b0, select_2406[0], 1'b0} : {1'b0, select_2406[2], 1'b0, select_2406[1], 1'b0, select_2406[0]};
+  logic [11:0] select_2408;
+  assign select_2408 = slot_s3_q[1] ? {select_2407[5], 1'b0, select_2407[4], 1'b0, select_2407[3], 1'b0, select_2407[2], 1'b0, select_2407[1], 1'b0, select_2407[0], 1'b0} : {1'b0, select_2407[5], 1'b0, select_2407[4], 1'b0, select_2407[3], 1'b0, select_2407[2], 1'b0, select_2407[1], 1'b0, select_2407[0]};
+  logic [23:0] select_2409;
+  assign select_2409 = slot_s3_q[0] ? {select_2408[11], 1'b0, select_2408[10], 1'b0, select_2408[9], 1'b0, select_2408[8], 1'b0, select_2408[7], 1'b0, select_2408[6], 1'b0, select_2408[5], 1'b0, select_2408[4], 1'b0, select_2408[3], 1'b0, select_2408[2], 1'b0, select_2408[1], 1'b0, select_2408[0], 1'b0} : {1'b0, select_2408[11], 1'b0, select_2408[10], 1'b0, select_2408[9], 1'b0, select_2408[8], 1'b0, select_2408[7], 1'b0, select_2408[6], 1'b0, select_2408[5], 1'b0, select_2408[4], 1'b0, select_2408[3], 1'b0, select_2408[2], 1'b0, select_2408[1], 1'b0, select_2408[0]};
+  // hls/stages/census.hpp:387
+  logic and_2413;
+  assign and_2413 = less_2404 & (~((sharpness_sums_contrast_1_q & select_2409) == 24'h0));
+  // hls/stages/census.hpp:392
+  logic [17:0] select_2415;
+  assign select_2415 = (less_2403 & and_2413) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2409};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2415};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2412;
-  assign select_2412 = equal_2396 ? (less_2397 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  // hls/stages/census.hpp:378
-  logic and_2417;
-  assign and_2417 = less_2398 & (~((sharpness_sums_contrast_0_q & select_2403) == 24'h0));
-  // hls/stages/census.hpp:383
-  logic [17:0] select_2419;
-  assign select_2419 = (less_2397 & and_2417) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2418;
+  assign select_2418 = equal_2402 ? (less_2403 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  // hls/stages/census.hpp:387
+  logic and_2423;
+  assign and_2423 = less_2404 & (~((sharpness_sums_contrast_0_q & select_2409) == 24'h0));
+  // hls/stages/census.hpp:392
+  logic [17:0] select_2425;
+  assign select_2425 = (less_2403 & and_2423) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2419};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2425};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2422;
-  assign select_2422 = equal_2396 ? (less_2397 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2424;
-  assign select_2424 = equal_2396 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2426;
-  assign select_2426 = equal_2396 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2428;
-  assign select_2428 = equal_2396 ? {sharpness_comparing_contrast_0_q[0], and_2417} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2430;
-  assign select_2430 = equal_2396 ? {sharpness_comparing_contrast_1_q[0], and_2407} : sharpness_comparing_contrast_1_q;
-  // hls/stages/census.hpp:389
+  logic [17:0] select_2428;
+  assign select_2428 = equal_2402 ? (less_2403 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2430;
+  assign select_2430 = equal_2402 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2432;
+  assign select_2432 = equal_2402 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2434;
+  assign select_2434 = equal_2402 ? {sharpness_comparing_contrast_0_q[0], and_2423} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2436;
+  assign select_2436 = equal_2402 ? {sharpness_comparing_contrast_1_q[0], and_2413} : sharpness_comparing_contrast_1_q;
+  // hls/stages/census.hpp:398
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2435;
-  assign select_2435 = drew_q ? (equal_2396 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
-  // hls/stages/census.hpp:389
+  logic select_2441;
+  assign select_2441 = drew_q ? (equal_2402 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  // hls/stages/census.hpp:398
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2439;
-  assign select_2439 = drew_q ? (equal_2396 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
-  // hls/stages/census.hpp:375
-  logic equal_2440;
-  assign equal_2440 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
-  // hls/stages/census.hpp:391
-  logic xor_2441;
-  assign xor_2441 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2444;
-  assign select_2444 = (equal_2440 | xor_2441) ? (five_times[0] & xor_2441) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:216
-  logic select_2446;
-  assign select_2446 = drew_q ? (equal_2396 ? select_2444 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:391
+  logic select_2445;
+  assign select_2445 = drew_q ? (equal_2402 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  // hls/stages/census.hpp:384
+  logic equal_2446;
+  assign equal_2446 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
+  // hls/stages/census.hpp:400
   logic xor_2447;
-  assign xor_2447 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  assign xor_2447 = sharpness_comparing_product_0_q[2] ^ five_times[0];
   logic select_2450;
-  assign select_2450 = (equal_2440 | xor_2447) ? (five_times_2[0] & xor_2447) : sharpness_comparing_less_detail_1_q;
+  assign select_2450 = (equal_2446 | xor_2447) ? (five_times[0] & xor_2447) : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:216
   logic select_2452;
-  assign select_2452 = drew_q ? (equal_2396 ? select_2450 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/census.hpp:392
+  assign select_2452 = drew_q ? (equal_2402 ? select_2450 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:400
   logic xor_2453;
-  assign xor_2453 = sharpness_comparing_contrast_0_q[1] ^ and_2407;
+  assign xor_2453 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
   logic select_2456;
-  assign select_2456 = (equal_2440 | xor_2453) ? (and_2407 & xor_2453) : sharpness_comparing_less_contrast_0_q;
+  assign select_2456 = (equal_2446 | xor_2453) ? (five_times_2[0] & xor_2453) : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:216
   logic select_2458;
-  assign select_2458 = drew_q ? (equal_2396 ? select_2456 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:392
+  assign select_2458 = drew_q ? (equal_2402 ? select_2456 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/census.hpp:401
   logic xor_2459;
-  assign xor_2459 = sharpness_comparing_contrast_1_q[1] ^ and_2417;
+  assign xor_2459 = sharpness_comparing_contrast_0_q[1] ^ and_2413;
   logic select_2462;
-  assign select_2462 = (equal_2440 | xor_2459) ? (and_2417 & xor_2459) : sharpness_comparing_less_contrast_1_q;
+  assign select_2462 = (equal_2446 | xor_2459) ? (and_2413 & xor_2459) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:216
   logic select_2464;
-  assign select_2464 = drew_q ? (equal_2396 ? select_2462 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  assign select_2464 = drew_q ? (equal_2402 ? select_2462 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:401
+  logic xor_2465;
+  assign xor_2465 = sharpness_comparing_contrast_1_q[1] ^ and_2423;
+  logic select_2468;
+  assign select_2468 = (equal_2446 | xor_2465) ? (and_2423 & xor_2465) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:216
+  logic select_2470;
+  assign select_2470 = drew_q ? (equal_2402 ? select_2468 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2600;
-  assign select_2600 = and_2592_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2598_s3_q});
+  logic [13:0] select_2606;
+  assign select_2606 = and_2598_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2604_s3_q});
   // hls/stages/agreement.hpp:788
-  logic and_2603;
-  assign and_2603 = not_570_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
-  logic and_2608;
-  assign and_2608 = not_570_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
-  logic and_2613;
-  assign and_2613 = not_570_s3_q & (drew_q & (ends_cell_s3_q & and_2018_s3_q));
+  logic and_2609;
+  assign and_2609 = not_575_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
+  logic and_2614;
+  assign and_2614 = not_575_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
+  logic and_2619;
+  assign and_2619 = not_575_s3_q & (drew_q & (ends_cell_s3_q & and_2023_s3_q));
   // hls/stages/agreement.hpp:1105
-  logic not_2617;
-  assign not_2617 = ~(x_s3_q[7:1] == 7'h0);
+  logic not_2623;
+  assign not_2623 = ~(x_s3_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:1095
-  logic [2:0] select_2626;
-  assign select_2626 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2627;
-  assign difference_2627 = {1'b0, explained_2_s3_q} - {1'b0, select_2626};
+  logic [2:0] select_2632;
+  assign select_2632 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2633;
+  assign difference_2633 = {1'b0, explained_2_s3_q} - {1'b0, select_2632};
   logic [4:0] e;
-  assign e = {difference_2627[3], difference_2627} + (equal_564_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  assign e = {difference_2633[3], difference_2633} + (equal_569_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1102
-  logic [5:0] sum_2630;
-  assign sum_2630 = {1'b0, e} + {2'h0, e[4:1]};
+  logic [5:0] sum_2636;
+  assign sum_2636 = {1'b0, e} + {2'h0, e[4:1]};
   // hls/stages/agreement.hpp:1106
-  logic not_2634;
-  assign not_2634 = ~(equal_2077 ? and_2098 : (~({sum_2630, e[0]} < {2'h0, t})));
+  logic not_2640;
+  assign not_2640 = ~(equal_2082 ? and_2103 : (~({sum_2636, e[0]} < {2'h0, t})));
   // hls/stages/agreement.hpp:788
-  logic and_2637;
-  assign and_2637 = ends_cell_s3_q & (not_2617 & (centres_values_1_textured_s3_q & not_2634));
-  logic and_2639;
-  assign and_2639 = not_570_s3_q & (drew_q & and_2637);
+  logic and_2643;
+  assign and_2643 = ends_cell_s3_q & (not_2623 & (centres_values_1_textured_s3_q & not_2640));
+  logic and_2645;
+  assign and_2645 = not_575_s3_q & (drew_q & and_2643);
   // hls/stages/agreement.hpp:1132
-  logic less_2642;
-  assign less_2642 = region_row_s3_q < x_s3_q[5:3];
-  logic [9:0] select_2643;
-  assign select_2643 = less_2642 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_2646;
-  assign select_2646 = less_2642 ? 10'h0 : regions_rdata_q[19:10];
-  // hls/stages/agreement.hpp:1133
-  logic [10:0] sum_2647;
-  assign sum_2647 = {1'b0, select_2646} + {3'h0, select_2646[9:2]};
-  logic and_2649;
-  assign and_2649 = (~(select_2643[9:4] == 6'h0)) & ({sum_2647, select_2646[1:0]} < {3'h0, select_2643});
-  // hls/stages/agreement.hpp:1142
+  logic less_2648;
+  assign less_2648 = region_row_s3_q < x_s3_q[5:3];
+  logic [9:0] select_2649;
+  assign select_2649 = less_2648 ? 10'h0 : regions_rdata_q[9:0];
   logic [9:0] select_2652;
-  assign select_2652 = x_s3_q[6] ? (equal_1602_s3_q ? 10'h0 : (and_2649 ? select_2643 : 10'h0)) : 10'h0;
+  assign select_2652 = less_2648 ? 10'h0 : regions_rdata_q[19:10];
+  // hls/stages/agreement.hpp:1133
+  logic [10:0] sum_2653;
+  assign sum_2653 = {1'b0, select_2652} + {3'h0, select_2652[9:2]};
+  logic and_2655;
+  assign and_2655 = (~(select_2649[9:4] == 6'h0)) & ({sum_2653, select_2652[1:0]} < {3'h0, select_2649});
+  // hls/stages/agreement.hpp:1142
+  logic [9:0] select_2658;
+  assign select_2658 = x_s3_q[6] ? (equal_1607_s3_q ? 10'h0 : (and_2655 ? select_2649 : 10'h0)) : 10'h0;
   // hls/stages/agreement.hpp:788
-  logic [9:0] select_2653;
-  assign select_2653 = equal_569_s3_q ? select_2652 : 10'h0;
+  logic [9:0] select_2659;
+  assign select_2659 = equal_574_s3_q ? select_2658 : 10'h0;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2655;
-  assign select_2655 = and_2592_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2653});
-  logic [13:0] select_2662;
-  assign select_2662 = and_2592_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2660_s3_q});
+  logic [13:0] select_2661;
+  assign select_2661 = and_2598_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2659});
+  logic [13:0] select_2668;
+  assign select_2668 = and_2598_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2666_s3_q});
   // hls/stages/agreement.hpp:1110
-  logic and_2664;
-  assign and_2664 = not_2617 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
+  logic and_2670;
+  assign and_2670 = not_2623 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
   // hls/stages/agreement.hpp:788
-  logic and_2667;
-  assign and_2667 = not_570_s3_q & (drew_q & (ends_cell_s3_q & and_2664));
+  logic and_2673;
+  assign and_2673 = not_575_s3_q & (drew_q & (ends_cell_s3_q & and_2670));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2669;
-  assign select_2669 = and_2592_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2667});
+  logic [13:0] select_2675;
+  assign select_2675 = and_2598_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2673});
   // hls/stages/agreement.hpp:1110
-  logic and_2671;
-  assign and_2671 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_2634);
+  logic and_2677;
+  assign and_2677 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_2640);
   // hls/stages/agreement.hpp:788
-  logic and_2675;
-  assign and_2675 = not_570_s3_q & (drew_q & (ends_cell_s3_q & (not_2617 & and_2671)));
+  logic and_2681;
+  assign and_2681 = not_575_s3_q & (drew_q & (ends_cell_s3_q & (not_2623 & and_2677)));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2677;
-  assign select_2677 = and_2592_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2675});
-  logic [13:0] select_2696;
-  assign select_2696 = and_2592_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2694_s3_q});
+  logic [13:0] select_2683;
+  assign select_2683 = and_2598_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2681});
+  logic [13:0] select_2702;
+  assign select_2702 = and_2598_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2700_s3_q});
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_2771;
-  assign select_2771 = drew_q ? (equal_1698_s3_q ? (and_2753_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2772;
-  assign select_2772 = equal_569_s3_q ? 8'h0 : select_2771;
+  logic [7:0] select_2777;
+  assign select_2777 = drew_q ? (equal_1703_s3_q ? (and_2759_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_2778;
+  assign select_2778 = equal_574_s3_q ? 8'h0 : select_2777;
   // hls/stages/registration.hpp:134
-  logic [13:0] select_2774;
-  assign select_2774 = and_2752_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_2772[7]}}, select_2772});
+  logic [13:0] select_2780;
+  assign select_2780 = and_2758_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_2778[7]}}, select_2778});
   // hls/stages/agreement.hpp:788
-  logic and_2777;
-  assign and_2777 = not_570_s3_q & (drew_q & (and_2753_s3_q & equal_1698_s3_q));
+  logic and_2783;
+  assign and_2783 = not_575_s3_q & (drew_q & (and_2759_s3_q & equal_1703_s3_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_2779;
-  assign select_2779 = and_2752_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2777});
+  logic [5:0] select_2785;
+  assign select_2785 = and_2758_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2783});
   // hls/stages/registration.hpp:107
-  logic and_2781;
-  assign and_2781 = and_2753_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
+  logic and_2787;
+  assign and_2787 = and_2759_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_2783;
-  assign select_2783 = drew_q ? (equal_1698_s3_q ? {and_2781, and_2753_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2784;
-  assign select_2784 = equal_569_s3_q ? 2'h0 : select_2783;
+  logic [1:0] select_2789;
+  assign select_2789 = drew_q ? (equal_1703_s3_q ? {and_2787, and_2759_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2790;
+  assign select_2790 = equal_574_s3_q ? 2'h0 : select_2789;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2785;
-  assign sum_2785 = registration_half_votes_down_q + {{5{select_2784[1]}}, select_2784};
+  logic [6:0] sum_2791;
+  assign sum_2791 = registration_half_votes_down_q + {{5{select_2790[1]}}, select_2790};
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_2791;
-  assign select_2791 = drew_q ? (equal_1698_s3_q ? {and_2789_s3_q, and_2753_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2792;
-  assign select_2792 = equal_569_s3_q ? 2'h0 : select_2791;
-  // hls/stages/registration.hpp:185
-  logic [6:0] sum_2793;
-  assign sum_2793 = registration_half_votes_up_q + {{5{select_2792[1]}}, select_2792};
-  // hls/stages/registration.hpp:107
-  logic and_2796;
-  assign and_2796 = and_2753_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
-  // hls/stages/agreement.hpp:788
+  logic [1:0] select_2797;
+  assign select_2797 = drew_q ? (equal_1703_s3_q ? {and_2795_s3_q, and_2759_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_2798;
-  assign select_2798 = drew_q ? (equal_1698_s3_q ? {and_2796, and_2753_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2799;
-  assign select_2799 = equal_569_s3_q ? 2'h0 : select_2798;
-  // hls/stages/registration.hpp:184
-  logic [6:0] sum_2800;
-  assign sum_2800 = registration_half_half_votes_down_q + {{5{select_2799[1]}}, select_2799};
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_2805;
-  assign select_2805 = drew_q ? (equal_1698_s3_q ? {and_2803_s3_q, and_2753_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2806;
-  assign select_2806 = equal_569_s3_q ? 2'h0 : select_2805;
+  assign select_2798 = equal_574_s3_q ? 2'h0 : select_2797;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2807;
-  assign sum_2807 = registration_half_half_votes_up_q + {{5{select_2806[1]}}, select_2806};
+  logic [6:0] sum_2799;
+  assign sum_2799 = registration_half_votes_up_q + {{5{select_2798[1]}}, select_2798};
+  // hls/stages/registration.hpp:107
+  logic and_2802;
+  assign and_2802 = and_2759_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
   // hls/stages/agreement.hpp:788
-  logic and_2841;
-  assign and_2841 = equal_569_s3_q & (x_s3_q[6] & (not_1991_s3_q & less_1633_s3_q));
+  logic [1:0] select_2804;
+  assign select_2804 = drew_q ? (equal_1703_s3_q ? {and_2802, and_2759_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2805;
+  assign select_2805 = equal_574_s3_q ? 2'h0 : select_2804;
+  // hls/stages/registration.hpp:184
+  logic [6:0] sum_2806;
+  assign sum_2806 = registration_half_half_votes_down_q + {{5{select_2805[1]}}, select_2805};
+  // hls/stages/agreement.hpp:788
+  logic [1:0] select_2811;
+  assign select_2811 = drew_q ? (equal_1703_s3_q ? {and_2809_s3_q, and_2759_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2812;
+  assign select_2812 = equal_574_s3_q ? 2'h0 : select_2811;
+  // hls/stages/registration.hpp:185
+  logic [6:0] sum_2813;
+  assign sum_2813 = registration_half_half_votes_up_q + {{5{select_2812[1]}}, select_2812};
+  // hls/stages/agreement.hpp:788
+  logic and_2847;
+  assign and_2847 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q & less_1638_s3_q));
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2848;
-  assign select_2848 = or_1637_s3_q ? 12'h0 : (equal_2846_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  logic [11:0] select_2854;
+  assign select_2854 = or_1642_s3_q ? 12'h0 : (equal_2852_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
   // hls/stages/agreement.hpp:1142
-  logic [11:0] select_2851;
-  assign select_2851 = x_s3_q[6] ? (equal_1602_s3_q ? 12'h0 : (less_1633_s3_q ? select_2848 : 12'h0)) : 12'h0;
+  logic [11:0] select_2857;
+  assign select_2857 = x_s3_q[6] ? (equal_1607_s3_q ? 12'h0 : (less_1638_s3_q ? select_2854 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:788
-  logic [11:0] select_2852;
-  assign select_2852 = equal_569_s3_q ? select_2851 : 12'h0;
+  logic [11:0] select_2858;
+  assign select_2858 = equal_574_s3_q ? select_2857 : 12'h0;
   // hls/stages/registration.hpp:153
-  logic and_2853;
-  assign and_2853 = x_s3_q[1] & all_s3_q;
+  logic and_2859;
+  assign and_2859 = x_s3_q[1] & all_s3_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2856;
-  assign and_2856 = not_1991_s3_q & (less_1633_s3_q & ({and_2853, x_s3_q[0]} == 2'h0));
+  logic and_2862;
+  assign and_2862 = not_1996_s3_q & (less_1638_s3_q & ({and_2859, x_s3_q[0]} == 2'h0));
   // hls/stages/agreement.hpp:788
-  logic and_2858;
-  assign and_2858 = equal_569_s3_q & (x_s3_q[6] & and_2856);
+  logic and_2864;
+  assign and_2864 = equal_574_s3_q & (x_s3_q[6] & and_2862);
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_2860;
-  assign sum_2860 = {{2{select_2852[11]}}, select_2852} + (and_2858 ? 14'h0 : registration_down_q);
+  logic [13:0] sum_2866;
+  assign sum_2866 = {{2{select_2858[11]}}, select_2858} + (and_2864 ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2863;
-  assign select_2863 = or_1637_s3_q ? 12'h0 : (equal_2846_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  logic [11:0] select_2869;
+  assign select_2869 = or_1642_s3_q ? 12'h0 : (equal_2852_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
   // hls/stages/agreement.hpp:1142
-  logic [11:0] select_2866;
-  assign select_2866 = x_s3_q[6] ? (equal_1602_s3_q ? 12'h0 : (less_1633_s3_q ? select_2863 : 12'h0)) : 12'h0;
+  logic [11:0] select_2872;
+  assign select_2872 = x_s3_q[6] ? (equal_1607_s3_q ? 12'h0 : (less_1638_s3_q ? select_2869 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:788
-  logic [11:0] select_2867;
-  assign select_2867 = equal_569_s3_q ? select_2866 : 12'h0;
+  logic [11:0] select_2873;
+  assign select_2873 = equal_574_s3_q ? select_2872 : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_2869;
-  assign sum_2869 = {{2{select_2867[11]}}, select_2867} + (and_2858 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2875;
+  assign sum_2875 = {{2{select_2873[11]}}, select_2873} + (and_2864 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:150
-  logic not_2871;
-  assign not_2871 = ~all_s3_q;
+  logic not_2877;
+  assign not_2877 = ~all_s3_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2874;
-  assign and_2874 = not_1991_s3_q & (less_1633_s3_q & (x_s3_q[2:0] == {all_s3_q, not_2871, 1'b0}));
-  // hls/stages/agreement.hpp:788
   logic and_2880;
-  assign and_2880 = equal_569_s3_q & (x_s3_q[6] & (not_1991_s3_q & (less_1633_s3_q & all_s3_q)));
+  assign and_2880 = not_1996_s3_q & (less_1638_s3_q & (x_s3_q[2:0] == {all_s3_q, not_2877, 1'b0}));
+  // hls/stages/agreement.hpp:788
+  logic and_2886;
+  assign and_2886 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q & (less_1638_s3_q & all_s3_q)));
   // hls/stages/registration.hpp:246
-  logic not_2881;
-  assign not_2881 = ~and_2880;
-  logic less_2882;
-  assign less_2882 = $signed({9'h1, {2{not_2881}}, and_2880}) < $signed(registration_up_q[13:2]);
-  logic select_2883;
-  assign select_2883 = (equal_569_s3_q & (x_s3_q[6] & and_2874)) ? less_2882 : registration_enough_q;
+  logic not_2887;
+  assign not_2887 = ~and_2886;
+  logic less_2888;
+  assign less_2888 = $signed({9'h1, {2{not_2887}}, and_2886}) < $signed(registration_up_q[13:2]);
+  logic select_2889;
+  assign select_2889 = (equal_574_s3_q & (x_s3_q[6] & and_2880)) ? less_2888 : registration_enough_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2887;
-  assign and_2887 = x_s3_q[6] & (not_1991_s3_q & (less_1633_s3_q & (x_s3_q[2:0] == 3'h4)));
+  logic and_2893;
+  assign and_2893 = x_s3_q[6] & (not_1996_s3_q & (less_1638_s3_q & (x_s3_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:788
-  logic and_2888;
-  assign and_2888 = equal_569_s3_q & and_2887;
+  logic and_2894;
+  assign and_2894 = equal_574_s3_q & and_2893;
   // hls/stages/registration.hpp:242
-  logic less_2889;
-  assign less_2889 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_2891;
-  assign less_2891 = $signed(14'h0) < $signed(registration_up_q);
+  logic less_2895;
+  assign less_2895 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2897;
+  assign less_2897 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_2893;
-  assign equal_2893 = x_s3_q[2:0] == 3'h7;
+  logic equal_2899;
+  assign equal_2899 = x_s3_q[2:0] == 3'h7;
   // hls/stages/agreement.hpp:788
-  logic and_2897;
-  assign and_2897 = equal_569_s3_q & (x_s3_q[6] & (not_1991_s3_q & (less_1633_s3_q & equal_2893)));
-  // hls/stages/agreement.hpp:1142
-  logic and_2904;
-  assign and_2904 = x_s3_q[6] & (not_1991_s3_q & (less_1633_s3_q & (x_s3_q[5:0] == 6'h0)));
-  // hls/stages/registration.hpp:157
-  logic equal_2907;
-  assign equal_2907 = x_s3_q[2:0] == 3'h6;
+  logic and_2903;
+  assign and_2903 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q & (less_1638_s3_q & equal_2899)));
   // hls/stages/agreement.hpp:1142
   logic and_2910;
-  assign and_2910 = not_1991_s3_q & (less_1633_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_2907));
-  // hls/stages/registration.hpp:244
-  logic and_2914;
-  assign and_2914 = (equal_569_s3_q & (x_s3_q[6] & and_2910)) & (less_2891 | less_2889);
+  assign and_2910 = x_s3_q[6] & (not_1996_s3_q & (less_1638_s3_q & (x_s3_q[5:0] == 6'h0)));
+  // hls/stages/registration.hpp:157
+  logic equal_2913;
+  assign equal_2913 = x_s3_q[2:0] == 3'h6;
   // hls/stages/agreement.hpp:1142
-  logic and_2919;
-  assign and_2919 = not_1991_s3_q & (less_1633_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_2907)));
+  logic and_2916;
+  assign and_2916 = not_1996_s3_q & (less_1638_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_2913));
   // hls/stages/registration.hpp:244
-  logic and_2922;
-  assign and_2922 = registration_votes_up_q & registration_other_down_q;
-  logic select_2924;
-  assign select_2924 = registration_votes_down_q ? (registration_other_up_q | and_2922) : and_2922;
+  logic and_2920;
+  assign and_2920 = (equal_574_s3_q & (x_s3_q[6] & and_2916)) & (less_2897 | less_2895);
+  // hls/stages/agreement.hpp:1142
+  logic and_2925;
+  assign and_2925 = not_1996_s3_q & (less_1638_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_2913)));
+  // hls/stages/registration.hpp:244
+  logic and_2928;
+  assign and_2928 = registration_votes_up_q & registration_other_down_q;
+  logic select_2930;
+  assign select_2930 = registration_votes_down_q ? (registration_other_up_q | and_2928) : and_2928;
   // hls/stages/registration.hpp:138
-  logic and_2926;
-  assign and_2926 = (equal_569_s3_q & (x_s3_q[6] & and_2919)) & (registration_other_enough_q & select_2924);
+  logic and_2932;
+  assign and_2932 = (equal_574_s3_q & (x_s3_q[6] & and_2925)) & (registration_other_enough_q & select_2930);
   // hls/stages/registration.hpp:245
-  logic or_2929;
-  assign or_2929 = registration_moved_q | (registration_enough_q & (and_2914 | and_2926));
+  logic or_2935;
+  assign or_2935 = registration_moved_q | (registration_enough_q & (and_2920 | and_2932));
   // hls/stages/agreement.hpp:276
-  logic [7:0] select_3013;
-  assign select_3013 = sample_pair_whole_s3_q ? (equal_1688_s3_q ? patches_place_0_slope_q : select_1793[20:13]) : patches_place_0_slope_q;
-  logic [7:0] select_3018;
-  assign select_3018 = sample_pair_whole_s3_q ? (equal_1688_s3_q ? patches_place_1_slope_q : select_1822[20:13]) : patches_place_1_slope_q;
+  logic [7:0] select_3019;
+  assign select_3019 = sample_pair_whole_s3_q ? (equal_1693_s3_q ? patches_place_0_slope_q : select_1798[20:13]) : patches_place_0_slope_q;
+  logic [7:0] select_3024;
+  assign select_3024 = sample_pair_whole_s3_q ? (equal_1693_s3_q ? patches_place_1_slope_q : select_1827[20:13]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:127
-  logic select_3020;
-  assign select_3020 = equal_1688_s3_q ? patches_valid_0_q : (select_1687_s3_q ? patches_valid_0_q : select_1790[0]);
+  logic select_3026;
+  assign select_3026 = equal_1693_s3_q ? patches_valid_0_q : (select_1692_s3_q ? patches_valid_0_q : select_1795[0]);
   // hls/stages/agreement.hpp:276
-  logic select_3023;
-  assign select_3023 = sample_pair_whole_s3_q ? (and_1813 ? (sample_present_s3_q & select_3020) : select_3020) : patches_valid_0_q;
+  logic select_3029;
+  assign select_3029 = sample_pair_whole_s3_q ? (and_1818 ? (sample_present_s3_q & select_3026) : select_3026) : patches_valid_0_q;
   // hls/stages/patches.hpp:127
-  logic select_3025;
-  assign select_3025 = equal_1688_s3_q ? patches_valid_1_q : (select_1687_s3_q ? select_1790[0] : patches_valid_1_q);
+  logic select_3031;
+  assign select_3031 = equal_1693_s3_q ? patches_valid_1_q : (select_1692_s3_q ? select_1795[0] : patches_valid_1_q);
   // hls/stages/agreement.hpp:276
-  logic select_3028;
-  assign select_3028 = sample_pair_whole_s3_q ? (and_1833 ? (sample_present_s3_q & select_3025) : select_3025) : patches_valid_1_q;
-  logic [5:0] select_3031;
-  assign select_3031 = sample_pair_whole_s3_q ? (select_1811[5] ? {1'b1, select_1811[4:0]} : (select_1811 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3034;
-  assign select_3034 = sample_pair_whole_s3_q ? (select_1831[5] ? {1'b1, select_1831[4:0]} : (select_1831 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3037;
-  assign select_3037 = sample_pair_whole_s3_q ? (select_1844[4] ? {1'b1, select_1844[3:0]} : (select_1844 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3040;
-  assign select_3040 = sample_pair_whole_s3_q ? (select_1849[4] ? {1'b1, select_1849[3:0]} : (select_1849 + 5'h1)) : patches_left_next_1_q;
+  logic select_3034;
+  assign select_3034 = sample_pair_whole_s3_q ? (and_1838 ? (sample_present_s3_q & select_3031) : select_3031) : patches_valid_1_q;
+  logic [5:0] select_3037;
+  assign select_3037 = sample_pair_whole_s3_q ? (select_1816[5] ? {1'b1, select_1816[4:0]} : (select_1816 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3040;
+  assign select_3040 = sample_pair_whole_s3_q ? (select_1836[5] ? {1'b1, select_1836[4:0]} : (select_1836 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3043;
+  assign select_3043 = sample_pair_whole_s3_q ? (select_1849[4] ? {1'b1, select_1849[3:0]} : (select_1849 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3046;
+  assign select_3046 = sample_pair_whole_s3_q ? (select_1854[4] ? {1'b1, select_1854[3:0]} : (select_1854 + 5'h1)) : patches_left_next_1_q;
   // hls/stages/patches.hpp:525
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3459_s3_q, parity_3455_s3_q, xor_3443_s3_q, parity_3415_s3_q, parity_3353_s3_q, parity_3224_s3_q} + (equal_3460_s3_q ? 10'h0 : patches_sums_values_16_q);
+  assign sum_3 = {4'h0, or_3465_s3_q, parity_3461_s3_q, xor_3449_s3_q, parity_3421_s3_q, parity_3359_s3_q, parity_3230_s3_q} + (equal_3466_s3_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/patches.hpp:184
-  logic [9:0] select_3464;
-  assign select_3464 = equal_1774_s3_q ? patches_sums_values_0_q : (equal_1776_s3_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3465;
-  assign select_3465 = equal_1776_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3467;
-  assign select_3467 = equal_1776_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
-  logic [9:0] select_3469;
-  assign select_3469 = equal_1776_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  logic [9:0] select_3470;
+  assign select_3470 = equal_1779_s3_q ? patches_sums_values_0_q : (equal_1781_s3_q ? sum_3 : patches_sums_values_0_q);
   logic [9:0] select_3471;
-  assign select_3471 = equal_1776_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  assign select_3471 = equal_1781_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
   logic [9:0] select_3473;
-  assign select_3473 = equal_1776_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  assign select_3473 = equal_1781_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
   logic [9:0] select_3475;
-  assign select_3475 = equal_1776_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  assign select_3475 = equal_1781_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
   logic [9:0] select_3477;
-  assign select_3477 = equal_1776_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  assign select_3477 = equal_1781_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
   logic [9:0] select_3479;
-  assign select_3479 = equal_1776_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  assign select_3479 = equal_1781_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
   logic [9:0] select_3481;
-  assign select_3481 = equal_1776_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  assign select_3481 = equal_1781_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
   logic [9:0] select_3483;
-  assign select_3483 = equal_1776_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  assign select_3483 = equal_1781_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
   logic [9:0] select_3485;
-  assign select_3485 = equal_1776_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  assign select_3485 = equal_1781_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
   logic [9:0] select_3487;
-  assign select_3487 = equal_1776_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  assign select_3487 = equal_1781_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
   logic [9:0] select_3489;
-  assign select_3489 = equal_1776_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  assign select_3489 = equal_1781_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
   logic [9:0] select_3491;
-  assign select_3491 = equal_1776_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  assign select_3491 = equal_1781_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
   logic [9:0] select_3493;
-  assign select_3493 = equal_1776_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  assign select_3493 = equal_1781_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
   logic [9:0] select_3495;
-  assign select_3495 = equal_1776_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  assign select_3495 = equal_1781_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3497;
+  assign select_3497 = equal_1781_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3499;
+  assign select_3499 = equal_1781_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3501;
+  assign select_3501 = equal_1781_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
   // hls/stages/patches.hpp:599
-  logic or_3600;
-  assign or_3600 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_3599_s3_q;
-  logic or_3603;
-  assign or_3603 = equal_3591_s3_q | (less_3593_s3_q | (less_3594_s3_q | or_3600));
+  logic or_3606;
+  assign or_3606 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_3605_s3_q;
+  logic or_3609;
+  assign or_3609 = equal_3597_s3_q | (less_3599_s3_q | (less_3600_s3_q | or_3606));
   // hls/stages/patches.hpp:579
-  logic not_3604;
-  assign not_3604 = ~or_3603;
-  // hls/stages/patches.hpp:560
-  logic and_3605;
-  assign and_3605 = equal_1958_s3_q & not_3604;
-  // hls/stages/patches.hpp:184
-  logic and_3608;
-  assign and_3608 = equal_1774_s3_q & (less_1955_s3_q ? (not_1957_s3_q & and_3605) : and_3605);
-  // hls/stages/patches.hpp:657
-  logic not_3609;
-  assign not_3609 = ~patches_lower_s3_q;
+  logic not_3610;
+  assign not_3610 = ~or_3609;
   // hls/stages/patches.hpp:560
   logic and_3611;
-  assign and_3611 = equal_1958_s3_q & (patches_second_s3_q & not_3604);
+  assign and_3611 = equal_1963_s3_q & not_3610;
   // hls/stages/patches.hpp:184
   logic and_3614;
-  assign and_3614 = equal_1774_s3_q & (less_1955_s3_q ? (not_1957_s3_q & and_3611) : and_3611);
+  assign and_3614 = equal_1779_s3_q & (less_1960_s3_q ? (not_1962_s3_q & and_3611) : and_3611);
   // hls/stages/patches.hpp:657
   logic not_3615;
-  assign not_3615 = ~and_3614;
-  // hls/stages/patches.hpp:188
+  assign not_3615 = ~patches_lower_s3_q;
+  // hls/stages/patches.hpp:560
   logic and_3617;
-  assign and_3617 = and_3608 & (not_3609 & not_3615);
+  assign and_3617 = equal_1963_s3_q & (patches_second_s3_q & not_3610);
+  // hls/stages/patches.hpp:184
+  logic and_3620;
+  assign and_3620 = equal_1779_s3_q & (less_1960_s3_q ? (not_1962_s3_q & and_3617) : and_3617);
+  // hls/stages/patches.hpp:657
+  logic not_3621;
+  assign not_3621 = ~and_3620;
+  // hls/stages/patches.hpp:188
+  logic and_3623;
+  assign and_3623 = and_3614 & (not_3615 & not_3621);
   // hls/stages/patches.hpp:659
-  logic [7:0] sum_3619;
-  assign sum_3619 = {7'h0, and_3617} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  logic [7:0] sum_3625;
+  assign sum_3625 = {7'h0, and_3623} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:597
-  logic [7:0] select_3645;
-  assign select_3645 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  logic [7:0] select_3651;
+  assign select_3651 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
   // hls/stages/patches.hpp:596
-  logic [5:0] select_3646;
-  assign select_3646 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_3647;
-  assign sum_3647 = {2'h0, select_3579_s3_q[4:3]} + 4'hf;
-  logic [6:0] sum_3648;
-  assign sum_3648 = {select_3646[5], select_3646} + {{3{sum_3647[3]}}, sum_3647};
+  logic [5:0] select_3652;
+  assign select_3652 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_3653;
+  assign sum_3653 = {2'h0, select_3585_s3_q[4:3]} + 4'hf;
+  logic [6:0] sum_3654;
+  assign sum_3654 = {select_3652[5], select_3652} + {{3{sum_3653[3]}}, sum_3653};
   // hls/stages/patches.hpp:597
-  logic [17:0] product_3649;
-  assign product_3649 = $signed({{10{select_3645[7]}}, select_3645}) * $signed({{8{sum_3648[6]}}, sum_3648, select_3579_s3_q[2:0]});
+  logic [17:0] product_3655;
+  assign product_3655 = $signed({{10{select_3651[7]}}, select_3651}) * $signed({{8{sum_3654[6]}}, sum_3654, select_3585_s3_q[2:0]});
   // hls/stages/patches.hpp:598
-  logic [13:0] difference_3650;
-  assign difference_3650 = {{6{select_3644_s3_q[7]}}, select_3644_s3_q} - {product_3649[17], product_3649[17:5]};
+  logic [13:0] difference_3656;
+  assign difference_3656 = {{6{select_3650_s3_q[7]}}, select_3650_s3_q} - {product_3655[17], product_3655[17:5]};
   // hls/stages/patches.hpp:604
-  logic less_3651;
-  assign less_3651 = $signed({{7{difference_3621[6]}}, difference_3621}) < $signed(difference_3650);
+  logic less_3657;
+  assign less_3657 = $signed({{7{difference_3627[6]}}, difference_3627}) < $signed(difference_3656);
   // hls/stages/patches.hpp:560
-  logic and_3654;
-  assign and_3654 = equal_1958_s3_q & (not_3604 & (~less_3651));
+  logic and_3660;
+  assign and_3660 = equal_1963_s3_q & (not_3610 & (~less_3657));
   // hls/stages/patches.hpp:184
-  logic and_3657;
-  assign and_3657 = equal_1774_s3_q & (less_1955_s3_q ? (not_1957_s3_q & and_3654) : and_3654);
-  // hls/stages/patches.hpp:660
-  logic and_3658;
-  assign and_3658 = and_3657 & and_3617;
-  logic [7:0] sum_3659;
-  assign sum_3659 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3658};
-  // hls/stages/patches.hpp:560
   logic and_3663;
-  assign and_3663 = not_3604 & (~($signed(difference_3650) < $signed({8'h0, cfg_patch_limit_i})));
+  assign and_3663 = equal_1779_s3_q & (less_1960_s3_q ? (not_1962_s3_q & and_3660) : and_3660);
+  // hls/stages/patches.hpp:660
   logic and_3664;
-  assign and_3664 = equal_1958_s3_q & and_3663;
+  assign and_3664 = and_3663 & and_3623;
+  logic [7:0] sum_3665;
+  assign sum_3665 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3664};
+  // hls/stages/patches.hpp:560
+  logic and_3669;
+  assign and_3669 = not_3610 & (~($signed(difference_3656) < $signed({8'h0, cfg_patch_limit_i})));
+  logic and_3670;
+  assign and_3670 = equal_1963_s3_q & and_3669;
   // hls/stages/patches.hpp:184
-  logic and_3667;
-  assign and_3667 = equal_1774_s3_q & (less_1955_s3_q ? (not_1957_s3_q & and_3664) : and_3664);
+  logic and_3673;
+  assign and_3673 = equal_1779_s3_q & (less_1960_s3_q ? (not_1962_s3_q & and_3670) : and_3670);
   // hls/stages/patches.hpp:661
-  logic and_3668;
-  assign and_3668 = and_3667 & and_3617;
-  logic [7:0] sum_3669;
-  assign sum_3669 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3668};
+  logic and_3674;
+  assign and_3674 = and_3673 & and_3623;
+  logic [7:0] sum_3675;
+  assign sum_3675 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3674};
   // hls/stages/patches.hpp:188
-  logic and_3671;
-  assign and_3671 = and_3608 & (and_3614 & not_3609);
+  logic and_3677;
+  assign and_3677 = and_3614 & (and_3620 & not_3615);
   // hls/stages/patches.hpp:659
-  logic [7:0] sum_3673;
-  assign sum_3673 = {7'h0, and_3671} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:660
-  logic and_3675;
-  assign and_3675 = and_3657 & and_3671;
-  logic [7:0] sum_3676;
-  assign sum_3676 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3675};
-  // hls/stages/patches.hpp:661
-  logic and_3678;
-  assign and_3678 = and_3667 & and_3671;
   logic [7:0] sum_3679;
-  assign sum_3679 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3678};
-  // hls/stages/patches.hpp:188
+  assign sum_3679 = {7'h0, and_3677} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:660
   logic and_3681;
-  assign and_3681 = and_3608 & (patches_lower_s3_q & not_3615);
-  // hls/stages/patches.hpp:659
-  logic [7:0] sum_3683;
-  assign sum_3683 = {7'h0, and_3681} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:660
-  logic and_3685;
-  assign and_3685 = and_3657 & and_3681;
-  logic [7:0] sum_3686;
-  assign sum_3686 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3685};
+  assign and_3681 = and_3663 & and_3677;
+  logic [7:0] sum_3682;
+  assign sum_3682 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3681};
   // hls/stages/patches.hpp:661
-  logic and_3688;
-  assign and_3688 = and_3667 & and_3681;
-  logic [7:0] sum_3689;
-  assign sum_3689 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3688};
+  logic and_3684;
+  assign and_3684 = and_3673 & and_3677;
+  logic [7:0] sum_3685;
+  assign sum_3685 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3684};
   // hls/stages/patches.hpp:188
-  logic and_3691;
-  assign and_3691 = and_3608 & (patches_lower_s3_q & and_3614);
+  logic and_3687;
+  assign and_3687 = and_3614 & (patches_lower_s3_q & not_3621);
   // hls/stages/patches.hpp:659
-  logic [7:0] sum_3693;
-  assign sum_3693 = {7'h0, and_3691} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  logic [7:0] sum_3689;
+  assign sum_3689 = {7'h0, and_3687} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
   // hls/stages/patches.hpp:660
-  logic and_3695;
-  assign and_3695 = and_3657 & and_3691;
-  logic [7:0] sum_3696;
-  assign sum_3696 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3695};
+  logic and_3691;
+  assign and_3691 = and_3663 & and_3687;
+  logic [7:0] sum_3692;
+  assign sum_3692 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3691};
   // hls/stages/patches.hpp:661
-  logic and_3698;
-  assign and_3698 = and_3667 & and_3691;
+  logic and_3694;
+  assign and_3694 = and_3673 & and_3687;
+  logic [7:0] sum_3695;
+  assign sum_3695 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3694};
+  // hls/stages/patches.hpp:188
+  logic and_3697;
+  assign and_3697 = and_3614 & (patches_lower_s3_q & and_3620);
+  // hls/stages/patches.hpp:659
   logic [7:0] sum_3699;
-  assign sum_3699 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3698};
+  assign sum_3699 = {7'h0, and_3697} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:660
+  logic and_3701;
+  assign and_3701 = and_3663 & and_3697;
+  logic [7:0] sum_3702;
+  assign sum_3702 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3701};
+  // hls/stages/patches.hpp:661
+  logic and_3704;
+  assign and_3704 = and_3673 & and_3697;
+  logic [7:0] sum_3705;
+  assign sum_3705 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3704};
   // hls/stages/agreement.hpp:1223
-  logic equal_3700;
-  assign equal_3700 = x_s3_q[2:0] == 3'h0;
+  logic equal_3706;
+  assign equal_3706 = x_s3_q[2:0] == 3'h0;
   // hls/stages/agreement.hpp:1130
-  logic less_3701;
-  assign less_3701 = x_s3_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:788
-  logic and_3705;
-  assign and_3705 = equal_569_s3_q & (x_s3_q[6] & (not_1991_s3_q & (equal_3700 & less_3701)));
-  // hls/stages/agreement.hpp:1142
-  logic and_3710;
-  assign and_3710 = x_s3_q[6] & (not_1991_s3_q & (less_3701 & (x_s3_q[2:0] == 3'h1)));
+  logic less_3707;
+  assign less_3707 = x_s3_q[5:3] < 3'h3;
   // hls/stages/agreement.hpp:788
   logic and_3711;
-  assign and_3711 = equal_569_s3_q & and_3710;
-  // hls/stages/patches.hpp:623
-  logic [7:0] or_3713;
-  assign or_3713 = (and_3705 ? patches_quarters_0_places_q : 8'h0) | (and_3711 ? patches_quarters_1_places_q : 8'h0);
+  assign and_3711 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q & (equal_3706 & less_3707)));
   // hls/stages/agreement.hpp:1142
+  logic and_3716;
+  assign and_3716 = x_s3_q[6] & (not_1996_s3_q & (less_3707 & (x_s3_q[2:0] == 3'h1)));
+  // hls/stages/agreement.hpp:788
   logic and_3717;
-  assign and_3717 = x_s3_q[6] & (not_1991_s3_q & (less_3701 & (x_s3_q[2:0] == 3'h2)));
-  // hls/stages/agreement.hpp:788
-  logic and_3718;
-  assign and_3718 = equal_569_s3_q & and_3717;
-  // hls/stages/agreement.hpp:1142
-  logic and_3724;
-  assign and_3724 = x_s3_q[6] & (not_1991_s3_q & (less_3701 & (x_s3_q[2:0] == 3'h3)));
-  // hls/stages/agreement.hpp:788
-  logic and_3725;
-  assign and_3725 = equal_569_s3_q & and_3724;
+  assign and_3717 = equal_574_s3_q & and_3716;
   // hls/stages/patches.hpp:623
-  logic [7:0] or_3727;
-  assign or_3727 = (or_3713 | (and_3718 ? patches_quarters_2_places_q : 8'h0)) | (and_3725 ? patches_quarters_3_places_q : 8'h0);
+  logic [7:0] or_3719;
+  assign or_3719 = (and_3711 ? patches_quarters_0_places_q : 8'h0) | (and_3717 ? patches_quarters_1_places_q : 8'h0);
+  // hls/stages/agreement.hpp:1142
+  logic and_3723;
+  assign and_3723 = x_s3_q[6] & (not_1996_s3_q & (less_3707 & (x_s3_q[2:0] == 3'h2)));
+  // hls/stages/agreement.hpp:788
+  logic and_3724;
+  assign and_3724 = equal_574_s3_q & and_3723;
+  // hls/stages/agreement.hpp:1142
+  logic and_3730;
+  assign and_3730 = x_s3_q[6] & (not_1996_s3_q & (less_3707 & (x_s3_q[2:0] == 3'h3)));
+  // hls/stages/agreement.hpp:788
+  logic and_3731;
+  assign and_3731 = equal_574_s3_q & and_3730;
+  // hls/stages/patches.hpp:623
+  logic [7:0] or_3733;
+  assign or_3733 = (or_3719 | (and_3724 ? patches_quarters_2_places_q : 8'h0)) | (and_3731 ? patches_quarters_3_places_q : 8'h0);
   // hls/stages/patches.hpp:199
-  logic select_3731;
-  assign select_3731 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
+  logic select_3737;
+  assign select_3737 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
   // hls/stages/agreement.hpp:788
-  logic and_3735;
-  assign and_3735 = equal_569_s3_q & (x_s3_q[6] & (not_1991_s3_q & (less_3701 & select_3731)));
+  logic and_3741;
+  assign and_3741 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q & (less_3707 & select_3737)));
   // hls/stages/patches.hpp:624
-  logic [7:0] select_3737;
-  assign select_3737 = and_3705 ? (and_3735 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
-  logic [7:0] select_3739;
-  assign select_3739 = and_3711 ? (and_3735 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_3742;
-  assign select_3742 = and_3718 ? (and_3735 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_3743;
+  assign select_3743 = and_3711 ? (and_3741 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
   logic [7:0] select_3745;
-  assign select_3745 = and_3725 ? (and_3735 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
-  // hls/stages/patches.hpp:625
+  assign select_3745 = and_3717 ? (and_3741 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
   logic [7:0] select_3748;
-  assign select_3748 = and_3705 ? (and_3735 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
-  logic [7:0] select_3750;
-  assign select_3750 = and_3711 ? (and_3735 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_3753;
-  assign select_3753 = and_3718 ? (and_3735 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  assign select_3748 = and_3724 ? (and_3741 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_3751;
+  assign select_3751 = and_3731 ? (and_3741 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  // hls/stages/patches.hpp:625
+  logic [7:0] select_3754;
+  assign select_3754 = and_3711 ? (and_3741 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
   logic [7:0] select_3756;
-  assign select_3756 = and_3725 ? (and_3735 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  assign select_3756 = and_3717 ? (and_3741 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_3759;
+  assign select_3759 = and_3724 ? (and_3741 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_3762;
+  assign select_3762 = and_3731 ? (and_3741 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
   // hls/stages/patches.hpp:202
-  logic [4:0] sum_3758;
-  assign sum_3758 = {2'h0, x_s3_q[2:0]} + 5'h1f;
+  logic [4:0] sum_3764;
+  assign sum_3764 = {2'h0, x_s3_q[2:0]} + 5'h1f;
   // hls/stages/agreement.hpp:1142
-  logic and_3762;
-  assign and_3762 = x_s3_q[6] & (not_1991_s3_q & (less_3701 & (sum_3758[4:2] == 3'h0)));
+  logic and_3768;
+  assign and_3768 = x_s3_q[6] & (not_1996_s3_q & (less_3707 & (sum_3764[4:2] == 3'h0)));
   // hls/stages/agreement.hpp:788
-  logic and_3763;
-  assign and_3763 = equal_569_s3_q & and_3762;
+  logic and_3769;
+  assign and_3769 = equal_574_s3_q & and_3768;
   // hls/stages/patches.hpp:620
-  logic [7:0] select_3766;
-  assign select_3766 = and_3763 ? (patches_word_places_q + (and_3711 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_3769;
-  assign select_3769 = and_3763 ? (patches_word_up_q + (and_3711 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
   logic [7:0] select_3772;
-  assign select_3772 = and_3763 ? (patches_word_down_q + (and_3711 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  assign select_3772 = and_3769 ? (patches_word_places_q + (and_3717 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_3775;
+  assign select_3775 = and_3769 ? (patches_word_up_q + (and_3717 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] select_3778;
+  assign select_3778 = and_3769 ? (patches_word_down_q + (and_3717 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
   // hls/stages/patches.hpp:606
-  logic [5:0] select_3776;
-  assign select_3776 = ($signed(difference_3650[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3650[5:0];
-  logic [5:0] select_3777;
-  assign select_3777 = ($signed(14'h10) < $signed(difference_3650)) ? 6'h10 : select_3776;
-  // hls/stages/patches.hpp:560
-  logic [5:0] select_3779;
-  assign select_3779 = equal_1958_s3_q ? (or_3603 ? 6'h0 : select_3777) : 6'h0;
-  logic [5:0] select_3781;
-  assign select_3781 = less_1955_s3_q ? (equal_1956_s3_q ? 6'h0 : select_3779) : select_3779;
-  // hls/stages/patches.hpp:663
+  logic [5:0] select_3782;
+  assign select_3782 = ($signed(difference_3656[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3656[5:0];
   logic [5:0] select_3783;
-  assign select_3783 = and_3608 ? (equal_1774_s3_q ? select_3781 : 6'h0) : 6'h0;
-  logic [11:0] sum_3784;
-  assign sum_3784 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3783[5]}}, select_3783};
-  // hls/stages/agreement.hpp:788
-  logic and_3788;
-  assign and_3788 = equal_569_s3_q & (x_s3_q[6] & (not_1991_s3_q & (equal_2893 & less_3701)));
-  // hls/stages/agreement.hpp:1142
-  logic and_3792;
-  assign and_3792 = x_s3_q[6] & (not_1991_s3_q & (less_3701 & (x_s3_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_3793;
-  assign and_3793 = equal_569_s3_q & and_3792;
-  // hls/stages/patches.hpp:647
-  logic [7:0] select_3795;
-  assign select_3795 = and_3788 ? (and_3793 ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:649
-  logic or_3799;
-  assign or_3799 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:650
-  logic or_3802;
-  assign or_3802 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
-  // hls/stages/patches.hpp:651
-  logic [8:0] sum_3803;
-  assign sum_3803 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
-  // hls/stages/patches.hpp:646
-  logic select_3805;
-  assign select_3805 = and_3788 ? (and_3793 ? patches_enough_q : patches_complete_q) : patches_complete_q;
-  // hls/stages/patches.hpp:188
-  logic and_3808;
-  assign and_3808 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:646
-  logic [2:0] select_3810;
-  assign select_3810 = and_3793 ? {and_3808, patches_found_q[2:1]} : (and_3788 ? {and_3808, patches_found_q[2:1]} : patches_found_q);
-  // hls/stages/patches.hpp:645
-  logic or_3814;
-  assign or_3814 = patches_partly_q | (patches_doubted_q & (~and_3793));
-  // hls/stages/patches.hpp:646
-  logic select_3817;
-  assign select_3817 = and_3788 ? (and_3793 ? or_3814 : (and_3788 ? or_3814 : patches_doubted_q)) : patches_doubted_q;
-  // hls/stages/patches.hpp:644
-  logic select_3818;
-  assign select_3818 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
-  // hls/stages/patches.hpp:633
-  logic [7:0] select_3822;
-  assign select_3822 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
-  // hls/stages/patches.hpp:605
-  logic [10:0] sum_3824;
-  assign sum_3824 = {sum_3648[6], sum_3648, select_3579_s3_q[2:0]} + 11'h1;
+  assign select_3783 = ($signed(14'h10) < $signed(difference_3656)) ? 6'h10 : select_3782;
   // hls/stages/patches.hpp:560
-  logic and_3827;
-  assign and_3827 = equal_1958_s3_q & (not_3604 & ({{5{sum_3824[10]}}, sum_3824} < 16'h3));
+  logic [5:0] select_3785;
+  assign select_3785 = equal_1963_s3_q ? (or_3609 ? 6'h0 : select_3783) : 6'h0;
+  logic [5:0] select_3787;
+  assign select_3787 = less_1960_s3_q ? (equal_1961_s3_q ? 6'h0 : select_3785) : select_3785;
+  // hls/stages/patches.hpp:663
+  logic [5:0] select_3789;
+  assign select_3789 = and_3614 ? (equal_1779_s3_q ? select_3787 : 6'h0) : 6'h0;
+  logic [11:0] sum_3790;
+  assign sum_3790 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3789[5]}}, select_3789};
+  // hls/stages/agreement.hpp:788
+  logic and_3794;
+  assign and_3794 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q & (equal_2899 & less_3707)));
+  // hls/stages/agreement.hpp:1142
+  logic and_3798;
+  assign and_3798 = x_s3_q[6] & (not_1996_s3_q & (less_3707 & (x_s3_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:788
+  logic and_3799;
+  assign and_3799 = equal_574_s3_q & and_3798;
+  // hls/stages/patches.hpp:647
+  logic [7:0] select_3801;
+  assign select_3801 = and_3794 ? (and_3799 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  // hls/stages/patches.hpp:649
+  logic or_3805;
+  assign or_3805 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  // hls/stages/patches.hpp:650
+  logic or_3808;
+  assign or_3808 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  // hls/stages/patches.hpp:651
+  logic [8:0] sum_3809;
+  assign sum_3809 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  // hls/stages/patches.hpp:646
+  logic select_3811;
+  assign select_3811 = and_3794 ? (and_3799 ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  // hls/stages/patches.hpp:188
+  logic and_3814;
+  assign and_3814 = patches_enough_q & patches_mostly_q;
+  // hls/stages/patches.hpp:646
+  logic [2:0] select_3816;
+  assign select_3816 = and_3799 ? {and_3814, patches_found_q[2:1]} : (and_3794 ? {and_3814, patches_found_q[2:1]} : patches_found_q);
+  // hls/stages/patches.hpp:645
+  logic or_3820;
+  assign or_3820 = patches_partly_q | (patches_doubted_q & (~and_3799));
+  // hls/stages/patches.hpp:646
+  logic select_3823;
+  assign select_3823 = and_3794 ? (and_3799 ? or_3820 : (and_3794 ? or_3820 : patches_doubted_q)) : patches_doubted_q;
+  // hls/stages/patches.hpp:644
+  logic select_3824;
+  assign select_3824 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  // hls/stages/patches.hpp:633
+  logic [7:0] select_3828;
+  assign select_3828 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  // hls/stages/patches.hpp:605
+  logic [10:0] sum_3830;
+  assign sum_3830 = {sum_3654[6], sum_3654, select_3585_s3_q[2:0]} + 11'h1;
+  // hls/stages/patches.hpp:560
+  logic and_3833;
+  assign and_3833 = equal_1963_s3_q & (not_3610 & ({{5{sum_3830[10]}}, sum_3830} < 16'h3));
   // hls/stages/patches.hpp:184
-  logic and_3830;
-  assign and_3830 = equal_1774_s3_q & (less_1955_s3_q ? (not_1957_s3_q & and_3827) : and_3827);
+  logic and_3836;
+  assign and_3836 = equal_1779_s3_q & (less_1960_s3_q ? (not_1962_s3_q & and_3833) : and_3833);
   // hls/stages/patches.hpp:188
-  logic and_3831;
-  assign and_3831 = and_3608 & and_3830;
+  logic and_3837;
+  assign and_3837 = and_3614 & and_3836;
   // hls/stages/patches.hpp:664
-  logic [7:0] sum_3832;
-  assign sum_3832 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3831};
+  logic [7:0] sum_3838;
+  assign sum_3838 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3837};
   // hls/stages/patches.hpp:653
-  logic [12:0] product_3837;
-  assign product_3837 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_3795};
+  logic [12:0] product_3843;
+  assign product_3843 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_3801};
   // hls/stages/patches.hpp:188
-  logic and_3839;
-  assign and_3839 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_3837[12:5] < patches_on_skin_q);
-  logic select_3844;
-  assign select_3844 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic and_3845;
+  assign and_3845 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_3843[12:5] < patches_on_skin_q);
+  logic select_3850;
+  assign select_3850 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:634
-  logic or_3848;
-  assign or_3848 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  logic or_3854;
+  assign or_3854 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
   // hls/stages/patches.hpp:635
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
   // hls/stages/patches.hpp:636
-  logic select_3855;
-  assign select_3855 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  logic select_3861;
+  assign select_3861 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:637
-  logic and_3861;
-  assign and_3861 = patches_frame_ended_s3_q & (~patches_age_q[9]);
-  logic [9:0] sum_3862;
-  assign sum_3862 = patches_age_q + {9'h0, and_3861};
-  logic [9:0] select_3865;
-  assign select_3865 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3862)) : sum_3862;
+  logic and_3867;
+  assign and_3867 = patches_frame_ended_s3_q & (~patches_age_q[9]);
+  logic [9:0] sum_3868;
+  assign sum_3868 = patches_age_q + {9'h0, and_3867};
+  logic [9:0] select_3871;
+  assign select_3871 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3868)) : sum_3868;
   // hls/stages/agreement.hpp:1188
-  logic or_3922;
-  assign or_3922 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  logic or_3928;
+  assign or_3928 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1217
-  logic equal_3924;
-  assign equal_3924 = x_s3_q[6:3] == 4'h7;
+  logic equal_3930;
+  assign equal_3930 = x_s3_q[6:3] == 4'h7;
   // hls/stages/agreement.hpp:1226
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
   // hls/stages/agreement.hpp:1227
-  logic select_3930;
-  assign select_3930 = (equal_3924 & equal_3700) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1135
-  logic [10:0] sum_3933;
-  assign sum_3933 = {1'b0, select_2646} + {2'h0, select_2646[9:1]};
   logic select_3936;
-  assign select_3936 = (select_2643[9:3] == 7'h0) ? ((~or_3922) & (~select_3930)) : (~({sum_3933, select_2646[0]} < {2'h0, select_2643}));
+  assign select_3936 = (equal_3930 & equal_3706) ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:1135
+  logic [10:0] sum_3939;
+  assign sum_3939 = {1'b0, select_2652} + {2'h0, select_2652[9:1]};
+  logic select_3942;
+  assign select_3942 = (select_2649[9:3] == 7'h0) ? ((~or_3928) & (~select_3936)) : (~({sum_3939, select_2652[0]} < {2'h0, select_2649}));
   // hls/stages/agreement.hpp:1142
-  logic [47:0] select_3938;
-  assign select_3938 = x_s3_q[6] ? (equal_1602_s3_q ? good_q : {select_3936, good_q[47:1]}) : good_q;
+  logic [47:0] select_3944;
+  assign select_3944 = x_s3_q[6] ? (equal_1607_s3_q ? good_q : {select_3942, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:788
-  logic select_3943;
-  assign select_3943 = equal_569_s3_q ? ((x_s3_q[6] & good_known_q) | equal_3941_s3_q) : good_known_q;
+  logic select_3949;
+  assign select_3949 = equal_574_s3_q ? ((x_s3_q[6] & good_known_q) | equal_3947_s3_q) : good_known_q;
   // hls/stages/agreement.hpp:1217
-  logic equal_3944;
-  assign equal_3944 = x_s3_q[6:3] == 4'ha;
-  logic equal_3946;
-  assign equal_3946 = x_s3_q[6:3] == 4'hc;
-  logic equal_3947;
-  assign equal_3947 = x_s3_q[6:3] == 4'hb;
-  logic equal_3948;
-  assign equal_3948 = x_s3_q[6:3] == 4'h9;
-  logic equal_3949;
-  assign equal_3949 = x_s3_q[6:3] == 4'h8;
+  logic equal_3950;
+  assign equal_3950 = x_s3_q[6:3] == 4'ha;
+  logic equal_3952;
+  assign equal_3952 = x_s3_q[6:3] == 4'hc;
+  logic equal_3953;
+  assign equal_3953 = x_s3_q[6:3] == 4'hb;
+  logic equal_3954;
+  assign equal_3954 = x_s3_q[6:3] == 4'h9;
+  logic equal_3955;
+  assign equal_3955 = x_s3_q[6:3] == 4'h8;
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3951;
-  assign select_3951 = equal_3948 ? counts_skin_unproven_q : (equal_3949 ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_3953;
-  assign select_3953 = equal_3947 ? counts_regions_bad_q : (equal_3944 ? counts_nearer_q : select_3951);
+  logic [13:0] select_3957;
+  assign select_3957 = equal_3954 ? counts_skin_unproven_q : (equal_3955 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_3959;
+  assign select_3959 = equal_3953 ? counts_regions_bad_q : (equal_3950 ? counts_nearer_q : select_3957);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_3946 ? counts_on_skin_q : select_3953;
+  assign before_v_4 = equal_3952 ? counts_on_skin_q : select_3959;
   // hls/stages/agreement.hpp:1222
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_4};
   // hls/stages/agreement.hpp:1230
-  logic select_3956;
-  assign select_3956 = (equal_3944 & equal_3700) ? over[14] : hides_q;
+  logic select_3962;
+  assign select_3962 = (equal_3950 & equal_3706) ? over[14] : hides_q;
   // hls/stages/agreement.hpp:1148
-  logic not_3957;
-  assign not_3957 = ~hidden_for_q[7];
-  logic [7:0] select_3959;
-  assign select_3959 = select_3956 ? (hidden_for_q + {7'h0, not_3957}) : 8'h0;
+  logic not_3963;
+  assign not_3963 = ~hidden_for_q[7];
+  logic [7:0] select_3965;
+  assign select_3965 = select_3962 ? (hidden_for_q + {7'h0, not_3963}) : 8'h0;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3961;
-  assign select_3961 = equal_569_s3_q ? (equal_3941_s3_q ? select_3959 : hidden_for_q) : hidden_for_q;
+  logic [7:0] select_3967;
+  assign select_3967 = equal_574_s3_q ? (equal_3947_s3_q ? select_3965 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1231
-  logic [13:0] select_3962;
-  assign select_3962 = equal_3700 ? 14'h0 : product_q;
+  logic [13:0] select_3968;
+  assign select_3968 = equal_3706 ? 14'h0 : product_q;
   // hls/stages/agreement.hpp:1125
-  logic [7:0] select_3964;
-  assign select_3964 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_3966;
-  assign select_3966 = equal_3949 ? cfg_unproven_skin_limit_i : (equal_3924 ? cfg_unproven_limit_i : select_3964);
-  logic [7:0] select_3968;
-  assign select_3968 = equal_3944 ? cfg_regions_limit_i : (equal_3948 ? cfg_hidden_limit_i : select_3966);
+  logic [7:0] select_3970;
+  assign select_3970 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_3972;
+  assign select_3972 = equal_3955 ? cfg_unproven_skin_limit_i : (equal_3930 ? cfg_unproven_limit_i : select_3970);
+  logic [7:0] select_3974;
+  assign select_3974 = equal_3950 ? cfg_regions_limit_i : (equal_3954 ? cfg_hidden_limit_i : select_3972);
   logic [7:0] limit;
-  assign limit = equal_3946 ? cfg_regions_limit_i : (equal_3947 ? {cfg_on_skin_limit_i, 3'h0} : select_3968);
+  assign limit = equal_3952 ? cfg_regions_limit_i : (equal_3953 ? {cfg_on_skin_limit_i, 3'h0} : select_3974);
   // hls/stages/agreement.hpp:1231
-  logic not_3971;
-  assign not_3971 = ~x_s3_q[2];
-  logic [3:0] select_3972;
-  assign select_3972 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_3971, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_3971};
-  logic [7:0] select_3973;
-  assign select_3973 = x_s3_q[0] ? {select_3972[3], 1'b0, select_3972[2], 1'b0, select_3972[1], 1'b0, select_3972[0], 1'b0} : {1'b0, select_3972[3], 1'b0, select_3972[2], 1'b0, select_3972[1], 1'b0, select_3972[0]};
+  logic not_3977;
+  assign not_3977 = ~x_s3_q[2];
+  logic [3:0] select_3978;
+  assign select_3978 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_3977, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_3977};
+  logic [7:0] select_3979;
+  assign select_3979 = x_s3_q[0] ? {select_3978[3], 1'b0, select_3978[2], 1'b0, select_3978[1], 1'b0, select_3978[0], 1'b0} : {1'b0, select_3978[3], 1'b0, select_3978[2], 1'b0, select_3978[1], 1'b0, select_3978[0]};
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3977;
-  assign select_3977 = equal_3948 ? counts_skin_supervised_q : (equal_3949 ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] select_3979;
-  assign select_3979 = equal_3947 ? counts_skin_textured_q : (equal_3944 ? counts_textured_q : select_3977);
+  logic [13:0] select_3983;
+  assign select_3983 = equal_3954 ? counts_skin_supervised_q : (equal_3955 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_3985;
+  assign select_3985 = equal_3953 ? counts_skin_textured_q : (equal_3950 ? counts_textured_q : select_3983);
   logic [13:0] of;
-  assign of = equal_3946 ? counts_textured_q : select_3979;
+  assign of = equal_3952 ? counts_textured_q : select_3985;
   // hls/stages/agreement.hpp:1231
-  logic [13:0] select_3981;
-  assign select_3981 = ((limit & select_3973) == 8'h0) ? 14'h0 : of;
+  logic [13:0] select_3987;
+  assign select_3987 = ((limit & select_3979) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_3962} + {1'b0, select_3981};
+  assign sum_4 = {1'b0, select_3968} + {1'b0, select_3987};
   // hls/stages/agreement.hpp:788
-  logic select_3986;
-  assign select_3986 = equal_569_s3_q ? (equal_3700 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
+  logic select_3992;
+  assign select_3992 = equal_574_s3_q ? (equal_3706 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
   // hls/stages/agreement.hpp:1228
-  logic and_3991;
-  assign and_3991 = too_much_q & (~(equal_3949 & equal_3700));
+  logic and_3997;
+  assign and_3997 = too_much_q & (~(equal_3955 & equal_3706));
   // hls/stages/agreement.hpp:1229
-  logic select_3996;
-  assign select_3996 = (over[14] & equal_3700) ? (and_3991 | ((equal_3949 | equal_3948) | (x_s3_q[6:3] == 4'hf))) : and_3991;
-  // hls/stages/agreement.hpp:1125
-  logic and_4001;
-  assign and_4001 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
-  // hls/stages/agreement.hpp:1231
   logic select_4002;
-  assign select_4002 = (equal_3946 & equal_3700) ? and_4001 : overlooks_q;
+  assign select_4002 = (over[14] & equal_3706) ? (and_3997 | ((equal_3955 | equal_3954) | (x_s3_q[6:3] == 4'hf))) : and_3997;
+  // hls/stages/agreement.hpp:1125
+  logic and_4007;
+  assign and_4007 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  // hls/stages/agreement.hpp:1231
+  logic select_4008;
+  assign select_4008 = (equal_3952 & equal_3706) ? and_4007 : overlooks_q;
   // hls/stages/agreement.hpp:788
-  logic [2:0] select_4004;
-  assign select_4004 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
-  logic [2:0] select_4006;
-  assign select_4006 = equal_569_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4004 : box_textured_columns_values_0_q);
-  logic [2:0] select_4007;
-  assign select_4007 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_4009;
-  assign select_4009 = equal_569_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4007 : box_textured_columns_values_1_q);
   logic [2:0] select_4010;
-  assign select_4010 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  assign select_4010 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
   logic [2:0] select_4012;
-  assign select_4012 = equal_569_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4010 : box_textured_columns_values_2_q);
+  assign select_4012 = equal_574_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4010 : box_textured_columns_values_0_q);
   logic [2:0] select_4013;
-  assign select_4013 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  assign select_4013 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
   logic [2:0] select_4015;
-  assign select_4015 = equal_569_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4013 : box_textured_columns_values_3_q);
+  assign select_4015 = equal_574_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4013 : box_textured_columns_values_1_q);
   logic [2:0] select_4016;
-  assign select_4016 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  assign select_4016 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
   logic [2:0] select_4018;
-  assign select_4018 = equal_569_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4016 : box_textured_columns_values_4_q);
-  logic [4:0] select_4020;
-  assign select_4020 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  assign select_4018 = equal_574_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4016 : box_textured_columns_values_2_q);
+  logic [2:0] select_4019;
+  assign select_4019 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_4021;
+  assign select_4021 = equal_574_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4019 : box_textured_columns_values_3_q);
   logic [2:0] select_4022;
-  assign select_4022 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  assign select_4022 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
   logic [2:0] select_4024;
-  assign select_4024 = equal_569_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4022 : box_explained_columns_values_0_q);
-  logic [2:0] select_4025;
-  assign select_4025 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [2:0] select_4027;
-  assign select_4027 = equal_569_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4025 : box_explained_columns_values_1_q);
+  assign select_4024 = equal_574_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4022 : box_textured_columns_values_4_q);
+  logic [4:0] select_4026;
+  assign select_4026 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   logic [2:0] select_4028;
-  assign select_4028 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_4028 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
   logic [2:0] select_4030;
-  assign select_4030 = equal_569_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4028 : box_explained_columns_values_2_q);
+  assign select_4030 = equal_574_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4028 : box_explained_columns_values_0_q);
   logic [2:0] select_4031;
-  assign select_4031 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  assign select_4031 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
   logic [2:0] select_4033;
-  assign select_4033 = equal_569_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4031 : box_explained_columns_values_3_q);
+  assign select_4033 = equal_574_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4031 : box_explained_columns_values_1_q);
   logic [2:0] select_4034;
-  assign select_4034 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  assign select_4034 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
   logic [2:0] select_4036;
-  assign select_4036 = equal_569_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4034 : box_explained_columns_values_4_q);
-  logic [4:0] select_4038;
-  assign select_4038 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [2:0] select_4041;
-  assign select_4041 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
-  logic [2:0] select_4043;
-  assign select_4043 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
-  logic [2:0] select_4045;
-  assign select_4045 = equal_569_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4043 : box_shown_columns_values_1_q);
-  logic [2:0] select_4046;
-  assign select_4046 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
-  logic [2:0] select_4048;
-  assign select_4048 = equal_569_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4046 : box_shown_columns_values_2_q);
+  assign select_4036 = equal_574_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4034 : box_explained_columns_values_2_q);
+  logic [2:0] select_4037;
+  assign select_4037 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_4039;
+  assign select_4039 = equal_574_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4037 : box_explained_columns_values_3_q);
+  logic [2:0] select_4040;
+  assign select_4040 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_4042;
+  assign select_4042 = equal_574_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4040 : box_explained_columns_values_4_q);
+  logic [4:0] select_4044;
+  assign select_4044 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [2:0] select_4047;
+  assign select_4047 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
   logic [2:0] select_4049;
-  assign select_4049 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  assign select_4049 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
   logic [2:0] select_4051;
-  assign select_4051 = equal_569_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4049 : box_shown_columns_values_3_q);
+  assign select_4051 = equal_574_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4049 : box_shown_columns_values_1_q);
   logic [2:0] select_4052;
-  assign select_4052 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  assign select_4052 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
   logic [2:0] select_4054;
-  assign select_4054 = equal_569_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4052 : box_shown_columns_values_4_q);
-  logic [4:0] select_4056;
-  assign select_4056 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_4059;
-  assign select_4059 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_4061;
-  assign select_4061 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [2:0] select_4063;
-  assign select_4063 = equal_569_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4061 : box_nearer_columns_values_1_q);
-  logic [2:0] select_4064;
-  assign select_4064 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [2:0] select_4066;
-  assign select_4066 = equal_569_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4064 : box_nearer_columns_values_2_q);
+  assign select_4054 = equal_574_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4052 : box_shown_columns_values_2_q);
+  logic [2:0] select_4055;
+  assign select_4055 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_4057;
+  assign select_4057 = equal_574_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4055 : box_shown_columns_values_3_q);
+  logic [2:0] select_4058;
+  assign select_4058 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4060;
+  assign select_4060 = equal_574_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4058 : box_shown_columns_values_4_q);
+  logic [4:0] select_4062;
+  assign select_4062 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [2:0] select_4065;
+  assign select_4065 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
   logic [2:0] select_4067;
-  assign select_4067 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  assign select_4067 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
   logic [2:0] select_4069;
-  assign select_4069 = equal_569_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4067 : box_nearer_columns_values_3_q);
+  assign select_4069 = equal_574_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4067 : box_nearer_columns_values_1_q);
   logic [2:0] select_4070;
-  assign select_4070 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  assign select_4070 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
   logic [2:0] select_4072;
-  assign select_4072 = equal_569_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4070 : box_nearer_columns_values_4_q);
-  logic [4:0] select_4074;
-  assign select_4074 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  assign select_4072 = equal_574_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4070 : box_nearer_columns_values_2_q);
+  logic [2:0] select_4073;
+  assign select_4073 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4075;
+  assign select_4075 = equal_574_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4073 : box_nearer_columns_values_3_q);
+  logic [2:0] select_4076;
+  assign select_4076 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4078;
+  assign select_4078 = equal_574_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4076 : box_nearer_columns_values_4_q);
+  logic [4:0] select_4080;
+  assign select_4080 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:1275
-  logic select_4109;
-  assign select_4109 = left_first_s3_q ? done_s3_q : proven_q;
+  logic select_4115;
+  assign select_4115 = left_first_s3_q ? done_s3_q : proven_q;
   // hls/stages/agreement.hpp:278
-  logic select_4111;
-  assign select_4111 = left_first_s3_q ? done_s3_q : (and_1972_s3_q ? select_4109 : proven_q);
+  logic select_4117;
+  assign select_4117 = left_first_s3_q ? done_s3_q : (and_1977_s3_q ? select_4115 : proven_q);
   // hls/stages/agreement.hpp:1308
-  logic [1:0] select_4162;
-  assign select_4162 = and_4161_s3_q ? {and_2128, is_seen} : map_rdata_q;
+  logic [1:0] select_4168;
+  assign select_4168 = and_4167_s3_q ? {and_2133, is_seen} : map_rdata_q;
   // hls/stages/agreement.hpp:1309
-  logic and_4163;
-  assign and_4163 = select_4109 & less_4139;
-  // hls/stages/agreement.hpp:438
-  logic select_4166;
-  assign select_4166 = and_2055_s3_q ? (less_2056_s3_q ? (select_4162[0] & and_4163) : seen_q) : seen_q;
-  // hls/stages/agreement.hpp:278
-  logic select_4168;
-  assign select_4168 = left_first_s3_q ? select_4166 : (and_1972_s3_q ? select_4166 : seen_q);
-  logic select_4169;
-  assign select_4169 = and_1972_s3_q ? select_4168 : seen_q;
+  logic and_4169;
+  assign and_4169 = select_4115 & less_4145;
   // hls/stages/agreement.hpp:438
   logic select_4172;
-  assign select_4172 = and_2055_s3_q ? (less_2056_s3_q ? (select_4162[1] & and_4163) : nearer_q) : nearer_q;
+  assign select_4172 = and_2060_s3_q ? (less_2061_s3_q ? (select_4168[0] & and_4169) : seen_q) : seen_q;
   // hls/stages/agreement.hpp:278
   logic select_4174;
-  assign select_4174 = left_first_s3_q ? select_4172 : (and_1972_s3_q ? select_4172 : nearer_q);
+  assign select_4174 = left_first_s3_q ? select_4172 : (and_1977_s3_q ? select_4172 : seen_q);
   logic select_4175;
-  assign select_4175 = and_1972_s3_q ? select_4174 : nearer_q;
+  assign select_4175 = and_1977_s3_q ? select_4174 : seen_q;
+  // hls/stages/agreement.hpp:438
+  logic select_4178;
+  assign select_4178 = and_2060_s3_q ? (less_2061_s3_q ? (select_4168[1] & and_4169) : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:278
+  logic select_4180;
+  assign select_4180 = left_first_s3_q ? select_4178 : (and_1977_s3_q ? select_4178 : nearer_q);
+  logic select_4181;
+  assign select_4181 = and_1977_s3_q ? select_4180 : nearer_q;
   // hls/stages/agreement.hpp:1239
-  logic or_4182;
-  assign or_4182 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | (~proven_q);
+  logic or_4188;
+  assign or_4188 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | (~proven_q);
   // hls/stages/agreement.hpp:1241
-  logic not_4190;
-  assign not_4190 = ~(or_3922 | not_2348);
+  logic not_4196;
+  assign not_4196 = ~(or_3928 | not_2354);
   // hls/stages/agreement.hpp:788
-  logic and_4194;
-  assign and_4194 = equal_569_s3_q & (equal_3941_s3_q & (not_4190 & (select_3930 | select_3996)));
-  logic and_4197;
-  assign and_4197 = equal_3941_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  logic and_4200;
+  assign and_4200 = equal_574_s3_q & (equal_3947_s3_q & (not_4196 & (select_3936 | select_4002)));
+  logic and_4203;
+  assign and_4203 = equal_3947_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
   // hls/stages/agreement.hpp:1150
-  logic or_4201;
-  assign or_4201 = select_2446 | (select_2458 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  logic or_4207;
+  assign or_4207 = select_2452 | (select_2464 | ($signed(20'h0) < $signed(census_left_misses_q)));
   // hls/stages/agreement.hpp:788
-  logic and_4208;
-  assign and_4208 = equal_569_s3_q & (equal_3941_s3_q & (not_4190 & (select_2452 | select_2464)));
+  logic and_4214;
+  assign and_4214 = equal_574_s3_q & (equal_3947_s3_q & (not_4196 & (select_2458 | select_2470)));
   // hls/stages/agreement.hpp:1150
-  logic and_4213;
-  assign and_4213 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3959 < cfg_hidden_frames_i));
-  logic select_4219;
-  assign select_4219 = (not_2348 | (select_4002 & not_3834)) ? cfg_prove_i : patches_overlooked_q;
+  logic and_4219;
+  assign and_4219 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3965 < cfg_hidden_frames_i));
+  logic select_4225;
+  assign select_4225 = (not_2354 | (select_4008 & not_3840)) ? cfg_prove_i : patches_overlooked_q;
   // hls/stages/agreement.hpp:788
-  logic and_4224;
-  assign and_4224 = equal_569_s3_q & (equal_3941_s3_q & (cfg_prove_i & moments_out_of_step_q));
-  logic and_4228;
-  assign and_4228 = equal_569_s3_q & (x_s3_q[6] & (not_1991_s3_q | (4'hc < x_s3_q[5:2])));
+  logic and_4230;
+  assign and_4230 = equal_574_s3_q & (equal_3947_s3_q & (cfg_prove_i & moments_out_of_step_q));
+  logic and_4234;
+  assign and_4234 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q | (4'hc < x_s3_q[5:2])));
   // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4236;
-  assign select_4236 = equal_1624_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4234_s3_q ? registration_sums_rdata_q : 32'h0);
-  logic [31:0] select_4237;
-  assign select_4237 = equal_1622_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4236;
-  logic [31:0] select_4238;
-  assign select_4238 = equal_1620_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4237;
-  logic [31:0] select_4239;
-  assign select_4239 = equal_1618_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4238;
-  logic [31:0] select_4240;
-  assign select_4240 = equal_1616_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4239;
-  logic [31:0] select_4241;
-  assign select_4241 = equal_1614_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4240;
   logic [31:0] select_4242;
-  assign select_4242 = equal_1612_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4241;
+  assign select_4242 = equal_1629_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4240_s3_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_4243;
-  assign select_4243 = equal_1610_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4242;
-  // hls/stages/agreement.hpp:1138
-  logic [9:0] select_4244;
-  assign select_4244 = less_2642 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:1142
+  assign select_4243 = equal_1627_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4242;
+  logic [31:0] select_4244;
+  assign select_4244 = equal_1625_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4243;
   logic [31:0] select_4245;
-  assign select_4245 = equal_1602_s3_q ? select_4243 : {2'h0, select_4244, select_2646, select_2643};
+  assign select_4245 = equal_1623_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4244;
+  logic [31:0] select_4246;
+  assign select_4246 = equal_1621_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4245;
+  logic [31:0] select_4247;
+  assign select_4247 = equal_1619_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4246;
+  logic [31:0] select_4248;
+  assign select_4248 = equal_1617_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4247;
+  logic [31:0] select_4249;
+  assign select_4249 = equal_1615_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4248;
+  // hls/stages/agreement.hpp:1138
+  logic [9:0] select_4250;
+  assign select_4250 = less_2648 ? 10'h0 : regions_rdata_q[29:20];
+  // hls/stages/agreement.hpp:1142
+  logic [31:0] select_4251;
+  assign select_4251 = equal_1607_s3_q ? select_4249 : {2'h0, select_4250, select_2652, select_2649};
 
   // Memory fresh, write
   logic [5:0] fresh_waddr;
   assign fresh_waddr = last_s3_q;
   logic fresh_we;
-  assign fresh_we = s3_en & and_544_s3_q;
+  assign fresh_we = s3_en & and_549_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (fresh_we) fresh_mem[fresh_waddr] <= {less_741_s3_q, and_740, less_735_s3_q, and_734_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_728, and_704_s3_q, and_703_s3_q, and_678_s3_q, less_670_s3_q, less_669_s3_q, less_668_s3_q, less_667_s3_q, less_666_s3_q, less_665_s3_q, less_664_s3_q, less_663_s3_q, less_662_s3_q, less_661_s3_q, less_660_s3_q, less_659_s3_q, less_658_s3_q, less_657_s3_q, less_656_s3_q, less_655_s3_q, less_654_s3_q, less_653_s3_q, less_652_s3_q, less_651_s3_q, less_650_s3_q, less_649_s3_q, less_648_s3_q, less_647_s3_q};
+    if (fresh_we) fresh_mem[fresh_waddr] <= {less_746_s3_q, and_745, less_740_s3_q, and_739_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_733, and_709_s3_q, and_708_s3_q, and_683_s3_q, less_675_s3_q, less_674_s3_q, less_673_s3_q, less_672_s3_q, less_671_s3_q, less_670_s3_q, less_669_s3_q, less_668_s3_q, less_667_s3_q, less_666_s3_q, less_665_s3_q, less_664_s3_q, less_663_s3_q, less_662_s3_q, less_661_s3_q, less_660_s3_q, less_659_s3_q, less_658_s3_q, less_657_s3_q, less_656_s3_q, less_655_s3_q, less_654_s3_q, less_653_s3_q, less_652_s3_q};
   end
 `ifndef SYNTHESIS
   logic [5:0] fresh_raddr_s1_sim;
@@ -6933,11 +6938,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1608_s3_q, lower_half_s3_q, registration_of_right_s3_q};
+  assign registration_sums_waddr = {sum_1613_s3_q, lower_half_s3_q, registration_of_right_s3_q};
   logic registration_sums_we;
-  assign registration_sums_we = s3_en & and_1667_s3_q;
+  assign registration_sums_we = s3_en & and_1672_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1666, sum_1662};
+    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1671, sum_1667};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -6953,11 +6958,11 @@ module horopter_agreement (
 
   // Memory patches_choices, write
   logic [5:0] patches_choices_waddr;
-  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_1696_s3_q};
+  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_1701_s3_q};
   logic patches_choices_we;
-  assign patches_choices_we = s3_en & and_1773_s3_q;
+  assign patches_choices_we = s3_en & and_1778_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1745_s3_q};
+    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1750_s3_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -6971,9 +6976,9 @@ module horopter_agreement (
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
-  assign patches_right_0_waddr = {select_1804_s3_q, select_1801};
+  assign patches_right_0_waddr = {select_1809_s3_q, select_1806};
   logic patches_right_0_we;
-  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_1813);
+  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_1818);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_0_we) patches_right_0_mem[patches_right_0_waddr] <= sample_pair_pixel_1_s3_q;
   end
@@ -7010,9 +7015,9 @@ module horopter_agreement (
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_1804_s3_q, select_1830};
+  assign patches_right_1_waddr = {select_1809_s3_q, select_1835};
   logic patches_right_1_we;
-  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_1833);
+  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_1838);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_1_we) patches_right_1_mem[patches_right_1_waddr] <= sample_pair_pixel_1_s3_q;
   end
@@ -7049,9 +7054,9 @@ module horopter_agreement (
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_1852, select_1851_s3_q, column_4};
+  assign patches_left_waddr = {select_1857, select_1856_s3_q, column_4};
   logic patches_left_we;
-  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_1858);
+  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_1863);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_left_we) patches_left_mem[patches_left_waddr] <= sample_pair_pixel_0_s3_q;
   end
@@ -7092,7 +7097,7 @@ module horopter_agreement (
   logic patches_rows_we;
   assign patches_rows_we = s3_en & patches_summed_last_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= select_1979;
+    if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= select_1984;
   end
 `ifndef SYNTHESIS
   logic [4:0] patches_rows_raddr_s2_sim;
@@ -7121,11 +7126,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s3_q, or_1989_s3_q, or_1986_s3_q, or_1983_s3_q};
+  assign regions_waddr = {region_row_s3_q, or_1994_s3_q, or_1991_s3_q, or_1988_s3_q};
   logic regions_we;
-  assign regions_we = s3_en & and_2023_s3_q;
+  assign regions_we = s3_en & and_2028_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_2022, sum_2012, sum_2007};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_2027, sum_2017, sum_2012};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -7139,11 +7144,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [11:0] map_waddr;
-  assign map_waddr = sum_2064_s3_q;
+  assign map_waddr = sum_2069_s3_q;
   logic map_we;
-  assign map_we = s3_en & and_2138_s3_q;
+  assign map_we = s3_en & and_2143_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_2128, is_seen};
+    if (map_we) map_mem[map_waddr] <= {and_2133, is_seen};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -7294,140 +7299,140 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s3_en) begin
-      census_left_misses_q <= select_2287;
-      sharpness_before_last_mask_q <= select_2360;
-      sharpness_sums_detail_0_q <= and_544_s3_q ? select_2374 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_544_s3_q ? select_2386 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_544_s3_q ? sum_2390 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_544_s3_q ? sum_2394 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2412 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2422 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2424 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2426 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2428 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2430 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2435;
-      sharpness_comparing_carry_1_q <= select_2439;
-      sharpness_comparing_less_detail_0_q <= select_2446;
-      sharpness_comparing_less_detail_1_q <= select_2452;
-      sharpness_comparing_less_contrast_0_q <= select_2458;
-      sharpness_comparing_less_contrast_1_q <= select_2464;
-      counts_supervised_q <= select_2600;
-      counts_textured_q <= and_2592_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_2603});
-      counts_explained_q <= and_2592_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_2608});
-      counts_nearer_q <= and_2592_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2613});
-      counts_unproven_q <= and_2592_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2639});
-      counts_regions_bad_q <= select_2655;
-      counts_skin_supervised_q <= select_2662;
-      counts_skin_textured_q <= select_2669;
-      counts_skin_unproven_q <= select_2677;
-      counts_on_skin_q <= select_2696;
-      registration_half_across_q <= select_2774;
-      registration_half_measured_q <= select_2779;
-      registration_half_votes_down_q <= and_2752_s3_q ? 7'h0 : sum_2785;
-      registration_half_votes_up_q <= and_2752_s3_q ? 7'h0 : sum_2793;
-      registration_half_half_votes_down_q <= and_2752_s3_q ? 7'h0 : sum_2800;
-      registration_half_half_votes_up_q <= and_2752_s3_q ? 7'h0 : sum_2807;
-      registration_down_q <= and_2841 ? sum_2860 : registration_down_q;
-      registration_up_q <= and_2841 ? sum_2869 : registration_up_q;
-      registration_enough_q <= select_2883;
-      registration_votes_down_q <= and_2888 ? less_2889 : registration_votes_down_q;
-      registration_votes_up_q <= and_2888 ? less_2891 : registration_votes_up_q;
-      registration_other_enough_q <= and_2897 ? select_2883 : registration_other_enough_q;
-      registration_other_down_q <= and_2897 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2897 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_569_s3_q & and_2904)) & or_2929;
-      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_1792 : patches_place_0_valid_q;
-      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_1794 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_1795 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3013;
-      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_1821 : patches_place_1_valid_q;
-      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_1823 : patches_place_1_column_q;
-      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_1824 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3018;
-      patches_valid_0_q <= select_3023;
-      patches_valid_1_q <= select_3028;
-      patches_right_next_0_q <= select_3031;
-      patches_right_next_1_q <= select_3034;
-      patches_left_next_0_q <= select_3037;
-      patches_left_next_1_q <= select_3040;
-      patches_sums_values_0_q <= select_3464;
-      patches_sums_values_1_q <= equal_1774_s3_q ? patches_sums_values_1_q : select_3465;
-      patches_sums_values_2_q <= equal_1774_s3_q ? patches_sums_values_2_q : select_3467;
-      patches_sums_values_3_q <= equal_1774_s3_q ? patches_sums_values_3_q : select_3469;
-      patches_sums_values_4_q <= equal_1774_s3_q ? patches_sums_values_4_q : select_3471;
-      patches_sums_values_5_q <= equal_1774_s3_q ? patches_sums_values_5_q : select_3473;
-      patches_sums_values_6_q <= equal_1774_s3_q ? patches_sums_values_6_q : select_3475;
-      patches_sums_values_7_q <= equal_1774_s3_q ? patches_sums_values_7_q : select_3477;
-      patches_sums_values_8_q <= equal_1774_s3_q ? patches_sums_values_8_q : select_3479;
-      patches_sums_values_9_q <= equal_1774_s3_q ? patches_sums_values_9_q : select_3481;
-      patches_sums_values_10_q <= equal_1774_s3_q ? patches_sums_values_10_q : select_3483;
-      patches_sums_values_11_q <= equal_1774_s3_q ? patches_sums_values_11_q : select_3485;
-      patches_sums_values_12_q <= equal_1774_s3_q ? patches_sums_values_12_q : select_3487;
-      patches_sums_values_13_q <= equal_1774_s3_q ? patches_sums_values_13_q : select_3489;
-      patches_sums_values_14_q <= equal_1774_s3_q ? patches_sums_values_14_q : select_3491;
-      patches_sums_values_15_q <= equal_1774_s3_q ? patches_sums_values_15_q : select_3493;
-      patches_sums_values_16_q <= equal_1774_s3_q ? patches_sums_values_16_q : select_3495;
-      patches_best_differing_q <= select_1979[9:0];
-      patches_best_column_q <= select_1979[14:10];
-      patches_quarters_0_places_q <= sum_3619;
-      patches_quarters_0_up_q <= sum_3659;
-      patches_quarters_0_down_q <= sum_3669;
-      patches_quarters_1_places_q <= sum_3673;
-      patches_quarters_1_up_q <= sum_3676;
-      patches_quarters_1_down_q <= sum_3679;
-      patches_quarters_2_places_q <= sum_3683;
-      patches_quarters_2_up_q <= sum_3686;
-      patches_quarters_2_down_q <= sum_3689;
-      patches_quarters_3_places_q <= sum_3693;
-      patches_quarters_3_up_q <= sum_3696;
-      patches_quarters_3_down_q <= sum_3699;
-      patches_word_places_q <= or_3727;
-      patches_word_up_q <= ((select_3737 | select_3739) | select_3742) | select_3745;
-      patches_word_down_q <= ((select_3748 | select_3750) | select_3753) | select_3756;
-      patches_sum_places_q <= select_3766;
-      patches_sum_up_q <= select_3769;
-      patches_sum_down_q <= select_3772;
-      patches_across_q <= sum_3784;
-      patches_places_q <= select_3795;
+      census_left_misses_q <= select_2293;
+      sharpness_before_last_mask_q <= select_2366;
+      sharpness_sums_detail_0_q <= and_549_s3_q ? select_2380 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_549_s3_q ? select_2392 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_549_s3_q ? sum_2396 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_549_s3_q ? sum_2400 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2418 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2428 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2430 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2432 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2434 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2436 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2441;
+      sharpness_comparing_carry_1_q <= select_2445;
+      sharpness_comparing_less_detail_0_q <= select_2452;
+      sharpness_comparing_less_detail_1_q <= select_2458;
+      sharpness_comparing_less_contrast_0_q <= select_2464;
+      sharpness_comparing_less_contrast_1_q <= select_2470;
+      counts_supervised_q <= select_2606;
+      counts_textured_q <= and_2598_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_2609});
+      counts_explained_q <= and_2598_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_2614});
+      counts_nearer_q <= and_2598_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2619});
+      counts_unproven_q <= and_2598_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2645});
+      counts_regions_bad_q <= select_2661;
+      counts_skin_supervised_q <= select_2668;
+      counts_skin_textured_q <= select_2675;
+      counts_skin_unproven_q <= select_2683;
+      counts_on_skin_q <= select_2702;
+      registration_half_across_q <= select_2780;
+      registration_half_measured_q <= select_2785;
+      registration_half_votes_down_q <= and_2758_s3_q ? 7'h0 : sum_2791;
+      registration_half_votes_up_q <= and_2758_s3_q ? 7'h0 : sum_2799;
+      registration_half_half_votes_down_q <= and_2758_s3_q ? 7'h0 : sum_2806;
+      registration_half_half_votes_up_q <= and_2758_s3_q ? 7'h0 : sum_2813;
+      registration_down_q <= and_2847 ? sum_2866 : registration_down_q;
+      registration_up_q <= and_2847 ? sum_2875 : registration_up_q;
+      registration_enough_q <= select_2889;
+      registration_votes_down_q <= and_2894 ? less_2895 : registration_votes_down_q;
+      registration_votes_up_q <= and_2894 ? less_2897 : registration_votes_up_q;
+      registration_other_enough_q <= and_2903 ? select_2889 : registration_other_enough_q;
+      registration_other_down_q <= and_2903 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2903 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_574_s3_q & and_2910)) & or_2935;
+      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_1797 : patches_place_0_valid_q;
+      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_1799 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_1800 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_3019;
+      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_1826 : patches_place_1_valid_q;
+      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_1828 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_1829 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_3024;
+      patches_valid_0_q <= select_3029;
+      patches_valid_1_q <= select_3034;
+      patches_right_next_0_q <= select_3037;
+      patches_right_next_1_q <= select_3040;
+      patches_left_next_0_q <= select_3043;
+      patches_left_next_1_q <= select_3046;
+      patches_sums_values_0_q <= select_3470;
+      patches_sums_values_1_q <= equal_1779_s3_q ? patches_sums_values_1_q : select_3471;
+      patches_sums_values_2_q <= equal_1779_s3_q ? patches_sums_values_2_q : select_3473;
+      patches_sums_values_3_q <= equal_1779_s3_q ? patches_sums_values_3_q : select_3475;
+      patches_sums_values_4_q <= equal_1779_s3_q ? patches_sums_values_4_q : select_3477;
+      patches_sums_values_5_q <= equal_1779_s3_q ? patches_sums_values_5_q : select_3479;
+      patches_sums_values_6_q <= equal_1779_s3_q ? patches_sums_values_6_q : select_3481;
+      patches_sums_values_7_q <= equal_1779_s3_q ? patches_sums_values_7_q : select_3483;
+      patches_sums_values_8_q <= equal_1779_s3_q ? patches_sums_values_8_q : select_3485;
+      patches_sums_values_9_q <= equal_1779_s3_q ? patches_sums_values_9_q : select_3487;
+      patches_sums_values_10_q <= equal_1779_s3_q ? patches_sums_values_10_q : select_3489;
+      patches_sums_values_11_q <= equal_1779_s3_q ? patches_sums_values_11_q : select_3491;
+      patches_sums_values_12_q <= equal_1779_s3_q ? patches_sums_values_12_q : select_3493;
+      patches_sums_values_13_q <= equal_1779_s3_q ? patches_sums_values_13_q : select_3495;
+      patches_sums_values_14_q <= equal_1779_s3_q ? patches_sums_values_14_q : select_3497;
+      patches_sums_values_15_q <= equal_1779_s3_q ? patches_sums_values_15_q : select_3499;
+      patches_sums_values_16_q <= equal_1779_s3_q ? patches_sums_values_16_q : select_3501;
+      patches_best_differing_q <= select_1984[9:0];
+      patches_best_column_q <= select_1984[14:10];
+      patches_quarters_0_places_q <= sum_3625;
+      patches_quarters_0_up_q <= sum_3665;
+      patches_quarters_0_down_q <= sum_3675;
+      patches_quarters_1_places_q <= sum_3679;
+      patches_quarters_1_up_q <= sum_3682;
+      patches_quarters_1_down_q <= sum_3685;
+      patches_quarters_2_places_q <= sum_3689;
+      patches_quarters_2_up_q <= sum_3692;
+      patches_quarters_2_down_q <= sum_3695;
+      patches_quarters_3_places_q <= sum_3699;
+      patches_quarters_3_up_q <= sum_3702;
+      patches_quarters_3_down_q <= sum_3705;
+      patches_word_places_q <= or_3733;
+      patches_word_up_q <= ((select_3743 | select_3745) | select_3748) | select_3751;
+      patches_word_down_q <= ((select_3754 | select_3756) | select_3759) | select_3762;
+      patches_sum_places_q <= select_3772;
+      patches_sum_up_q <= select_3775;
+      patches_sum_down_q <= select_3778;
+      patches_across_q <= sum_3790;
+      patches_places_q <= select_3801;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_3799;
-      patches_partly_q <= or_3802;
-      patches_clear_limit_q <= sum_3803[8:2];
-      patches_complete_q <= select_3805;
+      patches_mostly_q <= or_3805;
+      patches_partly_q <= or_3808;
+      patches_clear_limit_q <= sum_3809[8:2];
+      patches_complete_q <= select_3811;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= and_3788 ? select_3810 : patches_found_q;
-      patches_doubted_q <= select_3817;
-      patches_doubted_before_q <= select_3818;
+      patches_found_q <= and_3794 ? select_3816 : patches_found_q;
+      patches_doubted_q <= select_3823;
+      patches_doubted_before_q <= select_3824;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_3822;
-      patches_on_skin_q <= sum_3832;
-      patches_large_q <= not_3834 & and_3839;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3844;
-      patches_spoiled_q <= or_3848;
+      patches_round_on_skin_q <= select_3828;
+      patches_on_skin_q <= sum_3838;
+      patches_large_q <= not_3840 & and_3845;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3850;
+      patches_spoiled_q <= or_3854;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_3855;
+      patches_moved_q <= select_3861;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_3865;
-      segment_textured_q <= select_2004 + {5'h0, and_2603};
-      segment_explained_q <= select_2009 + {5'h0, and_2608};
-      segment_nearer_q <= select_2019 + {5'h0, and_2613};
+      patches_age_q <= select_3871;
+      segment_textured_q <= select_2009 + {5'h0, and_2609};
+      segment_explained_q <= select_2014 + {5'h0, and_2614};
+      segment_nearer_q <= select_2024 + {5'h0, and_2619};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_569_s3_q ? select_3938 : good_q;
-      good_known_q <= select_3943;
-      hidden_for_q <= select_3961;
-      product_q <= equal_569_s3_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_3986;
-      disagree_q <= equal_569_s3_q ? select_3930 : disagree_q;
-      too_much_q <= equal_569_s3_q ? select_3996 : too_much_q;
-      hides_q <= equal_569_s3_q ? select_3956 : hides_q;
-      overlooks_q <= equal_569_s3_q ? select_4002 : overlooks_q;
-      proven_q <= and_1972_s3_q ? select_4111 : proven_q;
-      seen_q <= select_4169;
-      nearer_q <= select_4175;
+      good_q <= equal_574_s3_q ? select_3944 : good_q;
+      good_known_q <= select_3949;
+      hidden_for_q <= select_3967;
+      product_q <= equal_574_s3_q ? sum_4[14:1] : product_q;
+      product_rest_q <= select_3992;
+      disagree_q <= equal_574_s3_q ? select_3936 : disagree_q;
+      too_much_q <= equal_574_s3_q ? select_4002 : too_much_q;
+      hides_q <= equal_574_s3_q ? select_3962 : hides_q;
+      overlooks_q <= equal_574_s3_q ? select_4008 : overlooks_q;
+      proven_q <= and_1977_s3_q ? select_4117 : proven_q;
+      seen_q <= select_4175;
+      nearer_q <= select_4181;
     end
   end
 
@@ -7477,45 +7482,45 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
-      averager_quarter_1_0_q <= select_2162;
-      averager_quarter_1_1_q <= select_2164;
-      averager_quarter_2_0_q <= select_2166;
-      averager_quarter_2_1_q <= select_2168;
-      averager_detail_0_q <= select_2180;
-      averager_detail_1_q <= select_2188;
-      census_changes_values_0_left_q <= and_544_s3_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_544_s3_q ? sum_2271 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2273;
-      census_changes_values_1_right_q <= select_2274;
-      census_changes_values_2_left_q <= select_2275;
-      census_changes_values_2_right_q <= select_2276;
-      sharpness_last_mask_q <= and_544_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_544_s3_q ? select_2357[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_544_s3_q ? select_2357[27:14] : sharpness_last_detail_1_q;
-      box_textured_columns_values_0_q <= select_4006;
-      box_textured_columns_values_1_q <= select_4009;
-      box_textured_columns_values_2_q <= select_4012;
-      box_textured_columns_values_3_q <= select_4015;
-      box_textured_columns_values_4_q <= select_4018;
-      box_textured_sum_sums_values_0_q <= equal_569_s3_q ? box_textured_sum_sums_values_0_q : select_4020;
-      box_explained_columns_values_0_q <= select_4024;
-      box_explained_columns_values_1_q <= select_4027;
-      box_explained_columns_values_2_q <= select_4030;
-      box_explained_columns_values_3_q <= select_4033;
-      box_explained_columns_values_4_q <= select_4036;
-      box_explained_sum_sums_values_0_q <= equal_569_s3_q ? box_explained_sum_sums_values_0_q : select_4038;
-      box_shown_columns_values_0_q <= equal_569_s3_q ? box_shown_columns_values_0_q : select_4041;
-      box_shown_columns_values_1_q <= select_4045;
-      box_shown_columns_values_2_q <= select_4048;
-      box_shown_columns_values_3_q <= select_4051;
-      box_shown_columns_values_4_q <= select_4054;
-      box_shown_sum_sums_values_0_q <= equal_569_s3_q ? box_shown_sum_sums_values_0_q : select_4056;
-      box_nearer_columns_values_0_q <= equal_569_s3_q ? box_nearer_columns_values_0_q : select_4059;
-      box_nearer_columns_values_1_q <= select_4063;
-      box_nearer_columns_values_2_q <= select_4066;
-      box_nearer_columns_values_3_q <= select_4069;
-      box_nearer_columns_values_4_q <= select_4072;
-      box_nearer_sum_sums_values_0_q <= equal_569_s3_q ? box_nearer_sum_sums_values_0_q : select_4074;
+      averager_quarter_1_0_q <= select_2167;
+      averager_quarter_1_1_q <= select_2169;
+      averager_quarter_2_0_q <= select_2171;
+      averager_quarter_2_1_q <= select_2173;
+      averager_detail_0_q <= select_2185;
+      averager_detail_1_q <= select_2193;
+      census_changes_values_0_left_q <= and_549_s3_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_549_s3_q ? sum_2277 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2279;
+      census_changes_values_1_right_q <= select_2280;
+      census_changes_values_2_left_q <= select_2281;
+      census_changes_values_2_right_q <= select_2282;
+      sharpness_last_mask_q <= and_549_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
+      sharpness_last_detail_0_q <= and_549_s3_q ? select_2363[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_549_s3_q ? select_2363[27:14] : sharpness_last_detail_1_q;
+      box_textured_columns_values_0_q <= select_4012;
+      box_textured_columns_values_1_q <= select_4015;
+      box_textured_columns_values_2_q <= select_4018;
+      box_textured_columns_values_3_q <= select_4021;
+      box_textured_columns_values_4_q <= select_4024;
+      box_textured_sum_sums_values_0_q <= equal_574_s3_q ? box_textured_sum_sums_values_0_q : select_4026;
+      box_explained_columns_values_0_q <= select_4030;
+      box_explained_columns_values_1_q <= select_4033;
+      box_explained_columns_values_2_q <= select_4036;
+      box_explained_columns_values_3_q <= select_4039;
+      box_explained_columns_values_4_q <= select_4042;
+      box_explained_sum_sums_values_0_q <= equal_574_s3_q ? box_explained_sum_sums_values_0_q : select_4044;
+      box_shown_columns_values_0_q <= equal_574_s3_q ? box_shown_columns_values_0_q : select_4047;
+      box_shown_columns_values_1_q <= select_4051;
+      box_shown_columns_values_2_q <= select_4054;
+      box_shown_columns_values_3_q <= select_4057;
+      box_shown_columns_values_4_q <= select_4060;
+      box_shown_sum_sums_values_0_q <= equal_574_s3_q ? box_shown_sum_sums_values_0_q : select_4062;
+      box_nearer_columns_values_0_q <= equal_574_s3_q ? box_nearer_columns_values_0_q : select_4065;
+      box_nearer_columns_values_1_q <= select_4069;
+      box_nearer_columns_values_2_q <= select_4072;
+      box_nearer_columns_values_3_q <= select_4075;
+      box_nearer_columns_values_4_q <= select_4078;
+      box_nearer_sum_sums_values_0_q <= equal_574_s3_q ? box_nearer_sum_sums_values_0_q : select_4080;
     end
   end
 
@@ -7524,21 +7529,21 @@ module horopter_agreement (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic and_4113_s4_q;
-  logic or_4176_s4_q;
-  logic and_4177_s4_q;
-  logic and_4185_s4_q;
-  logic and_4188_s4_q;
+  logic and_4119_s4_q;
+  logic or_4182_s4_q;
+  logic and_4183_s4_q;
+  logic and_4191_s4_q;
   logic and_4194_s4_q;
-  logic and_4198_s4_q;
+  logic and_4200_s4_q;
   logic and_4204_s4_q;
-  logic and_4208_s4_q;
-  logic and_4216_s4_q;
-  logic and_4221_s4_q;
-  logic and_4224_s4_q;
-  logic and_4228_s4_q;
-  logic [5:0] select_4230_s4_q;
-  logic [31:0] select_4247_s4_q;
+  logic and_4210_s4_q;
+  logic and_4214_s4_q;
+  logic and_4222_s4_q;
+  logic and_4227_s4_q;
+  logic and_4230_s4_q;
+  logic and_4234_s4_q;
+  logic [5:0] select_4236_s4_q;
+  logic [31:0] select_4253_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_1_q;
@@ -7546,21 +7551,21 @@ module horopter_agreement (
       mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
-      and_4113_s4_q <= said_q;
-      or_4176_s4_q <= not_2348 | select_4169;
-      and_4177_s4_q <= cfg_prove_i & select_4175;
-      and_4185_s4_q <= equal_569_s3_q & (equal_3941_s3_q & (cfg_prove_i & or_4182));
-      and_4188_s4_q <= equal_569_s3_q & (equal_3941_s3_q & (cfg_prove_i & or_3922));
-      and_4194_s4_q <= and_4194;
-      and_4198_s4_q <= equal_569_s3_q & and_4197;
-      and_4204_s4_q <= equal_569_s3_q & (equal_3941_s3_q & (not_4190 & or_4201));
-      and_4208_s4_q <= and_4208;
-      and_4216_s4_q <= equal_569_s3_q & (equal_3941_s3_q & (cfg_prove_i & and_4213));
-      and_4221_s4_q <= equal_569_s3_q & (equal_3941_s3_q & select_4219);
-      and_4224_s4_q <= and_4224;
-      and_4228_s4_q <= and_4228;
-      select_4230_s4_q <= equal_569_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
-      select_4247_s4_q <= equal_569_s3_q ? (x_s3_q[6] ? select_4245 : 32'h0) : 32'h0;
+      and_4119_s4_q <= said_q;
+      or_4182_s4_q <= not_2354 | select_4175;
+      and_4183_s4_q <= cfg_prove_i & select_4181;
+      and_4191_s4_q <= equal_574_s3_q & (equal_3947_s3_q & (cfg_prove_i & or_4188));
+      and_4194_s4_q <= equal_574_s3_q & (equal_3947_s3_q & (cfg_prove_i & or_3928));
+      and_4200_s4_q <= and_4200;
+      and_4204_s4_q <= equal_574_s3_q & and_4203;
+      and_4210_s4_q <= equal_574_s3_q & (equal_3947_s3_q & (not_4196 & or_4207));
+      and_4214_s4_q <= and_4214;
+      and_4222_s4_q <= equal_574_s3_q & (equal_3947_s3_q & (cfg_prove_i & and_4219));
+      and_4227_s4_q <= equal_574_s3_q & (equal_3947_s3_q & select_4225);
+      and_4230_s4_q <= and_4230;
+      and_4234_s4_q <= and_4234;
+      select_4236_s4_q <= equal_574_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
+      select_4253_s4_q <= equal_574_s3_q ? (x_s3_q[6] ? select_4251 : 32'h0) : 32'h0;
     end
   end
 
@@ -7570,21 +7575,21 @@ module horopter_agreement (
   assign mask_o = mask_s4_q;
   assign marks_first_o = marks_first_s4_q;
   assign marks_last_o = marks_last_s4_q;
-  assign marks_seen_o = or_4176_s4_q;
-  assign marks_nearer_o = and_4177_s4_q;
-  assign verdict_valid_o = and_4113_s4_q;
-  assign verdict_unproven_yet_o = and_4185_s4_q;
-  assign verdict_untextured_o = and_4188_s4_q;
-  assign verdict_disagree_o = and_4194_s4_q;
-  assign verdict_moved_o = and_4198_s4_q;
-  assign verdict_unsharp_left_o = and_4204_s4_q;
-  assign verdict_unsharp_right_o = and_4208_s4_q;
-  assign verdict_hidden_o = and_4216_s4_q;
-  assign verdict_overlooked_o = and_4221_s4_q;
-  assign verdict_out_of_step_o = and_4224_s4_q;
-  assign frame_valid_o = and_4228_s4_q;
-  assign frame_index_o = select_4230_s4_q;
-  assign frame_word_o = select_4247_s4_q;
+  assign marks_seen_o = or_4182_s4_q;
+  assign marks_nearer_o = and_4183_s4_q;
+  assign verdict_valid_o = and_4119_s4_q;
+  assign verdict_unproven_yet_o = and_4191_s4_q;
+  assign verdict_untextured_o = and_4194_s4_q;
+  assign verdict_disagree_o = and_4200_s4_q;
+  assign verdict_moved_o = and_4204_s4_q;
+  assign verdict_unsharp_left_o = and_4210_s4_q;
+  assign verdict_unsharp_right_o = and_4214_s4_q;
+  assign verdict_hidden_o = and_4222_s4_q;
+  assign verdict_overlooked_o = and_4227_s4_q;
+  assign verdict_out_of_step_o = and_4230_s4_q;
+  assign frame_valid_o = and_4234_s4_q;
+  assign frame_index_o = select_4236_s4_q;
+  assign frame_word_o = select_4253_s4_q;
   assign valid_o = valid_s4_q;
 
   always_ff @(posedge clk_i) begin
@@ -7603,6 +7608,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_3837[4:0], sum_3803[1:0], sum_3758[1:0], product_3649[4:0], sum_2742[0], difference_2683[1:0], detail_4[1:0], detail_3[1:0], sum_2281[4:0], sum_1712[0], sum_1708[0], sum_726[4:0], cfg_compete_i, cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], product_3843[4:0], sum_3809[1:0], sum_3764[1:0], product_3655[4:0], sum_2748[0], difference_2689[1:0], detail_4[1:0], detail_3[1:0], sum_2287[4:0], sum_1717[0], sum_1713[0], sum_731[4:0], cfg_compete_i, cfg_width_i[2:0]};
 
 endmodule
