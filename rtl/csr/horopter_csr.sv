@@ -143,15 +143,16 @@ module horopter_csr #(
     output logic [31:0] object_area_limit_of_1024_o
 );
   // The address is decoded always, in the first clock of a write into a group of eight words and the word, in the second into
-  // whether it may be written. It counts from the third on.
+  // whether it may be written. From the third on it is answered, taken_q, and counts, write_q; nothing
+  // counts without an answer.
   logic seen_q, taken_q, write_q;
   logic [10:0] write_group_q;
   logic [7:0] write_word_q;
-  logic free, lockable, whole;  // written always, unless locked, as all four bytes
-  assign write_q = taken_q && !write_error_o;
+  logic free, lockable, whole, refused;  // written always, unless locked, as all four bytes; not
   always_ff @(posedge clk_i) begin
     seen_q <= rst_ni && write_valid_i && !write_ready_o;
     taken_q <= rst_ni && write_valid_i && seen_q && !write_ready_o;
+    write_q <= rst_ni && write_valid_i && seen_q && !write_ready_o && !refused;
     write_word_q <= write_addr_i[1:0] == 2'd0 ? 8'd1 << write_addr_i[4:2] : 8'd0;
     write_group_q[0] <= write_addr_i[11:5] == 7'h02;
     write_group_q[1] <= write_addr_i[11:5] == 7'h03;
@@ -164,8 +165,9 @@ module horopter_csr #(
     write_group_q[8] <= write_addr_i[11:5] == 7'h0C;
     write_group_q[9] <= write_addr_i[11:5] == 7'h0D;
     write_group_q[10] <= write_addr_i[11:5] == 7'h0E;
-    write_error_o <= !(free || (lockable && !locked_i) || (whole && write_strb_i == 4'hF));
+    write_error_o <= refused;
   end
+  assign refused = !(free || (lockable && !locked_i) || (whole && write_strb_i == 4'hF));
   assign free = (write_group_q[0] && (write_word_q & 8'hC1) != 8'd0)
       || (write_group_q[1] && (write_word_q & 8'h03) != 8'd0)
       || (write_group_q[2] && (write_word_q & 8'h2F) != 8'd0)
@@ -184,11 +186,11 @@ module horopter_csr #(
   assign whole = (write_group_q[1] && (write_word_q & 8'h08) != 8'd0)
       || (write_group_q[4] && (write_word_q & 8'h0C) != 8'd0);
 
-  assign restart_valid_o = write_q && write_group_q[1] && write_word_q[3];
+  assign restart_valid_o = taken_q && write_q && write_group_q[1] && write_word_q[3];
   assign restart_key_o = write_data_i[31:0];
-  assign map_control_valid_o = write_q && write_group_q[4] && write_word_q[2];
+  assign map_control_valid_o = taken_q && write_q && write_group_q[4] && write_word_q[2];
   assign map_control_start_o = write_data_i[0];
-  assign map_data_valid_o = write_q && write_group_q[4] && write_word_q[3];
+  assign map_data_valid_o = taken_q && write_q && write_group_q[4] && write_word_q[3];
   assign map_data_word_o = write_data_i[31:0];
   assign write_ready_o = taken_q
       && !(restart_valid_o && !restart_ready_i)
@@ -200,47 +202,47 @@ module horopter_csr #(
   logic [31:0] data_q;
   logic [3:0] strb_q;
   always_ff @(posedge clk_i) begin
-    store_q[0] <= write_q && write_group_q[0] && write_word_q[0];
-    store_q[1] <= write_q && write_group_q[0] && write_word_q[1];
-    store_q[2] <= write_q && write_group_q[0] && write_word_q[3];
-    store_q[3] <= write_q && write_group_q[0] && write_word_q[4];
-    store_q[4] <= write_q && write_group_q[0] && write_word_q[5];
-    store_q[5] <= write_q && write_group_q[0] && write_word_q[6];
-    store_q[6] <= write_q && write_group_q[0] && write_word_q[7];
-    store_q[7] <= write_q && write_group_q[1] && write_word_q[0];
-    store_q[8] <= write_q && write_group_q[1] && write_word_q[2];
-    store_q[9] <= write_q && write_group_q[1] && write_word_q[4];
-    store_q[10] <= write_q && write_group_q[2] && write_word_q[0];
-    store_q[11] <= write_q && write_group_q[2] && write_word_q[1];
-    store_q[12] <= write_q && write_group_q[2] && write_word_q[2];
-    store_q[13] <= write_q && write_group_q[2] && write_word_q[3];
-    store_q[14] <= write_q && write_group_q[2] && write_word_q[4];
-    store_q[15] <= write_q && write_group_q[2] && write_word_q[5];
-    store_q[16] <= write_q && write_group_q[3] && write_word_q[0];
-    store_q[17] <= write_q && write_group_q[3] && write_word_q[1];
-    store_q[18] <= write_q && write_group_q[3] && write_word_q[2];
-    store_q[19] <= write_q && write_group_q[3] && write_word_q[3];
-    store_q[20] <= write_q && write_group_q[3] && write_word_q[4];
-    store_q[21] <= write_q && write_group_q[3] && write_word_q[5];
-    store_q[22] <= write_q && write_group_q[3] && write_word_q[6];
-    store_q[23] <= write_q && write_group_q[3] && write_word_q[7];
-    store_q[24] <= write_q && write_group_q[4] && write_word_q[0];
-    store_q[25] <= write_q && write_group_q[4] && write_word_q[1];
-    store_q[26] <= write_q && write_group_q[4] && write_word_q[7];
-    store_q[27] <= write_q && write_group_q[6] && write_word_q[4];
-    store_q[28] <= write_q && write_group_q[6] && write_word_q[5];
-    store_q[29] <= write_q && write_group_q[6] && write_word_q[6];
-    store_q[30] <= write_q && write_group_q[6] && write_word_q[7];
-    store_q[31] <= write_q && write_group_q[7] && write_word_q[0];
-    store_q[32] <= write_q && write_group_q[7] && write_word_q[1];
-    store_q[33] <= write_q && write_group_q[8] && write_word_q[0];
-    store_q[34] <= write_q && write_group_q[8] && write_word_q[1];
-    store_q[35] <= write_q && write_group_q[8] && write_word_q[2];
-    store_q[36] <= write_q && write_group_q[8] && write_word_q[3];
-    store_q[37] <= write_q && write_group_q[8] && write_word_q[6];
-    store_q[38] <= write_q && write_group_q[9] && write_word_q[0];
-    store_q[39] <= write_q && write_group_q[9] && write_word_q[4];
-    store_q[40] <= write_q && write_group_q[10] && write_word_q[0];
+    store_q[0] <= taken_q && write_q && write_group_q[0] && write_word_q[0];
+    store_q[1] <= taken_q && write_q && write_group_q[0] && write_word_q[1];
+    store_q[2] <= taken_q && write_q && write_group_q[0] && write_word_q[3];
+    store_q[3] <= taken_q && write_q && write_group_q[0] && write_word_q[4];
+    store_q[4] <= taken_q && write_q && write_group_q[0] && write_word_q[5];
+    store_q[5] <= taken_q && write_q && write_group_q[0] && write_word_q[6];
+    store_q[6] <= taken_q && write_q && write_group_q[0] && write_word_q[7];
+    store_q[7] <= taken_q && write_q && write_group_q[1] && write_word_q[0];
+    store_q[8] <= taken_q && write_q && write_group_q[1] && write_word_q[2];
+    store_q[9] <= taken_q && write_q && write_group_q[1] && write_word_q[4];
+    store_q[10] <= taken_q && write_q && write_group_q[2] && write_word_q[0];
+    store_q[11] <= taken_q && write_q && write_group_q[2] && write_word_q[1];
+    store_q[12] <= taken_q && write_q && write_group_q[2] && write_word_q[2];
+    store_q[13] <= taken_q && write_q && write_group_q[2] && write_word_q[3];
+    store_q[14] <= taken_q && write_q && write_group_q[2] && write_word_q[4];
+    store_q[15] <= taken_q && write_q && write_group_q[2] && write_word_q[5];
+    store_q[16] <= taken_q && write_q && write_group_q[3] && write_word_q[0];
+    store_q[17] <= taken_q && write_q && write_group_q[3] && write_word_q[1];
+    store_q[18] <= taken_q && write_q && write_group_q[3] && write_word_q[2];
+    store_q[19] <= taken_q && write_q && write_group_q[3] && write_word_q[3];
+    store_q[20] <= taken_q && write_q && write_group_q[3] && write_word_q[4];
+    store_q[21] <= taken_q && write_q && write_group_q[3] && write_word_q[5];
+    store_q[22] <= taken_q && write_q && write_group_q[3] && write_word_q[6];
+    store_q[23] <= taken_q && write_q && write_group_q[3] && write_word_q[7];
+    store_q[24] <= taken_q && write_q && write_group_q[4] && write_word_q[0];
+    store_q[25] <= taken_q && write_q && write_group_q[4] && write_word_q[1];
+    store_q[26] <= taken_q && write_q && write_group_q[4] && write_word_q[7];
+    store_q[27] <= taken_q && write_q && write_group_q[6] && write_word_q[4];
+    store_q[28] <= taken_q && write_q && write_group_q[6] && write_word_q[5];
+    store_q[29] <= taken_q && write_q && write_group_q[6] && write_word_q[6];
+    store_q[30] <= taken_q && write_q && write_group_q[6] && write_word_q[7];
+    store_q[31] <= taken_q && write_q && write_group_q[7] && write_word_q[0];
+    store_q[32] <= taken_q && write_q && write_group_q[7] && write_word_q[1];
+    store_q[33] <= taken_q && write_q && write_group_q[8] && write_word_q[0];
+    store_q[34] <= taken_q && write_q && write_group_q[8] && write_word_q[1];
+    store_q[35] <= taken_q && write_q && write_group_q[8] && write_word_q[2];
+    store_q[36] <= taken_q && write_q && write_group_q[8] && write_word_q[3];
+    store_q[37] <= taken_q && write_q && write_group_q[8] && write_word_q[6];
+    store_q[38] <= taken_q && write_q && write_group_q[9] && write_word_q[0];
+    store_q[39] <= taken_q && write_q && write_group_q[9] && write_word_q[4];
+    store_q[40] <= taken_q && write_q && write_group_q[10] && write_word_q[0];
     if (!rst_ni) store_q <= '0;
     data_q <= write_data_i;
     strb_q <= write_strb_i;
@@ -1032,7 +1034,7 @@ module horopter_csr #(
   logic [ 1:0] irq_status_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) irq_status_q <= 2'd0;
-    else if (write_q && write_group_q[1] && write_word_q[1])
+    else if (taken_q && write_q && write_group_q[1] && write_word_q[1])
       irq_status_q <= (irq_status_q & ~(write_data_i[1:0] & {{2{write_strb_i[0]}}})) | irq_status_set_i;
     else irq_status_q <= irq_status_q | irq_status_set_i;
   end
@@ -1042,7 +1044,7 @@ module horopter_csr #(
   logic [27:0] faults_cameras_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) faults_cameras_q <= 28'd0;
-    else if (write_q && write_group_q[5] && write_word_q[0])
+    else if (taken_q && write_q && write_group_q[5] && write_word_q[0])
       faults_cameras_q <= (faults_cameras_q & ~({write_data_i[29:16], write_data_i[13:0]} & {{6{write_strb_i[3]}}, {8{write_strb_i[2]}}, {6{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_cameras_set_i;
     else faults_cameras_q <= faults_cameras_q | faults_cameras_set_i;
   end
@@ -1052,7 +1054,7 @@ module horopter_csr #(
   logic [21:0] faults_machine_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) faults_machine_q <= 22'd0;
-    else if (write_q && write_group_q[5] && write_word_q[1])
+    else if (taken_q && write_q && write_group_q[5] && write_word_q[1])
       faults_machine_q <= (faults_machine_q & ~(write_data_i[21:0] & {{6{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
     else faults_machine_q <= faults_machine_q | faults_machine_set_i;
   end

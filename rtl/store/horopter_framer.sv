@@ -136,7 +136,7 @@ module horopter_framer #(
   assign gone_o = gone_q;
 
   // What the head of the stream means in a frame.
-  logic in_frame, early, take, at_end, complete, last_row, overflow, ends_early;
+  logic in_frame, early, take, at_end, complete, last_row, overflow, stopped, ends_early;
   assign in_frame = state_q == LINE || state_q == SKIP;
   assign early = in_frame && s_valid_i && s_first_i && !fresh_q;
   assign overflow = state_q == LINE && blocked_q && live_i && almost_full_i;
@@ -144,7 +144,8 @@ module horopter_framer #(
   assign at_end = row_end_q;
   assign complete = take && (s_last_i || at_end);
   assign last_row = last_row_q;
-  assign ends_early = in_frame && (early || overflow || cut_i || gone_q);
+  assign stopped = overflow || cut_i || gone_q;
+  assign ends_early = in_frame && (early || stopped);
 
   // A start of frame waits for its grant, or is dropped; what comes between frames, or is too much of a row, goes.
   assign s_ready_o = state_q == LINE ? !blocked_q && (fresh_q || !s_first_i) : drop_q || !s_first_i;
@@ -235,12 +236,20 @@ module horopter_framer #(
             short_line_o <= !at_end;
             long_line_o <= !s_last_i;
             frame_done_o <= last_row;
+          end
+          if (early) state_q <= START;
+          else if (stopped) state_q <= WAIT;
+          else if (s_valid_i && !blocked_q && (s_last_i || at_end)) begin  // complete
             if (last_row) state_q <= s_last_i ? IDLE : SKIP_END;
             else if (!s_last_i) state_q <= SKIP;
           end
         end
 
-        SKIP: if (s_valid_i && s_last_i) state_q <= LINE;
+        SKIP: begin
+          if (early) state_q <= START;
+          else if (stopped) state_q <= WAIT;
+          else if (s_valid_i && s_last_i) state_q <= LINE;
+        end
 
         default: begin  // SKIP_END
           if (s_valid_i && s_first_i) state_q <= START;
@@ -270,7 +279,6 @@ module horopter_framer #(
         missing_line_o <= early || (gone_q && !s_valid_i && !silent_q);
         overflow_o <= overflow && !early;
         lost_silent_o <= silent_q && !s_valid_i;
-        state_q <= early ? START : WAIT;
       end
     end
   end
